@@ -1,0 +1,1 @@
+"""The doors for commands: text and action in, exactly one reply out."""

@@ -1,0 +1,1 @@
+"""Runs one procedure at a time and preempts the one before."""

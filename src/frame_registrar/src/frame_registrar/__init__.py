@@ -1,0 +1,1 @@
+"""Graph of semantic frames: who can carry out what was evoked."""

@@ -1,0 +1,1 @@
+"""Remembers where the robot is under a name: This is the office."""

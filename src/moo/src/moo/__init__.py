@@ -1,0 +1,1 @@
+"""Moos when it is told to speak."""

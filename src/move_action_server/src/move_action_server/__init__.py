@@ -1,0 +1,1 @@
+"""Moves and turns a base by spoken amounts: odometry in, velocity out."""

@@ -1,0 +1,1 @@
+"""Go to a place: an RFNServer in front of move_base."""

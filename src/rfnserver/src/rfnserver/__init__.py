@@ -1,0 +1,1 @@
+"""An action server that registers for semantic frames."""

@@ -1,0 +1,1 @@
+"""Simulated robots that offer the topics and actions of the real ones."""

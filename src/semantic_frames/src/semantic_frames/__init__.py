@@ -1,0 +1,1 @@
+"""Semantic frames and lexical units as values, and the YAML files that robot programmers write."""

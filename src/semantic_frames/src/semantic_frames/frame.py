@@ -1,0 +1,126 @@
+"""Semantic frames as values: what a frame file says, checked and without its spelling."""
+from dataclasses import dataclass
+from enum import Enum
+from typing import Optional, Tuple, Union
+
+
+class Quantity(Enum):
+    """What the number in a frame element measures. Inside the system the unit is the one of REP 103."""
+
+    NUMBER = "number"
+    LENGTH = "length"  # metres
+    ANGLE = "angle"  # radians
+    DURATION = "duration"  # seconds
+
+
+@dataclass(frozen=True)
+class FrameElement:
+    """One participant or prop of the scene that a frame describes.
+
+    Attributes:
+        name: unique in its frame
+        is_core: whether the scene cannot be understood without it (FrameNet's coreness)
+        default: argument when nothing fills it; empty for none
+        quantity: what it measures, where it holds a number; None for words
+        unit_element: name of the element of the same frame that holds the unit of the number; empty when the
+            unit is part of the argument ("3 feet")
+        minimum: smallest amount allowed, in SI units; None for no limit
+        maximum: largest amount allowed, in SI units; None for no limit
+        values: the only arguments allowed; empty for any
+        question: what to ask a person for it ("How far should I move?"); empty for a question made of the name
+        answer: an example of an answer ("three feet"); empty for none
+        framenet: name of the frame element in FrameNet; empty where FrameNet has none
+    """
+
+    name: str
+    is_core: bool = False
+    default: str = ""
+    quantity: Optional[Quantity] = None
+    unit_element: str = ""
+    minimum: Optional[float] = None
+    maximum: Optional[float] = None
+    values: Tuple[str, ...] = ()
+    question: str = ""
+    answer: str = ""
+    framenet: str = ""
+
+
+@dataclass(frozen=True)
+class ElementMapping:
+    """The child's element takes the argument of the parent's element."""
+
+    parent_name: str
+    child_name: str
+
+
+@dataclass(frozen=True)
+class ValueCondition:
+    """The child stands for the parent only if the parent's argument is one of the values (case is ignored)."""
+
+    parent_name: str
+    child_values: Tuple[str, ...]
+
+
+@dataclass(frozen=True)
+class ConstantArgument:
+    """The child's element takes a value that the frame file gives."""
+
+    parent_value: str
+    child_name: str
+
+
+FrameElementRelation = Union[ElementMapping, ValueCondition, ConstantArgument]
+
+
+@dataclass(frozen=True)
+class RelatedFrame:
+    """A child of a frame.
+
+    Attributes:
+        name: the child frame
+        frame_element_relations: how the child is filled from the parent
+        line: where the file names it, from 1
+    """
+
+    name: str
+    frame_element_relations: Tuple[FrameElementRelation, ...] = ()
+    line: int = 0
+
+
+class ListPolicy(Enum):
+    """What a frame does with a list ("the mug and the plate") in one of its elements."""
+
+    TOGETHER = "together"  # one frame whose argument is the list
+    REPEAT = "repeat"  # the frame once for each item
+
+
+@dataclass(frozen=True)
+class SemanticFrame:
+    """A scene, its elements, and the frames that can stand for it.
+
+    Attributes:
+        name: unique among all frames
+        description: one sentence for people
+        frame_elements: in the order of the file
+        children: each entry is a sequence of frames that together do what this frame does. A sequence of one
+            frame is specificity, a longer one sequentiality (Thomas and Jenkins, ICRA 2012).
+        framenet: name of the frame in FrameNet 1.7; empty where FrameNet has none
+        on_list: what a list in an element means
+        is_confirmed: whether a person is asked "yes or no" before it is carried out
+        path: the file it came from
+        line: where it begins, from 1
+    """
+
+    name: str
+    description: str = ""
+    frame_elements: Tuple[FrameElement, ...] = ()
+    children: Tuple[Tuple[RelatedFrame, ...], ...] = ()
+    framenet: str = ""
+    on_list: ListPolicy = ListPolicy.REPEAT
+    is_confirmed: bool = False
+    path: str = ""
+    line: int = 0
+
+    def element(self, name: str) -> Optional[FrameElement]:
+        """Return the element of that name, or None."""
+        return next((element for element in self.frame_elements if element.name == name), None)

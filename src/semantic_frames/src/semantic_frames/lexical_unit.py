@@ -1,0 +1,81 @@
+"""Lexical units as values: a verb, the frame it evokes, and which grammatical relation fills which element."""
+from dataclasses import dataclass, field
+from enum import Enum
+from typing import Mapping, Tuple
+
+
+class ArgumentForm(Enum):
+    """Which words of a matched phrase become the argument."""
+
+    HEAD = "head"  # the head word alone, as in 2012
+    PHRASE = "phrase"  # every word of the phrase, without a preposition at its front
+
+
+@dataclass(frozen=True)
+class RelationPath:
+    """A chain of grammatical relations that starts at the verb.
+
+    Attributes:
+        steps: names of relations, Universal ("obj", "obl:to", "nmod:poss") or Stanford ("dobj", "prep_to",
+            "poss"); ("dobj", "poss") is the possessive of the direct object
+    """
+
+    steps: Tuple[str, ...]
+
+    def __str__(self) -> str:
+        return "/".join(self.steps)
+
+
+@dataclass(frozen=True)
+class ElementRelation:
+    """Which grammatical relations fill a frame element.
+
+    Attributes:
+        name: frame element
+        relations: alternatives, the first that matches fills the element
+        argument: which words become the argument
+        words: the only head words (lemmas or forms, lower case) that may fill it; empty for any
+        line: where the file says so, from 1
+    """
+
+    name: str
+    relations: Tuple[RelationPath, ...]
+    argument: ArgumentForm = ArgumentForm.HEAD
+    words: Tuple[str, ...] = ()
+    line: int = 0
+
+
+@dataclass(frozen=True)
+class Example:
+    """An utterance that the unit must understand, run as a test.
+
+    Attributes:
+        text: the utterance
+        frame_elements: expected argument by element name
+        line: where the file says so, from 1
+    """
+
+    text: str
+    frame_elements: Mapping[str, str] = field(default_factory=dict)
+    line: int = 0
+
+
+@dataclass(frozen=True)
+class LexicalUnit:
+    """Verbs that evoke a frame in the same way.
+
+    Attributes:
+        frame_name: the frame that is evoked
+        verbs: lemmas, a particle included ("pick up"), lower case
+        relations: how the elements are filled
+        examples: utterances that the unit understands
+        path: the file it came from
+        line: where it begins, from 1
+    """
+
+    frame_name: str
+    verbs: Tuple[str, ...]
+    relations: Tuple[ElementRelation, ...] = ()
+    examples: Tuple[Example, ...] = ()
+    path: str = ""
+    line: int = 0

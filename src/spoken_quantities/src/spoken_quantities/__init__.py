@@ -1,0 +1,1 @@
+"""Numbers, lengths, angles and durations in English words, and what they are in SI units."""

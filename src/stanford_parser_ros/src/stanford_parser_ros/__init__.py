@@ -1,0 +1,1 @@
+"""Stanza wrapped in ROS: Universal and Stanford typed dependencies of English commands."""

@@ -1,0 +1,1 @@
+"""Follow me: a person follower on a point cloud, as an RFNServer."""

@@ -1,0 +1,1 @@
+"""Says a text aloud and on a topic."""
