@@ -1,0 +1,12 @@
+# Sourced by the other scripts: the workspace's environment, and nothing that listens beyond this machine.
+if [ ! -f devel/setup.bash ]; then
+  echo "devel/setup.bash is missing: run 'make build' first." >&2
+  exit 1
+fi
+unset PYTHONPATH PYTHONHOME
+. devel/setup.bash
+export ROS_HOSTNAME=${ROS_HOSTNAME:-127.0.0.1}
+export ROS_HOME=${ROS_HOME:-$PWD/.ros}
+export ROS_LOG_DIR=${ROS_LOG_DIR:-$ROS_HOME/log}
+export PYTHONUNBUFFERED=1
+mkdir -p "$ROS_LOG_DIR"
