@@ -1,0 +1,1 @@
+"""Says sentences to a robot, watches what it does and judges it."""

@@ -1,0 +1,130 @@
+"""Says the sentences of a script to a running robot, shows every stage, and ends with a table."""
+import sys
+import threading
+import time
+from typing import List, Optional, Sequence, Tuple
+
+import rospy
+import yaml
+
+from roboframenet_demo.ros_conversation import Conversation
+from roboframenet_demo.ros_observer import RobotObserver
+from roboframenet_demo.script import Line, judge, read_line
+from roboframenet_demo.table import format_table
+from roboframenet_msgs.msg import CommandStatus, Reply, StageEvent
+
+OUTCOME_NAMES = {Reply.DONE: "DONE", Reply.FAILED: "FAILED", Reply.REFUSED: "REFUSED",
+                 Reply.NEEDS_INFORMATION: "NEEDS_INFORMATION", Reply.SUPERSEDED: "SUPERSEDED"}
+#: How long after a reply the base may still roll out, seconds.
+ROLL_OUT_S = 3.0
+HEADER = ("sentence", "domain", "frame and elements", "RFNServer", "what the robot did", "verdict")
+WIDTHS = (24, 10, 30, 14, 30, 10)
+
+
+class Demonstration:
+    """Runs the lines of one script, one after the other."""
+
+    def __init__(self) -> None:
+        self._print_lock = threading.Lock()
+        self._conversation = Conversation(on_event=self._show_event)
+        self._observer = RobotObserver()
+        self.rows: List[Sequence[str]] = []
+        self.failures = 0
+
+    def wait_until_ready(self, timeout_s: float) -> bool:
+        """Wait for the pipeline: the text is heard and the status says so."""
+        if not self._conversation.wait_until_heard(2, timeout_s):
+            return False
+        try:
+            rospy.wait_for_message("status", CommandStatus, timeout=timeout_s)
+        except rospy.ROSException:
+            return False
+        return True
+
+    def run(self, line: Line) -> None:
+        """Say one sentence, watch, judge, remember the row of the table."""
+        self._show(f'\n>>> "{line.text}"')
+        self._observer.begin()
+        self._conversation.say(line.text)
+        texts = [line.text]
+        if line.interruption is not None:
+            self._wait_for_motion(line.timeout_s)
+            time.sleep(line.interruption.after_s)
+            self._show(f'>>> "{line.interruption.text}"    (in mid-action)')
+            self._conversation.say(line.interruption.text)
+            texts.append(line.interruption.text)
+        replies = self._conversation.wait_for_replies(texts, line.timeout_s)
+        self._wait_for_rest()
+        reply = replies.get(line.text)
+        outcome = OUTCOME_NAMES[reply.outcome] if reply else "NO REPLY"
+        is_right, reason = judge(line, outcome, self._observer.observe())
+        if line.interruption is not None:
+            second = replies.get(line.interruption.text)
+            second_outcome = OUTCOME_NAMES[second.outcome] if second else "NO REPLY"
+            if second_outcome != line.interruption.outcome:
+                is_right, reason = False, f"interruption: {second_outcome}"
+        self.failures += not is_right
+        self._show(f"    reply: {outcome}: {reply.sentence if reply else '-'}")
+        self._show(f"    robot: {self._observer.observe().describe()}")
+        self._remember(line, reply, outcome, is_right, reason)
+
+    def _remember(self, line: Line, reply: Optional[Reply], outcome: str, is_right: bool, reason: str) -> None:
+        frame, server, domain = self._frame_of(reply)
+        spoken = line.text + (f" / {line.interruption.text}" if line.interruption else "")
+        self.rows.append((spoken, domain, frame or f"({reply.code if reply else outcome})", server,
+                          self._observer.observe().describe(), "ok" if is_right else f"WRONG: {reason}"))
+
+    def _frame_of(self, reply: Optional[Reply]) -> Tuple[str, str, str]:
+        """Return frame with elements, server and domain of what was carried out."""
+        if reply is None:
+            return "", "", ""
+        reading = self._conversation.reading(reply.command.id)
+        source = reading.clauses[0].readings[0].source if reading and reading.clauses and reading.clauses[0].readings else ""
+        domain = source.split("/")[-3] if source.count("/") >= 3 else ""
+        procedure = self._conversation.procedure(reply.command.id)
+        if procedure is None or not procedure.procedure.frame_lists:
+            return "", "", domain
+        frames = procedure.procedure.frame_lists[0].frames
+        text = "; ".join(
+            f"{frame.name}({', '.join(f'{e.name}={e.argument}' for e in frame.frame_elements)})" for frame in frames)
+        return text, ", ".join(topic for frame in frames for topic in frame.action_server_topics), domain
+
+    def _wait_for_motion(self, timeout_s: float) -> None:
+        end = time.monotonic() + timeout_s
+        while not self._observer.is_moving() and time.monotonic() < end and not rospy.is_shutdown():
+            time.sleep(0.02)
+
+    def _wait_for_rest(self) -> None:
+        end = time.monotonic() + ROLL_OUT_S
+        while not self._observer.observe().is_still and time.monotonic() < end and not rospy.is_shutdown():
+            time.sleep(0.02)
+
+    def _show_event(self, event: StageEvent) -> None:
+        self._show(f"    {event.stage:<20} {event.sentence}")
+
+    def _show(self, text: str) -> None:
+        with self._print_lock:
+            print(text, flush=True)
+
+
+def main() -> int:
+    """Run the script that the first argument names; return 0 when every line did what it should."""
+    arguments = rospy.myargv()[1:]
+    if len(arguments) != 1:
+        print("usage: roboframenet_demo SCRIPT.yaml", file=sys.stderr)
+        return 2
+    with open(arguments[0], encoding="utf-8") as file:
+        lines = [read_line(entry) for entry in yaml.safe_load(file)]
+    rospy.init_node("roboframenet_demo", anonymous=True)
+    demonstration = Demonstration()
+    print("[demo] waiting for the pipeline (loading the parser takes some seconds) ...", flush=True)
+    if not demonstration.wait_until_ready(timeout_s=90.0):
+        print("[demo] the pipeline did not come up within 90 s; its log tells why.", file=sys.stderr)
+        return 1
+    for line in lines:
+        if rospy.is_shutdown():
+            return 130
+        demonstration.run(line)
+    print("\n" + format_table(HEADER, demonstration.rows, widths=WIDTHS))
+    print(f"\n{len(lines) - demonstration.failures} of {len(lines)} sentences did what they should.")
+    return 1 if demonstration.failures else 0

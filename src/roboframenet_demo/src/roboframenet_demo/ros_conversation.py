@@ -1,0 +1,84 @@
+"""Says sentences on the topic for people and collects what the stages make of them."""
+import queue
+import time
+from typing import Callable, Dict, List, Optional
+
+import rospy
+from std_msgs.msg import String
+
+from roboframenet_msgs.msg import CommandLexicalUnits, CommandProcedure, Reply, StageEvent
+
+
+class Conversation:
+    """One speaker at a time.
+
+    Publishes:
+        text (std_msgs/String)
+    Subscribes:
+        stage_events, reply, command_lexical_units, command_procedure
+    """
+
+    def __init__(self, on_event: Callable[[StageEvent], None]) -> None:
+        """
+        Args:
+            on_event: called with every stage event, from a thread of rospy
+        """
+        self._replies: "queue.Queue[Reply]" = queue.Queue()
+        self._procedures: Dict[str, CommandProcedure] = {}
+        self._readings: Dict[str, CommandLexicalUnits] = {}
+        self._text = rospy.Publisher("text", String, queue_size=10)
+        self._subscribers = [
+            rospy.Subscriber("stage_events", StageEvent, on_event, queue_size=100),
+            rospy.Subscriber("reply", Reply, self._replies.put, queue_size=100),
+            rospy.Subscriber("command_lexical_units", CommandLexicalUnits, self._on_reading, queue_size=100),
+            rospy.Subscriber("command_procedure", CommandProcedure, self._on_procedure, queue_size=100),
+        ]
+
+    def wait_until_heard(self, listeners: int, timeout_s: float) -> bool:
+        """Wait until so many nodes listen to the text; return whether they do."""
+        end = time.monotonic() + timeout_s
+        while time.monotonic() < end and not rospy.is_shutdown():
+            if self._text.get_num_connections() >= listeners:
+                return True
+            time.sleep(0.1)
+        return False
+
+    def say(self, text: str) -> None:
+        """Publish a sentence."""
+        self._text.publish(String(data=text))
+
+    def wait_for_replies(self, texts: List[str], timeout_s: float) -> Dict[str, Reply]:
+        """Collect the replies to sentences.
+
+        Args:
+            texts: the sentences, as they were said
+            timeout_s: how long to wait for all of them
+        Returns:
+            reply by sentence; a sentence that got none is missing
+        """
+        end = time.monotonic() + timeout_s
+        replies: Dict[str, Reply] = {}
+        while len(replies) < len(texts) and not rospy.is_shutdown():
+            try:
+                reply = self._replies.get(timeout=max(0.01, min(0.5, end - time.monotonic())))
+            except queue.Empty:
+                if time.monotonic() >= end:
+                    break
+                continue
+            if reply.command.text in texts:
+                replies[reply.command.text] = reply
+        return replies
+
+    def procedure(self, command_id: str) -> Optional[CommandProcedure]:
+        """Return what the arbitrator made of a command, None for nothing."""
+        return self._procedures.get(command_id)
+
+    def reading(self, command_id: str) -> Optional[CommandLexicalUnits]:
+        """Return what the framer made of a command, None for nothing."""
+        return self._readings.get(command_id)
+
+    def _on_reading(self, message: CommandLexicalUnits) -> None:
+        self._readings[message.command.id] = message
+
+    def _on_procedure(self, message: CommandProcedure) -> None:
+        self._procedures[message.command.id] = message

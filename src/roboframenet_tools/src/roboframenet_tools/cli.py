@@ -1,0 +1,39 @@
+"""The command line ``rfn``: one subcommand for each thing a person asks of the system."""
+import argparse
+import importlib
+import sys
+from typing import List, Optional, Sequence
+
+
+#: Subcommand, module that implements it, and the line that ``rfn --help`` shows. A module offers
+#: ``add_arguments(parser)`` and ``run(arguments) -> exit status``; it is imported only when it is asked for, so that
+#: a subcommand that needs no ROS works without ROS, and ``rfn --help`` is quick.
+COMMANDS = (
+    ("say", "roboframenet_tools.ros_say", "say a sentence to the robot and see what comes of it"),
+)
+
+
+def main(argv: Optional[Sequence[str]] = None) -> int:
+    """Run one subcommand.
+
+    Args:
+        argv: the words behind ``rfn``; None for those of the process
+    Returns:
+        exit status: 0 when what was asked for is done, 2 for wrong usage
+    """
+    words: List[str] = list(sys.argv[1:] if argv is None else argv)
+    parser = argparse.ArgumentParser(
+        prog="rfn", description="RoboFrameNet from the command line.", epilog="'rfn COMMAND --help' tells more of each.")
+    subparsers = parser.add_subparsers(dest="command", metavar="COMMAND")
+    for name, module, line in COMMANDS:
+        subparser = subparsers.add_parser(
+            name, help=line, description=line[0].upper() + line[1:] + ".",
+            formatter_class=argparse.RawDescriptionHelpFormatter)
+        if words[:1] == [name]:
+            importlib.import_module(module).add_arguments(subparser)
+    arguments = parser.parse_args(words)
+    if arguments.command is None:
+        parser.print_help()
+        return 2
+    module = next(module for name, module, _ in COMMANDS if name == arguments.command)
+    return importlib.import_module(module).run(arguments)

@@ -1,0 +1,61 @@
+"""What ``rfn say`` prints, and the exit status that it ends with."""
+import json
+from dataclasses import asdict, dataclass
+from enum import IntEnum
+
+
+class Outcome(IntEnum):
+    """Outcome of a reply; the numbers are those of ``roboframenet_msgs/Reply``."""
+
+    DONE = 0
+    FAILED = 1
+    REFUSED = 2
+    NEEDS_INFORMATION = 3
+    SUPERSEDED = 4
+
+
+#: Exit status of ``rfn say``: 0 only when the robot did it.
+EXIT_STATUS = {
+    Outcome.DONE: 0,
+    Outcome.FAILED: 1,
+    Outcome.REFUSED: 3,
+    Outcome.NEEDS_INFORMATION: 4,
+    Outcome.SUPERSEDED: 5,
+}
+#: Exit status when no reply came at all.
+NO_REPLY = 6
+
+
+@dataclass(frozen=True)
+class Stage:
+    """Something that a stage said of the command."""
+
+    stage: str
+    sentence: str
+
+
+@dataclass(frozen=True)
+class Answer:
+    """The reply to a sentence."""
+
+    id: str
+    text: str
+    outcome: Outcome
+    stage: str
+    code: str
+    sentence: str
+
+
+def format_stage(stage: Stage, *, as_json: bool) -> str:
+    """Return the line for a stage that passed."""
+    if as_json:
+        return json.dumps({"event": asdict(stage)})
+    return f"  {stage.stage:<20} {stage.sentence}"
+
+
+def format_answer(answer: Answer, *, as_json: bool) -> str:
+    """Return the line for the reply."""
+    if as_json:
+        return json.dumps({"reply": {**asdict(answer), "outcome": answer.outcome.name}})
+    name = answer.outcome.name.lower().replace("_", " ")
+    return f"{name}: {answer.sentence}" + (f" [{answer.code} in {answer.stage}]" if answer.outcome is not Outcome.DONE else "")

@@ -1,0 +1,44 @@
+"""What rfn say prints and returns."""
+import json
+
+import pytest
+from roboframenet_tools.cli import COMMANDS, main
+from roboframenet_tools.saying import EXIT_STATUS, Answer, Outcome, Stage, format_answer, format_stage
+
+ANSWER = Answer(id="1", text="Fly.", outcome=Outcome.REFUSED, stage="semantic_framer", code="UNKNOWN_VERB",
+                sentence='I do not know "fly".')
+
+
+def test_only_done_exits_with_zero() -> None:
+    assert {outcome for outcome in Outcome if EXIT_STATUS[outcome] == 0} == {Outcome.DONE}
+
+
+def test_exit_statuses_are_distinct() -> None:
+    assert len(set(EXIT_STATUS.values())) == len(Outcome)
+
+
+def test_answer_names_code_and_stage() -> None:
+    assert format_answer(ANSWER, as_json=False) == 'refused: I do not know "fly". [UNKNOWN_VERB in semantic_framer]'
+
+
+def test_json_answer_is_one_object() -> None:
+    assert json.loads(format_answer(ANSWER, as_json=True))["reply"]["outcome"] == "REFUSED"
+
+
+def test_json_stage_is_one_object() -> None:
+    assert json.loads(format_stage(Stage("executor", "goal sent"), as_json=True)) == {
+        "event": {"stage": "executor", "sentence": "goal sent"}}
+
+
+def test_help_lists_every_command(capsys: pytest.CaptureFixture) -> None:
+    with pytest.raises(SystemExit) as ended:
+        main(["--help"])
+    assert ended.value.code == 0
+    printed = capsys.readouterr().out
+    assert all(name in printed for name, _, _ in COMMANDS)
+
+
+def test_unknown_command_is_wrong_usage() -> None:
+    with pytest.raises(SystemExit) as ended:
+        main(["sya", "hello"])
+    assert ended.value.code == 2
