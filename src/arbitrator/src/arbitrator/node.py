@@ -1,0 +1,102 @@
+"""The arbitrator node: candidates in, an ordered procedure out."""
+from dataclasses import dataclass
+from typing import Optional
+
+import rospy
+from roboframenet_msgs.msg import CommandProcedure, CommandSemanticFrames, Procedure, Reply, StageEvent
+
+from arbitrator.policy import Policy, PolicyError, arbitrate, load_policy
+from arbitrator.ros_messages import candidates_from_message, procedure_to_message
+
+STAGE = "arbitrator"
+
+
+@dataclass(frozen=True)
+class Settings:
+    """Private parameters of the node.
+
+    Attributes:
+        policy: name of a policy, or ``package.module:ClassName``
+        seed: of the policy; negative for a new one at each start
+    """
+
+    policy: str = "random"
+    seed: int = -1
+
+    def __post_init__(self) -> None:
+        if not isinstance(self.policy, str) or not self.policy:
+            raise ValueError(f"~policy must be a name, got {self.policy!r}")
+        if isinstance(self.seed, bool) or not isinstance(self.seed, int):
+            raise ValueError(f"~seed must be an integer, got {self.seed!r}")
+
+    @property
+    def policy_seed(self) -> Optional[int]:
+        """The seed as policies take it."""
+        return None if self.seed < 0 else self.seed
+
+
+def read_settings() -> Settings:
+    """Read the private parameters.
+
+    Raises:
+        ValueError: a parameter is out of its range
+    """
+    return Settings(policy=rospy.get_param("~policy", "random"), seed=rospy.get_param("~seed", -1))
+
+
+class ArbitratorNode:
+    """Orders the candidates of each command.
+
+    Subscribes: ``command_semantic_frames``. Publishes: ``command_procedure``, ``procedure``, ``stage_events``.
+    """
+
+    def __init__(self, policy: Policy) -> None:
+        self._policy = policy
+        self._command_procedure = rospy.Publisher("command_procedure", CommandProcedure, queue_size=100)
+        self._procedure = rospy.Publisher("procedure", Procedure, queue_size=100)
+        self._events = rospy.Publisher("stage_events", StageEvent, queue_size=100)
+        self._subscriber = rospy.Subscriber(
+            "command_semantic_frames", CommandSemanticFrames, self._on_candidates, queue_size=100)
+
+    def _on_candidates(self, message: CommandSemanticFrames) -> None:
+        if not message.candidates.frame_lists:
+            self._end(message, outcome=Reply.REFUSED, code="NO_SERVER",
+                      sentence="Nothing that could carry this out is registered.")
+            return
+        try:
+            procedure = arbitrate(candidates_from_message(message), self._policy)
+        except (ValueError, PolicyError) as error:
+            rospy.logerr("cmd=%s cannot be arbitrated: %s", message.command.id, error)
+            self._end(message, outcome=Reply.FAILED, code="STAGE_ERROR",
+                      sentence=f"The candidates could not be put in order: {error}.")
+            return
+        answer = procedure_to_message(procedure)
+        ways = len(procedure.sequences)
+        first = ", then ".join(f"{frame.name} by {frame.server}" for frame in procedure.sequences[0].frames)
+        sentence = f"{ways} {'way' if ways == 1 else 'ways'} to do it; first {first}."
+        rospy.loginfo("cmd=%s %s", message.command.id, sentence)
+        # The event goes first so that an observer hears the stages in their order.
+        self._events.publish(StageEvent(
+            command=message.command, stage=STAGE, stamp=rospy.Time.now(), sentence=sentence))
+        self._command_procedure.publish(CommandProcedure(command=message.command, procedure=answer))
+        self._procedure.publish(answer)
+
+    def _end(self, message: CommandSemanticFrames, *, outcome: int, code: str, sentence: str) -> None:
+        now = rospy.Time.now()
+        reply = Reply(command=message.command, outcome=outcome, stage=STAGE, code=code, sentence=sentence, stamp=now)
+        self._events.publish(StageEvent(
+            command=message.command, stage=STAGE, stamp=now, sentence=sentence, is_final=True, reply=reply))
+
+
+def main() -> None:
+    """Run the node until ROS shuts down; exits with a sentence when a parameter is wrong."""
+    rospy.init_node("arbitrator")
+    try:
+        settings = read_settings()
+        policy = load_policy(settings.policy, seed=settings.policy_seed)
+    except ValueError as error:
+        rospy.logfatal("%s", error)
+        raise SystemExit(f"arbitrator: {error}") from error
+    rospy.loginfo("arbitrator: policy=%s seed=%s", settings.policy, settings.policy_seed)
+    ArbitratorNode(policy)
+    rospy.spin()

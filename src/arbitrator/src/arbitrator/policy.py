@@ -1,0 +1,159 @@
+"""Policies: in which order the candidates of a command are tried.
+
+A policy orders a group of candidates that account for the same share of the sentence. Groups with a larger share
+come first whatever the policy, because a reading that leaves words out is the worse reading.
+"""
+import abc
+import importlib
+import itertools
+import math
+import random
+from dataclasses import dataclass
+from typing import Callable, Dict, List, Optional, Sequence as SequenceOf, Tuple
+
+from arbitrator.procedure import Procedure, Sequence
+
+
+@dataclass(frozen=True)
+class Candidate:
+    """One way to carry a command out.
+
+    Attributes:
+        sequence: the frames, in order
+        coverage: share of the content words of the sentence that it accounts for, 0 to 1
+
+    Raises:
+        ValueError: coverage is not finite or not from 0 to 1
+    """
+
+    sequence: Sequence
+    coverage: float
+
+    def __post_init__(self) -> None:
+        if not (math.isfinite(self.coverage) and 0.0 <= self.coverage <= 1.0):
+            raise ValueError(f"coverage must be 0 to 1, got {self.coverage}")
+
+
+class Policy(abc.ABC):
+    """Orders candidates of equal coverage. Subclass it for a policy of your own.
+
+    The constructor takes no argument but ``seed``.
+    """
+
+    def __init__(self, *, seed: Optional[int] = None) -> None:
+        """Keep what the policy needs.
+
+        Args:
+            seed: for policies that draw lots: the same seed gives the same orders; None for a new one each time
+        """
+        self.seed = seed
+
+    @abc.abstractmethod
+    def order(self, candidates: SequenceOf[Candidate]) -> List[Candidate]:
+        """Return the same candidates, each once, in the order in which they are to be tried."""
+
+
+class RandomPolicy(Policy):
+    """A new random order for every command, as in 2012."""
+
+    def __init__(self, *, seed: Optional[int] = None) -> None:
+        super().__init__(seed=seed)
+        self._random = random.Random(seed)
+
+    def order(self, candidates: SequenceOf[Candidate]) -> List[Candidate]:
+        """Shuffle."""
+        shuffled = list(candidates)
+        self._random.shuffle(shuffled)
+        return shuffled
+
+
+class InOrderPolicy(Policy):
+    """The order in which the registrar found them."""
+
+    def order(self, candidates: SequenceOf[Candidate]) -> List[Candidate]:
+        """Leave them as they are."""
+        return list(candidates)
+
+
+class FewestStepsPolicy(Policy):
+    """The shortest sequence first: fewer servers can fail."""
+
+    def order(self, candidates: SequenceOf[Candidate]) -> List[Candidate]:
+        """Sort by the number of frames; equal ones stay in the order of the registrar."""
+        return sorted(candidates, key=lambda candidate: len(candidate.sequence.frames))
+
+
+# most_coverage is what every policy starts from; with no lots drawn inside a group it is the stable form of it.
+POLICIES: Dict[str, Callable[..., Policy]] = {
+    "random": RandomPolicy,
+    "in_order": InOrderPolicy,
+    "most_coverage": InOrderPolicy,
+    "fewest_steps": FewestStepsPolicy,
+}
+
+
+class PolicyError(ValueError):
+    """A policy cannot be loaded, or it does not return what it was given."""
+
+
+def load_policy(name: str, *, seed: Optional[int] = None) -> Policy:
+    """Make a policy.
+
+    Args:
+        name: a key of `POLICIES`, or ``package.module:ClassName`` of a subclass of `Policy`
+        seed: given to the policy
+
+    Raises:
+        PolicyError: no such policy, or it cannot be imported or made; the text says why and what exists
+    """
+    if name in POLICIES:
+        return POLICIES[name](seed=seed)
+    known = ", ".join(sorted(POLICIES))
+    module_name, separator, class_name = name.partition(":")
+    if not (separator and module_name and class_name):
+        raise PolicyError(f"unknown policy {name!r}: expected one of {known}, or package.module:ClassName")
+    try:
+        module = importlib.import_module(module_name)
+    except Exception as error:  # boundary: a module of the user's may raise anything when it is imported
+        raise PolicyError(f"policy {name!r}: cannot import {module_name!r}: {type(error).__name__}: {error}") from error
+    policy_class = getattr(module, class_name, None)
+    if policy_class is None:
+        raise PolicyError(f"policy {name!r}: module {module_name!r} has no {class_name!r}")
+    if not (isinstance(policy_class, type) and issubclass(policy_class, Policy)):
+        raise PolicyError(f"policy {name!r}: {class_name!r} is not a subclass of arbitrator.policy.Policy")
+    try:
+        return policy_class(seed=seed)
+    except Exception as error:  # boundary: a constructor of the user's, and abstract classes
+        raise PolicyError(f"policy {name!r} cannot be made: {type(error).__name__}: {error}") from error
+
+
+def _same_candidates(one: SequenceOf[Candidate], other: SequenceOf[Candidate]) -> bool:
+    return sorted(map(id, one)) == sorted(map(id, other))
+
+
+def arbitrate(candidates: SequenceOf[Candidate], policy: Policy) -> Procedure:
+    """Order candidates into a procedure: largest coverage first, groups of equal coverage as the policy says.
+
+    Args:
+        candidates: at least one
+        policy: orders each group of equal coverage
+
+    Raises:
+        ValueError: no candidates
+        PolicyError: the policy raised, or returned other candidates than it was given
+    """
+    # sorted() is stable, so the policy sees each group in the order of the registrar.
+    ranked = sorted(candidates, key=lambda candidate: -candidate.coverage)
+    ordered: List[Candidate] = []
+    for _, members in itertools.groupby(ranked, key=lambda candidate: candidate.coverage):
+        group: Tuple[Candidate, ...] = tuple(members)
+        try:
+            answer = list(policy.order(group))
+        except Exception as error:  # boundary: a policy of the user's may raise anything
+            raise PolicyError(f"policy {type(policy).__name__} failed: {type(error).__name__}: {error}") from error
+        if not _same_candidates(group, answer):
+            raise PolicyError(
+                f"policy {type(policy).__name__} must return each of the {len(group)} candidates once, "
+                f"got {len(answer)}")
+        ordered.extend(answer)
+    return Procedure(sequences=tuple(candidate.sequence for candidate in ordered))

@@ -1,0 +1,117 @@
+"""Order of the candidates."""
+import math
+import sys
+import types
+
+import pytest
+
+from arbitrator.policy import Candidate, POLICIES, Policy, PolicyError, arbitrate, load_policy
+from arbitrator.procedure import FilledFrame, Procedure, Sequence
+
+
+def make_candidate(name, coverage=1.0, steps=1):
+    frame = FilledFrame(name=name, frame_elements=(), server=f"{name}_server")
+    return Candidate(sequence=Sequence(frames=(frame,) * steps), coverage=coverage)
+
+
+def names(procedure):
+    return [sequence.frames[0].name for sequence in procedure.sequences]
+
+
+MANY = [make_candidate(f"frame{index}") for index in range(20)]
+
+
+def test_random_policy_with_a_seed_repeats_itself():
+    one, other = load_policy("random", seed=7), load_policy("random", seed=7)
+    first = [names(arbitrate(MANY, one)) for _ in range(3)]
+    assert first == [names(arbitrate(MANY, other)) for _ in range(3)]
+    assert first[0] != first[1]
+
+
+def test_random_policy_gives_every_candidate_the_first_place():
+    policy = load_policy("random", seed=1)
+    firsts = {names(arbitrate(MANY[:4], policy))[0] for _ in range(200)}
+    assert firsts == {"frame0", "frame1", "frame2", "frame3"}
+
+
+@pytest.mark.parametrize("name", sorted(POLICIES))
+def test_every_policy_tries_the_larger_coverage_first(name):
+    candidates = [make_candidate("low", 0.5), make_candidate("high", 1.0), make_candidate("middle", 0.75)]
+    assert names(arbitrate(candidates, load_policy(name))) == ["high", "middle", "low"]
+
+
+@pytest.mark.parametrize("name", ["in_order", "most_coverage"])
+def test_stable_policies_keep_the_order_of_the_registrar(name):
+    candidates = [make_candidate("c", 0.5), make_candidate("b"), make_candidate("d", 0.5), make_candidate("a")]
+    assert names(arbitrate(candidates, load_policy(name))) == ["b", "a", "c", "d"]
+
+
+def test_fewest_steps_prefers_short_sequences():
+    candidates = [make_candidate("long", steps=3), make_candidate("short"), make_candidate("medium", steps=2)]
+    assert names(arbitrate(candidates, load_policy("fewest_steps"))) == ["short", "medium", "long"]
+
+
+def test_two_equal_candidates_both_stay():
+    twin = make_candidate("twin")
+    assert names(arbitrate([twin, twin], load_policy("random"))) == ["twin", "twin"]
+
+
+class Reverse(Policy):
+    def order(self, candidates):
+        return list(reversed(candidates))
+
+
+class Forgetful(Policy):
+    def order(self, candidates):
+        return list(candidates)[1:]
+
+
+class Broken(Policy):
+    def order(self, candidates):
+        raise KeyError("no table")
+
+
+class Unmade(Policy):
+    """Abstract still."""
+
+
+@pytest.fixture
+def own_module(monkeypatch):
+    module = types.ModuleType("own_policies")
+    module.Reverse, module.Unmade, module.not_a_class = Reverse, Unmade, 3
+    monkeypatch.setitem(sys.modules, "own_policies", module)
+
+
+def test_own_policy_is_loaded_by_name(own_module):
+    assert names(arbitrate(MANY[:3], load_policy("own_policies:Reverse"))) == ["frame2", "frame1", "frame0"]
+
+
+@pytest.mark.parametrize("name,part", [
+    ("randm", "random"), ("", "random"), (":X", "package.module:ClassName"),
+    ("no_such_module_here:X", "cannot import"), ("own_policies:Missing", "has no 'Missing'"),
+    ("own_policies:not_a_class", "subclass"), ("own_policies:Unmade", "cannot be made"),
+])
+def test_wrong_policy_is_refused_with_the_reason(own_module, name, part):
+    with pytest.raises(PolicyError, match=part):
+        load_policy(name)
+
+
+@pytest.mark.parametrize("policy,part", [(Forgetful(), "each of the 2 candidates"), (Broken(), "KeyError: 'no table'")])
+def test_policy_that_misbehaves_is_named(policy, part):
+    with pytest.raises(PolicyError, match=part):
+        arbitrate(MANY[:2], policy)
+
+
+@pytest.mark.parametrize("coverage", [-0.1, 1.1, math.nan, math.inf])
+def test_coverage_out_of_range_is_refused(coverage):
+    with pytest.raises(ValueError, match="coverage"):
+        make_candidate("x", coverage)
+
+
+def test_empty_values_are_refused():
+    for make in (lambda: Procedure(sequences=()), lambda: Sequence(frames=()),
+                 lambda: FilledFrame(name="", frame_elements=(), server="s"),
+                 lambda: FilledFrame(name="f", frame_elements=(), server=""),
+                 lambda: arbitrate([], load_policy("in_order"))):
+        with pytest.raises(ValueError):
+            make()
