@@ -1,0 +1,162 @@
+"""A differential base: commanded velocity in, pose out.
+
+Time is whatever the caller counts in seconds; the same commands at the same times give the same poses.
+"""
+import math
+import random
+from dataclasses import dataclass
+from typing import Callable, Optional
+
+
+@dataclass(frozen=True)
+class Pose:
+    """A pose on the floor. The yaw is continuous: it counts whole turns (left is positive, REP 103)."""
+
+    x_m: float = 0.0
+    y_m: float = 0.0
+    yaw_rad: float = 0.0
+
+
+@dataclass(frozen=True)
+class Velocity:
+    """Speed along the robot's nose and turn rate; forward and left are positive."""
+
+    linear_m_per_s: float = 0.0
+    angular_rad_per_s: float = 0.0
+
+    def is_finite(self) -> bool:
+        """Tell whether both numbers can be driven."""
+        return math.isfinite(self.linear_m_per_s) and math.isfinite(self.angular_rad_per_s)
+
+
+STANDING = Velocity()
+
+
+@dataclass(frozen=True)
+class BaseLimits:
+    """What the base can do. The speeds are those that the Turtlebot 2's base is rated for.
+
+    Raises:
+        ValueError: a limit that is not a positive number, a negative noise
+    """
+
+    max_linear_m_per_s: float = 0.65
+    max_angular_rad_per_s: float = math.pi
+    linear_acceleration_m_per_s2: float = 1.5
+    angular_acceleration_rad_per_s2: float = 6.0
+    command_timeout_s: float = 0.5
+    velocity_noise: float = 0.0
+    """Standard deviation of the executed velocity, as a share of the wanted one. Odometry measures what was executed."""
+
+    def __post_init__(self) -> None:
+        for name in ("max_linear_m_per_s", "max_angular_rad_per_s", "linear_acceleration_m_per_s2",
+                     "angular_acceleration_rad_per_s2", "command_timeout_s"):
+            value = getattr(self, name)
+            if not (math.isfinite(value) and value > 0.0):
+                raise ValueError("%s must be a positive number, got %r" % (name, value))
+        if not 0.0 <= self.velocity_noise <= 1.0:
+            raise ValueError("velocity_noise must be 0 to 1, got %r" % self.velocity_noise)
+
+
+def clamp(value: float, *, limit: float) -> float:
+    """Return the value, brought into -limit .. limit."""
+    return max(-limit, min(limit, value))
+
+
+def approach(value: float, *, target: float, step: float) -> float:
+    """Return the value, brought nearer to the target by the step at most."""
+    return value + clamp(target - value, limit=step)
+
+
+def integrate(pose: Pose, *, velocity: Velocity, duration_s: float) -> Pose:
+    """Drive an arc with constant velocity, in closed form.
+
+    Turning by d while driving l along the arc moves the base by the chord l sin(d/2)/(d/2), in the direction halfway.
+    """
+    turned = velocity.angular_rad_per_s * duration_s
+    half = turned / 2.0
+    shortening = 1.0 - half * half / 6.0 if abs(half) < 1e-4 else math.sin(half) / half
+    chord = velocity.linear_m_per_s * duration_s * shortening
+    return Pose(x_m=pose.x_m + chord * math.cos(pose.yaw_rad + half),
+                y_m=pose.y_m + chord * math.sin(pose.yaw_rad + half), yaw_rad=pose.yaw_rad + turned)
+
+
+class DifferentialBase:
+    """A base that follows velocity commands within its limits, and stops by itself when they cease.
+
+    Args:
+        limits: what it can do
+        pose: where it starts
+        seed: of the velocity noise
+        is_free: tells whether the centre of the base may stand at (x_m, y_m); without it the floor is empty. A base
+            that runs against something stands still: it can turn, but its odometry does not advance.
+    """
+
+    MAX_STEP_S = 0.02
+
+    def __init__(self, limits: BaseLimits = BaseLimits(), *, pose: Pose = Pose(), seed: int = 0,
+                 is_free: Optional[Callable[[float, float], bool]] = None) -> None:
+        self.limits = limits
+        self.pose = pose
+        self.velocity = STANDING
+        self._wanted = STANDING
+        self._age_s = math.inf
+        self._random = random.Random(seed)
+        self._is_free = is_free
+
+    def command(self, velocity: Velocity) -> bool:
+        """Take a command, which holds until the next one or until the command timeout.
+
+        Returns:
+            False for numbers that are not finite: the base then stops
+        """
+        is_finite = velocity.is_finite()
+        self._wanted = velocity if is_finite else STANDING
+        self._age_s = 0.0
+        return is_finite
+
+    def step(self, duration_s: float) -> None:
+        """Let time pass.
+
+        Args:
+            duration_s: finite and not negative; long steps are cut, so that the command timeout is kept exactly
+        """
+        if not (math.isfinite(duration_s) and duration_s >= 0.0):
+            raise ValueError("duration_s must be a finite number and not negative, got %r" % duration_s)
+        pieces = max(1, math.ceil(duration_s / self.MAX_STEP_S - 1e-9))
+        for _ in range(pieces):
+            self._step(duration_s / pieces)
+
+    def _step(self, duration_s: float) -> None:
+        limits = self.limits
+        wanted = self._wanted if self._age_s < limits.command_timeout_s else STANDING
+        self._age_s += duration_s
+        before = self.velocity
+        after = Velocity(
+            linear_m_per_s=approach(
+                before.linear_m_per_s, target=clamp(wanted.linear_m_per_s, limit=limits.max_linear_m_per_s),
+                step=limits.linear_acceleration_m_per_s2 * duration_s),
+            angular_rad_per_s=approach(
+                before.angular_rad_per_s, target=clamp(wanted.angular_rad_per_s, limit=limits.max_angular_rad_per_s),
+                step=limits.angular_acceleration_rad_per_s2 * duration_s))
+        mean = Velocity(
+            linear_m_per_s=self._noisy((before.linear_m_per_s + after.linear_m_per_s) / 2.0),
+            angular_rad_per_s=self._noisy((before.angular_rad_per_s + after.angular_rad_per_s) / 2.0))
+        pose = integrate(self.pose, velocity=mean, duration_s=duration_s)
+        if self._is_blocked(pose):
+            after = Velocity(angular_rad_per_s=after.angular_rad_per_s)
+            pose = integrate(self.pose, velocity=Velocity(angular_rad_per_s=mean.angular_rad_per_s),
+                             duration_s=duration_s)
+        self.velocity = after
+        self.pose = pose
+
+    def _noisy(self, speed: float) -> float:
+        if self.limits.velocity_noise == 0.0:
+            return speed
+        return speed * (1.0 + self._random.gauss(0.0, self.limits.velocity_noise))
+
+    def _is_blocked(self, pose: Pose) -> bool:
+        if self._is_free is None or self._is_free(pose.x_m, pose.y_m):
+            return False
+        # A base that was put onto an obstacle can still drive off.
+        return self._is_free(self.pose.x_m, self.pose.y_m)

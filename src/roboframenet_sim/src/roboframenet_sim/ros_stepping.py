@@ -1,0 +1,90 @@
+"""The time of a simulated robot: steps of one length, along the wall clock or along a /clock of its own."""
+import math
+import time
+from dataclasses import dataclass
+from typing import Callable, Optional
+
+import rospy
+from rosgraph_msgs.msg import Clock
+
+
+@dataclass(frozen=True)
+class SteppingSettings:
+    """How time passes.
+
+    Raises:
+        ValueError: a number out of range, or a rate factor without a clock to change
+    """
+
+    rate_hz: float = 50.0
+    rate_factor: float = 1.0
+    is_clock: bool = False
+    """This node publishes /clock; true only under /use_sim_time, and in one node of the graph."""
+
+    def __post_init__(self) -> None:
+        for name, low, high in (("rate_hz", 1.0, 1000.0), ("rate_factor", 0.01, 100.0)):
+            value = getattr(self, name)
+            if not (isinstance(value, (int, float)) and math.isfinite(value) and low <= value <= high):
+                raise ValueError("~%s must be %g to %g, got %r" % (name, low, high, value))
+        if self.rate_factor != 1.0 and not self.is_clock:
+            raise ValueError("~rate_factor other than 1 needs /use_sim_time and ~publish_clock, got %r" % self.rate_factor)
+
+
+def read_stepping_settings(*, rate_hz: float) -> SteppingSettings:
+    """Read ~rate_hz, ~rate_factor and ~publish_clock.
+
+    Args:
+        rate_hz: the default of ~rate_hz
+    """
+    is_sim_time = bool(rospy.get_param("/use_sim_time", False))
+    return SteppingSettings(rate_hz=rospy.get_param("~rate_hz", rate_hz),
+                            rate_factor=rospy.get_param("~rate_factor", SteppingSettings.rate_factor),
+                            is_clock=is_sim_time and bool(rospy.get_param("~publish_clock", True)))
+
+
+class Stepper:
+    """Calls a function once per period until the node is shut down.
+
+    Under /use_sim_time every step is exactly one period long, however busy the machine is: the simulation then runs
+    slower, but the same. Along the wall clock a step is as long as the time that has passed.
+
+    Args:
+        settings: rate and clock
+        step: called with the duration of the step in seconds, and the time to stamp messages with
+    """
+
+    MAX_LAG_S = 0.1
+
+    def __init__(self, settings: SteppingSettings, *, step: Callable[[float, rospy.Time], None]) -> None:
+        self._settings = settings
+        self._step = step
+        self._clock = rospy.Publisher("/clock", Clock, queue_size=10) if settings.is_clock else None
+
+    def run(self) -> None:
+        """Step until shutdown."""
+        period_s = 1.0 / self._settings.rate_hz
+        wall_period_s = period_s / self._settings.rate_factor
+        last_s = due_s = time.monotonic()
+        steps = 0
+        while not rospy.is_shutdown():
+            now_s = time.monotonic()
+            steps += 1
+            if self._clock is None:
+                self._step(now_s - last_s, rospy.Time.now())
+            else:
+                stamp = rospy.Time.from_sec(steps * period_s)
+                publish(self._clock, Clock(clock=stamp))
+                self._step(period_s, stamp)
+            last_s = now_s
+            due_s = max(due_s + wall_period_s, now_s - self.MAX_LAG_S)
+            time.sleep(max(0.0, due_s - time.monotonic()))
+
+
+def publish(publisher: Optional[rospy.Publisher], message: object) -> None:
+    """Publish; a topic that is closed because the node shuts down is no error."""
+    try:
+        if publisher is not None:
+            publisher.publish(message)
+    except rospy.ROSException:
+        if not rospy.is_shutdown():
+            raise
