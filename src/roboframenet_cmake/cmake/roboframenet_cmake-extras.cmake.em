@@ -1,22 +1,27 @@
 # Programs and tests of the RoboFrameNet packages.
 
-# roboframenet_install_programs(<script>...)
+# roboframenet_pin_interpreter(<script>...)
 #
-# Install Python programs into the package's folder, and make them runnable from the devel space.
-# catkin leaves "#!/usr/bin/env python3" as it is in the install space, where the first python3 on the PATH
-# need not be the one that ROS belongs to: here the interpreter of the build is written in.
+# Give scripts that catkin_install_python() installs the interpreter of the build. catkin leaves
+# "#!/usr/bin/env python3" as it is in the install space, where the first python3 on the PATH need not be the one
+# that ROS belongs to.
+function(roboframenet_pin_interpreter)
+  foreach(script ${ARGN})
+    get_filename_component(name ${script} NAME)
+    file(READ ${CMAKE_CURRENT_SOURCE_DIR}/${script} text)
+    string(REGEX REPLACE "^#![^\n]*" "#!${PYTHON_EXECUTABLE}" text "${text}")
+    set(pinned ${CMAKE_CURRENT_BINARY_DIR}/pinned_scripts/${name})
+    file(WRITE ${pinned} "${text}")
+    set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/${script})
+    # A later rule wins over the one of catkin_install_python.
+    install(PROGRAMS ${pinned} DESTINATION ${CATKIN_PACKAGE_BIN_DESTINATION})
+  endforeach()
+endfunction()
+
+# The two calls in one, for packages not yet moved.
 function(roboframenet_install_programs)
   catkin_install_python(PROGRAMS ${ARGN} DESTINATION ${CATKIN_PACKAGE_BIN_DESTINATION})
-  foreach(program ${ARGN})
-    get_filename_component(name ${program} NAME)
-    file(READ ${CMAKE_CURRENT_SOURCE_DIR}/${program} text)
-    string(REGEX REPLACE "^#![^\n]*" "#!${PYTHON_EXECUTABLE}" text "${text}")
-    set(rewritten ${CMAKE_CURRENT_BINARY_DIR}/roboframenet_programs/${name})
-    file(WRITE ${rewritten} "${text}")
-    set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/${program})
-    # A later rule wins over the one of catkin_install_python.
-    install(PROGRAMS ${rewritten} DESTINATION ${CATKIN_PACKAGE_BIN_DESTINATION})
-  endforeach()
+  roboframenet_pin_interpreter(${ARGN})
 endfunction()
 
 # roboframenet_add_tests([FOLDER <folder>])
