@@ -1,0 +1,57 @@
+"""What to say: from the elements of a filled frame to a sentence."""
+import datetime
+import re
+from typing import Optional
+
+#: Nobody listens to more.
+LONGEST_TEXT = 500
+_DETERMINER = re.compile(r"^(the|a|an|this|that|my|your|our|their)\s+", re.IGNORECASE)
+_LISTENER = {"me", "us", "you", ""}
+
+
+class NothingToSay(ValueError):
+    """There is no sentence for this frame; the message says why, for a person."""
+
+
+def spoken_text(message: str, addressee: str = "") -> str:
+    """Make the sentence that the robot says aloud.
+
+    Args:
+        message: what to say, "hello"
+        addressee: to whom, "the class"; empty or "me" for nobody by name
+    Returns:
+        "Hello, class."
+    Raises:
+        NothingToSay: the message is empty or too long
+    """
+    words = " ".join(message.split()).strip(" .\"'")
+    if not words:
+        raise NothingToSay("There is nothing to say.")
+    if len(words) > LONGEST_TEXT:
+        raise NothingToSay(f"That is too long to say: {len(words)} characters, at most {LONGEST_TEXT}.")
+    name = _DETERMINER.sub("", addressee.strip())
+    end = "" if words[-1] in "!?" else "."
+    called = f", {name}" if name.lower() not in _LISTENER else ""
+    return words[0].upper() + words[1:].rstrip("!?") + called + (end or words[-1])
+
+
+def told_fact(message: str, now: datetime.datetime) -> str:
+    """Return the sentence that tells something the robot knows by itself.
+
+    Args:
+        message: what to tell, "the time"
+        now: local time
+    Raises:
+        NothingToSay: the robot does not know it
+    """
+    topic = _DETERMINER.sub("", message.strip().lower())
+    facts = {
+        "time": f"It is {now:%H:%M}.",
+        "date": f"It is {now:%A}, {now.day} {now:%B %Y}.",
+        "day": f"It is {now:%A}.",
+        "name": "My name is Robo.",
+    }
+    fact: Optional[str] = facts.get(topic)
+    if fact is None:
+        raise NothingToSay(f"I do not know {message.strip()}; I can tell the {', the '.join(sorted(facts))}.")
+    return fact

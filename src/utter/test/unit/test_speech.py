@@ -1,0 +1,51 @@
+"""What the robot says."""
+import datetime
+import sys
+
+import pytest
+from utter.sound_process import run_bounded
+from utter.speech import NothingToSay, spoken_text, told_fact
+
+NOON = datetime.datetime(2026, 11, 21, 12, 0)
+
+
+@pytest.mark.parametrize("message, addressee, said", [
+    ("hello", "the class", "Hello, class."),
+    ("hello", "", "Hello."),
+    ("good morning", "me", "Good morning."),
+    ("who is there?", "", "Who is there?"),
+    ("hello", "Roger", "Hello, Roger."),
+])
+def test_spoken_text(message: str, addressee: str, said: str) -> None:
+    assert spoken_text(message, addressee) == said
+
+
+@pytest.mark.parametrize("message", ["", "  ", "x" * 501])
+def test_spoken_text_refuses(message: str) -> None:
+    with pytest.raises(NothingToSay):
+        spoken_text(message)
+
+
+def test_told_fact_reads_the_clock() -> None:
+    assert told_fact("the time", NOON) == "It is 12:00."
+
+
+def test_told_fact_says_what_it_does_not_know() -> None:
+    with pytest.raises(NothingToSay, match="the weather"):
+        told_fact("the weather", NOON)
+
+
+def test_run_bounded_runs_to_the_end() -> None:
+    assert run_bounded([sys.executable, "-c", ""], timeout_s=20, is_wanted=lambda: True)
+
+
+def test_run_bounded_ends_what_is_no_longer_wanted() -> None:
+    assert not run_bounded([sys.executable, "-c", "import time; time.sleep(60)"], timeout_s=50, is_wanted=lambda: False)
+
+
+def test_run_bounded_ends_at_the_deadline() -> None:
+    assert not run_bounded([sys.executable, "-c", "import time; time.sleep(60)"], timeout_s=0.2, is_wanted=lambda: True)
+
+
+def test_run_bounded_survives_a_missing_program() -> None:
+    assert not run_bounded(["no-such-program"], timeout_s=1, is_wanted=lambda: True)
