@@ -1,0 +1,203 @@
+"""The book of commands: which are open, what ends them, and when a stage has been silent for too long."""
+import enum
+import time
+from dataclasses import dataclass, replace
+from typing import Callable, Dict, List, Mapping, Optional, Tuple
+
+# In the order in which a command passes them.
+STAGES: Tuple[str, ...] = ("stanford_parser_ros", "semantic_framer", "frame_registrar", "arbitrator", "executor")
+OWN_STAGE = "command_server"
+STOP_STAGE = "stop_server"
+
+
+class Outcome(enum.IntEnum):
+    """How a command ended; the numbers are those of the Reply message."""
+
+    DONE = 0
+    FAILED = 1
+    REFUSED = 2
+    NEEDS_INFORMATION = 3
+    SUPERSEDED = 4
+
+
+@dataclass(frozen=True)
+class CommandText:
+    """A sentence that somebody said.
+
+    Attributes:
+        command_id: unique
+        stamp_ns: when it arrived, nanoseconds of ROS time
+        text: as it was said
+    """
+
+    command_id: str
+    stamp_ns: int
+    text: str
+
+
+@dataclass(frozen=True)
+class Ending:
+    """The one final answer to a command.
+
+    Attributes:
+        command: what was said
+        outcome: how it ended
+        stage: where it ended
+        code: stable name of the reason
+        sentence: for the person
+    """
+
+    command: CommandText
+    outcome: Outcome
+    stage: str
+    code: str
+    sentence: str
+
+
+@dataclass(frozen=True)
+class OpenCommand:
+    """A command without a reply.
+
+    Attributes:
+        command: what was said
+        awaited_stage: the stage that must say something next
+        deadline_s: when that stage counts as silent, monotonic seconds
+        is_with_executor: whether the executor has said that it carries the command out
+    """
+
+    command: CommandText
+    awaited_stage: str
+    deadline_s: float
+    is_with_executor: bool = False
+
+
+def refusal_of_text(text: str, *, max_length: int) -> Optional[Tuple[str, str]]:
+    """Why a text is not taken as a command.
+
+    Returns:
+        code and sentence, or None when the text may pass
+    """
+    if not text.strip():
+        return "EMPTY_TEXT", "Nothing was said."
+    if len(text) > max_length:
+        return "TEXT_TOO_LONG", f"The text has {len(text)} characters; at most {max_length} can be taken."
+    return None
+
+
+def stamp_after(arrival_ns: int, last_ns: int, *, clock_reset_ns: int = 1_000_000_000) -> int:
+    """Stamp of a command: its arrival, but later than the command before it, so that stamps order commands.
+
+    Args:
+        arrival_ns: when it arrived, nanoseconds of ROS time
+        last_ns: stamp of the command before it
+        clock_reset_ns: an arrival so much before the last stamp means that the clock was set back, as simulators do
+    """
+    if arrival_ns > last_ns or arrival_ns < last_ns - clock_reset_ns:
+        return arrival_ns
+    return last_ns + 1
+
+
+def stage_after(stage: str) -> str:
+    """The stage that must speak after `stage` has passed a command on; the executor follows itself.
+
+    Raises:
+        ValueError: no such stage
+    """
+    return STAGES[min(STAGES.index(stage) + 1, len(STAGES) - 1)]
+
+
+class CommandBook:
+    """Open commands, oldest first. Each is closed exactly once.
+
+    One thread owns it.
+    """
+
+    def __init__(self, stage_timeouts_s: Mapping[str, float], *, now: Callable[[], float] = time.monotonic) -> None:
+        """Start with no commands.
+
+        Args:
+            stage_timeouts_s: how long each stage of `STAGES` may be silent, seconds
+            now: monotonic clock, seconds
+        """
+        self._timeouts_s = dict(stage_timeouts_s)
+        self._now = now
+        self._open: Dict[str, OpenCommand] = {}
+
+    @property
+    def open_commands(self) -> Tuple[OpenCommand, ...]:
+        """Oldest first."""
+        return tuple(self._open.values())
+
+    def get(self, command_id: str) -> Optional[OpenCommand]:
+        """The open command with this id, or None."""
+        return self._open.get(command_id)
+
+    def open(self, command: CommandText) -> None:
+        """Take a command in; its first stage must speak before its deadline.
+
+        Raises:
+            ValueError: a command with this id is open
+        """
+        if command.command_id in self._open:
+            raise ValueError(f"command {command.command_id!r} is open already")
+        self._open[command.command_id] = OpenCommand(
+            command=command, awaited_stage=STAGES[0], deadline_s=self._now() + self._timeouts_s[STAGES[0]])
+
+    def progress(self, command_id: str, stage: str) -> bool:
+        """Note that a stage passed the command on, or, the executor, that it still runs.
+
+        A stage earlier than the awaited one comes late on another connection and changes nothing.
+
+        Returns:
+            whether the command is open and the stage is one of the pipeline
+        """
+        entry = self._open.get(command_id)
+        if entry is None or stage not in STAGES:
+            return False
+        awaited = stage_after(stage)
+        if STAGES.index(awaited) < STAGES.index(entry.awaited_stage):
+            return True
+        self._open[command_id] = replace(
+            entry, awaited_stage=awaited, deadline_s=self._now() + self._timeouts_s[awaited],
+            is_with_executor=entry.is_with_executor or stage == STAGES[-1])
+        return True
+
+    def finish(self, ending: Ending) -> Optional[Ending]:
+        """Close a command.
+
+        Returns:
+            the ending with the command as it was opened; None when the command is not open: the ending is a later one
+        """
+        entry = self._open.pop(ending.command.command_id, None)
+        return None if entry is None else replace(ending, command=entry.command)
+
+    def finish_overdue(self) -> List[Ending]:
+        """Close every command whose stage has been silent for too long."""
+        now_s = self._now()
+        return [
+            self._close(entry, Outcome.FAILED, stage=entry.awaited_stage, code="STAGE_SILENT",
+                        sentence=f"{entry.awaited_stage} did not answer within "
+                                 f"{self._timeouts_s[entry.awaited_stage]:g} s.")
+            for entry in self.open_commands if now_s >= entry.deadline_s]
+
+    def finish_stopped(self, stop_stamp_ns: int, *, stage: str = STOP_STAGE) -> List[Ending]:
+        """Close every command that was said at or before a stop."""
+        return [
+            self._close(entry, Outcome.SUPERSEDED, stage=stage, code="STOPPED", sentence="Stopped.")
+            for entry in self.open_commands if entry.command.stamp_ns <= stop_stamp_ns]
+
+    def next_deadline_s(self) -> Optional[float]:
+        """When `finish_overdue` may have something to do, monotonic seconds; None when nothing is open."""
+        return min((entry.deadline_s for entry in self._open.values()), default=None)
+
+    def _close(self, entry: OpenCommand, outcome: Outcome, *, stage: str, code: str, sentence: str) -> Ending:
+        del self._open[entry.command.command_id]
+        return Ending(command=entry.command, outcome=outcome, stage=stage, code=code, sentence=sentence)
+
+
+def endings_after_restart(commands: Tuple[CommandText, ...]) -> List[Ending]:
+    """What the commands hear that were open when the command server died."""
+    return [
+        Ending(command=command, outcome=Outcome.FAILED, stage=OWN_STAGE, code="RESTARTED",
+               sentence="The command server was restarted; say it again if it is still wanted.")
+        for command in commands]

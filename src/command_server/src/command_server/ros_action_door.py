@@ -1,0 +1,60 @@
+"""The door for programs: many goals of the action `command` in flight at once."""
+from typing import Callable, Dict
+
+import actionlib
+import rospy
+from roboframenet_msgs.msg import ExecuteCommandAction, ExecuteCommandFeedback, ExecuteCommandResult, Reply, StageEvent
+
+
+class ActionDoor:
+    """Goals of the action ``command``, by id.
+
+    The callbacks run in threads of actionlib and under its lock, so they must only enqueue. All methods are for the one
+    thread that owns the commands.
+    """
+
+    def __init__(self, *, on_goal: Callable[[actionlib.ServerGoalHandle], None],
+                 on_cancel: Callable[[str], None]) -> None:
+        """Make the server without starting it.
+
+        Args:
+            on_goal: is given the handle of each new goal
+            on_cancel: is given the id of a goal whose client asks to cancel it
+        """
+        self._handles: Dict[str, actionlib.ServerGoalHandle] = {}
+        self._server = actionlib.ActionServer(
+            "command", ExecuteCommandAction, on_goal, lambda handle: on_cancel(handle.get_goal_id().id),
+            auto_start=False)
+
+    def start(self) -> None:
+        """Begin to take goals."""
+        self._server.start()
+
+    def shutdown(self) -> None:
+        """End the timer that would publish on closed topics."""
+        if self._server.status_timer is not None:
+            self._server.status_timer.shutdown()
+
+    def accept(self, handle: actionlib.ServerGoalHandle) -> None:
+        """Take a goal on."""
+        self._handles[handle.get_goal_id().id] = handle
+        handle.set_accepted()
+
+    def feed_back(self, event: StageEvent) -> None:
+        """Tell the client what a stage said; nothing for commands that came by text."""
+        handle = self._handles.get(event.command.id)
+        if handle is not None:
+            handle.publish_feedback(ExecuteCommandFeedback(event=event))
+
+    def finish(self, reply: Reply) -> None:
+        """End the goal of a command; nothing for commands that came by text.
+
+        Done is SUCCEEDED, superseded is PREEMPTED, all else is ABORTED.
+        """
+        handle = self._handles.pop(reply.command.id, None)
+        if handle is None:
+            return
+        end = {Reply.DONE: handle.set_succeeded, Reply.SUPERSEDED: handle.set_canceled}.get(
+            reply.outcome, handle.set_aborted)
+        end(ExecuteCommandResult(reply=reply), reply.sentence)
+        rospy.logdebug("goal %s ended", reply.command.id)
