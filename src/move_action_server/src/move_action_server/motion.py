@@ -1,0 +1,328 @@
+"""Moving or turning by an amount: odometry in, velocity out.
+
+Forward and left are positive (REP 103). Nothing here waits or reads a clock: the caller passes the time.
+"""
+import enum
+import math
+from dataclasses import dataclass
+from typing import Optional
+
+
+class MotionKind(enum.Enum):
+    """Along the nose, or about the vertical axis."""
+
+    STRAIGHT = "straight"
+    TURN = "turn"
+
+
+@dataclass(frozen=True)
+class MotionGoal:
+    """How far to go: metres for STRAIGHT, radians for TURN; forward and left are positive."""
+
+    kind: MotionKind
+    amount: float
+
+
+@dataclass(frozen=True)
+class MotionCommand:
+    """A velocity for the base."""
+
+    linear_m_per_s: float = 0.0
+    angular_rad_per_s: float = 0.0
+
+
+STANDING = MotionCommand()
+
+
+@dataclass(frozen=True)
+class OdometrySample:
+    """Where odometry says that the base is.
+
+    ``stamp_s`` is the time of the measurement on the clock of the robot, which may be a simulated one.
+    """
+
+    stamp_s: float
+    x_m: float
+    y_m: float
+    yaw_rad: float
+
+    def is_finite(self) -> bool:
+        """Tell whether all numbers can be used."""
+        return all(math.isfinite(value) for value in (self.stamp_s, self.x_m, self.y_m, self.yaw_rad))
+
+
+@dataclass(frozen=True)
+class MotionProfile:
+    """Speeds and accuracy of one kind of motion; metres for STRAIGHT, radians for TURN.
+
+    Raises:
+        ValueError: a number that is not positive, or a creeping speed above the top speed
+    """
+
+    max_amount: float
+    speed_per_s: float
+    acceleration_per_s2: float
+    creep_per_s: float
+    """Slowest speed that still moves the base; the last bit of the way is driven with it."""
+    tolerance: float
+    """Smallest tolerance: for short ways, where a share of the amount would be below what odometry resolves."""
+
+    def __post_init__(self) -> None:
+        for name in ("max_amount", "speed_per_s", "acceleration_per_s2", "creep_per_s", "tolerance"):
+            value = getattr(self, name)
+            if not (isinstance(value, (int, float)) and math.isfinite(value) and value > 0.0):
+                raise ValueError("%s must be a positive number, got %r" % (name, value))
+        if self.creep_per_s > self.speed_per_s:
+            raise ValueError("creep_per_s %g is above speed_per_s %g" % (self.creep_per_s, self.speed_per_s))
+
+
+@dataclass(frozen=True)
+class MotionSettings:
+    """How the base is moved.
+
+    Raises:
+        ValueError: a time or share that makes no sense, or a turn rate at which turns cannot be counted
+    """
+
+    straight: MotionProfile = MotionProfile(
+        max_amount=20.0, speed_per_s=0.3, acceleration_per_s2=0.5, creep_per_s=0.02, tolerance=0.002)
+    turn: MotionProfile = MotionProfile(
+        max_amount=4.0 * math.pi, speed_per_s=1.0, acceleration_per_s2=1.5, creep_per_s=0.06, tolerance=0.003)
+    aim_share: float = 0.005
+    """The base stops when it is within this share of the amount."""
+    accept_share: float = 0.02
+    """A motion that comes no nearer than this share of the amount has failed."""
+    odometry_timeout_s: float = 1.0
+    stall_timeout_s: float = 3.0
+
+    def __post_init__(self) -> None:
+        if not 0.0 < self.aim_share <= self.accept_share < 1.0:
+            raise ValueError("shares must be 0 < aim_share <= accept_share < 1, got %r and %r"
+                             % (self.aim_share, self.accept_share))
+        for name in ("odometry_timeout_s", "stall_timeout_s"):
+            value = getattr(self, name)
+            if not (isinstance(value, (int, float)) and math.isfinite(value) and 0.1 <= value <= 60.0):
+                raise ValueError("%s must be 0.1 to 60 s, got %r" % (name, value))
+        # Between two samples the base must turn by less than half a turn, or nobody can tell which way it went.
+        if self.turn.speed_per_s * self.odometry_timeout_s >= math.pi:
+            raise ValueError("turning with %g rad/s for odometry_timeout_s %g is half a turn or more"
+                             % (self.turn.speed_per_s, self.odometry_timeout_s))
+
+    def profile_of(self, kind: MotionKind) -> MotionProfile:
+        """Return the profile of a kind of motion."""
+        return {MotionKind.STRAIGHT: self.straight, MotionKind.TURN: self.turn}[kind]
+
+
+def describe_amount(goal: MotionGoal) -> str:
+    """Say an amount in words for a person."""
+    if goal.kind is MotionKind.STRAIGHT:
+        return "%.3g m" % goal.amount
+    return "%.3g rad (%.3g degrees)" % (goal.amount, math.degrees(goal.amount))
+
+
+def check_goal(goal: MotionGoal, *, settings: MotionSettings) -> Optional[str]:
+    """Return the reason why a goal must not be driven, or None."""
+    if not math.isfinite(goal.amount):
+        return "the amount is not a finite number"
+    limit = settings.profile_of(goal.kind).max_amount
+    if abs(goal.amount) > limit:
+        return "%s is more than the limit of %s" % (
+            describe_amount(goal), describe_amount(MotionGoal(kind=goal.kind, amount=limit)))
+    return None
+
+
+def wrap(angle_rad: float) -> float:
+    """Return the same direction within -pi .. pi."""
+    return math.remainder(angle_rad, 2.0 * math.pi)
+
+
+class MotionState(enum.Enum):
+    """Where a motion stands. ARRIVED and FAILED are final."""
+
+    MOVING = "moving"
+    SETTLING = "settling"
+    ARRIVED = "arrived"
+    FAILED = "failed"
+
+
+@dataclass(frozen=True)
+class MotionStep:
+    """What to do now: the velocity to publish, and with FAILED the reason."""
+
+    command: MotionCommand
+    state: MotionState
+    reason: str = ""
+
+
+class Motion:
+    """One motion, from its first odometry sample to the standstill at the end.
+
+    Call :meth:`observe` for each odometry sample and :meth:`step` at least as often; publish what it returns.
+
+    Args:
+        goal: a goal that :func:`check_goal` lets pass
+        settings: speeds, tolerances, timeouts
+        start: odometry now
+        now_s: monotonic time now
+
+    Raises:
+        ValueError: a goal that must not be driven
+    """
+
+    STAND_WINDOW_S = 0.2
+    MAX_CORRECTIONS = 6
+    HEADING_GAIN_PER_S = 1.5
+    MAX_HEADING_RATE_RAD_PER_S = 0.3
+    REACTION_S = 0.06
+    """Time from a measurement to the answer of the base: braking begins that much earlier."""
+
+    def __init__(self, goal: MotionGoal, *, settings: MotionSettings, start: OdometrySample, now_s: float) -> None:
+        reason = check_goal(goal, settings=settings)
+        if reason:
+            raise ValueError(reason)
+        self._goal = goal
+        self._settings = settings
+        self._profile = settings.profile_of(goal.kind)
+        self._aim = max(self._profile.tolerance, settings.aim_share * abs(goal.amount))
+        self._accept = max(2.0 * self._profile.tolerance, settings.accept_share * abs(goal.amount))
+        self._start = start
+        self._last = start
+        self._turned_rad = 0.0
+        self._speed_per_s = 0.0
+        self._corrections = 0
+        self._state = MotionState.MOVING
+        self._reason = ""
+        self._is_new = True
+        self._sample_s = now_s
+        self._elapsed_s = 0.0
+        self._stand_begin_s = 0.0
+        self._stand_progress = 0.0
+        self._stall_begin_s = now_s
+        self._stall_progress = 0.0
+        # Braking and reaction may double the time that the speed alone needs; a base three times as slow is not moving.
+        self._end_s = now_s + 20.0 + 3.0 * abs(goal.amount) / self._profile.speed_per_s
+        self._step_elapsed_s = 0.0
+
+    @property
+    def progress(self) -> float:
+        """How far the base has gone, in metres or radians, with the sign of :class:`MotionGoal`.
+
+        Straight: the way along the nose as it pointed at the start. Turn: the sum of all turning, whole turns included.
+        """
+        if self._goal.kind is MotionKind.TURN:
+            return self._turned_rad
+        return ((self._last.x_m - self._start.x_m) * math.cos(self._start.yaw_rad)
+                + (self._last.y_m - self._start.y_m) * math.sin(self._start.yaw_rad))
+
+    def observe(self, sample: OdometrySample, *, now_s: float) -> None:
+        """Take an odometry sample. One that is not finite counts as none."""
+        if not sample.is_finite():
+            return
+        passed_s = sample.stamp_s - self._last.stamp_s
+        if not 0.0 < passed_s <= self._settings.odometry_timeout_s:
+            # A clock that stands or jumps (a simulation that was started again): the time of arrival has to do.
+            passed_s = max(0.0, now_s - self._sample_s)
+        self._elapsed_s += passed_s
+        self._turned_rad += wrap(sample.yaw_rad - self._last.yaw_rad)
+        self._last = sample
+        self._sample_s = now_s
+        self._is_new = True
+
+    def step(self, *, now_s: float) -> MotionStep:
+        """Return what the base shall do now."""
+        if self._state in (MotionState.MOVING, MotionState.SETTLING):
+            self._check(now_s)
+        if self._state is MotionState.MOVING:
+            self._move()
+        elif self._state is MotionState.SETTLING:
+            self._settle()
+        if self._state is not MotionState.MOVING:
+            self._speed_per_s = 0.0
+            return MotionStep(command=STANDING, state=self._state, reason=self._reason)
+        if now_s - self._sample_s > self._settings.odometry_timeout_s / 3.0:
+            # Without eyes the base waits; after the whole timeout the motion fails.
+            self._speed_per_s = 0.0
+            return MotionStep(command=STANDING, state=self._state)
+        return MotionStep(command=self._command(), state=self._state)
+
+    def _fail(self, reason: str) -> None:
+        self._state = MotionState.FAILED
+        self._reason = reason
+
+    def _check(self, now_s: float) -> None:
+        if now_s - self._sample_s > self._settings.odometry_timeout_s:
+            self._fail("odometry is lost: no sample for %.1f s" % (now_s - self._sample_s))
+            return
+        if now_s > self._end_s:
+            self._fail("out of time after %s of %s" % (self._describe(self.progress), describe_amount(self._goal)))
+            return
+        progress = self.progress
+        if abs(progress - self._stall_progress) >= self._profile.tolerance or self._state is MotionState.SETTLING:
+            self._stall_begin_s, self._stall_progress = now_s, progress
+        elif now_s - self._stall_begin_s > self._settings.stall_timeout_s:
+            self._fail("the base does not move: odometry stands at %s of %s"
+                       % (self._describe(progress), describe_amount(self._goal)))
+            return
+        # Twice the way to the first braking is farther than any start can slip back.
+        slip = 2.0 * self._profile.speed_per_s ** 2 / self._profile.acceleration_per_s2
+        if math.copysign(1.0, self._goal.amount) * progress < -slip:
+            self._fail("the base moves the wrong way: odometry and velocity disagree about the sign")
+
+    def _describe(self, amount: float) -> str:
+        return describe_amount(MotionGoal(kind=self._goal.kind, amount=amount))
+
+    def _move(self) -> None:
+        error = self._goal.amount - self.progress
+        if abs(error) <= self._aim:
+            self._begin_to_settle()
+            return
+        if not self._is_new:
+            return
+        self._is_new = False
+        passed_s = self._elapsed_s - self._step_elapsed_s
+        self._step_elapsed_s = self._elapsed_s
+        profile = self._profile
+        # Each correction is made more gently than the one before: however late odometry is, they come to an end.
+        gentleness = 0.5 ** self._corrections
+        to_brake = max(0.0, abs(error) - abs(self._speed_per_s) * self.REACTION_S)
+        fastest = gentleness * min(profile.speed_per_s, math.sqrt(2.0 * profile.acceleration_per_s2 * to_brake))
+        wanted = math.copysign(max(profile.creep_per_s, fastest), error)
+        if self._speed_per_s * wanted < 0.0:
+            # Overshot: stand first, then come back.
+            self._begin_to_settle()
+            return
+        faster = abs(self._speed_per_s) + profile.acceleration_per_s2 * passed_s
+        self._speed_per_s = math.copysign(min(abs(wanted), max(profile.creep_per_s, faster)), error)
+
+    def _begin_to_settle(self) -> None:
+        self._state = MotionState.SETTLING
+        self._stand_begin_s = self._elapsed_s
+        self._stand_progress = self.progress
+
+    def _settle(self) -> None:
+        if self._elapsed_s - self._stand_begin_s < self.STAND_WINDOW_S:
+            return
+        if abs(self.progress - self._stand_progress) > self._profile.tolerance / 4.0:
+            self._begin_to_settle()
+            return
+        error = self._goal.amount - self.progress
+        if abs(error) <= self._aim:
+            self._state = MotionState.ARRIVED
+        elif self._corrections < self.MAX_CORRECTIONS:
+            self._corrections += 1
+            self._state = MotionState.MOVING
+            self._is_new = True
+            self._step_elapsed_s = self._elapsed_s
+        elif abs(error) <= self._accept:
+            self._state = MotionState.ARRIVED
+        else:
+            self._fail("the base comes no nearer than %s to %s"
+                       % (self._describe(abs(error)), describe_amount(self._goal)))
+
+    def _command(self) -> MotionCommand:
+        if self._goal.kind is MotionKind.TURN:
+            return MotionCommand(angular_rad_per_s=self._speed_per_s)
+        # A straight way stays straight although the wheels slip.
+        rate = -self.HEADING_GAIN_PER_S * self._turned_rad
+        limit = self.MAX_HEADING_RATE_RAD_PER_S
+        return MotionCommand(linear_m_per_s=self._speed_per_s, angular_rad_per_s=max(-limit, min(limit, rate)))

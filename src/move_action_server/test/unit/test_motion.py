@@ -1,0 +1,193 @@
+"""The motion law, closed over the simulated base."""
+import math
+import random
+
+import pytest
+
+from move_action_server.motion import (
+    STANDING, Motion, MotionGoal, MotionKind, MotionProfile, MotionSettings, MotionState, OdometrySample, check_goal)
+from roboframenet_sim.base import BaseLimits, DifferentialBase, Pose, Velocity
+
+PERIOD_S = 0.02
+SETTINGS = MotionSettings()
+
+
+class Rig:
+    """A motion that drives a simulated base; odometry arrives late by a number of periods."""
+
+    def __init__(self, kind, amount, *, settings=SETTINGS, limits=BaseLimits(), pose=Pose(yaw_rad=3.0), lag=1, seed=1):
+        self.base = DifferentialBase(limits, pose=pose, seed=seed)
+        self.start = pose
+        self.now_s = 100.0
+        self.queue = [self.sample()] * (lag + 1)
+        self.motion = Motion(MotionGoal(kind=kind, amount=amount), settings=settings, start=self.sample(), now_s=self.now_s)
+        self.last = None
+        self.fastest = 0.0
+
+    def sample(self):
+        yaw = math.remainder(self.base.pose.yaw_rad, 2 * math.pi)
+        return OdometrySample(stamp_s=self.now_s - 100.0, x_m=self.base.pose.x_m, y_m=self.base.pose.y_m, yaw_rad=yaw)
+
+    def tick(self, is_seen=True):
+        self.now_s += PERIOD_S
+        self.base.step(PERIOD_S)
+        self.queue.append(self.sample())
+        sample = self.queue.pop(0)
+        if is_seen:
+            self.motion.observe(sample, now_s=self.now_s)
+        self.last = self.motion.step(now_s=self.now_s)
+        command = self.last.command
+        self.fastest = max(self.fastest, abs(command.linear_m_per_s), abs(command.angular_rad_per_s))
+        self.base.command(Velocity(command.linear_m_per_s, command.angular_rad_per_s))
+        return self.last.state
+
+    def run(self, seconds=200.0, **options):
+        for _ in range(int(seconds / PERIOD_S)):
+            if self.tick(**options) in (MotionState.ARRIVED, MotionState.FAILED):
+                break
+        return self.last
+
+    def gone_m(self):
+        return math.hypot(self.base.pose.x_m - self.start.x_m, self.base.pose.y_m - self.start.y_m)
+
+
+@pytest.mark.parametrize("amount_rad", [
+    math.radians(120), -2.0, math.radians(5), math.radians(180), -math.radians(270), 4 * math.pi, math.radians(540)])
+def test_turn_ends_within_one_percent(amount_rad):
+    rig = Rig(MotionKind.TURN, amount_rad)
+    assert rig.run().state is MotionState.ARRIVED
+    assert rig.base.pose.yaw_rad - rig.start.yaw_rad == pytest.approx(amount_rad, rel=0.01, abs=0.004)
+    assert rig.gone_m() == 0.0
+    assert rig.fastest <= SETTINGS.turn.speed_per_s
+
+
+@pytest.mark.parametrize("amount_m", [0.9144, -1.0, 0.1, 5.0, -0.3048])
+def test_straight_ends_within_one_percent_and_in_the_right_direction(amount_m):
+    rig = Rig(MotionKind.STRAIGHT, amount_m)
+    assert rig.run().state is MotionState.ARRIVED
+    along = (rig.base.pose.x_m - rig.start.x_m) * math.cos(3.0) + (rig.base.pose.y_m - rig.start.y_m) * math.sin(3.0)
+    assert along == pytest.approx(amount_m, rel=0.01, abs=0.003)
+    assert rig.fastest <= SETTINGS.straight.speed_per_s
+
+
+@pytest.mark.parametrize("seed", range(5))
+@pytest.mark.parametrize("kind,amount", [(MotionKind.STRAIGHT, 2.0), (MotionKind.TURN, -2.0)])
+def test_noise_and_late_odometry_cost_no_accuracy(kind, amount, seed):
+    rig = Rig(kind, amount, limits=BaseLimits(velocity_noise=0.3), lag=15, seed=seed)
+    assert rig.run().state is MotionState.ARRIVED
+    assert rig.motion.progress == pytest.approx(amount, rel=0.02)
+    pose = rig.base.pose
+    gone = rig.gone_m() if kind is MotionKind.STRAIGHT else pose.yaw_rad - rig.start.yaw_rad
+    assert gone == pytest.approx(amount, rel=0.02)
+
+
+def test_base_that_brakes_badly_is_brought_back():
+    rig = Rig(MotionKind.STRAIGHT, 0.5, limits=BaseLimits(linear_acceleration_m_per_s2=0.15))
+    assert rig.run().state is MotionState.ARRIVED
+    assert rig.gone_m() == pytest.approx(0.5, rel=0.02)
+
+
+def test_jerky_odometry_arrives():
+    chance = random.Random(4)
+    rig = Rig(MotionKind.TURN, 2.0)
+    for _ in range(10000):
+        if rig.tick(is_seen=chance.random() < 0.15) is MotionState.ARRIVED:
+            break
+    assert rig.last.state is MotionState.ARRIVED
+    assert rig.base.pose.yaw_rad - rig.start.yaw_rad == pytest.approx(2.0, rel=0.02)
+
+
+def test_slow_simulated_clock_arrives():
+    """Stamps that run ten times faster than the monotonic clock, as under a rate factor."""
+    rig = Rig(MotionKind.TURN, 1.0)
+    plain = rig.motion.observe
+    rig.motion.observe = lambda sample, now_s: plain(
+        OdometrySample(sample.stamp_s * 10, sample.x_m, sample.y_m, sample.yaw_rad), now_s=now_s)
+    assert rig.run().state is MotionState.ARRIVED
+    assert rig.motion.progress == pytest.approx(1.0, rel=0.02)
+
+
+def test_lost_odometry_stops_at_once_and_then_fails():
+    rig = Rig(MotionKind.STRAIGHT, 3.0)
+    rig.run(seconds=2.0)
+    assert rig.last.command.linear_m_per_s > 0.2
+    rig.run(seconds=0.5, is_seen=False)
+    assert rig.last.command == STANDING and rig.last.state is MotionState.MOVING
+    rig.run(seconds=1.0, is_seen=False)
+    assert rig.last.state is MotionState.FAILED and rig.last.command == STANDING
+    assert "odometry is lost" in rig.last.reason
+
+
+def test_odometry_that_comes_back_in_time_goes_on():
+    rig = Rig(MotionKind.STRAIGHT, 1.0)
+    rig.run(seconds=1.0)
+    rig.run(seconds=0.7, is_seen=False)
+    assert rig.run().state is MotionState.ARRIVED
+    assert rig.gone_m() == pytest.approx(1.0, rel=0.02)
+
+
+def test_stuck_base_fails_with_a_reason():
+    rig = Rig(MotionKind.STRAIGHT, 3.0)
+    rig.base._is_free = lambda x_m, y_m: math.hypot(x_m, y_m) < 0.5
+    assert rig.run().state is MotionState.FAILED
+    assert "does not move" in rig.last.reason
+    assert rig.last.command == STANDING
+
+
+def test_odometry_with_the_wrong_sign_fails_before_it_has_gone_far():
+    rig = Rig(MotionKind.TURN, 2.0)
+    plain = rig.motion.observe
+    rig.motion.observe = lambda sample, now_s: plain(
+        OdometrySample(sample.stamp_s, sample.x_m, sample.y_m, -sample.yaw_rad), now_s=now_s)
+    rig.motion._last = OdometrySample(0.0, 0.0, 0.0, -3.0)
+    assert rig.run().state is MotionState.FAILED
+    assert "wrong way" in rig.last.reason
+    assert abs(rig.base.pose.yaw_rad - 3.0) < 3.0
+
+
+def test_base_that_hardly_turns_runs_out_of_time():
+    rig = Rig(MotionKind.TURN, 2.0, limits=BaseLimits(max_angular_rad_per_s=0.01))
+    assert rig.run().state is MotionState.FAILED
+    assert "out of time" in rig.last.reason
+
+
+def test_samples_that_are_not_finite_count_as_none():
+    rig = Rig(MotionKind.STRAIGHT, 1.0)
+    rig.run(seconds=1.0)
+    rig.sample = lambda: OdometrySample(1.0, math.nan, 0.0, 0.0)
+    assert rig.run().state is MotionState.FAILED
+    assert "odometry is lost" in rig.last.reason
+
+
+def test_final_state_is_kept():
+    rig = Rig(MotionKind.TURN, 0.5)
+    rig.run()
+    before = rig.last
+    rig.tick()
+    assert rig.last == before
+
+
+@pytest.mark.parametrize("kind,amount,words", [
+    (MotionKind.STRAIGHT, 3000.0, "more than the limit of 20 m"), (MotionKind.STRAIGHT, -21.0, "-21 m"),
+    (MotionKind.TURN, math.inf, "finite"), (MotionKind.TURN, math.nan, "finite"),
+    (MotionKind.TURN, 13.0, "limit of 12.6 rad (720 degrees)")])
+def test_goals_beyond_the_limits_are_refused(kind, amount, words):
+    goal = MotionGoal(kind=kind, amount=amount)
+    assert words in check_goal(goal, settings=SETTINGS)
+    with pytest.raises(ValueError):
+        Motion(goal, settings=SETTINGS, start=OdometrySample(0, 0, 0, 0), now_s=0.0)
+
+
+@pytest.mark.parametrize("kind,amount", [(MotionKind.STRAIGHT, 20.0), (MotionKind.TURN, -4 * math.pi)])
+def test_goals_at_the_limits_pass(kind, amount):
+    assert check_goal(MotionGoal(kind=kind, amount=amount), settings=SETTINGS) is None
+
+
+@pytest.mark.parametrize("make", [
+    lambda: MotionSettings(aim_share=0.1), lambda: MotionSettings(odometry_timeout_s=4.0),
+    lambda: MotionSettings(stall_timeout_s=math.nan),
+    lambda: MotionProfile(max_amount=1.0, speed_per_s=0.1, acceleration_per_s2=1.0, creep_per_s=0.2, tolerance=0.1),
+    lambda: MotionProfile(max_amount=1.0, speed_per_s="0.1", acceleration_per_s2=1.0, creep_per_s=0.2, tolerance=0.1)])
+def test_settings_that_make_no_sense_are_refused(make):
+    with pytest.raises(ValueError):
+        make()
