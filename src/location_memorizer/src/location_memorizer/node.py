@@ -1,0 +1,121 @@
+"""Remembers places: "This is the office."."""
+import math
+import os
+import threading
+from typing import Dict, Optional
+
+import rospy
+from geometry_msgs.msg import PoseStamped, PoseWithCovarianceStamped
+from rfnserver import RFNServer
+from roboframenet_msgs.msg import FilledSemanticFrame
+
+from location_memorizer.locations import (Location, LocationFileError, location_name, read_locations, write_locations)
+from location_memorizer.msg import Locations
+from location_memorizer.srv import GetLocation, GetLocationRequest, GetLocationResponse
+
+
+def to_pose(location: Location) -> PoseStamped:
+    """Return a location as a stamped pose."""
+    pose = PoseStamped()
+    pose.header.frame_id = location.frame_id
+    pose.header.stamp = rospy.Time.now()
+    pose.pose.position.x = location.x_m
+    pose.pose.position.y = location.y_m
+    pose.pose.orientation.z = math.sin(location.heading_rad / 2.0)
+    pose.pose.orientation.w = math.cos(location.heading_rad / 2.0)
+    return pose
+
+
+class LocationMemorizer:
+    """Keeps places by name.
+
+    Actions:
+        location_memorizer (roboframenet_msgs/FilledSemanticFrameAction): frame naming_location
+    Services:
+        get_location (location_memorizer/GetLocation)
+    Subscribes:
+        amcl_pose (geometry_msgs/PoseWithCovarianceStamped): where the robot is
+    Publishes:
+        locations (location_memorizer/Locations, latched)
+    Parameters:
+        ~places_file (string, default empty): places that are known from the start
+        ~memory_file (string, default locations.yaml in the ROS home folder): where remembered places are kept
+    """
+
+    def __init__(self) -> None:
+        self._lock = threading.Lock()
+        self._here: Optional[Location] = None
+        self._memory_file = os.path.expanduser(rospy.get_param(
+            "~memory_file", os.path.join(os.environ.get("ROS_HOME", "~/.ros"), "locations.yaml")))
+        places_file = rospy.get_param("~places_file", "")
+        self._places = self._read(places_file) if places_file else {}
+        self._remembered = self._read(self._memory_file) if os.path.exists(self._memory_file) else {}
+        self._publisher = rospy.Publisher("locations", Locations, queue_size=1, latch=True)
+        self._publish()
+        self._subscriber = rospy.Subscriber("amcl_pose", PoseWithCovarianceStamped, self._on_pose, queue_size=1)
+        self._service = rospy.Service("get_location", GetLocation, self._on_get_location)
+        self._server = RFNServer("location_memorizer", self._on_frame)
+        self._server.register_with_frame("naming_location")
+        self._server.start()
+
+    @staticmethod
+    def _read(path: str) -> Dict[str, Location]:
+        try:
+            return read_locations(path)
+        except (LocationFileError, OSError) as error:
+            rospy.logerr("places are missing: %s", error)
+            return {}
+
+    def _known(self) -> Dict[str, Location]:
+        return {**self._places, **self._remembered}
+
+    def _publish(self) -> None:
+        known = self._known()
+        self._publisher.publish(Locations(names=list(known), poses=[to_pose(location) for location in known.values()]))
+
+    def _on_pose(self, message: PoseWithCovarianceStamped) -> None:
+        pose = message.pose.pose
+        try:
+            here = Location(frame_id=message.header.frame_id, x_m=pose.position.x, y_m=pose.position.y,
+                            heading_rad=2.0 * math.atan2(pose.orientation.z, pose.orientation.w))
+        except ValueError as error:
+            rospy.logwarn_throttle(10.0, "ignoring a pose: %s", error)
+            return
+        with self._lock:
+            self._here = here
+
+    def _on_get_location(self, request: GetLocationRequest) -> GetLocationResponse:
+        with self._lock:
+            location = self._known().get(location_name(request.name))
+            here = self._here
+        if location is not None:
+            return GetLocationResponse(success=True, pose=to_pose(location))
+        # Somebody who ignores 'success' and drives there stays where the robot is.
+        return GetLocationResponse(success=False, pose=to_pose(here) if here else PoseStamped())
+
+    def _on_frame(self, frame: FilledSemanticFrame) -> None:
+        words = next((element.argument for element in frame.frame_elements if element.name == "location"), "")
+        name = location_name(words)
+        if not name:
+            self._server.set_aborted(None, "I did not hear what this place is called.")
+            return
+        with self._lock:
+            if self._here is None:
+                self._server.set_aborted(None, "I do not know where I am, so I cannot remember this place.")
+                return
+            self._remembered[name] = self._here
+            remembered = dict(self._remembered)
+        self._publish()
+        try:
+            write_locations(remembered, self._memory_file)
+        except OSError as error:
+            self._server.set_aborted(None, f"I remember {words} until I am switched off, but could not write it down: {error}")
+            return
+        rospy.loginfo("remembered '%s' at (%.2f, %.2f)", name, remembered[name].x_m, remembered[name].y_m)
+
+
+def main() -> None:
+    """Run the node."""
+    rospy.init_node("location_memorizer")
+    LocationMemorizer()
+    rospy.spin()

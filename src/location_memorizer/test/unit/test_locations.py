@@ -1,0 +1,47 @@
+"""Places with names."""
+import math
+
+import pytest
+from location_memorizer.locations import (Location, LocationFileError, location_name, nearest_names, read_locations,
+                                          write_locations)
+
+OFFICE = Location(frame_id="map", x_m=1.0, y_m=-2.5, heading_rad=math.pi / 2)
+
+
+@pytest.mark.parametrize("words, name", [("The Office", "office"), ("office.", "office"), ("Roger's  office", "roger's office"),
+                                         ("", ""), ("the", "the")])
+def test_location_name(words: str, name: str) -> None:
+    assert location_name(words) == name
+
+
+def test_written_places_are_read_again(tmp_path) -> None:
+    path = str(tmp_path / "new" / "places.yaml")
+    write_locations({"office": OFFICE}, path)
+    assert read_locations(path) == {"office": OFFICE}
+
+
+def test_writing_leaves_no_other_file(tmp_path) -> None:
+    write_locations({"office": OFFICE}, str(tmp_path / "places.yaml"))
+    assert [path.name for path in tmp_path.iterdir()] == ["places.yaml"]
+
+
+@pytest.mark.parametrize("text", ["- office", "office: 3", "office: {x: 1}", "office: {x: a, y: 2}", "office: {x: .nan, y: 2}",
+                                  "office: {x: 1, y: 2, z: 3}", "office: [", "office: {x: 1, y: 2, frame_id: ''}"])
+def test_bad_file_is_refused_by_name(text: str, tmp_path) -> None:
+    path = tmp_path / "places.yaml"
+    path.write_text(text, encoding="utf-8")
+    with pytest.raises(LocationFileError, match="places.yaml"):
+        read_locations(str(path))
+
+
+def test_empty_file_has_no_places(tmp_path) -> None:
+    (tmp_path / "places.yaml").write_text("", encoding="utf-8")
+    assert read_locations(str(tmp_path / "places.yaml")) == {}
+
+
+def test_nearest_names_finds_a_slip_of_the_tongue() -> None:
+    assert nearest_names("the ofice", ["office", "kitchen", "fridge"])[0] == "office"
+
+
+def test_nearest_names_offers_something_always() -> None:
+    assert nearest_names("mars", ["office", "kitchen"]) == ("kitchen", "office")
