@@ -180,7 +180,7 @@ class CommandServerNode:
         for ending in self._book.finish_stopped(command.stamp_ns):
             self._answer(ending)
         if self._stops.hear_stop(command.command_id, command.text, is_action=is_action) is not None and is_action:
-            self._door.finish(self._last_reply_to(command.command_id))
+            self._door.finish(self._last_reply_to(command.command_id), command_id=command.command_id)
 
     def _last_reply_to(self, command_id: str) -> Reply:
         """The reply of the report that came before its goal."""
@@ -192,9 +192,10 @@ class CommandServerNode:
     def _hear_stop_report(self, report: StopReport) -> None:
         for ending in self._book.finish_stopped(report.stop_stamp.to_nsec()):
             self._answer(ending)
-        self._stops.hear_report(report.command.id, report.command.text)
+        stop = self._stops.hear_report(report.command.id, report.command.text)
+        if stop is not None and stop.is_action:
+            self._door.finish(report.reply, command_id=stop.command_id)
         self._last_reply = report.reply
-        self._door.finish(report.reply)
         self._note(report.reply.sentence)
 
     def _cancel(self, command_id: str) -> None:
@@ -249,7 +250,7 @@ class CommandServerNode:
         rospy.loginfo("cmd=%s -> %s %s (%s) %s", ending.command.command_id, ending.outcome.name, ending.code,
                       ending.stage, ending.sentence)
         self._reply.publish(reply)
-        self._door.finish(reply)
+        self._door.finish(reply, command_id=ending.command.command_id)
         self._last_reply = reply
         self._note(ending.sentence)
 

@@ -46,15 +46,15 @@ class ActionDoor:
         if handle is not None:
             handle.publish_feedback(ExecuteCommandFeedback(event=event))
 
-    def finish(self, reply: Reply) -> None:
-        """End the goal of a command; nothing for commands that came by text.
+    def finish(self, reply: Reply, *, command_id: str) -> None:
+        """End the goal with this id; nothing for commands that came by text.
 
         Done is SUCCEEDED, superseded is PREEMPTED, all else is ABORTED.
         """
-        handle = self._handles.pop(reply.command.id, None)
+        handle = self._handles.pop(command_id, None)
         if handle is None:
             return
         end = {Reply.DONE: handle.set_succeeded, Reply.SUPERSEDED: handle.set_canceled}.get(
             reply.outcome, handle.set_aborted)
         end(ExecuteCommandResult(reply=reply), reply.sentence)
-        rospy.logdebug("goal %s ended", reply.command.id)
+        rospy.logdebug("goal %s ended", command_id)

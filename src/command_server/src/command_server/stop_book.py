@@ -61,11 +61,17 @@ class StopBook:
         return None
 
     def hear_report(self, command_id: str, text: str) -> Optional[StopHeard]:
-        """Note a report; returns the stop that it answers, None when that is still to come."""
-        for by_action in (True, False):
+        """Note a report; returns the stop that it answers, None when that is still to come.
+
+        The id counts most. A report to a text has an id of its own, and so has one to a goal that was sent without any.
+        """
+        matches = (
+            lambda stop: stop.command_id == command_id,
+            lambda stop: stop.text == text and not stop.is_action,
+            lambda stop: stop.text == text)
+        for is_match in matches:
             for stop in self._stops:
-                if stop.is_action == by_action and (
-                        stop.command_id == command_id if by_action else stop.text == text):
+                if is_match(stop):
                     self._stops.remove(stop)
                     return stop
         self._reports.append(ReportHeard(command_id, text, self._now() + self._timeout_s))

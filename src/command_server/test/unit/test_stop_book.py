@@ -53,3 +53,8 @@ def test_old_report_does_not_answer_a_new_stop(book, clock):
     clock.now_s = 1.5
     assert not book.take_overdue()
     assert book.hear_stop("mine", "stop", is_action=False) is None
+
+
+def test_goal_without_an_id_of_its_own_is_matched_by_its_words(book):
+    book.hear_stop("made_up_here", "stop", is_action=True)
+    assert book.hear_report("made_up_there", "stop").command_id == "made_up_here"

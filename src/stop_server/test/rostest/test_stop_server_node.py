@@ -1,0 +1,155 @@
+#!/usr/bin/python3
+"""The node, with the rest of the pipeline dead."""
+import threading
+import time
+import unittest
+
+import actionlib
+import rospy
+import rostest
+from actionlib_msgs.msg import GoalID, GoalStatus
+from actionlib.msg import TestAction, TestGoal
+from geometry_msgs.msg import Twist
+from roboframenet_msgs.msg import (
+    ExecuteCommandActionGoal, FilledSemanticFrameAction, FilledSemanticFrameGoal, FrameCallback, FrameCatalogue, Reply,
+    StopReport)
+from std_msgs.msg import String
+
+
+def wait_until(condition, timeout_s=30.0):
+    end = time.monotonic() + timeout_s
+    while time.monotonic() < end:
+        if condition():
+            return True
+        time.sleep(0.02)
+    return condition()
+
+
+class Mover:
+    """An action server whose goals last until they are cancelled."""
+
+    def __init__(self, name, action):
+        self.name = rospy.resolve_name(name)
+        self.server = actionlib.ActionServer(
+            name, action, lambda handle: handle.set_accepted(), lambda handle: handle.set_canceled(), auto_start=False)
+        self.server.start()
+        rospy.on_shutdown(self.server.status_timer.shutdown)
+        self.client = actionlib.ActionClient(name, action)
+        assert self.client.wait_for_server(rospy.Duration(30))
+
+    def start_goal(self, goal):
+        handle = self.client.send_goal(goal)
+        assert wait_until(lambda: handle.get_goal_status() == GoalStatus.ACTIVE)
+        return handle
+
+
+class StopServerNodeTest(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        rospy.init_node("test_stop_server_node")
+        cls.replies, cls.reports, cls.velocities, cls.other_velocities = [], [], [], []
+        subscribers = [
+            rospy.Subscriber("reply", Reply, cls.replies.append), rospy.Subscriber("stop_report", StopReport, cls.reports.append),
+            rospy.Subscriber("cmd_vel", Twist, cls.velocities.append),
+            rospy.Subscriber("other_cmd_vel", Twist, cls.other_velocities.append)]
+        cls.text = rospy.Publisher("text", String, queue_size=100)
+        cls.goal = rospy.Publisher("command/goal", ExecuteCommandActionGoal, queue_size=10)
+        cls.catalogue = rospy.Publisher("frame_catalogue", FrameCatalogue, queue_size=1, latch=True)
+        assert wait_until(lambda: all(entity.get_num_connections() == 1 for entity in subscribers + [cls.text, cls.goal]))
+        cls.movers = [Mover("turn_server", FilledSemanticFrameAction), Mover("drive_server", FilledSemanticFrameAction)]
+        cls.navigation = Mover("navigation_stack", TestAction)
+        cls.registered = Mover("registered_server", TestAction)
+        cls.stranger = Mover("stranger", TestAction)
+        cls.catalogue.publish(FrameCatalogue(callbacks=[FrameCallback(callback_topic="registered_server")]))
+
+    def setUp(self):
+        for known in (self.replies, self.reports, self.velocities, self.other_velocities):
+            del known[:]
+
+    def wait_until_server_is_known(self, mover):
+        # One cancel publisher is the client of this test, the other is the stop server's.
+        self.assertTrue(wait_until(lambda: mover.server.cancel_sub.get_num_connections() == 2))
+
+    def test_stop_cancels_every_goal_and_publishes_zero_velocity(self):
+        expected = self.movers + [self.navigation, self.registered]
+        for mover in expected:
+            self.wait_until_server_is_known(mover)
+        handles = [mover.start_goal(FilledSemanticFrameGoal()) for mover in self.movers]
+        handles += [mover.start_goal(TestGoal()) for mover in (self.navigation, self.registered)]
+        stranger = self.stranger.start_goal(TestGoal())
+        self.text.publish("STOP!!")
+        self.assertTrue(wait_until(lambda: all(
+            handle.get_comm_state() == actionlib.CommState.DONE for handle in handles)))
+        self.assertEqual({GoalStatus.PREEMPTED}, {handle.get_terminal_state() for handle in handles})
+        self.assertEqual(GoalStatus.ACTIVE, stranger.get_goal_status())
+        stranger.cancel()
+        self.assertTrue(wait_until(lambda: len(self.velocities) > 3 and len(self.other_velocities) > 3))
+        self.assertTrue(all(velocity == Twist() for velocity in self.velocities + self.other_velocities))
+        self.assertTrue(wait_until(lambda: self.replies and self.reports))
+        self.assertEqual((Reply.DONE, "stop_server", "STOP!!"),
+                         (self.replies[0].outcome, self.replies[0].stage, self.replies[0].command.text))
+        report = self.reports[0]
+        self.assertEqual(self.replies[0], report.reply)
+        self.assertTrue({mover.name for mover in expected} <= set(report.cancelled_servers))
+        self.assertEqual(report.command.stamp, report.stop_stamp)
+
+    def test_goal_of_the_action_command_stops_under_its_own_id(self):
+        message = ExecuteCommandActionGoal(goal_id=GoalID(id="goal_7"))
+        message.goal.text = "please stop"
+        self.goal.publish(message)
+        self.assertTrue(wait_until(lambda: self.replies))
+        self.assertEqual("goal_7", self.replies[0].command.id)
+
+    def test_each_stop_of_a_flood_gets_its_reply_and_nothing_else_does(self):
+        for _ in range(25):
+            self.text.publish("stop")
+            self.text.publish("stop at the kitchen")
+        self.text.publish("halt")
+        self.assertTrue(wait_until(lambda: any(reply.command.text == "halt" for reply in self.replies)))
+        self.assertEqual(["stop"] * 25 + ["halt"], [reply.command.text for reply in self.replies])
+        self.assertEqual(26, len({reply.command.id for reply in self.replies}))
+
+    def test_zero_velocity_ends(self):
+        self.text.publish("stop")
+        self.assertTrue(wait_until(lambda: self.velocities))
+        quiet = threading.Event()
+
+        def has_ended():
+            count = len(self.velocities)
+            quiet.wait(0.5)
+            return count == len(self.velocities)
+
+        self.assertTrue(wait_until(has_ended))
+
+    def test_goal_that_was_on_its_way_is_cancelled_and_a_later_one_is_not(self):
+        mover = self.movers[0]
+        self.wait_until_server_is_known(mover)
+        self.text.publish("stop")
+        self.assertTrue(wait_until(lambda: self.reports))
+        late = self.client_goal_stamped(mover, self.reports[0].stop_stamp - rospy.Duration(0.001))
+        new = mover.client.send_goal(FilledSemanticFrameGoal())
+        self.assertTrue(wait_until(lambda: late.get_comm_state() == actionlib.CommState.DONE))
+        self.assertTrue(wait_until(lambda: new.get_goal_status() == GoalStatus.ACTIVE))
+        new.cancel()
+        self.assertTrue(wait_until(lambda: new.get_comm_state() == actionlib.CommState.DONE))
+
+    def client_goal_stamped(self, mover, stamp):
+        """Send a goal that was stamped before it arrives."""
+        plain_id = mover.client.manager._generate_id
+        mover.client.manager._generate_id = lambda: GoalID(id=plain_id().id, stamp=stamp)
+        try:
+            return mover.client.send_goal(FilledSemanticFrameGoal())
+        finally:
+            mover.client.manager._generate_id = plain_id
+
+    def test_server_that_starts_later_is_found(self):
+        late = Mover("late_server", FilledSemanticFrameAction)
+        self.wait_until_server_is_known(late)
+        handle = late.start_goal(FilledSemanticFrameGoal())
+        self.text.publish("Freeze!")
+        self.assertTrue(wait_until(lambda: handle.get_comm_state() == actionlib.CommState.DONE))
+        self.assertEqual(GoalStatus.PREEMPTED, handle.get_terminal_state())
+
+
+if __name__ == "__main__":
+    rostest.rosrun("stop_server", "stop_server_node", StopServerNodeTest)
