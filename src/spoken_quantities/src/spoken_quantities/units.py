@@ -1,0 +1,50 @@
+"""Units that people say, and what they are in the units of REP 103: metres, radians, seconds."""
+import math
+from dataclasses import dataclass
+from typing import Dict, Optional, Tuple
+
+
+@dataclass(frozen=True)
+class Unit:
+    """A unit of measure.
+
+    Attributes:
+        name: singular English name
+        quantity: length, angle or duration
+        si_factor: metres, radians or seconds in one of it
+    """
+
+    name: str
+    quantity: str
+    si_factor: float
+
+
+_SPELLINGS: Tuple[Tuple[Unit, str], ...] = (
+    (Unit("metre", "length", 1.0), "metre metres meter meters m"),
+    (Unit("centimetre", "length", 0.01), "centimetre centimetres centimeter centimeters cm"),
+    (Unit("millimetre", "length", 0.001), "millimetre millimetres millimeter millimeters mm"),
+    (Unit("decimetre", "length", 0.1), "decimetre decimetres decimeter decimeters dm"),
+    (Unit("kilometre", "length", 1000.0), "kilometre kilometres kilometer kilometers km"),
+    (Unit("foot", "length", 0.3048), "foot feet ft '"),
+    (Unit("inch", "length", 0.0254), "inch inches in \""),
+    (Unit("yard", "length", 0.9144), "yard yards yd"),
+    (Unit("mile", "length", 1609.344), "mile miles mi"),
+    (Unit("degree", "angle", math.pi / 180.0), "degree degrees deg °"),
+    (Unit("radian", "angle", 1.0), "radian radians rad"),
+    (Unit("turn", "angle", 2.0 * math.pi), "turn turns revolution revolutions rotation rotations circle circles"),
+    (Unit("second", "duration", 1.0), "second seconds sec secs s"),
+    (Unit("millisecond", "duration", 0.001), "millisecond milliseconds ms"),
+    (Unit("minute", "duration", 60.0), "minute minutes min mins"),
+    (Unit("hour", "duration", 3600.0), "hour hours h hr hrs"),
+)
+_UNITS: Dict[str, Unit] = {spelling: unit for unit, spellings in _SPELLINGS for spelling in spellings.split()}
+
+
+def find_unit(word: str) -> Optional[Unit]:
+    """Return the unit of an English word or symbol, singular or plural; None for a word that is no unit."""
+    return _UNITS.get(word.strip(" .").lower())
+
+
+def units_of(quantity: str) -> Tuple[str, ...]:
+    """Return the singular names of the units of a quantity."""
+    return tuple(unit.name for unit, _ in _SPELLINGS if unit.quantity == quantity)
