@@ -1,0 +1,291 @@
+"""One goal of an action server, from sending to its end, as a state machine of values.
+
+The functions take what happened and the time, and give the next value. Nothing here waits: the caller asks `tick`
+again when `next_deadline_s` has come.
+"""
+import enum
+from dataclasses import dataclass, replace
+from typing import Dict, List, Optional
+
+
+class GoalStatusCode(enum.IntEnum):
+    """Status of a goal as actionlib numbers it."""
+
+    PENDING = 0
+    ACTIVE = 1
+    PREEMPTED = 2
+    SUCCEEDED = 3
+    ABORTED = 4
+    REJECTED = 5
+    PREEMPTING = 6
+    RECALLING = 7
+    RECALLED = 8
+    LOST = 9
+
+
+TERMINAL_STATUSES = frozenset({
+    GoalStatusCode.PREEMPTED, GoalStatusCode.SUCCEEDED, GoalStatusCode.ABORTED, GoalStatusCode.REJECTED,
+    GoalStatusCode.RECALLED, GoalStatusCode.LOST})
+
+
+class Phase(enum.Enum):
+    """Where the goal is."""
+
+    SENT = "sent"              # no sign of the server yet
+    ACCEPTED = "accepted"      # the server has it
+    CANCELLING = "cancelling"  # cancels go out until the server ends it
+    CONCLUDING = "concluding"  # the status is terminal, the result is missing
+    ENDED = "ended"
+
+
+class Outcome(enum.Enum):
+    """How the goal ended."""
+
+    SUCCEEDED = "succeeded"
+    FAILED = "failed"
+    PREEMPTED = "preempted"    # because we asked
+    TAKEN_AWAY = "taken_away"  # somebody else cancelled it
+
+
+# SUCCEEDED counts only with a result that says success; PREEMPTED and RECALLED only when we asked for it.
+OUTCOME_OF_STATUS: Dict[GoalStatusCode, Outcome] = {
+    GoalStatusCode.SUCCEEDED: Outcome.SUCCEEDED,
+    GoalStatusCode.PREEMPTED: Outcome.PREEMPTED,
+    GoalStatusCode.RECALLED: Outcome.PREEMPTED,
+    GoalStatusCode.ABORTED: Outcome.FAILED,
+    GoalStatusCode.REJECTED: Outcome.FAILED,
+    GoalStatusCode.LOST: Outcome.FAILED,
+}
+
+
+@dataclass(frozen=True)
+class GoalDeadlines:
+    """How long each part of a goal may take.
+
+    Attributes:
+        acceptance_s: from sending to the first sign of the server
+        silence_s: between two signs of the server: status, feedback, result
+        preempt_s: from the first cancel to the end of the goal
+        cancel_period_s: between two cancels
+        result_s: from a terminal status to its result
+
+    Raises:
+        ValueError: a value that is not positive
+    """
+
+    acceptance_s: float = 5.0
+    silence_s: float = 5.0
+    preempt_s: float = 5.0
+    cancel_period_s: float = 0.5
+    result_s: float = 2.0
+
+    def __post_init__(self) -> None:
+        for name in ("acceptance_s", "silence_s", "preempt_s", "cancel_period_s", "result_s"):
+            if not 0.0 < getattr(self, name) < float("inf"):
+                raise ValueError(f"{name} must be positive and finite, got {getattr(self, name)}")
+
+
+@dataclass(frozen=True)
+class Goal:
+    """A goal that was sent.
+
+    Attributes:
+        server: name of the action server
+        deadlines: of this goal
+        phase: where it is
+        since_s: when the phase began, monotonic seconds
+        heard_s: when the server last gave a sign
+        cancelled_s: when the last cancel went out, None before the first
+        is_preempt_asked: the cancel is our wish, not the consequence of a fault
+        fault: why the goal counts as failed although the server has not ended it; empty for none
+        status: last status of the server
+        outcome: only when ended
+        reason: why it did not succeed, a clause that follows the name of the server; empty for success
+        is_orphaned: the goal ended here but the server never said that it stopped
+    """
+
+    server: str
+    deadlines: GoalDeadlines
+    phase: Phase
+    since_s: float
+    heard_s: float
+    cancelled_s: Optional[float] = None
+    is_preempt_asked: bool = False
+    fault: str = ""
+    status: GoalStatusCode = GoalStatusCode.PENDING
+    outcome: Optional[Outcome] = None
+    reason: str = ""
+    is_orphaned: bool = False
+
+    @property
+    def is_ended(self) -> bool:
+        """Whether nothing more is expected."""
+        return self.phase is Phase.ENDED
+
+
+def send(server: str, deadlines: GoalDeadlines, *, now_s: float) -> Goal:
+    """A goal that is being sent now."""
+    return Goal(server=server, deadlines=deadlines, phase=Phase.SENT, since_s=now_s, heard_s=now_s)
+
+
+def hear_sign(goal: Goal, *, now_s: float) -> Goal:
+    """The server spoke on its status or feedback topic; it need not be about this goal."""
+    return replace(goal, heard_s=now_s)
+
+
+def hear_status(goal: Goal, status: int, *, now_s: float) -> Goal:
+    """The server reported the status of this goal."""
+    goal = replace(goal, heard_s=now_s)
+    if goal.is_ended:
+        return goal
+    try:
+        code = GoalStatusCode(status)
+    except ValueError:
+        return _end(goal, Outcome.FAILED, f"reported the unknown status {status}")
+    if goal.phase is Phase.CONCLUDING and code not in TERMINAL_STATUSES:
+        # No server takes a terminal status back; this one came late on its way.
+        return goal
+    goal = replace(goal, status=code)
+    if code in TERMINAL_STATUSES:
+        return goal if goal.phase is Phase.CONCLUDING else replace(goal, phase=Phase.CONCLUDING, since_s=now_s)
+    if goal.phase is Phase.SENT:
+        return replace(goal, phase=Phase.ACCEPTED, since_s=now_s)
+    return goal
+
+
+def hear_result(goal: Goal, status: int, *, success: Optional[bool], text: str, now_s: float) -> Goal:
+    """The goal is over for the server.
+
+    Args:
+        goal: the goal
+        status: its terminal status
+        success: the field of the result; None when there is no result, as for a lost goal
+        text: of the server, empty for none
+        now_s: monotonic seconds
+    """
+    if goal.is_ended:
+        return goal
+    goal = replace(goal, heard_s=now_s)
+    try:
+        code = GoalStatusCode(status)
+        outcome = OUTCOME_OF_STATUS[code]
+    except (ValueError, KeyError):
+        return _end(goal, Outcome.FAILED, f"ended with status {status}, which is not terminal")
+    goal = replace(goal, status=code)
+    remark = f": {text.strip().rstrip('.')}" if text.strip() else ""
+    if outcome is Outcome.SUCCEEDED and not success:
+        missing = "sent no result" if success is None else "its result says that it did not succeed"
+        return _end(goal, Outcome.FAILED, f"said {code.name} but {missing}{remark}")
+    if outcome is Outcome.SUCCEEDED:
+        return _end(goal, Outcome.SUCCEEDED, "")
+    return _end(goal, outcome, f"{_VERBS[code]}{remark}")
+
+
+_VERBS: Dict[GoalStatusCode, str] = {
+    GoalStatusCode.PREEMPTED: "was preempted",
+    GoalStatusCode.RECALLED: "was cancelled before it began",
+    GoalStatusCode.ABORTED: "aborted",
+    GoalStatusCode.REJECTED: "rejected the goal",
+    GoalStatusCode.LOST: "lost the goal",
+}
+
+
+def ask_preempt(goal: Goal, *, now_s: float) -> Goal:
+    """We want the goal to end; `tick` says when cancels go out."""
+    if goal.is_ended or goal.is_preempt_asked:
+        return goal
+    goal = replace(goal, is_preempt_asked=True)
+    if goal.phase in (Phase.SENT, Phase.ACCEPTED):
+        return replace(goal, phase=Phase.CANCELLING, since_s=now_s)
+    return goal
+
+
+@dataclass(frozen=True)
+class Tick:
+    """What a look at the clock gave: the goal, and whether a cancel is to be sent now."""
+
+    goal: Goal
+    is_cancel_due: bool
+
+
+def tick(goal: Goal, *, now_s: float) -> Tick:
+    """Look at the clock."""
+    if goal.is_ended:
+        return Tick(goal, is_cancel_due=False)
+    deadlines = goal.deadlines
+    if goal.phase is Phase.SENT and now_s - goal.since_s >= deadlines.acceptance_s:
+        goal = _give_up(goal, f"did not accept the goal within {deadlines.acceptance_s:g} s", now_s=now_s)
+    elif goal.phase is Phase.ACCEPTED and now_s - goal.heard_s >= deadlines.silence_s:
+        goal = _give_up(goal, f"was silent for {deadlines.silence_s:g} s", now_s=now_s)
+    elif goal.phase is Phase.CONCLUDING and now_s - goal.since_s >= deadlines.result_s:
+        return Tick(_conclude_without_result(goal), is_cancel_due=False)
+    if goal.phase is not Phase.CANCELLING:
+        return Tick(goal, is_cancel_due=False)
+    if now_s - goal.since_s >= deadlines.preempt_s:
+        unfinished = f"did not end on cancel within {deadlines.preempt_s:g} s"
+        reason = f"{goal.fault} and {unfinished}" if goal.fault else unfinished
+        outcome = Outcome.PREEMPTED if goal.is_preempt_asked else Outcome.FAILED
+        return Tick(_end(replace(goal, is_orphaned=True), outcome, reason), is_cancel_due=False)
+    is_cancel_due = goal.cancelled_s is None or now_s - goal.cancelled_s >= deadlines.cancel_period_s
+    return Tick(replace(goal, cancelled_s=now_s) if is_cancel_due else goal, is_cancel_due=is_cancel_due)
+
+
+def next_deadline_s(goal: Goal) -> float:
+    """When `tick` may have something to do next, monotonic seconds; infinite when ended."""
+    deadlines = goal.deadlines
+    if goal.phase is Phase.SENT:
+        return goal.since_s + deadlines.acceptance_s
+    if goal.phase is Phase.ACCEPTED:
+        return goal.heard_s + deadlines.silence_s
+    if goal.phase is Phase.CONCLUDING:
+        return goal.since_s + deadlines.result_s
+    if goal.phase is Phase.CANCELLING:
+        next_cancel_s = goal.since_s if goal.cancelled_s is None else goal.cancelled_s + deadlines.cancel_period_s
+        return min(next_cancel_s, goal.since_s + deadlines.preempt_s)
+    return float("inf")
+
+
+def fail_unsent(server: str, deadlines: GoalDeadlines, reason: str, *, now_s: float) -> Goal:
+    """A goal that could not even be sent."""
+    return _end(send(server, deadlines, now_s=now_s), Outcome.FAILED, reason)
+
+
+def preempt_unsent(server: str, deadlines: GoalDeadlines, *, now_s: float) -> Goal:
+    """A goal that we wanted to end before it was sent."""
+    goal = replace(send(server, deadlines, now_s=now_s), is_preempt_asked=True)
+    return _end(goal, Outcome.PREEMPTED, "was cancelled before it began")
+
+
+def _give_up(goal: Goal, fault: str, *, now_s: float) -> Goal:
+    # The server may come back to life: what it does then must end too.
+    return replace(goal, phase=Phase.CANCELLING, since_s=now_s, fault=fault)
+
+
+def _conclude_without_result(goal: Goal) -> Goal:
+    code = goal.status
+    outcome = OUTCOME_OF_STATUS[code]
+    if outcome is Outcome.SUCCEEDED:
+        return _end(goal, Outcome.FAILED, f"said {code.name} but sent no result")
+    return _end(goal, outcome, _VERBS[code])
+
+
+def _end(goal: Goal, outcome: Outcome, reason: str) -> Goal:
+    if outcome is Outcome.SUCCEEDED:
+        # Whatever we asked for in the meantime: it is done, and must not be done again by another server.
+        pass
+    elif goal.fault and not goal.is_orphaned:
+        # It ended only because we cancelled it for its fault.
+        outcome = Outcome.PREEMPTED if goal.is_preempt_asked else Outcome.FAILED
+        reason = goal.fault
+    elif outcome is Outcome.PREEMPTED and not goal.is_preempt_asked:
+        outcome = Outcome.TAKEN_AWAY
+    elif outcome is Outcome.FAILED and goal.is_preempt_asked:
+        # Servers that know no preemption abort on a cancel; what we wanted has happened.
+        outcome = Outcome.PREEMPTED
+    return replace(goal, phase=Phase.ENDED, outcome=outcome, reason=reason)
+
+
+def describe_failures(goals: List[Goal]) -> str:
+    """A sentence that names each server that failed and why; empty when none did."""
+    clauses = [f"{goal.server} {goal.reason}" for goal in goals if goal.outcome is Outcome.FAILED]
+    return f"{'; '.join(clauses)}." if clauses else ""

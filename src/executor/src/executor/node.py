@@ -1,0 +1,265 @@
+"""The executor node: one procedure at a time, the newest command first.
+
+Callbacks only enqueue; one worker thread owns the commands, one more thread runs the machine.
+"""
+import queue
+import threading
+import time
+from dataclasses import dataclass
+from typing import Optional, Union
+
+import rospy
+from arbitrator.procedure import Procedure
+from arbitrator.ros_messages import procedure_from_message
+from roboframenet_msgs.msg import Command, CommandProcedure, Reply, StageEvent, StopReport
+
+from executor.command_desk import (
+    CommandKey, Desk, Order, Preempt, Start, Step, Supersede, command_cancelled, command_ended, order_arrives,
+    stop_heard)
+from executor.goal_tracking import GoalDeadlines
+from executor.replies import Ending, ending_of_malformed, ending_of_run, ending_of_unstarted
+from executor.ros_action_clients import ActionClients
+from executor.ros_command_run import CommandRun, RunResult
+
+STAGE = "executor"
+# Less than the second that the stage promises, so that a busy machine keeps the promise too.
+_EVENT_PERIOD_S = 0.5
+
+
+@dataclass(frozen=True)
+class Settings:
+    """Private parameters, checked; times in seconds.
+
+    Attributes:
+        acceptance_timeout_s: for a server to be there, and for it to accept a goal
+        silence_timeout_s: between two signs of a server that has a goal
+        preempt_timeout_s: for a goal to end after the first cancel
+        cancel_period_s: between two cancels
+        result_timeout_s: for the result after a terminal status
+        max_clients: connections to servers that are kept
+        introspection: publish the topics of smach_viewer
+
+    Raises:
+        ValueError: a value out of its range
+    """
+
+    acceptance_timeout_s: float = 5.0
+    silence_timeout_s: float = 5.0
+    preempt_timeout_s: float = 5.0
+    cancel_period_s: float = 0.5
+    result_timeout_s: float = 2.0
+    max_clients: int = 32
+    introspection: bool = True
+
+    def __post_init__(self) -> None:
+        for name in ("acceptance_timeout_s", "silence_timeout_s", "preempt_timeout_s", "cancel_period_s",
+                     "result_timeout_s"):
+            value = getattr(self, name)
+            if isinstance(value, bool) or not isinstance(value, (int, float)) or not 0.05 <= value <= 600.0:
+                raise ValueError(f"~{name} must be 0.05 to 600 s, got {value!r}")
+        if isinstance(self.max_clients, bool) or not isinstance(self.max_clients, int) or not (
+                1 <= self.max_clients <= 1000):
+            raise ValueError(f"~max_clients must be an integer from 1 to 1000, got {self.max_clients!r}")
+        if not isinstance(self.introspection, bool):
+            raise ValueError(f"~introspection must be true or false, got {self.introspection!r}")
+
+    @property
+    def deadlines(self) -> GoalDeadlines:
+        """The deadlines of each goal."""
+        return GoalDeadlines(
+            acceptance_s=self.acceptance_timeout_s, silence_s=self.silence_timeout_s, preempt_s=self.preempt_timeout_s,
+            cancel_period_s=self.cancel_period_s, result_s=self.result_timeout_s)
+
+
+@dataclass(frozen=True)
+class _Job:
+    """What the desk keeps for the shell: the command as it came, and its procedure."""
+
+    command: Command
+    procedure: Procedure
+
+
+@dataclass(frozen=True)
+class _Note:
+    """A run says what happens in it."""
+
+    run: CommandRun
+    sentence: str
+
+
+@dataclass(frozen=True)
+class _RunEnded:
+    """The thread of a run is through."""
+
+    run: CommandRun
+    result: RunResult
+
+
+_Event = Union[CommandProcedure, StopReport, Command, _Note, _RunEnded, None]
+
+
+class ExecutorNode:
+    """Carries out procedures.
+
+    Subscribes: ``command_procedure``, ``command_cancel``, ``stop_report``. Publishes: ``stage_events``. Calls the action servers that
+    the procedures name.
+    """
+
+    def __init__(self, settings: Settings) -> None:
+        self._settings = settings
+        self._clients = ActionClients(max_kept=settings.max_clients)
+        self._desk: Desk[_Job] = Desk()
+        self._run: Optional[CommandRun] = None
+        self._next_event_s = 0.0
+        self._inbox: "queue.Queue[_Event]" = queue.Queue()
+        self._events = rospy.Publisher("stage_events", StageEvent, queue_size=1000)
+        self._worker = threading.Thread(target=self._work, name="executor_worker")
+
+    def start(self) -> None:
+        """Begin to take commands."""
+        rospy.on_shutdown(self._shutdown)
+        self._worker.start()
+        self._subscribers = [
+            rospy.Subscriber("stop_report", StopReport, self._inbox.put),
+            rospy.Subscriber("command_cancel", Command, self._inbox.put),
+            rospy.Subscriber("command_procedure", CommandProcedure, self._inbox.put)]
+
+    def _shutdown(self) -> None:
+        self._inbox.put(None)
+        self._worker.join(self._settings.preempt_timeout_s + 2.0)
+
+    def _work(self) -> None:
+        while True:
+            try:
+                event = self._inbox.get(timeout=_EVENT_PERIOD_S / 2.0)
+            except queue.Empty:
+                self._tell_that_it_runs()
+                continue
+            if event is None:
+                self._end_all()
+                return
+            try:
+                self._handle(event)
+            except Exception as error:  # boundary: one message must not end the work on all others
+                rospy.logerr("executor could not handle a %s: %s: %s",
+                             type(event).__name__, type(error).__name__, error)
+            self._tell_that_it_runs()
+
+    def _handle(self, event: _Event) -> None:
+        if isinstance(event, CommandProcedure):
+            self._hear_procedure(event)
+        elif isinstance(event, StopReport):
+            self._follow(stop_heard(self._desk, event.stop_stamp.to_nsec()))
+        elif isinstance(event, Command):
+            self._follow(command_cancelled(self._desk, event.id))
+        elif isinstance(event, _Note):
+            if event.run is self._run:
+                self._publish(self._desk.running.job.command, event.sentence)
+        elif isinstance(event, _RunEnded):
+            self._hear_end(event)
+
+    def _hear_procedure(self, message: CommandProcedure) -> None:
+        try:
+            procedure = procedure_from_message(message.procedure)
+        except ValueError as error:
+            self._publish_final(message.command, ending_of_malformed(str(error)))
+            return
+        key = CommandKey(command_id=message.command.id, stamp_ns=message.command.stamp.to_nsec())
+        order = Order(key=key, job=_Job(command=message.command, procedure=procedure))
+        self._follow(order_arrives(self._desk, order, now_ns=rospy.Time.now().to_nsec()))
+
+    def _hear_end(self, ended: _RunEnded) -> None:
+        if ended.run is not self._run:
+            return
+        order, cause = self._desk.running, self._desk.cause
+        self._run = None
+        ending = ending_of_run(ended.result.outcome, ended.result.goals, cause=cause, error=ended.result.error)
+        self._publish_final(order.job.command, ending)
+        self._follow(command_ended(self._desk))
+
+    def _follow(self, step: Step) -> None:
+        """Take the desk as it is now and do what it asks for."""
+        self._desk, actions = step
+        for action in actions:
+            if isinstance(action, Start):
+                self._start_run(action.order)
+            elif isinstance(action, Preempt):
+                rospy.loginfo("cmd=%s is preempted: %s", action.order.key.command_id, action.cause.value)
+                self._run.preempt()
+            elif isinstance(action, Supersede):
+                self._publish_final(action.order.job.command, ending_of_unstarted(action.cause))
+
+    def _start_run(self, order: "Order[_Job]") -> None:
+        rospy.loginfo("cmd=%s begins", order.key.command_id)
+        self._run = CommandRun(
+            order.job.procedure, clients=self._clients, deadlines=self._settings.deadlines,
+            on_note=lambda sentence: self._inbox.put(_Note(run, sentence)),
+            on_end=lambda ended, result: self._inbox.put(_RunEnded(ended, result)),
+            is_introspected=self._settings.introspection)
+        run = self._run
+        run.start()
+
+    def _tell_that_it_runs(self) -> None:
+        if time.monotonic() < self._next_event_s:
+            return
+        self._next_event_s = time.monotonic() + _EVENT_PERIOD_S
+        if self._run is not None:
+            self._publish(self._desk.running.job.command, self._run.describe())
+        if self._desk.waiting is not None:
+            self._publish(self._desk.waiting.job.command, "Waiting for the end of the command before.")
+
+    def _publish(self, command: Command, sentence: str) -> None:
+        self._events.publish(StageEvent(command=command, stage=STAGE, stamp=rospy.Time.now(), sentence=sentence))
+
+    def _publish_final(self, command: Command, ending: Ending) -> None:
+        rospy.loginfo("cmd=%s -> %s %s: %s", command.id, ending.outcome.name, ending.code, ending.sentence)
+        now = rospy.Time.now()
+        reply = Reply(command=command, outcome=int(ending.outcome), stage=STAGE, code=ending.code,
+                      sentence=ending.sentence, stamp=now)
+        self._events.publish(StageEvent(
+            command=command, stage=STAGE, stamp=now, sentence=ending.sentence, is_final=True, reply=reply))
+
+    def _end_all(self) -> None:
+        """Cancel what runs before the node goes, so that the robot does not go on alone."""
+        self._follow(stop_heard(self._desk, max(
+            [order.key.stamp_ns for order in (self._desk.running, self._desk.waiting) if order is not None], default=0)))
+        if self._run is not None:
+            # The end of the run comes through the inbox; its thread has deadlines for everything it waits for.
+            self._run.join(timeout_s=self._settings.preempt_timeout_s + 1.0)
+            while self._run is not None:
+                try:
+                    event = self._inbox.get(timeout=0.5)
+                except queue.Empty:
+                    break
+                if isinstance(event, _RunEnded):
+                    self._hear_end(event)
+        self._clients.close()
+
+
+def read_settings() -> Settings:
+    """Read the private parameters.
+
+    Raises:
+        ValueError: a parameter is out of its range
+    """
+    return Settings(
+        acceptance_timeout_s=rospy.get_param("~acceptance_timeout_s", Settings.acceptance_timeout_s),
+        silence_timeout_s=rospy.get_param("~silence_timeout_s", Settings.silence_timeout_s),
+        preempt_timeout_s=rospy.get_param("~preempt_timeout_s", Settings.preempt_timeout_s),
+        cancel_period_s=rospy.get_param("~cancel_period_s", Settings.cancel_period_s),
+        result_timeout_s=rospy.get_param("~result_timeout_s", Settings.result_timeout_s),
+        max_clients=rospy.get_param("~max_clients", Settings.max_clients),
+        introspection=rospy.get_param("~introspection", Settings.introspection))
+
+
+def main() -> None:
+    """Run the node until ROS shuts down; exits with a sentence when a parameter is wrong."""
+    rospy.init_node("executor")
+    try:
+        settings = read_settings()
+    except ValueError as error:
+        rospy.logfatal("%s", error)
+        raise SystemExit(f"executor: {error}") from error
+    rospy.loginfo("executor: %s", settings)
+    ExecutorNode(settings).start()
+    rospy.spin()

@@ -1,0 +1,156 @@
+"""A SMACH state that has one action server carry out one frame."""
+import queue
+import threading
+import time
+from dataclasses import dataclass
+from typing import Callable, Optional
+
+import actionlib
+import rospy
+import smach
+from arbitrator.procedure import FilledFrame
+from arbitrator.ros_messages import frame_to_message
+from arbitrator.state_machine import OUTCOMES
+
+from executor import goal_tracking as tracking
+from executor.goal_tracking import Goal, GoalDeadlines, Outcome
+from executor.ros_action_clients import ActionClients, SentGoal, ServerConnection
+
+# The longest that a preemption can go unseen.
+_LONGEST_WAIT_S = 0.1
+
+# What the machine makes of each end. A goal that somebody else took away must not start the next candidate.
+SMACH_OUTCOME_OF = {
+    Outcome.SUCCEEDED: "succeeded",
+    Outcome.FAILED: "aborted",
+    Outcome.PREEMPTED: "preempted",
+    Outcome.TAKEN_AWAY: "preempted",
+}
+
+
+@dataclass(frozen=True)
+class StepContext:
+    """What the steps of one run share.
+
+    Attributes:
+        clients: connections to servers
+        deadlines: of each goal
+        is_preempt_asked: set when the run is to end
+        on_begin: is told the frame of each step that begins
+        on_end: is told each goal that has ended
+    """
+
+    clients: ActionClients
+    deadlines: GoalDeadlines
+    is_preempt_asked: threading.Event
+    on_begin: Callable[[FilledFrame], None]
+    on_end: Callable[[FilledFrame, Goal], None]
+
+
+@dataclass(frozen=True)
+class _Transition:
+    """The client saw its goal change; the state of the handle at that moment."""
+
+    status: int
+    is_done: bool
+    success: Optional[bool]
+    text: str
+
+
+class _Sign:
+    """The server spoke."""
+
+
+class ActionStep(smach.State):
+    """Sends the frame as a goal and follows it to its end.
+
+    Callbacks only enqueue; the thread that executes the state owns everything else and waits with deadlines.
+    """
+
+    def __init__(self, frame: FilledFrame, context: StepContext) -> None:
+        super().__init__(outcomes=list(OUTCOMES))
+        self._frame = frame
+        self._context = context
+
+    def execute(self, userdata: smach.UserData) -> str:
+        """Carry the frame out; returns succeeded, aborted or preempted."""
+        self._context.on_begin(self._frame)
+        goal = self._carry_out()
+        self._context.on_end(self._frame, goal)
+        outcome = SMACH_OUTCOME_OF[goal.outcome]
+        if outcome == "preempted" and self.preempt_requested():
+            self.service_preempt()
+        return outcome
+
+    @property
+    def _is_to_end(self) -> bool:
+        return self._context.is_preempt_asked.is_set() or self.preempt_requested()
+
+    def _carry_out(self) -> Goal:
+        server, deadlines = self._frame.server, self._context.deadlines
+        began_s = time.monotonic()
+        if self._is_to_end:
+            return tracking.preempt_unsent(server, deadlines, now_s=began_s)
+        try:
+            connection = self._context.clients.get(server, timeout_s=deadlines.acceptance_s)
+        except ValueError as error:
+            return tracking.fail_unsent(server, deadlines, f"cannot be reached: {error}", now_s=began_s)
+        if connection is None:
+            return tracking.fail_unsent(
+                server, deadlines, "cannot be reached: the master does not answer", now_s=began_s)
+        while not connection.is_ready():
+            if self._is_to_end:
+                return tracking.preempt_unsent(server, deadlines, now_s=time.monotonic())
+            if time.monotonic() - began_s >= deadlines.acceptance_s:
+                return tracking.fail_unsent(
+                    server, deadlines, f"is not there: no answer within {deadlines.acceptance_s:g} s",
+                    now_s=time.monotonic())
+            self._context.is_preempt_asked.wait(0.01)
+        inbox: "queue.Queue[object]" = queue.Queue()
+
+        def on_sign() -> None:
+            inbox.put(_Sign())
+
+        connection.listen(on_sign)
+        try:
+            return self._follow(connection, inbox, on_sign)
+        finally:
+            connection.unlisten(on_sign)
+
+    def _follow(self, connection: ServerConnection, inbox: "queue.Queue[object]",
+                on_sign: Callable[[], None]) -> Goal:
+        goal = tracking.send(self._frame.server, self._context.deadlines, now_s=time.monotonic())
+        sent: SentGoal = connection.send(
+            frame_to_message(self._frame), on_transition=lambda handle: inbox.put(_read_transition(handle)),
+            on_feedback=on_sign)
+        while True:
+            if self._is_to_end:
+                goal = tracking.ask_preempt(goal, now_s=time.monotonic())
+            step = tracking.tick(goal, now_s=time.monotonic())
+            goal = step.goal
+            if step.is_cancel_due:
+                rospy.loginfo("cancelling the goal of %s", self._frame.server)
+                connection.cancel(sent)
+            if goal.is_ended:
+                return goal
+            wait_s = min(_LONGEST_WAIT_S, max(0.001, tracking.next_deadline_s(goal) - time.monotonic()))
+            try:
+                goal = _apply(goal, inbox.get(timeout=wait_s))
+            except queue.Empty:
+                pass
+
+
+def _read_transition(handle: actionlib.ClientGoalHandle) -> _Transition:
+    is_done = handle.get_comm_state() == actionlib.CommState.DONE
+    result = handle.get_result() if is_done else None
+    return _Transition(status=handle.get_goal_status(), is_done=is_done, text=handle.get_goal_status_text(),
+                       success=None if result is None else bool(result.success))
+
+
+def _apply(goal: Goal, heard: object) -> Goal:
+    now_s = time.monotonic()
+    if not isinstance(heard, _Transition):
+        return tracking.hear_sign(goal, now_s=now_s)
+    if heard.is_done:
+        return tracking.hear_result(goal, heard.status, success=heard.success, text=heard.text, now_s=now_s)
+    return tracking.hear_status(goal, heard.status, now_s=now_s)

@@ -1,0 +1,118 @@
+"""One procedure that is being carried out, in a thread of its own."""
+import threading
+import time
+from dataclasses import dataclass
+from typing import Callable, List, Optional, Tuple
+
+import rospy
+import smach
+import smach_ros
+from arbitrator.procedure import FilledFrame, Procedure
+from arbitrator.state_machine import build_state_machine
+
+from executor.goal_tracking import Goal, GoalDeadlines
+from executor.ros_action_clients import ActionClients
+from executor.ros_action_step import ActionStep, StepContext
+
+
+@dataclass(frozen=True)
+class RunResult:
+    """How a run ended.
+
+    Attributes:
+        outcome: succeeded, aborted or preempted; empty when the machine broke
+        goals: every goal that was tried, in order
+        error: why the machine broke, empty if it did not
+    """
+
+    outcome: str
+    goals: Tuple[Goal, ...]
+    error: str = ""
+
+
+class CommandRun:
+    """Runs the SMACH machine of a procedure and shows it to smach_viewer."""
+
+    def __init__(self, procedure: Procedure, *, clients: ActionClients, deadlines: GoalDeadlines,
+                 on_note: Callable[[str], None], on_end: Callable[["CommandRun", RunResult], None],
+                 is_introspected: bool) -> None:
+        """Prepare; `start` begins.
+
+        Args:
+            procedure: what to carry out
+            clients: connections to servers
+            deadlines: of each goal
+            on_note: is told, from the thread of the run, what happens, as a sentence
+            on_end: is told, as the last thing in the thread of the run, how it ended
+            is_introspected: publish the topics of smach_viewer
+        """
+        self._procedure = procedure
+        self._on_note = on_note
+        self._on_end = on_end
+        self._is_introspected = is_introspected
+        self._goals: List[Goal] = []
+        self._step = "about to begin"
+        self._step_since_s = time.monotonic()
+        self._is_preempt_asked = threading.Event()
+        self._machine: Optional[smach.StateMachine] = None
+        self._context = StepContext(
+            clients=clients, deadlines=deadlines, is_preempt_asked=self._is_preempt_asked,
+            on_begin=self._begin_step, on_end=self._end_step)
+        self._thread = threading.Thread(target=self._run, name="command_run", daemon=True)
+
+    def start(self) -> None:
+        """Begin."""
+        self._thread.start()
+
+    def preempt(self) -> None:
+        """Ask the run to end; returns at once."""
+        self._is_preempt_asked.set()
+        machine = self._machine
+        if machine is not None:
+            machine.request_preempt()
+
+    def join(self, *, timeout_s: float) -> bool:
+        """Wait for the end; returns whether it has come."""
+        self._thread.join(timeout_s)
+        return not self._thread.is_alive()
+
+    def describe(self) -> str:
+        """What runs now and for how long, as a sentence."""
+        verb = "Cancelling" if self._is_preempt_asked.is_set() else "Running"
+        return f"{verb}: {self._step} for {time.monotonic() - self._step_since_s:.0f} s."
+
+    def _begin_step(self, frame: FilledFrame) -> None:
+        self._step, self._step_since_s = f"{frame.name} by {frame.server}", time.monotonic()
+        self._on_note(f"{frame.server} begins {frame.name}.")
+
+    def _end_step(self, frame: FilledFrame, goal: Goal) -> None:
+        self._goals.append(goal)
+        how = f"{frame.server} {goal.reason}" if goal.reason else f"{frame.server} has done {frame.name}"
+        rospy.loginfo("%s -> %s: %s", frame.name, goal.outcome.value, how)
+        self._on_note(f"{how}.")
+
+    def _run(self) -> None:
+        outcome, error = "", ""
+        viewer = None
+        try:
+            self._machine = build_state_machine(self._procedure, lambda frame: ActionStep(frame, self._context))
+            viewer = self._show()
+            outcome = self._machine.execute()
+        except Exception as fault:  # boundary: whatever breaks the machine, the command must be answered
+            rospy.logerr("the machine broke: %s: %s", type(fault).__name__, fault)
+            error = f"{type(fault).__name__}: {fault}"
+        finally:
+            self._on_end(self, RunResult(outcome=outcome, goals=tuple(self._goals), error=error))
+            if viewer is not None:
+                viewer.stop()
+
+    def _show(self) -> Optional[smach_ros.IntrospectionServer]:
+        if not self._is_introspected:
+            return None
+        try:
+            viewer = smach_ros.IntrospectionServer("executor", self._machine, "/PROCEDURE")
+            viewer.start()
+        except Exception as fault:  # boundary: nothing that only looks on may keep a command from running
+            rospy.logwarn("smach_viewer will see nothing: %s: %s", type(fault).__name__, fault)
+            return None
+        return viewer
