@@ -35,6 +35,8 @@ class ElementRelation:
         relations: alternatives, the first that matches fills the element
         argument: which words become the argument
         words: the only head words (lemmas or forms, lower case) that may fill it; empty for any
+        is_required: whether the unit counts only when this relation matches, also where the element is not core or
+            has a default ("Give me 5" is a high five because of the 5)
         line: where the file says so, from 1
     """
 
@@ -42,6 +44,7 @@ class ElementRelation:
     relations: Tuple[RelationPath, ...]
     argument: ArgumentForm = ArgumentForm.HEAD
     words: Tuple[str, ...] = ()
+    is_required: bool = False
     line: int = 0
 
 

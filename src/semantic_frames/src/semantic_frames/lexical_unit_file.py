@@ -1,0 +1,124 @@
+"""Lexical unit files: one unit or a list of units, as in 2012, with additions."""
+from typing import Dict, List, Mapping, Optional, Tuple
+
+import yaml
+
+from semantic_frames.frame import SemanticFrame
+from semantic_frames.lexical_unit import ArgumentForm, ElementRelation, Example, LexicalUnit, RelationPath
+from semantic_frames.marked_yaml import Reader, did_you_mean, line_of
+from semantic_frames.problem import Problem
+from semantic_frames.relation_names import MEASURE, STANFORD, UNIVERSAL, is_relation_name
+
+UNIT_KEYS = ("frame_name", "verb", "frame_element_grammatical_relations", "examples")
+RELATION_KEYS = ("name", "relation", "argument", "words", "required")
+EXAMPLE_KEYS = ("text", "frame_elements")
+
+
+def load_lexical_units(text: str, path: str) -> Tuple[LexicalUnit, ...]:
+    """Read a lexical unit file.
+
+    Args:
+        text: content of the file
+        path: where it came from, for problems and for :attr:`LexicalUnit.path`
+    Returns:
+        its units, at least one
+    Raises:
+        FileRefused: with every mistake of the file
+    """
+    reader = Reader(path)
+    root = reader.compose(text, "a mapping with frame_name and verb, or a list of them")
+    if isinstance(root, yaml.SequenceNode):
+        units = tuple(_unit(reader, item, f"[{index}]") for index, item in enumerate(root.value))
+    else:
+        units = (_unit(reader, root, ""),)
+    reader.refuse_if_wrong()
+    return units
+
+
+def _unit(reader: Reader, node: yaml.Node, key: str) -> LexicalUnit:
+    prefix = f"{key}." if key else ""
+    entries = reader.mapping(node, key, UNIT_KEYS, required=("frame_name", "verb"))
+    verbs = tuple(" ".join(verb.lower().split()) for verb in reader.texts(entries.get("verb"), f"{prefix}verb"))
+    if "verb" in entries and not any(verbs):
+        reader.report("EMPTY", entries["verb"], f"{prefix}verb", "no verb", "a verb or a list of verbs")
+    return LexicalUnit(
+        frame_name=reader.name(entries.get("frame_name"), f"{prefix}frame_name"),
+        verbs=verbs,
+        relations=tuple(_relation(reader, item, item_key) for item_key, item in reader.sequence(
+            entries.get("frame_element_grammatical_relations"), f"{prefix}frame_element_grammatical_relations")),
+        examples=tuple(_example(reader, item, item_key) for item_key, item in reader.sequence(
+            entries.get("examples"), f"{prefix}examples")),
+        path=reader.path,
+        line=line_of(node),
+    )
+
+
+def _relation(reader: Reader, node: yaml.Node, key: str) -> ElementRelation:
+    entries = reader.mapping(node, key, RELATION_KEYS, required=("name", "relation"))
+    relation = entries.get("relation")
+    paths = [_path(reader, text, relation, f"{key}.relation") for text in reader.texts(relation, f"{key}.relation")]
+    if relation is not None and not paths:
+        reader.report("EMPTY", relation, f"{key}.relation", "no relation", "a relation such as dobj or prep_to")
+    return ElementRelation(
+        name=reader.name(entries.get("name"), f"{key}.name"),
+        relations=tuple(paths),
+        argument=ArgumentForm(reader.choice(entries.get("argument"), f"{key}.argument", [form.value for form in ArgumentForm],
+                                            ArgumentForm.HEAD.value)),
+        words=tuple(word.lower() for word in reader.texts(entries.get("words"), f"{key}.words")),
+        is_required=reader.boolean(entries.get("required"), f"{key}.required"),
+        line=line_of(node),
+    )
+
+
+def _path(reader: Reader, text: str, node: Optional[yaml.Node], key: str) -> RelationPath:
+    steps = tuple(step.strip() for step in text.split("/"))
+    for step in steps:
+        if not is_relation_name(step) and node is not None:
+            known = sorted(UNIVERSAL | STANFORD | {MEASURE})
+            reader.report("UNKNOWN_RELATION", node, key, f"'{step}'",
+                          "a relation of Universal or Stanford Dependencies (dobj, iobj, prep_to, obl:to, ...), steps of a chain "
+                          "divided by '/'", did_you_mean(step, known))
+    return RelationPath(steps=steps)
+
+
+def _example(reader: Reader, node: yaml.Node, key: str) -> Example:
+    entries = reader.mapping(node, key, EXAMPLE_KEYS, required=("text",))
+    arguments: Dict[str, str] = {}
+    expected = entries.get("frame_elements")
+    if isinstance(expected, yaml.MappingNode):
+        for name_node, value in expected.value:
+            name = reader.text(name_node, f"{key}.frame_elements")
+            if name in arguments:
+                reader.report("DUPLICATE_KEY", name_node, f"{key}.frame_elements.{name}", f"a second '{name}'", "one")
+            arguments[name] = reader.text(value, f"{key}.frame_elements.{name}")
+    elif expected is not None:
+        reader.report("WRONG_TYPE", expected, f"{key}.frame_elements", "no mapping", "arguments by element name")
+    return Example(text=reader.name(entries.get("text"), f"{key}.text"), frame_elements=arguments, line=line_of(node))
+
+
+def check_lexical_unit(unit: LexicalUnit, frames: Mapping[str, SemanticFrame]) -> List[Problem]:
+    """Check a unit against the frames that are known.
+
+    Args:
+        unit: the unit
+        frames: by name
+    Returns:
+        problems: an unknown frame, an unknown element, a core element that nothing can fill
+    """
+    frame = frames.get(unit.frame_name)
+    if frame is None:
+        return [Problem("UNKNOWN_FRAME", unit.path, unit.line, "frame_name", f"'{unit.frame_name}'", "the name of a frame",
+                        did_you_mean(unit.frame_name, frames))]
+    names = [element.name for element in frame.frame_elements]
+    problems = [
+        Problem("UNKNOWN_ELEMENT", unit.path, relation.line, "frame_element_grammatical_relations", f"'{relation.name}'",
+                f"an element of {frame.name}: {', '.join(names) or 'it has none'}", did_you_mean(relation.name, names))
+        for relation in unit.relations if relation.name not in names
+    ]
+    filled = {relation.name for relation in unit.relations}
+    problems += [
+        Problem("CORE_NOT_FILLED", unit.path, unit.line, "frame_element_grammatical_relations", f"nothing for '{element.name}'",
+                f"a relation for every core element of {frame.name}, or a default in its file")
+        for element in frame.frame_elements if element.is_core and not element.default and element.name not in filled
+    ]
+    return problems

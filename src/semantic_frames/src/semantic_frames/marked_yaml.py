@@ -1,0 +1,169 @@
+"""YAML whose every value knows its line, read against a schema that collects all mistakes at once."""
+import difflib
+from typing import Dict, Iterable, List, Optional, Sequence, Tuple
+
+import yaml
+
+from semantic_frames.problem import FileRefused, Problem
+
+#: Nobody writes a longer file by hand.
+LARGEST_FILE = 1_000_000
+_BOOLEANS = {"true": True, "yes": True, "false": False, "no": False}
+
+
+class Reader:
+    """Reads the nodes of one file and collects what is wrong with it.
+
+    Nothing is converted before the schema asks for it: ``on`` stays "on", ``5`` stays "5".
+
+    Attributes:
+        path: the file, for the problems
+        problems: what was found so far
+    """
+
+    def __init__(self, path: str) -> None:
+        self.path = path
+        self.problems: List[Problem] = []
+
+    def report(self, code: str, node: yaml.Node, key: str, found: str, expected: str, hint: str = "") -> None:
+        """Remember a problem at the place of a node."""
+        self.problems.append(Problem(code=code, path=self.path, line=line_of(node), key=key, found=found, expected=expected,
+                                     hint=hint))
+
+    def refuse_if_wrong(self) -> None:
+        """
+        Raises:
+            FileRefused: when a problem was reported
+        """
+        if self.problems:
+            raise FileRefused(self.problems)
+
+    def compose(self, text: str, expected: str) -> yaml.Node:
+        """Parse a text to its tree of nodes.
+
+        Args:
+            text: content of the file
+            expected: what the file should hold, for the problem of an empty one
+        Returns:
+            the root
+        Raises:
+            FileRefused: empty, no YAML, several documents, too large, an alias
+        """
+        if len(text) > LARGEST_FILE:
+            raise FileRefused([Problem("TOO_LARGE", self.path, 1, "file", f"{len(text)} characters",
+                                       f"at most {LARGEST_FILE}")])
+        try:
+            for event in yaml.parse(text, Loader=yaml.SafeLoader):
+                if isinstance(event, yaml.AliasEvent) or getattr(event, "anchor", None):
+                    raise FileRefused([Problem("ALIAS", self.path, event.start_mark.line + 1, "file",
+                                               "an anchor or alias", "every value written out")])
+            root = yaml.compose(text, Loader=yaml.SafeLoader)
+        except yaml.YAMLError as error:
+            mark = getattr(error, "problem_mark", None)
+            reason = getattr(error, "problem", None) or getattr(error, "reason", None) or str(error).split("\n")[0]
+            raise FileRefused([Problem("NOT_YAML", self.path, mark.line + 1 if mark else 1, "file", str(reason),
+                                       "one YAML document")]) from error
+        if root is None or (isinstance(root, yaml.SequenceNode) and not root.value):
+            raise FileRefused([Problem("EMPTY", self.path, 1, "file", "nothing", expected)])
+        return root
+
+    def mapping(self, node: yaml.Node, key: str, known: Sequence[str], required: Sequence[str] = ()) -> Dict[str, yaml.Node]:
+        """Return the entries of a mapping; unknown, duplicate and missing keys are reported."""
+        if not isinstance(node, yaml.MappingNode):
+            self.report("WRONG_TYPE", node, key or "file", describe(node), f"a mapping with {', '.join(required or known)}")
+            return {}
+        entries: Dict[str, yaml.Node] = {}
+        prefix = f"{key}." if key else ""
+        for key_node, value in node.value:
+            name = key_node.value if isinstance(key_node, yaml.ScalarNode) else describe(key_node)
+            if name not in known:
+                self.report("UNKNOWN_KEY", key_node, prefix + str(name), f"'{name}'", f"one of {', '.join(known)}",
+                            did_you_mean(str(name), known))
+            elif name in entries:
+                self.report("DUPLICATE_KEY", key_node, prefix + name, f"a second '{name}'",
+                            f"one, the first stands in line {line_of(entries[name])}")
+            else:
+                entries[name] = value
+        for name in required:
+            if name not in entries:
+                self.report("MISSING_KEY", node, prefix + name, "nothing", f"the key '{name}'")
+        return entries
+
+    def sequence(self, node: Optional[yaml.Node], key: str) -> List[Tuple[str, yaml.Node]]:
+        """Return the items of a list, each with its key ("children[2]"); nothing for an empty value."""
+        if node is None or is_empty(node):
+            return []
+        if not isinstance(node, yaml.SequenceNode):
+            self.report("WRONG_TYPE", node, key, describe(node), "a list")
+            return []
+        return [(f"{key}[{index}]", item) for index, item in enumerate(node.value)]
+
+    def text(self, node: Optional[yaml.Node], key: str, default: str = "") -> str:
+        """Return a scalar as it is written, blanks at its ends removed."""
+        if node is None:
+            return default
+        if not isinstance(node, yaml.ScalarNode):
+            self.report("WRONG_TYPE", node, key, describe(node), "a text")
+            return default
+        return str(node.value).strip()
+
+    def name(self, node: Optional[yaml.Node], key: str) -> str:
+        """Return a text that must not be empty; a key that is missing was reported with its mapping."""
+        value = self.text(node, key)
+        if node is not None and not value and isinstance(node, yaml.ScalarNode):
+            self.report("EMPTY", node, key, "nothing", "a name")
+        return value
+
+    def boolean(self, node: Optional[yaml.Node], key: str, default: bool = False) -> bool:
+        """Return a truth value: True, False, yes or no in any case."""
+        if node is None:
+            return default
+        value = self.text(node, key).lower()
+        if value not in _BOOLEANS:
+            self.report("NOT_A_BOOLEAN", node, key, describe(node), "True or False")
+            return default
+        return _BOOLEANS[value]
+
+    def texts(self, node: Optional[yaml.Node], key: str) -> Tuple[str, ...]:
+        """Return a list of texts; a single text is a list of one."""
+        if node is None or is_empty(node):
+            return ()
+        if isinstance(node, yaml.ScalarNode):
+            return (self.text(node, key),)
+        return tuple(self.name(item, item_key) for item_key, item in self.sequence(node, key))
+
+    def choice(self, node: Optional[yaml.Node], key: str, choices: Sequence[str], default: str) -> str:
+        """Return one of some texts."""
+        if node is None:
+            return default
+        value = self.text(node, key)
+        if value not in choices:
+            self.report("UNKNOWN_VALUE", node, key, describe(node), f"one of {', '.join(choices)}",
+                        did_you_mean(value, choices))
+            return default
+        return value
+
+
+def line_of(node: yaml.Node) -> int:
+    """Return the line of a node, from 1."""
+    return int(node.start_mark.line) + 1
+
+
+def is_empty(node: yaml.Node) -> bool:
+    """Whether nothing is written behind a key."""
+    return isinstance(node, yaml.ScalarNode) and node.value == "" and node.style is None
+
+
+def describe(node: yaml.Node) -> str:
+    """Return in words what a node is, for a problem."""
+    if isinstance(node, yaml.MappingNode):
+        return "a mapping"
+    if isinstance(node, yaml.SequenceNode):
+        return "a list"
+    return f"'{node.value}'" if node.value else "nothing"
+
+
+def did_you_mean(word: str, known: Iterable[str]) -> str:
+    """Return a hint at the known word that comes nearest, empty when none does."""
+    near = difflib.get_close_matches(word, list(known), n=1, cutoff=0.6)
+    return f"did you mean '{near[0]}'?" if near else ""
