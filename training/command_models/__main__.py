@@ -1,0 +1,138 @@
+"""Command line: build, pack, score, huric, generate.  ``python -m command_models build --help``."""
+
+import argparse
+import json
+import sys
+from pathlib import Path
+from typing import List, Optional
+
+from . import building, generate, huric, lexicon, mining, scoring, trainers
+from .conllu import write
+from .errors import TrainingError
+from .pipeline import Parser
+
+
+def _arguments() -> argparse.ArgumentParser:
+    parser = argparse.ArgumentParser(prog="command_models", description=__doc__)
+    commands = parser.add_subparsers(dest="action", required=True)
+    build = commands.add_parser("build", help="treebank folders to packaged model; goes on where it was broken off")
+    build.add_argument("--ewt", type=Path, required=True, help="folder of UD_English-EWT")
+    build.add_argument("--childes", type=Path, required=True, help="folder of UD_English-CHILDES")
+    build.add_argument("--wordnet", type=Path, required=True, help="folder of the WordNet 3.0 database (data.noun ...)")
+    build.add_argument("--work", type=Path, required=True, help="folder for data, models, logs; kept for resuming")
+    build.add_argument("--out", type=Path, required=True, help="folder of the packaged model")
+    build.add_argument("--commands", type=int, default=10000, help="generated sentences")
+    build.add_argument("--vectors", type=int, default=22000, help="word vectors kept")
+    build.add_argument("--seed", type=int, default=20261)
+    build.add_argument("--jobs", type=int, default=2, help="trainings at once")
+    default = trainers.Effort()
+    for name, value in vars(default).items():
+        build.add_argument("--%s-steps" % name.replace("_", "-"), type=int, default=value, help="default %d" % value)
+    pack = commands.add_parser("pack", help="package the models that a working folder holds by now")
+    pack.add_argument("--work", type=Path, required=True)
+    pack.add_argument("--out", type=Path, required=True)
+    score = commands.add_parser("score", help="EWT test and held-out commands")
+    score.add_argument("--model", type=Path, required=True)
+    score.add_argument("--ewt", type=Path, help="folder of UD_English-EWT")
+    score.add_argument("--held-out", type=int, default=1000, help="held-out command sentences, 0 for none")
+    score.add_argument("--seed", type=int, default=20261)
+    score.add_argument("--show", type=int, default=0, help="failures to print")
+    score.add_argument("--json", type=Path, help="write the figures there")
+    against = commands.add_parser("huric", help="HuRIC's gold trees")
+    against.add_argument("--model", type=Path, required=True)
+    against.add_argument("--data", type=Path, required=True, help="folder of HuRIC 2.1 with *.hrc below")
+    against.add_argument("--show", type=int, default=0, help="failures to print")
+    made = commands.add_parser("generate", help="write generated sentences as CoNLL-U")
+    made.add_argument("--count", type=int, default=1000)
+    made.add_argument("--seed", type=int, default=20261)
+    made.add_argument("--evaluation", action="store_true", help="over the evaluation words")
+    made.add_argument("--treebank", type=Path, action="append", default=[], help="CoNLL-U file to mine words from")
+    made.add_argument("--out", type=Path, required=True)
+    return parser
+
+
+def _build(options: argparse.Namespace) -> None:
+    effort = trainers.Effort(**{name: getattr(options, name + "_steps") for name in vars(trainers.Effort())})
+    building.build(
+        building.Plan(
+            options.ewt,
+            options.childes,
+            options.wordnet,
+            options.work.resolve(),
+            options.out,
+            options.seed,
+            options.commands,
+            1000,
+            options.vectors,
+            options.jobs,
+            effort,
+        )
+    )
+
+
+def _score(options: argparse.Namespace) -> None:
+    figures = {}
+    if options.ewt:
+        test = options.ewt / "en_ewt-test.conllu"
+        figures["ewt test, gold words"] = scoring.on_gold_words(options.model, test)
+        figures["ewt test, raw text"] = scoring.on_raw_text(options.model, test)
+        for title, found in figures.items():
+            print(title + ": " + ", ".join("%s %.2f" % pair for pair in found.items()))
+    if options.held_out:
+        sentences = list(generate.evaluation(options.held_out, options.seed))
+        commands = scoring.on_commands(options.model, sentences)
+        print("held-out commands: " + "; ".join(commands.lines()))
+        for failure in commands.failures[: options.show]:
+            print("  " + failure)
+        median, high = scoring.latency(options.model, [sentence.text() for sentence in sentences[:200]])
+        print("latency per command: median %.1f ms, 95th percentile %.1f ms" % (median, high))
+        figures["held-out commands"] = {
+            "trees": 100.0 * commands.trees / commands.sentences,
+            "roots": 100.0 * commands.roots / commands.sentences,
+            "UPOS": 100.0 * commands.tags / commands.words,
+            "UAS": 100.0 * commands.heads / commands.words,
+            "LAS": 100.0 * commands.labelled / commands.words,
+        }
+    if options.json:
+        options.json.write_text(json.dumps(figures, indent=1) + "\n", encoding="utf-8")
+
+
+def _huric(options: argparse.Namespace) -> None:
+    commands = huric.read_folder(options.data)
+    parsed = Parser(options.model, pretokenized=True).words([command.tokens for command in commands])
+    found = huric.score(commands, parsed)
+    for line in found.lines() + ["  " + failure for failure in found.failures[: options.show]]:
+        print(line)
+
+
+def _generate(options: argparse.Namespace) -> None:
+    if options.evaluation:
+        sentences = generate.evaluation(options.count, options.seed)
+    else:
+        mined = mining.mine(options.treebank, lexicon.evaluation_words())
+        sentences = generate.training(options.count, options.seed, mined)
+    print("%d sentences in %s" % (write(options.out, sentences), options.out))
+
+
+def main(arguments: Optional[List[str]] = None) -> int:
+    """Run the tool; 0 when all went well, 1 with one line on the error stream otherwise."""
+    options = _arguments().parse_args(arguments)
+    try:
+        if options.action == "build":
+            _build(options)
+        elif options.action == "pack":
+            building.pack_plan(options.work, options.out)
+        elif options.action == "score":
+            _score(options)
+        elif options.action == "huric":
+            _huric(options)
+        else:
+            _generate(options)
+    except TrainingError as error:
+        sys.stderr.write("command_models: %s\n" % error)
+        return 1
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

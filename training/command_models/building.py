@@ -1,0 +1,206 @@
+"""From treebank folders to a packaged model: the steps, what each reads and writes."""
+
+import sys
+from dataclasses import asdict, dataclass
+from pathlib import Path
+from typing import Callable, List, Tuple
+
+from . import generate, lemmas, mining, trainers, treebanks
+from .conllu import read, write
+from .lexicon import evaluation_words
+from .packing import pack
+from .steps import Step, execute, tell
+
+_HERE = Path(__file__).resolve().parent
+# Sources whose change has to make the sentences anew.
+_GENERATOR = (
+    "generate.py",
+    "sentences.py",
+    "verbs.py",
+    "motion.py",
+    "framewords.py",
+    "clauses.py",
+    "nouns.py",
+    "words.py",
+    "trees.py",
+    "lexicon.py",
+    "mining.py",
+    "treebanks.py",
+    "conllu.py",
+)
+
+
+@dataclass(frozen=True)
+class Plan:
+    """What to build a model from, and how.
+
+    ``commands``: number of generated sentences; ``size``: number of word vectors; ``jobs``: trainings at once.
+    """
+
+    ewt: Path
+    childes: Path
+    wordnet: Path
+    work: Path
+    out: Path
+    seed: int = 20261
+    commands: int = 10000
+    held_out: int = 1000
+    size: int = 22000
+    jobs: int = 2
+    effort: trainers.Effort = trainers.Effort()
+
+
+def versions() -> "dict[str, str]":
+    """Versions of what trains and what will have to load the models."""
+    import stanza
+    import torch
+
+    return {"stanza": stanza.__version__, "torch": torch.__version__.split("+")[0]}
+
+
+def prepare_sentences(plan: Plan) -> None:
+    """Select the treebanks, mine their words, generate commands, write all training files."""
+    data = plan.work / "data"
+    source = treebanks.written(plan.ewt)
+    banned = evaluation_words()
+    written = list(treebanks.without(read(source.train), banned))
+    spoken = treebanks.spoken(plan.childes, banned, plan.seed)
+    write(data / "written.train.conllu", written)
+    write(data / "spoken.conllu", spoken)
+    mined = mining.mine([data / "written.train.conllu", data / "spoken.conllu"], banned)
+    commands = list(generate.training(plan.commands, plan.seed, mined))
+    dev = list(read(source.dev))
+    # development sentences of the small models: same words, another seed; the evaluation words stay unseen
+    others = list(generate.training(300, plan.seed + 1, mined))
+    write(data / "commands.conllu", commands)
+    write(data / "held-out.conllu", generate.evaluation(plan.held_out, plan.seed))
+    write(data / "written.dev.conllu", dev)
+    write(data / "mixed.train.conllu", written + commands)
+    write(data / "mixed.dev.conllu", dev + others)
+    write(data / "parser.train.conllu", written + spoken + commands)
+    lemmas.condense(
+        [data / "written.train.conllu", data / "spoken.conllu", data / "commands.conllu"], data / "lemma.train.conllu"
+    )
+    tell("      %d written, %d spoken, %d generated sentences" % (len(written), len(spoken), len(commands)))
+
+
+def make_vectors(plan: Plan) -> None:
+    """Train the word vectors and convert them to Stanza's form.
+
+    In a process of its own: only there can hashing be fixed, on which the vectors depend.
+    """
+    data, models = plan.work / "data", plan.work / "models"
+    text = data / "words.vec"
+    sources = [treebanks.written(plan.ewt).train] + sorted(plan.childes.glob("**/*.conllu"))
+    trainers.run(
+        [sys.executable, "-m", "command_models.vectors", str(plan.wordnet), str(text), str(plan.size), str(plan.seed)]
+        + [str(source) for source in sources],
+        plan.work / "logs" / "vectors.log",
+    )
+    from stanza.models.common.pretrain import Pretrain
+
+    target = models / "vectors.pt"
+    if target.is_file():
+        target.unlink()
+    Pretrain(str(target), str(text), plan.size).load()
+
+
+def steps(plan: Plan) -> List[Step]:
+    """All steps of a plan; the long ones stand first, so that they start first."""
+    data, models, logs = plan.work / "data", plan.work / "models", plan.work / "logs"
+    treebank_files = tuple(asdict(treebanks.written(plan.ewt)).values()) + tuple(
+        sorted(plan.childes.glob("**/*.conllu"))
+    )
+    effort = plan.effort
+
+    def trained(
+        name: str,
+        command: Callable[[Path, Path, trainers.Effort, int], List[str]],
+        output: str,
+        inputs: Tuple[Path, ...],
+    ) -> Step:
+        argv = command(data, models, effort, plan.seed)
+        log = logs / (name + ".log")
+        short = [word.replace(str(plan.work), "") for word in argv[1:]]
+        return Step(
+            name, inputs, (models / output,), {"command": " ".join(short)}, lambda: trainers.run(argv, log), log
+        )
+
+    def prepared() -> None:
+        for command, _ in trainers.preparation(data):
+            trainers.run(command, logs / "preparation.log")
+
+    small = tuple(
+        data / ("mixed." + name)
+        for name in (
+            "train.txt",
+            "train.toklabels",
+            "train.mwt.json",
+            "dev.txt",
+            "dev.toklabels",
+            "dev.mwt.json",
+            "dev.contracted.conllu",
+        )
+    )
+    mixed = (data / "mixed.train.conllu", data / "mixed.dev.conllu")
+    word_vectors = models / "vectors.pt"
+    return [
+        Step(
+            "sentences",
+            treebank_files + tuple(_HERE / name for name in _GENERATOR),
+            mixed
+            + tuple(
+                data / name
+                for name in (
+                    "parser.train.conllu",
+                    "spoken.conllu",
+                    "written.dev.conllu",
+                    "lemma.train.conllu",
+                    "held-out.conllu",
+                )
+            ),
+            {"seed": plan.seed, "commands": plan.commands, "held_out": plan.held_out},
+            lambda: prepare_sentences(plan),
+            logs / "sentences.log",
+        ),
+        Step(
+            "vectors",
+            treebank_files + (_HERE / "vectors.py",),
+            (word_vectors,),
+            {"seed": plan.seed, "size": plan.size},
+            lambda: make_vectors(plan),
+            logs / "vectors.log",
+        ),
+        trained(
+            "parser",
+            trainers.parser,
+            "parser.pt",
+            (data / "parser.train.conllu", data / "written.dev.conllu", word_vectors),
+        ),
+        trained(
+            "tagger",
+            trainers.tagger,
+            "tagger.pt",
+            (data / "mixed.train.conllu", data / "spoken.conllu", data / "written.dev.conllu", word_vectors),
+        ),
+        Step("preparation", mixed, small, {}, prepared, logs / "preparation.log"),
+        trained("tokenizer", trainers.tokenizer, "tokenizer.pt", small[:5] + (data / "mixed.dev.conllu",)),
+        trained("mwt", trainers.mwt, "mwt.pt", mixed + (data / "mixed.dev.contracted.conllu",)),
+        trained("lemma", trainers.lemmatizer, "lemma.pt", (data / "lemma.train.conllu", data / "mixed.dev.conllu")),
+    ]
+
+
+def build(plan: Plan) -> None:
+    """Run every step that is not done, then pack."""
+    for name in ("data", "models", "logs", "records"):
+        (plan.work / name).mkdir(parents=True, exist_ok=True)
+    execute(steps(plan), plan.work / "records", plan.jobs)
+    pack_plan(plan.work, plan.out)
+
+
+def pack_plan(work: Path, out: Path) -> None:
+    """Pack whatever models a working folder holds by now: trainers save their best so far."""
+    packed = pack(work / "models", out, versions())
+    for entry in packed:
+        tell("      %-28s %9d bytes" % (entry.path, entry.size))
+    tell("packed: %.1f MB in %s" % (sum(entry.size for entry in packed) / 1e6, out))

@@ -1,0 +1,181 @@
+"""Sentences in CoNLL-U: reading, writing and the rules that a tree has to keep."""
+
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Dict, Iterable, Iterator, List, Tuple
+
+from .errors import TrainingError
+
+COLUMNS = 10
+
+
+@dataclass(frozen=True)
+class Word:
+    """One syntactic word of a sentence.
+
+    ``head`` is the 1-based place of the governor in the sentence, 0 for the root.
+    """
+
+    form: str
+    lemma: str
+    upos: str
+    xpos: str
+    feats: str
+    head: int
+    deprel: str
+    misc: str = "_"
+
+
+@dataclass(frozen=True)
+class Span:
+    """A multi-word token: the words ``first`` to ``last`` (1-based) are written as ``form``."""
+
+    first: int
+    last: int
+    form: str
+    misc: str = "_"
+
+
+@dataclass(frozen=True)
+class Sentence:
+    """Words of one sentence with its multi-word tokens and its comments (without ``#``)."""
+
+    words: Tuple[Word, ...]
+    spans: Tuple[Span, ...] = ()
+    comments: Tuple[str, ...] = ()
+
+    def comment(self, key: str) -> str:
+        """Value of the comment ``key = value``; empty when there is none."""
+        for line in self.comments:
+            name, found, value = line.partition("=")
+            if found and name.strip() == key:
+                return value.strip()
+        return ""
+
+    def text(self) -> str:
+        """The sentence as a person would write it, from the forms and SpaceAfter."""
+        pieces: List[str] = []
+        covered = 0
+        starts: Dict[int, Span] = {span.first: span for span in self.spans}
+        for place, word in enumerate(self.words, 1):
+            if place <= covered:
+                continue
+            span = starts.get(place)
+            form, misc = (span.form, span.misc) if span else (word.form, word.misc)
+            covered = span.last if span else place
+            pieces.append(form if "SpaceAfter=No" in misc else form + " ")
+        return "".join(pieces).strip()
+
+
+def problems(sentence: Sentence) -> List[str]:
+    """What is wrong with the tree of a sentence; an empty list when it is a tree.
+
+    Checked: one root, heads in range, no word its own ancestor, `root` exactly where the head is 0,
+    multi-word tokens in order and inside the sentence.
+    """
+    found: List[str] = []
+    count = len(sentence.words)
+    roots = [place for place, word in enumerate(sentence.words, 1) if word.head == 0]
+    if len(roots) != 1:
+        found.append("expected one root, found %d" % len(roots))
+    for place, word in enumerate(sentence.words, 1):
+        if not 0 <= word.head <= count:
+            found.append("word %d: head %d is outside 0..%d" % (place, word.head, count))
+        if (word.head == 0) != (word.deprel == "root"):
+            found.append("word %d: head %d does not fit relation %s" % (place, word.head, word.deprel))
+        if not word.form or " " in word.form or not word.upos or not word.xpos:
+            found.append("word %d: empty or spaced column" % place)
+    if found:
+        return found
+    for place in range(1, count + 1):
+        seen = set()
+        at = place
+        while at:
+            if at in seen:
+                found.append("word %d: its governors run in a circle" % place)
+                break
+            seen.add(at)
+            at = sentence.words[at - 1].head
+    end = 0
+    for span in sentence.spans:
+        if not end < span.first < span.last <= count:
+            found.append("token %d-%d is out of order or out of range" % (span.first, span.last))
+        end = span.last
+    return found
+
+
+def render(sentence: Sentence) -> str:
+    """One sentence as CoNLL-U text, with the blank line that ends it."""
+    lines = ["# " + comment for comment in sentence.comments]
+    starts = {span.first: span for span in sentence.spans}
+    for place, word in enumerate(sentence.words, 1):
+        span = starts.get(place)
+        if span:
+            lines.append("\t".join(["%d-%d" % (span.first, span.last), span.form] + ["_"] * 7 + [span.misc]))
+        lines.append(
+            "\t".join(
+                [
+                    str(place),
+                    word.form,
+                    word.lemma,
+                    word.upos,
+                    word.xpos,
+                    word.feats or "_",
+                    str(word.head),
+                    word.deprel,
+                    "_",
+                    word.misc,
+                ]
+            )
+        )
+    return "\n".join(lines) + "\n\n"
+
+
+def write(path: Path, sentences: Iterable[Sentence]) -> int:
+    """Write sentences to a CoNLL-U file; answers how many."""
+    count = 0
+    with path.open("w", encoding="utf-8") as stream:
+        for sentence in sentences:
+            stream.write(render(sentence))
+            count += 1
+    return count
+
+
+def read(path: Path) -> Iterator[Sentence]:
+    """Sentences of a CoNLL-U file; empty nodes (``8.1``) are left out.
+
+    Raises TrainingError with file and line when a row has not ten columns or no number.
+    """
+    if not path.is_file():
+        raise TrainingError("%s: no such file; expected a CoNLL-U treebank there" % path)
+    words: List[Word] = []
+    spans: List[Span] = []
+    comments: List[str] = []
+    with path.open(encoding="utf-8") as stream:
+        for number, raw in enumerate(stream, 1):
+            line = raw.rstrip("\n")
+            if line.startswith("#"):
+                comments.append(line[1:].strip())
+                continue
+            if not line:
+                if words:
+                    yield Sentence(tuple(words), tuple(spans), tuple(comments))
+                words, spans, comments = [], [], []
+                continue
+            cells = line.split("\t")
+            if len(cells) != COLUMNS:
+                raise TrainingError(
+                    "%s, line %d: expected %d columns, found %d; is this CoNLL-U?" % (path, number, COLUMNS, len(cells))
+                )
+            if "." in cells[0]:
+                continue
+            try:
+                if "-" in cells[0]:
+                    first, last = cells[0].split("-")
+                    spans.append(Span(int(first), int(last), cells[1], cells[9]))
+                    continue
+                words.append(Word(cells[1], cells[2], cells[3], cells[4], cells[5], int(cells[6]), cells[7], cells[9]))
+            except ValueError:
+                raise TrainingError("%s, line %d: expected numbers in columns 1 and 7" % (path, number)) from None
+    if words:
+        yield Sentence(tuple(words), tuple(spans), tuple(comments))

@@ -1,0 +1,56 @@
+"""A packaged model at work: parsing with it, offline, as the scores and the tests do."""
+
+from pathlib import Path
+from typing import Iterable, List, Sequence
+
+from .conllu import Sentence, Word
+from .errors import TrainingError
+
+PACKAGE = "command"
+PROCESSORS = "tokenize,mwt,pos,lemma,depparse"
+
+
+class Parser:
+    """Stanza's pipeline over a model folder, one thread, no network."""
+
+    def __init__(self, folder: Path, pretokenized: bool = False) -> None:
+        """Load the package; ``pretokenized``: texts come as words and are not split again.
+
+        Raises TrainingError when the folder holds no package.
+        """
+        if not (folder / "resources.json").is_file():
+            raise TrainingError("%s: no resources.json there; expected a packaged model (see 'pack')" % folder)
+        import stanza  # slow to import: only where a model is really used
+        import torch
+
+        torch.set_num_threads(1)
+        processors = "tokenize,pos,lemma,depparse" if pretokenized else PROCESSORS
+        self._run = stanza.Pipeline(
+            "en",
+            dir=str(folder),
+            package="default",
+            processors=processors,
+            download_method=None,
+            use_gpu=False,
+            tokenize_pretokenized=pretokenized,
+            tokenize_no_ssplit=not pretokenized,
+            logging_level="ERROR",
+        )
+
+    def words(self, sentences: Sequence[Sequence[str]]) -> List[Sentence]:
+        """Trees of sentences given as words."""
+        return [_converted(sentence) for sentence in self._run([list(words) for words in sentences]).sentences]
+
+    def text(self, text: str) -> Sentence:
+        """The tree of one command."""
+        return _converted(self._run(text).sentences[0])
+
+
+def _converted(sentence: "object") -> Sentence:
+    words: Iterable = getattr(sentence, "words")
+    return Sentence(
+        tuple(
+            Word(word.text, word.lemma or "_", word.upos, word.xpos or "_", word.feats or "_", word.head, word.deprel)
+            for word in words
+        )
+    )

@@ -1,0 +1,130 @@
+"""Steps that are done once: what a step was made of is recorded, and it is skipped while that holds.
+
+A step names the files it reads, the settings it depends on and the files it writes.  Its record is a
+fingerprint of all three; a run that was broken off goes on with the first step whose record is missing or
+differs.  Steps run beside each other as far as their inputs allow.
+"""
+
+import hashlib
+import json
+import sys
+import time
+from concurrent.futures import FIRST_COMPLETED, Future, ThreadPoolExecutor, wait
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Callable, Dict, List, Mapping, Sequence, Set, Tuple
+
+from .errors import TrainingError
+
+CHUNK = 1 << 20
+REPORT_SECONDS = 30.0
+
+
+@dataclass(frozen=True)
+class Step:
+    """One piece of work: ``run`` reads ``inputs`` and writes ``outputs``; ``log`` is what it reports into."""
+
+    name: str
+    inputs: Tuple[Path, ...]
+    outputs: Tuple[Path, ...]
+    settings: Mapping[str, object]
+    run: Callable[[], None]
+    log: Path
+
+
+def digest(path: Path) -> str:
+    """MD5 of a file's content."""
+    hashed = hashlib.md5()
+    with path.open("rb") as stream:
+        for chunk in iter(lambda: stream.read(CHUNK), b""):
+            hashed.update(chunk)
+    return hashed.hexdigest()
+
+
+def fingerprint(step: Step) -> Dict[str, object]:
+    """What the outcome of a step depends on."""
+    return {
+        "inputs": {path.name: digest(path) for path in step.inputs},
+        "settings": {key: str(value) for key, value in sorted(step.settings.items())},
+    }
+
+
+def done(step: Step, records: Path) -> bool:
+    """Whether a step's outputs exist and were made from what it would be made of now."""
+    record = records / (step.name + ".json")
+    if not record.is_file() or not all(path.is_file() for path in step.outputs):
+        return False
+    if not all(path.is_file() for path in step.inputs):
+        return False
+    kept: object = json.loads(record.read_text(encoding="utf-8"))
+    return kept == fingerprint(step)
+
+
+def last_line(log: Path) -> str:
+    """The last line a step wrote into its log, cut to a screen's width; empty when there is none."""
+    if not log.is_file():
+        return ""
+    with log.open("rb") as stream:
+        stream.seek(0, 2)
+        stream.seek(max(0, stream.tell() - 2000))
+        lines = [line for line in stream.read().decode("utf-8", "replace").splitlines() if line.strip()]
+    return lines[-1][-110:] if lines else ""
+
+
+def tell(text: str) -> None:
+    """One line of progress, with the time of day."""
+    sys.stdout.write(time.strftime("%H:%M:%S ") + text + "\n")
+    sys.stdout.flush()
+
+
+def execute(steps: Sequence[Step], records: Path, jobs: int) -> None:
+    """Run all steps that are not done, at most ``jobs`` at once, those first that come first in the list.
+
+    Raises TrainingError naming the step that failed; finished steps stay recorded.
+    """
+    records.mkdir(parents=True, exist_ok=True)
+    waiting: List[Step] = list(steps)
+    running: Dict["Future[None]", Tuple[Step, float]] = {}
+    finished: Set[str] = set()
+    made_by = {path: step.name for step in steps for path in step.outputs}
+    with ThreadPoolExecutor(max_workers=jobs) as pool:
+        while waiting or running:
+            for step in list(waiting):
+                needs = {made_by[path] for path in step.inputs if path in made_by}
+                if not needs <= finished or len(running) >= jobs:
+                    continue
+                waiting.remove(step)
+                if done(step, records):
+                    tell("[%d/%d] %s: done before" % (len(finished) + 1, len(steps), step.name))
+                    finished.add(step.name)
+                    continue
+                missing = [path for path in step.inputs if not path.is_file()]
+                if missing:
+                    raise TrainingError("step %s: input %s is missing" % (step.name, missing[0]))
+                tell("[%d/%d] %s: started" % (len(finished) + len(running) + 1, len(steps), step.name))
+                running[pool.submit(step.run)] = (step, time.monotonic())
+            if not running:
+                if waiting and all(
+                    not {made_by[path] for path in step.inputs if path in made_by} <= finished for step in waiting
+                ):
+                    raise TrainingError("steps wait for each other: %s" % ", ".join(step.name for step in waiting))
+                continue
+            ended, _ = wait(running, timeout=REPORT_SECONDS, return_when=FIRST_COMPLETED)
+            if not ended:
+                for step, started in running.values():
+                    tell("      %s, %d min: %s" % (step.name, (time.monotonic() - started) / 60, last_line(step.log)))
+            for future in ended:
+                step, started = running.pop(future)
+                error = future.exception()
+                if error is not None:
+                    raise TrainingError("step %s failed: %s; see %s" % (step.name, error, step.log)) from error
+                absent = [path for path in step.outputs if not path.is_file()]
+                if absent:
+                    raise TrainingError("step %s ended without %s; see %s" % (step.name, absent[0], step.log))
+                record = records / (step.name + ".json")
+                record.write_text(json.dumps(fingerprint(step), indent=1), encoding="utf-8")
+                finished.add(step.name)
+                tell(
+                    "[%d/%d] %s: done in %.1f min"
+                    % (len(finished), len(steps), step.name, (time.monotonic() - started) / 60)
+                )

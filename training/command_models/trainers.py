@@ -1,0 +1,215 @@
+"""Command lines of Stanza's own trainers, and running them.
+
+Every value here was found by trial; why dropout is low, why the biaffine layers are small and why
+``--pos_dim`` equals ``--emb_dim`` is told in the README.
+"""
+
+import os
+import subprocess
+import sys
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Dict, List, Tuple
+
+from .errors import TrainingError
+
+NICE = 5
+
+
+@dataclass(frozen=True)
+class Effort:
+    """How long the trainings run: steps, or epochs where the trainer counts those."""
+
+    tokenizer: int = 6000
+    mwt: int = 12
+    lemma: int = 4
+    tagger: int = 5000
+    parser: int = 7000
+    parser_second: int = 5500  # the parser's step from which the learning rate is a quarter
+
+
+def _module(name: str, options: str) -> List[str]:
+    return [sys.executable, "-m", "stanza." + name] + options.split()
+
+
+def tokenizer(data: Path, models: Path, effort: Effort, seed: int) -> List[str]:
+    """Tokenizer over running text and character labels."""
+    return _module(
+        "models.tokenizer",
+        "--mode train --lang en --shorthand en_cmd --cpu --use_mwt --max_seqlen 200 "
+        "--batch_size 32 --eval_steps 500 --max_steps_before_stop 3000 --last_char_drop_prob 0.3",
+    ) + [
+        "--steps",
+        str(effort.tokenizer),
+        "--seed",
+        str(seed),
+        "--txt_file",
+        str(data / "mixed.train.txt"),
+        "--label_file",
+        str(data / "mixed.train.toklabels"),
+        "--mwt_json_file",
+        str(data / "mixed.train.mwt.json"),
+        "--dev_txt_file",
+        str(data / "mixed.dev.txt"),
+        "--dev_label_file",
+        str(data / "mixed.dev.toklabels"),
+        "--dev_conll_gold",
+        str(data / "mixed.dev.conllu"),
+        "--conll_file",
+        str(data / "tokenizer.predicted.conllu"),
+        "--save_dir",
+        str(models),
+        "--save_name",
+        "tokenizer.pt",
+    ]
+
+
+def mwt(data: Path, models: Path, effort: Effort, seed: int) -> List[str]:
+    """Multi-word token expander ("Roger's", "don't")."""
+    return _module(
+        "models.mwt_expander", "--mode train --lang en --shorthand en_cmd --cpu --hidden_dim 50 --emb_dim 32"
+    ) + [
+        "--num_epoch",
+        str(effort.mwt),
+        "--decay_epoch",
+        str(max(1, effort.mwt * 2 // 3)),
+        "--seed",
+        str(seed),
+        "--train_file",
+        str(data / "mixed.train.conllu"),
+        "--eval_file",
+        str(data / "mixed.dev.contracted.conllu"),
+        "--gold_file",
+        str(data / "mixed.dev.conllu"),
+        "--save_dir",
+        str(models),
+        "--save_name",
+        "mwt.pt",
+    ]
+
+
+def lemmatizer(data: Path, models: Path, effort: Effort, seed: int) -> List[str]:
+    """Lemmatizer; pos_dim has to equal emb_dim in this version of Stanza."""
+    return _module(
+        "models.lemmatizer",
+        "--mode train --shorthand en_cmd --cpu --decay_epoch 10 --hidden_dim 100 "
+        "--emb_dim 40 --pos_dim 40 --batch_size 100",
+    ) + [
+        "--num_epoch",
+        str(effort.lemma),
+        "--seed",
+        str(seed),
+        "--train_file",
+        str(data / "lemma.train.conllu"),
+        "--eval_file",
+        str(data / "mixed.dev.conllu"),
+        "--save_dir",
+        str(models),
+        "--save_name",
+        "lemma.pt",
+    ]
+
+
+def tagger(data: Path, models: Path, effort: Effort, seed: int) -> List[str]:
+    """Tagger; spoken sentences have no features and come as a second file, which trains no feature head."""
+    return _module(
+        "models.tagger",
+        "--mode train --lang en --shorthand en_ewt --cpu --word_cutoff 2 --dropout 0.3 "
+        "--word_dropout 0.2 --hidden_dim 200 --num_layers 1 --char_hidden_dim 80 --char_emb_dim 40 "
+        "--deep_biaff_hidden_dim 100 --composite_deep_biaff_hidden_dim 50 --word_emb_dim 75 "
+        "--transformed_dim 75 --tag_emb_dim 30 --batch_size 64 --lr 0.002 --eval_interval 400 "
+        "--fix_eval_interval --max_steps_before_stop 1500",
+    ) + [
+        "--max_steps",
+        str(effort.tagger),
+        "--seed",
+        str(seed),
+        "--train_file",
+        "%s;%s" % (data / "mixed.train.conllu", data / "spoken.conllu"),
+        "--eval_file",
+        str(data / "written.dev.conllu"),
+        "--wordvec_pretrain_file",
+        str(models / "vectors.pt"),
+        "--save_dir",
+        str(models),
+        "--save_name",
+        "tagger.pt",
+    ]
+
+
+def parser(data: Path, models: Path, effort: Effort, seed: int) -> List[str]:
+    """Parser; the last stretch runs at a quarter of the learning rate."""
+    return _module(
+        "models.parser",
+        "--mode train --lang en --shorthand en_ewt --cpu --no_checkpoint --word_cutoff 2 "
+        "--no_ufeats --dropout 0.3 --word_dropout 0.2 --hidden_dim 200 --num_layers 2 --char_hidden_dim 60 "
+        "--char_emb_dim 30 --deep_biaff_hidden_dim 80 --tag_emb_dim 30 --word_emb_dim 60 "
+        "--transformed_dim 60 --batch_size 1000 --optim adam --lr 0.002 --beta2 0.95 --weight_decay 0 "
+        "--second_optim adam --second_lr 0.0005 --second_warmup_steps 50 --eval_interval 300 "
+        "--max_steps_before_stop 3000",
+    ) + [
+        "--max_steps",
+        str(effort.parser),
+        "--second_optim_start_step",
+        str(effort.parser_second),
+        "--seed",
+        str(seed),
+        "--train_file",
+        str(data / "parser.train.conllu"),
+        "--eval_file",
+        str(data / "written.dev.conllu"),
+        "--wordvec_pretrain_file",
+        str(models / "vectors.pt"),
+        "--save_dir",
+        str(models),
+        "--save_name",
+        "parser.pt",
+    ]
+
+
+def preparation(data: Path) -> List[Tuple[List[str], str]]:
+    """Commands that turn the mixed treebanks into what the tokenizer and the expander read."""
+    commands: List[Tuple[List[str], str]] = []
+    for part in ("train", "dev"):
+        stem = data.resolve() / ("mixed." + part)
+        commands.append((_module("utils.datasets.conllu_to_text", "") + ["%s.conllu" % stem, "%s.txt" % stem], part))
+        commands.append(
+            (
+                _module("utils.datasets.prepare_tokenizer_data", "")
+                + ["%s.txt" % stem, "%s.conllu" % stem, "-o", "%s.toklabels" % stem, "-m", "%s.mwt.json" % stem],
+                part,
+            )
+        )
+    stem = data.resolve() / "mixed.dev"
+    commands.append(
+        (_module("utils.datasets.contract_mwt", "") + ["%s.conllu" % stem, "%s.contracted.conllu" % stem], "dev")
+    )
+    return commands
+
+
+def environment() -> Dict[str, str]:
+    """The environment of a trainer: one thread, nothing fetched from a model hub, fixed hashing."""
+    changed = dict(os.environ)
+    changed.update({"OMP_NUM_THREADS": "1", "HF_HUB_OFFLINE": "1", "PYTHONHASHSEED": "0"})
+    # a trainer may be a module of this package, which need not be installed
+    here = str(Path(__file__).resolve().parent.parent)
+    changed["PYTHONPATH"] = os.pathsep.join(part for part in (here, changed.get("PYTHONPATH", "")) if part)
+    return changed
+
+
+def run(command: List[str], log: Path) -> None:
+    """Run one trainer at low priority, its output going to ``log``.
+
+    Raises TrainingError with the end of the log when it fails.
+    """
+    with log.open("ab") as stream:
+        ended = subprocess.run(
+            ["nice", "-n", str(NICE)] + command,
+            stdout=stream,
+            stderr=subprocess.STDOUT,
+            env=environment(),
+            check=False,
+        )
+    if ended.returncode != 0:
+        tail = log.read_text(encoding="utf-8", errors="replace").splitlines()[-3:]
+        raise TrainingError("exit status %d: %s" % (ended.returncode, " / ".join(tail)))

@@ -1,0 +1,80 @@
+"""Choosing and cleaning the treebanks that the models are trained on."""
+
+import random
+from dataclasses import dataclass, replace
+from pathlib import Path
+from typing import FrozenSet, Iterable, Iterator, List
+
+from .conllu import Sentence, read
+from .errors import TrainingError
+
+_ADULTS = frozenset("Mother Father Investigator Grandmother Grandfather".split())
+# EWT's present names for relations that other treebanks still write the old way
+_RENAMED = {
+    "obl:tmod": "obl:unmarked",
+    "obl:npmod": "obl:unmarked",
+    "nmod:tmod": "nmod:unmarked",
+    "nmod:npmod": "nmod:unmarked",
+}
+_UNWANTED_RELATIONS = frozenset(("dep", "reparandum"))
+OTHERS = 6000  # spoken sentences that are no imperatives
+
+
+@dataclass(frozen=True)
+class Written:
+    """The three parts of UD_English-EWT."""
+
+    train: Path
+    dev: Path
+    test: Path
+
+
+def written(folder: Path) -> Written:
+    """The EWT files of a folder; raises TrainingError naming the missing one."""
+    paths = [folder / ("en_ewt-%s.conllu" % part) for part in ("train", "dev", "test")]
+    for path in paths:
+        if not path.is_file():
+            raise TrainingError("%s: no such file; expected the folder of UD_English-EWT" % path)
+    return Written(*paths)
+
+
+def without(sentences: Iterable[Sentence], banned: FrozenSet[str]) -> Iterator[Sentence]:
+    """Sentences that hold none of the banned words, neither as form nor as lemma."""
+    for sentence in sentences:
+        if not any(word.lemma.lower() in banned or word.form.lower() in banned for word in sentence.words):
+            yield sentence
+
+
+def _usable(sentence: Sentence) -> bool:
+    role = sentence.comment("speaker_role")
+    if role and role not in _ADULTS:
+        return False
+    if len(sentence.words) < 3 or any(word.deprel in _UNWANTED_RELATIONS for word in sentence.words):
+        return False
+    return not any("+" in word.form or "_" in word.form or word.form.lower() == "xxx" for word in sentence.words)
+
+
+def _imperative(sentence: Sentence) -> bool:
+    return sentence.words[0].xpos == "VB" and sentence.words[0].deprel == "root"
+
+
+def spoken(folder: Path, banned: FrozenSet[str], seed: int) -> List[Sentence]:
+    """Adult speech of UD_English-CHILDES (every ``*.conllu`` below the folder).
+
+    All imperatives and up to OTHERS other sentences, relations renamed to EWT's.  A selection made before
+    passes through unchanged.  Raises TrainingError when nothing is found.
+    """
+    paths = sorted(folder.glob("**/*.conllu"))
+    kept = [sentence for path in paths for sentence in without(read(path), banned) if _usable(sentence)]
+    if not kept:
+        raise TrainingError("%s: no usable sentence in *.conllu below; expected UD_English-CHILDES" % folder)
+    imperatives = [sentence for sentence in kept if _imperative(sentence)]
+    others = [sentence for sentence in kept if not _imperative(sentence)]
+    random.Random(seed).shuffle(others)
+    return [renamed(sentence) for sentence in imperatives + others[:OTHERS]]
+
+
+def renamed(sentence: Sentence) -> Sentence:
+    """The sentence with EWT's present names of relations."""
+    words = tuple(replace(word, deprel=_RENAMED.get(word.deprel, word.deprel)) for word in sentence.words)
+    return replace(sentence, words=words)
