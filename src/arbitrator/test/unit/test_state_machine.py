@@ -11,11 +11,11 @@ class Step(smach.State):
 
     def __init__(self, frame, outcomes_by_frame, log):
         super().__init__(outcomes=["succeeded", "aborted", "preempted"])
-        self._name, self._outcomes, self._log = frame.name, outcomes_by_frame, log
+        self._name, self._answers, self._log = frame.name, outcomes_by_frame, log
 
     def execute(self, userdata):
         self._log.append(self._name)
-        return self._outcomes.get(self._name, "succeeded")
+        return self._answers.get(self._name, "succeeded")
 
 
 def run(sequences, outcomes_by_frame):

@@ -31,8 +31,8 @@ TERMINAL_STATUSES = frozenset({
 class Phase(enum.Enum):
     """Where the goal is."""
 
-    SENT = "sent"              # no sign of the server yet
-    ACCEPTED = "accepted"      # the server has it
+    SENT = "sent"              # not accepted yet; a pending goal waits in the server
+    ACCEPTED = "accepted"      # the server carries it out
     CANCELLING = "cancelling"  # cancels go out until the server ends it
     CONCLUDING = "concluding"  # the status is terminal, the result is missing
     ENDED = "ended"
@@ -63,7 +63,7 @@ class GoalDeadlines:
     """How long each part of a goal may take.
 
     Attributes:
-        acceptance_s: from sending to the first sign of the server
+        acceptance_s: from sending until the server begins with it
         silence_s: between two signs of the server: status, feedback, result
         preempt_s: from the first cancel to the end of the goal
         cancel_period_s: between two cancels
@@ -148,7 +148,7 @@ def hear_status(goal: Goal, status: int, *, now_s: float) -> Goal:
     goal = replace(goal, status=code)
     if code in TERMINAL_STATUSES:
         return goal if goal.phase is Phase.CONCLUDING else replace(goal, phase=Phase.CONCLUDING, since_s=now_s)
-    if goal.phase is Phase.SENT:
+    if goal.phase is Phase.SENT and code is not GoalStatusCode.PENDING:
         return replace(goal, phase=Phase.ACCEPTED, since_s=now_s)
     return goal
 

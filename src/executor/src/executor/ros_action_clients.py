@@ -4,6 +4,7 @@ from collections import OrderedDict
 from typing import Callable, List, Optional
 
 import actionlib
+import rosgraph.names
 import rospy
 from actionlib_msgs.msg import GoalID, GoalStatusArray
 from roboframenet_msgs.msg import FilledSemanticFrame, FilledSemanticFrameAction, FilledSemanticFrameGoal
@@ -24,8 +25,11 @@ class ServerConnection:
         """Connect; asks the master and may therefore take long when the master does.
 
         Raises:
-            ValueError, rospy.ROSException: not a name for a topic
+            ValueError: not a name for a topic
         """
+        if not rosgraph.names.is_legal_name(server):
+            # rospy only warns of such a name, and then waits for a topic that cannot be.
+            raise ValueError("it is not a legal name")
         self.server = server
         self._client = actionlib.ActionClient(server, FilledSemanticFrameAction)
         self._listeners: List[Callable[[], None]] = []

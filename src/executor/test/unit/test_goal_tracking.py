@@ -111,8 +111,11 @@ def test_signs_keep_a_long_goal_alive():
         goal = step.goal
 
 
-def test_pending_counts_as_accepted():
-    assert tracking.hear_status(sent(), GoalStatusCode.PENDING, now_s=101.0).phase is Phase.ACCEPTED
+def test_goal_that_stays_pending_fails():
+    goal = tracking.hear_status(sent(), GoalStatusCode.PENDING, now_s=101.0)
+    goal, cancels = run_clock(goal, 101.0, until_s=200.0)
+    assert goal.outcome is Outcome.FAILED and "did not accept" in goal.reason
+    assert cancels[0] == 105.0
 
 
 def test_silent_server_that_comes_back_to_obey_the_cancel_has_failed_all_the_same():

@@ -1,0 +1,101 @@
+#!/usr/bin/python3
+"""Action servers that behave as badly as the frame of each goal asks for.
+
+The name of the frame is the behaviour. Each goal that begins or ends is told on `server_log` as "SERVER WHAT FRAME".
+"""
+import os
+import threading
+import time
+
+import actionlib
+import rospy
+from actionlib_msgs.msg import GoalStatus
+from roboframenet_msgs.msg import FilledSemanticFrameAction, FilledSemanticFrameFeedback, FilledSemanticFrameResult
+from std_msgs.msg import String
+
+
+class MisbehavingServer:
+    def __init__(self, name, log):
+        self._name, self._log = name, log
+        self._cancelled = {}
+        self._server = actionlib.ActionServer(
+            name, FilledSemanticFrameAction, self._on_goal, self._on_cancel, auto_start=False)
+        self._server.start()
+        rospy.on_shutdown(self._server.status_timer.shutdown)
+
+    def _tell(self, what, frame):
+        self._log.publish(f"{self._name} {what} {frame.name}")
+
+    def _on_goal(self, handle):
+        frame = handle.get_goal().frame
+        self._cancelled[handle.get_goal_id().id] = threading.Event()
+        self._tell("begins", frame)
+        if frame.name == "raise":
+            raise RuntimeError("raised as asked for")
+        if frame.name == "reject":
+            handle.set_rejected(None, "rejected as asked for")
+            return
+        threading.Thread(target=self._carry_out, args=(handle, frame), daemon=True).start()
+
+    def _on_cancel(self, handle):
+        self._cancelled[handle.get_goal_id().id].set()
+
+    def _carry_out(self, handle, frame):
+        elements = {element.name: element.argument for element in frame.frame_elements}
+        cancelled = self._cancelled[handle.get_goal_id().id]
+        done, undone = FilledSemanticFrameResult(success=True), FilledSemanticFrameResult(success=False)
+        if frame.name == "accept_late":
+            cancelled.wait(float(elements["seconds"]))
+            if cancelled.is_set():
+                handle.set_canceled(undone)
+                return
+        handle.set_accepted()
+        handle.publish_feedback(FilledSemanticFrameFeedback(is_succeeding=True))
+        if frame.name == "succeed" or frame.name == "accept_late":
+            self._tell("ends", frame)
+            handle.set_succeeded(done)
+        elif frame.name == "unsuccessful":
+            handle.set_succeeded(undone, "succeeded without success as asked for")
+        elif frame.name == "abort":
+            handle.set_aborted(undone, "aborted as asked for")
+        elif frame.name == "cancel_itself":
+            handle.set_canceled(undone, "cancelled as asked for")
+        elif frame.name == "run":
+            while not cancelled.wait(0.5):
+                pass
+            self._tell("preempted", frame)
+            handle.set_canceled(undone)
+        elif frame.name == "ignore_cancel":
+            time.sleep(float(elements["seconds"]))
+            self._tell("ends", frame)
+            handle.set_succeeded(done)
+        elif frame.name == "abort_on_cancel":
+            cancelled.wait(60.0)
+            handle.set_aborted(undone, "aborted instead of preempted")
+        elif frame.name == "lose":
+            with self._server.lock:
+                self._server.status_list.clear()
+                self._server.publish_status()
+        elif frame.name == "drop_result":
+            with self._server.lock:
+                for tracker in self._server.status_list:
+                    if tracker.status.goal_id.id == handle.get_goal_id().id:
+                        tracker.status.status = GoalStatus.SUCCEEDED
+                self._server.publish_status()
+        elif frame.name == "freeze":
+            self._server.status_timer.shutdown()
+            self._server.started = False
+        elif frame.name == "die":
+            os._exit(1)
+
+
+def main():
+    rospy.init_node("misbehaving_server")
+    log = rospy.Publisher("server_log", String, queue_size=1000)
+    servers = [MisbehavingServer(name, log) for name in rospy.get_param("~servers")]
+    rospy.loginfo("%d servers", len(servers))
+    rospy.spin()
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,215 @@
+#!/usr/bin/python3
+"""The node with servers that misbehave: one final event for each command, and the right server runs."""
+import time
+import unittest
+
+import actionlib
+import rospy
+import rostest
+from actionlib_msgs.msg import GoalID
+from roboframenet_msgs.msg import (
+    Command, CommandProcedure, FilledFrameElement, FilledSemanticFrame, FilledSemanticFrameAction,
+    FilledSemanticFrameList, Reply, StageEvent, StopReport)
+from std_msgs.msg import String
+
+
+def wait_until(condition, timeout_s=40.0):
+    end = time.monotonic() + timeout_s
+    while time.monotonic() < end:
+        if condition():
+            return True
+        time.sleep(0.02)
+    return condition()
+
+
+def frame(behaviour, server, seconds="0"):
+    return FilledSemanticFrame(name=behaviour, action_server_topics=[server] if server else [],
+                               frame_elements=[FilledFrameElement("seconds", seconds)])
+
+
+class ExecutorNodeTest(unittest.TestCase):
+    count = 0
+
+    @classmethod
+    def setUpClass(cls):
+        rospy.init_node("test_executor_node")
+        cls.events, cls.log = [], []
+        cls.procedures = rospy.Publisher("command_procedure", CommandProcedure, queue_size=1000)
+        cls.stops = rospy.Publisher("stop_report", StopReport, queue_size=10)
+        cls.cancels = rospy.Publisher("command_cancel", Command, queue_size=10)
+        cls.server_cancel = rospy.Publisher("one/cancel", GoalID, queue_size=10)
+        subscribers = [rospy.Subscriber("stage_events", StageEvent, cls.events.append)]
+        log = rospy.Subscriber("server_log", String, lambda message: cls.log.append(message.data))
+        assert wait_until(lambda: all(entity.get_num_connections() == 1 for entity in subscribers + [
+            cls.procedures, cls.stops, cls.cancels]))
+        assert wait_until(lambda: log.get_num_connections() == 3 and cls.server_cancel.get_num_connections() == 1)
+
+    def setUp(self):
+        del self.log[:]
+
+    def send(self, sequences, stamp=None):
+        type(self).count += 1
+        command = Command(id=f"{self.id()}_{self.count}", text="do it", stamp=stamp or rospy.Time.now())
+        message = CommandProcedure(command=command)
+        message.procedure.frame_lists = [FilledSemanticFrameList(frames=frames) for frames in sequences]
+        self.procedures.publish(message)
+        return command
+
+    def events_of(self, command, is_final):
+        return [event for event in list(self.events)
+                if event.command.id == command.id and event.is_final == is_final]
+
+    def wait_for_reply(self, command):
+        self.assertTrue(wait_until(lambda: self.events_of(command, True)), f"no final event of {command.id}")
+        return self.events_of(command, True)[0].reply
+
+    def assert_reply(self, command, outcome, code, *parts):
+        reply = self.wait_for_reply(command)
+        self.assertEqual((outcome, code), (reply.outcome, reply.code), reply.sentence)
+        for part in parts:
+            self.assertIn(part, reply.sentence)
+
+    def wait_for_log(self, line):
+        self.assertTrue(wait_until(lambda: line in self.log), f"{line!r} is not in {self.log}")
+
+    def test_sequence_runs_in_order(self):
+        command = self.send([[frame("succeed", "one"), frame("succeed", "two"), frame("succeed", "three")]])
+        self.assert_reply(command, Reply.DONE, "DONE")
+        self.wait_for_log("three ends succeed")
+        self.assertEqual([f"{server} {what} succeed" for server in ("one", "two", "three") for what in (
+            "begins", "ends")], self.log)
+
+    def test_second_candidate_runs_when_the_first_aborts(self):
+        command = self.send([[frame("abort", "one")], [frame("succeed", "two")]])
+        self.assert_reply(command, Reply.DONE, "DONE", "one aborted: aborted as asked for")
+        self.wait_for_log("two ends succeed")
+
+    def test_next_candidate_starts_from_its_first_frame(self):
+        command = self.send([[frame("succeed", "one"), frame("abort", "two")],
+                             [frame("succeed", "one"), frame("succeed", "three")]])
+        self.assert_reply(command, Reply.DONE, "DONE", "two aborted")
+        self.wait_for_log("three ends succeed")
+        self.assertEqual(["one", "two", "one", "three"],
+                         [line.split()[0] for line in self.log if line.split()[1] == "begins"])
+
+    def test_every_way_to_fail_is_named_and_the_next_candidate_runs(self):
+        for behaviour, server, part in (
+                ("abort", "one", "one aborted: aborted as asked for"),
+                ("reject", "one", "one rejected the goal: rejected as asked for"),
+                ("unsuccessful", "one", "its result says that it did not succeed"),
+                ("lose", "one", "one lost the goal"),
+                ("drop_result", "one", "one said SUCCEEDED but sent no result"),
+                ("raise", "one", "one did not accept the goal"),
+                ("succeed", "nobody", "nobody is not there"),
+                ("succeed", "not a name", "not a name cannot be reached"),
+                ("freeze", "freezing", "freezing was silent"),
+                ("die", "mortal", "mortal was silent")):
+            with self.subTest(behaviour=behaviour, server=server):
+                command = self.send([[frame(behaviour, server)], [frame("succeed", "two")]])
+                self.assert_reply(command, Reply.DONE, "DONE", part)
+
+    def test_when_all_fail_each_server_is_named(self):
+        command = self.send([[frame("abort", "one")], [frame("reject", "two")]])
+        self.assert_reply(command, Reply.FAILED, "ALL_CANDIDATES_FAILED", "one aborted", "two rejected the goal")
+
+    def test_new_command_preempts_the_one_that_runs(self):
+        old = self.send([[frame("run", "one")], [frame("succeed", "three")]])
+        self.wait_for_log("one begins run")
+        new = self.send([[frame("succeed", "two")]])
+        self.assert_reply(old, Reply.SUPERSEDED, "NEW_COMMAND")
+        self.assert_reply(new, Reply.DONE, "DONE")
+        self.wait_for_log("two ends succeed")
+        self.assertEqual(["one begins run", "one preempted run", "two begins succeed", "two ends succeed"], self.log)
+
+    def test_older_command_does_not_run(self):
+        old_stamp = rospy.Time.now()
+        new = self.send([[frame("run", "one")]])
+        self.wait_for_log("one begins run")
+        old = self.send([[frame("succeed", "two")]], stamp=old_stamp)
+        self.assert_reply(old, Reply.SUPERSEDED, "NEW_COMMAND")
+        self.cancels.publish(new)
+        self.assert_reply(new, Reply.SUPERSEDED, "STOPPED")
+
+    def test_flood_gets_one_final_event_each(self):
+        commands = [self.send([[frame("run", "one")]]) for _ in range(49)]
+        last = self.send([[frame("succeed", "two")]])
+        self.assert_reply(last, Reply.DONE, "DONE")
+        for command in commands:
+            self.assert_reply(command, Reply.SUPERSEDED, "NEW_COMMAND")
+            self.assertEqual(1, len(self.events_of(command, True)))
+
+    def test_server_that_ignores_the_cancel_is_named_and_the_new_command_runs(self):
+        old = self.send([[frame("ignore_cancel", "one", "8")]])
+        self.wait_for_log("one begins ignore_cancel")
+        new = self.send([[frame("succeed", "two")]])
+        self.assert_reply(old, Reply.SUPERSEDED, "NEW_COMMAND", "one did not end on cancel within 2 s")
+        self.assert_reply(new, Reply.DONE, "DONE")
+
+    def test_server_that_aborts_on_cancel_counts_as_preempted(self):
+        old = self.send([[frame("abort_on_cancel", "one")], [frame("succeed", "three")]])
+        self.wait_for_log("one begins abort_on_cancel")
+        new = self.send([[frame("succeed", "two")]])
+        self.assert_reply(old, Reply.SUPERSEDED, "NEW_COMMAND")
+        self.assert_reply(new, Reply.DONE, "DONE")
+        self.assertNotIn("three begins succeed", self.log)
+
+    def test_goal_cancelled_by_somebody_else_ends_the_command(self):
+        command = self.send([[frame("run", "one")], [frame("succeed", "two")]])
+        self.wait_for_log("one begins run")
+        self.assertTrue(wait_until(lambda: self.events_of(command, False)))
+        self.server_cancel.publish(GoalID())
+        self.assert_reply(command, Reply.SUPERSEDED, "STOPPED", "Somebody else cancelled it: one was preempted")
+        self.assertNotIn("two begins succeed", self.log)
+
+    def test_stop_ends_the_command_and_refuses_what_was_said_before(self):
+        before = rospy.Time.now()
+        command = self.send([[frame("run", "one")], [frame("succeed", "two")]])
+        self.wait_for_log("one begins run")
+        self.stops.publish(StopReport(stop_stamp=rospy.Time.now()))
+        self.assert_reply(command, Reply.SUPERSEDED, "STOPPED")
+        self.wait_for_log("one preempted run")
+        late = self.send([[frame("succeed", "two")]], stamp=before)
+        self.assert_reply(late, Reply.SUPERSEDED, "STOPPED")
+        self.assertNotIn("two begins succeed", self.log)
+        after = self.send([[frame("succeed", "two")]])
+        self.assert_reply(after, Reply.DONE, "DONE")
+
+    def test_stop_while_the_server_does_not_accept(self):
+        command = self.send([[frame("accept_late", "one", "60")]])
+        self.wait_for_log("one begins accept_late")
+        self.stops.publish(StopReport(stop_stamp=rospy.Time.now()))
+        self.assert_reply(command, Reply.SUPERSEDED, "STOPPED")
+
+    def test_events_come_while_it_runs(self):
+        command = self.send([[frame("run", "one")]])
+        self.assertTrue(wait_until(lambda: len(
+            [event for event in self.events_of(command, False) if "run by one" in event.sentence]) >= 4))
+        stamps = [event.stamp.to_sec() for event in self.events_of(command, False)]
+        self.assertEqual(sorted(stamps), stamps)
+        self.cancels.publish(command)
+        self.wait_for_reply(command)
+
+    def test_malformed_procedures_are_answered(self):
+        for sequences in ([], [[]], [[frame("succeed", "")]]):
+            self.assert_reply(self.send(sequences), Reply.FAILED, "STAGE_ERROR")
+
+    def test_more_servers_than_connections(self):
+        for _ in range(3):
+            command = self.send([[frame("succeed", server) for server in ("one", "two", "three", "one")]])
+            self.assert_reply(command, Reply.DONE, "DONE")
+
+    def test_server_busy_with_another_client_is_left_alone(self):
+        client = actionlib.ActionClient("three", FilledSemanticFrameAction)
+        self.assertTrue(client.wait_for_server(rospy.Duration(30)))
+        goal = FilledSemanticFrameAction().action_goal.goal
+        goal.frame = frame("run", "three")
+        handle = client.send_goal(goal)
+        self.wait_for_log("three begins run")
+        self.assert_reply(self.send([[frame("succeed", "three")]]), Reply.DONE, "DONE")
+        self.assertNotIn("three preempted run", self.log)
+        handle.cancel()
+        self.wait_for_log("three preempted run")
+
+
+if __name__ == "__main__":
+    rostest.rosrun("executor", "executor_node", ExecutorNodeTest)
