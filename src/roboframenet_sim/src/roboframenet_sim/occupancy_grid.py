@@ -1,0 +1,75 @@
+"""Where the floor is taken: a grid of cells."""
+import math
+from dataclasses import dataclass
+from typing import Tuple
+
+import numpy as np
+
+from roboframenet_sim.room import Room
+
+Cell = Tuple[int, int]
+"""Row (along y) and column (along x)."""
+
+
+@dataclass(frozen=True, eq=False)
+class OccupancyGrid:
+    """A grid of square cells; outside of it everything is taken.
+
+    ``is_taken`` has one row per step along y and one column per step along x; the origin is the corner of cell (0, 0).
+    """
+
+    resolution_m: float
+    origin_x_m: float
+    origin_y_m: float
+    is_taken: np.ndarray
+
+    def cell_of(self, x_m: float, y_m: float) -> Cell:
+        """Return the cell of a point, which may lie outside of the grid."""
+        return (math.floor((y_m - self.origin_y_m) / self.resolution_m),
+                math.floor((x_m - self.origin_x_m) / self.resolution_m))
+
+    def centre_of(self, cell: Cell) -> Tuple[float, float]:
+        """Return x and y of the centre of a cell, in metres."""
+        return (self.origin_x_m + (cell[1] + 0.5) * self.resolution_m,
+                self.origin_y_m + (cell[0] + 0.5) * self.resolution_m)
+
+    def is_cell_free(self, cell: Cell) -> bool:
+        """Tell whether a cell is on the grid and not taken."""
+        rows, columns = self.is_taken.shape
+        return 0 <= cell[0] < rows and 0 <= cell[1] < columns and not self.is_taken[cell]
+
+    def is_free(self, x_m: float, y_m: float) -> bool:
+        """Tell whether a point is on the grid and not taken."""
+        return self.is_cell_free(self.cell_of(x_m, y_m))
+
+    def inflated(self, radius_m: float) -> "OccupancyGrid":
+        """Return the grid with everything grown by a radius: where the centre of a round robot may not be."""
+        reach = math.ceil(radius_m / self.resolution_m)
+        rows, columns = self.is_taken.shape
+        padded = np.ones((rows + 2 * reach, columns + 2 * reach), dtype=bool)
+        padded[reach:reach + rows, reach:reach + columns] = self.is_taken
+        grown = np.zeros_like(self.is_taken)
+        for down in range(-reach, reach + 1):
+            for right in range(-reach, reach + 1):
+                if math.hypot(down, right) * self.resolution_m <= radius_m:
+                    grown |= padded[reach + down:reach + down + rows, reach + right:reach + right + columns]
+        return OccupancyGrid(self.resolution_m, self.origin_x_m, self.origin_y_m, grown)
+
+
+def grid_of_room(room: Room) -> OccupancyGrid:
+    """Draw the walls and boxes of a room."""
+    columns = math.ceil((room.x_m[1] - room.x_m[0]) / room.resolution_m)
+    rows = math.ceil((room.y_m[1] - room.y_m[0]) / room.resolution_m)
+    x = (room.x_m[0] + (np.arange(columns) + 0.5) * room.resolution_m)[None, :]
+    y = (room.y_m[0] + (np.arange(rows) + 0.5) * room.resolution_m)[:, None]
+    is_taken = np.zeros((rows, columns), dtype=bool)
+    # A wall thinner than a cell must not fall through between the centres.
+    reach_m = max(room.wall_thickness_m / 2.0, room.resolution_m * math.sqrt(0.5))
+    for x0, y0, x1, y1 in room.all_walls():
+        length_squared = (x1 - x0) ** 2 + (y1 - y0) ** 2
+        along = ((x - x0) * (x1 - x0) + (y - y0) * (y1 - y0)) / (length_squared or 1.0)
+        share = np.clip(along, 0.0, 1.0)
+        is_taken |= np.hypot(x - x0 - share * (x1 - x0), y - y0 - share * (y1 - y0)) <= reach_m
+    for box in room.boxes:
+        is_taken |= (box.x_m[0] <= x) & (x <= box.x_m[1]) & (box.y_m[0] <= y) & (y <= box.y_m[1])
+    return OccupancyGrid(room.resolution_m, room.x_m[0], room.y_m[0], is_taken)

@@ -1,0 +1,148 @@
+"""A simulated person and the depth camera that sees it, on their topics."""
+import math
+import sys
+import threading
+from dataclasses import dataclass
+from typing import Optional
+
+import numpy as np
+import rospy
+from geometry_msgs.msg import PoseStamped
+from sensor_msgs.msg import PointCloud2, PointField
+from std_msgs.msg import ColorRGBA, Header, String
+from visualization_msgs.msg import Marker
+
+from roboframenet_sim.base import Pose
+from roboframenet_sim.person import Person, PersonAct, PersonSettings
+from roboframenet_sim.point_cloud import Camera, Cylinder, render
+from roboframenet_sim.ros_stepping import publish
+
+POINT_STEP_BYTES = 16
+"""x, y, z and four bytes of padding, as the drivers of depth cameras send it."""
+
+
+@dataclass(frozen=True)
+class CameraSettings:
+    """The camera, its frame, and how often it sends.
+
+    Raises:
+        ValueError: a rate out of range
+    """
+
+    camera: Camera
+    rate_hz: float
+    frame: str
+
+    def __post_init__(self) -> None:
+        if not (isinstance(self.rate_hz, (int, float)) and 0.1 <= self.rate_hz <= 60.0):
+            raise ValueError("~camera_rate_hz must be 0.1 to 60, got %r" % self.rate_hz)
+
+
+def read_camera_settings() -> CameraSettings:
+    """Read the parameters of the camera."""
+    return CameraSettings(
+        camera=Camera(width_px=rospy.get_param("~camera_width_px", 160),
+                      height_px=rospy.get_param("~camera_height_px", 120)),
+        rate_hz=rospy.get_param("~camera_rate_hz", 10.0),
+        frame=str(rospy.get_param("~camera_frame", "camera_depth_optical_frame")))
+
+
+def read_person_settings() -> PersonSettings:
+    """Read the parameters of the person."""
+    return PersonSettings(
+        distance_m=rospy.get_param("~person_distance_m", PersonSettings.distance_m),
+        path_m=rospy.get_param("~person_path_m", PersonSettings.path_m),
+        radius_m=rospy.get_param("~person_radius_m", PersonSettings.radius_m),
+        speed_m_per_s=rospy.get_param("~person_speed_m_per_s", PersonSettings.speed_m_per_s))
+
+
+def message_of_cloud(cloud: np.ndarray, *, header: Header) -> PointCloud2:
+    """Pack an organised cloud.
+
+    Args:
+        cloud: (height, width, 3) array of float32
+        header: stamp and optical frame
+    """
+    height, width = cloud.shape[:2]
+    packed = np.zeros((height, width, POINT_STEP_BYTES // 4), dtype=np.float32)
+    packed[..., :3] = cloud
+    return PointCloud2(
+        header=header, height=height, width=width, is_bigendian=sys.byteorder == "big", is_dense=False,
+        fields=[PointField(name=name, offset=4 * index, datatype=PointField.FLOAT32, count=1)
+                for index, name in enumerate("xyz")],
+        point_step=POINT_STEP_BYTES, row_step=POINT_STEP_BYTES * width, data=packed.tobytes())
+
+
+class RosPerson:
+    """The person and the camera.
+
+    Subscribes:
+        ``person/act`` (std_msgs/String): stand, walk, leave, come
+    Publishes:
+        ``person/pose`` (geometry_msgs/PoseStamped) and ``person/marker`` (visualization_msgs/Marker) while present,
+        ``camera/depth/points`` (sensor_msgs/PointCloud2) while somebody listens
+    """
+
+    def __init__(self, settings: CameraSettings, *, person: Optional[Person], fixed_frame: str, robot: Pose,
+                 walls: np.ndarray) -> None:
+        self._settings = settings
+        self._person = person
+        self._fixed_frame = fixed_frame
+        self._robot = robot
+        self._walls = walls
+        self._lock = threading.Lock()
+        self._since_image_s = math.inf
+        self._cloud = rospy.Publisher("camera/depth/points", PointCloud2, queue_size=1)
+        self._pose = rospy.Publisher("person/pose", PoseStamped, queue_size=1)
+        self._marker = rospy.Publisher("person/marker", Marker, queue_size=1)
+        self._subscriber = rospy.Subscriber("person/act", String, self._take_order, queue_size=10)
+
+    def _take_order(self, message: String) -> None:
+        names = [act.value for act in PersonAct]
+        if message.data not in names or self._person is None:
+            rospy.logwarn("person/act: %r; expected one of %s, with ~person true", message.data, ", ".join(names))
+            return
+        with self._lock:
+            self._person.order(PersonAct(message.data), robot=self._robot)
+        rospy.loginfo("person: %s", message.data)
+
+    def step(self, duration_s: float, stamp: rospy.Time, *, robot: Pose) -> None:
+        """Let time pass.
+
+        Args:
+            duration_s: how much, in seconds
+            stamp: of the messages
+            robot: where the robot is now
+        """
+        with self._lock:
+            self._robot = robot
+            if self._person is not None:
+                self._person.step(duration_s)
+            person = self._person if self._person is not None and self._person.is_present else None
+            body = None if person is None else Cylinder(
+                x_m=person.pose.x_m, y_m=person.pose.y_m, radius_m=person.settings.body_radius_m,
+                height_m=person.settings.height_m)
+        self._since_image_s += duration_s
+        if self._since_image_s + 1e-9 < 1.0 / self._settings.rate_hz:
+            return
+        # What is late by less than a picture stays in the account, so that the mean rate is the wanted one.
+        self._since_image_s = min(self._since_image_s - 1.0 / self._settings.rate_hz, 1.0 / self._settings.rate_hz)
+        if body is not None:
+            self._show(body, stamp)
+        if self._cloud.get_num_connections():
+            cloud = render(self._settings.camera, pose=robot, person=body, walls=self._walls)
+            publish(self._cloud, message_of_cloud(cloud, header=Header(stamp=stamp, frame_id=self._settings.frame)))
+
+    def _show(self, body: Cylinder, stamp: rospy.Time) -> None:
+        pose = PoseStamped(header=Header(stamp=stamp, frame_id=self._fixed_frame))
+        pose.pose.position.x, pose.pose.position.y, pose.pose.orientation.w = body.x_m, body.y_m, 1.0
+        publish(self._pose, pose)
+        if not self._marker.get_num_connections():
+            return
+        marker = Marker(header=pose.header, ns="person", type=Marker.CYLINDER, action=Marker.ADD,
+                        color=ColorRGBA(r=0.9, g=0.5, b=0.2, a=0.8), lifetime=rospy.Duration(1.0))
+        marker.pose = pose.pose
+        marker.pose.position.z = body.height_m / 2.0
+        marker.scale.x = marker.scale.y = 2.0 * body.radius_m
+        marker.scale.z = body.height_m
+        publish(self._marker, marker)
