@@ -166,7 +166,8 @@ class CommandServerNode:
         elif refusal is not None:
             self._answer_at_once(command, Outcome.REFUSED, code=refusal[0], sentence=refusal[1])
         elif len(self._book.open_commands) >= self._settings.max_open_commands:
-            self._answer_at_once(command, Outcome.FAILED, code="STAGE_ERROR", sentence="Too many commands wait already.")
+            self._answer_at_once(command, Outcome.FAILED, code="STAGE_ERROR",
+                                 sentence="Too many commands wait already.")
         else:
             self._book.open(command)
             self._unsent.append(command)

@@ -1,8 +1,8 @@
 """Whether an utterance means: stop, whatever you are doing.
 
-The short way of "Stop." must not wait for a parser, so this looks at words alone. It is a closed rule: every word must
-be known, because "Stop at the kitchen." and "Don't stop." are commands of another kind. A word that does not fit sends the
-utterance the long way.
+The short way of "Stop." must not wait for a parser, so this looks at words alone. It is a closed rule: every word
+must be known, because "Stop at the kitchen." and "Don't stop." are commands of another kind. A word that does not fit
+sends the utterance the long way.
 """
 import re
 import unicodedata
@@ -12,14 +12,14 @@ STOP_WORDS: FrozenSet[str] = frozenset({"stop", "halt", "freeze", "abort", "whoa
 
 # Each of these means stop as a whole.
 STOP_PHRASES: Tuple[Tuple[str, ...], ...] = (
-    ("e", "stop"), ("emergency", "stop"), ("emergency", "halt"), ("full", "stop"), ("stand", "still"), ("hold", "still"),
-    ("don't", "move"), ("do", "not", "move"))
+    ("e", "stop"), ("emergency", "stop"), ("emergency", "halt"), ("full", "stop"), ("stand", "still"),
+    ("hold", "still"), ("don't", "move"), ("do", "not", "move"))
 
 # Words that change nothing, before or after.
 FILLERS: FrozenSet[str] = frozenset({
     "please", "robot", "now", "right", "immediately", "hey", "oh", "ok", "okay", "no", "just", "at", "once", "you",
-    "the", "it", "that", "this", "everything", "all", "here", "there", "where", "are", "instantly", "quickly", "ah", "god",
-    "my", "i", "said"})
+    "the", "it", "that", "this", "everything", "all", "here", "there", "where", "are", "instantly", "quickly",
+    "ah", "god", "my", "i", "said"})
 
 # What a robot that moves may be told to stop: "stop turning left" stops, so the words behind these are free.
 ACTIVITIES: FrozenSet[str] = frozenset({

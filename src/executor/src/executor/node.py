@@ -101,8 +101,8 @@ _Event = Union[CommandProcedure, StopReport, Command, _Note, _RunEnded, None]
 class ExecutorNode:
     """Carries out procedures.
 
-    Subscribes: ``command_procedure``, ``command_cancel``, ``stop_report``. Publishes: ``stage_events``. Calls the action servers that
-    the procedures name.
+    Subscribes: ``command_procedure``, ``command_cancel``, ``stop_report``. Publishes: ``stage_events``.
+    Calls the action servers that the procedures name.
     """
 
     def __init__(self, settings: Settings) -> None:
@@ -221,8 +221,9 @@ class ExecutorNode:
 
     def _end_all(self) -> None:
         """Cancel what runs before the node goes, so that the robot does not go on alone."""
-        self._follow(stop_heard(self._desk, max(
-            [order.key.stamp_ns for order in (self._desk.running, self._desk.waiting) if order is not None], default=0)))
+        for order in (self._desk.waiting, self._desk.running):
+            if order is not None:
+                self._follow(command_cancelled(self._desk, order.key.command_id))
         if self._run is not None:
             # The end of the run comes through the inbox; its thread has deadlines for everything it waits for.
             self._run.join(timeout_s=self._settings.preempt_timeout_s + 1.0)

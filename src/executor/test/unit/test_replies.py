@@ -18,7 +18,8 @@ DONE = goal(GoalStatusCode.SUCCEEDED, True)
 ABORTED = goal(GoalStatusCode.ABORTED, text="no odometry", server="walk")
 TAKEN = goal(GoalStatusCode.PREEMPTED)
 PREEMPTED = goal(GoalStatusCode.PREEMPTED, is_asked=True)
-ORPHAN = tracking.tick(tracking.ask_preempt(tracking.send("turn", GoalDeadlines(), now_s=0.0), now_s=0.0), now_s=9.0).goal
+ORPHAN = tracking.tick(
+    tracking.ask_preempt(tracking.send("turn", GoalDeadlines(), now_s=0.0), now_s=0.0), now_s=9.0).goal
 
 
 @pytest.mark.parametrize("outcome,goals,cause,error,expected,code,part", [

@@ -39,8 +39,8 @@ class _StopHeard:
 class StopServerNode:
     """Stops the robot.
 
-    Subscribes: ``text``, ``command/goal``, ``frame_catalogue``. Publishes: ``stop_report``, ``reply``, ``<server>/cancel`` of every
-    action server, zero velocity. Actions: ``stopping``.
+    Subscribes: ``text``, ``command/goal``, ``frame_catalogue``. Publishes: ``stop_report``, ``reply``,
+    ``<server>/cancel`` of every action server, zero velocity. Actions: ``stopping``.
     """
 
     def __init__(self, settings: Settings) -> None:
@@ -138,7 +138,8 @@ class StopServerNode:
 
     def _answer(self, heard: _StopHeard, cancelled: List[str]) -> None:
         self._count += 1
-        command = Command(id=heard.command_id or f"stop-{self._run_tag}-{self._count}", stamp=heard.stamp, text=heard.text)
+        command_id = heard.command_id or f"stop-{self._run_tag}-{self._count}"
+        command = Command(id=command_id, stamp=heard.stamp, text=heard.text)
         servers = f"{len(cancelled)} action server{'' if len(cancelled) == 1 else 's'}"
         reply = Reply(command=command, outcome=Reply.DONE, stage=STAGE, code="DONE",
                       sentence=f"Stopped: zero velocity, and every goal of {servers} cancelled.",

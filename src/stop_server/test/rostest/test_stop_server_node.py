@@ -49,13 +49,15 @@ class StopServerNodeTest(unittest.TestCase):
         rospy.init_node("test_stop_server_node")
         cls.replies, cls.reports, cls.velocities, cls.other_velocities = [], [], [], []
         subscribers = [
-            rospy.Subscriber("reply", Reply, cls.replies.append), rospy.Subscriber("stop_report", StopReport, cls.reports.append),
+            rospy.Subscriber("reply", Reply, cls.replies.append),
+            rospy.Subscriber("stop_report", StopReport, cls.reports.append),
             rospy.Subscriber("cmd_vel", Twist, cls.velocities.append),
             rospy.Subscriber("other_cmd_vel", Twist, cls.other_velocities.append)]
         cls.text = rospy.Publisher("text", String, queue_size=100)
         cls.goal = rospy.Publisher("command/goal", ExecuteCommandActionGoal, queue_size=10)
         cls.catalogue = rospy.Publisher("frame_catalogue", FrameCatalogue, queue_size=1, latch=True)
-        assert wait_until(lambda: all(entity.get_num_connections() == 1 for entity in subscribers + [cls.text, cls.goal]))
+        assert wait_until(lambda: all(
+            entity.get_num_connections() == 1 for entity in subscribers + [cls.text, cls.goal]))
         cls.movers = [Mover("turn_server", FilledSemanticFrameAction), Mover("drive_server", FilledSemanticFrameAction)]
         cls.navigation = Mover("navigation_stack", TestAction)
         cls.registered = Mover("registered_server", TestAction)

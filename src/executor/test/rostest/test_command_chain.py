@@ -1,0 +1,151 @@
+#!/usr/bin/python3
+"""Command server, arbitrator, executor and stop server together: one reply to each text."""
+import collections
+import os
+import signal
+import time
+import unittest
+import xmlrpc.client
+
+import rosgraph
+import rospy
+import rostest
+from geometry_msgs.msg import Twist
+from roboframenet_msgs.msg import (
+    Command, CommandSemanticFrames, FilledSemanticFrame, FilledSemanticFrameList, Reply, StageEvent)
+from std_msgs.msg import String
+
+STAGES = ("stanford_parser_ros", "semantic_framer", "frame_registrar")
+
+
+def wait_until(condition, timeout_s=40.0):
+    end = time.monotonic() + timeout_s
+    while time.monotonic() < end:
+        if condition():
+            return True
+        time.sleep(0.02)
+    return condition()
+
+
+class CommandChainTest(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        rospy.init_node("test_command_chain")
+        cls.replies, cls.log, cls.velocities = [], [], []
+        cls.frames = rospy.Publisher("command_semantic_frames", CommandSemanticFrames, queue_size=1000)
+        cls.events = rospy.Publisher("stage_events", StageEvent, queue_size=1000)
+        cls.text = rospy.Publisher("text", String, queue_size=1000)
+        subscribers = [
+            rospy.Subscriber("command_text", Command, cls.on_command),
+            rospy.Subscriber("server_log", String, lambda message: cls.log.append(message.data)),
+            rospy.Subscriber("cmd_vel", Twist, cls.velocities.append)]
+        replies = rospy.Subscriber("reply", Reply, cls.replies.append)
+        assert wait_until(lambda: all(entity.get_num_connections() == 1 for entity in subscribers + [
+            cls.frames, cls.events]))
+        assert wait_until(lambda: replies.get_num_connections() == 2 and cls.text.get_num_connections() == 2)
+
+    @classmethod
+    def on_command(cls, command):
+        """Text "run one, succeed two / abort one": candidates separated by slashes, frames by commas."""
+        for stage in STAGES:
+            cls.events.publish(StageEvent(command=command, stage=stage, stamp=rospy.Time.now(), sentence="at it"))
+        message = CommandSemanticFrames(command=command)
+        for candidate in command.text.split("/"):
+            steps = [step.split() for step in candidate.split(",")]
+            message.candidates.frame_lists.append(FilledSemanticFrameList(frames=[
+                FilledSemanticFrame(name=behaviour, action_server_topics=[server]) for behaviour, server in steps]))
+            message.coverage.append(1.0)
+        cls.frames.publish(message)
+
+    def setUp(self):
+        for known in (self.replies, self.log, self.velocities):
+            del known[:]
+
+    def replies_to(self, text):
+        return [reply for reply in list(self.replies) if reply.command.text == text]
+
+    def wait_for_replies(self, text, count=1):
+        self.assertTrue(wait_until(lambda: len(self.replies_to(text)) >= count),
+                        f"{len(self.replies_to(text))} of {count} replies to {text!r}")
+        return self.replies_to(text)
+
+    def wait_for_log(self, line):
+        self.assertTrue(wait_until(lambda: line in self.log), f"{line!r} is not in {self.log}")
+
+    def test_next_candidate_after_a_failed_second_step(self):
+        text = "succeed one, abort two / succeed one, succeed two"
+        self.text.publish(text)
+        self.assertEqual(Reply.DONE, self.wait_for_replies(text)[0].outcome)
+        self.assertEqual(["one", "two", "one", "two"],
+                         [line.split()[0] for line in self.log if line.split()[1] == "begins"])
+
+    def test_new_command_preempts(self):
+        self.text.publish("run one")
+        self.wait_for_log("one begins run")
+        self.text.publish("succeed two")
+        self.assertEqual("NEW_COMMAND", self.wait_for_replies("run one")[0].code)
+        self.assertEqual("DONE", self.wait_for_replies("succeed two")[0].code)
+        self.assertEqual(["one begins run", "one preempted run", "two begins succeed", "two ends succeed"], self.log)
+
+    def test_flood_of_texts_gets_one_reply_each(self):
+        for _ in range(50):
+            self.text.publish("run one")
+        self.text.publish("succeed two")
+        self.wait_for_replies("succeed two")
+        self.wait_for_replies("run one", count=50)
+        counts = collections.Counter(reply.command.id for reply in self.replies)
+        self.assertEqual({1}, set(counts.values()))
+        self.assertEqual(51, len(counts))
+
+    def test_stop_in_a_flood(self):
+        for _ in range(20):
+            self.text.publish("run one")
+        self.text.publish("stop")
+        for _ in range(5):
+            self.text.publish("run two")
+        self.text.publish("stop")
+        self.wait_for_replies("stop", count=2)
+        self.wait_for_replies("run one", count=20)
+        self.wait_for_replies("run two", count=5)
+        self.assertEqual({Reply.SUPERSEDED}, {reply.outcome for reply in self.replies if "run" in reply.command.text})
+        self.assertTrue(wait_until(lambda: self.is_nothing_running()))
+        # Nothing that was said before the stop begins after it.
+        self.text.publish("succeed two")
+        self.assertEqual("DONE", self.wait_for_replies("succeed two")[0].code)
+        self.assertTrue(self.is_nothing_running())
+        self.assertEqual({1}, set(collections.Counter(reply.command.id for reply in self.replies).values()))
+
+    def is_nothing_running(self):
+        begun = sum("begins run" in line for line in self.log)
+        # A goal that was cancelled before it was accepted ends without having run.
+        return begun <= sum("preempted run" in line for line in self.log)
+
+    def test_z_stop_with_everything_else_hung(self):
+        self.text.publish("run one")
+        self.wait_for_log("one begins run")
+        pids = [self.pid_of(node) for node in ("/command_server", "/arbitrator", "/executor")]
+        for pid in pids:
+            os.kill(pid, signal.SIGSTOP)
+        try:
+            self.text.publish("Stop.")
+            self.assertEqual("stop_server", self.wait_for_replies("Stop.")[0].stage)
+            self.wait_for_log("one preempted run")
+            self.assertTrue(wait_until(lambda: self.velocities))
+            self.assertTrue(all(velocity == Twist() for velocity in self.velocities))
+        finally:
+            for pid in pids:
+                os.kill(pid, signal.SIGCONT)
+        # When they come back they find the command stopped, and answer it.
+        self.assertEqual("STOPPED", self.wait_for_replies("run one")[0].code)
+        self.text.publish("succeed one")
+        self.assertEqual("DONE", self.wait_for_replies("succeed one")[0].code)
+        self.assertEqual(1, len(self.replies_to("Stop.")))
+
+    @staticmethod
+    def pid_of(node):
+        api = rosgraph.Master(rospy.get_name()).lookupNode(node)
+        return xmlrpc.client.ServerProxy(api).getPid(rospy.get_name())[2]
+
+
+if __name__ == "__main__":
+    rostest.rosrun("executor", "command_chain", CommandChainTest)
