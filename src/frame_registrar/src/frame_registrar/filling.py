@@ -1,0 +1,130 @@
+"""Fills frames: from a lexical unit, and from a parent frame by the relations of its child."""
+from dataclasses import dataclass
+from typing import Mapping, Optional, Tuple
+
+from semantic_frames.frame import (ConstantArgument, ElementMapping, FrameElement, Quantity, RelatedFrame, SemanticFrame,
+                                   ValueCondition)
+from spoken_quantities import QuantityError, parse_measure, parse_number
+
+
+@dataclass(frozen=True)
+class FilledFrame:
+    """A frame whose elements have arguments.
+
+    Attributes:
+        name: of the frame
+        arguments: element name and argument, in the order of the frame's file; elements without one are left out
+        server: name of the action server that is to carry it out; empty while nobody is chosen
+    """
+
+    name: str
+    arguments: Tuple[Tuple[str, str], ...]
+    server: str = ""
+
+    def argument(self, element: str) -> str:
+        """Return the argument of an element, empty when it has none."""
+        return dict(self.arguments).get(element, "")
+
+
+class Unfillable(ValueError):
+    """A frame cannot be filled with these arguments.
+
+    Attributes:
+        code: VALUE_NOT_ALLOWED, LIMIT or MISSING_ELEMENT
+    """
+
+    def __init__(self, code: str, sentence: str) -> None:
+        """
+        Args:
+            code: stable name of the reason
+            sentence: for a person
+        """
+        super().__init__(sentence)
+        self.code = code
+
+
+def fill(frame: SemanticFrame, arguments: Mapping[str, str]) -> FilledFrame:
+    """Fill a frame, with defaults for what is left out, and check what its file demands.
+
+    Args:
+        frame: to be filled
+        arguments: by element name; names that the frame does not have are ignored
+    Returns:
+        the filled frame
+    Raises:
+        Unfillable: a value that is not allowed, an amount beyond its limit, a core element without argument
+    """
+    filled = tuple((element.name, arguments.get(element.name) or element.default) for element in frame.frame_elements)
+    result = FilledFrame(name=frame.name, arguments=tuple((name, argument) for name, argument in filled if argument))
+    for element in frame.frame_elements:
+        argument = result.argument(element.name)
+        if not argument:
+            if element.is_core:
+                raise Unfillable("MISSING_ELEMENT", element.question or f"The {words(element.name)} of {words(frame.name)} is missing.")
+            continue
+        if element.values and argument.lower() not in [value.lower() for value in element.values]:
+            raise Unfillable("VALUE_NOT_ALLOWED", f'The {words(element.name)} cannot be "{argument}": it is {alternatives(element.values)}.')
+        _check_amount(frame, element, argument, result)
+    return result
+
+
+def _check_amount(frame: SemanticFrame, element: FrameElement, argument: str, filled: FilledFrame) -> None:
+    if element.quantity is None:
+        return
+    try:
+        if element.quantity is Quantity.NUMBER:
+            amount = parse_number(argument)
+        else:
+            unit = filled.argument(element.unit_element) if element.unit_element else ""
+            amount = parse_measure(f"{argument} {unit}".strip(), quantity=element.quantity.value).si_amount
+    except QuantityError as error:
+        code = "LIMIT" if error.code == "NOT_FINITE" else "VALUE_NOT_ALLOWED"
+        raise Unfillable(code, f"I cannot use the {words(element.name)} of {words(frame.name)}: {error}") from error
+    for limit, is_beyond, word in ((element.maximum, lambda bound: amount > bound, "more"),
+                                   (element.minimum, lambda bound: amount < bound, "less")):
+        if limit is not None and is_beyond(limit):
+            said = " ".join(part for part in (argument, filled.argument(element.unit_element)) if part)
+            raise Unfillable("LIMIT", f"{said} is {word} than I may do: the limit is {limit:g} {SI_UNITS[element.quantity]}.".replace(" .", "."))
+
+
+#: What limits are told in.
+SI_UNITS = {Quantity.NUMBER: "", Quantity.LENGTH: "metres", Quantity.ANGLE: "radians", Quantity.DURATION: "seconds"}
+
+
+def child_arguments(parent: FilledFrame, child: RelatedFrame) -> Optional[Mapping[str, str]]:
+    """Work out what a child is filled with.
+
+    Args:
+        parent: filled
+        child: a child in the parent's file
+    Returns:
+        arguments by element of the child; None when a value condition says that the child does not stand for the parent
+    """
+    arguments = {}
+    for relation in child.frame_element_relations:
+        if isinstance(relation, ValueCondition):
+            said = bare(parent.argument(relation.parent_name))
+            if said not in [bare(value) for value in relation.child_values]:
+                return None
+        elif isinstance(relation, ConstantArgument):
+            arguments[relation.child_name] = relation.parent_value
+        elif isinstance(relation, ElementMapping) and parent.argument(relation.parent_name):
+            arguments[relation.child_name] = parent.argument(relation.parent_name)
+    return arguments
+
+
+def bare(argument: str) -> str:
+    """Return an argument as value conditions compare it: lower case, without a determiner ("a glass", "The glass")."""
+    said = argument.strip().lower()
+    first, _, rest = said.partition(" ")
+    return rest if first in ("the", "a", "an", "some", "this", "that") and rest else said
+
+
+def words(name: str) -> str:
+    """Return a name as a person says it."""
+    return name.replace("_", " ")
+
+
+def alternatives(values: Tuple[str, ...]) -> str:
+    """Return values as a person lists them: "left, right or around"."""
+    return values[0] if len(values) == 1 else ", ".join(values[:-1]) + " or " + values[-1]

@@ -1,0 +1,143 @@
+"""The graph of semantic frames: what stands for what, and who registered for it."""
+from typing import Dict, FrozenSet, List, Mapping, Optional, Set, Tuple
+
+import networkx
+from semantic_frames.frame import ConstantArgument, ElementMapping, RelatedFrame, SemanticFrame
+from semantic_frames.marked_yaml import did_you_mean
+from semantic_frames.problem import FileRefused, Problem
+
+
+class FrameGraph:
+    """Frames by name, their relations, and the action servers that registered for each.
+
+    A frame may be registered for, or named as a child, before its file is added: it begins to count when the file comes.
+    """
+
+    def __init__(self) -> None:
+        self._frames: Dict[str, SemanticFrame] = {}
+        self._servers: Dict[str, List[str]] = {}
+        self._dead: Set[str] = set()
+        self._graph = networkx.DiGraph()
+
+    @property
+    def frames(self) -> Mapping[str, SemanticFrame]:
+        """Every frame, by name."""
+        return self._frames
+
+    def add(self, frame: SemanticFrame) -> bool:
+        """Add a frame, or put it in the place of the one of that name.
+
+        Args:
+            frame: as its file says
+        Returns:
+            whether anything changed; False for a file that is known already
+        Raises:
+            FileRefused: the frame would close a cycle, or an element named in a relation does not exist; the graph stays
+                as it was
+        """
+        known = self._frames.get(frame.name)
+        if known == frame:
+            return False
+        problems = self._element_problems(frame)
+        graph = self._graph.copy()
+        graph.remove_edges_from(list(graph.out_edges(frame.name)) if frame.name in graph else [])
+        graph.add_node(frame.name)
+        graph.add_edges_from((frame.name, child.name) for sequence in frame.children for child in sequence)
+        try:
+            cycle = [edge[0] for edge in networkx.find_cycle(graph, frame.name)]
+            problems.append(Problem(
+                code="CYCLE", path=frame.path, line=_line_of_child(frame, cycle), key="children",
+                found=" -> ".join(cycle + [cycle[0]]), expected="relations that lead away from the frame, never back"))
+        except networkx.NetworkXNoCycle:
+            pass
+        if problems:
+            raise FileRefused(problems)
+        self._frames[frame.name] = frame
+        self._graph = graph
+        return True
+
+    def _element_problems(self, frame: SemanticFrame) -> List[Problem]:
+        """Relations of the frame to children that are known, and of known parents to the frame."""
+        problems = []
+        for child in (child for sequence in frame.children for child in sequence):
+            if child.name in self._frames and child.name != frame.name:
+                problems += _relation_problems(frame, child, self._frames[child.name], frame.path, child.line)
+        for parent in self._frames.values():
+            for child in (child for sequence in parent.children for child in sequence):
+                if child.name == frame.name and parent.name != frame.name:
+                    problems += _relation_problems(parent, child, frame, frame.path, frame.line)
+        return problems
+
+    def register(self, frame_name: str, server: str) -> Tuple[str, ...]:
+        """Remember that an action server carries a frame out; registering twice changes nothing.
+
+        Args:
+            frame_name: a frame, also one whose file is not there yet
+            server: name of the action server
+        Returns:
+            why not; empty when it is registered
+        """
+        if not frame_name.strip() or not server.strip():
+            return ("a registration needs the name of a frame and of an action server",)
+        servers = self._servers.setdefault(frame_name, [])
+        if server not in servers:
+            servers.append(server)
+        self._dead.discard(server)
+        return ()
+
+    def registrations(self) -> Tuple[Tuple[str, str], ...]:
+        """Every registration: frame name and action server, in order of arrival by frame."""
+        return tuple((frame, server) for frame, servers in self._servers.items() for server in servers)
+
+    def set_dead(self, servers: FrozenSet[str]) -> bool:
+        """Offer these servers no more, and all others again.
+
+        Returns:
+            whether anything changed
+        """
+        dead = {server for server in servers if any(server in known for known in self._servers.values())}
+        is_changed = dead != self._dead
+        self._dead = dead
+        return is_changed
+
+    def is_alive(self, server: str) -> bool:
+        """Whether a server is offered."""
+        return server not in self._dead
+
+    def servers(self, frame_name: str) -> Tuple[str, ...]:
+        """Living action servers that registered for a frame, in the order in which they did."""
+        return tuple(server for server in self._servers.get(frame_name, ()) if server not in self._dead)
+
+    def descendants(self, frame_name: str) -> Tuple[str, ...]:
+        """Names of the frames below a frame, those that have no file included, in order of name."""
+        if frame_name not in self._graph:
+            return ()
+        return tuple(sorted(networkx.descendants(self._graph, frame_name)))
+
+    def unknown_children(self) -> Tuple[Problem, ...]:
+        """Children that no file describes (yet): for a linter, not a reason to refuse."""
+        return tuple(
+            Problem(code="UNKNOWN_FRAME", path=frame.path, line=child.line, key="children", found=f"'{child.name}'",
+                    expected="the name of a frame", hint=did_you_mean(child.name, self._frames))
+            for frame in self._frames.values() for sequence in frame.children for child in sequence
+            if child.name not in self._frames)
+
+    def frame(self, name: str) -> Optional[SemanticFrame]:
+        """Return the frame of that name, None for none."""
+        return self._frames.get(name)
+
+
+def _line_of_child(frame: SemanticFrame, cycle: List[str]) -> int:
+    children = [child for sequence in frame.children for child in sequence]
+    return next((child.line for child in children if child.name in cycle), frame.line)
+
+
+def _relation_problems(parent: SemanticFrame, child: RelatedFrame, target: SemanticFrame, path: str, line: int) -> List[Problem]:
+    names = [element.name for element in target.frame_elements]
+    return [
+        Problem(code="UNKNOWN_ELEMENT", path=path, line=line, key=f"children {child.name} child_name", found=f"'{relation.child_name}'",
+                expected=f"an element of {target.name}, which {parent.name} names as its child: {', '.join(names) or 'it has none'}",
+                hint=did_you_mean(relation.child_name, names))
+        for relation in child.frame_element_relations
+        if isinstance(relation, (ElementMapping, ConstantArgument)) and relation.child_name not in names
+    ]

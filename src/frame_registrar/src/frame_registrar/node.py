@@ -1,0 +1,212 @@
+"""The frame registrar: who can carry out what was evoked."""
+import threading
+import uuid
+from dataclasses import dataclass
+from typing import Dict, FrozenSet, List, Tuple
+
+import rospy
+from roboframenet_msgs.msg import (CommandLexicalUnits, CommandSemanticFrames, EmptySemanticFrame, FileProblems,
+                                   FilledSemanticFrameListList, FrameCallback, FrameCatalogue, Reply, SourceFile, StageEvent)
+from roboframenet_msgs.srv import (AddFrame, AddFrameRequest, AddFrameResponse, GetEmptyFrame, GetEmptyFrameRequest,
+                                   GetEmptyFrameResponse, RegisterWithFrame, RegisterWithFrameRequest,
+                                   RegisterWithFrameResponse)
+from semantic_frames import FileRefused, Problem, load_frame
+from semantic_frames.source_files import FRAMES_FOLDER, read_text, replace_problems, yaml_files
+
+from frame_registrar.graph import FrameGraph
+from frame_registrar.ros_liveness import LivenessWatch
+from frame_registrar.ros_messages import to_clauses, to_empty_frame, to_file_problems, to_frame_lists
+from frame_registrar.search import Candidate, Refusal, search
+
+STAGE = "frame_registrar"
+#: Kept on the master by the node for itself: files that were added while it ran.
+ADDED_FRAMES = "~_added_frames"
+
+
+@dataclass(frozen=True)
+class Settings:
+    """Parameters of the node, checked.
+
+    Attributes:
+        frame_paths: files, and folders with folders named ``frames``
+        max_candidates: the search ends when so many are found
+        liveness_period_s: pause between two rounds of asking the servers
+        liveness_timeout_s: how long a node may take to answer
+    """
+
+    frame_paths: Tuple[str, ...]
+    max_candidates: int
+    liveness_period_s: float
+    liveness_timeout_s: float
+
+    def __post_init__(self) -> None:
+        if not 1 <= self.max_candidates <= 10000:
+            raise ValueError(f"~max_candidates must be 1 to 10000, got {self.max_candidates}")
+        if not 0.1 <= self.liveness_period_s <= 60.0:
+            raise ValueError(f"~liveness_period_s must be 0.1 to 60 s, got {self.liveness_period_s}")
+        if not 0.05 <= self.liveness_timeout_s <= 10.0:
+            raise ValueError(f"~liveness_timeout_s must be 0.05 to 10 s, got {self.liveness_timeout_s}")
+
+    @classmethod
+    def from_parameters(cls) -> "Settings":
+        """Read the node's private parameters."""
+        paths = rospy.get_param("~frame_paths", [])
+        return cls(
+            frame_paths=tuple([paths] if isinstance(paths, str) else paths),
+            max_candidates=int(rospy.get_param("~max_candidates", 64)),
+            liveness_period_s=float(rospy.get_param("~liveness_period_s", 1.0)),
+            liveness_timeout_s=float(rospy.get_param("~liveness_timeout_s", 1.0)))
+
+
+class FrameRegistrar:
+    """Keeps the graph of frames and answers each command with candidates or a refusal.
+
+    Subscribes:
+        command_lexical_units (CommandLexicalUnits)
+    Publishes:
+        command_semantic_frames (CommandSemanticFrames), filled_semantic_frames (FilledSemanticFrameListList),
+        frame_catalogue (FrameCatalogue, latched), file_problems (FileProblems, latched), stage_events (StageEvent)
+    Services:
+        add_frame, get_empty_frame, register_with_frame
+    Parameters: see :class:`Settings`.
+    """
+
+    def __init__(self, settings: Settings) -> None:
+        self._settings = settings
+        self._lock = threading.Lock()
+        self._graph = FrameGraph()
+        self._texts: Dict[str, str] = {}
+        self._problems: Tuple[Problem, ...] = ()
+        self._id = uuid.uuid4().hex
+        self._catalogue = rospy.Publisher("frame_catalogue", FrameCatalogue, queue_size=1, latch=True)
+        self._file_problems = rospy.Publisher("file_problems", FileProblems, queue_size=5, latch=True)
+        self._candidates = rospy.Publisher("command_semantic_frames", CommandSemanticFrames, queue_size=100)
+        self._candidates_2012 = rospy.Publisher("filled_semantic_frames", FilledSemanticFrameListList, queue_size=100)
+        self._events = rospy.Publisher("stage_events", StageEvent, queue_size=100)
+        self._load_files()
+        self._subscriber = rospy.Subscriber("command_lexical_units", CommandLexicalUnits, self._on_command, queue_size=100)
+        self._services = [
+            rospy.Service("add_frame", AddFrame, self._on_add_frame),
+            rospy.Service("get_empty_frame", GetEmptyFrame, self._on_get_empty_frame),
+            rospy.Service("register_with_frame", RegisterWithFrame, self._on_register),
+        ]
+        self._publish_catalogue()
+        self._watch = LivenessWatch(self._registered_servers, self._on_dead, period_s=settings.liveness_period_s,
+                                    timeout_s=settings.liveness_timeout_s)
+        rospy.on_shutdown(self._watch.close)
+        rospy.loginfo("ready: %d frames, %d problems, %s", len(self._graph.frames), len(self._problems), settings)
+
+    def _load_files(self) -> None:
+        added: List[str] = rospy.get_param(ADDED_FRAMES, [])
+        for path in list(yaml_files(self._settings.frame_paths, FRAMES_FOLDER)) + added:
+            self._add_file(path)
+
+    def _add_file(self, path: str) -> bool:
+        """Add one frame file; return whether it is in the graph now. The problems are logged and published."""
+        try:
+            text = read_text(path)
+            frame = load_frame(text, path)
+            other = self._graph.frame(frame.name)
+            with self._lock:
+                self._graph.add(frame)
+                if other is not None and other.path != path:
+                    rospy.logwarn("frame '%s' of %s takes the place of the one of %s", frame.name, path, other.path)
+                    self._texts.pop(other.path, None)
+                self._texts[path] = text
+            problems: Tuple[Problem, ...] = ()
+        except FileRefused as refused:
+            problems = refused.problems
+            for problem in problems:
+                rospy.logerr("refused: %s", problem)
+        self._problems = replace_problems(self._problems, path, problems)
+        self._file_problems.publish(to_file_problems(self._problems))
+        return not problems
+
+    def _on_add_frame(self, request: AddFrameRequest) -> AddFrameResponse:
+        path = request.absolute_file_path
+        is_added = self._add_file(path)
+        if is_added:
+            added = rospy.get_param(ADDED_FRAMES, [])
+            if path not in added:
+                rospy.set_param(ADDED_FRAMES, added + [path])
+            self._publish_catalogue()
+        return AddFrameResponse(success=is_added)
+
+    def _on_get_empty_frame(self, request: GetEmptyFrameRequest) -> GetEmptyFrameResponse:
+        frame = self._graph.frame(request.frame_name)
+        return GetEmptyFrameResponse(frame=to_empty_frame(frame) if frame else EmptySemanticFrame())
+
+    def _on_register(self, request: RegisterWithFrameRequest) -> RegisterWithFrameResponse:
+        with self._lock:
+            errors = self._graph.register(request.frame_name, request.callback_topic)
+        for error in errors:
+            rospy.logerr("registration refused: %s", error)
+        if not errors:
+            if self._graph.frame(request.frame_name) is None:
+                rospy.logwarn("'%s' registered for the frame '%s', which no file describes yet", request.callback_topic,
+                              request.frame_name)
+            self._publish_catalogue()
+        return RegisterWithFrameResponse(success=not errors, error=list(errors))
+
+    def _registered_servers(self) -> FrozenSet[str]:
+        with self._lock:
+            return frozenset(server for _, server in self._graph.registrations())
+
+    def _on_dead(self, servers: FrozenSet[str]) -> None:
+        with self._lock:
+            is_changed = self._graph.set_dead(servers)
+        if is_changed:
+            rospy.loginfo("action servers that are not there: %s", ", ".join(sorted(servers)) or "none")
+            self._publish_catalogue()
+
+    def _publish_catalogue(self) -> None:
+        with self._lock:
+            message = FrameCatalogue(
+                registrar_id=self._id,
+                files=[SourceFile(path=path, text=text) for path, text in self._texts.items()],
+                callbacks=[FrameCallback(frame_name=frame, callback_topic=server, is_alive=self._graph.is_alive(server))
+                           for frame, server in self._graph.registrations()])
+        self._catalogue.publish(message)
+
+    def _on_command(self, message: CommandLexicalUnits) -> None:
+        try:
+            with self._lock:
+                outcome = search(self._graph, to_clauses(message.clauses), max_candidates=self._settings.max_candidates)
+        except Exception as error:  # boundary: whatever fails here, the command gets its reply
+            rospy.logerr("cmd=%s failed: %s", message.command.id, error, exc_info=True)
+            self._end(message, Reply.FAILED, "STAGE_ERROR", f"The frame registrar failed: {error}")
+            return
+        if isinstance(outcome, Refusal):
+            rospy.loginfo("cmd=%s refused: %s", message.command.id, outcome.sentence)
+            self._end(message, Reply.REFUSED, outcome.code, outcome.sentence)
+            return
+        lists = to_frame_lists(outcome)
+        self._events.publish(StageEvent(command=message.command, stage=STAGE, stamp=rospy.Time.now(),
+                                        sentence=describe(outcome)))
+        self._candidates_2012.publish(lists)
+        self._candidates.publish(CommandSemanticFrames(command=message.command, candidates=lists,
+                                                       coverage=[candidate.coverage for candidate in outcome]))
+
+    def _end(self, message: CommandLexicalUnits, outcome: int, code: str, sentence: str) -> None:
+        now = rospy.Time.now()
+        reply = Reply(command=message.command, outcome=outcome, stage=STAGE, code=code, sentence=sentence, stamp=now)
+        self._events.publish(StageEvent(command=message.command, stage=STAGE, stamp=now, sentence=sentence, is_final=True,
+                                        reply=reply))
+
+
+def describe(candidates: Tuple[Candidate, ...]) -> str:
+    """Return candidates in words: "2 candidates: turning @ turning; ..."."""
+    shown = "; ".join(", then ".join(f"{frame.name} @ {frame.server}" for frame in candidate.frames) for candidate in candidates[:3])
+    count = f"{len(candidates)} candidate{'s' if len(candidates) > 1 else ''}"
+    return f"{count}: {shown}{'; ...' if len(candidates) > 3 else ''}"
+
+
+def main() -> None:
+    """Run the node."""
+    rospy.init_node("frame_registrar")
+    try:
+        FrameRegistrar(Settings.from_parameters())
+    except ValueError as error:
+        rospy.logfatal("cannot start: %s", error)
+        raise SystemExit(1) from error
+    rospy.spin()

@@ -1,0 +1,89 @@
+"""Which action servers are there, by what the master and the nodes themselves say."""
+import socket
+import threading
+import xmlrpc.client
+from http.client import HTTPConnection
+from typing import Callable, Dict, FrozenSet, Iterable, Optional, Tuple
+
+import rosgraph
+import rospy
+
+
+class _TimeoutTransport(xmlrpc.client.Transport):
+    """HTTP with a deadline: a node that hangs must not hang the registrar."""
+
+    def __init__(self, timeout_s: float) -> None:
+        super().__init__()
+        self._timeout_s = timeout_s
+
+    def make_connection(self, host: object) -> HTTPConnection:
+        connection = super().make_connection(host)
+        connection.timeout = self._timeout_s
+        return connection
+
+
+class LivenessWatch:
+    """Asks at a low rate whether the nodes behind action servers still answer.
+
+    The master knows which node publishes ``<server>/status``, also long after that node was killed; the node itself
+    answers ``getPid``. Both are the distribution's own interfaces: servers need nothing for it, and a process with many servers is
+    asked once.
+    """
+
+    def __init__(self, servers: Callable[[], Iterable[str]], on_dead: Callable[[FrozenSet[str]], None], *, period_s: float,
+                 timeout_s: float) -> None:
+        """
+        Args:
+            servers: returns the names of the servers to watch
+            on_dead: called from the thread of the watch with those that are not there
+            period_s: pause between two rounds
+            timeout_s: how long a node may take to answer
+        """
+        self._servers = servers
+        self._on_dead = on_dead
+        self._period_s = period_s
+        self._timeout_s = timeout_s
+        self._stop = threading.Event()
+        self._thread = threading.Thread(target=self._run, name="liveness", daemon=True)
+        self._thread.start()
+
+    def close(self) -> None:
+        """End the watch; return when its thread has ended."""
+        self._stop.set()
+        self._thread.join(self._period_s + 10.0 * self._timeout_s)
+
+    def _run(self) -> None:
+        while not self._stop.wait(self._period_s):
+            servers = tuple(self._servers())
+            if not servers:
+                continue
+            try:
+                dead = self._dead_among(servers)
+            except (OSError, socket.error, rosgraph.MasterException, xmlrpc.client.Error) as error:
+                # A master that is busy or away says nothing about the servers.
+                rospy.logwarn_throttle(30.0, "cannot ask the master who is alive: %s", error)
+                continue
+            self._on_dead(dead)
+
+    def _dead_among(self, servers: Tuple[str, ...]) -> FrozenSet[str]:
+        master = rosgraph.Master(rospy.get_name())
+        publishers, _, _ = master.getSystemState()
+        nodes_of: Dict[str, Tuple[str, ...]] = {topic: tuple(nodes) for topic, nodes in publishers}
+        answers: Dict[str, bool] = {}
+        dead = set()
+        for server in servers:
+            nodes = nodes_of.get(rospy.resolve_name(server + "/status"), ())
+            for node in nodes:
+                if node not in answers:
+                    answers[node] = node == rospy.get_name() or self._answers(master, node)
+            if not any(answers[node] for node in nodes):
+                dead.add(server)
+        return frozenset(dead)
+
+    def _answers(self, master: rosgraph.Master, node: str) -> bool:
+        try:
+            uri: Optional[str] = master.lookupNode(node)
+            proxy = xmlrpc.client.ServerProxy(uri, transport=_TimeoutTransport(self._timeout_s))
+            return proxy.getPid(rospy.get_name())[0] == 1
+        except (OSError, rosgraph.MasterException, xmlrpc.client.Error):
+            return False

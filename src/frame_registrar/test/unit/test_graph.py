@@ -1,0 +1,92 @@
+"""The graph of frames: adding, replacing, registering."""
+import pytest
+from frame_registrar.graph import FrameGraph
+from semantic_frames import FileRefused, load_frame
+
+
+def frame(text: str, path: str = "x.yaml"):
+    return load_frame(text, path)
+
+
+A = "name: a\nframe_elements: [{name: x}]\nchildren: [{name: b}]\n"
+
+
+def test_same_file_twice_changes_nothing() -> None:
+    graph = FrameGraph()
+    assert graph.add(frame(A)) and not graph.add(frame(A))
+
+
+def test_changed_file_takes_the_place_of_the_old_one() -> None:
+    graph = FrameGraph()
+    graph.add(frame(A))
+    graph.add(frame("name: a\ndescription: new\n"))
+    assert graph.frames["a"].description == "new"
+    assert graph.descendants("a") == ()
+
+
+def test_cycle_is_refused_by_its_names_and_the_graph_stays() -> None:
+    graph = FrameGraph()
+    graph.add(frame(A))
+    graph.add(frame("name: b\nchildren: [{name: c}]\n"))
+    with pytest.raises(FileRefused) as refused:
+        graph.add(frame("name: c\nchildren:\n  - name: a\n", "c.yaml"))
+    problem = refused.value.problems[0]
+    assert (problem.code, problem.path, problem.line) == ("CYCLE", "c.yaml", 3)
+    assert problem.found == "c -> a -> b -> c"
+    assert "c" not in graph.frames
+
+
+def test_frame_that_is_its_own_child_is_a_cycle() -> None:
+    with pytest.raises(FileRefused, match="a -> a"):
+        FrameGraph().add(frame("name: a\nchildren: [{name: a}]\n"))
+
+
+def test_replacing_a_frame_may_break_what_was_a_cycle() -> None:
+    graph = FrameGraph()
+    graph.add(frame(A))
+    graph.add(frame("name: a\n"))
+    assert graph.add(frame("name: b\nchildren: [{name: a}]\n"))
+
+
+def test_unknown_element_of_a_child_is_refused_whichever_comes_last() -> None:
+    parent = frame("name: p\nframe_elements: [{name: x}]\nchildren:\n  - name: c\n    frame_element_relations:\n"
+                   "      - {parent_name: x, child_name: thme}\n", "p.yaml")
+    child = frame("name: c\nframe_elements: [{name: theme}]\n", "c.yaml")
+    for first, second in ((parent, child), (child, parent)):
+        graph = FrameGraph()
+        graph.add(first)
+        with pytest.raises(FileRefused, match="did you mean 'theme'"):
+            graph.add(second)
+
+
+def test_registering_before_the_file_comes_counts_when_it_comes() -> None:
+    graph = FrameGraph()
+    assert graph.register("later", "server") == ()
+    graph.add(frame("name: later\n"))
+    assert graph.servers("later") == ("server",)
+
+
+def test_registering_twice_changes_nothing() -> None:
+    graph = FrameGraph()
+    graph.register("a", "server")
+    graph.register("a", "server")
+    assert graph.registrations() == (("a", "server"),)
+
+
+@pytest.mark.parametrize("name, server", [("", "server"), ("a", " ")])
+def test_registration_without_a_name_is_refused(name: str, server: str) -> None:
+    assert FrameGraph().register(name, server)
+
+
+def test_dead_server_is_offered_again_when_it_is_back() -> None:
+    graph = FrameGraph()
+    graph.register("a", "server")
+    assert graph.set_dead(frozenset(["server"])) and graph.servers("a") == ()
+    assert not graph.set_dead(frozenset(["server"]))
+    assert graph.set_dead(frozenset()) and graph.servers("a") == ("server",)
+
+
+def test_unknown_children_are_told() -> None:
+    graph = FrameGraph()
+    graph.add(frame(A))
+    assert [problem.found for problem in graph.unknown_children()] == ["'b'"]

@@ -1,0 +1,162 @@
+"""The search for candidates."""
+import itertools
+import random
+from typing import Dict, List, Tuple
+
+import pytest
+from frame_registrar.graph import FrameGraph
+from frame_registrar.search import Argument, Candidate, Reading, Refusal, search
+from semantic_frames import load_frame
+
+MOVING = """
+name: moving
+frame_elements:
+  - {name: direction, is_core: True, default: forward}
+  - {name: distance, is_core: True, quantity: length, unit_element: unit, maximum: 20 metres}
+  - {name: unit, is_core: True}
+children:
+  - name: moving_forward
+    frame_element_relations:
+      - {parent_name: distance, child_name: distance}
+      - {parent_name: direction, child_value: [forward, Forwards]}
+  - name: moving_backward
+    frame_element_relations:
+      - {parent_name: distance, child_name: distance}
+      - {parent_name: direction, child_value: backward}
+"""
+
+
+def graph_of(*texts: str, servers: Tuple[Tuple[str, str], ...] = ()) -> FrameGraph:
+    graph = FrameGraph()
+    for text in texts:
+        graph.add(load_frame(text, "x.yaml"))
+    for name, server in servers:
+        graph.register(name, server)
+    return graph
+
+
+def reading(frame: str, coverage: float = 1.0, **arguments: str) -> Reading:
+    return Reading(frame, tuple(Argument(name, text) for name, text in arguments.items()), coverage)
+
+
+def moving_graph() -> FrameGraph:
+    return graph_of(MOVING, "name: moving_forward\nframe_elements: [{name: distance}]", "name: moving_backward\nframe_elements: [{name: distance}]",
+                    servers=(("moving_forward", "forward_server"), ("moving_backward", "backward_server")))
+
+
+def servers_of(candidates: Tuple[Candidate, ...]) -> List[Tuple[str, ...]]:
+    return [tuple(frame.server for frame in candidate.frames) for candidate in candidates]
+
+
+@pytest.mark.parametrize("direction, server", [("forward", "forward_server"), ("FORWARDS", "forward_server"), ("backward", "backward_server")])
+def test_value_condition_chooses_the_child(direction: str, server: str) -> None:
+    found = search(moving_graph(), [[reading("moving", direction=direction, distance="3", unit="feet")]], max_candidates=9)
+    assert servers_of(found) == [(server,)]
+    assert found[0].frames[0].arguments == (("distance", "3"),)
+
+
+def test_default_fills_what_was_not_said() -> None:
+    found = search(moving_graph(), [[reading("moving", distance="3", unit="feet")]], max_candidates=9)
+    assert servers_of(found) == [("forward_server",)]
+
+
+@pytest.mark.parametrize("arguments, code", [
+    (dict(distance="3", unit="kilometres"), "LIMIT"), (dict(distance="1e400", unit="metres"), "LIMIT"),
+    (dict(distance="3", unit="parsecs"), "VALUE_NOT_ALLOWED"), (dict(unit="metres"), "MISSING_ELEMENT"),
+    (dict(distance="3", unit="metres", direction="sideways"), "NO_SERVER"),
+])
+def test_refusal_tells_why(arguments: Dict[str, str], code: str) -> None:
+    refusal = search(moving_graph(), [[reading("moving", **arguments)]], max_candidates=9)
+    assert isinstance(refusal, Refusal) and refusal.code == code and refusal.sentence
+
+
+def test_limit_is_in_the_sentence() -> None:
+    refusal = search(moving_graph(), [[reading("moving", distance="3", unit="kilometres")]], max_candidates=9)
+    assert isinstance(refusal, Refusal) and "20 metres" in refusal.sentence
+
+
+def test_unknown_frame_is_refused() -> None:
+    refusal = search(FrameGraph(), [[reading("flying")]], max_candidates=9)
+    assert isinstance(refusal, Refusal) and refusal.code == "UNKNOWN_FRAME"
+
+
+def test_no_server_names_what_would_do() -> None:
+    refusal = search(graph_of("name: a\nchildren: [{name: b}]\n", "name: b\n"), [[reading("a")]], max_candidates=9)
+    assert isinstance(refusal, Refusal) and '"a" or "b"' in refusal.sentence
+
+
+def test_own_servers_come_before_children_and_each_is_a_candidate() -> None:
+    graph = graph_of("name: a\nchildren: [{name: b}]\n", "name: b\n", servers=(("b", "s3"), ("a", "s1"), ("a", "s2")))
+    assert servers_of(search(graph, [[reading("a")]], max_candidates=9)) == [("s1",), ("s2",), ("s3",)]
+
+
+def test_sequence_gives_all_combinations_in_order() -> None:
+    graph = graph_of("name: a\nchildren: [[{name: b}, {name: c}]]\n", "name: b\n", "name: c\n",
+                     servers=(("b", "b1"), ("b", "b2"), ("c", "c1"), ("c", "c2")))
+    assert servers_of(search(graph, [[reading("a")]], max_candidates=9)) == [("b1", "c1"), ("b1", "c2"), ("b2", "c1"), ("b2", "c2")]
+
+
+def test_search_is_lazy_and_bounded() -> None:
+    names = [f"m{index}" for index in range(40)]
+    graph = graph_of("name: a\nchildren: [[%s]]\n" % ", ".join("{name: %s}" % name for name in names), *[f"name: {name}\n" for name in names],
+                     servers=tuple((name, f"{name}_{index}") for name in names for index in range(2)))
+    assert len(search(graph, [[reading("a")]], max_candidates=64)) == 64
+
+
+def test_higher_coverage_comes_first() -> None:
+    graph = graph_of("name: a\n", "name: b\n", servers=(("a", "a1"), ("b", "b1")))
+    found = search(graph, [[reading("a", 0.5), reading("b", 1.0)]], max_candidates=9)
+    assert servers_of(found) == [("b1",), ("a1",)]
+
+
+def test_clauses_are_one_candidate() -> None:
+    graph = graph_of("name: a\n", "name: b\n", servers=(("a", "a1"), ("b", "b1"), ("b", "b2")))
+    assert servers_of(search(graph, [[reading("a")], [reading("b")]], max_candidates=9)) == [("a1", "b1"), ("a1", "b2")]
+
+
+def test_clause_that_nobody_can_do_refuses_the_sentence() -> None:
+    graph = graph_of("name: a\n", "name: b\n", servers=(("a", "a1"),))
+    assert isinstance(search(graph, [[reading("a")], [reading("b")]], max_candidates=9), Refusal)
+
+
+TAKING = "name: taking\nframe_elements: [{name: theme, is_core: True}]\non_list: %s\n"
+
+
+@pytest.mark.parametrize("policy, conjunction, expected", [
+    ("repeat", "and", [["the mug", "the plate"]]), ("together", "and", [["the mug and the plate"]]),
+    ("repeat", "or", [["the mug"], ["the plate"]]), ("together", "or", [["the mug"], ["the plate"]]),
+])
+def test_lists(policy: str, conjunction: str, expected: List[List[str]]) -> None:
+    graph = graph_of(TAKING % policy, servers=(("taking", "s"),))
+    said = Argument("theme", f"the mug {conjunction} the plate", ("the mug", "the plate"), conjunction)
+    found = search(graph, [[Reading("taking", (said,))]], max_candidates=9)
+    assert [[frame.argument("theme") for frame in candidate.frames] for candidate in found] == expected
+
+
+def brute_force(children: Dict[str, List[List[str]]], servers: Dict[str, List[str]], name: str) -> List[Tuple[str, ...]]:
+    """All realisations, by writing out every product."""
+    found = [(server,) for server in servers.get(name, [])]
+    for sequence in children.get(name, []):
+        parts = [brute_force(children, servers, child) for child in sequence]
+        found += [tuple(itertools.chain(*combination)) for combination in itertools.product(*parts)]
+    return found
+
+
+@pytest.mark.parametrize("seed", range(30))
+def test_search_finds_what_brute_force_finds(seed: int) -> None:
+    chance = random.Random(seed)
+    names = [f"f{index}" for index in range(6)]
+    children = {
+        name: [[chance.choice(names[index + 1:]) for _ in range(chance.randint(1, 2))] for _ in range(chance.randint(0, 2))]
+        for index, name in enumerate(names[:-1])
+    }
+    servers = {name: [f"{name}_{index}" for index in range(chance.randint(0, 2))] for name in names}
+    texts = [
+        f"name: {name}\n" + ("children: [%s]\n" % ", ".join("[%s]" % ", ".join("{name: %s}" % child for child in sequence)
+                                                           for sequence in children[name]) if children.get(name) else "")
+        for name in names
+    ]
+    graph = graph_of(*texts, servers=tuple((name, server) for name in names for server in servers[name]))
+    expected = brute_force(children, servers, "f0")
+    found = search(graph, [[reading("f0")]], max_candidates=100000)
+    assert (servers_of(found) if not isinstance(found, Refusal) else []) == expected, f"seed {seed}"
