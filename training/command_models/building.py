@@ -3,7 +3,7 @@
 import sys
 from dataclasses import asdict, dataclass
 from pathlib import Path
-from typing import Callable, List, Tuple
+from typing import Callable, Dict, List, Tuple
 
 from . import generate, lemmas, mining, trainers, treebanks
 from .conllu import read, write
@@ -50,7 +50,7 @@ class Plan:
     effort: trainers.Effort = trainers.Effort()
 
 
-def versions() -> "dict[str, str]":
+def versions() -> Dict[str, str]:
     """Versions of what trains and what will have to load the models."""
     import stanza
     import torch

@@ -18,7 +18,7 @@ HEADINGS = "forward forward forwards backward backwards back ahead left right st
 MOVERS = "move go drive walk come run step head travel roll navigate return proceed get advance fly slide".split()
 TURNERS = "turn turn turn turn rotate spin pivot veer twist swing go".split()
 PLACERS = """
-    put put put put place place set leave drop hang lay stack store load stick insert pour throw position rest""".split()
+    put put put put place place set leave drop hang lay stack store load stick insert pour release throw position rest""".split()
 GIVERS = """
     give give give bring bring get fetch pass hand show find send buy offer serve make tell read grab pour lend
     throw""".split()

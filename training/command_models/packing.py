@@ -32,7 +32,7 @@ class Packed:
     md5: str
 
 
-def halved(node: "object") -> "object":
+def halved(node: object) -> object:
     """A checkpoint with its 32-bit tensors as 16-bit ones; loading copies them back into 32 bits."""
     import torch
 

@@ -46,7 +46,7 @@ class Parser:
         return _converted(self._run(text).sentences[0])
 
 
-def _converted(sentence: "object") -> Sentence:
+def _converted(sentence: object) -> Sentence:
     words: Iterable = getattr(sentence, "words")
     return Sentence(
         tuple(

@@ -64,7 +64,7 @@ def on_raw_text(model: Path, gold: Path) -> Dict[str, float]:
                     token.words[0].text = token.text
     with tempfile.TemporaryDirectory() as folder:
         got = Path(folder) / "system.conllu"
-        got.write_text("{:C}\n\n".format(document), encoding="utf-8")
+        got.write_text(format(document, "C") + "\n\n", encoding="utf-8")
         return conll(gold, got)
 
 

@@ -68,13 +68,22 @@ class Verbs(Motion):
         return verb.post("obj", self.nouns.located(self.nouns.thing(), 0.3))
 
     def taking(self, form: Form) -> Node:
-        """Take, find and their like: a place said of the object hangs on the object, a source on the verb."""
+        """Take and its like: a place said of the object hangs on the object, a source on the verb.
+
+        After verbs of searching the place is where to search: it hangs on the verb.
+        """
         verb = form(self.any(TAKERS if self.maybe(0.75) else self.nouns.lexicon.transitive))
         if verb.lemma == "pick":
             verb = verb.post("compound:prt", words.particle("up"))
         if self.maybe(0.22):
             source = self.nouns.fixture() if self.maybe(0.6) else self.nouns.place()
             return verb.post("obj", self.nouns.thing()).post("obl", self.oblique("from", source))
+        if verb.lemma in ("find", "search", "locate", "inspect") and self.maybe(0.75):
+            preposition = self.any("in in in on on near behind under next_to inside".split())
+            inner = self.nouns.place() if preposition in ("in", "inside") else self.nouns.fixture()
+            if self.maybe(0.1):
+                inner = self.nouns.located(inner)
+            return verb.post("obj", self.nouns.thing()).post("obl", self.oblique(preposition, inner))
         return verb.post("obj", self.nouns.located(self.nouns.thing(), 0.85))
 
     def following(self, form: Form) -> Node:
@@ -183,8 +192,12 @@ class Verbs(Motion):
         draw = self.chooser.random()
         if draw < 0.35:
             return verb.post("obj", self.nouns.thing()).post("obl", self.oblique("for", self.nouns.person()))
-        if draw < 0.7:
+        if draw < 0.65:
             return verb.post("obj", self.nouns.thing()).post("obl", self.oblique("with", self.nouns.thing()))
+        if draw < 0.77:
+            verb = form(self.any("enter enter leave reach cross".split())).post("obj", self.nouns.place())
+            way = self.any("through through by via from".split())
+            return verb.post("obl", self.oblique(way, self.nouns.fixture()))
         verb = form(self.any("search search check scan inspect".split())).post("obj", self.nouns.place())
         return verb.post("obl", self.oblique("for", self.nouns.thing()))
 
@@ -373,16 +386,16 @@ class Verbs(Motion):
 
 _FRAMES: Tuple[Tuple[str, float], ...] = (
     ("alone", 5),
-    ("objects", 14),
+    ("objects", 13),
     ("taking", 13),
     ("following", 6),
     ("going", 13),
     ("turning", 8),
     ("shifting", 7),
     ("shifting_thing", 4),
-    ("placing", 8),
+    ("placing", 10),
     ("giving", 8),
-    ("carrying", 9),
+    ("carrying", 11),
     ("benefit", 4),
     ("particles", 8),
     ("particle_alone", 2.5),
