@@ -20,6 +20,8 @@ from executor.goal_tracking import GoalDeadlines
 from executor.replies import Ending, ending_of_malformed, ending_of_run, ending_of_unstarted
 from executor.ros_action_clients import ActionClients
 from executor.ros_command_run import CommandRun, RunResult
+from executor.ros_reconfigure import SettingsKeeper
+from executor.ros_running_goals import RunningGoals
 
 STAGE = "executor"
 # Less than the second that the stage promises, so that a busy machine keeps the promise too.
@@ -36,6 +38,7 @@ class Settings:
         preempt_timeout_s: for a goal to end after the first cancel
         cancel_period_s: between two cancels
         result_timeout_s: for the result after a terminal status
+        settings_timeout_s: for a node to be reconfigured
         max_clients: connections to servers that are kept
         introspection: publish the topics of smach_viewer
 
@@ -48,12 +51,13 @@ class Settings:
     preempt_timeout_s: float = 5.0
     cancel_period_s: float = 0.5
     result_timeout_s: float = 2.0
+    settings_timeout_s: float = 3.0
     max_clients: int = 32
     introspection: bool = True
 
     def __post_init__(self) -> None:
         for name in ("acceptance_timeout_s", "silence_timeout_s", "preempt_timeout_s", "cancel_period_s",
-                     "result_timeout_s"):
+                     "result_timeout_s", "settings_timeout_s"):
             value = getattr(self, name)
             if isinstance(value, bool) or not isinstance(value, (int, float)) or not 0.05 <= value <= 600.0:
                 raise ValueError(f"~{name} must be 0.05 to 600 s, got {value!r}")
@@ -108,6 +112,8 @@ class ExecutorNode:
     def __init__(self, settings: Settings) -> None:
         self._settings = settings
         self._clients = ActionClients(max_kept=settings.max_clients)
+        self._server_settings = SettingsKeeper(timeout_s=settings.settings_timeout_s)
+        self._running_goals = RunningGoals()
         self._desk: Desk[_Job] = Desk()
         self._run: Optional[CommandRun] = None
         self._next_event_s = 0.0
@@ -118,6 +124,8 @@ class ExecutorNode:
     def start(self) -> None:
         """Begin to take commands."""
         rospy.on_shutdown(self._shutdown)
+        self._running_goals.start()
+        self._server_settings.start()
         self._worker.start()
         self._subscribers = [
             rospy.Subscriber("stop_report", StopReport, self._inbox.put),
@@ -192,7 +200,8 @@ class ExecutorNode:
     def _start_run(self, order: "Order[_Job]") -> None:
         rospy.loginfo("cmd=%s begins", order.key.command_id)
         self._run = CommandRun(
-            order.job.procedure, clients=self._clients, deadlines=self._settings.deadlines,
+            order.job.procedure, clients=self._clients, settings=self._server_settings,
+            running_goals=self._running_goals, deadlines=self._settings.deadlines,
             on_note=lambda sentence: self._inbox.put(_Note(run, sentence)),
             on_end=lambda ended, result: self._inbox.put(_RunEnded(ended, result)),
             is_introspected=self._settings.introspection)
@@ -235,6 +244,8 @@ class ExecutorNode:
                 if isinstance(event, _RunEnded):
                     self._hear_end(event)
         self._clients.close()
+        self._server_settings.close(timeout_s=1.0)
+        self._running_goals.close(timeout_s=1.0)
 
 
 def read_settings() -> Settings:
@@ -249,6 +260,7 @@ def read_settings() -> Settings:
         preempt_timeout_s=rospy.get_param("~preempt_timeout_s", Settings.preempt_timeout_s),
         cancel_period_s=rospy.get_param("~cancel_period_s", Settings.cancel_period_s),
         result_timeout_s=rospy.get_param("~result_timeout_s", Settings.result_timeout_s),
+        settings_timeout_s=rospy.get_param("~settings_timeout_s", Settings.settings_timeout_s),
         max_clients=rospy.get_param("~max_clients", Settings.max_clients),
         introspection=rospy.get_param("~introspection", Settings.introspection))
 

@@ -15,6 +15,9 @@ from arbitrator.state_machine import OUTCOMES
 from executor import goal_tracking as tracking
 from executor.goal_tracking import Goal, GoalDeadlines, Outcome
 from executor.ros_action_clients import ActionClients, SentGoal, ServerConnection
+from executor.ros_reconfigure import SettingsKeeper
+from executor.ros_running_goals import RunningGoals
+from executor.settings import SettingsError
 
 # The longest that a preemption can go unseen.
 _LONGEST_WAIT_S = 0.1
@@ -34,6 +37,8 @@ class StepContext:
 
     Attributes:
         clients: connections to servers
+        settings: what the servers need of other nodes
+        running_goals: what must be cancelled if this process is killed
         deadlines: of each goal
         is_preempt_asked: set when the run is to end
         on_begin: is told the frame of each step that begins
@@ -41,6 +46,8 @@ class StepContext:
     """
 
     clients: ActionClients
+    settings: SettingsKeeper
+    running_goals: RunningGoals
     deadlines: GoalDeadlines
     is_preempt_asked: threading.Event
     on_begin: Callable[[FilledFrame], None]
@@ -106,6 +113,18 @@ class ActionStep(smach.State):
                     server, deadlines, f"is not there: no answer within {deadlines.acceptance_s:g} s",
                     now_s=time.monotonic())
             self._context.is_preempt_asked.wait(0.01)
+        owner = f"{self._frame.name} by {server}"
+        try:
+            self._context.settings.apply(server, owner=owner)
+        except SettingsError as error:
+            return tracking.fail_unsent(server, deadlines, f"cannot have its settings: {error}",
+                                        now_s=time.monotonic())
+        try:
+            return self._send_and_follow(connection)
+        finally:
+            self._context.settings.restore(owner=owner)
+
+    def _send_and_follow(self, connection: ServerConnection) -> Goal:
         inbox: "queue.Queue[object]" = queue.Queue()
 
         def on_sign() -> None:
@@ -116,6 +135,7 @@ class ActionStep(smach.State):
             return self._follow(connection, inbox, on_sign)
         finally:
             connection.unlisten(on_sign)
+            self._context.running_goals.clear()
 
     def _follow(self, connection: ServerConnection, inbox: "queue.Queue[object]",
                 on_sign: Callable[[], None]) -> Goal:
@@ -123,6 +143,7 @@ class ActionStep(smach.State):
         sent: SentGoal = connection.send(
             frame_to_message(self._frame), on_transition=lambda handle: inbox.put(_read_transition(handle)),
             on_feedback=on_sign)
+        self._context.running_goals.note(self._frame.server, sent.goal_id)
         while True:
             if self._is_to_end:
                 goal = tracking.ask_preempt(goal, now_s=time.monotonic())

@@ -13,6 +13,8 @@ from arbitrator.state_machine import build_state_machine
 from executor.goal_tracking import Goal, GoalDeadlines
 from executor.ros_action_clients import ActionClients
 from executor.ros_action_step import ActionStep, StepContext
+from executor.ros_reconfigure import SettingsKeeper
+from executor.ros_running_goals import RunningGoals
 
 
 @dataclass(frozen=True)
@@ -33,14 +35,16 @@ class RunResult:
 class CommandRun:
     """Runs the SMACH machine of a procedure and shows it to smach_viewer."""
 
-    def __init__(self, procedure: Procedure, *, clients: ActionClients, deadlines: GoalDeadlines,
-                 on_note: Callable[[str], None], on_end: Callable[["CommandRun", RunResult], None],
-                 is_introspected: bool) -> None:
+    def __init__(self, procedure: Procedure, *, clients: ActionClients, settings: SettingsKeeper,
+                 running_goals: RunningGoals, deadlines: GoalDeadlines, on_note: Callable[[str], None],
+                 on_end: Callable[["CommandRun", RunResult], None], is_introspected: bool) -> None:
         """Prepare; `start` begins.
 
         Args:
             procedure: what to carry out
             clients: connections to servers
+            settings: what the servers need of other nodes
+            running_goals: what must be cancelled if this process is killed
             deadlines: of each goal
             on_note: is told, from the thread of the run, what happens, as a sentence
             on_end: is told, as the last thing in the thread of the run, how it ended
@@ -56,7 +60,8 @@ class CommandRun:
         self._is_preempt_asked = threading.Event()
         self._machine: Optional[smach.StateMachine] = None
         self._context = StepContext(
-            clients=clients, deadlines=deadlines, is_preempt_asked=self._is_preempt_asked,
+            clients=clients, settings=settings, running_goals=running_goals, deadlines=deadlines,
+            is_preempt_asked=self._is_preempt_asked,
             on_begin=self._begin_step, on_end=self._end_step)
         self._thread = threading.Thread(target=self._run, name="command_run", daemon=True)
 

@@ -1,0 +1,78 @@
+"""A value on the parameter server, for the node that is started again."""
+import json
+import threading
+import time
+from typing import Optional
+
+import rospy
+
+_RETRY_S = 0.5
+
+
+class ParameterRecord:
+    """Writes a value as JSON from a thread of its own, so that a hung master holds up nobody for long.
+
+    JSON in ASCII, because XML-RPC carries neither control characters nor integers of 64 bits.
+    """
+
+    def __init__(self, parameter: str) -> None:
+        """Start the thread; nothing is written before the first `save`.
+
+        Args:
+            parameter: name of the parameter
+        """
+        self._parameter = parameter
+        self._changed = threading.Condition()
+        self._wanted: Optional[str] = None
+        self._written: Optional[str] = None
+        self._is_closing = False
+        self._thread = threading.Thread(target=self._write_on, name=f"record_{parameter}", daemon=True)
+        self._thread.start()
+
+    def load(self) -> object:
+        """The value that the last run left, None for none.
+
+        Raises:
+            ValueError: it is not JSON
+        """
+        return json.loads(str(rospy.get_param(self._parameter, "null")))
+
+    def save(self, value: object, *, timeout_s: float) -> bool:
+        """Have the value written; returns whether it was, within the time. The thread goes on trying."""
+        text = json.dumps(value)
+        end_s = time.monotonic() + timeout_s
+        with self._changed:
+            self._wanted = text
+            self._changed.notify_all()
+            while self._written != text:
+                remaining_s = end_s - time.monotonic()
+                if remaining_s <= 0.0:
+                    return False
+                self._changed.wait(remaining_s)
+        return True
+
+    def close(self, *, timeout_s: float) -> None:
+        """End the thread."""
+        with self._changed:
+            self._is_closing = True
+            self._changed.notify_all()
+        self._thread.join(timeout_s)
+
+    def _write_on(self) -> None:
+        while True:
+            with self._changed:
+                while self._wanted == self._written and not self._is_closing:
+                    self._changed.wait(_RETRY_S)
+                if self._is_closing:
+                    return
+                wanted = self._wanted
+            try:
+                rospy.set_param(self._parameter, wanted)
+            except Exception as error:  # boundary: the master may be away in any way that XML-RPC knows
+                rospy.logwarn_throttle(10.0, "%s cannot be kept: %s" % (self._parameter, error))
+                with self._changed:
+                    self._changed.wait(_RETRY_S)
+                continue
+            with self._changed:
+                self._written = wanted
+                self._changed.notify_all()

@@ -1,0 +1,201 @@
+"""Applies and restores settings of nodes through dynamic_reconfigure."""
+import threading
+from dataclasses import replace
+from typing import Callable, Dict, List, Optional, Sequence, Tuple, TypeVar
+
+import rospy
+from command_server.ros_record import ParameterRecord
+from dynamic_reconfigure.msg import BoolParameter, Config, DoubleParameter, IntParameter, StrParameter
+from dynamic_reconfigure.srv import Reconfigure
+
+from executor.settings import (
+    HeldSetting, Setting, SettingsError, Value, check_needs, differs, fit_value, from_record, read_needs, to_record,
+    unknown_setting)
+
+_RETRY_S = 2.0
+_SAVE_TIMEOUT_S = 0.5
+Answer = TypeVar("Answer")
+
+
+def _within(timeout_s: float, ask: Callable[[], Answer], what: str) -> Answer:
+    """Ask with a deadline, which neither services nor the master know in rospy.
+
+    Raises:
+        SettingsError: no answer in time, or the asking failed
+    """
+    answers: List[Answer] = []
+    faults: List[Exception] = []
+
+    def run() -> None:
+        try:
+            answers.append(ask())
+        except Exception as error:  # boundary: services and the master fail in many ways
+            faults.append(error)
+
+    thread = threading.Thread(target=run, name="ask_settings", daemon=True)
+    thread.start()
+    thread.join(timeout_s)
+    if faults:
+        raise SettingsError(f"{what}: {faults[0]}") from faults[0]
+    if not answers:
+        raise SettingsError(f"{what}: no answer within {timeout_s:g} s")
+    return answers[0]
+
+
+def _values(config: Config) -> Dict[str, Value]:
+    parameters = list(config.bools) + list(config.ints) + list(config.strs) + list(config.doubles)
+    return {parameter.name: parameter.value for parameter in parameters}
+
+
+def _config(values: Dict[str, Value]) -> Config:
+    config = Config()
+    for name, value in values.items():
+        if isinstance(value, bool):
+            config.bools.append(BoolParameter(name=name, value=value))
+        elif isinstance(value, int):
+            config.ints.append(IntParameter(name=name, value=value))
+        elif isinstance(value, float):
+            config.doubles.append(DoubleParameter(name=name, value=value))
+        else:
+            config.strs.append(StrParameter(name=name, value=value))
+    return config
+
+
+class SettingsKeeper:
+    """Applies the settings that servers need and brings the former values back.
+
+    What a server needs stands in the parameter ``<server>/required_settings``: a mapping of node to a mapping of setting to
+    value. The former values are kept in a private parameter, so that an executor that was killed restores them when it is
+    started again. A node that is away keeps its former values waiting until it is back.
+    """
+
+    def __init__(self, *, timeout_s: float, parameter: str = "~applied_settings") -> None:
+        """Start with nothing applied.
+
+        Args:
+            timeout_s: how long a node, or the master, may take to answer
+            parameter: where the former values are kept
+        """
+        self._timeout_s = timeout_s
+        self._record = ParameterRecord(parameter)
+        self._lock = threading.Lock()
+        self._held: Dict[Tuple[str, str], HeldSetting] = {}
+        self._left_over: List[Setting] = []
+        self._is_closing = threading.Event()
+        self._thread = threading.Thread(target=self._restore_left_over, name="settings_keeper", daemon=True)
+
+    def start(self) -> None:
+        """Begin to restore what the last run left."""
+        try:
+            with self._lock:
+                self._left_over = list(from_record(self._record.load()))
+        except ValueError as error:
+            rospy.logwarn("settings of the last run are not restored: %s", error)
+        self._thread.start()
+
+    def close(self, *, timeout_s: float) -> None:
+        """End the threads."""
+        self._is_closing.set()
+        self._thread.join(timeout_s)
+        self._record.close(timeout_s=timeout_s)
+
+    def apply(self, server: str, *, owner: str) -> None:
+        """Apply what a server needs.
+
+        Args:
+            server: its name
+            owner: the step, for `restore`
+
+        Raises:
+            SettingsError: not possible; nothing stays applied
+        """
+        found = _within(self._timeout_s, lambda: rospy.get_param(f"{server}/required_settings", None),
+                        f"settings of {server}")
+        needs = [replace(setting, node=rospy.resolve_name(setting.node))
+                 for setting in read_needs(found, server=server)]
+        if not needs:
+            return
+        with self._lock:
+            try:
+                check_needs(needs, self._held)
+                for node in sorted({setting.node for setting in needs}):
+                    self._apply_to_node(node, [setting for setting in needs if setting.node == node], owner)
+            except SettingsError:
+                self._restore(owner)
+                raise
+
+    def restore(self, *, owner: str) -> None:
+        """Bring back the former values of what nobody needs any more; never raises."""
+        with self._lock:
+            self._restore(owner)
+
+    def _apply_to_node(self, node: str, needs: Sequence[Setting], owner: str) -> None:
+        current = self._reconfigure(node, {})
+        wanted: Dict[str, Value] = {}
+        waiting = {setting.place: setting for setting in self._left_over}
+        for setting in needs:
+            if setting.name not in current:
+                raise unknown_setting(setting, list(current))
+            wanted[setting.name] = fit_value(setting, current[setting.name])
+            known = self._held.get(setting.place)
+            # A value that still waits to be restored is what the setting was before anybody changed it.
+            former = waiting[setting.place].value if setting.place in waiting else current[setting.name]
+            self._held[setting.place] = HeldSetting(setting=setting, former=former, owners=(owner,)) if (
+                known is None) else replace(known, owners=known.owners + (owner,))
+        self._left_over = [setting for setting in self._left_over if setting.place not in self._held]
+        # First the record, then the change: a kill in between restores what has not changed.
+        self._save()
+        after = self._reconfigure(node, wanted)
+        for name, value in wanted.items():
+            if differs(value, after.get(name)):
+                raise SettingsError(f"{node} took {after.get(name)!r} for {name}, not {value!r}")
+        rospy.loginfo("settings of %s for %s: %s", node, owner, wanted)
+
+    def _restore(self, owner: str) -> None:
+        for place, entry in list(self._held.items()):
+            if owner not in entry.owners:
+                continue
+            owners = tuple(other for other in entry.owners if other != owner)
+            if owners:
+                self._held[place] = replace(entry, owners=owners)
+                continue
+            del self._held[place]
+            self._left_over.append(replace(entry.setting, value=entry.former))
+        self._restore_what_can_be()
+
+    def _restore_what_can_be(self) -> None:
+        if not self._left_over:
+            return
+        kept: List[Setting] = []
+        for node in sorted({setting.node for setting in self._left_over}):
+            mine = [setting for setting in self._left_over if setting.node == node]
+            try:
+                self._reconfigure(node, {setting.name: setting.value for setting in mine})
+                rospy.loginfo("settings of %s are restored: %s", node, {s.name: s.value for s in mine})
+            except SettingsError as error:
+                rospy.logwarn_throttle(10.0, "settings wait to be restored: %s" % error)
+                kept += mine
+        self._left_over = kept
+        self._save()
+
+    def _restore_left_over(self) -> None:
+        while not self._is_closing.is_set():
+            with self._lock:
+                self._restore_what_can_be()
+            self._is_closing.wait(_RETRY_S)
+
+    def _save(self) -> None:
+        record = to_record(self._held) + [
+            {"node": setting.node, "name": setting.name, "former": setting.value} for setting in self._left_over]
+        if not self._record.save(record, timeout_s=_SAVE_TIMEOUT_S):
+            rospy.logwarn("the master is slow to keep the settings")
+
+    def _reconfigure(self, node: str, values: Dict[str, Value]) -> Dict[str, Value]:
+        """Change settings of a node; returns all of them. No change, for no values, only reads."""
+        service = f"{node}/set_parameters"
+
+        def ask() -> Dict[str, Value]:
+            rospy.wait_for_service(service, timeout=self._timeout_s)
+            return _values(rospy.ServiceProxy(service, Reconfigure)(_config(values)).config)
+
+        return _within(self._timeout_s + 0.5, ask, node)

@@ -1,0 +1,55 @@
+"""Goals that must not outlive the executor."""
+import threading
+import time
+from typing import Optional, Sequence, Tuple
+
+import rospy
+from actionlib_msgs.msg import GoalID
+from command_server.ros_record import ParameterRecord
+
+_SAVE_TIMEOUT_S = 0.2
+_CONNECT_TIMEOUT_S = 5.0
+
+
+class RunningGoals:
+    """Keeps the goal that runs in a private parameter; an executor that is started again after a kill cancels it."""
+
+    def __init__(self, parameter: str = "~running_goals") -> None:
+        self._record = ParameterRecord(parameter)
+        self._thread: Optional[threading.Thread] = None
+
+    def start(self) -> None:
+        """Cancel, from a thread of its own, what the last run left."""
+        try:
+            left_over = [(str(entry["server"]), str(entry["goal_id"])) for entry in self._record.load() or ()]
+        except (ValueError, KeyError, TypeError) as error:
+            rospy.logwarn("goals of the last run are not cancelled: %s", error)
+            return
+        if left_over:
+            self._thread = threading.Thread(
+                target=self._cancel, args=(left_over,), name="cancel_left_over", daemon=True)
+            self._thread.start()
+
+    def note(self, server: str, goal_id: str) -> None:
+        """A goal was sent."""
+        self._record.save([{"server": server, "goal_id": goal_id}], timeout_s=_SAVE_TIMEOUT_S)
+
+    def clear(self) -> None:
+        """No goal runs any more."""
+        self._record.save([], timeout_s=_SAVE_TIMEOUT_S)
+
+    def close(self, *, timeout_s: float) -> None:
+        """End the threads."""
+        if self._thread is not None:
+            self._thread.join(timeout_s)
+        self._record.close(timeout_s=timeout_s)
+
+    def _cancel(self, left_over: Sequence[Tuple[str, str]]) -> None:
+        publishers = [(rospy.Publisher(f"{server}/cancel", GoalID, queue_size=10), server, goal_id)
+                      for server, goal_id in left_over]
+        end_s = time.monotonic() + _CONNECT_TIMEOUT_S
+        for publisher, server, goal_id in publishers:
+            while publisher.get_num_connections() == 0 and time.monotonic() < end_s:
+                time.sleep(0.05)
+            rospy.logwarn("%s still had a goal of the executor that was killed: cancelled", server)
+            publisher.publish(GoalID(id=goal_id))

@@ -1,0 +1,154 @@
+"""Settings that servers need while they work, such as the exposure of a camera.
+
+A setting belongs to a node that can be reconfigured. Before a step the settings of its server are applied, after it
+the former values come back.
+"""
+import math
+from dataclasses import dataclass
+from typing import Dict, List, Mapping, Optional, Sequence, Tuple, Union
+
+Value = Union[bool, int, float, str]
+
+
+class SettingsError(ValueError):
+    """Settings cannot be read, applied, or given to two steps at once; the text says which and why."""
+
+
+@dataclass(frozen=True)
+class Setting:
+    """A value for one setting of one node.
+
+    Attributes:
+        node: resolved name of the node
+        name: of the setting
+        value: what it is set to
+    """
+
+    node: str
+    name: str
+    value: Value
+
+    @property
+    def place(self) -> Tuple[str, str]:
+        """Node and name: what two values can be in conflict about."""
+        return self.node, self.name
+
+
+@dataclass(frozen=True)
+class HeldSetting:
+    """A setting that is applied now.
+
+    Attributes:
+        setting: what is applied
+        former: the value before; it comes back when the last owner is through
+        owners: the steps that need it
+    """
+
+    setting: Setting
+    former: Value
+    owners: Tuple[str, ...]
+
+
+def read_needs(found: object, *, server: str) -> Tuple[Setting, ...]:
+    """Read what a server says that it needs.
+
+    Args:
+        found: a mapping of node to a mapping of setting to value, as YAML gives it; None for no needs
+        server: its name, for the errors
+
+    Raises:
+        SettingsError: another shape, or a value that is no bool, finite number or string
+    """
+    if found is None:
+        return ()
+    if not isinstance(found, Mapping):
+        raise SettingsError(f"required_settings of {server}: expected a mapping of nodes, found {found!r}")
+    needs: List[Setting] = []
+    for node, values in found.items():
+        if not isinstance(values, Mapping):
+            raise SettingsError(f"required_settings of {server}, {node}: expected a mapping of settings, found {values!r}")
+        for name, value in values.items():
+            is_number = isinstance(value, (int, float)) and math.isfinite(value)
+            if not (isinstance(value, (bool, str)) or is_number):
+                raise SettingsError(
+                    f"required_settings of {server}, {node}, {name}: expected a value, found {value!r}")
+            needs.append(Setting(node=str(node), name=str(name), value=value))
+    return tuple(needs)
+
+
+def check_needs(needs: Sequence[Setting], held: Mapping[Tuple[str, str], HeldSetting]) -> None:
+    """See whether needs go together, and with what is applied already.
+
+    Args:
+        needs: of one step, with resolved names of nodes
+        held: what other steps have applied
+
+    Raises:
+        SettingsError: two values for one setting
+    """
+    wanted: Dict[Tuple[str, str], Value] = {}
+    for setting in needs:
+        if wanted.setdefault(setting.place, setting.value) != setting.value:
+            raise SettingsError(f"{setting.name} of {setting.node} is to be {wanted[setting.place]!r} "
+                                f"and {setting.value!r} at once")
+        other = held.get(setting.place)
+        if other is not None and other.setting.value != setting.value:
+            raise SettingsError(f"{setting.name} of {setting.node} is to be {setting.value!r}, but "
+                                f"{', '.join(other.owners)} needs {other.setting.value!r}")
+
+
+def fit_value(setting: Setting, current: Value) -> Value:
+    """The value in the type that the node has for it.
+
+    Raises:
+        SettingsError: it has no such value in that type, as "fast" for a number
+    """
+    value = setting.value
+    if isinstance(current, bool) or isinstance(value, bool):
+        fits = isinstance(current, bool) and isinstance(value, bool)
+        fitted: Value = value
+    elif isinstance(current, str) or isinstance(value, str):
+        fits = isinstance(current, str) and isinstance(value, str)
+        fitted = value
+    elif isinstance(current, int):
+        fits = float(value) == int(value)
+        fitted = int(value)
+    else:
+        fits, fitted = True, float(value)
+    if not fits:
+        raise SettingsError(
+            f"{setting.name} of {setting.node} takes {type(current).__name__}, found {setting.value!r}")
+    return fitted
+
+
+def to_record(held: Mapping[Tuple[str, str], HeldSetting]) -> List[Dict[str, Value]]:
+    """What must outlive the executor: the former values."""
+    return [{"node": entry.setting.node, "name": entry.setting.name, "former": entry.former}
+            for entry in held.values()]
+
+
+def from_record(found: object) -> Tuple[Setting, ...]:
+    """The former values that a record holds, as settings to apply.
+
+    Raises:
+        SettingsError: another shape
+    """
+    if found is None:
+        return ()
+    try:
+        return tuple(Setting(node=str(entry["node"]), name=str(entry["name"]), value=entry["former"])
+                     for entry in found)  # type: ignore[attr-defined]
+    except (KeyError, TypeError) as error:
+        raise SettingsError(f"the record of settings cannot be read: {error!r}") from error
+
+
+def unknown_setting(setting: Setting, known: Sequence[str]) -> SettingsError:
+    """The error for a setting that the node does not have."""
+    return SettingsError(f"{setting.node} has no setting {setting.name}; it has {', '.join(sorted(known)) or 'none'}")
+
+
+def differs(wanted: Value, found: Optional[Value]) -> bool:
+    """Whether the node took another value, as when it keeps to a range."""
+    if isinstance(wanted, float) and isinstance(found, float):
+        return not math.isclose(wanted, found, rel_tol=1e-9, abs_tol=1e-12)
+    return wanted != found
