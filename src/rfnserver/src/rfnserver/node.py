@@ -1,0 +1,50 @@
+"""The node ``ping``: answers "Ping." with the servers that are alive."""
+import threading
+from typing import Optional
+
+import rospy
+from roboframenet_msgs.msg import FilledSemanticFrame, FilledSemanticFrameResult, FrameCatalogue
+from std_msgs.msg import String
+
+from rfnserver.pinging import ping_sentence
+from rfnserver.rfnserver import RFNServer
+
+
+class PingServer:
+    """Tests whether the system is alive.
+
+    Actions:
+        pinging (roboframenet_msgs/FilledSemanticFrameAction)
+    Subscribes:
+        frame_catalogue (FrameCatalogue)
+    Publishes:
+        said (std_msgs/String, latched)
+    """
+
+    def __init__(self) -> None:
+        self._lock = threading.Lock()
+        self._catalogue: Optional[FrameCatalogue] = None
+        self._said = rospy.Publisher("said", String, queue_size=1, latch=True)
+        self._subscriber = rospy.Subscriber("frame_catalogue", FrameCatalogue, self._on_catalogue, queue_size=1)
+        self._server = RFNServer("pinging", self._on_frame)
+        self._server.register_with_frame("pinging")
+        self._server.start()
+
+    def _on_catalogue(self, message: FrameCatalogue) -> None:
+        with self._lock:
+            self._catalogue = message
+
+    def _on_frame(self, _frame: FilledSemanticFrame) -> None:
+        with self._lock:
+            callbacks = self._catalogue.callbacks if self._catalogue else []
+        sentence = ping_sentence((each.frame_name, each.callback_topic, each.is_alive) for each in callbacks)
+        rospy.loginfo(sentence)
+        self._said.publish(String(data=sentence))
+        self._server.set_succeeded(FilledSemanticFrameResult(success=True), sentence)
+
+
+def main() -> None:
+    """Run the node."""
+    rospy.init_node("ping")
+    PingServer()
+    rospy.spin()

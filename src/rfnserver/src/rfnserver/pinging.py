@@ -1,0 +1,17 @@
+"""What the robot says to "Ping."."""
+from typing import Iterable, Tuple
+
+
+def ping_sentence(callbacks: Iterable[Tuple[str, str, bool]]) -> str:
+    """Say that the robot is alive, and who is.
+
+    Args:
+        callbacks: frame name, action server, and whether the server is alive
+    Returns:
+        a sentence for a person
+    """
+    known = list(callbacks)
+    alive = sorted({server for _, server, is_alive in known if is_alive})
+    dead = sorted({server for _, server, is_alive in known if not is_alive} - set(alive))
+    sentence = f"I am alive, with {len(alive)} server{'' if len(alive) == 1 else 's'}: {', '.join(alive) or 'none'}."
+    return sentence + (f" Not there: {', '.join(dead)}." if dead else "")

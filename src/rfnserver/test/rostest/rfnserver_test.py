@@ -1,0 +1,150 @@
+#!/usr/bin/python3
+"""RFNServer against a registrar that lives in the test: goals, preemption, registration."""
+import threading
+import time
+import unittest
+from typing import Any, Callable, List
+
+import actionlib
+import rospy
+from actionlib_msgs.msg import GoalStatus, GoalStatusArray
+from roboframenet_msgs.msg import (FilledFrameElement, FilledSemanticFrame, FilledSemanticFrameAction, FilledSemanticFrameGoal,
+                                   FrameCallback, FrameCatalogue)
+from roboframenet_msgs.srv import RegisterWithFrame, RegisterWithFrameRequest, RegisterWithFrameResponse
+
+from rfnserver import RFNServer
+
+
+def wait_until(condition: Callable[[], bool], timeout_s: float = 20.0) -> bool:
+    """Wait for a condition; return whether it came true in time."""
+    end = time.monotonic() + timeout_s
+    while time.monotonic() < end:
+        if condition():
+            return True
+        time.sleep(0.01)
+    return condition()
+
+
+class Goal:
+    """A goal sent to a server, and what came of it."""
+
+    def __init__(self, name: str, frame: FilledSemanticFrame) -> None:
+        self.client = actionlib.ActionClient(name, FilledSemanticFrameAction)
+        assert self.client.wait_for_server(rospy.Duration(20.0)), f"no server {name}"
+        self.handle = self.client.send_goal(FilledSemanticFrameGoal(frame=frame))
+
+    def wait(self) -> int:
+        """Wait for the end; return the status."""
+        assert wait_until(lambda: self.handle.get_comm_state() == actionlib.CommState.DONE), "the goal does not end"
+        return self.handle.get_goal_status()
+
+
+class Registrar:
+    """Just enough of a registrar: the service and the latched catalogue."""
+
+    def __init__(self, registrar_id: str) -> None:
+        self.requests: List[RegisterWithFrameRequest] = []
+        self._id = registrar_id
+        self._publisher = rospy.Publisher("frame_catalogue", FrameCatalogue, queue_size=1, latch=True)
+        self._service = rospy.Service("register_with_frame", RegisterWithFrame, self._on_register)
+        self._publish()
+
+    def _publish(self) -> None:
+        self._publisher.publish(FrameCatalogue(registrar_id=self._id, callbacks=[
+            FrameCallback(frame_name=request.frame_name, callback_topic=request.callback_topic, is_alive=True)
+            for request in self.requests]))
+
+    def _on_register(self, request: RegisterWithFrameRequest) -> RegisterWithFrameResponse:
+        if request.frame_name == "forbidden":
+            return RegisterWithFrameResponse(success=False, error=["not this one"])
+        self.requests.append(request)
+        self._publish()
+        return RegisterWithFrameResponse(success=True)
+
+    def close(self) -> None:
+        """Be gone."""
+        self._service.shutdown("test")
+        self._publisher.unregister()
+
+
+class RFNServerTest(unittest.TestCase):
+    """One behaviour in each method."""
+
+    def serve(self, name: str, callback: Callable[[Any], Any]) -> RFNServer:
+        server = RFNServer(name, callback)
+        server.start()
+        return server
+
+    def test_callback_gets_the_filled_frame_and_the_goal_succeeds(self) -> None:
+        seen: List[FilledSemanticFrame] = []
+        self.serve("seeing", seen.append)
+        frame = FilledSemanticFrame(name="seeing", frame_elements=[FilledFrameElement("what", "the door")])
+        goal = Goal("seeing", frame)
+        self.assertEqual(goal.wait(), GoalStatus.SUCCEEDED)
+        self.assertTrue(goal.handle.get_result().success)
+        self.assertEqual(seen, [frame])
+
+    def test_exception_aborts_with_its_reason(self) -> None:
+        def fall_over(_frame: FilledSemanticFrame) -> None:
+            raise RuntimeError("no legs")
+        self.serve("falling", fall_over)
+        goal = Goal("falling", FilledSemanticFrame())
+        self.assertEqual(goal.wait(), GoalStatus.ABORTED)
+        self.assertIn("no legs", goal.handle.get_goal_status_text())
+
+    def test_callback_may_abort_with_a_text(self) -> None:
+        server = self.serve("refusing", lambda _frame: server.set_aborted(None, "I would rather not"))
+        goal = Goal("refusing", FilledSemanticFrame())
+        self.assertEqual(goal.wait(), GoalStatus.ABORTED)
+        self.assertEqual(goal.handle.get_goal_status_text(), "I would rather not")
+
+    def test_cancelled_goal_is_preempted(self) -> None:
+        asked = threading.Event()
+        server = self.serve("dreaming", lambda _frame: asked.wait(20.0))
+        server.register_preempt_callback(asked.set)
+        goal = Goal("dreaming", FilledSemanticFrame())
+        self.assertTrue(wait_until(server.is_active))
+        goal.handle.cancel()
+        self.assertEqual(goal.wait(), GoalStatus.PREEMPTED)
+        self.assertFalse(goal.handle.get_result().success)
+
+    def test_goals_back_to_back_lose_no_wake_up(self) -> None:
+        self.serve("counting", lambda _frame: None)
+        for _ in range(100):
+            self.assertEqual(Goal("counting", FilledSemanticFrame()).wait(), GoalStatus.SUCCEEDED)
+
+    def test_idle_server_is_silent_and_still_found(self) -> None:
+        self.serve("sleeping", lambda _frame: None)
+        statuses: List[GoalStatusArray] = []
+        subscriber = rospy.Subscriber("sleeping/status", GoalStatusArray, statuses.append)
+        self.assertTrue(wait_until(lambda: len(statuses) == 1))
+        time.sleep(1.0)
+        self.assertEqual(len(statuses), 1)
+        subscriber.unregister()
+
+    def test_registers_again_with_a_registrar_that_restarted(self) -> None:
+        server = RFNServer("returning", lambda _frame: None)
+        first = Registrar("first")
+        self.assertTrue(server.register_with_frame("coming_back"))
+        self.assertEqual([request.callback_topic for request in first.requests], ["returning"])
+        first.close()
+        second = Registrar("second")
+        try:
+            self.assertTrue(wait_until(lambda: [request.frame_name for request in second.requests] == ["coming_back"]))
+        finally:
+            second.close()
+
+    def test_refusal_is_false_with_the_reason(self) -> None:
+        registrar = Registrar("third")
+        try:
+            server = RFNServer("intruding", lambda _frame: None)
+            self.assertFalse(server.register_with_frame("forbidden"))
+            self.assertEqual(server.last_error, "not this one")
+        finally:
+            registrar.close()
+
+
+if __name__ == "__main__":
+    import rostest
+    rospy.init_node("rfnserver_test")
+    rostest.rosrun("rfnserver", "rfnserver", RFNServerTest)
