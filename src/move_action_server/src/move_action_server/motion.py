@@ -87,7 +87,7 @@ class MotionSettings:
     straight: MotionProfile = MotionProfile(
         max_amount=20.0, speed_per_s=0.3, acceleration_per_s2=0.5, creep_per_s=0.02, tolerance=0.002)
     turn: MotionProfile = MotionProfile(
-        max_amount=4.0 * math.pi, speed_per_s=1.0, acceleration_per_s2=1.5, creep_per_s=0.06, tolerance=0.003)
+        max_amount=20.0 * math.pi, speed_per_s=1.0, acceleration_per_s2=1.5, creep_per_s=0.06, tolerance=0.003)
     aim_share: float = 0.005
     """The base stops when it is within this share of the amount."""
     accept_share: float = 0.02
@@ -116,8 +116,8 @@ class MotionSettings:
 def describe_amount(goal: MotionGoal) -> str:
     """Say an amount in words for a person."""
     if goal.kind is MotionKind.STRAIGHT:
-        return "%.3g m" % goal.amount
-    return "%.3g rad (%.3g degrees)" % (goal.amount, math.degrees(goal.amount))
+        return "%.4g m" % goal.amount
+    return "%.4g rad (%.4g degrees)" % (goal.amount, math.degrees(goal.amount))
 
 
 def check_goal(goal: MotionGoal, *, settings: MotionSettings) -> Optional[str]:

@@ -170,7 +170,7 @@ def test_final_state_is_kept():
 @pytest.mark.parametrize("kind,amount,words", [
     (MotionKind.STRAIGHT, 3000.0, "more than the limit of 20 m"), (MotionKind.STRAIGHT, -21.0, "-21 m"),
     (MotionKind.TURN, math.inf, "finite"), (MotionKind.TURN, math.nan, "finite"),
-    (MotionKind.TURN, 13.0, "limit of 12.6 rad (720 degrees)")])
+    (MotionKind.TURN, 63.0, "limit of 62.83 rad (3600 degrees)")])
 def test_goals_beyond_the_limits_are_refused(kind, amount, words):
     goal = MotionGoal(kind=kind, amount=amount)
     assert words in check_goal(goal, settings=SETTINGS)
@@ -178,7 +178,7 @@ def test_goals_beyond_the_limits_are_refused(kind, amount, words):
         Motion(goal, settings=SETTINGS, start=OdometrySample(0, 0, 0, 0), now_s=0.0)
 
 
-@pytest.mark.parametrize("kind,amount", [(MotionKind.STRAIGHT, 20.0), (MotionKind.TURN, -4 * math.pi)])
+@pytest.mark.parametrize("kind,amount", [(MotionKind.STRAIGHT, 20.0), (MotionKind.TURN, math.radians(-3600.0))])
 def test_goals_at_the_limits_pass(kind, amount):
     assert check_goal(MotionGoal(kind=kind, amount=amount), settings=SETTINGS) is None
 

@@ -1,0 +1,267 @@
+"""The node move_action_server: three RFNServers that move and turn one base."""
+import enum
+import math
+import threading
+import time
+from dataclasses import dataclass
+from typing import Callable, Dict, Mapping, Optional, Tuple
+
+import rospy
+from geometry_msgs.msg import Twist
+from nav_msgs.msg import Odometry
+from roboframenet_msgs.msg import FilledSemanticFrame, FilledSemanticFrameFeedback, FilledSemanticFrameResult
+
+from move_action_server.base_claim import BaseClaim, BaseClaims
+from move_action_server.motion import (
+    STANDING, Motion, MotionCommand, MotionGoal, MotionProfile, MotionSettings, MotionState, OdometrySample, check_goal,
+    describe_amount)
+from move_action_server.spoken_motion import NotUnderstood, backward_goal, forward_goal, turn_goal
+from rfnserver import RFNServer
+
+GOAL_OF_FRAME = {"moving_forward": forward_goal, "moving_backward": backward_goal, "turning": turn_goal}
+"""Reads the arguments of each frame that is served."""
+
+
+@dataclass(frozen=True)
+class Settings:
+    """Parameters of the node.
+
+    Raises:
+        ValueError: a time that is out of range
+    """
+
+    motion: MotionSettings
+    claim_timeout_s: float
+    feedback_period_s: float
+
+    def __post_init__(self) -> None:
+        for name in ("claim_timeout_s", "feedback_period_s"):
+            value = getattr(self, name)
+            if not (isinstance(value, (int, float)) and math.isfinite(value) and 0.05 <= value <= 60.0):
+                raise ValueError("~%s must be 0.05 to 60 s, got %r" % (name, value))
+
+
+def read_settings() -> Settings:
+    """Read the private parameters."""
+    defaults = MotionSettings()
+    straight, turn = defaults.straight, defaults.turn
+    return Settings(
+        motion=MotionSettings(
+            straight=MotionProfile(
+                max_amount=rospy.get_param("~max_distance_m", straight.max_amount),
+                speed_per_s=rospy.get_param("~linear_speed_m_per_s", straight.speed_per_s),
+                acceleration_per_s2=rospy.get_param("~linear_acceleration_m_per_s2", straight.acceleration_per_s2),
+                creep_per_s=rospy.get_param("~linear_creep_m_per_s", straight.creep_per_s),
+                tolerance=rospy.get_param("~distance_tolerance_m", straight.tolerance)),
+            turn=MotionProfile(
+                max_amount=rospy.get_param("~max_angle_rad", turn.max_amount),
+                speed_per_s=rospy.get_param("~angular_speed_rad_per_s", turn.speed_per_s),
+                acceleration_per_s2=rospy.get_param("~angular_acceleration_rad_per_s2", turn.acceleration_per_s2),
+                creep_per_s=rospy.get_param("~angular_creep_rad_per_s", turn.creep_per_s),
+                tolerance=rospy.get_param("~angle_tolerance_rad", turn.tolerance)),
+            aim_share=rospy.get_param("~aim_share", defaults.aim_share),
+            accept_share=rospy.get_param("~accept_share", defaults.accept_share),
+            odometry_timeout_s=rospy.get_param("~odometry_timeout_s", defaults.odometry_timeout_s),
+            stall_timeout_s=rospy.get_param("~stall_timeout_s", defaults.stall_timeout_s)),
+        claim_timeout_s=rospy.get_param("~claim_timeout_s", 2.0),
+        feedback_period_s=rospy.get_param("~feedback_period_s", 0.5))
+
+
+def sample_of(message: Odometry) -> OdometrySample:
+    """Read an odometry message; an orientation that is no rotation makes a sample that is not finite."""
+    rotation = message.pose.pose.orientation
+    length = math.sqrt(rotation.x ** 2 + rotation.y ** 2 + rotation.z ** 2 + rotation.w ** 2)
+    yaw_rad = math.nan
+    if 0.5 < length < 2.0:
+        yaw_rad = math.atan2(2.0 * (rotation.w * rotation.z + rotation.x * rotation.y),
+                             rotation.w ** 2 + rotation.x ** 2 - rotation.y ** 2 - rotation.z ** 2)
+    position = message.pose.pose.position
+    return OdometrySample(stamp_s=message.header.stamp.to_sec(), x_m=position.x, y_m=position.y, yaw_rad=yaw_rad)
+
+
+class LatestOdometry:
+    """The newest usable odometry sample; wakes whoever waits for the next one. Subscribes ``odom`` (nav_msgs/Odometry)."""
+
+    def __init__(self) -> None:
+        self._condition = threading.Condition()
+        self._sample: Optional[OdometrySample] = None
+        self._count = 0
+        self._subscriber = rospy.Subscriber("odom", Odometry, self._take, queue_size=1, tcp_nodelay=True)
+
+    @property
+    def topic(self) -> str:
+        """Resolved name of the topic."""
+        return self._subscriber.resolved_name
+
+    def _take(self, message: Odometry) -> None:
+        sample = sample_of(message)
+        if not sample.is_finite():
+            rospy.logerr_throttle(1.0, "odometry with numbers that are not finite on %s", self.topic)
+            return
+        with self._condition:
+            self._sample = sample
+            self._count += 1
+            self._condition.notify_all()
+
+    @property
+    def count(self) -> int:
+        """How many usable samples have come."""
+        with self._condition:
+            return self._count
+
+    def wake(self) -> None:
+        """Let whoever waits look round."""
+        with self._condition:
+            self._condition.notify_all()
+
+    def wait_newer(self, *, than: int, timeout_s: float) -> Tuple[Optional[OdometrySample], int]:
+        """Wait for a sample that came after the ``than``-th one, or to be woken.
+
+        Returns:
+            the sample, or None if none is newer; and the count of samples so far
+        """
+        with self._condition:
+            if self._count <= than:
+                self._condition.wait(timeout_s)
+            return (self._sample if self._count > than else None), self._count
+
+
+class Outcome(enum.Enum):
+    """How a goal ends."""
+
+    SUCCEEDED = "done"
+    ABORTED = "aborted"
+    PREEMPTED = "preempted"
+
+
+@dataclass(frozen=True)
+class Ending:
+    """The end of a goal, with the reason in words."""
+
+    outcome: Outcome
+    text: str
+
+
+class MoveActionServer:
+    """Moves and turns a base.
+
+    Subscribes:
+        ``odom`` (nav_msgs/Odometry)
+    Publishes:
+        ``cmd_vel`` (geometry_msgs/Twist), only while a goal is active, and zero at its end
+    Actions:
+        ``moving_forward``, ``moving_backward``, ``turning`` (roboframenet_msgs/FilledSemanticFrameAction)
+
+    There is one base, so there is one motion at a time: a newer goal of any of the three servers preempts the older.
+    """
+
+    WAIT_S = 0.05
+
+    def __init__(self, settings: Settings) -> None:
+        self._settings = settings
+        self._claims = BaseClaims()
+        self._odometry = LatestOdometry()
+        self._velocity = rospy.Publisher("cmd_vel", Twist, queue_size=1, tcp_nodelay=True)
+        rospy.on_shutdown(self._shut_down)
+        self._servers: Dict[str, RFNServer] = {}
+        for frame_name, goal_of in GOAL_OF_FRAME.items():
+            server = RFNServer(frame_name, self._callback(frame_name, goal_of))
+            server.register_preempt_callback(self._odometry.wake)
+            self._servers[frame_name] = server
+
+    def start(self) -> None:
+        """Offer the three servers, and register them with their frames."""
+        for frame_name, server in self._servers.items():
+            server.register_with_frame(frame_name)
+            server.start()
+
+    def _shut_down(self) -> None:
+        self._publish(STANDING)
+        self._odometry.wake()
+
+    def _publish(self, command: MotionCommand) -> None:
+        message = Twist()
+        message.linear.x = command.linear_m_per_s
+        message.angular.z = command.angular_rad_per_s
+        try:
+            self._velocity.publish(message)
+        except rospy.ROSException:
+            # The topic is closed at shutdown, after on_shutdown has published zero.
+            if not rospy.is_shutdown():
+                raise
+
+    def _callback(self, frame_name: str, goal_of: Callable[[Mapping[str, str]], MotionGoal]
+                  ) -> Callable[[FilledSemanticFrame], None]:
+        def execute(frame: FilledSemanticFrame) -> None:
+            server = self._servers[frame_name]
+            ending = self._run(server, goal_of, {element.name: element.argument for element in frame.frame_elements})
+            rospy.loginfo("%s %s: %s", frame_name, ending.outcome.value, ending.text)
+            end = {Outcome.SUCCEEDED: server.set_succeeded, Outcome.ABORTED: server.set_aborted,
+                   Outcome.PREEMPTED: server.set_preempted}[ending.outcome]
+            end(FilledSemanticFrameResult(success=ending.outcome is Outcome.SUCCEEDED), ending.text)
+        return execute
+
+    def _run(self, server: RFNServer, goal_of: Callable[[Mapping[str, str]], MotionGoal],
+             arguments: Mapping[str, str]) -> Ending:
+        try:
+            goal = goal_of(arguments)
+        except NotUnderstood as error:
+            return Ending(Outcome.ABORTED, str(error))
+        reason = check_goal(goal, settings=self._settings.motion)
+        if reason:
+            return Ending(Outcome.ABORTED, reason)
+        return self._drive(server, goal)
+
+    def _drive(self, server: RFNServer, goal: MotionGoal) -> Ending:
+        """Take the base, move it, stop it, and give it back."""
+        claim = self._claims.claim(timeout_s=self._settings.claim_timeout_s, is_cancelled=server.is_preempt_requested)
+        if claim is None:
+            if server.is_preempt_requested():
+                return Ending(Outcome.PREEMPTED, "cancelled before the base was free")
+            return Ending(Outcome.ABORTED, "the base is busy with another motion")
+        try:
+            return self._follow(server, goal, claim=claim)
+        finally:
+            self._publish(STANDING)
+            claim.release()
+
+    def _follow(self, server: RFNServer, goal: MotionGoal, *, claim: BaseClaim) -> Ending:
+        """Move the base until the motion ends. The caller stops the base."""
+        motion_settings = self._settings.motion
+        start, count = self._odometry.wait_newer(than=self._odometry.count, timeout_s=motion_settings.odometry_timeout_s)
+        if start is None:
+            if server.is_preempt_requested():
+                return Ending(Outcome.PREEMPTED, "cancelled before the first odometry")
+            return Ending(Outcome.ABORTED, "no odometry on %s" % self._odometry.topic)
+        motion = Motion(goal, settings=motion_settings, start=start, now_s=time.monotonic())
+        rospy.loginfo("%s: %s", goal.kind.value, describe_amount(goal))
+        feedback_s = -math.inf
+        while not rospy.is_shutdown():
+            if server.is_preempt_requested():
+                return Ending(Outcome.PREEMPTED, "cancelled")
+            if claim.is_revoked:
+                return Ending(Outcome.PREEMPTED, "another motion takes the base")
+            now_s = time.monotonic()
+            step = motion.step(now_s=now_s)
+            self._publish(step.command)
+            if step.state is MotionState.ARRIVED:
+                done = MotionGoal(kind=goal.kind, amount=motion.progress)
+                return Ending(Outcome.SUCCEEDED, "%s by odometry" % describe_amount(done))
+            if step.state is MotionState.FAILED:
+                return Ending(Outcome.ABORTED, step.reason)
+            if now_s - feedback_s >= self._settings.feedback_period_s:
+                feedback_s = now_s
+                server.publish_feedback(FilledSemanticFrameFeedback(is_succeeding=True))
+            sample, count = self._odometry.wait_newer(than=count, timeout_s=self.WAIT_S)
+            if sample is not None:
+                motion.observe(sample, now_s=time.monotonic())
+        return Ending(Outcome.ABORTED, "the node is shut down")
+
+
+def main() -> None:
+    """Run the node until it is shut down."""
+    rospy.init_node("move_action_server")
+    settings = read_settings()
+    rospy.loginfo("%s", settings)
+    MoveActionServer(settings).start()
+    rospy.spin()
