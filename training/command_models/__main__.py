@@ -1,12 +1,12 @@
-"""Command line: build, pack, score, huric, generate.  ``python -m command_models build --help``."""
+"""Command line: build, pack, score, card, huric, generate.  ``python -m command_models build --help``."""
 
 import argparse
 import json
 import sys
 from pathlib import Path
-from typing import List, Optional
+from typing import Dict, List, Optional
 
-from . import building, generate, huric, lexicon, mining, scoring, trainers
+from . import building, card, generate, huric, lexicon, mining, scoring, trainers
 from .conllu import write
 from .errors import TrainingError
 from .pipeline import Parser
@@ -37,11 +37,15 @@ def _arguments() -> argparse.ArgumentParser:
     score.add_argument("--held-out", type=int, default=1000, help="held-out command sentences, 0 for none")
     score.add_argument("--seed", type=int, default=20261)
     score.add_argument("--show", type=int, default=0, help="failures to print")
+    score.add_argument("--huric", type=Path, help="folder of HuRIC 2.1 with *.hrc below")
     score.add_argument("--json", type=Path, help="write the figures there")
     against = commands.add_parser("huric", help="HuRIC's gold trees")
     against.add_argument("--model", type=Path, required=True)
     against.add_argument("--data", type=Path, required=True, help="folder of HuRIC 2.1 with *.hrc below")
     against.add_argument("--show", type=int, default=0, help="failures to print")
+    carded = commands.add_parser("card", help="put the figures of 'score --json' into a model card")
+    carded.add_argument("--figures", type=Path, required=True)
+    carded.add_argument("--model", type=Path, required=True, help="folder with manifest.json and MODEL_CARD.md")
     made = commands.add_parser("generate", help="write generated sentences as CoNLL-U")
     made.add_argument("--count", type=int, default=1000)
     made.add_argument("--seed", type=int, default=20261)
@@ -71,36 +75,34 @@ def _build(options: argparse.Namespace) -> None:
 
 
 def _score(options: argparse.Namespace) -> None:
-    figures = {}
+    figures: Dict[str, Dict[str, float]] = {}
     if options.ewt:
         test = options.ewt / "en_ewt-test.conllu"
-        figures["ewt test, gold words"] = scoring.on_gold_words(options.model, test)
-        figures["ewt test, raw text"] = scoring.on_raw_text(options.model, test)
-        for title, found in figures.items():
-            print(title + ": " + ", ".join("%s %.2f" % pair for pair in found.items()))
+        figures[card.GOLD] = scoring.on_gold_words(options.model, test)
+        figures[card.RAW] = scoring.on_raw_text(options.model, test)
     if options.held_out:
         sentences = list(generate.evaluation(options.held_out, options.seed))
         commands = scoring.on_commands(options.model, sentences)
-        print("held-out commands: " + "; ".join(commands.lines()))
+        figures["generated commands over held-out words (%d), percent" % options.held_out] = commands.percent()
         for failure in commands.failures[: options.show]:
             print("  " + failure)
         median, high = scoring.latency(options.model, [sentence.text() for sentence in sentences[:200]])
-        print("latency per command: median %.1f ms, 95th percentile %.1f ms" % (median, high))
-        figures["held-out commands"] = {
-            "trees": 100.0 * commands.trees / commands.sentences,
-            "roots": 100.0 * commands.roots / commands.sentences,
-            "UPOS": 100.0 * commands.tags / commands.words,
-            "UAS": 100.0 * commands.heads / commands.words,
-            "LAS": 100.0 * commands.labelled / commands.words,
-        }
+        figures["milliseconds per command, one thread"] = {"median": median, "95th percentile": high}
+    if options.huric:
+        figures["HuRIC commands with their gold words, percent"] = _on_huric(options.model, options.huric).percent()
+    for title, found in figures.items():
+        print(title + ": " + ", ".join("%s %.2f" % pair for pair in found.items()))
     if options.json:
         options.json.write_text(json.dumps(figures, indent=1) + "\n", encoding="utf-8")
 
 
+def _on_huric(model: Path, data: Path) -> huric.Score:
+    commands = huric.read_folder(data)
+    return huric.score(commands, Parser(model, pretokenized=True).words([command.tokens for command in commands]))
+
+
 def _huric(options: argparse.Namespace) -> None:
-    commands = huric.read_folder(options.data)
-    parsed = Parser(options.model, pretokenized=True).words([command.tokens for command in commands])
-    found = huric.score(commands, parsed)
+    found = _on_huric(options.model, options.data)
     for line in found.lines() + ["  " + failure for failure in found.failures[: options.show]]:
         print(line)
 
@@ -124,6 +126,8 @@ def main(arguments: Optional[List[str]] = None) -> int:
             building.pack_plan(options.work, options.out)
         elif options.action == "score":
             _score(options)
+        elif options.action == "card":
+            card.update(options.model / "MODEL_CARD.md", options.figures, options.model / "manifest.json")
         elif options.action == "huric":
             _huric(options)
         else:

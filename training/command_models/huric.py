@@ -144,6 +144,13 @@ class Score:
     attached: int
     failures: Tuple[str, ...]
 
+    def percent(self) -> Dict[str, float]:
+        """Figures for the model card."""
+        return {
+            "predicate right (of %d)" % self.commands: 100.0 * self.predicates / max(1, self.commands),
+            "arguments attached right (of %d)" % self.arguments: 100.0 * self.attached / max(1, self.arguments),
+        }
+
     def lines(self) -> List[str]:
         """The score as a person reads it."""
         return [

@@ -81,15 +81,17 @@ class Commands:
     labelled: int
     failures: Tuple[str, ...]
 
-    def lines(self) -> List[str]:
-        """The figures in percent, as a person reads them."""
+    def percent(self) -> Dict[str, float]:
+        """Figures for the model card."""
         part = 100.0 / max(1, self.sentences)
         word = 100.0 / max(1, self.words)
-        return [
-            "whole tree right: %.1f %% of %d" % (part * self.trees, self.sentences),
-            "root right: %.1f %%" % (part * self.roots),
-            "UPOS %.1f, UAS %.1f, LAS %.1f" % (word * self.tags, word * self.heads, word * self.labelled),
-        ]
+        return {
+            "whole tree right": part * self.trees,
+            "root right": part * self.roots,
+            "UPOS": word * self.tags,
+            "UAS": word * self.heads,
+            "LAS": word * self.labelled,
+        }
 
 
 def on_commands(model: Path, gold: Iterable[Sentence]) -> Commands:
