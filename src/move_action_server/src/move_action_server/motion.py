@@ -171,6 +171,8 @@ class Motion:
 
     STAND_WINDOW_S = 0.2
     MAX_CORRECTIONS = 6
+    JUMP = 0.3
+    """A sample this far (metres, radians) beyond three times the top speed is no motion: odometry was reset."""
     HEADING_GAIN_PER_S = 1.5
     MAX_HEADING_RATE_RAD_PER_S = 0.3
     REACTION_S = 0.06
@@ -222,6 +224,12 @@ class Motion:
         if not 0.0 < passed_s <= self._settings.odometry_timeout_s:
             # A clock that stands or jumps (a simulation that was started again): the time of arrival has to do.
             passed_s = max(0.0, now_s - self._sample_s)
+        limit_m, limit_rad = (self.JUMP + 3.0 * profile.speed_per_s * passed_s
+                              for profile in (self._settings.straight, self._settings.turn))
+        if (math.hypot(sample.x_m - self._last.x_m, sample.y_m - self._last.y_m) > limit_m
+                or abs(wrap(sample.yaw_rad - self._last.yaw_rad)) > limit_rad):
+            self._fail("odometry has jumped: nobody knows how far the base has gone")
+            return
         self._elapsed_s += passed_s
         self._turned_rad += wrap(sample.yaw_rad - self._last.yaw_rad)
         self._last = sample

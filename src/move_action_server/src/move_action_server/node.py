@@ -156,6 +156,7 @@ class MoveActionServer:
     """
 
     WAIT_S = 0.05
+    FLUSH_S = 0.1
 
     def __init__(self, settings: Settings) -> None:
         self._settings = settings
@@ -176,8 +177,12 @@ class MoveActionServer:
             server.start()
 
     def _shut_down(self) -> None:
-        self._publish(STANDING)
         self._odometry.wake()
+        # The base is given back after its driver has stopped it, and nobody drives after the claim made here.
+        self._claims.claim(timeout_s=self._settings.claim_timeout_s)
+        self._publish(STANDING)
+        # A thread of the publisher sends what is queued; the topics close when this returns.
+        time.sleep(self.FLUSH_S)
 
     def _publish(self, command: MotionCommand) -> None:
         message = Twist()

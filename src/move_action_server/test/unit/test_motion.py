@@ -159,6 +159,15 @@ def test_samples_that_are_not_finite_count_as_none():
     assert "odometry is lost" in rig.last.reason
 
 
+@pytest.mark.parametrize("pose", [Pose(5.0, 0.0, 3.0), Pose(0.0, 0.0, 1.0)])
+def test_odometry_that_is_reset_fails(pose):
+    rig = Rig(MotionKind.STRAIGHT, 3.0)
+    rig.run(seconds=2.0)
+    rig.base.pose = pose
+    assert rig.run().state is MotionState.FAILED
+    assert "jumped" in rig.last.reason
+
+
 def test_final_state_is_kept():
     rig = Rig(MotionKind.TURN, 0.5)
     rig.run()
