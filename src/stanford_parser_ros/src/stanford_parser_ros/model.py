@@ -1,0 +1,160 @@
+"""The Stanza models: which ones, loaded how, and the parse of a sentence."""
+import os
+import time
+from collections import OrderedDict
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any, FrozenSet, List, Optional, Tuple
+
+from stanford_parser_ros.imperative import command_verb_position, rerooted
+from stanford_parser_ros.spelling import Spelling, rewrite
+from stanford_parser_ros.tree import DependencyTree, Word
+
+PROCESSORS = "tokenize,mwt,pos,lemma,depparse"
+#: Parsed once at start: the first sentence costs several times as much as the others.
+WARM_UP = "Turn left 120 degrees."
+
+
+class ModelError(RuntimeError):
+    """No model, or one that cannot be loaded; the message says what was looked for, where, and what to do."""
+
+
+class UnparsableText(ValueError):
+    """The text holds no words."""
+
+
+@dataclass(frozen=True)
+class LoadTimes:
+    """What the start was spent on, in seconds.
+
+    Attributes:
+        torch_s: importing torch
+        stanza_s: importing Stanza
+        models_s: reading the models
+        warm_up_s: the first parse
+    """
+
+    torch_s: float
+    stanza_s: float
+    models_s: float
+    warm_up_s: float
+
+    @property
+    def total_s(self) -> float:
+        """All of it."""
+        return self.torch_s + self.stanza_s + self.models_s + self.warm_up_s
+
+
+def check_model_folder(folder: Path, package: str) -> None:
+    """Check that a folder holds a Stanza package of English.
+
+    Raises:
+        ModelError: it does not
+    """
+    hint = "leave ~model_dir empty for the models that are shipped, or download a package with Stanza beforehand"
+    if not folder.is_dir():
+        raise ModelError(f"no model folder {folder} ({hint})")
+    if not (folder / "resources.json").is_file():
+        raise ModelError(f"{folder} holds no resources.json, so it is no folder of Stanza models ({hint})")
+    for processor in PROCESSORS.split(","):
+        if not any((folder / "en" / processor).glob("*.pt")):
+            raise ModelError(f"{folder} holds no model for '{processor}' of the package '{package}' ({hint})")
+
+
+class Parser:
+    """Parses sentences with one Stanza package; nothing is ever downloaded."""
+
+    def __init__(self, *, model_dir: Path, package: str = "default", threads: int = 1, cache_size: int = 256) -> None:
+        """
+        Args:
+            model_dir: folder with ``resources.json`` and ``en/``, as Stanza lays it out
+            package: name of a package in that folder
+            threads: of torch; one is fastest and steadiest for single short sentences
+            cache_size: so many parses are kept, the oldest go first
+        Raises:
+            ModelError: no such models, or Stanza is not installed
+        """
+        check_model_folder(model_dir, package)
+        started = time.monotonic()
+        try:
+            import torch
+            torch_done = time.monotonic()
+            import stanza
+        except ImportError as error:
+            raise ModelError(f"Stanza is not installed for this Python ({error}): run 'make setup', or 'pip install stanza'") from error
+        torch.set_num_threads(threads)
+        stanza_done = time.monotonic()
+        try:
+            self._pipeline: Any = stanza.Pipeline(
+                "en", dir=str(model_dir), package=package, processors=PROCESSORS, download_method=None, use_gpu=False,
+                tokenize_no_ssplit=True, logging_level="ERROR")
+        except Exception as error:  # boundary: Stanza raises many kinds of errors for a broken file
+            raise ModelError(f"the models in {model_dir} (package '{package}') cannot be loaded: {type(error).__name__}: {error}") from error
+        models_done = time.monotonic()
+        self._cache: "OrderedDict[Tuple[str, FrozenSet[str]], DependencyTree]" = OrderedDict()
+        self._cache_size = cache_size
+        self.parse(WARM_UP)
+        self.load_times = LoadTimes(torch_s=torch_done - started, stanza_s=stanza_done - torch_done,
+                                    models_s=models_done - stanza_done, warm_up_s=time.monotonic() - models_done)
+
+    def parse(self, text: str, verbs: FrozenSet[str] = frozenset()) -> DependencyTree:
+        """Parse one utterance as one sentence.
+
+        Args:
+            text: as it was said
+            verbs: verbs of the lexicon, base forms in lower case: one of them at the front of a command is its verb
+        Returns:
+            its Universal Dependencies; positions of characters are those of the text as it was said
+        Raises:
+            UnparsableText: no words
+        """
+        key = (text, verbs)
+        tree = self._cache.get(key)
+        if tree is None:
+            tree = self._parse(text, verbs)
+            self._cache[key] = tree
+            if len(self._cache) > self._cache_size:
+                self._cache.popitem(last=False)
+        else:
+            self._cache.move_to_end(key)
+        return tree
+
+    def _parse(self, text: str, verbs: FrozenSet[str]) -> DependencyTree:
+        spelling = rewrite(text)
+        if not any(character.isalnum() for character in spelling.text):
+            raise UnparsableText("there are no words in it")
+        document = self._pipeline(spelling.text)
+        sentence = document.sentences[0]
+        position = command_verb_position([word.text for word in sentence.words], verbs)
+        if position is not None and sentence.words[position - 1].upos != "VERB":
+            word = sentence.words[position - 1]
+            word.upos, word.xpos, word.feats, word.lemma = "VERB", "VB", "Mood=Imp|Person=2|VerbForm=Fin", word.text.lower()
+            document = self._pipeline.processors["depparse"].process(document)
+            sentence = document.sentences[0]
+        tree = _to_tree(text, sentence, spelling)
+        return rerooted(tree, position) if position is not None else tree
+
+
+def _to_tree(text: str, sentence: Any, spelling: Spelling) -> DependencyTree:
+    words: List[Word] = []
+    for token in sentence.tokens:
+        at = token.start_char
+        for word in token.words:
+            # The words of a multi-word token ("don't") are written one after the other where their letters allow it.
+            start = at if spelling.text[at:at + len(word.text)] == word.text else token.start_char
+            end = start + len(word.text) if start == at else token.end_char
+            at = min(end, token.end_char)
+            words.append(Word(
+                index=word.id, form=word.text, lemma=word.lemma or word.text, upos=word.upos or "X", xpos=word.xpos or "",
+                feats=word.feats or "", head=word.head, deprel=word.deprel, start_character=spelling.origins[start],
+                end_character=spelling.origins[min(end, len(spelling.origins) - 1)]))
+    return DependencyTree(text=text, words=tuple(words))
+
+
+def shipped_model_dir(package_share: Optional[str] = None) -> Path:
+    """Return the folder of the models that are shipped.
+
+    Args:
+        package_share: share folder of this package, for an install space; None for the source folder that this module is in
+    """
+    return Path(package_share) / "models" if package_share else Path(os.path.realpath(__file__)).parents[2] / "models"

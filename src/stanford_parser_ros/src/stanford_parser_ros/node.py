@@ -1,0 +1,157 @@
+"""The parser: from the text of a command to its dependencies."""
+import queue
+import threading
+from dataclasses import dataclass
+from pathlib import Path
+from typing import FrozenSet
+
+import rospkg
+import rospy
+from roboframenet_msgs.msg import Command, CommandParse, Lexicon, Reply, StageEvent
+from semantic_frames import FileRefused, load_lexical_units
+from stanford_parser_msgs.msg import Parse
+
+from stanford_parser_ros.model import ModelError, Parser, UnparsableText, shipped_model_dir
+from stanford_parser_ros.ros_messages import to_command_parse
+from stanford_parser_ros.stanford_dependencies import collapsed
+from stanford_parser_ros.tree import DependencyTree
+
+STAGE = "stanford_parser_ros"
+#: How often the worker looks whether it has to end, seconds.
+WAKE_UP_S = 1.0
+
+
+@dataclass(frozen=True)
+class Settings:
+    """Parameters of the node, checked.
+
+    Attributes:
+        model_dir: folder of the Stanza models
+        package: name of a package in it
+        threads: of torch
+        cache_size: so many parses are kept
+        queue_size: so many commands may wait; one more is refused
+    """
+
+    model_dir: Path
+    package: str
+    threads: int
+    cache_size: int
+    queue_size: int
+
+    def __post_init__(self) -> None:
+        for name, value, largest in (("threads", self.threads, 64), ("cache_size", self.cache_size, 100000),
+                                     ("queue_size", self.queue_size, 10000)):
+            if not 1 <= value <= largest:
+                raise ValueError(f"~{name} must be 1 to {largest}, got {value}")
+
+    @classmethod
+    def from_parameters(cls) -> "Settings":
+        """Read the node's private parameters."""
+        folder = rospy.get_param("~model_dir", "")
+        return cls(
+            model_dir=Path(folder).expanduser() if folder else shipped_model_dir(rospkg.RosPack().get_path("stanford_parser_ros")),
+            package=rospy.get_param("~package", "") or "default",
+            threads=int(rospy.get_param("~threads", 1)),
+            cache_size=int(rospy.get_param("~cache_size", 256)),
+            queue_size=int(rospy.get_param("~queue_size", 100)))
+
+
+class ParserNode:
+    """Parses one command after the other, in a thread of its own.
+
+    Subscribes:
+        command_text (Command), lexicon (Lexicon, latched)
+    Publishes:
+        command_parse (CommandParse), parse (stanford_parser_msgs/Parse), stage_events (StageEvent)
+    Parameters: see :class:`Settings`.
+    """
+
+    def __init__(self, settings: Settings) -> None:
+        """
+        Raises:
+            ModelError: the models cannot be loaded
+        """
+        self._parser = Parser(model_dir=settings.model_dir, package=settings.package, threads=settings.threads,
+                              cache_size=settings.cache_size)
+        times = self._parser.load_times
+        self._verbs: FrozenSet[str] = frozenset()
+        self._commands: "queue.Queue[Command]" = queue.Queue(settings.queue_size)
+        self._parses = rospy.Publisher("command_parse", CommandParse, queue_size=100)
+        self._parses_2012 = rospy.Publisher("parse", Parse, queue_size=100)
+        self._events = rospy.Publisher("stage_events", StageEvent, queue_size=100)
+        self._worker = threading.Thread(target=self._run, name="parser", daemon=True)
+        self._worker.start()
+        rospy.on_shutdown(lambda: self._worker.join(2.0 * WAKE_UP_S))
+        self._subscribers = [
+            rospy.Subscriber("lexicon", Lexicon, self._on_lexicon, queue_size=1),
+            rospy.Subscriber("command_text", Command, self._on_command, queue_size=settings.queue_size),
+        ]
+        rospy.loginfo("ready after %.1f s (torch %.1f, Stanza %.1f, models %.1f, first parse %.1f): %s", times.total_s, times.torch_s,
+                      times.stanza_s, times.models_s, times.warm_up_s, settings)
+
+    def _on_lexicon(self, message: Lexicon) -> None:
+        verbs = set()
+        for file in message.files:
+            try:
+                for unit in load_lexical_units(file.text, file.path):
+                    # The base form stands in front of the particle: "pick" of "pick up".
+                    verbs.update(verb.split()[0] for verb in unit.verbs)
+            except FileRefused as refused:
+                rospy.logwarn("the lexicon holds a file that cannot be read: %s", refused)
+        self._verbs = frozenset(verbs)
+
+    def _on_command(self, command: Command) -> None:
+        try:
+            self._commands.put_nowait(command)
+        except queue.Full:
+            self._end(command, Reply.FAILED, "STAGE_ERROR", "Too many commands are waiting to be parsed.")
+
+    def _run(self) -> None:
+        while not rospy.is_shutdown():
+            try:
+                command = self._commands.get(timeout=WAKE_UP_S)
+            except queue.Empty:
+                continue
+            self._parse(command)
+
+    def _parse(self, command: Command) -> None:
+        try:
+            tree = self._parser.parse(command.text, self._verbs)
+            message = to_command_parse(command, tree)
+        except UnparsableText as reason:
+            self._end(command, Reply.REFUSED, "EMPTY_TEXT", f"I cannot read that: {reason}.")
+            return
+        except Exception as error:  # boundary: whatever Stanza does with a text, the command gets its reply
+            rospy.logerr("cmd=%s cannot be parsed", command.id, exc_info=True)
+            self._end(command, Reply.FAILED, "STAGE_ERROR", f"The parser failed: {type(error).__name__}: {error}")
+            return
+        self._events.publish(StageEvent(command=command, stage=STAGE, stamp=rospy.Time.now(), sentence=describe(tree)))
+        self._parses_2012.publish(message.parse)
+        self._parses.publish(message)
+
+    def _end(self, command: Command, outcome: int, code: str, sentence: str) -> None:
+        now = rospy.Time.now()
+        self._events.publish(StageEvent(command=command, stage=STAGE, stamp=now, sentence=sentence, is_final=True, reply=Reply(
+            command=command, outcome=outcome, stage=STAGE, code=code, sentence=sentence, stamp=now)))
+
+
+def describe(tree: DependencyTree) -> str:
+    """Return the dependencies in a line: "root(Turn) advmod(Turn, left)"."""
+    parts = []
+    for dependency in collapsed(tree):
+        if dependency.relation != "punct":
+            governor = f"{tree.word(dependency.governor).form}, " if dependency.governor else ""
+            parts.append(f"{dependency.relation}({governor}{tree.word(dependency.dependent).form})")
+    return " ".join(parts)
+
+
+def main() -> None:
+    """Run the node."""
+    rospy.init_node("stanford_parser_ros")
+    try:
+        ParserNode(Settings.from_parameters())
+    except (ModelError, ValueError) as error:
+        rospy.logfatal("cannot start: %s", error)
+        raise SystemExit(1) from error
+    rospy.spin()
