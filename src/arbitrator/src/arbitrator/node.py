@@ -1,4 +1,5 @@
 """The arbitrator node: candidates in, an ordered procedure out."""
+import time
 from dataclasses import dataclass
 from typing import Optional
 
@@ -9,6 +10,8 @@ from arbitrator.policy import Policy, PolicyError, arbitrate, load_policy
 from arbitrator.ros_messages import candidates_from_message, procedure_to_message
 
 STAGE = "arbitrator"
+# An executor that is just starting must not miss a command. Shorter than the time that it may be silent.
+_LISTENER_TIMEOUT_S = 3.0
 
 
 @dataclass(frozen=True)
@@ -75,11 +78,19 @@ class ArbitratorNode:
         first = ", then ".join(f"{frame.name} by {frame.server}" for frame in procedure.sequences[0].frames)
         sentence = f"{ways} {'way' if ways == 1 else 'ways'} to do it; first {first}."
         rospy.loginfo("cmd=%s %s", message.command.id, sentence)
+        self._wait_for_executor()
         # The event goes first so that an observer hears the stages in their order.
         self._events.publish(StageEvent(
             command=message.command, stage=STAGE, stamp=rospy.Time.now(), sentence=sentence))
         self._command_procedure.publish(CommandProcedure(command=message.command, procedure=answer))
         self._procedure.publish(answer)
+
+    def _wait_for_executor(self) -> None:
+        end_s = time.monotonic() + _LISTENER_TIMEOUT_S
+        while self._command_procedure.get_num_connections() == 0 and time.monotonic() < end_s:
+            if rospy.is_shutdown():
+                return
+            time.sleep(0.01)
 
     def _end(self, message: CommandSemanticFrames, *, outcome: int, code: str, sentence: str) -> None:
         now = rospy.Time.now()

@@ -1,7 +1,7 @@
 """Applies and restores settings of nodes through dynamic_reconfigure."""
 import threading
 from dataclasses import replace
-from typing import Callable, Dict, List, Optional, Sequence, Tuple, TypeVar
+from typing import Callable, Dict, List, Sequence, Set, Tuple, TypeVar
 
 import rospy
 from command_server.ros_record import ParameterRecord
@@ -12,7 +12,8 @@ from executor.settings import (
     HeldSetting, Setting, SettingsError, Value, check_needs, differs, fit_value, from_record, read_needs, to_record,
     unknown_setting)
 
-_RETRY_S = 2.0
+_RETRY_S = 1.0
+_LONGEST_RETRY_S = 16.0
 _SAVE_TIMEOUT_S = 0.5
 Answer = TypeVar("Answer")
 
@@ -64,8 +65,7 @@ def _config(values: Dict[str, Value]) -> Config:
 class SettingsKeeper:
     """Applies the settings that servers need and brings the former values back.
 
-    What a server needs stands in the parameter ``<server>/required_settings``: a mapping of node to a mapping of setting to
-    value. The former values are kept in a private parameter, so that an executor that was killed restores them when it is
+    What a server needs stands in the parameter ``<server>/required_settings`` (`read_needs`). The former values are kept in a private parameter, so that an executor that was killed restores them when it is
     started again. A node that is away keeps its former values waiting until it is back.
     """
 
@@ -152,6 +152,7 @@ class SettingsKeeper:
         rospy.loginfo("settings of %s for %s: %s", node, owner, wanted)
 
     def _restore(self, owner: str) -> None:
+        nodes: Set[str] = set()
         for place, entry in list(self._held.items()):
             if owner not in entry.owners:
                 continue
@@ -161,28 +162,32 @@ class SettingsKeeper:
                 continue
             del self._held[place]
             self._left_over.append(replace(entry.setting, value=entry.former))
-        self._restore_what_can_be()
+            nodes.add(entry.setting.node)
+        for node in sorted(nodes):
+            self._restore_node(node)
 
-    def _restore_what_can_be(self) -> None:
-        if not self._left_over:
-            return
-        kept: List[Setting] = []
-        for node in sorted({setting.node for setting in self._left_over}):
-            mine = [setting for setting in self._left_over if setting.node == node]
-            try:
-                self._reconfigure(node, {setting.name: setting.value for setting in mine})
-                rospy.loginfo("settings of %s are restored: %s", node, {s.name: s.value for s in mine})
-            except SettingsError as error:
-                rospy.logwarn_throttle(10.0, "settings wait to be restored: %s" % error)
-                kept += mine
-        self._left_over = kept
+    def _restore_node(self, node: str) -> bool:
+        """Give a node its former values back; they stay left over when it is away."""
+        mine = [setting for setting in self._left_over if setting.node == node]
+        try:
+            self._reconfigure(node, {setting.name: setting.value for setting in mine})
+        except SettingsError as error:
+            rospy.logwarn("settings wait to be restored: %s", error)
+            return False
+        rospy.loginfo("settings of %s are restored: %s", node, {setting.name: setting.value for setting in mine})
+        self._left_over = [setting for setting in self._left_over if setting.node != node]
         self._save()
+        return True
 
     def _restore_left_over(self) -> None:
+        # A node that hangs holds the lock while it is asked: the pauses grow, so that steps get through.
+        wait_s = _RETRY_S
         while not self._is_closing.is_set():
             with self._lock:
-                self._restore_what_can_be()
-            self._is_closing.wait(_RETRY_S)
+                nodes = sorted({setting.node for setting in self._left_over})
+                are_restored = [self._restore_node(node) for node in nodes]
+            wait_s = _RETRY_S if all(are_restored) else min(2.0 * wait_s, _LONGEST_RETRY_S)
+            self._is_closing.wait(wait_s)
 
     def _save(self) -> None:
         record = to_record(self._held) + [

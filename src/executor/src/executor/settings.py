@@ -53,7 +53,8 @@ def read_needs(found: object, *, server: str) -> Tuple[Setting, ...]:
     """Read what a server says that it needs.
 
     Args:
-        found: a mapping of node to a mapping of setting to value, as YAML gives it; None for no needs
+        found: a list of mappings with the keys ``node`` and ``settings``, a mapping of name to value; None for no needs.
+            A list, because the parameter server takes a name with a slash as a key for a parameter of its own.
         server: its name, for the errors
 
     Raises:
@@ -61,18 +62,20 @@ def read_needs(found: object, *, server: str) -> Tuple[Setting, ...]:
     """
     if found is None:
         return ()
-    if not isinstance(found, Mapping):
-        raise SettingsError(f"required_settings of {server}: expected a mapping of nodes, found {found!r}")
+    if not isinstance(found, (list, tuple)):
+        raise SettingsError(f"required_settings of {server}: expected a list, found {found!r}")
     needs: List[Setting] = []
-    for node, values in found.items():
-        if not isinstance(values, Mapping):
-            raise SettingsError(f"required_settings of {server}, {node}: expected a mapping of settings, found {values!r}")
-        for name, value in values.items():
+    for entry in found:
+        if not (isinstance(entry, Mapping) and set(entry) == {"node", "settings"} and isinstance(
+                entry["settings"], Mapping) and isinstance(entry["node"], str) and entry["node"]):
+            raise SettingsError(
+                f"required_settings of {server}: expected node and a mapping settings, found {entry!r}")
+        for name, value in entry["settings"].items():
             is_number = isinstance(value, (int, float)) and math.isfinite(value)
             if not (isinstance(value, (bool, str)) or is_number):
-                raise SettingsError(
-                    f"required_settings of {server}, {node}, {name}: expected a value, found {value!r}")
-            needs.append(Setting(node=str(node), name=str(name), value=value))
+                raise SettingsError(f"required_settings of {server}, {entry['node']}, {name}: expected a bool, a number "
+                                    f"or a string, found {value!r}")
+            needs.append(Setting(node=entry["node"], name=str(name), value=value))
     return tuple(needs)
 
 

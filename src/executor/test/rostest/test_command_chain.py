@@ -93,6 +93,7 @@ class CommandChainTest(unittest.TestCase):
         self.text.publish("succeed two")
         self.wait_for_replies("succeed two")
         self.wait_for_replies("run one", count=50)
+        self.assertEqual({"NEW_COMMAND"}, {reply.code for reply in self.replies_to("run one")})
         counts = collections.Counter(reply.command.id for reply in self.replies)
         self.assertEqual({1}, set(counts.values()))
         self.assertEqual(51, len(counts))

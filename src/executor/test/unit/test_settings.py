@@ -10,14 +10,18 @@ EXPOSURE = Setting(node="/camera", name="exposure", value=20)
 
 
 def test_needs_are_read():
-    assert read_needs({"/camera": {"exposure": 20}}, server="photo") == (EXPOSURE,)
+    assert read_needs([{"node": "/camera", "settings": {"exposure": 20}}], server="photo") == (EXPOSURE,)
     assert read_needs(None, server="photo") == ()
-    assert read_needs({}, server="photo") == ()
+    assert read_needs([], server="photo") == ()
 
 
 @pytest.mark.parametrize("found,part", [
-    ([1], "mapping of nodes"), ({"/camera": 3}, "mapping of settings"), ({"/camera": {"exposure": [1]}}, "exposure"),
-    ({"/camera": {"exposure": float("nan")}}, "exposure"), ({"/camera": {"exposure": None}}, "exposure")])
+    ({"/camera": {"exposure": 20}}, "a list"), ([1], "expected node"), ([{"node": "/camera"}], "expected node"),
+    ([{"node": "/camera", "settings": 3}], "expected node"), ([{"node": "", "settings": {}}], "expected node"),
+    ([{"node": "/camera", "settings": {}, "more": 1}], "more"),
+    ([{"node": "/camera", "settings": {"exposure": [1]}}], "/camera, exposure"),
+    ([{"node": "/camera", "settings": {"exposure": float("nan")}}], "exposure"),
+    ([{"node": "/camera", "settings": {"exposure": None}}], "exposure")])
 def test_wrong_needs_are_refused_with_their_place(found, part):
     with pytest.raises(SettingsError, match=f"photo.*{part}"):
         read_needs(found, server="photo")

@@ -1,0 +1,119 @@
+#!/usr/bin/python3
+"""Settings of another node: applied for the step, restored however it ends."""
+import os
+import signal
+import time
+import unittest
+import xmlrpc.client
+
+import rosgraph
+import rospy
+import rostest
+from dynamic_reconfigure.msg import Config
+from dynamic_reconfigure.srv import Reconfigure
+from roboframenet_msgs.msg import (
+    Command, CommandProcedure, FilledSemanticFrame, FilledSemanticFrameList, Reply, StageEvent)
+from std_msgs.msg import String
+
+BEFORE = {"exposure": 10, "gain": 1.0, "auto_gain": True}
+
+
+def wait_until(condition, timeout_s=40.0):
+    end = time.monotonic() + timeout_s
+    while time.monotonic() < end:
+        if condition():
+            return True
+        time.sleep(0.02)
+    return condition()
+
+
+class ServerSettingsTest(unittest.TestCase):
+    count = 0
+
+    @classmethod
+    def setUpClass(cls):
+        rospy.init_node("test_server_settings")
+        cls.replies, cls.log = [], []
+        cls.procedures = rospy.Publisher("command_procedure", CommandProcedure, queue_size=10)
+        cls.cancels = rospy.Publisher("command_cancel", Command, queue_size=10)
+        cls.events = rospy.Subscriber(
+            "stage_events", StageEvent, lambda event: cls.replies.append(event.reply) if event.is_final else None)
+        log = rospy.Subscriber("server_log", String, lambda message: cls.log.append(message.data))
+        cls.cameras = []
+        for camera in ("camera", "other_camera"):
+            rospy.wait_for_service(f"{camera}/set_parameters", timeout=30)
+            cls.cameras.append(rospy.ServiceProxy(f"{camera}/set_parameters", Reconfigure))
+        assert wait_until(lambda: all(entity.get_num_connections() == 1 for entity in (
+            cls.procedures, cls.cancels, cls.events)) and log.get_num_connections() == 2)
+
+    def setUp(self):
+        del self.log[:]
+        self.assert_cameras(BEFORE, BEFORE)
+
+    def settings(self, camera):
+        # No change asked for: the answer holds what is.
+        config = self.cameras[camera](Config()).config
+        return {entry.name: entry.value for entry in config.ints + config.doubles + config.bools}
+
+    def assert_cameras(self, *expected):
+        self.assertTrue(wait_until(lambda: [self.settings(0), self.settings(1)] == list(expected)),
+                        f"{[self.settings(0), self.settings(1)]}")
+
+    def send(self, *steps):
+        type(self).count += 1
+        command = Command(id=f"{self.id()}_{self.count}", stamp=rospy.Time.now(), text="photograph it")
+        message = CommandProcedure(command=command)
+        message.procedure.frame_lists = [FilledSemanticFrameList(frames=[
+            FilledSemanticFrame(name=behaviour, action_server_topics=[server])]) for behaviour, server in steps]
+        self.procedures.publish(message)
+        return command
+
+    def wait_for_reply(self, command):
+        self.assertTrue(wait_until(lambda: [r for r in self.replies if r.command.id == command.id]))
+        return [reply for reply in self.replies if reply.command.id == command.id][0]
+
+    def run_photo(self):
+        command = self.send(("run", "photo"))
+        self.assertTrue(wait_until(lambda: "photo begins run" in self.log))
+        self.assert_cameras({"exposure": 20, "gain": 2.0, "auto_gain": False}, dict(BEFORE, exposure=30))
+        return command
+
+    def test_restored_on_preemption(self):
+        command = self.run_photo()
+        self.cancels.publish(command)
+        self.assertEqual("STOPPED", self.wait_for_reply(command).code)
+        self.assert_cameras(BEFORE, BEFORE)
+
+    def test_restored_on_success_and_abort(self):
+        for behaviour, outcome in (("succeed", Reply.DONE), ("abort", Reply.FAILED)):
+            self.assertEqual(outcome, self.wait_for_reply(self.send((behaviour, "photo"))).outcome)
+            self.assertTrue(wait_until(lambda: f"photo begins {behaviour}" in self.log))
+            self.assert_cameras(BEFORE, BEFORE)
+
+    def test_step_whose_settings_cannot_be_had_fails_and_the_next_runs(self):
+        for server, part in (("greedy", "/camera took 100 for exposure, not 1000"),
+                             ("mistyped", "/camera has no setting expsure; it has auto_gain, exposure, gain"),
+                             ("wrong", "expected node and a mapping settings"), ("homeless", "/nowhere")):
+            with self.subTest(server=server):
+                reply = self.wait_for_reply(self.send(("succeed", server), ("succeed", "plain")))
+                self.assertEqual(Reply.DONE, reply.outcome)
+                self.assertIn(part, reply.sentence)
+                self.assertNotIn(f"{server} begins succeed", self.log)
+                self.assert_cameras(BEFORE, BEFORE)
+
+    def test_restored_when_the_server_dies(self):
+        reply = self.wait_for_reply(self.send(("die", "mortal"), ("succeed", "plain")))
+        self.assertEqual(Reply.DONE, reply.outcome)
+        self.assertIn("mortal was silent", reply.sentence)
+        self.assert_cameras(BEFORE, BEFORE)
+
+    def test_z_killed_executor_restores_and_cancels_when_it_is_back(self):
+        self.run_photo()
+        api = rosgraph.Master(rospy.get_name()).lookupNode("/executor")
+        os.kill(xmlrpc.client.ServerProxy(api).getPid(rospy.get_name())[2], signal.SIGKILL)
+        self.assertTrue(wait_until(lambda: "photo preempted run" in self.log))
+        self.assert_cameras(BEFORE, BEFORE)
+
+
+if __name__ == "__main__":
+    rostest.rosrun("executor", "server_settings", ServerSettingsTest)
