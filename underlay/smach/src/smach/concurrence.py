@@ -1,0 +1,267 @@
+"""Concurrence: all states at once."""
+import threading
+import time
+import traceback
+from typing import Any, Callable, Dict, Iterable, List, Mapping, Optional, Tuple, Union
+
+from smach.container import Container
+from smach.exceptions import InvalidStateError, InvalidTransitionError, InvalidUserCodeError
+from smach.log import logerr, loginfo
+from smach.state import State
+from smach.user_data import Remapper, UserData
+from smach.util import is_shutdown
+
+# How often a waiting concurrence asks whether the program ends; nothing else depends on it.
+SHUTDOWN_POLL_S = 0.2
+# How long states may take to end once the program ends.
+SHUTDOWN_GRACE_S = 5.0
+
+ChildOutcomes = Dict[str, Optional[str]]
+
+
+class ConcurrentStateError(InvalidUserCodeError, InvalidStateError):
+    """A state of a concurrence raised, returned an unknown outcome or did not end; it is invalid either way."""
+
+
+class Concurrence(Container):
+    """Container that runs all its states at once, each in a thread, and ends when all have ended.
+
+    The outcome is the first that one of these gives: `outcome_cb`, `outcome_map`, `default_outcome`.
+
+    Args:
+        outcomes: outcomes of the container; those of the outcome map are added
+        default_outcome: outcome when nothing else decides
+        input_keys: userdata to copy in
+        output_keys: userdata to copy out
+        outcome_map: from an outcome to the outcomes that states, by label, must have had for it
+        outcome_cb: called at the end with the outcomes by label, returns an outcome, or None to leave it to the map
+        child_termination_cb: called when a state has ended, with the outcomes by label (None for those that run);
+            returns True to preempt the states that still run, a list of labels to preempt only those, else False
+    """
+
+    def __init__(self, outcomes: Iterable[str], default_outcome: str, input_keys: Iterable[str] = (),
+                 output_keys: Iterable[str] = (), outcome_map: Optional[Mapping[str, Mapping[str, str]]] = None,
+                 outcome_cb: Optional[Callable[[ChildOutcomes], Optional[str]]] = None,
+                 child_termination_cb: Optional[Callable[[ChildOutcomes], Union[bool, List[str]]]] = None) -> None:
+        super().__init__(outcomes, input_keys, output_keys)
+        self._outcome_map = {outcome: dict(children) for outcome, children in (outcome_map or {}).items()}
+        self.register_outcomes(self._outcome_map)
+        self._default_outcome = default_outcome
+        self._outcome_cb = outcome_cb
+        self._child_termination_cb = child_termination_cb
+        self._states: Dict[str, State] = {}
+        self._remappings: Dict[str, Dict[str, str]] = {}
+        self._outcomes_by_label: ChildOutcomes = {}
+        self._threads: Dict[str, threading.Thread] = {}
+        self._errors: Dict[str, BaseException] = {}
+
+    def __getstate__(self) -> Dict[str, Any]:
+        return {**super().__getstate__(), "_threads": {}}
+
+    @staticmethod
+    def add(label: str, state: State, remapping: Optional[Mapping[str, str]] = None) -> State:
+        """Add a state to the concurrence that is open.
+
+        Raises:
+            InvalidConstructionError: no concurrence is open
+            InvalidStateError: the label is taken, or `state` is no state
+        """
+        concurrence = Concurrence._currently_opened_container()
+        concurrence._check_child(label, state, concurrence._states)
+        concurrence._states[label] = state
+        concurrence._remappings[label] = dict(remapping or {})
+        return state
+
+    def check_consistency(self) -> None:
+        """Check the default outcome and the outcome map.
+
+        Raises:
+            InvalidTransitionError: an outcome or a label in them is unknown
+        """
+        problems = []
+        if self._default_outcome not in self.get_registered_outcomes():
+            problems.append(f"The default outcome '{self._default_outcome}' is not registered.")
+        for outcome, children in self._outcome_map.items():
+            for label, child_outcome in children.items():
+                if label not in self._states:
+                    problems.append(f"The map of '{outcome}' names the state '{label}', which is missing.")
+                elif child_outcome not in self._states[label].get_registered_outcomes():
+                    problems.append(f"State '{label}' in the map of '{outcome}' has no outcome '{child_outcome}'.")
+        if problems:
+            raise InvalidTransitionError("Concurrence failed consistency check: " + "\n\t".join(problems))
+
+    def execute(self, parent_ud: Any = None) -> Optional[str]:
+        """Run all states and wait until they have ended.
+
+        Returns:
+            the outcome; None when the container is not consistent
+
+        Raises:
+            InvalidUserCodeError: a state or a callback raised; the other states are preempted and waited for
+            InvalidTransitionError: `outcome_cb` returned an outcome that is not registered
+        """
+        if not self._is_consistent():
+            return None
+        self._copy_input_keys(parent_ud, self.userdata)
+        with self._lock:
+            self._outcomes_by_label = dict.fromkeys(self._states)
+            self._errors = {}
+            self._threads = {
+                label: threading.Thread(target=self._run, args=(label,), name=f"concurrence_{label}", daemon=True)
+                for label in self._states}
+            self._is_running = True
+        try:
+            self.call_start_cbs()
+            with self._lock:
+                if self._preempt_requested:
+                    self._preempt(list(self._states))
+            for thread in self._threads.values():
+                thread.start()
+            self._join()
+            if self._errors:
+                reasons = "\n".join(f"State '{label}': {error}" for label, error in self._errors.items())
+                raise ConcurrentStateError(f"A concurrent state failed.\n{reasons}")
+            outcome = self._decide()
+            loginfo(f"Concurrence ends with '{outcome}': {self._outcomes_by_label}")
+            self._copy_output_keys(self.userdata, parent_ud)
+            self.call_termination_cbs(list(self._states), outcome)
+            return outcome
+        finally:
+            with self._lock:
+                self._end_preempt()
+                self._is_running = False
+
+    def _run(self, label: str) -> None:
+        """Thread of one state."""
+        state = self._states[label]
+        view = Remapper(self.userdata, state.get_registered_input_keys(), state.get_registered_output_keys(),
+                        self._remappings[label])
+        outcome, failure = None, None
+        try:
+            outcome = state.execute(view)
+            if outcome not in state.get_registered_outcomes():
+                failure = InvalidTransitionError(f"the outcome '{outcome}' is not registered: "
+                                                 f"{sorted(state.get_registered_outcomes())}")
+        except Exception as error:  # boundary: a state is code of the user
+            failure = error
+            logerr(f"Concurrent state '{label}' raised:\n{traceback.format_exc()}")
+        with self._lock:
+            self._outcomes_by_label[label] = outcome
+            if failure is not None:
+                self._errors[label] = failure
+                # The concurrence fails in any case: the others would work for nothing.
+                self._preempt(self.get_active_states())
+                return
+            outcomes = dict(self._outcomes_by_label)
+        self.call_transition_cbs()
+        if self._child_termination_cb is not None:
+            self._ask_child_termination_cb(label, outcomes)
+
+    def _ask_child_termination_cb(self, label: str, outcomes: ChildOutcomes) -> None:
+        try:
+            answer = self._child_termination_cb(outcomes)
+        except Exception as error:  # boundary: the callback is code of the user
+            logerr(f"The child termination callback raised:\n{traceback.format_exc()}")
+            with self._lock:
+                self._errors[label] = InvalidUserCodeError(f"the child termination callback raised {error!r}")
+                self._preempt(self.get_active_states())
+            return
+        if not answer:
+            return
+        with self._lock:
+            active = self.get_active_states()
+            self._preempt(active if answer is True else [name for name in active if name in answer])
+
+    def _join(self) -> None:
+        """Wait for every thread; once the program ends, ask the states to stop and wait no longer than the grace."""
+        give_up_at = None
+        for label, thread in self._threads.items():
+            while thread.is_alive():
+                thread.join(SHUTDOWN_POLL_S)
+                if not is_shutdown():
+                    continue
+                if give_up_at is None:
+                    give_up_at = time.monotonic() + SHUTDOWN_GRACE_S
+                    with self._lock:
+                        self._preempt(self.get_active_states())
+                elif time.monotonic() > give_up_at:
+                    self._errors[label] = InvalidUserCodeError("did not end when the program did")
+                    break
+
+    def _decide(self) -> str:
+        """Outcome of the container from those of the states."""
+        outcomes = dict(self._outcomes_by_label)
+        if self._outcome_cb is not None:
+            try:
+                outcome = self._outcome_cb(dict(outcomes))
+            except Exception as error:  # boundary: the callback is code of the user
+                raise InvalidUserCodeError(f"The outcome callback raised:\n{traceback.format_exc()}") from error
+            if outcome:
+                if outcome not in self.get_registered_outcomes():
+                    raise InvalidTransitionError(f"The outcome callback returned '{outcome}', which is not registered: "
+                                                 f"{sorted(self.get_registered_outcomes())}")
+                return outcome
+        for outcome, children in self._outcome_map.items():
+            if all(outcomes[label] == child_outcome for label, child_outcome in children.items()):
+                return outcome
+        return self._default_outcome
+
+    # Preemption
+
+    def request_preempt(self) -> None:
+        """Ask every state that runs to stop."""
+        with self._lock:
+            self._preempt_requested = True
+            if self._is_running:
+                self._preempt(self.get_active_states())
+
+    def _preempt(self, labels: Iterable[str]) -> None:
+        """With the lock held: ask states to stop."""
+        for label in labels:
+            try:
+                self._states[label].request_preempt()
+            except Exception:  # boundary: a state is code of the user
+                logerr(f"State '{label}' raised when it was asked to stop:\n{traceback.format_exc()}")
+
+    def _end_preempt(self) -> None:
+        """With the lock held: the request is serviced when no state left it open."""
+        unserviced = [state for state in self._states.values() if state.preempt_requested()]
+        for state in unserviced:
+            state.recall_preempt()
+        if not unserviced:
+            self._preempt_requested = False
+
+    # Introspection
+
+    def get_children(self) -> Dict[str, State]:
+        """States by label."""
+        return self._states
+
+    def set_initial_state(self, initial_states: List[str], userdata: Optional[UserData] = None) -> None:
+        """Add values to the userdata; all states start, so their labels say nothing more.
+
+        Raises:
+            InvalidStateError: a label is unknown
+        """
+        unknown = [label for label in initial_states if label not in self._states]
+        if unknown:
+            raise InvalidStateError(f"The concurrence holds no states {unknown}.")
+        if userdata is not None:
+            self.userdata.update(userdata)
+
+    def get_active_states(self) -> List[str]:
+        """Labels of the states that have not ended; empty when the container does not run."""
+        with self._lock:
+            if not self._is_running:
+                return []
+            return [label for label, outcome in self._outcomes_by_label.items()
+                    if outcome is None and label not in self._errors]
+
+    def get_initial_states(self) -> List[str]:
+        """Labels of all states."""
+        return list(self._states)
+
+    def get_internal_edges(self) -> List[Tuple[str, str, str]]:
+        """The outcome map as (outcome of a state, its label, outcome of the container)."""
+        return [(child_outcome, label, outcome)
+                for outcome, children in self._outcome_map.items() for label, child_outcome in children.items()]

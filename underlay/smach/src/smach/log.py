@@ -1,0 +1,46 @@
+"""Where SMACH writes what it does: the standard logger "smach", or functions that the user gives."""
+import logging
+from typing import Callable
+
+_LOGGER = logging.getLogger("smach")
+
+LogFunction = Callable[[str], None]
+
+
+class _Loggers:
+    """The four functions in use; the program has one log, so this is one object."""
+
+    info: LogFunction = staticmethod(_LOGGER.info)
+    warn: LogFunction = staticmethod(_LOGGER.warning)
+    debug: LogFunction = staticmethod(_LOGGER.debug)
+    error: LogFunction = staticmethod(_LOGGER.error)
+
+
+_loggers = _Loggers()
+
+
+def set_loggers(info: LogFunction, warn: LogFunction, debug: LogFunction, error: LogFunction) -> None:
+    """Send the messages of SMACH to other functions, each called with one text."""
+    _loggers.info, _loggers.warn, _loggers.debug, _loggers.error = info, warn, debug, error
+
+
+# A percent sign in a message must not be taken for a format by a logger that accepts arguments: each gets the
+# text as its only argument, which leaves it alone.
+def loginfo(msg: str) -> None:
+    """Write what happened as it should."""
+    _loggers.info(msg)
+
+
+def logwarn(msg: str) -> None:
+    """Write what may be a mistake."""
+    _loggers.warn(msg)
+
+
+def logdebug(msg: str) -> None:
+    """Write detail for whoever looks for a mistake."""
+    _loggers.debug(msg)
+
+
+def logerr(msg: str) -> None:
+    """Write what went wrong."""
+    _loggers.error(msg)

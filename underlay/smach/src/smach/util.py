@@ -1,0 +1,75 @@
+"""Callbacks that declare their outcomes and keys, and the check for the end of the program."""
+import functools
+from typing import Any, Callable, Iterable, Tuple
+
+
+class _ShutdownCheck:
+    """Tells whether the program ends; the program has one end, so this is one object."""
+
+    check: Callable[[], bool] = staticmethod(lambda: False)
+
+
+_shutdown = _ShutdownCheck()
+
+
+def set_shutdown_check(cb: Callable[[], bool]) -> None:
+    """Set the function that tells whether the program ends; containers stop then."""
+    _shutdown.check = cb
+
+
+def is_shutdown() -> bool:
+    """Tell whether the program ends, as far as the function given to set_shutdown_check knows."""
+    return bool(_shutdown.check())
+
+
+def has_smach_interface(obj: Any) -> bool:
+    """Tell whether an object declares input keys, output keys and outcomes as a state does."""
+    return all(hasattr(obj, name) for name in (
+        "get_registered_input_keys", "get_registered_output_keys", "get_registered_outcomes"))
+
+
+class CBInterface:
+    """A callback together with the outcomes it may return and the userdata keys it reads and writes.
+
+    Calls go to the callback unchanged. As an attribute of a class it binds to the instance like a method.
+    """
+
+    def __init__(self, cb: Callable[..., Any], outcomes: Iterable[str] = (), input_keys: Iterable[str] = (),
+                 output_keys: Iterable[str] = (), io_keys: Iterable[str] = ()) -> None:
+        self._cb = cb
+        self._outcomes = tuple(outcomes)
+        self._input_keys = tuple(input_keys) + tuple(io_keys)
+        self._output_keys = tuple(output_keys) + tuple(io_keys)
+        functools.update_wrapper(self, cb)
+
+    def __call__(self, *args: Any, **kwargs: Any) -> Any:
+        return self._cb(*args, **kwargs)
+
+    def __get__(self, instance: Any, owner: Any = None) -> "CBInterface":
+        if instance is None:
+            return self
+        return CBInterface(self._cb.__get__(instance, owner), self._outcomes, self._input_keys, self._output_keys)
+
+    def get_registered_outcomes(self) -> Tuple[str, ...]:
+        """Outcomes that the callback may return."""
+        return self._outcomes
+
+    def get_registered_input_keys(self) -> Tuple[str, ...]:
+        """Userdata keys that the callback reads."""
+        return self._input_keys
+
+    def get_registered_output_keys(self) -> Tuple[str, ...]:
+        """Userdata keys that the callback writes."""
+        return self._output_keys
+
+
+class cb_interface:  # noqa: N801 (the documented name of the decorator)
+    """Decorator that gives a callback its outcomes and keys; see CBInterface."""
+
+    def __init__(self, outcomes: Iterable[str] = (), input_keys: Iterable[str] = (),
+                 output_keys: Iterable[str] = (), io_keys: Iterable[str] = ()) -> None:
+        self._declared = {"outcomes": tuple(outcomes), "input_keys": tuple(input_keys),
+                          "output_keys": tuple(output_keys), "io_keys": tuple(io_keys)}
+
+    def __call__(self, cb: Callable[..., Any]) -> CBInterface:
+        return CBInterface(cb, **self._declared)
