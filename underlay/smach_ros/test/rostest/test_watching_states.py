@@ -1,0 +1,59 @@
+#!/usr/bin/python3
+"""States that watch a topic or a condition, with a real master."""
+import threading
+import time
+import unittest
+
+import rospy
+import rostest
+import smach
+import smach_ros
+from std_msgs.msg import Int32
+
+
+def wait_until(condition, timeout_s=20.0):
+    end = time.monotonic() + timeout_s
+    while time.monotonic() < end:
+        if condition():
+            return True
+        time.sleep(0.02)
+    return bool(condition())
+
+
+class WatchingStatesTest(unittest.TestCase):
+    def run_monitor(self, values, **kwargs):
+        state = smach_ros.MonitorState("numbers", Int32, lambda ud, msg: msg.data >= 0, **kwargs)
+        result = []
+        thread = threading.Thread(target=lambda: result.append(state.execute(smach.UserData())), daemon=True)
+        pub = rospy.Publisher("numbers", Int32, queue_size=10)
+        thread.start()
+        try:
+            self.assertTrue(wait_until(lambda: pub.get_num_connections() > 0))
+            for value in values:
+                pub.publish(Int32(value))
+            if not values:
+                state.request_preempt()
+            thread.join(20.0)
+        finally:
+            pub.unregister()
+        return result
+
+    def test_monitor_valid(self):
+        self.assertEqual(self.run_monitor([1, 2], max_checks=2), ["valid"])
+
+    def test_monitor_invalid(self):
+        self.assertEqual(self.run_monitor([1, -2]), ["invalid"])
+
+    def test_monitor_preempted(self):
+        self.assertEqual(self.run_monitor([]), ["preempted"])
+
+    def test_condition(self):
+        asked = []
+        state = smach_ros.ConditionState(lambda ud: asked.append(1) or len(asked) == 3, max_checks=3)
+        self.assertEqual((state.execute(smach.UserData()), len(asked)), ("true", 3))
+        self.assertEqual(smach_ros.ConditionState(lambda ud: False, max_checks=2).execute(smach.UserData()), "false")
+
+
+if __name__ == "__main__":
+    rospy.init_node("test_watching_states")
+    rostest.rosrun("smach_ros", "watching_states", WatchingStatesTest)
