@@ -1,0 +1,129 @@
+"""The clauses of a sentence: each verb that asks for something, with the words that belong to it."""
+from dataclasses import dataclass
+from typing import FrozenSet, List, Optional, Set, Tuple
+
+from stanford_parser_ros.tree import Word
+
+from semantic_framer.sentence import Sentence
+
+#: Verbs that wrap a request: "I want you to ...", "would you mind ...ing", "could you try to ...".
+WRAPPERS = frozenset("want need like mind wish try remember ask love prefer let have help".split())
+#: Verbs that only lead to the next one: "go get the mug", "come and help".
+_MOTION = frozenset(["go", "come", "try"])
+NEGATIONS = frozenset(["not", "never", "n't", "no", "dont", "don't"])
+#: Subordinators and words that make an action depend on something, or put it off.
+CONDITIONS = frozenset("if when until till unless once after before while whenever as".split())
+DELAYS = frozenset("later tomorrow tonight soon".split())
+
+
+@dataclass(frozen=True)
+class Clause:
+    """One thing that is asked for.
+
+    Attributes:
+        verb: index of the verb, from 1; of the form of "be" where that is the verb
+        lemma: dictionary form of the verb, lower case
+        positions: words of the clause, the verb's included, those of other clauses left out
+        is_negated: "don't", "never"
+        condition: words of a condition or a delay ("when I say so"), empty for none
+        condition_positions: of those words
+        subject: index of the subject, 0 for none
+    """
+
+    verb: int
+    lemma: str
+    positions: FrozenSet[int]
+    is_negated: bool
+    condition: str
+    condition_positions: FrozenSet[int]
+    subject: int = 0
+
+
+def find_clauses(sentence: Sentence) -> Tuple[Clause, ...]:
+    """Find what a sentence asks for, in the order in which it was said.
+
+    A sentence whose root is no verb ("three feet", "the office") has no clause.
+    """
+    found: List[Tuple[int, bool]] = []
+    for root in sentence.children(0):
+        _collect(sentence, root, False, found)
+    verbs = {index for index, _ in found}
+    tops = {index: _top(sentence, index) for index in verbs}
+    clauses = []
+    for index, is_negated in sorted(found):
+        others: Set[int] = set()
+        for other in verbs - {index}:
+            if tops[other] in sentence.subtree(tops[index]):
+                others |= sentence.subtree(tops[other])
+        positions = set(sentence.subtree(tops[index])) - others
+        # The words around a wrapped request ("I want you to ...") belong to it.
+        clauses.append(_clause(sentence, index, frozenset(positions), is_negated))
+    return tuple(clauses)
+
+
+def _top(sentence: Sentence, verb: int) -> int:
+    """Return the highest word of a clause: the predicate of a copula, the verb itself else."""
+    word = sentence.word(verb)
+    return word.head if word.deprel == "cop" else verb
+
+
+def _collect(sentence: Sentence, word: Word, is_negated: bool, found: List[Tuple[int, bool]]) -> None:
+    children = sentence.children(word.index)
+    is_negated = is_negated or _has_negation(sentence, word)
+    copula = next((child for child in children if child.deprel == "cop"), None)
+    wrapped = next((child for child in children if child.deprel in ("xcomp", "ccomp") and child.upos in ("VERB", "AUX")), None)
+    if wrapped is not None and word.lemma.lower() in WRAPPERS:
+        _collect(sentence, wrapped, is_negated, found)
+    elif wrapped is not None and word.lemma.lower() in _MOTION and wrapped.index == word.index + 1:
+        _collect(sentence, wrapped, is_negated, found)
+    elif copula is not None:
+        found.append((copula.index, is_negated))
+    elif word.upos in ("VERB", "AUX"):
+        serial = next((child for child in children if child.deprel == "conj" and child.upos == "VERB"
+                       and word.lemma.lower() in _MOTION and child.index - word.index <= 2
+                       and not any(arc in ("obl", "advmod") for arc in (c.deprel for c in children if c.index < child.index and c.index > word.index))), None)
+        if serial is None:
+            found.append((word.index, is_negated))
+    for child in children:
+        if child.deprel in ("conj", "parataxis", "list") and (child.upos in ("VERB", "AUX") or any(
+                inner.deprel == "cop" for inner in sentence.children(child.index))):
+            # "don't move or speak" negates both; "don't move, just speak" is rare, and not acting is the safe reading.
+            _collect(sentence, child, is_negated and child.deprel == "conj", found)
+
+
+def _has_negation(sentence: Sentence, word: Word) -> bool:
+    return any(child.form.lower() in NEGATIONS or child.lemma.lower() in NEGATIONS
+               for child in sentence.children(word.index) if child.deprel in ("advmod", "aux", "det", "discourse", "mark", "cc", "dep"))
+
+
+def _clause(sentence: Sentence, verb: int, positions: FrozenSet[int], is_negated: bool) -> Clause:
+    condition = _condition(sentence, _top(sentence, verb), positions)
+    subject = next((child.index for child in sentence.children(_top(sentence, verb)) if child.deprel.startswith("nsubj")), 0)
+    return Clause(verb=verb, lemma=sentence.word(verb).lemma.lower(), positions=positions, is_negated=is_negated,
+                  condition=sentence.text(sorted(condition)) if condition else "", condition_positions=condition, subject=subject)
+
+
+def _condition(sentence: Sentence, top: int, positions: FrozenSet[int]) -> FrozenSet[int]:
+    """Find a condition or a delay among the words of a clause."""
+    for index in sorted(positions):
+        word = sentence.word(index)
+        if word.deprel.startswith("advcl") or word.deprel == "mark":
+            clause = word.index if word.deprel.startswith("advcl") else word.head
+            marks = [child.form.lower() for child in sentence.children(clause) if child.deprel in ("mark", "advmod")]
+            if any(mark in CONDITIONS for mark in marks):
+                return sentence.subtree(clause) if clause != top else frozenset([index])
+        if word.form.lower() in DELAYS and word.deprel in ("advmod", "obl:unmarked", "obl", "discourse"):
+            return frozenset([index])
+        if word.deprel.startswith("obl") and _is_delay(sentence, word):
+            return sentence.subtree(index)
+    return frozenset()
+
+
+def _is_delay(sentence: Sentence, word: Word) -> bool:
+    """Whether a phrase says when: "in five minutes", "after lunch", "at noon"."""
+    case: Optional[str] = next((child.form.lower() for child in sentence.children(word.index) if child.deprel == "case"), None)
+    lemma = word.lemma.lower()
+    if case in ("in", "after", "within") and lemma in ("second", "minute", "hour", "moment", "while", "day"):
+        return True
+    return case in ("after", "before", "until", "till", "at") and lemma in (
+        "noon", "midnight", "lunch", "dinner", "breakfast", "o'clock", "night", "morning", "evening", "afternoon", "sunset", "tomorrow")

@@ -1,0 +1,63 @@
+"""What is remembered from one utterance to the next: an open question, and what was spoken of."""
+from dataclasses import dataclass, replace
+from typing import Optional, Tuple
+
+from semantic_framer.matching import Reading
+
+#: Words that stand for something said before.
+PRONOUNS = frozenset(["it", "them", "that", "this", "those", "these", "one", "ones"])
+PLACE_PRONOUNS = frozenset(["there"])
+YES = frozenset(["yes", "yeah", "yep", "sure", "ok", "okay", "right", "correct", "affirmative", "do it", "go ahead", "yes please", "please do"])
+NO = frozenset(["no", "nope", "cancel", "never mind", "nevermind", "don't", "do not", "negative", "no thanks", "no thank you", "forget it"])
+
+
+@dataclass(frozen=True)
+class Pending:
+    """A question that the next utterance may answer.
+
+    Attributes:
+        clauses: what was understood so far; the clause that asks holds one reading
+        clause: its position among them
+        element: the element that was asked for; empty for a question of yes or no
+        expires_s: on the clock of the caller; later the question is forgotten
+    """
+
+    clauses: Tuple[Tuple[Reading, ...], ...]
+    clause: int
+    element: str
+    expires_s: float
+
+
+@dataclass(frozen=True)
+class Context:
+    """What is remembered.
+
+    Attributes:
+        pending: an open question, None for none
+        thing: the last thing that was spoken of, "the mug"; empty for none
+        place: the last place, "the kitchen"; empty for none
+    """
+
+    pending: Optional[Pending] = None
+    thing: str = ""
+    place: str = ""
+
+    def at(self, now_s: float) -> "Context":
+        """Return what is still remembered at a time."""
+        if self.pending is not None and now_s > self.pending.expires_s:
+            return replace(self, pending=None)
+        return self
+
+
+def is_yes(text: str) -> bool:
+    """Whether an utterance agrees."""
+    return _bare(text) in YES
+
+
+def is_no(text: str) -> bool:
+    """Whether an utterance declines."""
+    return _bare(text) in NO
+
+
+def _bare(text: str) -> str:
+    return " ".join(text.lower().replace(",", " ").strip(" .!?").split())

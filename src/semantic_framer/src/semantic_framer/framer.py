@@ -1,0 +1,272 @@
+"""From a parsed utterance to what it asks for: clauses of readings, a refusal, or a question."""
+from dataclasses import dataclass, replace
+from enum import Enum
+from typing import List, Mapping, Optional, Tuple, Union
+
+from semantic_frames.frame import FrameElement, SemanticFrame
+from semantic_frames.lexical_unit import ArgumentForm
+from stanford_parser_ros.tree import DependencyTree
+
+from semantic_framer.clauses import Clause, find_clauses
+from semantic_framer.dialogue import PLACE_PRONOUNS, PRONOUNS, Context, Pending, is_no, is_yes
+from semantic_framer.lexicon import Lexicon
+from semantic_framer.matching import Reading, VerbMatch, match_verbs, read_clause, with_value
+from semantic_framer.measures import find_amounts
+from semantic_framer.sentence import Sentence
+from semantic_framer.values import ElementValue, amount_value, phrase_value, resolved, unit_value
+
+
+class LeftOverWords(Enum):
+    """What to do when a reading does not account for every content word."""
+
+    STRICT = "strict"  # refuse, and say which words
+    WARN = "warn"  # act, and say which words
+    IGNORE = "ignore"  # act, as in 2012
+
+
+class Alternatives(Enum):
+    """What to do with "the mug or the plate"."""
+
+    ASK = "ask"
+    EITHER = "either"
+
+
+@dataclass(frozen=True)
+class Policy:
+    """How careful to be.
+
+    Attributes:
+        left_over_words: for words that a reading does not account for
+        alternatives: for "or"
+        question_timeout_s: how long a question may be answered
+    """
+
+    left_over_words: LeftOverWords = LeftOverWords.STRICT
+    alternatives: Alternatives = Alternatives.EITHER
+    question_timeout_s: float = 30.0
+
+
+@dataclass(frozen=True)
+class Understood:
+    """What is to be done: clauses in order, the readings of each the best first; ``warning`` names words that were ignored."""
+
+    clauses: Tuple[Tuple[Reading, ...], ...]
+    warning: str = ""
+
+
+@dataclass(frozen=True)
+class Refusal:
+    """It is not to be done; ``code`` as in ``Reply.code``."""
+
+    code: str
+    sentence: str
+    left_over: Tuple[str, ...] = ()
+
+
+@dataclass(frozen=True)
+class Question:
+    """Something must be known first; ``code`` as in ``Reply.code``."""
+
+    code: str
+    sentence: str
+
+
+Outcome = Union[Understood, Refusal, Question]
+
+
+def read(tree: DependencyTree, lexicon: Lexicon, frames: Mapping[str, SemanticFrame], *, context: Context = Context(),
+         policy: Policy = Policy(), now_s: float = 0.0) -> Tuple[Outcome, Context]:
+    """Understand an utterance.
+
+    Args:
+        tree: its parse
+        lexicon: lexical units
+        frames: by name
+        context: what is remembered of the utterances before
+        policy: how careful to be
+        now_s: the caller's clock, seconds; questions expire on it
+    Returns:
+        what came of it, and what is to be remembered
+    """
+    context = context.at(now_s)
+    sentence = Sentence(tree)
+    if context.pending is not None:
+        answered = _answer(sentence, context, lexicon, policy, frames)
+        if answered is not None:
+            return _finish(answered, sentence, frames, replace(context, pending=None), policy, now_s)
+    context = replace(context, pending=None)
+    clauses = _known_clauses(sentence, lexicon)
+    if not clauses:
+        return Refusal("NO_VERB", f'I hear no command in "{tree.text.strip()}".'), context
+    understood: List[Tuple[Reading, ...]] = []
+    for clause in clauses:
+        outcome = _read_one(sentence, clause, lexicon, frames, policy)
+        if isinstance(outcome, Refusal):
+            return outcome, context
+        understood.append(outcome)
+    return _finish(tuple(understood), sentence, frames, context, policy, now_s)
+
+
+def _known_clauses(sentence: Sentence, lexicon: Lexicon) -> Tuple[Clause, ...]:
+    """Clauses of the sentence; where the parser saw no verb, a verb of the lexicon at its front ("High five!") makes one."""
+    clauses = find_clauses(sentence)
+    if clauses and any(match_verbs(sentence, clause, lexicon) for clause in clauses):
+        return clauses
+    words = [word for word in sentence.tree.words if word.upos != "PUNCT" and (word.upos != "INTJ" or len(sentence.tree.words) < 3)]
+    if words:
+        front = Clause(verb=words[0].index, lemma=words[0].form.lower(), positions=frozenset(word.index for word in sentence.tree.words),
+                       is_negated=any(clause.is_negated for clause in clauses), condition="", condition_positions=frozenset())
+        if match_verbs(sentence, front, lexicon):
+            return (front,)
+    return clauses
+
+
+def _read_one(sentence: Sentence, clause: Clause, lexicon: Lexicon, frames: Mapping[str, SemanticFrame],
+              policy: Policy) -> Union[Tuple[Reading, ...], Refusal]:
+    matches: Tuple[VerbMatch, ...] = match_verbs(sentence, clause, lexicon)
+    if clause.is_negated:
+        return Refusal("NEGATED", f'You said not to: "{sentence.text(sorted(clause.positions))}". I do nothing.')
+    if not matches:
+        near = lexicon.nearest_verbs(clause.lemma)
+        hint = f' Do you mean {" or ".join(near)}?' if near else ""
+        return Refusal("UNKNOWN_VERB", f'I do not know how to "{clause.lemma}".{hint}')
+    readings = read_clause(sentence, clause, lexicon, frames)
+    if not readings:
+        wanted = {unit.frame_name for match in matches for unit in lexicon.units_of(match.verb)}
+        if not wanted & set(frames):
+            return Refusal("UNKNOWN_FRAME", f"No file describes the frame {' or '.join(sorted(wanted))}.")
+        return Refusal("NO_READING", f'I know "{matches[0].verb}", but not in this way.')
+    if clause.condition and not any(set(clause.condition_positions) <= {p for value in reading.values for p in value.positions}
+                                    for reading in readings if not reading.missing):
+        return Refusal("CONDITION", f'I can only act at once, not "{clause.condition}".')
+    complete = tuple(reading for reading in readings if not reading.missing)
+    if not complete:
+        return (readings[0],)
+    # Words that one reading accounts for must not be dropped by taking another.
+    fewest = len(complete[0].left_over)
+    return tuple(reading for reading in complete if policy.left_over_words is LeftOverWords.IGNORE or len(reading.left_over) == fewest)
+
+
+def _finish(clauses: Tuple[Tuple[Reading, ...], ...], sentence: Sentence, frames: Mapping[str, SemanticFrame], context: Context,
+            policy: Policy, now_s: float) -> Tuple[Outcome, Context]:
+    """Resolve pronouns, then refuse or ask where something is open."""
+    is_confirmed = bool(clauses) and context.pending is None and _is_confirmation(sentence)
+    done: List[Tuple[Reading, ...]] = []
+    for position, readings in enumerate(clauses):
+        resolved_readings = []
+        for reading in readings:
+            outcome = _resolve(reading, context)
+            if isinstance(outcome, Question):
+                return outcome, context
+            resolved_readings.append(outcome)
+        best = resolved_readings[0]
+        if best.missing:
+            element = best.missing[0]
+            pending = Pending(clauses=tuple(done) + ((best,),) + clauses[position + 1:], clause=position, element=element.name,
+                              expires_s=now_s + policy.question_timeout_s)
+            return Question("MISSING_ELEMENT", question_for(element)), replace(context, pending=pending)
+        if best.left_over and policy.left_over_words is LeftOverWords.STRICT:
+            words = tuple(sentence.word(index).form for index in best.left_over)
+            return Refusal("LEFT_OVER_WORDS", f'I do not understand "{" ".join(words)}" in "{sentence.tree.text.strip()}", so I do nothing.',
+                           left_over=words), context
+        alternative = next((value for value in best.values if value.conjunction == "or"), None)
+        if alternative is not None and policy.alternatives is Alternatives.ASK:
+            pending = Pending(clauses=tuple(done) + ((best,),) + clauses[position + 1:], clause=position, element=alternative.name,
+                              expires_s=now_s + policy.question_timeout_s)
+            return Question("AMBIGUOUS", f"Which one: {' or '.join(alternative.items)}?"), replace(context, pending=pending)
+        context = _remember(best, frames, context)
+        done.append(tuple(resolved_readings))
+    confirm = [readings[0] for readings in done if frames[readings[0].unit.frame_name].is_confirmed]
+    if confirm and not is_confirmed:
+        pending = Pending(clauses=tuple(done), clause=0, element="", expires_s=now_s + policy.question_timeout_s)
+        return Question("CONFIRM", f'Shall I really do this: "{sentence.tree.text.strip()}"? Say yes or no.'), replace(context, pending=pending)
+    ignored = [sentence.word(index).form for readings in done for index in readings[0].left_over
+               if index <= len(sentence.tree.words)] if policy.left_over_words is LeftOverWords.WARN else []
+    return Understood(tuple(done), warning=f'ignored: {" ".join(ignored)}' if ignored else ""), context
+
+
+def _is_confirmation(sentence: Sentence) -> bool:
+    return is_yes(sentence.tree.text)
+
+
+def question_for(element: FrameElement) -> str:
+    """Return how to ask a person for an element, with an example of an answer."""
+    question = element.question or f"What is the {element.name.replace('_', ' ')}?"
+    return f'{question} For instance: "{element.answer}".' if element.answer else question
+
+
+def _answer(sentence: Sentence, context: Context, lexicon: Lexicon, policy: Policy,
+            frames: Mapping[str, SemanticFrame]) -> Optional[Tuple[Tuple[Reading, ...], ...]]:
+    """Take an utterance as the answer to the open question; None when it is none."""
+    pending = context.pending
+    if pending is None:
+        return None
+    if not pending.element:
+        return pending.clauses if is_yes(sentence.tree.text) else None
+    clauses = find_clauses(sentence)
+    if any(match_verbs(sentence, clause, lexicon) for clause in clauses) or is_no(sentence.tree.text):
+        return None
+    reading = pending.clauses[pending.clause][0]
+    frame = frames.get(reading.unit.frame_name)
+    element = frame.element(pending.element) if frame is not None else None
+    if frame is None or element is None:
+        return None
+    for value in _fragment_values(sentence, frame, element):
+        reading = with_value(reading, value)
+    if any(missing.name == element.name for missing in reading.missing):
+        return None
+    reading = replace(reading, left_over=())
+    return tuple((reading,) if position == pending.clause else readings for position, readings in enumerate(pending.clauses))
+
+
+def _fragment_values(sentence: Sentence, frame: SemanticFrame, element: FrameElement) -> List[ElementValue]:
+    positions = [word.index for word in sentence.tree.words if word.upos not in ("PUNCT", "INTJ")]
+    if element.quantity is not None:
+        for amount in find_amounts(sentence, positions):
+            values = [amount_value(sentence, element.name, amount, is_whole=not element.unit_element)]
+            if element.unit_element and amount.unit:
+                values.append(unit_value(sentence, element.unit_element, amount))
+            return values
+        return []
+    if not positions:
+        return []
+    heads = [word for word in sentence.children(0)]
+    head = heads[0].index if heads and heads[0].index in positions else positions[0]
+    return [phrase_value(sentence, element.name, head, ArgumentForm.PHRASE, frozenset())]
+
+
+def _resolve(reading: Reading, context: Context) -> Union[Reading, Question]:
+    """Put what pronouns stand for in their place."""
+    values = []
+    for value in reading.values:
+        word = value.argument.lower()
+        relation = next((relation for relation in reading.unit.relations if relation.name == value.name), None)
+        is_fixed = relation is not None and bool(relation.words)
+        if word in PRONOUNS and value.positions and not is_fixed and word not in ("this", "one", "that"):
+            if not context.thing:
+                return Question("AMBIGUOUS", f'What do you mean by "{value.argument}"?')
+            value = resolved(value, context.thing)
+        elif word in PLACE_PRONOUNS and not is_fixed and context.place:
+            value = resolved(value, context.place)
+        values.append(value)
+    return replace(reading, values=tuple(values))
+
+
+#: Frame elements that are places, and not things, by FrameNet's names.
+_PLACES = frozenset(["Goal", "Source", "Location", "Ground", "Area", "Place", "Path"])
+_NO_THINGS = frozenset(["Manner", "Direction", "Distance", "Angle", "Duration", "Recipient", "Beneficiary", "Addressee", "Agent", "Message"])
+
+
+def _remember(reading: Reading, frames: Mapping[str, SemanticFrame], context: Context) -> Context:
+    frame = frames[reading.unit.frame_name]
+    for value in reading.values:
+        element = frame.element(value.name)
+        if element is None or not value.positions or element.quantity is not None:
+            continue
+        if element.framenet in _PLACES:
+            context = replace(context, place=value.argument)
+        elif element.framenet not in _NO_THINGS and value.argument.lower() not in ("me", "you", "us"):
+            context = replace(context, thing=value.argument)
+    return context
+
+

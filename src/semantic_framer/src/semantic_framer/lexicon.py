@@ -1,0 +1,64 @@
+"""The lexicon: lexical units by verb, as the files of robot programmers define them."""
+import difflib
+from collections import defaultdict
+from typing import Dict, FrozenSet, List, Mapping, Tuple
+
+from semantic_frames import load_lexical_units
+from semantic_frames.lexical_unit import LexicalUnit
+
+
+class Lexicon:
+    """Lexical units, found by verb in a time that does not depend on how many there are."""
+
+    def __init__(self) -> None:
+        self._files: Dict[str, Tuple[str, Tuple[LexicalUnit, ...]]] = {}
+        self._by_verb: Dict[str, List[LexicalUnit]] = defaultdict(list)
+        self._by_first_word: Dict[str, List[str]] = defaultdict(list)
+
+    @property
+    def files(self) -> Mapping[str, str]:
+        """Text of each file by its path."""
+        return {path: text for path, (text, _) in self._files.items()}
+
+    @property
+    def units(self) -> Tuple[LexicalUnit, ...]:
+        """Every unit, in the order of the files."""
+        return tuple(unit for _, units in self._files.values() for unit in units)
+
+    @property
+    def verbs(self) -> FrozenSet[str]:
+        """Every verb, with its particle."""
+        return frozenset(self._by_verb)
+
+    def add_file(self, text: str, path: str) -> Tuple[LexicalUnit, ...]:
+        """Add the units of a file; those that the file gave before are replaced.
+
+        Raises:
+            FileRefused: the file is wrong; what it gave before stays
+        """
+        units = load_lexical_units(text, path)
+        for old in self._files.get(path, ("", ()))[1]:
+            for verb in old.verbs:
+                self._by_verb[verb].remove(old)
+                if not self._by_verb[verb]:
+                    del self._by_verb[verb]
+                    self._by_first_word[verb.split()[0]].remove(verb)
+        self._files[path] = (text, units)
+        for unit in units:
+            for verb in dict.fromkeys(unit.verbs):
+                if verb not in self._by_verb:
+                    self._by_first_word[verb.split()[0]].append(verb)
+                self._by_verb[verb].append(unit)
+        return units
+
+    def units_of(self, verb: str) -> Tuple[LexicalUnit, ...]:
+        """Units of a verb, particle included."""
+        return tuple(self._by_verb.get(verb, ()))
+
+    def verbs_beginning_with(self, word: str) -> Tuple[str, ...]:
+        """Verbs whose first word is this one, those of more words first: "pick up" before "pick"."""
+        return tuple(sorted(self._by_first_word.get(word, ()), key=lambda verb: (-len(verb.split()), verb)))
+
+    def nearest_verbs(self, word: str, count: int = 3) -> Tuple[str, ...]:
+        """Verbs that are spelled like a word, the nearest first; none when nothing is near."""
+        return tuple(difflib.get_close_matches(word, sorted(self._by_verb), n=count, cutoff=0.6))

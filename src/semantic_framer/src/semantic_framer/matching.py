@@ -1,0 +1,283 @@
+"""Matches lexical units against a clause: which words fill which frame element."""
+from dataclasses import dataclass, replace
+from typing import Dict, FrozenSet, List, Mapping, Optional, Sequence, Set, Tuple
+
+from semantic_frames.frame import FrameElement, Quantity, SemanticFrame
+from semantic_frames.lexical_unit import ElementRelation, LexicalUnit
+from semantic_frames.relation_names import MEASURE
+
+from semantic_framer.clauses import Clause
+from semantic_framer.lexicon import Lexicon
+from semantic_framer.measures import Amount, find_amounts
+from semantic_framer.sentence import Sentence
+from semantic_framer.values import ElementValue, amount_value, given_value, phrase_value, unit_value
+
+#: A phrase with one of these hangs on the verb, if the unit asks for it, even where the parser hung it on the object:
+#: "bring the mug to the table". The others ("on", "in", "near") do so only for a core element: "put the mug on the table".
+DIRECTIONAL = frozenset("to into onto towards toward from for with by as through via".split())
+
+
+@dataclass(frozen=True)
+class Reading:
+    """One way to understand a clause.
+
+    Attributes:
+        unit: the lexical unit
+        verb: as the unit has it, "pick up"
+        verb_positions: words of the verb in the sentence
+        values: of the elements, in the order of the frame
+        missing: core elements that nothing fills
+        left_over: content words that nothing accounts for, by position
+        coverage: share of the content words that the reading accounts for, 0 to 1
+    """
+
+    unit: LexicalUnit
+    verb: str
+    verb_positions: Tuple[int, ...]
+    values: Tuple[ElementValue, ...]
+    missing: Tuple[FrameElement, ...]
+    left_over: Tuple[int, ...]
+    coverage: float
+
+    def value(self, name: str) -> Optional[ElementValue]:
+        """Return the value of an element, None for an empty one."""
+        return next((value for value in self.values if value.name == name), None)
+
+
+@dataclass(frozen=True)
+class VerbMatch:
+    """A verb of the lexicon in a clause: the verb, and the words that it is made of."""
+
+    verb: str
+    positions: Tuple[int, ...]
+
+
+def match_verbs(sentence: Sentence, clause: Clause, lexicon: Lexicon) -> Tuple[VerbMatch, ...]:
+    """Find the verbs of the lexicon that a clause uses, those with a particle first."""
+    word = sentence.word(clause.verb)
+    found: List[VerbMatch] = []
+    for base in dict.fromkeys((word.lemma.lower(), word.form.lower())):
+        for verb in lexicon.verbs_beginning_with(base):
+            positions = _verb_positions(sentence, clause, verb.split()[1:])
+            if positions is not None and all(verb != match.verb for match in found):
+                found.append(VerbMatch(verb, (clause.verb,) + positions))
+    return tuple(sorted(found, key=lambda match: -len(match.verb.split())))
+
+
+def _verb_positions(sentence: Sentence, clause: Clause, particles: Sequence[str]) -> Optional[Tuple[int, ...]]:
+    """Find the particles of a verb: beside it, behind its object ("pick it up"), or as a preposition ("look for")."""
+    found: List[int] = []
+    after = clause.verb
+    for particle in particles:
+        position = next((index for index in sorted(clause.positions) if index > after and sentence.word(index).form.lower() == particle
+                         and (index == after + 1 or sentence.word(index).deprel in ("compound:prt", "advmod", "case", "obl", "obj", "xcomp"))
+                         and (index == after + 1 or _is_near(sentence, clause, index))), None)
+        if position is None:
+            return None
+        found.append(position)
+        after = position
+    return tuple(found)
+
+
+def _is_near(sentence: Sentence, clause: Clause, index: int) -> bool:
+    head = sentence.word(index).head
+    return head == clause.verb or (head != 0 and sentence.word(head).head == clause.verb)
+
+
+def read_clause(sentence: Sentence, clause: Clause, lexicon: Lexicon, frames: Mapping[str, SemanticFrame]) -> Tuple[Reading, ...]:
+    """Try every lexical unit of a clause's verb.
+
+    Args:
+        sentence: the sentence
+        clause: one of its clauses
+        lexicon: lexical units
+        frames: by name; units of frames that are not known are left out
+    Returns:
+        readings, the best first: all core elements filled, fewest words left over, most elements filled, longest verb
+    """
+    amounts = find_amounts(sentence, sorted(clause.positions - {clause.verb}))
+    readings = []
+    for match in match_verbs(sentence, clause, lexicon):
+        for unit in lexicon.units_of(match.verb):
+            frame = frames.get(unit.frame_name)
+            if frame is None:
+                continue
+            reading = _Filling(sentence, clause, unit, frame, match, amounts).reading()
+            if reading is not None:
+                readings.append(reading)
+    different = {(reading.unit.frame_name, frozenset((value.name, value.argument) for value in reading.values)): reading
+                 for reading in sorted(readings, key=rank, reverse=True)}
+    return tuple(sorted(different.values(), key=rank))
+
+
+def rank(reading: Reading) -> Tuple[bool, int, int, int, int]:
+    """Order readings: the smallest is the best."""
+    said = sum(1 for value in reading.values if value.positions)
+    required = sum(1 for relation in reading.unit.relations if relation.is_required)
+    return (bool(reading.missing), len(reading.left_over), -(said + required), len(reading.missing), -len(reading.verb.split()))
+
+
+class _Filling:
+    """Fills one unit from one clause."""
+
+    def __init__(self, sentence: Sentence, clause: Clause, unit: LexicalUnit, frame: SemanticFrame, match: VerbMatch,
+                 amounts: Tuple[Amount, ...]) -> None:
+        self._sentence = sentence
+        self._clause = clause
+        self._unit = unit
+        self._frame = frame
+        self._match = match
+        self._amounts = amounts
+        self._taken: Dict[str, FrozenSet[int]] = {}
+        self._heads: Dict[str, int] = {}
+        self._amount_of: Dict[str, Amount] = {}
+
+    def reading(self) -> Optional[Reading]:
+        """Return the reading; None when a required relation does not match."""
+        self._take_amounts()
+        for wants_core in (True, False):
+            for relation in self._unit.relations:
+                element = self._frame.element(relation.name)
+                is_first = relation.is_required or bool(relation.words) or (element is not None and element.is_core)
+                if relation.name not in self._heads and relation.name not in self._amount_of and is_first == wants_core:
+                    self._take_phrase(relation)
+        if any(relation.is_required and relation.name not in self._heads and relation.name not in self._amount_of
+               for relation in self._unit.relations):
+            return None
+        values = self._values()
+        names = {value.name for value in values}
+        missing = tuple(element for element in self._frame.frame_elements if element.is_core and element.name not in names)
+        left_over, coverage = self._coverage(values)
+        return Reading(unit=self._unit, verb=self._match.verb, verb_positions=self._match.positions, values=values, missing=missing,
+                       left_over=left_over, coverage=coverage)
+
+    def _take_amounts(self) -> None:
+        """Give each amount to the first element that measures it and asks for a measure."""
+        free = list(self._amounts)
+        wanting = [relation.name for relation in self._unit.relations if any(path.steps[-1] == MEASURE for path in relation.relations)]
+        for name in wanting:
+            element = self._frame.element(name)
+            if element is None or element.quantity is None:
+                continue
+            amount = next((amount for amount in free if amount.quantity == element.quantity.value), None) or next(
+                (amount for amount in free if not amount.unit and element.quantity is not Quantity.NUMBER), None)
+            if amount is None:
+                continue
+            free.remove(amount)
+            self._amount_of[name] = amount
+            if element.unit_element and amount.unit:
+                self._amount_of[element.unit_element] = amount
+
+    def _take_phrase(self, relation: ElementRelation) -> None:
+        for path in relation.relations:
+            heads = self._follow(path.steps, self._is_core(relation.name))
+            for head in heads:
+                if head in self._heads.values() or head in self._match.positions or not self._is_in_clause(head):
+                    continue
+                if relation.words and not self._is_one_of(head, relation.words):
+                    continue
+                if not relation.words and (self._is_in_a_measure(head) or self._is_only_an_adverb(head, path.steps)):
+                    continue
+                self._heads[relation.name] = head
+                return
+
+    def _is_in_a_measure(self, head: int) -> bool:
+        """Whether a word measures ("two degrees"), and so is no thing; a bare number may be one ("give me 5")."""
+        return any(head in amount.positions for amount in self._amount_of.values()) or any(
+            head in amount.positions and amount.unit for amount in self._amounts)
+
+    def _is_core(self, name: str) -> bool:
+        element = self._frame.element(name)
+        return element is not None and element.is_core
+
+    def _is_in_clause(self, head: int) -> bool:
+        return head in self._clause.positions or head == self._clause.subject
+
+    def _is_one_of(self, head: int, words: Tuple[str, ...]) -> bool:
+        word = self._sentence.word(head)
+        compound = " ".join([child.form.lower() for child in self._sentence.children(head)
+                             if child.deprel in ("compound", "amod") and child.index < head] + [word.form.lower()])
+        return word.form.lower() in words or word.lemma.lower() in words or compound in words
+
+    def _is_only_an_adverb(self, head: int, steps: Tuple[str, ...]) -> bool:
+        """Whether an adverb that says how ("slowly", "forward") would become an argument that says what or where."""
+        return steps[-1] in ("advmod", "prt") and self._sentence.word(head).form.lower() not in ("here", "there", "home", "upstairs", "downstairs", "outside", "inside")
+
+    def _follow(self, steps: Tuple[str, ...], is_core: bool) -> List[int]:
+        """Return the words at the end of a chain of relations that starts at the verb."""
+        governors = [self._clause.verb]
+        for number, step in enumerate(steps):
+            if step == MEASURE:
+                return []
+            found: List[int] = []
+            for governor in governors:
+                found += self._sentence.dependents(governor, step)
+                if number == 0:
+                    found += self._reattached(step, is_core)
+            governors = list(dict.fromkeys(found))
+        return governors
+
+    def _reattached(self, step: str, is_core: bool) -> List[int]:
+        """Phrases with a preposition that the parser hung on an object though the unit wants them at the verb."""
+        if not step.startswith(("prep_", "obl:")):
+            return []
+        preposition = step.split("_", 1)[1] if step.startswith("prep_") else step.split(":", 1)[1]
+        if not (is_core or preposition in DIRECTIONAL):
+            return []
+        found = []
+        for relation in ("dobj", "iobj", "obl", "tmod"):
+            for noun in self._sentence.dependents(self._clause.verb, relation):
+                found += self._sentence.dependents(noun, f"prep_{preposition}")
+        particle = [index for index in self._match.positions[1:] if self._sentence.word(index).form.lower() == preposition]
+        return [head for head in found if head not in particle]
+
+    def _values(self) -> Tuple[ElementValue, ...]:
+        verb_words = frozenset(self._match.positions)
+        amount_words = frozenset(position for amount in self._amount_of.values() for position in amount.positions)
+        values: List[ElementValue] = []
+        for element in self._frame.frame_elements:
+            if element.name in self._amount_of:
+                amount = self._amount_of[element.name]
+                is_unit = any(other.unit_element == element.name for other in self._frame.frame_elements)
+                values.append(unit_value(self._sentence, element.name, amount) if is_unit else amount_value(
+                    self._sentence, element.name, amount, is_whole=not element.unit_element))
+            elif element.name in self._heads:
+                head = self._heads[element.name]
+                others = [subtree for name, other in self._heads.items() if name != element.name and other != head
+                          for subtree in [self._sentence.subtree(other)] if head not in subtree]
+                left_out = verb_words | amount_words | frozenset().union(*others) | self._outside(head)
+                relation = next(relation for relation in self._unit.relations if relation.name == element.name)
+                values.append(phrase_value(self._sentence, element.name, head, relation.argument, left_out))
+            elif element.default:
+                values.append(given_value(element.name, element.default))
+        return tuple(values)
+
+    def _outside(self, head: int) -> FrozenSet[int]:
+        """Words below a head that belong to other clauses or to a condition."""
+        return frozenset(self._sentence.subtree(head) - self._clause.positions) | (
+            self._clause.condition_positions if head not in self._clause.condition_positions else frozenset())
+
+    def _coverage(self, values: Tuple[ElementValue, ...]) -> Tuple[Tuple[int, ...], float]:
+        used: Set[int] = set(self._match.positions)
+        for value in values:
+            used.update(value.positions)
+            if value.head_position:
+                # Words between the verb and its argument that only carry the argument: "to", "the".
+                used.update(child.index for child in self._sentence.children(value.head_position))
+        content = [index for index in sorted(self._clause.positions) if self._sentence.is_content(index) and index != self._clause.verb]
+        # The verb of a wrapped request ("I want you to ...") is said around the clause.
+        content = [index for index in content if self._clause.verb not in self._sentence.subtree(index)]
+        left_over = tuple(index for index in content if index not in used and index != self._clause.subject
+                          and not self._hangs_on_used(index, used))
+        return left_over, 1.0 - len(left_over) / (len(content) + 1)
+
+    def _hangs_on_used(self, index: int, used: Set[int]) -> bool:
+        """Whether a word is a part of a name that is used: "living" in "living room"."""
+        word = self._sentence.word(index)
+        return word.deprel in ("compound", "flat", "goeswith", "fixed") and word.head in used
+
+
+def with_value(reading: Reading, value: ElementValue) -> Reading:
+    """Fill an element of a reading that nothing filled, or replace what filled it."""
+    kept = tuple(other for other in reading.values if other.name != value.name)
+    return replace(reading, values=kept + (value,), missing=tuple(element for element in reading.missing if element.name != value.name))

@@ -1,0 +1,91 @@
+"""Amounts in a sentence, found in its words: the same words hang in the tree in many ways ("move 3 feet forward")."""
+import math
+from dataclasses import dataclass
+from typing import List, Optional, Sequence, Tuple
+
+from spoken_quantities import QuantityError, find_unit, number_words, parse_measure, parse_number
+
+from semantic_framer.sentence import Sentence
+
+#: No amount has more words ("one hundred and twenty five and a half degrees").
+LONGEST = 9
+_NUMBER_WORDS = frozenset(number_words()) | {"a", "an", "and", "of", "-", "point"}
+
+
+@dataclass(frozen=True)
+class Amount:
+    """A number in a sentence, and its unit if one was said.
+
+    Attributes:
+        positions: of its words, unit included
+        amount: the number
+        unit: as it was said, "feet"; empty for a bare number
+        quantity: length, angle, duration or number
+        si_amount: metres, radians, seconds or the bare number
+        numeral: the number as it was said, "minus two"
+    """
+
+    positions: Tuple[int, ...]
+    amount: float
+    unit: str
+    quantity: str
+    si_amount: float
+    numeral: str
+
+    def digits(self) -> str:
+        """The number in digits, without needless zeros; as it was said where it is not finite."""
+        return f"{self.amount:.12g}" if math.isfinite(self.amount) else self.numeral
+
+
+def find_amounts(sentence: Sentence, positions: Sequence[int]) -> Tuple[Amount, ...]:
+    """Find the amounts among some words.
+
+    Args:
+        sentence: the sentence
+        positions: of the words to look at, in order
+    Returns:
+        amounts that do not overlap, the longest first where they could; amounts that are not finite are found too
+    """
+    found: List[Amount] = []
+    start = 0
+    ordered = sorted(positions)
+    while start < len(ordered):
+        amount = None
+        for length in range(min(LONGEST, len(ordered) - start), 0, -1):
+            window = ordered[start:start + length]
+            if window[-1] - window[0] == length - 1:
+                amount = _amount(sentence, window)
+            if amount is not None:
+                break
+        if amount is None:
+            start += 1
+        else:
+            found.append(amount)
+            start += len(amount.positions)
+    return tuple(found)
+
+
+def _amount(sentence: Sentence, window: Sequence[int]) -> Optional[Amount]:
+    forms = [sentence.word(index).form for index in window]
+    unit = find_unit(forms[-1]) if len(forms) > 1 else None
+    numeral = forms[:-1] if unit else forms
+    if not all(form.lower() in _NUMBER_WORDS or form[0].isdigit() or form in ("-", "+") or form[0] in "+-." for form in numeral):
+        return None
+    if not any(form[0].isdigit() or form.lower() in _NUMBER_WORDS - {"a", "an", "and", "of", "-", "point", "plus"} for form in numeral) \
+            and not (unit and len(forms) == 2):
+        return None
+    if numeral[-1].lower() == "and" or (unit is None and numeral[0].lower() in ("a", "an", "and", "of")):
+        return None
+    said = " ".join(forms)
+    spoken = " ".join(numeral)
+    try:
+        if unit is None:
+            number = parse_number(said)
+            return Amount(tuple(window), number, "", "number", number, spoken)
+        measure = parse_measure(said)
+    except QuantityError as error:
+        if error.code == "NOT_FINITE":
+            return Amount(tuple(window), float("inf"), forms[-1] if unit else "", unit.quantity if unit else "number", float("inf"),
+                          spoken)
+        return None
+    return Amount(tuple(window), measure.amount, forms[-1], measure.quantity, measure.si_amount, spoken)

@@ -1,0 +1,182 @@
+"""The semantic framer: from the parse of a command to the frames that it evokes."""
+import threading
+import time
+import uuid
+from dataclasses import dataclass
+from typing import Dict, List, Tuple
+
+import rospy
+from roboframenet_msgs.msg import (CommandLexicalUnits, CommandParse, FileProblem, FileProblems, FilledLexicalUnitList, FrameCatalogue,
+                                   Lexicon as LexiconMessage, Reply, SourceFile, StageEvent)
+from roboframenet_msgs.srv import AddLexicalUnit, AddLexicalUnitRequest, AddLexicalUnitResponse
+from semantic_frames import FileRefused, Problem, load_frame
+from semantic_frames.frame import SemanticFrame
+from semantic_frames.source_files import LEXICAL_UNITS_FOLDER, read_text, replace_problems, yaml_files
+from stanford_parser_ros.ros_messages import to_tree
+
+from semantic_framer.dialogue import Context
+from semantic_framer.framer import Alternatives, LeftOverWords, Policy, Question, Refusal, Understood, read
+from semantic_framer.lexicon import Lexicon
+from semantic_framer.matching import Reading
+from semantic_framer.ros_messages import to_clauses, to_filled_units
+from semantic_framer.sentence import Sentence
+
+STAGE = "semantic_framer"
+#: Kept on the master by the node for itself: files that were added while it ran.
+ADDED_LEXICAL_UNITS = "~_added_lexical_units"
+
+
+@dataclass(frozen=True)
+class Settings:
+    """Parameters of the node, checked.
+
+    Attributes:
+        lexical_unit_paths: files, and folders with folders named ``lexical_units``
+        policy: how careful to be
+    """
+
+    lexical_unit_paths: Tuple[str, ...]
+    policy: Policy
+
+    @classmethod
+    def from_parameters(cls) -> "Settings":
+        """Read the node's private parameters.
+
+        Raises:
+            ValueError: a value that is not allowed
+        """
+        paths = rospy.get_param("~lexical_unit_paths", [])
+        timeout_s = float(rospy.get_param("~question_timeout_s", 30.0))
+        if not 1.0 <= timeout_s <= 3600.0:
+            raise ValueError(f"~question_timeout_s must be 1 to 3600 s, got {timeout_s}")
+        return cls(
+            lexical_unit_paths=tuple([paths] if isinstance(paths, str) else paths),
+            policy=Policy(left_over_words=LeftOverWords(rospy.get_param("~left_over_words", "strict")),
+                          alternatives=Alternatives(rospy.get_param("~alternatives", "either")), question_timeout_s=timeout_s))
+
+
+class SemanticFramer:
+    """Understands one command after the other.
+
+    Subscribes:
+        command_parse (CommandParse), frame_catalogue (FrameCatalogue, latched)
+    Publishes:
+        command_lexical_units (CommandLexicalUnits), filled_lexical_units (FilledLexicalUnitList), lexicon (Lexicon, latched),
+        file_problems (FileProblems, latched), stage_events (StageEvent)
+    Services:
+        add_lexical_unit
+    Parameters: see :class:`Settings`.
+    """
+
+    def __init__(self, settings: Settings) -> None:
+        self._settings = settings
+        self._lock = threading.Lock()
+        self._lexicon = Lexicon()
+        self._frames: Dict[str, SemanticFrame] = {}
+        self._context = Context()
+        self._problems: Tuple[Problem, ...] = ()
+        self._id = uuid.uuid4().hex
+        self._units = rospy.Publisher("command_lexical_units", CommandLexicalUnits, queue_size=100)
+        self._units_2012 = rospy.Publisher("filled_lexical_units", FilledLexicalUnitList, queue_size=100)
+        self._lexicon_publisher = rospy.Publisher("lexicon", LexiconMessage, queue_size=1, latch=True)
+        self._file_problems = rospy.Publisher("file_problems", FileProblems, queue_size=5, latch=True)
+        self._events = rospy.Publisher("stage_events", StageEvent, queue_size=100)
+        added: List[str] = rospy.get_param(ADDED_LEXICAL_UNITS, [])
+        for path in list(yaml_files(settings.lexical_unit_paths, LEXICAL_UNITS_FOLDER)) + added:
+            self._add_file(path)
+        self._publish_lexicon()
+        self._subscribers = [
+            rospy.Subscriber("frame_catalogue", FrameCatalogue, self._on_catalogue, queue_size=1),
+            rospy.Subscriber("command_parse", CommandParse, self._on_command, queue_size=100),
+        ]
+        self._service = rospy.Service("add_lexical_unit", AddLexicalUnit, self._on_add_lexical_unit)
+        rospy.loginfo("ready: %d lexical units, %d verbs, %d problems, %s", len(self._lexicon.units), len(self._lexicon.verbs),
+                      len(self._problems), settings)
+
+    def _add_file(self, path: str) -> bool:
+        """Add one lexical unit file; return whether it was accepted. The problems are logged and published."""
+        problems: Tuple[Problem, ...] = ()
+        try:
+            text = read_text(path)
+            with self._lock:
+                self._lexicon.add_file(text, path)
+        except FileRefused as refused:
+            problems = refused.problems
+            for problem in problems:
+                rospy.logerr("refused: %s", problem)
+        self._problems = replace_problems(self._problems, path, problems)
+        self._file_problems.publish(FileProblems(problems=[
+            FileProblem(code=problem.code, path=problem.path, line=problem.line, key=problem.key, found=problem.found,
+                        expected=problem.expected, hint=problem.hint) for problem in self._problems]))
+        return not problems
+
+    def _on_add_lexical_unit(self, request: AddLexicalUnitRequest) -> AddLexicalUnitResponse:
+        path = request.absolute_file_path
+        is_added = self._add_file(path)
+        if is_added:
+            added = rospy.get_param(ADDED_LEXICAL_UNITS, [])
+            if path not in added:
+                rospy.set_param(ADDED_LEXICAL_UNITS, added + [path])
+            self._publish_lexicon()
+        return AddLexicalUnitResponse(success=is_added)
+
+    def _publish_lexicon(self) -> None:
+        self._lexicon_publisher.publish(LexiconMessage(framer_id=self._id, files=[
+            SourceFile(path=path, text=text) for path, text in self._lexicon.files.items()]))
+
+    def _on_catalogue(self, message: FrameCatalogue) -> None:
+        frames = {}
+        for file in message.files:
+            try:
+                frame = load_frame(file.text, file.path)
+                frames[frame.name] = frame
+            except FileRefused as refused:
+                rospy.logwarn("the catalogue holds a frame that cannot be read: %s", refused)
+        with self._lock:
+            self._frames = frames
+
+    def _on_command(self, message: CommandParse) -> None:
+        try:
+            tree = to_tree(message.command.text, message.words)
+            with self._lock:
+                outcome, self._context = read(tree, self._lexicon, self._frames, context=self._context, policy=self._settings.policy,
+                                              now_s=time.monotonic())
+        except Exception as error:  # boundary: whatever fails here, the command gets its reply
+            rospy.logerr("cmd=%s failed", message.command.id, exc_info=True)
+            self._end(message, Reply.FAILED, "STAGE_ERROR", f"The semantic framer failed: {type(error).__name__}: {error}")
+            return
+        if isinstance(outcome, Refusal):
+            self._end(message, Reply.REFUSED, outcome.code, outcome.sentence)
+        elif isinstance(outcome, Question):
+            self._end(message, Reply.NEEDS_INFORMATION, outcome.code, outcome.sentence)
+        else:
+            self._pass_on(message, outcome, Sentence(tree))
+
+    def _pass_on(self, message: CommandParse, understood: Understood, sentence: Sentence) -> None:
+        described = "; then ".join(" or ".join(describe(reading) for reading in readings[:3]) for readings in understood.clauses)
+        self._events.publish(StageEvent(command=message.command, stage=STAGE, stamp=rospy.Time.now(), sentence=" ".join(
+            part for part in (described, understood.warning and f"({understood.warning})") if part)))
+        self._units_2012.publish(to_filled_units(understood.clauses))
+        self._units.publish(CommandLexicalUnits(command=message.command, clauses=to_clauses(understood.clauses, sentence)))
+
+    def _end(self, message: CommandParse, outcome: int, code: str, sentence: str) -> None:
+        rospy.loginfo("cmd=%s ends here: %s", message.command.id, sentence)
+        now = rospy.Time.now()
+        self._events.publish(StageEvent(command=message.command, stage=STAGE, stamp=now, sentence=sentence, is_final=True, reply=Reply(
+            command=message.command, outcome=outcome, stage=STAGE, code=code, sentence=sentence, stamp=now)))
+
+
+def describe(reading: Reading) -> str:
+    """Return a reading in a line: "turning(direction=left, angle=120)"."""
+    return f"{reading.unit.frame_name}({', '.join(f'{value.name}={value.argument}' for value in reading.values)})"
+
+
+def main() -> None:
+    """Run the node."""
+    rospy.init_node("semantic_framer")
+    try:
+        SemanticFramer(Settings.from_parameters())
+    except ValueError as error:
+        rospy.logfatal("cannot start: %s", error)
+        raise SystemExit(1) from error
+    rospy.spin()

@@ -1,0 +1,69 @@
+"""A parsed sentence with its relations by governor, and the words that carry no content of their own."""
+from functools import lru_cache
+from typing import Dict, FrozenSet, List, Sequence, Set, Tuple
+
+from stanford_parser_ros.stanford_dependencies import Arc, arcs
+from stanford_parser_ros.tree import DependencyTree, Word
+
+#: Said around a command without changing it.
+HARMLESS = frozenset(
+    "please now just kindly then also okay ok so well uh um er hmm hey hi hello robot again next first finally simply actually "
+    "thanks thank could can would will you i us lets".split())
+_FUNCTION_RELATIONS = {"punct", "det", "case", "mark", "aux", "aux:pass", "cop", "cc", "cc:preconj", "discourse", "vocative", "fixed",
+                       "expl", "reparandum", "goeswith"}
+
+
+class Sentence:
+    """A dependency tree, looked at from its governors.
+
+    Attributes:
+        tree: the tree
+        arcs: every relation under all of its names
+    """
+
+    def __init__(self, tree: DependencyTree) -> None:
+        self.tree = tree
+        self.arcs: Tuple[Arc, ...] = arcs(tree)
+        self._by_governor: Dict[int, List[Arc]] = {}
+        for arc in self.arcs:
+            self._by_governor.setdefault(arc.governor, []).append(arc)
+        self._children: Dict[int, Tuple[Word, ...]] = {
+            index: tree.children(index) for index in range(len(tree.words) + 1)}
+        self.subtree = lru_cache(maxsize=None)(self._subtree)
+
+    def word(self, index: int) -> Word:
+        """Return a word by its index from 1."""
+        return self.tree.word(index)
+
+    def children(self, index: int) -> Tuple[Word, ...]:
+        """Return the words that a word governs in the tree."""
+        return self._children.get(index, ())
+
+    def dependents(self, governor: int, relation: str) -> List[int]:
+        """Return the words that are in a relation, of either scheme, to a governor, in order of the sentence."""
+        return sorted({arc.dependent for arc in self._by_governor.get(governor, ()) if relation in arc.relations})
+
+    def _subtree(self, index: int) -> FrozenSet[int]:
+        found: Set[int] = {index}
+        pending = [index]
+        while pending:
+            for child in self._children.get(pending.pop(), ()):
+                if child.index not in found:
+                    found.add(child.index)
+                    pending.append(child.index)
+        return frozenset(found)
+
+    def text(self, positions: Sequence[int]) -> str:
+        """Return words as they were said, a clitic ("'s") joined to its word."""
+        text = ""
+        for index in sorted(positions):
+            form = self.word(index).form
+            text += form if not text or form.startswith(("'", "’", "n't")) else " " + form
+        return text
+
+    def is_content(self, index: int) -> bool:
+        """Whether a word says something of its own: ignoring it would change what was asked."""
+        word = self.word(index)
+        if word.deprel in _FUNCTION_RELATIONS or word.upos in ("PUNCT", "INTJ", "SYM", "CCONJ", "PART"):
+            return False
+        return word.form.lower() not in HARMLESS

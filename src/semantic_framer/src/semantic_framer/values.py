@@ -1,0 +1,125 @@
+"""What fills a frame element: the words, and what they mean."""
+import math
+from dataclasses import dataclass, replace
+from typing import FrozenSet, List, Tuple
+
+from semantic_frames.lexical_unit import ArgumentForm
+
+from semantic_framer.measures import Amount
+from semantic_framer.sentence import Sentence
+
+
+@dataclass(frozen=True)
+class ElementValue:
+    """The argument of a frame element; the fields are those of ``roboframenet_msgs/FrameElementValue``."""
+
+    name: str
+    argument: str
+    head: str = ""
+    phrase: str = ""
+    possessor: str = ""
+    determiner: str = ""
+    adjectives: Tuple[str, ...] = ()
+    amount: float = math.nan
+    unit: str = ""
+    quantity: str = ""
+    si_amount: float = math.nan
+    conjunction: str = ""
+    items: Tuple[str, ...] = ()
+    positions: Tuple[int, ...] = ()
+    head_position: int = 0
+
+
+def phrase_value(sentence: Sentence, name: str, head: int, form: ArgumentForm, left_out: FrozenSet[int]) -> ElementValue:
+    """Make the value of a phrase.
+
+    Args:
+        sentence: the sentence
+        name: of the frame element
+        head: index of the head word
+        form: which words become the argument
+        left_out: words that belong to something else
+    Returns:
+        the value; its positions include a preposition at the front, its argument does not
+    """
+    conjuncts = [child for child in sentence.children(head) if child.deprel == "conj" and child.upos not in ("VERB", "AUX")]
+    positions = sorted(sentence.subtree(head) - left_out)
+    while len(positions) > 1 and sentence.word(positions[-1]).upos == "PUNCT":
+        positions.pop()
+    while len(positions) > 1 and (sentence.word(positions[0]).upos == "PUNCT" or sentence.word(positions[0]).deprel in ("cc", "discourse")):
+        positions.pop(0)
+    prepositions = _prepositions(sentence, head)
+    bare = [index for index in positions if index not in prepositions]
+    children = sentence.children(head)
+    conjunction = ""
+    items: Tuple[str, ...] = ()
+    if conjuncts:
+        conjunction = next((inner.form.lower() for conjunct in conjuncts for inner in sentence.children(conjunct.index)
+                            if inner.deprel == "cc"), "and")
+        items = _items(sentence, head, [conjunct.index for conjunct in conjuncts], left_out | prepositions)
+    phrase_argument = sentence.text(bare)
+    return ElementValue(
+        name=name,
+        argument=phrase_argument if form is ArgumentForm.PHRASE else sentence.word(head).form,
+        head=sentence.word(head).form,
+        phrase=sentence.text(positions),
+        possessor=next((child.form for child in children if child.deprel == "nmod:poss"), ""),
+        determiner=next((child.form for child in children if child.deprel == "det"), ""),
+        adjectives=tuple(child.form for child in children if child.deprel == "amod"),
+        conjunction=conjunction if len(items) > 1 else "",
+        items=items if len(items) > 1 else (),
+        positions=tuple(positions),
+        head_position=head,
+    )
+
+
+def _prepositions(sentence: Sentence, head: int) -> FrozenSet[int]:
+    found: List[int] = []
+    for child in sentence.children(head):
+        if child.deprel == "case" and child.index < head:
+            found += sentence.subtree(child.index)
+    return frozenset(found)
+
+
+def _items(sentence: Sentence, head: int, conjuncts: List[int], left_out: FrozenSet[int]) -> Tuple[str, ...]:
+    later = frozenset(index for conjunct in conjuncts for index in sentence.subtree(conjunct))
+    groups = [sentence.subtree(head) - later - left_out] + [sentence.subtree(conjunct) - left_out for conjunct in conjuncts]
+    items = []
+    for group in groups:
+        words = [index for index in sorted(group) if sentence.word(index).upos != "PUNCT" and sentence.word(index).deprel not in ("cc", "case")
+                 or sentence.word(index).xpos == "POS"]
+        if words:
+            items.append(sentence.text(words))
+    return tuple(items)
+
+
+def amount_value(sentence: Sentence, name: str, amount: Amount, *, is_whole: bool) -> ElementValue:
+    """Make the value of an amount.
+
+    Args:
+        sentence: the sentence
+        name: of the frame element
+        amount: as it was found
+        is_whole: whether the argument is the amount with its unit ("5 minutes") or the number alone ("120")
+    """
+    whole = f"{amount.digits()} {amount.unit}".strip()
+    return ElementValue(
+        name=name, argument=whole if is_whole else amount.digits(), head=sentence.word(amount.positions[-1]).form,
+        phrase=sentence.text(amount.positions), amount=amount.amount, unit=amount.unit, quantity=amount.quantity,
+        si_amount=amount.si_amount, positions=amount.positions, head_position=amount.positions[-1])
+
+
+def unit_value(sentence: Sentence, name: str, amount: Amount) -> ElementValue:
+    """Make the value of the unit of an amount."""
+    return ElementValue(name=name, argument=amount.unit, head=amount.unit, phrase=amount.unit, unit=amount.unit,
+                        positions=amount.positions[-1:], head_position=amount.positions[-1])
+
+
+def given_value(name: str, argument: str) -> ElementValue:
+    """Make a value that no word of the sentence stands for: a default, or something said before."""
+    return ElementValue(name=name, argument=argument, head=argument, phrase=argument)
+
+
+def resolved(value: ElementValue, argument: str) -> ElementValue:
+    """Put what a pronoun stands for in the place of the pronoun; the words that were said stay."""
+    return replace(value, argument=argument)
