@@ -1,12 +1,10 @@
-"""A room: walls, boxes and named places, read from YAML."""
+"""A room: walls and boxes, read from YAML."""
 import math
 from dataclasses import dataclass
-from typing import Callable, Dict, List, Mapping, Sequence, Tuple, TypeVar
+from typing import Callable, Dict, List, Sequence, Tuple, TypeVar
 
 import numpy as np
 import yaml
-
-from roboframenet_sim.base import Pose
 
 Value = TypeVar("Value")
 
@@ -39,7 +37,6 @@ class Room:
     y_m: Tuple[float, float]
     walls: Tuple[Tuple[float, float, float, float], ...]
     boxes: Tuple[Box, ...]
-    places: Mapping[str, Pose]
 
     def all_walls(self) -> np.ndarray:
         """Return the walls, with the outer ones, and the sides of the boxes, as an (n, 4) array."""
@@ -132,7 +129,7 @@ def load_room(text: str, *, path: str) -> Room:
         raise RoomError(path=path, line=line, key="-", message="no YAML: %s" % error.problem) from error
     if root is None:
         raise RoomError(path=path, line=1, key="-", message="empty file")
-    top = reader.mapping(root, "room", keys=("resolution_m", "wall_thickness_m", "bounds", "walls", "boxes", "places"))
+    top = reader.mapping(root, "room", keys=("resolution_m", "wall_thickness_m", "bounds", "walls", "boxes"))
     bounds = reader.mapping(top["bounds"], "bounds", keys=("x_m", "y_m"))
     x_m, y_m = reader.span(bounds["x_m"], "bounds/x_m"), reader.span(bounds["y_m"], "bounds/y_m")
 
@@ -141,13 +138,6 @@ def load_room(text: str, *, path: str) -> Room:
         return Box(name=str(entry["name"].value), x_m=reader.span(entry["x_m"], "boxes/x_m"),
                    y_m=reader.span(entry["y_m"], "boxes/y_m"))
 
-    places: Dict[str, Pose] = {}
-    for name, node in reader.mapping(top["places"], "places").items():
-        entry = reader.mapping(node, name, keys=("x_m", "y_m", "yaw_rad"))
-        pose = Pose(**{key: reader.number(value, "places/%s/%s" % (name, key)) for key, value in entry.items()})
-        if not (x_m[0] < pose.x_m < x_m[1] and y_m[0] < pose.y_m < y_m[1]):
-            raise reader.error(node, "places/%s" % name, "is outside the bounds")
-        places[name] = pose
     resolution_m = reader.positive(top["resolution_m"], "resolution_m")
     if (x_m[1] - x_m[0]) * (y_m[1] - y_m[0]) / resolution_m ** 2 > 4e6:
         raise reader.error(top["resolution_m"], "resolution_m", "more than four million cells")
@@ -155,7 +145,7 @@ def load_room(text: str, *, path: str) -> Room:
         resolution_m=resolution_m, wall_thickness_m=reader.positive(top["wall_thickness_m"], "wall_thickness_m"),
         x_m=x_m, y_m=y_m,
         walls=reader.items(top["walls"], "walls", lambda node: reader.numbers(node, "walls", count=4)),  # type: ignore
-        boxes=reader.items(top["boxes"], "boxes", read_box), places=places)
+        boxes=reader.items(top["boxes"], "boxes", read_box))
 
 
 def load_room_file(path: str) -> Room:

@@ -2,7 +2,7 @@
 import math
 import time
 from dataclasses import dataclass
-from typing import Callable, Optional
+from typing import Callable, Iterator, Optional
 
 import rospy
 from rosgraph_msgs.msg import Clock
@@ -18,8 +18,9 @@ class SteppingSettings:
 
     rate_hz: float = 50.0
     rate_factor: float = 1.0
+    is_sim_time: bool = False
     is_clock: bool = False
-    """This node publishes /clock; true only under /use_sim_time, and in one node of the graph."""
+    """This node publishes /clock: only under /use_sim_time, and in one node of the graph."""
 
     def __post_init__(self) -> None:
         for name, low, high in (("rate_hz", 1.0, 1000.0), ("rate_factor", 0.01, 100.0)):
@@ -39,14 +40,16 @@ def read_stepping_settings(*, rate_hz: float) -> SteppingSettings:
     is_sim_time = bool(rospy.get_param("/use_sim_time", False))
     return SteppingSettings(rate_hz=rospy.get_param("~rate_hz", rate_hz),
                             rate_factor=rospy.get_param("~rate_factor", SteppingSettings.rate_factor),
+                            is_sim_time=is_sim_time,
                             is_clock=is_sim_time and bool(rospy.get_param("~publish_clock", True)))
 
 
 class Stepper:
     """Calls a function once per period until the node is shut down.
 
-    Under /use_sim_time every step is exactly one period long, however busy the machine is: the simulation then runs
-    slower, but the same. Along the wall clock a step is as long as the time that has passed.
+    The node that publishes /clock makes every step exactly one period long, however busy the machine is: the simulation
+    then runs slower, but the same. Along the wall clock, or the /clock of another node, a step is as long as the time that
+    has passed.
 
     Args:
         settings: rate and clock
@@ -62,21 +65,50 @@ class Stepper:
 
     def run(self) -> None:
         """Step until shutdown."""
+        if self._clock is not None:
+            self._run_as_clock()
+        elif self._settings.is_sim_time:
+            self._run_along_clock()
+        else:
+            self._run_along_wall()
+
+    def _run_as_clock(self) -> None:
         period_s = 1.0 / self._settings.rate_hz
-        wall_period_s = period_s / self._settings.rate_factor
-        last_s = due_s = time.monotonic()
         steps = 0
+        for _ in self._periods(period_s / self._settings.rate_factor):
+            steps += 1
+            stamp = rospy.Time.from_sec(steps * period_s)
+            publish(self._clock, Clock(clock=stamp))
+            self._step(period_s, stamp)
+
+    def _run_along_wall(self) -> None:
+        last_s = time.monotonic()
+        for now_s in self._periods(1.0 / self._settings.rate_hz):
+            self._step(now_s - last_s, rospy.Time.now())
+            last_s = now_s
+
+    def _run_along_clock(self) -> None:
+        rate = rospy.Rate(self._settings.rate_hz)
+        last_s = rospy.get_time()
+        while not rospy.is_shutdown():
+            try:
+                rate.sleep()
+            except rospy.ROSTimeMovedBackwardsException:
+                # The clock was started again: this step takes no time.
+                last_s = rospy.get_time()
+            except rospy.ROSInterruptException:
+                return
+            stamp = rospy.Time.now()
+            self._step(max(0.0, stamp.to_sec() - last_s), stamp)
+            last_s = stamp.to_sec()
+
+    def _periods(self, period_s: float) -> Iterator[float]:
+        """Yield the monotonic time once per period, until shutdown. A lag of several periods is not caught up."""
+        due_s = time.monotonic()
         while not rospy.is_shutdown():
             now_s = time.monotonic()
-            steps += 1
-            if self._clock is None:
-                self._step(now_s - last_s, rospy.Time.now())
-            else:
-                stamp = rospy.Time.from_sec(steps * period_s)
-                publish(self._clock, Clock(clock=stamp))
-                self._step(period_s, stamp)
-            last_s = now_s
-            due_s = max(due_s + wall_period_s, now_s - self.MAX_LAG_S)
+            yield now_s
+            due_s = max(due_s + period_s, now_s - self.MAX_LAG_S)
             time.sleep(max(0.0, due_s - time.monotonic()))
 
 

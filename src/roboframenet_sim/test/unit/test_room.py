@@ -2,12 +2,13 @@
 import os
 
 import pytest
+import yaml
 
 from roboframenet_sim.occupancy_grid import grid_of_room
 from roboframenet_sim.planner import plan
 from roboframenet_sim.room import RoomError, load_room, load_room_file
 
-CONFIG = os.path.join(os.path.dirname(__file__), "..", "..", "config", "room.yaml")
+CONFIG = os.path.join(os.path.dirname(__file__), "..", "..", "config")
 SMALL = """resolution_m: 0.1
 wall_thickness_m: 0.1
 bounds: {x_m: [0, 4], y_m: [0, 3]}
@@ -15,14 +16,12 @@ walls:
   - [2, 0, 2, 2]
 boxes:
   - {name: chest, x_m: [3, 3.5], y_m: [1, 1.5]}
-places:
-  here: {x_m: 1, y_m: 1, yaw_rad: 0}
 """
 
 
 def test_room_is_read():
     room = load_room(SMALL, path="small.yaml")
-    assert room.places["here"].x_m == 1.0
+    assert room.x_m == (0.0, 4.0)
     assert room.boxes[0].name == "chest"
     assert len(room.all_walls()) == 1 + 4 + 4
 
@@ -35,9 +34,8 @@ def test_room_is_read():
     (("wall_thickness_m: 0.1", "wall_thickness_m: -1"), 2, "wall_thickness_m", "positive"),
     (("[0, 4]", "[4, 0]"), 3, "bounds/x_m", "smaller"),
     (("boxes:", "boxen:"), 6, "boxen", "expected one of"),
-    (("x_m: 1,", "x_m: 9,"), 9, "places/here", "outside"),
     (("name: chest", "nome: chest"), 7, "nome", "unknown"),
-    (("places:", "bounds:"), 8, "bounds", "twice"),
+    (("walls:", "bounds:"), 4, "bounds", "twice"),
     (("walls:\n", "walls: {\n"), 5, "-", "no YAML")])
 def test_wrong_file_names_line_and_key(change, line, key, words):
     with pytest.raises(RoomError) as caught:
@@ -70,8 +68,10 @@ def test_inflation_keeps_the_distance():
 
 
 def test_every_place_of_the_shipped_room_can_be_reached():
-    room = load_room_file(CONFIG)
-    grid = grid_of_room(room).inflated(0.3)
-    for pose in room.places.values():
-        corners = plan(grid, start=(0.0, 0.0), goal=(pose.x_m, pose.y_m))
-        assert corners[-1] == (pose.x_m, pose.y_m)
+    room = load_room_file(os.path.join(CONFIG, "room.yaml"))
+    grid = grid_of_room(room).inflated(0.4)
+    with open(os.path.join(CONFIG, "places.yaml"), encoding="utf-8") as file:
+        places = yaml.safe_load(file)
+    assert {"office", "kitchen", "fridge", "room"} <= set(places)
+    for place in places.values():
+        assert plan(grid, start=(0.0, 0.0), goal=(place["x"], place["y"]))[-1] == (place["x"], place["y"])
