@@ -65,8 +65,9 @@ def _config(values: Dict[str, Value]) -> Config:
 class SettingsKeeper:
     """Applies the settings that servers need and brings the former values back.
 
-    What a server needs stands in the parameter ``<server>/required_settings`` (`read_needs`). The former values are kept in a private parameter, so that an executor that was killed restores them when it is
-    started again. A node that is away keeps its former values waiting until it is back.
+    What a server needs stands in the parameter ``<server>/required_settings`` (`read_needs`). The former values are
+    kept in a private parameter, so that an executor that was killed restores them when it is started again. A node that
+    is away keeps its former values waiting until it is back.
     """
 
     def __init__(self, *, timeout_s: float, parameter: str = "~applied_settings") -> None:

@@ -53,8 +53,8 @@ def read_needs(found: object, *, server: str) -> Tuple[Setting, ...]:
     """Read what a server says that it needs.
 
     Args:
-        found: a list of mappings with the keys ``node`` and ``settings``, a mapping of name to value; None for no needs.
-            A list, because the parameter server takes a name with a slash as a key for a parameter of its own.
+        found: a list of mappings with the keys ``node`` and ``settings``, a mapping of name to value; None for no
+            needs. A list, because the parameter server takes a name with a slash as a key for a parameter of its own.
         server: its name, for the errors
 
     Raises:
@@ -73,8 +73,8 @@ def read_needs(found: object, *, server: str) -> Tuple[Setting, ...]:
         for name, value in entry["settings"].items():
             is_number = isinstance(value, (int, float)) and math.isfinite(value)
             if not (isinstance(value, (bool, str)) or is_number):
-                raise SettingsError(f"required_settings of {server}, {entry['node']}, {name}: expected a bool, a number "
-                                    f"or a string, found {value!r}")
+                raise SettingsError(f"required_settings of {server}, {entry['node']}, {name}: expected a bool, "
+                                    f"a number or a string, found {value!r}")
             needs.append(Setting(node=entry["node"], name=str(name), value=value))
     return tuple(needs)
 
