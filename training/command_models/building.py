@@ -174,7 +174,7 @@ def steps(plan: Plan) -> List[Step]:
         trained(
             "parser",
             trainers.parser,
-            "parser.pt",
+            "parser-full.pt",
             (data / "parser.train.conllu", data / "written.dev.conllu", word_vectors),
         ),
         trained(
@@ -182,6 +182,12 @@ def steps(plan: Plan) -> List[Step]:
             trainers.tagger,
             "tagger.pt",
             (data / "mixed.train.conllu", data / "spoken.conllu", data / "written.dev.conllu", word_vectors),
+        ),
+        trained(
+            "settle",
+            trainers.settled_parser,
+            "parser.pt",
+            (models / "parser-full.pt", data / "parser.train.conllu", data / "written.dev.conllu", word_vectors),
         ),
         Step("preparation", mixed, small, {}, prepared, logs / "preparation.log"),
         trained("tokenizer", trainers.tokenizer, "tokenizer.pt", small[:5] + (data / "mixed.dev.conllu",)),
