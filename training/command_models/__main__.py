@@ -38,11 +38,13 @@ def _arguments() -> argparse.ArgumentParser:
     score.add_argument("--seed", type=int, default=20261)
     score.add_argument("--show", type=int, default=0, help="failures to print")
     score.add_argument("--huric", type=Path, help="folder of HuRIC 2.1 with *.hrc below")
+    score.add_argument("--rules", type=Path, help="folder with stanford_parser_ros: map relations by its rules")
     score.add_argument("--json", type=Path, help="write the figures there")
     against = commands.add_parser("huric", help="HuRIC's gold trees")
     against.add_argument("--model", type=Path, required=True)
     against.add_argument("--data", type=Path, required=True, help="folder of HuRIC 2.1 with *.hrc below")
     against.add_argument("--show", type=int, default=0, help="failures to print")
+    against.add_argument("--rules", type=Path, help="folder with stanford_parser_ros: map relations by its rules")
     carded = commands.add_parser("card", help="put the figures of 'score --json' into a model card")
     carded.add_argument("--figures", type=Path, required=True)
     carded.add_argument("--model", type=Path, required=True, help="folder with manifest.json and MODEL_CARD.md")
@@ -89,20 +91,23 @@ def _score(options: argparse.Namespace) -> None:
         median, high = scoring.latency(options.model, [sentence.text() for sentence in sentences[:200]])
         figures["milliseconds per command, one thread"] = {"median": median, "95th percentile": high}
     if options.huric:
-        figures["HuRIC commands with their gold words, percent"] = _on_huric(options.model, options.huric).percent()
+        figures["HuRIC commands with their gold words, percent"] = _on_huric(
+            options.model, options.huric, options.rules
+        ).percent()
     for title, found in figures.items():
         print(title + ": " + ", ".join("%s %.2f" % pair for pair in found.items()))
     if options.json:
         options.json.write_text(json.dumps(figures, indent=1) + "\n", encoding="utf-8")
 
 
-def _on_huric(model: Path, data: Path) -> huric.Score:
+def _on_huric(model: Path, data: Path, rules: Optional[Path]) -> huric.Score:
     commands = huric.read_folder(data)
-    return huric.score(commands, Parser(model, pretokenized=True).words([command.tokens for command in commands]))
+    parsed = Parser(model, pretokenized=True).words([command.tokens for command in commands])
+    return huric.score(commands, parsed, huric.runtime_arguments(rules) if rules else huric.our_arguments)
 
 
 def _huric(options: argparse.Namespace) -> None:
-    found = _on_huric(options.model, options.data)
+    found = _on_huric(options.model, options.data, options.rules)
     for line in found.lines() + ["  " + failure for failure in found.failures[: options.show]]:
         print(line)
 

@@ -9,18 +9,23 @@ others.  The score therefore asks about the *lexical units* of the annotated fra
   those that our tree hangs on the same word in the same relation, with the same preposition.
 """
 
+import importlib
+import sys
 import xml.etree.ElementTree as ElementTree
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Dict, FrozenSet, Iterable, List, Set, Tuple
+from typing import Callable, Dict, FrozenSet, Iterable, List, Set, Tuple
 
-from .conllu import Sentence
+from .conllu import Sentence, render
 from .errors import TrainingError
 
+Reader = Callable[[Sentence], Dict[Tuple[int, int], Set[str]]]
 Arc = Tuple[int, int, str]  # governor, dependant, relation; places are 1-based
 
 _SAME = {"dobj": "dobj", "dojb": "dobj", "iobj": "iobj", "nsubj": "nsubj", "prt": "prt", "nsubjpass": "nsubj"}
 _OURS = {"obj": "dobj", "iobj": "iobj", "nsubj": "nsubj", "nsubj:pass": "nsubj", "compound:prt": "prt"}
+# Names that HuRIC writes for what the rules call otherwise: it has no vocative, and no passive subjects apart.
+_RENAMED = {"vocative": "nsubj", "nsubjpass": "nsubj"}
 _DIRECTIONS = frozenset("left right back down up off on forward backward over away".split())
 
 
@@ -134,6 +139,27 @@ def our_arguments(sentence: Sentence) -> Dict[Tuple[int, int], Set[str]]:
     return found
 
 
+def runtime_arguments(source: Path) -> "Reader":
+    """The same by the rule table that robots run: ``source`` is the folder that holds ``stanford_parser_ros``.
+
+    Raises TrainingError when there is no such package in it.
+    """
+    if not (source / "stanford_parser_ros" / "stanford_dependencies.py").is_file():
+        raise TrainingError("%s: no stanford_parser_ros/stanford_dependencies.py below" % source)
+    sys.path.insert(0, str(source.resolve()))
+    conllu = importlib.import_module("stanford_parser_ros.conllu")
+    rules = importlib.import_module("stanford_parser_ros.stanford_dependencies")
+
+    def read(sentence: Sentence) -> Dict[Tuple[int, int], Set[str]]:
+        found: Dict[Tuple[int, int], Set[str]] = {}
+        for arc in rules.arcs(conllu.from_conllu(render(sentence))):
+            names = {_RENAMED.get(name, name) for name in arc.relations}
+            found.setdefault((arc.governor, arc.dependent), set()).update(names)
+        return found
+
+    return read
+
+
 @dataclass(frozen=True)
 class Score:
     """Counts over commands: right predicates, right arguments, and what went wrong, one line each."""
@@ -174,8 +200,11 @@ def our_root(sentence: Sentence) -> int:
     return copula if copula and marked else root
 
 
-def score(commands: Iterable[Command], parsed: Iterable[Sentence]) -> Score:
-    """Compare gold commands with our trees of the same tokens, in the same order."""
+def score(commands: Iterable[Command], parsed: Iterable[Sentence], read: "Reader" = our_arguments) -> Score:
+    """Compare gold commands with our trees of the same tokens, in the same order.
+
+    ``read`` names the Stanford relations in a tree of ours: the short table here, or the runtime's rules.
+    """
     total = predicates = arguments = attached = 0
     failures: List[str] = []
     for command, sentence in zip(commands, parsed):
@@ -194,7 +223,7 @@ def score(commands: Iterable[Command], parsed: Iterable[Sentence]) -> Score:
                 failures.append(
                     "predicate %s, not %s: %s" % (command.tokens[wanted - 1], sentence.words[root - 1].form, text)
                 )
-        ours = our_arguments(sentence)
+        ours = read(sentence)
         for governor, dependant, relation in sorted(gold_arguments(command)):
             arguments += 1
             if relation in ours.get((governor, dependant), set()):
