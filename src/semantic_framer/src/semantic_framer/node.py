@@ -13,9 +13,10 @@ from semantic_frames import FileRefused, Problem, load_frame
 from semantic_frames.frame import SemanticFrame
 from semantic_frames.source_files import LEXICAL_UNITS_FOLDER, read_text, replace_problems, yaml_files
 from stanford_parser_ros.ros_messages import to_tree
+from stanford_parser_ros.tree import DependencyTree
 
 from semantic_framer.dialogue import Context
-from semantic_framer.framer import Alternatives, LeftOverWords, Policy, Question, Refusal, Understood, read
+from semantic_framer.framer import Alternatives, LeftOverWords, Outcome, Policy, Question, Refusal, Understood, read
 from semantic_framer.lexicon import Lexicon
 from semantic_framer.matching import Reading
 from semantic_framer.ros_messages import to_clauses, to_filled_units
@@ -24,6 +25,8 @@ from semantic_framer.sentence import Sentence
 STAGE = "semantic_framer"
 #: Kept on the master by the node for itself: files that were added while it ran.
 ADDED_LEXICAL_UNITS = "~_added_lexical_units"
+#: A frame that was added together with its lexical unit may be on its way still, seconds.
+CATALOGUE_DELAY_S = 1.0
 
 
 @dataclass(frozen=True)
@@ -70,9 +73,10 @@ class SemanticFramer:
 
     def __init__(self, settings: Settings) -> None:
         self._settings = settings
-        self._lock = threading.Lock()
+        self._lock = threading.Condition()
         self._lexicon = Lexicon()
         self._frames: Dict[str, SemanticFrame] = {}
+        self._frame_of_file: Dict[Tuple[str, str], SemanticFrame] = {}
         self._context = Context()
         self._problems: Tuple[Problem, ...] = ()
         self._id = uuid.uuid4().hex
@@ -125,22 +129,23 @@ class SemanticFramer:
             SourceFile(path=path, text=text) for path, text in self._lexicon.files.items()]))
 
     def _on_catalogue(self, message: FrameCatalogue) -> None:
-        frames = {}
+        known = self._frame_of_file
+        of_file = {}
         for file in message.files:
             try:
-                frame = load_frame(file.text, file.path)
-                frames[frame.name] = frame
+                # One registration must not cost the reading of every file again.
+                of_file[file.path, file.text] = known.get((file.path, file.text)) or load_frame(file.text, file.path)
             except FileRefused as refused:
                 rospy.logwarn("the catalogue holds a frame that cannot be read: %s", refused)
+        self._frame_of_file = of_file
         with self._lock:
-            self._frames = frames
+            self._frames = {frame.name: frame for frame in of_file.values()}
+            self._lock.notify_all()
 
     def _on_command(self, message: CommandParse) -> None:
         try:
             tree = to_tree(message.command.text, message.words)
-            with self._lock:
-                outcome, self._context = read(tree, self._lexicon, self._frames, context=self._context, policy=self._settings.policy,
-                                              now_s=time.monotonic())
+            outcome = self._read(tree)
         except Exception as error:  # boundary: whatever fails here, the command gets its reply
             rospy.logerr("cmd=%s failed", message.command.id, exc_info=True)
             self._end(message, Reply.FAILED, "STAGE_ERROR", f"The semantic framer failed: {type(error).__name__}: {error}")
@@ -151,6 +156,18 @@ class SemanticFramer:
             self._end(message, Reply.NEEDS_INFORMATION, outcome.code, outcome.sentence)
         else:
             self._pass_on(message, outcome, Sentence(tree))
+
+    def _read(self, tree: DependencyTree) -> Outcome:
+        end = time.monotonic() + CATALOGUE_DELAY_S
+        with self._lock:
+            while True:
+                frames = self._frames
+                outcome, context = read(tree, self._lexicon, frames, context=self._context, policy=self._settings.policy,
+                                        now_s=time.monotonic())
+                if not isinstance(outcome, Refusal) or outcome.code != "UNKNOWN_FRAME" or not self._lock.wait_for(
+                        lambda: self._frames is not frames, timeout=max(0.0, end - time.monotonic())):
+                    self._context = context
+                    return outcome
 
     def _pass_on(self, message: CommandParse, understood: Understood, sentence: Sentence) -> None:
         described = "; then ".join(" or ".join(describe(reading) for reading in readings[:3]) for readings in understood.clauses)

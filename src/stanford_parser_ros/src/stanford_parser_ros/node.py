@@ -3,7 +3,7 @@ import queue
 import threading
 from dataclasses import dataclass
 from pathlib import Path
-from typing import FrozenSet
+from typing import Dict, FrozenSet
 
 import rospkg
 import rospy
@@ -76,6 +76,7 @@ class ParserNode:
                               cache_size=settings.cache_size)
         times = self._parser.load_times
         self._verbs: FrozenSet[str] = frozenset()
+        self._verbs_of_file: Dict[str, FrozenSet[str]] = {}
         self._commands: "queue.Queue[Command]" = queue.Queue(settings.queue_size)
         self._parses = rospy.Publisher("command_parse", CommandParse, queue_size=100)
         self._parses_2012 = rospy.Publisher("parse", Parse, queue_size=100)
@@ -91,15 +92,17 @@ class ParserNode:
                       times.stanza_s, times.models_s, times.warm_up_s, settings)
 
     def _on_lexicon(self, message: Lexicon) -> None:
-        verbs = set()
+        verbs_of_file: Dict[str, FrozenSet[str]] = {}
         for file in message.files:
             try:
-                for unit in load_lexical_units(file.text, file.path):
+                # One file that is added must not cost the reading of all others again.
+                verbs_of_file[file.text] = self._verbs_of_file.get(file.text) or frozenset(
                     # The base form stands in front of the particle: "pick" of "pick up".
-                    verbs.update(verb.split()[0] for verb in unit.verbs)
+                    verb.split()[0] for unit in load_lexical_units(file.text, file.path) for verb in unit.verbs)
             except FileRefused as refused:
                 rospy.logwarn("the lexicon holds a file that cannot be read: %s", refused)
-        self._verbs = frozenset(verbs)
+        self._verbs_of_file = verbs_of_file
+        self._verbs = frozenset().union(*verbs_of_file.values())
 
     def _on_command(self, command: Command) -> None:
         try:
