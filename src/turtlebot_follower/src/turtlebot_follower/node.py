@@ -1,0 +1,292 @@
+"""The node turtlebot_follower: "Follow me." as an RFNServer."""
+import enum
+import math
+import threading
+import time
+from dataclasses import dataclass
+from typing import Any, Optional, Tuple, Union
+
+import rospy
+from dynamic_reconfigure.server import Server as ReconfigureServer
+from geometry_msgs.msg import Twist
+from nav_msgs.msg import Odometry
+from roboframenet_msgs.msg import FilledSemanticFrame, FilledSemanticFrameFeedback, FilledSemanticFrameResult
+from sensor_msgs.msg import PointCloud2
+
+from rfnserver import RFNServer
+from turtlebot_follower.centroid import Box, Centroid, CloudError, centroid, points_of
+from turtlebot_follower.cfg import FollowerConfig
+from turtlebot_follower.following import Follower, FollowingSettings, FollowingStep, Sight
+from turtlebot_follower.ros_other_followers import FollowerError, LaunchFollower, ServiceFollower
+
+FRAME_NAME = "following"
+
+
+class Mode(enum.Enum):
+    """Who follows: this node, a follower behind a service, or one in a launch file."""
+
+    OWN = "own"
+    SERVICE = "service"
+    LAUNCH = "launch"
+
+
+@dataclass(frozen=True)
+class Settings:
+    """Parameters that do not change while the node runs.
+
+    Raises:
+        ValueError: an unknown mode, a missing launch file, a number out of range
+    """
+
+    mode: str
+    launchfile: str
+    service: str
+    service_timeout_s: float
+    pixel_step: int
+    odometry_timeout_s: float
+
+    def __post_init__(self) -> None:
+        modes = [mode.value for mode in Mode]
+        if self.mode not in modes:
+            raise ValueError("~mode must be one of %s, got %r" % (", ".join(modes), self.mode))
+        if self.mode == Mode.LAUNCH.value and not self.launchfile:
+            raise ValueError("~mode launch needs ~launchfile")
+        for name in ("service_timeout_s", "odometry_timeout_s"):
+            value = getattr(self, name)
+            if not (isinstance(value, (int, float)) and math.isfinite(value) and 0.1 <= value <= 60.0):
+                raise ValueError("~%s must be 0.1 to 60 s, got %r" % (name, value))
+        if not (isinstance(self.pixel_step, int) and 1 <= self.pixel_step <= 32):
+            raise ValueError("~pixel_step must be 1 to 32, got %r" % self.pixel_step)
+
+
+def read_settings() -> Settings:
+    """Read the private parameters."""
+    return Settings(
+        mode=str(rospy.get_param("~mode", Mode.OWN.value)), launchfile=str(rospy.get_param("~launchfile", "")),
+        service=str(rospy.get_param("~service", "turtlebot_follower/change_state")),
+        service_timeout_s=rospy.get_param("~service_timeout_s", 2.0), pixel_step=rospy.get_param("~pixel_step", 2),
+        odometry_timeout_s=rospy.get_param("~odometry_timeout_s", 0.5))
+
+
+@dataclass(frozen=True)
+class Tuning:
+    """What dynamic_reconfigure changes."""
+
+    box: Box
+    following: FollowingSettings
+    min_share: float
+
+
+def tuning_of(config: Any) -> Tuning:
+    """Read a configuration of dynamic_reconfigure.
+
+    Raises:
+        ValueError: a box without room
+    """
+    return Tuning(
+        box=Box(min_x_m=config.min_x, max_x_m=config.max_x, min_y_m=config.min_y, max_y_m=config.max_y,
+                max_z_m=config.max_z),
+        following=FollowingSettings(
+            goal_z_m=config.goal_z, z_scale_per_s=config.z_scale, x_scale_rad_per_m_s=config.x_scale,
+            speed_share=config.speed_share, max_linear_m_per_s=config.max_linear_m_per_s,
+            max_angular_rad_per_s=config.max_angular_rad_per_s, lost_timeout_s=config.lost_timeout_s),
+        min_share=config.min_share)
+
+
+@dataclass(frozen=True)
+class Picture:
+    """What a point cloud held: the person, if anybody, and when."""
+
+    person: Optional[Centroid]
+    stamp_s: float
+    number: int
+
+
+class TurtlebotFollower:
+    """Follows who stands before the robot, as long as the goal is active.
+
+    Subscribes:
+        ``camera/depth/points`` (sensor_msgs/PointCloud2) and ``odom`` (nav_msgs/Odometry), only while following
+    Publishes:
+        ``cmd_vel`` (geometry_msgs/Twist), only while following, and zero at the end
+    Actions:
+        ``following`` (roboframenet_msgs/FilledSemanticFrameAction)
+    """
+
+    WAIT_S = 0.1
+    FEEDBACK_S = 0.5
+    FLUSH_S = 0.1
+    CLOUD_BUFFER_BYTES = 1 << 24
+    """A cloud of 640x480 has five megabytes: it is read in one piece."""
+
+    def __init__(self, settings: Settings) -> None:
+        self._settings = settings
+        self._condition = threading.Condition()
+        self._picture: Optional[Picture] = None
+        self._driven: Tuple[float, float] = (0.0, -math.inf)
+        self._tuning: Optional[Tuning] = None
+        self._configuration: Any = None
+        self._idle = threading.Event()
+        self._idle.set()
+        self._velocity = rospy.Publisher("cmd_vel", Twist, queue_size=1, tcp_nodelay=True)
+        self._reconfigure = ReconfigureServer(FollowerConfig, self._take_tuning)
+        self._server = RFNServer(FRAME_NAME, self._follow)
+        self._server.register_preempt_callback(self._wake)
+        rospy.on_shutdown(self._shut_down)
+
+    def start(self) -> None:
+        """Offer the server, and register it with its frame."""
+        self._server.register_with_frame(FRAME_NAME)
+        self._server.start()
+
+    def _take_tuning(self, config: Any, _level: int) -> Any:
+        try:
+            tuning = tuning_of(config)
+        except ValueError as error:
+            if self._tuning is None:
+                raise
+            rospy.logerr("kept as it was: %s", error)
+            return self._configuration
+        self._configuration = config
+        self._tuning = tuning
+        rospy.loginfo("%s", tuning)
+        return config
+
+    def _wake(self) -> None:
+        with self._condition:
+            self._condition.notify_all()
+
+    def _shut_down(self) -> None:
+        self._wake()
+        # The thread of the goal stops the robot; a thread of the publisher sends what is queued.
+        self._idle.wait(2.0 * self._settings.service_timeout_s)
+        time.sleep(self.FLUSH_S)
+
+    def _publish(self, step: FollowingStep) -> None:
+        message = Twist()
+        message.linear.x = step.linear_m_per_s
+        message.angular.z = step.angular_rad_per_s
+        try:
+            self._velocity.publish(message)
+        except rospy.ROSException:
+            if not rospy.is_shutdown():
+                raise
+
+    def _take_cloud(self, message: PointCloud2) -> None:
+        tuning = self._tuning
+        try:
+            points = points_of(
+                message.data, height=message.height, width=message.width, point_step=message.point_step,
+                row_step=message.row_step, is_bigendian=bool(message.is_bigendian),
+                offsets={field.name: field.offset for field in message.fields},
+                datatypes={field.name: field.datatype for field in message.fields},
+                pixel_step=self._settings.pixel_step)
+        except CloudError as error:
+            rospy.logerr_throttle(5.0, "%s", error)
+            return
+        person = centroid(points, box=tuning.box, min_share=tuning.min_share) if tuning else None
+        with self._condition:
+            number = self._picture.number + 1 if self._picture else 1
+            self._picture = Picture(person=person, stamp_s=message.header.stamp.to_sec(), number=number)
+            self._condition.notify_all()
+
+    def _take_odometry(self, message: Odometry) -> None:
+        self._driven = (message.twist.twist.linear.x, time.monotonic())
+
+    def _follow(self, _frame: FilledSemanticFrame) -> None:
+        """Follow until preempted or the person is lost."""
+        self._idle.clear()
+        try:
+            if self._settings.mode == Mode.OWN.value:
+                problem = self._follow_oneself()
+            elif self._settings.mode == Mode.SERVICE.value:
+                problem = self._let_follow(ServiceFollower(
+                    self._settings.service, timeout_s=self._settings.service_timeout_s))
+            else:
+                problem = self._let_follow(LaunchFollower(
+                    self._settings.launchfile, timeout_s=self._settings.service_timeout_s))
+        finally:
+            self._publish(FollowingStep(0.0, 0.0, Sight.UNSEEN))
+            self._idle.set()
+        if problem:
+            rospy.logwarn("aborted: %s", problem)
+            self._server.set_aborted(FilledSemanticFrameResult(success=False), problem)
+        else:
+            rospy.loginfo("preempted")
+            self._server.set_preempted(FilledSemanticFrameResult(success=False), "stopped following")
+
+    def _is_over(self) -> bool:
+        return rospy.is_shutdown() or self._server.is_preempt_requested()
+
+    def _follow_oneself(self) -> str:
+        """Follow, and return why it ended; nothing when it was preempted."""
+        with self._condition:
+            self._picture = None
+        subscribers = [
+            rospy.Subscriber("odom", Odometry, self._take_odometry, queue_size=1, tcp_nodelay=True),
+            rospy.Subscriber("camera/depth/points", PointCloud2, self._take_cloud, queue_size=1,
+                             buff_size=self.CLOUD_BUFFER_BYTES, tcp_nodelay=True)]
+        try:
+            return self._follow_pictures(subscribers[1].resolved_name)
+        finally:
+            for subscriber in subscribers:
+                subscriber.unregister()
+
+    def _follow_pictures(self, topic: str) -> str:
+        follower = Follower(self._tuning.following, now_s=time.monotonic())
+        last_number, picture_s, feedback_s = 0, -math.inf, -math.inf
+        while not self._is_over():
+            with self._condition:
+                if self._picture is None or self._picture.number == last_number:
+                    self._condition.wait(self.WAIT_S)
+                picture = self._picture
+            follower.settings = self._tuning.following
+            now_s = time.monotonic()
+            if picture is not None and picture.number != last_number:
+                last_number, picture_s = picture.number, now_s
+                driven_m_per_s, driven_s = self._driven
+                is_fresh = now_s - driven_s <= self._settings.odometry_timeout_s
+                step = follower.observe(picture.person, stamp_s=picture.stamp_s,
+                                        driven_m_per_s=driven_m_per_s if is_fresh else None, now_s=now_s)
+                self._publish(step)
+            elif now_s - picture_s > 3.0 * self.WAIT_S:
+                step = follower.wait(now_s=now_s)
+                self._publish(step)
+            else:
+                continue
+            if step.sight is Sight.LOST:
+                if last_number == 0:
+                    return "I see nothing: no point cloud on %s." % topic
+                return "I have lost you: nobody was before me for %g seconds." % follower.settings.lost_timeout_s
+            if now_s - feedback_s >= self.FEEDBACK_S:
+                feedback_s = now_s
+                self._server.publish_feedback(FilledSemanticFrameFeedback(is_succeeding=step.sight is Sight.SEEN))
+        return ""
+
+    def _let_follow(self, follower: Union[ServiceFollower, LaunchFollower]) -> str:
+        """Let the robot's own follower follow, and return why it ended; nothing when it was preempted."""
+        try:
+            follower.start()
+            problem = ""
+            while not self._is_over() and not problem:
+                with self._condition:
+                    self._condition.wait(self.FEEDBACK_S)
+                problem = follower.problem()
+                self._server.publish_feedback(FilledSemanticFrameFeedback(is_succeeding=not problem))
+            return problem
+        except FollowerError as error:
+            return str(error)
+        finally:
+            try:
+                follower.stop()
+            except FollowerError as error:
+                rospy.logerr("the follower may still follow: %s", error)
+
+
+def main() -> None:
+    """Run the node until it is shut down."""
+    rospy.init_node("turtlebot_follower")
+    settings = read_settings()
+    rospy.loginfo("%s", settings)
+    TurtlebotFollower(settings).start()
+    rospy.spin()

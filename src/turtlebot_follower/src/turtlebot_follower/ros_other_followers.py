@@ -1,0 +1,115 @@
+"""Followers that a robot already has: behind a service, or in a launch file, as in 2012."""
+import os
+import signal
+import subprocess
+import threading
+from typing import Optional
+
+import rospy
+from turtlebot_msgs.srv import SetFollowState, SetFollowStateRequest, SetFollowStateResponse
+
+
+class FollowerError(Exception):
+    """The robot's own follower cannot be used; the message says why."""
+
+
+class ServiceFollower:
+    """A follower with turtlebot_msgs/SetFollowState.
+
+    Args:
+        service: its name
+        timeout_s: for each call
+    """
+
+    def __init__(self, service: str, *, timeout_s: float) -> None:
+        self._service = service
+        self._timeout_s = timeout_s
+
+    def start(self) -> None:
+        """Let it follow.
+
+        Raises:
+            FollowerError: not there, silent, or unwilling
+        """
+        self._set(SetFollowStateRequest.FOLLOW)
+
+    def stop(self) -> None:
+        """Let it stop.
+
+        Raises:
+            FollowerError: not there, silent, or unwilling
+        """
+        self._set(SetFollowStateRequest.STOPPED)
+
+    def problem(self) -> str:
+        """Return why it does not follow any more: a service does not say so."""
+        return ""
+
+    def _set(self, state: int) -> None:
+        answers = []
+
+        def call() -> None:
+            try:
+                rospy.wait_for_service(self._service, timeout=self._timeout_s)
+                answers.append(rospy.ServiceProxy(self._service, SetFollowState)(state=state).result)
+            except (rospy.ROSException, rospy.ServiceException) as error:
+                answers.append(str(error))
+
+        # A service call in rospy has no deadline: a thread that may be left behind has one.
+        thread = threading.Thread(target=call, daemon=True)
+        thread.start()
+        thread.join(2.0 * self._timeout_s)
+        if not answers:
+            raise FollowerError("the service %s does not answer" % self._service)
+        if answers[0] != SetFollowStateResponse.OK:
+            raise FollowerError("the service %s: %s" % (self._service, answers[0]))
+
+
+class LaunchFollower:
+    """A follower in a launch file, which runs while it follows.
+
+    Args:
+        path: of the launch file
+        timeout_s: how long its nodes may take to end
+    """
+
+    def __init__(self, path: str, *, timeout_s: float) -> None:
+        self._path = path
+        self._timeout_s = timeout_s
+        self._process: Optional[subprocess.Popen] = None
+
+    def start(self) -> None:
+        """Launch it.
+
+        Raises:
+            FollowerError: no such file, or no roslaunch
+        """
+        if not os.path.isfile(self._path):
+            raise FollowerError("~launchfile: there is no file %r" % self._path)
+        try:
+            # A group of its own: the interrupt of a terminal must not reach it before stop() does.
+            self._process = subprocess.Popen(["roslaunch", self._path], stdin=subprocess.DEVNULL, start_new_session=True)
+        except OSError as error:
+            raise FollowerError("roslaunch cannot be started: %s" % error) from error
+
+    def stop(self) -> None:
+        """End all that was launched."""
+        process, self._process = self._process, None
+        if process is None:
+            return
+        for signal_number in (signal.SIGINT, signal.SIGKILL):
+            try:
+                os.killpg(process.pid, signal_number)
+                process.wait(self._timeout_s)
+                return
+            except ProcessLookupError:
+                process.wait(self._timeout_s)
+                return
+            except subprocess.TimeoutExpired:
+                rospy.logwarn("%s does not end", self._path)
+
+    def problem(self) -> str:
+        """Return why it does not follow any more, or nothing."""
+        if self._process is not None and self._process.poll() is not None:
+            return "the launch file ended with status %d" % self._process.returncode
+        return ""
