@@ -13,15 +13,10 @@ function(roboframenet_pin_interpreter)
     set(pinned ${CMAKE_CURRENT_BINARY_DIR}/pinned_scripts/${name})
     file(WRITE ${pinned} "${text}")
     set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/${script})
-    # A later rule wins over the one of catkin_install_python.
+    # Two files of one second are the same to install(): the one of catkin_install_python has to go first.
+    install(CODE "file(REMOVE \"\$ENV{DESTDIR}\${CMAKE_INSTALL_PREFIX}/${CATKIN_PACKAGE_BIN_DESTINATION}/${name}\")")
     install(PROGRAMS ${pinned} DESTINATION ${CATKIN_PACKAGE_BIN_DESTINATION})
   endforeach()
-endfunction()
-
-# The two calls in one, for packages not yet moved.
-function(roboframenet_install_programs)
-  catkin_install_python(PROGRAMS ${ARGN} DESTINATION ${CATKIN_PACKAGE_BIN_DESTINATION})
-  roboframenet_pin_interpreter(${ARGN})
 endfunction()
 
 # roboframenet_add_tests([FOLDER <folder>])
