@@ -23,7 +23,7 @@ from roboframenet_sim.path_following import FollowingLimits, PathFollower
 from roboframenet_sim.planner import NoPath, plan
 from roboframenet_sim.room import load_room_file
 from roboframenet_sim.ros_base import quaternion_of_yaw
-from roboframenet_sim.ros_stepping import publish
+from roboframenet_sim.ros_stepping import publish, run_until_shutdown
 
 
 @dataclass(frozen=True)
@@ -259,4 +259,4 @@ def main() -> None:
     rospy.init_node("move_base_sim")
     settings = read_settings()
     rospy.loginfo("%s", settings)
-    MoveBaseSim(settings).run()
+    run_until_shutdown(MoveBaseSim(settings).run)

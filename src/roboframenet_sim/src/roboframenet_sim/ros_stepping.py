@@ -1,6 +1,8 @@
 """The time of a simulated robot: steps of one length, along the wall clock or along a /clock of its own."""
 import math
+import threading
 import time
+import traceback
 from dataclasses import dataclass
 from typing import Callable, Iterator, Optional
 
@@ -66,11 +68,11 @@ class Stepper:
     def run(self) -> None:
         """Step until shutdown."""
         if self._clock is not None:
-            self._run_as_clock()
+            run_until_shutdown(self._run_as_clock)
         elif self._settings.is_sim_time:
-            self._run_along_clock()
+            run_until_shutdown(self._run_along_clock)
         else:
-            self._run_along_wall()
+            run_until_shutdown(self._run_along_wall)
 
     def _run_as_clock(self) -> None:
         period_s = 1.0 / self._settings.rate_hz
@@ -110,6 +112,29 @@ class Stepper:
             yield now_s
             due_s = max(due_s + period_s, now_s - self.MAX_LAG_S)
             time.sleep(max(0.0, due_s - time.monotonic()))
+
+
+def run_until_shutdown(loop: Callable[[], None]) -> None:
+    """Run a loop in a thread of its own until the node is shut down.
+
+    Signal handlers run in the main thread, wherever it is: rospy closes the topics there, which must not happen in the
+    middle of a publish.
+
+    Args:
+        loop: returns soon after shutdown; if it raises, the node is shut down
+    """
+    def run() -> None:
+        try:
+            loop()
+        except Exception as error:  # boundary: a thread that dies silently would leave a dead robot
+            if not rospy.is_shutdown():
+                rospy.logfatal("%s", traceback.format_exc())
+                rospy.signal_shutdown("%s: %s" % (type(error).__name__, error))
+
+    thread = threading.Thread(target=run, daemon=True)
+    thread.start()
+    rospy.spin()
+    thread.join(2.0)
 
 
 def publish(publisher: Optional[rospy.Publisher], message: object) -> None:

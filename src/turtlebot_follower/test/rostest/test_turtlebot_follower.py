@@ -165,7 +165,7 @@ class TestTurtlebotFollower(unittest.TestCase):
         """As in 2012."""
         def is_up():
             published = rosgraph.Master(rospy.get_name()).getSystemState()[0]
-            return any("/other_follower/other_follower" in nodes for _, nodes in published)
+            return any(node.endswith("/other_follower/other_follower") for _, nodes in published for node in nodes)
 
         client = actionlib.ActionClient("launched/following", FilledSemanticFrameAction)
         self.assertTrue(wait_until(lambda: client.wait_for_server(rospy.Duration(1.0))))
