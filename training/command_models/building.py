@@ -180,7 +180,7 @@ def steps(plan: Plan) -> List[Step]:
         trained(
             "tagger",
             trainers.tagger,
-            "tagger.pt",
+            "tagger-full.pt",
             (data / "mixed.train.conllu", data / "spoken.conllu", data / "written.dev.conllu", word_vectors),
         ),
         trained(
@@ -188,6 +188,19 @@ def steps(plan: Plan) -> List[Step]:
             trainers.settled_parser,
             "parser.pt",
             (models / "parser-full.pt", data / "parser.train.conllu", data / "written.dev.conllu", word_vectors),
+        ),
+        trained(
+            "settle-tagger",
+            trainers.settled_tagger,
+            "tagger.pt",
+            (
+                models / "tagger-full.pt",
+                data / "mixed.train.conllu",
+                data / "spoken.conllu",
+                data / "written.dev.conllu",
+                word_vectors,
+                _HERE / "settling.py",
+            ),
         ),
         Step("preparation", mixed, small, {}, prepared, logs / "preparation.log"),
         trained("tokenizer", trainers.tokenizer, "tokenizer.pt", small[:5] + (data / "mixed.dev.conllu",)),

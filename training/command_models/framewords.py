@@ -26,8 +26,9 @@ CARRIERS = """
     bring bring take take take carry carry move deliver drag return push send transport drive fetch transfer
     bring""".split()
 TAKERS = "take take take get grab grasp fetch remove collect find pick catch find search inspect check".split()
-PARTICLE_OBJECT: Tuple[Tuple[str, str], ...] = _pairs("""pick:up pick:up pick:up turn:on turn:on turn:off turn:off
-    switch:on switch:off put:down put:away put:back take:out take:off throw:away throw:out clean:up set:down hand:over
+PARTICLE_OBJECT: Tuple[Tuple[str, str], ...] = _pairs("""pick:up pick:up turn:on turn:on turn:on turn:off
+    turn:off switch:on switch:on switch:off put:on put:down put:away put:back take:out take:off throw:away
+    throw:out clean:up set:down hand:over
     plug:in shut:down open:up lift:up bring:back give:back turn:down turn:up look:up hold:up fill:up power:on fold:up
     bring:over put:on wipe:off write:down drop:off lay:down hang:up wake:up let:go pass:over move:over plug:out wash:up
     take:away take:down check:out cut:off dry:off pull:out push:in roll:up tidy:up start:up close:up wind:up""")

@@ -26,6 +26,7 @@ class Effort:
     tagger: int = 5000
     parser: int = 6000
     settle: int = 1200  # the parser's last steps, at a quarter of the learning rate
+    settle_tagger: int = 600  # the tagger's, likewise
 
 
 def _module(name: str, options: str) -> List[str]:
@@ -133,8 +134,17 @@ def tagger(data: Path, models: Path, effort: Effort, seed: int) -> List[str]:
         "--save_dir",
         str(models),
         "--save_name",
-        "tagger.pt",
+        "tagger-full.pt",
     ]
+
+
+def settled_tagger(data: Path, models: Path, effort: Effort, seed: int) -> List[str]:
+    """The best tagger of the full rate trained on at a quarter of it."""
+    files = [models / "tagger-full.pt", models / "tagger.pt", models / "vectors.pt", data / "written.dev.conllu"]
+    train = [data / "mixed.train.conllu", data / "spoken.conllu"]
+    counts = [str(effort.settle_tagger), str(seed + 1)]
+    command = [sys.executable, "-m", "command_models.settling"]
+    return command + [str(path) for path in files] + counts + [str(path) for path in train]
 
 
 _PARSER = (
@@ -169,7 +179,7 @@ def settled_parser(data: Path, models: Path, effort: Effort, seed: int) -> List[
     """The best parser of the full rate trained on at a quarter of it: noise settles."""
     steps = ["--max_steps", str(effort.settle), "--seed", str(seed + 1), "--save_name", "parser.pt"]
     source = ["--continue_from", str(models / "parser-full.pt")]
-    command = _module("models.parser", _PARSER + "--lr 0.0005 --eval_interval 100")
+    command = _module("models.parser", _PARSER + "--lr 0.0005 --eval_interval 150")
     return command + steps + source + _parser_files(data, models)
 
 

@@ -206,8 +206,9 @@ class Verbs(Motion):
     def particles(self, form: Form) -> Node:
         """ "pick up the cup", "turn the light on", "pick it up", "put the cup down on the table"."""
         lemma, particle = self.chooser.choice(PARTICLE_OBJECT)
-        if self.maybe(0.35):
-            lemma, particle = self.chooser.choice(PARTICLE_OBJECT[:8])
+        if self.maybe(0.55):
+            # "turn on the light" is said far more often than the rest, and looks like "turn" and "on the light"
+            lemma, particle = self.chooser.choice(PARTICLE_OBJECT[:11])
         verb = form(lemma)
         if self.maybe(0.15):
             # particle verbs nobody has listed
@@ -397,7 +398,7 @@ _FRAMES: Tuple[Tuple[str, float], ...] = (
     ("giving", 8),
     ("carrying", 11),
     ("benefit", 4),
-    ("particles", 8),
+    ("particles", 14),
     ("particle_alone", 2.5),
     ("obliques", 6),
     ("waiting", 3),

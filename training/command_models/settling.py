@@ -1,0 +1,96 @@
+"""The tagger's last steps at a quarter of the learning rate.
+
+Stanza's tagger, unlike its parser, has no option to go on from a trained model: this does, with Stanza's own
+classes.  Run as a process of its own: ``settling SOURCE TARGET VECTORS DEV STEPS SEED TRAIN...``.
+"""
+
+import io
+import sys
+from pathlib import Path
+from typing import Iterator, List, Sequence
+
+RATE = 0.0005
+EVERY = 100  # steps between two looks at the development set
+BATCH = 64
+
+
+def _score(trainer: object, data: object, gold: Path) -> float:
+    """Share of development words whose tags and features are all right."""
+    from stanza.models import tagger
+    from stanza.models.common import utils
+    from stanza.models.pos import scorer
+
+    predictions: List[object] = []
+    indices: List[int] = []
+    for batch in data.to_loader(batch_size=BATCH):  # type: ignore[attr-defined]
+        found, extra = trainer.predict(batch, extra_columns=True)  # type: ignore[attr-defined]
+        predictions += found
+        indices.extend(batch.idx)
+    predictions = utils.unsort(predictions, indices)
+    tagger.set_predictions(data.doc, trainer, predictions, None)  # type: ignore[attr-defined]
+    text = io.StringIO(format(data.doc, "C") + "\n\n")  # type: ignore[attr-defined]
+    return float(scorer.score(text, str(gold), eval_type="AllTags")[2])
+
+
+def settle(source: Path, target: Path, vectors: Path, dev: Path, steps: int, seed: int, train: Sequence[Path]) -> None:
+    """Train on from ``source`` over the files of ``train``; the best state on ``dev`` goes to ``target``."""
+    from stanza.models.common import utils
+    from stanza.models.common.doc import Document
+    from stanza.models.common.pretrain import Pretrain
+    from stanza.models.pos.data import Dataset, ShuffledDataset
+    from stanza.models.pos.trainer import Trainer
+    from stanza.utils.conll import CoNLL
+
+    utils.set_random_seed(seed)
+    pretrain = Pretrain(str(vectors))
+    trainer = Trainer(model_file=str(source), pretrain=pretrain, args={"lr": RATE}, device="cpu")
+    options = {"vocab": trainer.vocab, "tag_columns": trainer.args["tag_columns"]}
+    parts = [
+        Dataset(
+            Document(CoNLL.conll2dict(input_file=str(path))[0]), trainer.args, pretrain, evaluation=False, **options
+        )
+        for path in train
+    ]
+    checked = Dataset(
+        CoNLL.conll2doc(input_file=str(dev)), trainer.args, pretrain, evaluation=True, sort_during_eval=True, **options
+    )
+    shuffled = ShuffledDataset(parts, BATCH)
+
+    def batches() -> Iterator[object]:
+        while True:
+            yield from shuffled
+
+    best = _score(trainer, checked, dev)
+    print("before: dev_score = %.4f" % best, flush=True)
+    best = 0.0
+    for step, batch in enumerate(batches(), 1):
+        loss = trainer.update(batch, eval=False)
+        if step % 20 == 0:
+            print("Finished STEP %d/%d, loss = %.4f" % (step, steps, loss), flush=True)
+        if step % EVERY == 0 or step == steps:
+            found = _score(trainer, checked, dev)
+            print("step %d: dev_score = %.4f" % (step, found), flush=True)
+            if found >= best:
+                best = found
+                trainer.save(str(target))
+        if step >= steps:
+            return
+
+
+def main(arguments: Sequence[str]) -> int:
+    """The step as a process of its own."""
+    source, target, vectors, dev, steps, seed = arguments[:6]
+    settle(
+        Path(source),
+        Path(target),
+        Path(vectors),
+        Path(dev),
+        int(steps),
+        int(seed),
+        [Path(path) for path in arguments[6:]],
+    )
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))
