@@ -12,11 +12,16 @@ from roboframenet_demo.ros_observer import RobotObserver
 from roboframenet_demo.script import Line, judge, read_line
 from roboframenet_demo.table import format_table
 from roboframenet_msgs.msg import CommandStatus, Reply, StageEvent
+from std_msgs.msg import String
 
 OUTCOME_NAMES = {Reply.DONE: "DONE", Reply.FAILED: "FAILED", Reply.REFUSED: "REFUSED",
                  Reply.NEEDS_INFORMATION: "NEEDS_INFORMATION", Reply.SUPERSEDED: "SUPERSEDED"}
 #: How long after a reply the base may still roll out, seconds.
 ROLL_OUT_S = 3.0
+#: How long after the sentence the simulated person acts, seconds.
+PERSON_DELAY_S = 1.5
+#: Events of the stages may arrive a moment after the reply, seconds.
+LATE_EVENTS_S = 0.2
 HEADER = ("sentence", "domain", "frame and elements", "RFNServer", "what the robot did", "verdict")
 WIDTHS = (24, 10, 30, 14, 30, 10)
 
@@ -28,6 +33,7 @@ class Demonstration:
         self._print_lock = threading.Lock()
         self._conversation = Conversation(on_event=self._show_event)
         self._observer = RobotObserver()
+        self._person = rospy.Publisher("person/act", String, queue_size=1)
         self.rows: List[Sequence[str]] = []
         self.failures = 0
 
@@ -47,6 +53,9 @@ class Demonstration:
         self._observer.begin()
         self._conversation.say(line.text)
         texts = [line.text]
+        if line.person:
+            time.sleep(PERSON_DELAY_S)
+            self._person.publish(String(data=line.person))
         if line.interruption is not None:
             self._wait_for_motion(line.timeout_s)
             time.sleep(line.interruption.after_s)
@@ -55,6 +64,7 @@ class Demonstration:
             texts.append(line.interruption.text)
         replies = self._conversation.wait_for_replies(texts, line.timeout_s)
         self._wait_for_rest()
+        time.sleep(LATE_EVENTS_S)
         reply = replies.get(line.text)
         outcome = OUTCOME_NAMES[reply.outcome] if reply else "NO REPLY"
         is_right, reason = judge(line, outcome, self._observer.observe())
@@ -100,6 +110,9 @@ class Demonstration:
             time.sleep(0.02)
 
     def _show_event(self, event: StageEvent) -> None:
+        # The executor says every second that it is still running.
+        if event.sentence.startswith("Running:"):
+            return
         self._show(f"    {event.stage:<20} {event.sentence}")
 
     def _show(self, text: str) -> None:

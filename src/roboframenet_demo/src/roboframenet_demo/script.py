@@ -42,6 +42,7 @@ class Line:
         tolerance: relative error allowed on amounts
         interruption: what is said in mid-action; None for nothing
         timeout_s: how long to wait for the reply, seconds
+        person: what the simulated person does then ("walk", "leave"); empty for nothing
     """
 
     text: str
@@ -50,6 +51,7 @@ class Line:
     tolerance: float = 0.02
     interruption: Optional[Interruption] = None
     timeout_s: float = 60.0
+    person: str = ""
 
 
 @dataclass(frozen=True)
@@ -133,7 +135,7 @@ def read_line(entry: Dict[str, Any]) -> Line:
     Raises:
         ValueError: a key that is not known, or no sentence
     """
-    known = {"say", "outcome", "expect", "tolerance", "interrupt", "timeout_s"}
+    known = {"say", "outcome", "expect", "tolerance", "interrupt", "timeout_s", "person"}
     unknown = set(entry) - known
     if unknown or "say" not in entry:
         raise ValueError(f"a line has 'say' and may have {sorted(known - {'say'})}; found {sorted(entry)}")
@@ -145,4 +147,5 @@ def read_line(entry: Dict[str, Any]) -> Line:
         tolerance=float(entry.get("tolerance", 0.02)),
         interruption=Interruption(text=interrupt["say"], after_s=float(interrupt["after_s"])) if interrupt else None,
         timeout_s=float(entry.get("timeout_s", 60.0)),
+        person=entry.get("person", ""),
     )
