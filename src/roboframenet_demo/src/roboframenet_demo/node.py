@@ -11,15 +11,15 @@ from roboframenet_demo.ros_conversation import Conversation
 from roboframenet_demo.ros_observer import RobotObserver
 from roboframenet_demo.script import Line, judge, read_line
 from roboframenet_demo.table import format_table
-from roboframenet_msgs.msg import CommandStatus, Reply, StageEvent
+from roboframenet_msgs.msg import Reply, StageEvent
 from std_msgs.msg import String
 
 OUTCOME_NAMES = {Reply.DONE: "DONE", Reply.FAILED: "FAILED", Reply.REFUSED: "REFUSED",
                  Reply.NEEDS_INFORMATION: "NEEDS_INFORMATION", Reply.SUPERSEDED: "SUPERSEDED"}
 #: How long after a reply the base may still roll out, seconds.
 ROLL_OUT_S = 3.0
-#: How long after the sentence the simulated person acts, seconds.
-PERSON_DELAY_S = 1.5
+#: The robot is complete when no server has registered for so long, seconds.
+SETTLED_S = 3.0
 #: Events of the stages may arrive a moment after the reply, seconds.
 LATE_EVENTS_S = 0.2
 HEADER = ("sentence", "domain", "frame and elements", "RFNServer", "what the robot did", "verdict")
@@ -31,6 +31,7 @@ class Demonstration:
 
     def __init__(self) -> None:
         self._print_lock = threading.Lock()
+        self._begun = threading.Event()
         self._conversation = Conversation(on_event=self._show_event)
         self._observer = RobotObserver()
         self._person = rospy.Publisher("person/act", String, queue_size=1)
@@ -38,23 +39,25 @@ class Demonstration:
         self.failures = 0
 
     def wait_until_ready(self, timeout_s: float) -> bool:
-        """Wait for the pipeline: the text is heard and the status says so."""
+        """Wait until every stage listens to the one before it, and the servers of the robot have registered."""
+        end = time.monotonic() + timeout_s
         if not self._conversation.wait_until_heard(2, timeout_s):
             return False
-        try:
-            rospy.wait_for_message("status", CommandStatus, timeout=timeout_s)
-        except rospy.ROSException:
-            return False
-        return True
+        while time.monotonic() < end and not rospy.is_shutdown():
+            if self._conversation.is_pipeline_complete() and self._conversation.quiet_s() > SETTLED_S:
+                return True
+            time.sleep(0.2)
+        return False
 
     def run(self, line: Line) -> None:
         """Say one sentence, watch, judge, remember the row of the table."""
         self._show(f'\n>>> "{line.text}"')
         self._observer.begin()
+        self._begun.clear()
         self._conversation.say(line.text)
         texts = [line.text]
         if line.person:
-            time.sleep(PERSON_DELAY_S)
+            self._begun.wait(line.timeout_s)
             self._person.publish(String(data=line.person))
         if line.interruption is not None:
             self._wait_for_motion(line.timeout_s)
@@ -113,6 +116,8 @@ class Demonstration:
         # The executor says every second that it is still running.
         if event.sentence.startswith("Running:"):
             return
+        if event.stage == "executor":
+            self._begun.set()
         self._show(f"    {event.stage:<20} {event.sentence}")
 
     def _show(self, text: str) -> None:

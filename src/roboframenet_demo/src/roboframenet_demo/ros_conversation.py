@@ -3,10 +3,15 @@ import queue
 import time
 from typing import Callable, Dict, List, Optional
 
+import rosgraph
 import rospy
 from std_msgs.msg import String
 
-from roboframenet_msgs.msg import CommandLexicalUnits, CommandProcedure, Reply, StageEvent
+from roboframenet_msgs.msg import CommandLexicalUnits, CommandProcedure, FrameCatalogue, Reply, StageEvent
+
+
+#: What each stage of the pipeline listens to.
+STAGE_TOPICS = ("command_text", "command_parse", "command_lexical_units", "command_semantic_frames", "command_procedure")
 
 
 class Conversation:
@@ -15,7 +20,7 @@ class Conversation:
     Publishes:
         text (std_msgs/String)
     Subscribes:
-        stage_events, reply, command_lexical_units, command_procedure
+        stage_events, reply, frame_catalogue, command_lexical_units, command_procedure
     """
 
     def __init__(self, on_event: Callable[[StageEvent], None]) -> None:
@@ -26,9 +31,11 @@ class Conversation:
         self._replies: "queue.Queue[Reply]" = queue.Queue()
         self._procedures: Dict[str, CommandProcedure] = {}
         self._readings: Dict[str, CommandLexicalUnits] = {}
+        self._registered_s: Optional[float] = None
         self._text = rospy.Publisher("text", String, queue_size=10)
         self._subscribers = [
             rospy.Subscriber("stage_events", StageEvent, on_event, queue_size=100),
+            rospy.Subscriber("frame_catalogue", FrameCatalogue, self._on_catalogue, queue_size=1),
             rospy.Subscriber("reply", Reply, self._replies.put, queue_size=100),
             rospy.Subscriber("command_lexical_units", CommandLexicalUnits, self._on_reading, queue_size=100),
             rospy.Subscriber("command_procedure", CommandProcedure, self._on_procedure, queue_size=100),
@@ -42,6 +49,19 @@ class Conversation:
                 return True
             time.sleep(0.1)
         return False
+
+    def is_pipeline_complete(self) -> bool:
+        """Whether every stage listens: the parser does only when its models are loaded."""
+        try:
+            _, subscribers, _ = rosgraph.Master(rospy.get_name()).getSystemState()
+        except (OSError, rosgraph.MasterException):
+            return False
+        heard = {topic for topic, nodes in subscribers if set(nodes) - {rospy.get_name()}}
+        return all(rospy.resolve_name(topic) in heard for topic in STAGE_TOPICS)
+
+    def quiet_s(self) -> float:
+        """Seconds since a server registered last; 0 before the first."""
+        return time.monotonic() - self._registered_s if self._registered_s is not None else 0.0
 
     def say(self, text: str) -> None:
         """Publish a sentence."""
@@ -76,6 +96,10 @@ class Conversation:
     def reading(self, command_id: str) -> Optional[CommandLexicalUnits]:
         """Return what the framer made of a command, None for nothing."""
         return self._readings.get(command_id)
+
+    def _on_catalogue(self, message: FrameCatalogue) -> None:
+        if any(callback.is_alive for callback in message.callbacks):
+            self._registered_s = time.monotonic()
 
     def _on_reading(self, message: CommandLexicalUnits) -> None:
         self._readings[message.command.id] = message
