@@ -114,7 +114,7 @@ def _condition(sentence: Sentence, top: int, positions: FrozenSet[int]) -> Froze
                 return sentence.subtree(clause) if clause != top else frozenset([index])
         if word.form.lower() in DELAYS and word.deprel in ("advmod", "obl:unmarked", "obl", "discourse"):
             return frozenset([index])
-        if word.deprel.startswith("obl") and _is_delay(sentence, word):
+        if word.deprel.startswith(("obl", "nmod")) and _is_delay(sentence, word):
             return sentence.subtree(index)
     return frozenset()
 
