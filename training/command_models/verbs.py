@@ -129,8 +129,9 @@ class Verbs(Motion):
         if draw > 0.93:
             return verb.post("obl", self.nouns.side())
         place = self.nouns.placing()
-        if self.maybe(0.12):
-            place = place.post("nmod", self.oblique(self.any(("in", "near", "of", "next_to")), self.nouns.place()))
+        if self.maybe(0.25):
+            where = self.nouns.place() if self.maybe(0.5) else self.nouns.fixture()
+            place = place.post("nmod", self.oblique(self.any(("in", "near", "of", "next_to")), where))
         return verb.post("obl", place)
 
     def giving(self, form: Form) -> Node:
@@ -175,7 +176,7 @@ class Verbs(Motion):
         )
         if goal.upos == "NOUN":
             goal = self.nouns.located(goal, 0.1)
-        if verb.lemma in ("take", "bring", "carry", "move", "drag", "deliver") and self.maybe(0.2):
+        if verb.lemma in ("take", "bring", "carry", "move", "drag", "deliver") and self.maybe(0.4):
             # with these a place is where the thing goes, even without "to"
             return verb.post(
                 "obl", self.oblique(self.any("near near on on next_to in behind under beside".split()), goal)
@@ -250,11 +251,12 @@ class Verbs(Motion):
             verb = verb.post("advmod", words.adverb(self.any(("along", "together"))))
         if lemma in ("search", "look") and self.maybe(0.12):
             verb = verb.post("obl", self.oblique("in", self.nouns.place()))
-        if inner.upos == "NOUN":
+        searching = lemma in ("search", "look") and preposition == "for"
+        if inner.upos == "NOUN" and not searching:
             inner = self.nouns.located(inner, 0.2)
         verb = verb.post("obl", self.oblique(preposition, inner))
-        if self.maybe(0.1):
-            verb = verb.post("obl", self.oblique("in", self.nouns.place()))
+        if self.maybe(0.4 if searching else 0.1):
+            verb = verb.post("obl", self.oblique(self.any(("in", "in", "on")), self.nouns.place()))
         return verb
 
     def waiting(self, form: Form) -> Node:
