@@ -1,0 +1,119 @@
+#!/usr/bin/python3
+"""Wrong files are refused by file, line and key; nodes that are killed come back, and so does everything they knew."""
+import os
+import random
+import signal
+import tempfile
+import time
+import unittest
+from typing import Callable, List, Optional
+from xmlrpc.client import ServerProxy
+
+import rosgraph
+import rospy
+from roboframenet_msgs.msg import FileProblem, FileProblems, Reply
+from roboframenet_msgs.srv import AddFrame, AddLexicalUnit, GetEmptyFrame
+from std_msgs.msg import String
+
+NODES = ("frame_registrar", "semantic_framer", "greeting_server")
+ORDERS = 20
+
+
+def wait_until(condition: Callable[[], bool], timeout_s: float = 60.0) -> bool:
+    """Wait for a condition; return whether it came true in time."""
+    end = time.monotonic() + timeout_s
+    while time.monotonic() < end:
+        if condition():
+            return True
+        time.sleep(0.05)
+    return condition()
+
+
+class FaultsTest(unittest.TestCase):
+    """The pipeline, a server that may be killed, and nobody who can move."""
+
+    @classmethod
+    def setUpClass(cls) -> None:
+        cls.replies: List[Reply] = []
+        cls.problems: List[FileProblem] = []
+        cls.subscribers = [
+            rospy.Subscriber("reply", Reply, cls.replies.append, queue_size=100),
+            rospy.Subscriber("file_problems", FileProblems, lambda message: cls.problems.extend(message.problems), queue_size=10),
+        ]
+        cls.text = rospy.Publisher("text", String, queue_size=10)
+        assert wait_until(lambda: cls.text.get_num_connections() >= 2), "nobody listens to 'text'"
+        cls.folder = tempfile.mkdtemp()
+        rospy.wait_for_service("add_frame", timeout=60.0)
+        rospy.wait_for_service("add_lexical_unit", timeout=60.0)
+
+    def say(self, text: str, timeout_s: float = 30.0) -> Optional[Reply]:
+        """Say a sentence; return its reply."""
+        since = len(self.replies)
+        self.text.publish(String(data=text))
+        wait_until(lambda: any(reply.command.text == text for reply in self.replies[since:]), timeout_s)
+        return next((reply for reply in self.replies[since:] if reply.command.text == text), None)
+
+    def write(self, name: str, text: str) -> str:
+        path = os.path.join(self.folder, name)
+        with open(path, "w", encoding="utf-8") as file:
+            file.write(text)
+        return path
+
+    def pid(self, node: str) -> int:
+        """Return the process of a node, 0 while it is not there."""
+        try:
+            uri = rosgraph.Master("/faults_test").lookupNode(rospy.resolve_name(node))
+            return int(ServerProxy(uri).getPid("/faults_test")[2])
+        except (OSError, rosgraph.MasterException):
+            return 0
+
+    def kill(self, node: str) -> int:
+        """Kill a node the hard way; return its process."""
+        self.assertTrue(wait_until(lambda: self.pid(node) != 0), f"{node} is not there")
+        pid = self.pid(node)
+        os.kill(pid, signal.SIGKILL)
+        return pid
+
+    def test_1_wrong_files_are_refused_by_file_line_and_key(self) -> None:
+        add_frame = rospy.ServiceProxy("add_frame", AddFrame)
+        add_unit = rospy.ServiceProxy("add_lexical_unit", AddLexicalUnit)
+        self.assertTrue(add_frame(absolute_file_path=self.write("circle.yaml", "name: circle_a\nchildren:\n  - name: circle_b\n")).success)
+        cases = [
+            (add_frame, "mistyped.yaml", "name: x\ndescripton: y\n", "UNKNOWN_KEY", 2, "descripton"),
+            (add_frame, "duplicate.yaml", "name: x\nname: y\n", "DUPLICATE_KEY", 2, "name"),
+            (add_unit, "relation.yaml", "frame_name: turning\nverb: whirl\nframe_element_grammatical_relations:\n"
+             "  - name: angle\n    relation: dirobj\n", "UNKNOWN_RELATION", 5, "frame_element_grammatical_relations[0].relation"),
+            (add_frame, "cycle.yaml", "name: circle_b\nchildren:\n  - name: circle_a\n", "CYCLE", 3, "children"),
+        ]
+        for service, name, text, code, line, key in cases:
+            path = self.write(name, text)
+            self.assertFalse(service(absolute_file_path=path).success, name)
+            self.assertTrue(wait_until(lambda path=path: any(problem.path == path for problem in self.problems)), name)
+            problem = next(problem for problem in self.problems if problem.path == path)
+            self.assertEqual((problem.code, problem.line, problem.key), (code, line, key))
+            self.assertTrue(problem.expected)
+        self.assertEqual(rospy.ServiceProxy("get_empty_frame", GetEmptyFrame)("circle_b").frame.name, "")
+        reply = self.say("Greet.")
+        self.assertIsNotNone(reply)
+        self.assertEqual(reply.outcome, Reply.DONE, reply.sentence)
+
+    def test_2_killed_nodes_come_back_with_all_that_they_knew(self) -> None:
+        seed = random.SystemRandom().randrange(10 ** 6)
+        print(f"seed of the orders: {seed}")
+        chance = random.Random(seed)
+        for number in range(ORDERS):
+            victims = chance.sample(NODES, chance.randint(1, len(NODES)))
+            killed = {node: self.kill(node) for node in victims}
+            self.assertTrue(wait_until(lambda: all(self.pid(node) not in (0, old) for node, old in killed.items())), f"{victims} do not return")
+            reply = None
+            end = time.monotonic() + 60.0
+            while (reply is None or reply.outcome != Reply.DONE) and time.monotonic() < end:
+                reply = self.say("Greet.", timeout_s=3.0) or reply
+            self.assertIsNotNone(reply, f"no reply after {victims} (order {number}, seed {seed})")
+            self.assertEqual(reply.outcome, Reply.DONE, f"{reply.sentence} after {victims} (order {number}, seed {seed})")
+
+
+if __name__ == "__main__":
+    import rostest
+    rospy.init_node("faults_test")
+    rostest.rosrun("roboframenet_tests", "faults", FaultsTest)
