@@ -23,7 +23,7 @@ SETTLED_S = 3.0
 #: Events of the stages may arrive a moment after the reply, seconds.
 LATE_EVENTS_S = 0.2
 HEADER = ("sentence", "domain", "frame and elements", "RFNServer", "what the robot did", "verdict")
-WIDTHS = (24, 10, 30, 14, 30, 10)
+WIDTHS = (24, 10, 30, 18, 30, 10)
 
 
 class Demonstration:
