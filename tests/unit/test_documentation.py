@@ -41,8 +41,31 @@ def test_readme_lists_every_parameter(package: Path) -> None:
 
 @pytest.mark.parametrize("package", WITH_CODE, ids=lambda package: package.name)
 def test_readme_lists_no_parameter_that_is_gone(package: Path) -> None:
-    code = "\n".join(path.read_text(encoding="utf-8") for path in package.glob("src/**/*.py"))
+    sources = list(package.glob("src/**/*.py")) + list(package.glob("cfg/*"))
+    code = "\n".join(path.read_text(encoding="utf-8") for path in sources)
     assert not {name for name in parameters_in_readme(package) if name not in code and f'"{name[1:]}"' not in code}
+
+
+#: Calls that open a topic, a service or an action; their first literal argument is its name.
+OPENERS = {"Publisher", "Subscriber", "Service", "ServiceProxy", "ActionClient", "RFNServer"}
+
+
+def names_in_code(package: Path) -> Set[str]:
+    """Names of topics, services and actions that a package opens by a literal name."""
+    names: Set[str] = set()
+    for path in package.glob("src/**/*.py"):
+        for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
+            if isinstance(node, ast.Call) and getattr(node.func, "attr", getattr(node.func, "id", "")) in OPENERS and node.args:
+                argument = node.args[0]
+                if isinstance(argument, ast.Constant) and isinstance(argument.value, str):
+                    names.add(argument.value)
+    return names
+
+
+@pytest.mark.parametrize("package", WITH_CODE, ids=lambda package: package.name)
+def test_readme_lists_every_topic_service_and_action(package: Path) -> None:
+    text = (package / "README.md").read_text(encoding="utf-8")
+    assert not {name for name in names_in_code(package) if f"`{name}`" not in text}
 
 
 def is_internal(name: str) -> bool:
