@@ -288,4 +288,9 @@ def _end(goal: Goal, outcome: Outcome, reason: str) -> Goal:
 def describe_failures(goals: List[Goal]) -> str:
     """A sentence that names each server that failed and why; empty when none did."""
     clauses = [f"{goal.server} {goal.reason}" for goal in goals if goal.outcome is Outcome.FAILED]
-    return f"{'; '.join(clauses)}." if clauses else ""
+    return as_sentence("; ".join(clauses)) if clauses else ""
+
+
+def as_sentence(words: str) -> str:
+    """Put a full stop behind words that do not end a sentence yet."""
+    return words if words.endswith((".", "!", "?")) else f"{words}."

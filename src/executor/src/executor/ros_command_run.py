@@ -10,7 +10,7 @@ import smach_ros
 from arbitrator.procedure import FilledFrame, Procedure
 from arbitrator.state_machine import build_state_machine
 
-from executor.goal_tracking import Goal, GoalDeadlines
+from executor.goal_tracking import Goal, GoalDeadlines, as_sentence
 from executor.ros_action_clients import ActionClients
 from executor.ros_action_step import ActionStep, StepContext
 from executor.ros_reconfigure import SettingsKeeper
@@ -88,13 +88,13 @@ class CommandRun:
 
     def _begin_step(self, frame: FilledFrame) -> None:
         self._step, self._step_since_s = f"{frame.name} by {frame.server}", time.monotonic()
-        self._on_note(f"{frame.server} begins {frame.name}.")
+        self._on_note(f"The server {frame.server} begins the frame {frame.name}.")
 
     def _end_step(self, frame: FilledFrame, goal: Goal) -> None:
         self._goals.append(goal)
         how = f"{frame.server} {goal.reason}" if goal.reason else f"{frame.server} has done {frame.name}"
         rospy.loginfo("%s -> %s: %s", frame.name, goal.outcome.value, how)
-        self._on_note(f"{how}.")
+        self._on_note(as_sentence(f"The server {how}"))
 
     def _run(self) -> None:
         outcome, error = "", ""
