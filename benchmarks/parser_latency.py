@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 """How long a command takes to be parsed, beside Stanza's own Pipeline call with the same models, in one run.
 
-The two are called in turn on the same sentences, so that a machine that is busy is busy for both. Each sentence is parsed
+The two are called in turn on the same sentences, so that a machine that is busy is busy for both. Each sentence is
+parsed
 once: the cache of parses does not help.
 """
 import itertools
@@ -11,8 +12,14 @@ import sys
 import time
 from typing import Callable, List
 
-PATTERNS = ("Turn left {} degrees.", "move forward {} feet", "Bring me the {} cups from the kitchen.", "go to room {}",
-            "Put the box number {} on the table.", "could you please wait for {} minutes")
+PATTERNS = (
+    "Turn left {} degrees.",
+    "move forward {} feet",
+    "Bring me the {} cups from the kitchen.",
+    "go to room {}",
+    "Put the box number {} on the table.",
+    "could you please wait for {} minutes",
+)
 COUNT = 120
 
 
@@ -31,14 +38,27 @@ def timed(call: Callable[[str], object], text: str) -> float:
 def measure(threads: int) -> None:
     """Print one comparison, in a process of its own: torch takes its threads at the start."""
     from stanford_parser_ros.model import PROCESSORS, Parser, shipped_model_dir
+
     start = time.perf_counter()
     parser = Parser(model_dir=shipped_model_dir(), threads=threads)
     ready_s = time.perf_counter() - start
     import stanza
-    pipeline = stanza.Pipeline("en", dir=str(shipped_model_dir()), package="default", processors=PROCESSORS, download_method=None,
-                               use_gpu=False, tokenize_no_ssplit=True, logging_level="ERROR")
+
+    pipeline = stanza.Pipeline(
+        "en",
+        dir=str(shipped_model_dir()),
+        package="default",
+        processors=PROCESSORS,
+        download_method=None,
+        use_gpu=False,
+        tokenize_no_ssplit=True,
+        logging_level="ERROR",
+    )
     pipeline("Turn left 120 degrees.")
-    sentences = [pattern.format(number) for number, pattern in zip(itertools.count(2), itertools.islice(itertools.cycle(PATTERNS), COUNT))]
+    sentences = [
+        pattern.format(number)
+        for number, pattern in zip(itertools.count(2), itertools.islice(itertools.cycle(PATTERNS), COUNT))
+    ]
     ours, stock = [], []
     for number, text in enumerate(sentences):
         pairs = ((ours, parser.parse), (stock, pipeline))

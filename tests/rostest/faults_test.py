@@ -38,7 +38,9 @@ class FaultsTest(unittest.TestCase):
         cls.problems: List[FileProblem] = []
         cls.subscribers = [
             rospy.Subscriber("reply", Reply, cls.replies.append, queue_size=100),
-            rospy.Subscriber("file_problems", FileProblems, lambda message: cls.problems.extend(message.problems), queue_size=10),
+            rospy.Subscriber(
+                "file_problems", FileProblems, lambda message: cls.problems.extend(message.problems), queue_size=10
+            ),
         ]
         cls.text = rospy.Publisher("text", String, queue_size=10)
         assert wait_until(lambda: cls.text.get_num_connections() >= 2), "nobody listens to 'text'"
@@ -77,12 +79,23 @@ class FaultsTest(unittest.TestCase):
     def test_1_wrong_files_are_refused_by_file_line_and_key(self) -> None:
         add_frame = rospy.ServiceProxy("add_frame", AddFrame)
         add_unit = rospy.ServiceProxy("add_lexical_unit", AddLexicalUnit)
-        self.assertTrue(add_frame(absolute_file_path=self.write("circle.yaml", "name: circle_a\nchildren:\n  - name: circle_b\n")).success)
+        self.assertTrue(
+            add_frame(
+                absolute_file_path=self.write("circle.yaml", "name: circle_a\nchildren:\n  - name: circle_b\n")
+            ).success
+        )
         cases = [
             (add_frame, "mistyped.yaml", "name: x\ndescripton: y\n", "UNKNOWN_KEY", 2, "descripton"),
             (add_frame, "duplicate.yaml", "name: x\nname: y\n", "DUPLICATE_KEY", 2, "name"),
-            (add_unit, "relation.yaml", "frame_name: turning\nverb: whirl\nframe_element_grammatical_relations:\n"
-             "  - name: angle\n    relation: dirobj\n", "UNKNOWN_RELATION", 5, "frame_element_grammatical_relations[0].relation"),
+            (
+                add_unit,
+                "relation.yaml",
+                "frame_name: turning\nverb: whirl\nframe_element_grammatical_relations:\n"
+                "  - name: angle\n    relation: dirobj\n",
+                "UNKNOWN_RELATION",
+                5,
+                "frame_element_grammatical_relations[0].relation",
+            ),
             (add_frame, "cycle.yaml", "name: circle_b\nchildren:\n  - name: circle_a\n", "CYCLE", 3, "children"),
         ]
         for service, name, text, code, line, key in cases:
@@ -98,22 +111,28 @@ class FaultsTest(unittest.TestCase):
         self.assertEqual(reply.outcome, Reply.DONE, reply.sentence)
 
     def test_2_killed_nodes_come_back_with_all_that_they_knew(self) -> None:
-        seed = random.SystemRandom().randrange(10 ** 6)
+        seed = random.SystemRandom().randrange(10**6)
         print(f"seed of the orders: {seed}")
         chance = random.Random(seed)
         for number in range(ORDERS):
             victims = chance.sample(NODES, chance.randint(1, len(NODES)))
             killed = {node: self.kill(node) for node in victims}
-            self.assertTrue(wait_until(lambda: all(self.pid(node) not in (0, old) for node, old in killed.items())), f"{victims} do not return")
+            self.assertTrue(
+                wait_until(lambda: all(self.pid(node) not in (0, old) for node, old in killed.items())),
+                f"{victims} do not return",
+            )
             reply = None
             end = time.monotonic() + 60.0
             while (reply is None or reply.outcome != Reply.DONE) and time.monotonic() < end:
                 reply = self.say("Greet.", timeout_s=3.0) or reply
             self.assertIsNotNone(reply, f"no reply after {victims} (order {number}, seed {seed})")
-            self.assertEqual(reply.outcome, Reply.DONE, f"{reply.sentence} after {victims} (order {number}, seed {seed})")
+            self.assertEqual(
+                reply.outcome, Reply.DONE, f"{reply.sentence} after {victims} (order {number}, seed {seed})"
+            )
 
 
 if __name__ == "__main__":
     import rostest
+
     rospy.init_node("faults_test")
     rostest.rosrun("roboframenet_tests", "faults", FaultsTest)

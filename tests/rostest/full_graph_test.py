@@ -109,8 +109,12 @@ class FullGraphTest(unittest.TestCase):
 
     def test_03_refuses_what_it_does_not_understand(self) -> None:
         position = self.position
-        for text in ("Colorless green ideas sleep furiously.", "", "Move forward 3 kilometres.",
-                     "Turn left 1e400 degrees."):
+        for text in (
+            "Colorless green ideas sleep furiously.",
+            "",
+            "Move forward 3 kilometres.",
+            "Turn left 1e400 degrees.",
+        ):
             reply = self.say_and_wait(text)
             self.assertEqual(reply.outcome, Reply.REFUSED, f"{text!r}: {reply.sentence}")
             self.assertTrue(reply.sentence)
@@ -141,12 +145,28 @@ class FullGraphTest(unittest.TestCase):
     def test_06_ability_added_while_everything_runs(self) -> None:
         seen = []
         server = RFNServer("test_waving", lambda frame: seen.append({e.name: e.argument for e in frame.frame_elements}))
-        self.assertTrue(server.add_semantic_frame(self.write("waving.yaml", (
-            "name: waving\ndescription: The robot waves at somebody.\n"
-            "frame_elements:\n  - name: addressee\n    is_core: True\n"))))
-        self.assertTrue(server.add_lexical_unit(self.write("waving_unit.yaml", (
-            "frame_name: waving\nverb: wave\nframe_element_grammatical_relations:\n"
-            "  - name: addressee\n    relation: prep_at\n"))))
+        self.assertTrue(
+            server.add_semantic_frame(
+                self.write(
+                    "waving.yaml",
+                    (
+                        "name: waving\ndescription: The robot waves at somebody.\n"
+                        "frame_elements:\n  - name: addressee\n    is_core: True\n"
+                    ),
+                )
+            )
+        )
+        self.assertTrue(
+            server.add_lexical_unit(
+                self.write(
+                    "waving_unit.yaml",
+                    (
+                        "frame_name: waving\nverb: wave\nframe_element_grammatical_relations:\n"
+                        "  - name: addressee\n    relation: prep_at\n"
+                    ),
+                )
+            )
+        )
         self.assertTrue(server.register_with_frame("waving"))
         server.start()
         reply = self.say_and_wait("Wave at Alice.")
@@ -162,11 +182,16 @@ class FullGraphTest(unittest.TestCase):
                 ran.append(name)
                 if is_failing:
                     server.set_aborted(None, "cannot do it")
+
             server = RFNServer(name, callback)
             servers.append(server)
             if not is_failing:
-                self.assertTrue(server.add_semantic_frame(self.write("bowing.yaml", "name: bowing\ndescription: Bow.\n")))
-                self.assertTrue(server.add_lexical_unit(self.write("bowing_unit.yaml", "frame_name: bowing\nverb: bow\n")))
+                self.assertTrue(
+                    server.add_semantic_frame(self.write("bowing.yaml", "name: bowing\ndescription: Bow.\n"))
+                )
+                self.assertTrue(
+                    server.add_lexical_unit(self.write("bowing_unit.yaml", "frame_name: bowing\nverb: bow\n"))
+                )
             self.assertTrue(server.register_with_frame("bowing"))
             server.start()
 
@@ -202,5 +227,6 @@ class FullGraphTest(unittest.TestCase):
 
 if __name__ == "__main__":
     import rostest
+
     rospy.init_node("full_graph_test")
     rostest.rosrun("roboframenet_tests", "full_graph", FullGraphTest)

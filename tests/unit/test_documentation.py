@@ -1,4 +1,5 @@
 """The tables of parameters in the READMEs say what the code reads, no more and no less."""
+
 import ast
 import re
 from pathlib import Path
@@ -16,9 +17,17 @@ def parameters_in_code(package: Path) -> Set[str]:
     names: Set[str] = set()
     for path in package.glob("src/**/*.py"):
         for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
-            if isinstance(node, ast.Call) and getattr(node.func, "attr", getattr(node.func, "id", "")) in READERS and node.args:
+            if (
+                isinstance(node, ast.Call)
+                and getattr(node.func, "attr", getattr(node.func, "id", "")) in READERS
+                and node.args
+            ):
                 argument = node.args[0]
-                if isinstance(argument, ast.Constant) and isinstance(argument.value, str) and argument.value.startswith("~"):
+                if (
+                    isinstance(argument, ast.Constant)
+                    and isinstance(argument.value, str)
+                    and argument.value.startswith("~")
+                ):
                     names.add(argument.value)
     return names
 
@@ -35,7 +44,9 @@ def parameters_in_readme(package: Path) -> Set[str]:
 
 @pytest.mark.parametrize("package", WITH_CODE, ids=lambda package: package.name)
 def test_readme_lists_every_parameter(package: Path) -> None:
-    undocumented = {name for name in parameters_in_code(package) if not is_internal(name)} - parameters_in_readme(package)
+    undocumented = {name for name in parameters_in_code(package) if not is_internal(name)} - parameters_in_readme(
+        package
+    )
     assert not undocumented
 
 
@@ -55,7 +66,11 @@ def names_in_code(package: Path) -> Set[str]:
     names: Set[str] = set()
     for path in package.glob("src/**/*.py"):
         for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
-            if isinstance(node, ast.Call) and getattr(node.func, "attr", getattr(node.func, "id", "")) in OPENERS and node.args:
+            if (
+                isinstance(node, ast.Call)
+                and getattr(node.func, "attr", getattr(node.func, "id", "")) in OPENERS
+                and node.args
+            ):
                 argument = node.args[0]
                 if isinstance(argument, ast.Constant) and isinstance(argument.value, str):
                     names.add(argument.value)
@@ -78,7 +93,9 @@ def test_main_readme_names_the_package(package: Path) -> None:
     assert f"src/{package.name})" in (REPOSITORY / "README.md").read_text(encoding="utf-8")
 
 
-@pytest.mark.parametrize("package", [path.parent for path in REPOSITORY.glob("*/*/package.xml")], ids=lambda package: package.name)
+@pytest.mark.parametrize(
+    "package", [path.parent for path in REPOSITORY.glob("*/*/package.xml")], ids=lambda package: package.name
+)
 def test_package_has_a_changelog(package: Path) -> None:
     text = (package / "CHANGELOG.rst").read_text(encoding="utf-8")
     assert "Forthcoming\n-----------" in text and f"Changelog for package {package.name}" in text

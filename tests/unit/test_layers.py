@@ -1,4 +1,5 @@
 """The cores stay free of ROS: only the thin modules of a package import it."""
+
 import ast
 import subprocess
 import sys
@@ -10,8 +11,21 @@ import pytest
 REPOSITORY = Path(__file__).resolve().parents[2]
 #: Modules that may import ROS; ``ros_*.py`` too.
 SHELL_MODULES = {"node.py", "rfnserver.py"}
-ROS_PACKAGES = {"rospy", "actionlib", "roslib", "rosgraph", "roslaunch", "rosservice", "rostopic", "rosnode", "tf2_ros",
-                "dynamic_reconfigure", "smach_ros", "genpy", "message_filters"}
+ROS_PACKAGES = {
+    "rospy",
+    "actionlib",
+    "roslib",
+    "rosgraph",
+    "roslaunch",
+    "rosservice",
+    "rostopic",
+    "rosnode",
+    "tf2_ros",
+    "dynamic_reconfigure",
+    "smach_ros",
+    "genpy",
+    "message_filters",
+}
 LONGEST_MODULE = 450
 
 
@@ -40,15 +54,28 @@ def is_ros(package: str) -> bool:
     return package in ROS_PACKAGES or package.endswith("_msgs")
 
 
-@pytest.mark.parametrize("path", [path for path in product_modules() if not is_shell(path) and path.name != "__init__.py"],
-                         ids=lambda path: str(path.relative_to(REPOSITORY / "src")))
+@pytest.mark.parametrize(
+    "path",
+    [path for path in product_modules() if not is_shell(path) and path.name != "__init__.py"],
+    ids=lambda path: str(path.relative_to(REPOSITORY / "src")),
+)
 def test_core_imports_no_ros(path: Path) -> None:
     assert not {name for name in imported_packages(path) if is_ros(name)}
 
 
-@pytest.mark.parametrize("package", ["spoken_quantities", "semantic_frames", "semantic_framer.framer",
-                                     "frame_registrar.graph", "frame_registrar.search", "arbitrator.state_machine",
-                                     "executor.goal_tracking", "command_server.command_book"])
+@pytest.mark.parametrize(
+    "package",
+    [
+        "spoken_quantities",
+        "semantic_frames",
+        "semantic_framer.framer",
+        "frame_registrar.graph",
+        "frame_registrar.search",
+        "arbitrator.state_machine",
+        "executor.goal_tracking",
+        "command_server.command_book",
+    ],
+)
 def test_importing_a_core_loads_no_ros(package: str) -> None:
     code = f"import sys, {package}; sys.exit('rospy' in sys.modules)"
     assert subprocess.run([sys.executable, "-c", code], timeout=60).returncode == 0

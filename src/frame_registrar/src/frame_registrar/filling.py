@@ -1,9 +1,17 @@
 """Fills frames: from a lexical unit, and from a parent frame by the relations of its child."""
+
 from dataclasses import dataclass
 from typing import Mapping, Optional, Tuple
 
-from semantic_frames.frame import (ConstantArgument, ElementMapping, FrameElement, Quantity, RelatedFrame, SemanticFrame,
-                                   ValueCondition)
+from semantic_frames.frame import (
+    ConstantArgument,
+    ElementMapping,
+    FrameElement,
+    Quantity,
+    RelatedFrame,
+    SemanticFrame,
+    ValueCondition,
+)
 from spoken_quantities import QuantityError, parse_measure, parse_number
 
 
@@ -60,10 +68,16 @@ def fill(frame: SemanticFrame, arguments: Mapping[str, str]) -> FilledFrame:
         argument = result.argument(element.name)
         if not argument:
             if element.is_core:
-                raise Unfillable("MISSING_ELEMENT", element.question or f"The {words(element.name)} of {words(frame.name)} is missing.")
+                raise Unfillable(
+                    "MISSING_ELEMENT",
+                    element.question or f"The {words(element.name)} of {words(frame.name)} is missing.",
+                )
             continue
         if element.values and argument.lower() not in [value.lower() for value in element.values]:
-            raise Unfillable("VALUE_NOT_ALLOWED", f'The {words(element.name)} cannot be "{argument}": it is {alternatives(element.values)}.')
+            raise Unfillable(
+                "VALUE_NOT_ALLOWED",
+                f'The {words(element.name)} cannot be "{argument}": it is {alternatives(element.values)}.',
+            )
         _check_amount(frame, element, argument, result)
     return result
 
@@ -80,11 +94,18 @@ def _check_amount(frame: SemanticFrame, element: FrameElement, argument: str, fi
     except QuantityError as error:
         code = "LIMIT" if error.code == "NOT_FINITE" else "VALUE_NOT_ALLOWED"
         raise Unfillable(code, f"I cannot use the {words(element.name)} of {words(frame.name)}: {error}") from error
-    for limit, is_beyond, word in ((element.maximum, lambda bound: amount > bound, "more"),
-                                   (element.minimum, lambda bound: amount < bound, "less")):
+    for limit, is_beyond, word in (
+        (element.maximum, lambda bound: amount > bound, "more"),
+        (element.minimum, lambda bound: amount < bound, "less"),
+    ):
         if limit is not None and is_beyond(limit):
             said = " ".join(part for part in (argument, filled.argument(element.unit_element)) if part)
-            raise Unfillable("LIMIT", f"{said} is {word} than I may do: the limit is {limit:g} {SI_UNITS[element.quantity]}.".replace(" .", "."))
+            raise Unfillable(
+                "LIMIT",
+                f"{said} is {word} than I may do: the limit is {limit:g} {SI_UNITS[element.quantity]}.".replace(
+                    " .", "."
+                ),
+            )
 
 
 #: What limits are told in.

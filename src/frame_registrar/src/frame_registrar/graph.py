@@ -1,4 +1,5 @@
 """The graph of semantic frames: what stands for what, and who registered for it."""
+
 from typing import Dict, FrozenSet, List, Mapping, Optional, Set, Tuple
 
 import networkx
@@ -10,7 +11,8 @@ from semantic_frames.problem import FileRefused, Problem
 class FrameGraph:
     """Frames by name, their relations, and the action servers that registered for each.
 
-    A frame may be registered for, or named as a child, before its file is added: it begins to count when the file comes.
+    A frame may be registered for, or named as a child, before its file is added: it begins to count when the file
+    comes.
     """
 
     def __init__(self) -> None:
@@ -32,7 +34,8 @@ class FrameGraph:
         Returns:
             whether anything changed; False for a file that is known already
         Raises:
-            FileRefused: the frame would close a cycle, or an element named in a relation does not exist; the graph stays
+            FileRefused: the frame would close a cycle, or an element named in a relation does not exist; the graph
+                stays
                 as it was
         """
         known = self._frames.get(frame.name)
@@ -45,9 +48,16 @@ class FrameGraph:
         graph.add_edges_from((frame.name, child.name) for sequence in frame.children for child in sequence)
         try:
             cycle = [edge[0] for edge in networkx.find_cycle(graph, frame.name)]
-            problems.append(Problem(
-                code="CYCLE", path=frame.path, line=_line_of_child(frame, cycle), key="children",
-                found=" -> ".join(cycle + [cycle[0]]), expected="relations that lead away from the frame, never back"))
+            problems.append(
+                Problem(
+                    code="CYCLE",
+                    path=frame.path,
+                    line=_line_of_child(frame, cycle),
+                    key="children",
+                    found=" -> ".join(cycle + [cycle[0]]),
+                    expected="relations that lead away from the frame, never back",
+                )
+            )
         except networkx.NetworkXNoCycle:
             pass
         if problems:
@@ -117,10 +127,20 @@ class FrameGraph:
     def unknown_children(self) -> Tuple[Problem, ...]:
         """Children that no file describes (yet): for a linter, not a reason to refuse."""
         return tuple(
-            Problem(code="UNKNOWN_FRAME", path=frame.path, line=child.line, key="children", found=f"'{child.name}'",
-                    expected="the name of a frame", hint=did_you_mean(child.name, self._frames))
-            for frame in self._frames.values() for sequence in frame.children for child in sequence
-            if child.name not in self._frames)
+            Problem(
+                code="UNKNOWN_FRAME",
+                path=frame.path,
+                line=child.line,
+                key="children",
+                found=f"'{child.name}'",
+                expected="the name of a frame",
+                hint=did_you_mean(child.name, self._frames),
+            )
+            for frame in self._frames.values()
+            for sequence in frame.children
+            for child in sequence
+            if child.name not in self._frames
+        )
 
     def frame(self, name: str) -> Optional[SemanticFrame]:
         """Return the frame of that name, None for none."""
@@ -132,12 +152,20 @@ def _line_of_child(frame: SemanticFrame, cycle: List[str]) -> int:
     return next((child.line for child in children if child.name in cycle), frame.line)
 
 
-def _relation_problems(parent: SemanticFrame, child: RelatedFrame, target: SemanticFrame, path: str, line: int) -> List[Problem]:
+def _relation_problems(
+    parent: SemanticFrame, child: RelatedFrame, target: SemanticFrame, path: str, line: int
+) -> List[Problem]:
     names = [element.name for element in target.frame_elements]
     return [
-        Problem(code="UNKNOWN_ELEMENT", path=path, line=line, key=f"children {child.name} child_name", found=f"'{relation.child_name}'",
-                expected=f"an element of {target.name}, which {parent.name} names as its child: {', '.join(names) or 'it has none'}",
-                hint=did_you_mean(relation.child_name, names))
+        Problem(
+            code="UNKNOWN_ELEMENT",
+            path=path,
+            line=line,
+            key=f"children {child.name} child_name",
+            found=f"'{relation.child_name}'",
+            expected=f"an element of {target.name}, which {parent.name} names as its child: {', '.join(names) or 'it has none'}",
+            hint=did_you_mean(relation.child_name, names),
+        )
         for relation in child.frame_element_relations
         if isinstance(relation, (ElementMapping, ConstantArgument)) and relation.child_name not in names
     ]

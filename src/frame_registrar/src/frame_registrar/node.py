@@ -1,15 +1,34 @@
 """The frame registrar: who can carry out what was evoked."""
+
 import threading
 import uuid
 from dataclasses import dataclass
 from typing import Dict, FrozenSet, List, Tuple
 
 import rospy
-from roboframenet_msgs.msg import (CommandLexicalUnits, CommandSemanticFrames, EmptySemanticFrame, FileProblems,
-                                   FilledSemanticFrameListList, FrameCallback, FrameCatalogue, Reply, SourceFile, StageEvent)
-from roboframenet_msgs.srv import (AddFrame, AddFrameRequest, AddFrameResponse, GetEmptyFrame, GetEmptyFrameRequest,
-                                   GetEmptyFrameResponse, RegisterWithFrame, RegisterWithFrameRequest,
-                                   RegisterWithFrameResponse)
+from roboframenet_msgs.msg import (
+    CommandLexicalUnits,
+    CommandSemanticFrames,
+    EmptySemanticFrame,
+    FileProblems,
+    FilledSemanticFrameListList,
+    FrameCallback,
+    FrameCatalogue,
+    Reply,
+    SourceFile,
+    StageEvent,
+)
+from roboframenet_msgs.srv import (
+    AddFrame,
+    AddFrameRequest,
+    AddFrameResponse,
+    GetEmptyFrame,
+    GetEmptyFrameRequest,
+    GetEmptyFrameResponse,
+    RegisterWithFrame,
+    RegisterWithFrameRequest,
+    RegisterWithFrameResponse,
+)
 from semantic_frames import FileRefused, Problem, load_frame
 from semantic_frames.source_files import FRAMES_FOLDER, read_text, replace_problems, yaml_files
 
@@ -55,7 +74,8 @@ class Settings:
             frame_paths=tuple([paths] if isinstance(paths, str) else paths),
             max_candidates=int(rospy.get_param("~max_candidates", 64)),
             liveness_period_s=float(rospy.get_param("~liveness_period_s", 1.0)),
-            liveness_timeout_s=float(rospy.get_param("~liveness_timeout_s", 1.0)))
+            liveness_timeout_s=float(rospy.get_param("~liveness_timeout_s", 1.0)),
+        )
 
 
 class FrameRegistrar:
@@ -84,15 +104,21 @@ class FrameRegistrar:
         self._candidates_2012 = rospy.Publisher("filled_semantic_frames", FilledSemanticFrameListList, queue_size=100)
         self._events = rospy.Publisher("stage_events", StageEvent, queue_size=100)
         self._load_files()
-        self._subscriber = rospy.Subscriber("command_lexical_units", CommandLexicalUnits, self._on_command, queue_size=100)
+        self._subscriber = rospy.Subscriber(
+            "command_lexical_units", CommandLexicalUnits, self._on_command, queue_size=100
+        )
         self._services = [
             rospy.Service("add_frame", AddFrame, self._on_add_frame),
             rospy.Service("get_empty_frame", GetEmptyFrame, self._on_get_empty_frame),
             rospy.Service("register_with_frame", RegisterWithFrame, self._on_register),
         ]
         self._publish_catalogue()
-        self._watch = LivenessWatch(self._registered_servers, self._on_dead, period_s=settings.liveness_period_s,
-                                    timeout_s=settings.liveness_timeout_s)
+        self._watch = LivenessWatch(
+            self._registered_servers,
+            self._on_dead,
+            period_s=settings.liveness_period_s,
+            timeout_s=settings.liveness_timeout_s,
+        )
         rospy.on_shutdown(self._watch.close)
         rospy.loginfo("ready: %d frames, %d problems, %s", len(self._graph.frames), len(self._problems), settings)
 
@@ -143,8 +169,11 @@ class FrameRegistrar:
             rospy.logerr("registration refused: %s", error)
         if not errors:
             if self._graph.frame(request.frame_name) is None:
-                rospy.logwarn("'%s' registered for the frame '%s', which no file describes yet", request.callback_topic,
-                              request.frame_name)
+                rospy.logwarn(
+                    "'%s' registered for the frame '%s', which no file describes yet",
+                    request.callback_topic,
+                    request.frame_name,
+                )
             self._publish_catalogue()
         return RegisterWithFrameResponse(success=not errors, error=list(errors))
 
@@ -164,8 +193,11 @@ class FrameRegistrar:
             message = FrameCatalogue(
                 registrar_id=self._id,
                 files=[SourceFile(path=path, text=text) for path, text in self._texts.items()],
-                callbacks=[FrameCallback(frame_name=frame, callback_topic=server, is_alive=self._graph.is_alive(server))
-                           for frame, server in self._graph.registrations()])
+                callbacks=[
+                    FrameCallback(frame_name=frame, callback_topic=server, is_alive=self._graph.is_alive(server))
+                    for frame, server in self._graph.registrations()
+                ],
+            )
         self._catalogue.publish(message)
 
     def _on_command(self, message: CommandLexicalUnits) -> None:
@@ -181,22 +213,29 @@ class FrameRegistrar:
             self._end(message, Reply.REFUSED, outcome.code, outcome.sentence)
             return
         lists = to_frame_lists(outcome)
-        self._events.publish(StageEvent(command=message.command, stage=STAGE, stamp=rospy.Time.now(),
-                                        sentence=describe(outcome)))
+        self._events.publish(
+            StageEvent(command=message.command, stage=STAGE, stamp=rospy.Time.now(), sentence=describe(outcome))
+        )
         self._candidates_2012.publish(lists)
-        self._candidates.publish(CommandSemanticFrames(command=message.command, candidates=lists,
-                                                       coverage=[candidate.coverage for candidate in outcome]))
+        self._candidates.publish(
+            CommandSemanticFrames(
+                command=message.command, candidates=lists, coverage=[candidate.coverage for candidate in outcome]
+            )
+        )
 
     def _end(self, message: CommandLexicalUnits, outcome: int, code: str, sentence: str) -> None:
         now = rospy.Time.now()
         reply = Reply(command=message.command, outcome=outcome, stage=STAGE, code=code, sentence=sentence, stamp=now)
-        self._events.publish(StageEvent(command=message.command, stage=STAGE, stamp=now, sentence=sentence, is_final=True,
-                                        reply=reply))
+        self._events.publish(
+            StageEvent(command=message.command, stage=STAGE, stamp=now, sentence=sentence, is_final=True, reply=reply)
+        )
 
 
 def describe(candidates: Tuple[Candidate, ...]) -> str:
     """Return candidates in words: "2 candidates: turning @ turning; ..."."""
-    shown = "; ".join(", then ".join(f"{frame.name} @ {frame.server}" for frame in candidate.frames) for candidate in candidates[:3])
+    shown = "; ".join(
+        ", then ".join(f"{frame.name} @ {frame.server}" for frame in candidate.frames) for candidate in candidates[:3]
+    )
     count = f"{len(candidates)} candidate{'s' if len(candidates) > 1 else ''}"
     return f"{count}: {shown}{'; ...' if len(candidates) > 3 else ''}"
 

@@ -1,4 +1,5 @@
 """Which action servers are there, by what the master and the nodes themselves say."""
+
 import socket
 import threading
 import xmlrpc.client
@@ -26,12 +27,19 @@ class LivenessWatch:
     """Asks at a low rate whether the nodes behind action servers still answer.
 
     The master knows which node publishes ``<server>/status``, also long after that node was killed; the node itself
-    answers ``getPid``. Both are the distribution's own interfaces: servers need nothing for it, and a process with many servers is
+    answers ``getPid``. Both are the distribution's own interfaces: servers need nothing for it, and a process with many
+    servers is
     asked once.
     """
 
-    def __init__(self, servers: Callable[[], Iterable[str]], on_dead: Callable[[FrozenSet[str]], None], *, period_s: float,
-                 timeout_s: float) -> None:
+    def __init__(
+        self,
+        servers: Callable[[], Iterable[str]],
+        on_dead: Callable[[FrozenSet[str]], None],
+        *,
+        period_s: float,
+        timeout_s: float,
+    ) -> None:
         """
         Args:
             servers: returns the names of the servers to watch

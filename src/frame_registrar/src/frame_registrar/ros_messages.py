@@ -1,8 +1,18 @@
 """Messages of the registrar and the values that its core works with."""
+
 from typing import Iterable, List, Sequence, Tuple
 
-from roboframenet_msgs.msg import (Clause, EmptyFrameElement, EmptySemanticFrame, FileProblem, FileProblems, FilledFrameElement,
-                                   FilledSemanticFrame, FilledSemanticFrameList, FilledSemanticFrameListList)
+from roboframenet_msgs.msg import (
+    Clause,
+    EmptyFrameElement,
+    EmptySemanticFrame,
+    FileProblem,
+    FileProblems,
+    FilledFrameElement,
+    FilledSemanticFrame,
+    FilledSemanticFrameList,
+    FilledSemanticFrameListList,
+)
 from semantic_frames import Problem
 from semantic_frames.frame import SemanticFrame
 
@@ -19,33 +29,62 @@ def _to_reading(message: object) -> Reading:
     arguments = []
     for element in message.lexical_unit.frame_elements:
         value = values.get(element.name)
-        arguments.append(Argument(name=element.name, text=element.argument, items=tuple(value.items) if value else (),
-                                  conjunction=value.conjunction if value else ""))
+        arguments.append(
+            Argument(
+                name=element.name,
+                text=element.argument,
+                items=tuple(value.items) if value else (),
+                conjunction=value.conjunction if value else "",
+            )
+        )
     return Reading(frame_name=message.lexical_unit.frame_name, arguments=tuple(arguments), coverage=message.coverage)
 
 
 def to_frame_lists(candidates: Sequence[Candidate]) -> FilledSemanticFrameListList:
     """Return candidates as the 2012 message."""
-    return FilledSemanticFrameListList(frame_lists=[
-        FilledSemanticFrameList(frames=[
-            FilledSemanticFrame(
-                name=frame.name,
-                frame_elements=[FilledFrameElement(name=name, argument=argument) for name, argument in frame.arguments],
-                action_server_topics=[frame.server])
-            for frame in candidate.frames])
-        for candidate in candidates])
+    return FilledSemanticFrameListList(
+        frame_lists=[
+            FilledSemanticFrameList(
+                frames=[
+                    FilledSemanticFrame(
+                        name=frame.name,
+                        frame_elements=[
+                            FilledFrameElement(name=name, argument=argument) for name, argument in frame.arguments
+                        ],
+                        action_server_topics=[frame.server],
+                    )
+                    for frame in candidate.frames
+                ]
+            )
+            for candidate in candidates
+        ]
+    )
 
 
 def to_empty_frame(frame: SemanticFrame) -> EmptySemanticFrame:
     """Return a frame without arguments as the 2012 message."""
-    return EmptySemanticFrame(name=frame.name, frame_elements=[
-        EmptyFrameElement(name=element.name, default=element.default, is_core=element.is_core)
-        for element in frame.frame_elements])
+    return EmptySemanticFrame(
+        name=frame.name,
+        frame_elements=[
+            EmptyFrameElement(name=element.name, default=element.default, is_core=element.is_core)
+            for element in frame.frame_elements
+        ],
+    )
 
 
 def to_file_problems(problems: Tuple[Problem, ...]) -> FileProblems:
     """Return problems of files as a message."""
-    return FileProblems(problems=[
-        FileProblem(code=problem.code, path=problem.path, line=problem.line, key=problem.key, found=problem.found,
-                    expected=problem.expected, hint=problem.hint)
-        for problem in problems])
+    return FileProblems(
+        problems=[
+            FileProblem(
+                code=problem.code,
+                path=problem.path,
+                line=problem.line,
+                key=problem.key,
+                found=problem.found,
+                expected=problem.expected,
+                hint=problem.hint,
+            )
+            for problem in problems
+        ]
+    )

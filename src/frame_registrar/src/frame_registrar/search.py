@@ -1,4 +1,5 @@
 """Searches the graph of frames for everything that is able to do what was said."""
+
 from dataclasses import dataclass, replace
 from itertools import islice
 from typing import Dict, Iterator, List, Optional, Sequence, Tuple, Union
@@ -73,7 +74,9 @@ class Refusal:
 _REASONS = ("LIMIT", "VALUE_NOT_ALLOWED", "MISSING_ELEMENT", "NO_SERVER", "UNKNOWN_FRAME")
 
 
-def search(graph: FrameGraph, clauses: Sequence[Sequence[Reading]], *, max_candidates: int) -> Union[Tuple[Candidate, ...], Refusal]:
+def search(
+    graph: FrameGraph, clauses: Sequence[Sequence[Reading]], *, max_candidates: int
+) -> Union[Tuple[Candidate, ...], Refusal]:
     """Find every way to carry out the clauses of a sentence, one after the other.
 
     Args:
@@ -96,8 +99,11 @@ def search(graph: FrameGraph, clauses: Sequence[Sequence[Reading]], *, max_candi
             if len(found) >= max_candidates:
                 break
         if not found:
-            return min(refusals, key=lambda refusal: _REASONS.index(refusal.code)) if refusals else Refusal(
-                "NO_READING", "I understood nothing that I could do.")
+            return (
+                min(refusals, key=lambda refusal: _REASONS.index(refusal.code))
+                if refusals
+                else Refusal("NO_READING", "I understood nothing that I could do.")
+            )
         by_clause.append(found)
     candidates = list(islice(_concatenations(by_clause), max_candidates))
     return tuple(sorted(candidates, key=lambda candidate: -candidate.coverage))
@@ -117,7 +123,9 @@ def _concatenations(by_clause: Sequence[Sequence[Candidate]]) -> Iterator[Candid
 def _of_reading(graph: FrameGraph, reading: Reading, limit: int) -> Union[List[Candidate], Refusal]:
     frame = graph.frame(reading.frame_name)
     if frame is None:
-        return Refusal("UNKNOWN_FRAME", f'The lexicon speaks of "{words(reading.frame_name)}", but no file describes that frame.')
+        return Refusal(
+            "UNKNOWN_FRAME", f'The lexicon speaks of "{words(reading.frame_name)}", but no file describes that frame.'
+        )
     found: List[Candidate] = []
     refusal: Optional[Refusal] = None
     for task in _tasks(frame, reading):
@@ -127,7 +135,9 @@ def _of_reading(graph: FrameGraph, reading: Reading, limit: int) -> Union[List[C
             refusal = refusal or Refusal(error.code, str(error))
             continue
         realised = _sequence(graph, filled)
-        found += [Candidate(frames=frames, coverage=reading.coverage) for frames in islice(realised, limit - len(found))]
+        found += [
+            Candidate(frames=frames, coverage=reading.coverage) for frames in islice(realised, limit - len(found))
+        ]
         if len(found) >= limit:
             break
     if found:
@@ -152,8 +162,12 @@ def _tasks(frame: SemanticFrame, reading: Reading) -> Iterator[List[Dict[str, st
 
 
 def _with(reading: Reading, argument: Argument, item: str) -> Reading:
-    return replace(reading, arguments=tuple(
-        Argument(name=other.name, text=item) if other is argument else other for other in reading.arguments))
+    return replace(
+        reading,
+        arguments=tuple(
+            Argument(name=other.name, text=item) if other is argument else other for other in reading.arguments
+        ),
+    )
 
 
 def _sequence(graph: FrameGraph, frames: Sequence[FilledFrame]) -> Iterator[Frames]:
@@ -191,4 +205,7 @@ def _realisations(graph: FrameGraph, filled: FilledFrame) -> Iterator[Frames]:
 def _nobody(graph: FrameGraph, frame: SemanticFrame) -> Refusal:
     able = (frame.name,) + graph.descendants(frame.name)
     names = tuple(f'"{name}"' for name in able[:6])
-    return Refusal("NO_SERVER", f"I understand what you want, but nobody here can do it: no server is registered for {alternatives(names)}.")
+    return Refusal(
+        "NO_SERVER",
+        f"I understand what you want, but nobody here can do it: no server is registered for {alternatives(names)}.",
+    )

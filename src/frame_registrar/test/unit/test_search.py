@@ -1,4 +1,5 @@
 """The search for candidates."""
+
 import itertools
 import random
 from typing import Dict, List, Tuple
@@ -40,17 +41,26 @@ def reading(frame: str, coverage: float = 1.0, **arguments: str) -> Reading:
 
 
 def moving_graph() -> FrameGraph:
-    return graph_of(MOVING, "name: moving_forward\nframe_elements: [{name: distance}]", "name: moving_backward\nframe_elements: [{name: distance}]",
-                    servers=(("moving_forward", "forward_server"), ("moving_backward", "backward_server")))
+    return graph_of(
+        MOVING,
+        "name: moving_forward\nframe_elements: [{name: distance}]",
+        "name: moving_backward\nframe_elements: [{name: distance}]",
+        servers=(("moving_forward", "forward_server"), ("moving_backward", "backward_server")),
+    )
 
 
 def servers_of(candidates: Tuple[Candidate, ...]) -> List[Tuple[str, ...]]:
     return [tuple(frame.server for frame in candidate.frames) for candidate in candidates]
 
 
-@pytest.mark.parametrize("direction, server", [("forward", "forward_server"), ("FORWARDS", "forward_server"), ("backward", "backward_server")])
+@pytest.mark.parametrize(
+    "direction, server",
+    [("forward", "forward_server"), ("FORWARDS", "forward_server"), ("backward", "backward_server")],
+)
 def test_value_condition_chooses_the_child(direction: str, server: str) -> None:
-    found = search(moving_graph(), [[reading("moving", direction=direction, distance="3", unit="feet")]], max_candidates=9)
+    found = search(
+        moving_graph(), [[reading("moving", direction=direction, distance="3", unit="feet")]], max_candidates=9
+    )
     assert servers_of(found) == [(server,)]
     assert found[0].frames[0].arguments == (("distance", "3"),)
 
@@ -60,11 +70,16 @@ def test_default_fills_what_was_not_said() -> None:
     assert servers_of(found) == [("forward_server",)]
 
 
-@pytest.mark.parametrize("arguments, code", [
-    (dict(distance="3", unit="kilometres"), "LIMIT"), (dict(distance="1e400", unit="metres"), "LIMIT"),
-    (dict(distance="3", unit="parsecs"), "VALUE_NOT_ALLOWED"), (dict(unit="metres"), "MISSING_ELEMENT"),
-    (dict(distance="3", unit="metres", direction="sideways"), "NO_SERVER"),
-])
+@pytest.mark.parametrize(
+    "arguments, code",
+    [
+        (dict(distance="3", unit="kilometres"), "LIMIT"),
+        (dict(distance="1e400", unit="metres"), "LIMIT"),
+        (dict(distance="3", unit="parsecs"), "VALUE_NOT_ALLOWED"),
+        (dict(unit="metres"), "MISSING_ELEMENT"),
+        (dict(distance="3", unit="metres", direction="sideways"), "NO_SERVER"),
+    ],
+)
 def test_refusal_tells_why(arguments: Dict[str, str], code: str) -> None:
     refusal = search(moving_graph(), [[reading("moving", **arguments)]], max_candidates=9)
     assert isinstance(refusal, Refusal) and refusal.code == code and refusal.sentence
@@ -91,15 +106,27 @@ def test_own_servers_come_before_children_and_each_is_a_candidate() -> None:
 
 
 def test_sequence_gives_all_combinations_in_order() -> None:
-    graph = graph_of("name: a\nchildren: [[{name: b}, {name: c}]]\n", "name: b\n", "name: c\n",
-                     servers=(("b", "b1"), ("b", "b2"), ("c", "c1"), ("c", "c2")))
-    assert servers_of(search(graph, [[reading("a")]], max_candidates=9)) == [("b1", "c1"), ("b1", "c2"), ("b2", "c1"), ("b2", "c2")]
+    graph = graph_of(
+        "name: a\nchildren: [[{name: b}, {name: c}]]\n",
+        "name: b\n",
+        "name: c\n",
+        servers=(("b", "b1"), ("b", "b2"), ("c", "c1"), ("c", "c2")),
+    )
+    assert servers_of(search(graph, [[reading("a")]], max_candidates=9)) == [
+        ("b1", "c1"),
+        ("b1", "c2"),
+        ("b2", "c1"),
+        ("b2", "c2"),
+    ]
 
 
 def test_search_is_lazy_and_bounded() -> None:
     names = [f"m{index}" for index in range(40)]
-    graph = graph_of("name: a\nchildren: [[%s]]\n" % ", ".join("{name: %s}" % name for name in names), *[f"name: {name}\n" for name in names],
-                     servers=tuple((name, f"{name}_{index}") for name in names for index in range(2)))
+    graph = graph_of(
+        "name: a\nchildren: [[%s]]\n" % ", ".join("{name: %s}" % name for name in names),
+        *[f"name: {name}\n" for name in names],
+        servers=tuple((name, f"{name}_{index}") for name in names for index in range(2)),
+    )
     assert len(search(graph, [[reading("a")]], max_candidates=64)) == 64
 
 
@@ -122,10 +149,15 @@ def test_clause_that_nobody_can_do_refuses_the_sentence() -> None:
 TAKING = "name: taking\nframe_elements: [{name: theme, is_core: True}]\non_list: %s\n"
 
 
-@pytest.mark.parametrize("policy, conjunction, expected", [
-    ("repeat", "and", [["the mug", "the plate"]]), ("together", "and", [["the mug and the plate"]]),
-    ("repeat", "or", [["the mug"], ["the plate"]]), ("together", "or", [["the mug"], ["the plate"]]),
-])
+@pytest.mark.parametrize(
+    "policy, conjunction, expected",
+    [
+        ("repeat", "and", [["the mug", "the plate"]]),
+        ("together", "and", [["the mug and the plate"]]),
+        ("repeat", "or", [["the mug"], ["the plate"]]),
+        ("together", "or", [["the mug"], ["the plate"]]),
+    ],
+)
 def test_lists(policy: str, conjunction: str, expected: List[List[str]]) -> None:
     graph = graph_of(TAKING % policy, servers=(("taking", "s"),))
     said = Argument("theme", f"the mug {conjunction} the plate", ("the mug", "the plate"), conjunction)
@@ -133,7 +165,9 @@ def test_lists(policy: str, conjunction: str, expected: List[List[str]]) -> None
     assert [[frame.argument("theme") for frame in candidate.frames] for candidate in found] == expected
 
 
-def brute_force(children: Dict[str, List[List[str]]], servers: Dict[str, List[str]], name: str) -> List[Tuple[str, ...]]:
+def brute_force(
+    children: Dict[str, List[List[str]]], servers: Dict[str, List[str]], name: str
+) -> List[Tuple[str, ...]]:
     """All realisations, by writing out every product."""
     found = [(server,) for server in servers.get(name, [])]
     for sequence in children.get(name, []):
@@ -147,13 +181,21 @@ def test_search_finds_what_brute_force_finds(seed: int) -> None:
     chance = random.Random(seed)
     names = [f"f{index}" for index in range(6)]
     children = {
-        name: [[chance.choice(names[index + 1:]) for _ in range(chance.randint(1, 2))] for _ in range(chance.randint(0, 2))]
+        name: [
+            [chance.choice(names[index + 1 :]) for _ in range(chance.randint(1, 2))]
+            for _ in range(chance.randint(0, 2))
+        ]
         for index, name in enumerate(names[:-1])
     }
     servers = {name: [f"{name}_{index}" for index in range(chance.randint(0, 2))] for name in names}
     texts = [
-        f"name: {name}\n" + ("children: [%s]\n" % ", ".join("[%s]" % ", ".join("{name: %s}" % child for child in sequence)
-                                                           for sequence in children[name]) if children.get(name) else "")
+        f"name: {name}\n"
+        + (
+            "children: [%s]\n"
+            % ", ".join("[%s]" % ", ".join("{name: %s}" % child for child in sequence) for sequence in children[name])
+            if children.get(name)
+            else ""
+        )
         for name in names
     ]
     graph = graph_of(*texts, servers=tuple((name, server) for name in names for server in servers[name]))

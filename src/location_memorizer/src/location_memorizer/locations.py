@@ -1,4 +1,5 @@
 """Places with names: remembered, kept in a file, and found again."""
+
 import difflib
 import math
 import os
@@ -83,10 +84,16 @@ def read_locations(path: str) -> Dict[str, Location]:
 def _location(path: str, name: str, entry: Any) -> Location:
     known = {"x", "y", "heading", "frame_id"}
     if not isinstance(entry, dict) or not {"x", "y"} <= set(entry) <= known:
-        raise LocationFileError(f"{path}: place '{name}' needs x and y and may have heading and frame_id, found {entry}")
+        raise LocationFileError(
+            f"{path}: place '{name}' needs x and y and may have heading and frame_id, found {entry}"
+        )
     try:
-        return Location(frame_id=str(entry.get("frame_id", "map")), x_m=float(entry["x"]), y_m=float(entry["y"]),
-                        heading_rad=float(entry.get("heading", 0.0)))
+        return Location(
+            frame_id=str(entry.get("frame_id", "map")),
+            x_m=float(entry["x"]),
+            y_m=float(entry["y"]),
+            heading_rad=float(entry.get("heading", 0.0)),
+        )
     except (TypeError, ValueError) as error:
         raise LocationFileError(f"{path}: place '{name}': {error}") from error
 

@@ -1,4 +1,5 @@
 """Remembers places: "This is the office."."""
+
 import math
 import os
 import threading
@@ -9,7 +10,7 @@ from geometry_msgs.msg import PoseStamped, PoseWithCovarianceStamped
 from rfnserver import RFNServer
 from roboframenet_msgs.msg import FilledSemanticFrame
 
-from location_memorizer.locations import (Location, LocationFileError, location_name, read_locations, write_locations)
+from location_memorizer.locations import Location, LocationFileError, location_name, read_locations, write_locations
 from location_memorizer.msg import Locations
 from location_memorizer.srv import GetLocation, GetLocationRequest, GetLocationResponse
 
@@ -45,8 +46,9 @@ class LocationMemorizer:
     def __init__(self) -> None:
         self._lock = threading.Lock()
         self._here: Optional[Location] = None
-        self._memory_file = os.path.expanduser(rospy.get_param(
-            "~memory_file", os.path.join(os.environ.get("ROS_HOME", "~/.ros"), "locations.yaml")))
+        self._memory_file = os.path.expanduser(
+            rospy.get_param("~memory_file", os.path.join(os.environ.get("ROS_HOME", "~/.ros"), "locations.yaml"))
+        )
         places_file = rospy.get_param("~places_file", "")
         self._places = self._read(places_file) if places_file else {}
         self._remembered = self._read(self._memory_file) if os.path.exists(self._memory_file) else {}
@@ -76,8 +78,12 @@ class LocationMemorizer:
     def _on_pose(self, message: PoseWithCovarianceStamped) -> None:
         pose = message.pose.pose
         try:
-            here = Location(frame_id=message.header.frame_id, x_m=pose.position.x, y_m=pose.position.y,
-                            heading_rad=2.0 * math.atan2(pose.orientation.z, pose.orientation.w))
+            here = Location(
+                frame_id=message.header.frame_id,
+                x_m=pose.position.x,
+                y_m=pose.position.y,
+                heading_rad=2.0 * math.atan2(pose.orientation.z, pose.orientation.w),
+            )
         except ValueError as error:
             rospy.logwarn_throttle(10.0, "ignoring a pose: %s", error)
             return
@@ -109,7 +115,9 @@ class LocationMemorizer:
         try:
             write_locations(remembered, self._memory_file)
         except OSError as error:
-            self._server.set_aborted(None, f"I remember {words} until I am switched off, but could not write it down: {error}")
+            self._server.set_aborted(
+                None, f"I remember {words} until I am switched off, but could not write it down: {error}"
+            )
             return
         rospy.loginfo("remembered '%s' at (%.2f, %.2f)", name, remembered[name].x_m, remembered[name].y_m)
 

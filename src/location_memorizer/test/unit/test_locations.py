@@ -1,15 +1,24 @@
 """Places with names."""
+
 import math
 
 import pytest
-from location_memorizer.locations import (Location, LocationFileError, location_name, nearest_names, read_locations,
-                                          write_locations)
+from location_memorizer.locations import (
+    Location,
+    LocationFileError,
+    location_name,
+    nearest_names,
+    read_locations,
+    write_locations,
+)
 
 OFFICE = Location(frame_id="map", x_m=1.0, y_m=-2.5, heading_rad=math.pi / 2)
 
 
-@pytest.mark.parametrize("words, name", [("The Office", "office"), ("office.", "office"), ("Roger's  office", "roger's office"),
-                                         ("", ""), ("the", "the")])
+@pytest.mark.parametrize(
+    "words, name",
+    [("The Office", "office"), ("office.", "office"), ("Roger's  office", "roger's office"), ("", ""), ("the", "the")],
+)
 def test_location_name(words: str, name: str) -> None:
     assert location_name(words) == name
 
@@ -25,8 +34,19 @@ def test_writing_leaves_no_other_file(tmp_path) -> None:
     assert [path.name for path in tmp_path.iterdir()] == ["places.yaml"]
 
 
-@pytest.mark.parametrize("text", ["- office", "office: 3", "office: {x: 1}", "office: {x: a, y: 2}", "office: {x: .nan, y: 2}",
-                                  "office: {x: 1, y: 2, z: 3}", "office: [", "office: {x: 1, y: 2, frame_id: ''}"])
+@pytest.mark.parametrize(
+    "text",
+    [
+        "- office",
+        "office: 3",
+        "office: {x: 1}",
+        "office: {x: a, y: 2}",
+        "office: {x: .nan, y: 2}",
+        "office: {x: 1, y: 2, z: 3}",
+        "office: [",
+        "office: {x: 1, y: 2, frame_id: ''}",
+    ],
+)
 def test_bad_file_is_refused_by_name(text: str, tmp_path) -> None:
     path = tmp_path / "places.yaml"
     path.write_text(text, encoding="utf-8")

@@ -1,4 +1,5 @@
 """An RFNServer that moos: the frame *mooing*."""
+
 import os
 import tempfile
 
@@ -30,14 +31,19 @@ class MooServer:
         """
         self._path = os.path.join(folder, "moo.wav")
         write_wave(moo(), self._path)
-        self._voice = Voice(is_aloud=rospy.get_param("~aloud", True), timeout_s=float(rospy.get_param("~timeout_s", 5.0)))
+        self._voice = Voice(
+            is_aloud=rospy.get_param("~aloud", True), timeout_s=float(rospy.get_param("~timeout_s", 5.0))
+        )
         self._server = RFNServer("mooing", self._on_frame)
         self._server.register_with_frame("mooing")
         self._server.start()
 
     def _on_frame(self, _frame: FilledSemanticFrame) -> None:
-        self._voice.emit("Moo!", wave_command(self._path),
-                         is_wanted=lambda: not (self._server.is_preempt_requested() or rospy.is_shutdown()))
+        self._voice.emit(
+            "Moo!",
+            wave_command(self._path),
+            is_wanted=lambda: not (self._server.is_preempt_requested() or rospy.is_shutdown()),
+        )
         if self._server.is_preempt_requested():
             self._server.set_preempted(None, "I was interrupted.")
 

@@ -1,4 +1,5 @@
 """The sound of a cow."""
+
 import wave
 
 import pytest
@@ -11,7 +12,9 @@ def test_moo_is_as_loud_as_asked_and_ends_softly() -> None:
     assert abs(samples[0]) < 0.01 and abs(samples[-1]) < 0.01
 
 
-@pytest.mark.parametrize("duration_s, loudness", [(0.0, 0.5), (-1.0, 0.5), (11.0, 0.5), (1.0, 1.1), (float("nan"), 0.5)])
+@pytest.mark.parametrize(
+    "duration_s, loudness", [(0.0, 0.5), (-1.0, 0.5), (11.0, 0.5), (1.0, 1.1), (float("nan"), 0.5)]
+)
 def test_moo_refuses_what_is_out_of_range(duration_s: float, loudness: float) -> None:
     with pytest.raises(ValueError):
         moo(duration_s, loudness=loudness)

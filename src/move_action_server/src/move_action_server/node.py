@@ -1,4 +1,5 @@
 """The node move_action_server: three RFNServers that move and turn one base."""
+
 import enum
 import math
 import threading
@@ -13,8 +14,17 @@ from roboframenet_msgs.msg import FilledSemanticFrame, FilledSemanticFrameFeedba
 
 from move_action_server.base_claim import BaseClaim, BaseClaims
 from move_action_server.motion import (
-    STANDING, Motion, MotionCommand, MotionGoal, MotionProfile, MotionSettings, MotionState, OdometrySample, check_goal,
-    describe_amount)
+    STANDING,
+    Motion,
+    MotionCommand,
+    MotionGoal,
+    MotionProfile,
+    MotionSettings,
+    MotionState,
+    OdometrySample,
+    check_goal,
+    describe_amount,
+)
 from move_action_server.spoken_motion import NotUnderstood, backward_goal, forward_goal, turn_goal
 from rfnserver import RFNServer
 
@@ -52,35 +62,42 @@ def read_settings() -> Settings:
                 speed_per_s=rospy.get_param("~linear_speed_m_per_s", straight.speed_per_s),
                 acceleration_per_s2=rospy.get_param("~linear_acceleration_m_per_s2", straight.acceleration_per_s2),
                 creep_per_s=rospy.get_param("~linear_creep_m_per_s", straight.creep_per_s),
-                tolerance=rospy.get_param("~distance_tolerance_m", straight.tolerance)),
+                tolerance=rospy.get_param("~distance_tolerance_m", straight.tolerance),
+            ),
             turn=MotionProfile(
                 max_amount=rospy.get_param("~max_angle_rad", turn.max_amount),
                 speed_per_s=rospy.get_param("~angular_speed_rad_per_s", turn.speed_per_s),
                 acceleration_per_s2=rospy.get_param("~angular_acceleration_rad_per_s2", turn.acceleration_per_s2),
                 creep_per_s=rospy.get_param("~angular_creep_rad_per_s", turn.creep_per_s),
-                tolerance=rospy.get_param("~angle_tolerance_rad", turn.tolerance)),
+                tolerance=rospy.get_param("~angle_tolerance_rad", turn.tolerance),
+            ),
             aim_share=rospy.get_param("~aim_share", defaults.aim_share),
             accept_share=rospy.get_param("~accept_share", defaults.accept_share),
             odometry_timeout_s=rospy.get_param("~odometry_timeout_s", defaults.odometry_timeout_s),
-            stall_timeout_s=rospy.get_param("~stall_timeout_s", defaults.stall_timeout_s)),
+            stall_timeout_s=rospy.get_param("~stall_timeout_s", defaults.stall_timeout_s),
+        ),
         claim_timeout_s=rospy.get_param("~claim_timeout_s", 2.0),
-        feedback_period_s=rospy.get_param("~feedback_period_s", 0.5))
+        feedback_period_s=rospy.get_param("~feedback_period_s", 0.5),
+    )
 
 
 def sample_of(message: Odometry) -> OdometrySample:
     """Read an odometry message; an orientation that is no rotation makes a sample that is not finite."""
     rotation = message.pose.pose.orientation
-    length = math.sqrt(rotation.x ** 2 + rotation.y ** 2 + rotation.z ** 2 + rotation.w ** 2)
+    length = math.sqrt(rotation.x**2 + rotation.y**2 + rotation.z**2 + rotation.w**2)
     yaw_rad = math.nan
     if 0.5 < length < 2.0:
-        yaw_rad = math.atan2(2.0 * (rotation.w * rotation.z + rotation.x * rotation.y),
-                             rotation.w ** 2 + rotation.x ** 2 - rotation.y ** 2 - rotation.z ** 2)
+        yaw_rad = math.atan2(
+            2.0 * (rotation.w * rotation.z + rotation.x * rotation.y),
+            rotation.w**2 + rotation.x**2 - rotation.y**2 - rotation.z**2,
+        )
     position = message.pose.pose.position
     return OdometrySample(stamp_s=message.header.stamp.to_sec(), x_m=position.x, y_m=position.y, yaw_rad=yaw_rad)
 
 
 class LatestOdometry:
-    """The newest usable odometry sample; wakes whoever waits for the next one. Subscribes ``odom`` (nav_msgs/Odometry)."""
+    """The newest usable odometry sample; wakes whoever waits for the next one. Subscribes ``odom`` (nav_msgs/Odometry).
+    """
 
     def __init__(self) -> None:
         self._condition = threading.Condition()
@@ -195,19 +212,25 @@ class MoveActionServer:
             if not rospy.is_shutdown():
                 raise
 
-    def _callback(self, frame_name: str, goal_of: Callable[[Mapping[str, str]], MotionGoal]
-                  ) -> Callable[[FilledSemanticFrame], None]:
+    def _callback(
+        self, frame_name: str, goal_of: Callable[[Mapping[str, str]], MotionGoal]
+    ) -> Callable[[FilledSemanticFrame], None]:
         def execute(frame: FilledSemanticFrame) -> None:
             server = self._servers[frame_name]
             ending = self._run(server, goal_of, {element.name: element.argument for element in frame.frame_elements})
             rospy.loginfo("%s %s: %s", frame_name, ending.outcome.value, ending.text)
-            end = {Outcome.SUCCEEDED: server.set_succeeded, Outcome.ABORTED: server.set_aborted,
-                   Outcome.PREEMPTED: server.set_preempted}[ending.outcome]
+            end = {
+                Outcome.SUCCEEDED: server.set_succeeded,
+                Outcome.ABORTED: server.set_aborted,
+                Outcome.PREEMPTED: server.set_preempted,
+            }[ending.outcome]
             end(FilledSemanticFrameResult(success=ending.outcome is Outcome.SUCCEEDED), ending.text)
+
         return execute
 
-    def _run(self, server: RFNServer, goal_of: Callable[[Mapping[str, str]], MotionGoal],
-             arguments: Mapping[str, str]) -> Ending:
+    def _run(
+        self, server: RFNServer, goal_of: Callable[[Mapping[str, str]], MotionGoal], arguments: Mapping[str, str]
+    ) -> Ending:
         try:
             goal = goal_of(arguments)
         except NotUnderstood as error:
@@ -233,7 +256,9 @@ class MoveActionServer:
     def _follow(self, server: RFNServer, goal: MotionGoal, *, claim: BaseClaim) -> Ending:
         """Move the base until the motion ends. The caller stops the base."""
         motion_settings = self._settings.motion
-        start, count = self._odometry.wait_newer(than=self._odometry.count, timeout_s=motion_settings.odometry_timeout_s)
+        start, count = self._odometry.wait_newer(
+            than=self._odometry.count, timeout_s=motion_settings.odometry_timeout_s
+        )
         if start is None:
             if server.is_preempt_requested():
                 return Ending(Outcome.PREEMPTED, "cancelled before the first odometry")

@@ -1,11 +1,21 @@
 """The motion law, closed over the simulated base."""
+
 import math
 import random
 
 import pytest
 
 from move_action_server.motion import (
-    STANDING, Motion, MotionGoal, MotionKind, MotionProfile, MotionSettings, MotionState, OdometrySample, check_goal)
+    STANDING,
+    Motion,
+    MotionGoal,
+    MotionKind,
+    MotionProfile,
+    MotionSettings,
+    MotionState,
+    OdometrySample,
+    check_goal,
+)
 from roboframenet_sim.base import BaseLimits, DifferentialBase, Pose, Velocity
 
 PERIOD_S = 0.02
@@ -20,7 +30,9 @@ class Rig:
         self.start = pose
         self.now_s = 100.0
         self.queue = [self.sample()] * (lag + 1)
-        self.motion = Motion(MotionGoal(kind=kind, amount=amount), settings=settings, start=self.sample(), now_s=self.now_s)
+        self.motion = Motion(
+            MotionGoal(kind=kind, amount=amount), settings=settings, start=self.sample(), now_s=self.now_s
+        )
         self.last = None
         self.fastest = 0.0
 
@@ -51,8 +63,10 @@ class Rig:
         return math.hypot(self.base.pose.x_m - self.start.x_m, self.base.pose.y_m - self.start.y_m)
 
 
-@pytest.mark.parametrize("amount_rad", [
-    math.radians(120), -2.0, math.radians(5), math.radians(180), -math.radians(270), 4 * math.pi, math.radians(540)])
+@pytest.mark.parametrize(
+    "amount_rad",
+    [math.radians(120), -2.0, math.radians(5), math.radians(180), -math.radians(270), 4 * math.pi, math.radians(540)],
+)
 def test_turn_ends_within_one_percent(amount_rad):
     rig = Rig(MotionKind.TURN, amount_rad)
     assert rig.run().state is MotionState.ARRIVED
@@ -102,7 +116,8 @@ def test_slow_simulated_clock_arrives():
     rig = Rig(MotionKind.TURN, 1.0)
     plain = rig.motion.observe
     rig.motion.observe = lambda sample, now_s: plain(
-        OdometrySample(sample.stamp_s * 10, sample.x_m, sample.y_m, sample.yaw_rad), now_s=now_s)
+        OdometrySample(sample.stamp_s * 10, sample.x_m, sample.y_m, sample.yaw_rad), now_s=now_s
+    )
     assert rig.run().state is MotionState.ARRIVED
     assert rig.motion.progress == pytest.approx(1.0, rel=0.02)
 
@@ -138,7 +153,8 @@ def test_odometry_with_the_wrong_sign_fails_before_it_has_gone_far():
     rig = Rig(MotionKind.TURN, 2.0)
     plain = rig.motion.observe
     rig.motion.observe = lambda sample, now_s: plain(
-        OdometrySample(sample.stamp_s, sample.x_m, sample.y_m, -sample.yaw_rad), now_s=now_s)
+        OdometrySample(sample.stamp_s, sample.x_m, sample.y_m, -sample.yaw_rad), now_s=now_s
+    )
     rig.motion._last = OdometrySample(0.0, 0.0, 0.0, -3.0)
     assert rig.run().state is MotionState.FAILED
     assert "wrong way" in rig.last.reason
@@ -176,10 +192,16 @@ def test_final_state_is_kept():
     assert rig.last == before
 
 
-@pytest.mark.parametrize("kind,amount,words", [
-    (MotionKind.STRAIGHT, 3000.0, "more than the limit of 20 m"), (MotionKind.STRAIGHT, -21.0, "-21 m"),
-    (MotionKind.TURN, math.inf, "finite"), (MotionKind.TURN, math.nan, "finite"),
-    (MotionKind.TURN, 63.0, "limit of 62.83 rad (3600 degrees)")])
+@pytest.mark.parametrize(
+    "kind,amount,words",
+    [
+        (MotionKind.STRAIGHT, 3000.0, "more than the limit of 20 m"),
+        (MotionKind.STRAIGHT, -21.0, "-21 m"),
+        (MotionKind.TURN, math.inf, "finite"),
+        (MotionKind.TURN, math.nan, "finite"),
+        (MotionKind.TURN, 63.0, "limit of 62.83 rad (3600 degrees)"),
+    ],
+)
 def test_goals_beyond_the_limits_are_refused(kind, amount, words):
     goal = MotionGoal(kind=kind, amount=amount)
     assert words in check_goal(goal, settings=SETTINGS)
@@ -192,11 +214,18 @@ def test_goals_at_the_limits_pass(kind, amount):
     assert check_goal(MotionGoal(kind=kind, amount=amount), settings=SETTINGS) is None
 
 
-@pytest.mark.parametrize("make", [
-    lambda: MotionSettings(aim_share=0.1), lambda: MotionSettings(odometry_timeout_s=4.0),
-    lambda: MotionSettings(stall_timeout_s=math.nan),
-    lambda: MotionProfile(max_amount=1.0, speed_per_s=0.1, acceleration_per_s2=1.0, creep_per_s=0.2, tolerance=0.1),
-    lambda: MotionProfile(max_amount=1.0, speed_per_s="0.1", acceleration_per_s2=1.0, creep_per_s=0.2, tolerance=0.1)])
+@pytest.mark.parametrize(
+    "make",
+    [
+        lambda: MotionSettings(aim_share=0.1),
+        lambda: MotionSettings(odometry_timeout_s=4.0),
+        lambda: MotionSettings(stall_timeout_s=math.nan),
+        lambda: MotionProfile(max_amount=1.0, speed_per_s=0.1, acceleration_per_s2=1.0, creep_per_s=0.2, tolerance=0.1),
+        lambda: MotionProfile(
+            max_amount=1.0, speed_per_s="0.1", acceleration_per_s2=1.0, creep_per_s=0.2, tolerance=0.1
+        ),
+    ],
+)
 def test_settings_that_make_no_sense_are_refused(make):
     with pytest.raises(ValueError):
         make()

@@ -1,4 +1,5 @@
 """Arguments of the frames, as the speaker said them."""
+
 import math
 
 import pytest
@@ -7,10 +8,22 @@ from move_action_server.motion import MotionKind
 from move_action_server.spoken_motion import NotUnderstood, backward_goal, forward_goal, turn_goal
 
 
-@pytest.mark.parametrize("distance,unit,metres", [
-    ("3", "feet", 0.9144), ("1", "metre", 1.0), ("2", "yards", 1.8288), ("three", "feet", 0.9144), ("3 feet", "", 0.9144),
-    ("0.5", "meters", 0.5), ("50", "cm", 0.5), ("-2", "metres", -2.0), ("minus two", "metres", -2.0),
-    ("3 feet", "feet", 0.9144), ("3", "kilometres", 3000.0)])
+@pytest.mark.parametrize(
+    "distance,unit,metres",
+    [
+        ("3", "feet", 0.9144),
+        ("1", "metre", 1.0),
+        ("2", "yards", 1.8288),
+        ("three", "feet", 0.9144),
+        ("3 feet", "", 0.9144),
+        ("0.5", "meters", 0.5),
+        ("50", "cm", 0.5),
+        ("-2", "metres", -2.0),
+        ("minus two", "metres", -2.0),
+        ("3 feet", "feet", 0.9144),
+        ("3", "kilometres", 3000.0),
+    ],
+)
 def test_distances(distance, unit, metres):
     arguments = {"distance": distance, "distance_unit": unit}
     assert forward_goal(arguments).kind is MotionKind.STRAIGHT
@@ -18,21 +31,40 @@ def test_distances(distance, unit, metres):
     assert backward_goal(arguments).amount == pytest.approx(-metres)
 
 
-@pytest.mark.parametrize("direction,angle,unit,radians", [
-    ("left", "120", "degrees", math.radians(120)), ("right", "2", "radians", -2.0), ("Left", "ninety", "degrees", math.pi / 2),
-    ("right", "-30", "degrees", math.radians(30)), ("left", "1", "turn", 2 * math.pi), ("clockwise", "1", "radian", -1.0),
-    ("counterclockwise", "1", "radian", 1.0), ("around", "", "", math.pi), ("around", "90", "degrees", math.pi),
-    ("around", "360", "degrees", 2 * math.pi), ("left", "120 degrees", "", math.radians(120))])
+@pytest.mark.parametrize(
+    "direction,angle,unit,radians",
+    [
+        ("left", "120", "degrees", math.radians(120)),
+        ("right", "2", "radians", -2.0),
+        ("Left", "ninety", "degrees", math.pi / 2),
+        ("right", "-30", "degrees", math.radians(30)),
+        ("left", "1", "turn", 2 * math.pi),
+        ("clockwise", "1", "radian", -1.0),
+        ("counterclockwise", "1", "radian", 1.0),
+        ("around", "", "", math.pi),
+        ("around", "90", "degrees", math.pi),
+        ("around", "360", "degrees", 2 * math.pi),
+        ("left", "120 degrees", "", math.radians(120)),
+    ],
+)
 def test_turns(direction, angle, unit, radians):
     goal = turn_goal({"direction": direction, "angle": angle, "angle_unit": unit})
     assert goal.kind is MotionKind.TURN
     assert goal.amount == pytest.approx(radians)
 
 
-@pytest.mark.parametrize("arguments,words", [
-    ({}, "How far"), ({"distance": "3"}, "unit"), ({"distance": "3", "distance_unit": "degrees"}, "length"),
-    ({"distance": "far", "distance_unit": "feet"}, "far"), ({"distance": "1e400", "distance_unit": "feet"}, "count"),
-    ({"distance": "nan", "distance_unit": "feet"}, "nan"), ({"distance": "3", "distance_unit": "elephants"}, 'unit "elephants"')])
+@pytest.mark.parametrize(
+    "arguments,words",
+    [
+        ({}, "How far"),
+        ({"distance": "3"}, "unit"),
+        ({"distance": "3", "distance_unit": "degrees"}, "length"),
+        ({"distance": "far", "distance_unit": "feet"}, "far"),
+        ({"distance": "1e400", "distance_unit": "feet"}, "count"),
+        ({"distance": "nan", "distance_unit": "feet"}, "nan"),
+        ({"distance": "3", "distance_unit": "elephants"}, 'unit "elephants"'),
+    ],
+)
 def test_distances_that_name_no_motion(arguments, words):
     for read in (forward_goal, backward_goal):
         with pytest.raises(NotUnderstood) as caught:
@@ -40,11 +72,17 @@ def test_distances_that_name_no_motion(arguments, words):
         assert words in str(caught.value)
 
 
-@pytest.mark.parametrize("arguments,words", [
-    ({"angle": "3", "angle_unit": "degrees"}, "left or right"), ({"direction": "up", "angle": "3"}, '"up"'),
-    ({"direction": "left"}, "How far"), ({"direction": "left", "angle": "3"}, "unit"),
-    ({"direction": "left", "angle": "1e400", "angle_unit": "degrees"}, "count"),
-    ({"direction": "around", "angle": "much", "angle_unit": "degrees"}, "much")])
+@pytest.mark.parametrize(
+    "arguments,words",
+    [
+        ({"angle": "3", "angle_unit": "degrees"}, "left or right"),
+        ({"direction": "up", "angle": "3"}, '"up"'),
+        ({"direction": "left"}, "How far"),
+        ({"direction": "left", "angle": "3"}, "unit"),
+        ({"direction": "left", "angle": "1e400", "angle_unit": "degrees"}, "count"),
+        ({"direction": "around", "angle": "much", "angle_unit": "degrees"}, "much"),
+    ],
+)
 def test_turns_that_name_no_motion(arguments, words):
     with pytest.raises(NotUnderstood) as caught:
         turn_goal(arguments)

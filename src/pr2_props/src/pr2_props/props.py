@@ -1,4 +1,5 @@
 """What the arms of a PR2 do for each prop: data, checked against the limits of the joints."""
+
 import math
 from dataclasses import dataclass
 from enum import Enum
@@ -18,8 +19,15 @@ class Arm(Enum):
 
 
 #: Joints of an arm from the shoulder to the wrist, without the prefix of the arm.
-JOINTS = ("shoulder_pan_joint", "shoulder_lift_joint", "upper_arm_roll_joint", "elbow_flex_joint", "forearm_roll_joint",
-          "wrist_flex_joint", "wrist_roll_joint")
+JOINTS = (
+    "shoulder_pan_joint",
+    "shoulder_lift_joint",
+    "upper_arm_roll_joint",
+    "elbow_flex_joint",
+    "forearm_roll_joint",
+    "wrist_flex_joint",
+    "wrist_roll_joint",
+)
 #: How long an arm takes to the safe pose, seconds.
 RETURN_S = 2.5
 
@@ -82,8 +90,11 @@ def read_limits(document: Mapping[str, Any]) -> Dict[str, JointLimit]:
     """
     limits = {}
     for name, entry in document.items():
-        limit = JointLimit(lower_rad=float(entry.get("lower", -math.inf)), upper_rad=float(entry.get("upper", math.inf)),
-                           speed_rad_per_s=float(entry.get("speed", 0.0)))
+        limit = JointLimit(
+            lower_rad=float(entry.get("lower", -math.inf)),
+            upper_rad=float(entry.get("upper", math.inf)),
+            speed_rad_per_s=float(entry.get("speed", 0.0)),
+        )
         if not limit.speed_rad_per_s > 0.0 or not limit.lower_rad < limit.upper_rad:
             raise PropError(f"limit of {name}: expected speed > 0 and lower < upper, found {entry}")
         limits[name] = limit
@@ -123,7 +134,9 @@ def _positions(name: str, arm: Arm, numbers: Sequence[Any]) -> Tuple[float, ...]
     return positions
 
 
-def check(name: str, arm: Arm, start_rad: Sequence[float], poses: Sequence[Pose], limits: Mapping[str, JointLimit]) -> None:
+def check(
+    name: str, arm: Arm, start_rad: Sequence[float], poses: Sequence[Pose], limits: Mapping[str, JointLimit]
+) -> None:
     """Check a trajectory before it is sent.
 
     Args:
@@ -133,7 +146,8 @@ def check(name: str, arm: Arm, start_rad: Sequence[float], poses: Sequence[Pose]
         poses: to be passed through, in order of time
         limits: by name of joint
     Raises:
-        PropError: a position out of its limits, a speed above its limit, a number that is not finite, time that stands still
+        PropError: a position out of its limits, a speed above its limit, a number that is not finite, time that stands
+            still
     """
     before_s, before_rad = 0.0, tuple(start_rad)
     for pose in poses:
@@ -142,7 +156,9 @@ def check(name: str, arm: Arm, start_rad: Sequence[float], poses: Sequence[Pose]
         for joint, start, position in zip(joint_names(arm), before_rad, pose.positions_rad):
             limit = limits[joint]
             if not limit.lower_rad <= position <= limit.upper_rad or not math.isfinite(position):
-                raise PropError(f"{name}: {joint} at {position:.3f} rad, allowed {limit.lower_rad} to {limit.upper_rad}")
+                raise PropError(
+                    f"{name}: {joint} at {position:.3f} rad, allowed {limit.lower_rad} to {limit.upper_rad}"
+                )
             speed = abs(position - start) / (pose.at_s - before_s)
             if speed > limit.speed_rad_per_s:
                 raise PropError(f"{name}: {joint} at {speed:.2f} rad/s, allowed {limit.speed_rad_per_s}")

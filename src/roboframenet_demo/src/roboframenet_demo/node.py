@@ -1,4 +1,5 @@
 """Says the sentences of a script to a running robot, shows every stage, and ends with a table."""
+
 import sys
 import threading
 import time
@@ -14,8 +15,13 @@ from roboframenet_demo.table import format_table
 from roboframenet_msgs.msg import Reply, StageEvent
 from std_msgs.msg import String
 
-OUTCOME_NAMES = {Reply.DONE: "DONE", Reply.FAILED: "FAILED", Reply.REFUSED: "REFUSED",
-                 Reply.NEEDS_INFORMATION: "NEEDS_INFORMATION", Reply.SUPERSEDED: "SUPERSEDED"}
+OUTCOME_NAMES = {
+    Reply.DONE: "DONE",
+    Reply.FAILED: "FAILED",
+    Reply.REFUSED: "REFUSED",
+    Reply.NEEDS_INFORMATION: "NEEDS_INFORMATION",
+    Reply.SUPERSEDED: "SUPERSEDED",
+}
 #: How long after a reply the base may still roll out, seconds.
 ROLL_OUT_S = 3.0
 #: The robot is complete when no server has registered for so long, seconds.
@@ -84,22 +90,33 @@ class Demonstration:
     def _remember(self, line: Line, reply: Optional[Reply], outcome: str, is_right: bool, reason: str) -> None:
         frame, server, domain = self._frame_of(reply)
         spoken = line.text + (f" / {line.interruption.text}" if line.interruption else "")
-        self.rows.append((spoken, domain, frame or f"({reply.code if reply else outcome})", server,
-                          self._observer.observe().describe(), "ok" if is_right else f"WRONG: {reason}"))
+        self.rows.append(
+            (
+                spoken,
+                domain,
+                frame or f"({reply.code if reply else outcome})",
+                server,
+                self._observer.observe().describe(),
+                "ok" if is_right else f"WRONG: {reason}",
+            )
+        )
 
     def _frame_of(self, reply: Optional[Reply]) -> Tuple[str, str, str]:
         """Return frame with elements, server and domain of what was carried out."""
         if reply is None:
             return "", "", ""
         reading = self._conversation.reading(reply.command.id)
-        source = reading.clauses[0].readings[0].source if reading and reading.clauses and reading.clauses[0].readings else ""
+        source = (
+            reading.clauses[0].readings[0].source if reading and reading.clauses and reading.clauses[0].readings else ""
+        )
         domain = source.split("/")[-3] if source.count("/") >= 3 else ""
         procedure = self._conversation.procedure(reply.command.id)
         if procedure is None or not procedure.procedure.frame_lists:
             return "", "", domain
         frames = procedure.procedure.frame_lists[0].frames
         text = "; ".join(
-            f"{frame.name}({', '.join(f'{e.name}={e.argument}' for e in frame.frame_elements)})" for frame in frames)
+            f"{frame.name}({', '.join(f'{e.name}={e.argument}' for e in frame.frame_elements)})" for frame in frames
+        )
         return text, ", ".join(topic for frame in frames for topic in frame.action_server_topics), domain
 
     def _wait_for_motion(self, timeout_s: float) -> None:

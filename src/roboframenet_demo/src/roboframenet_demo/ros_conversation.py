@@ -1,4 +1,5 @@
 """Says sentences on the topic for people and collects what the stages make of them."""
+
 import queue
 import time
 from typing import Callable, Dict, List, Optional
@@ -11,7 +12,13 @@ from roboframenet_msgs.msg import CommandLexicalUnits, CommandProcedure, FrameCa
 
 
 #: What each stage of the pipeline listens to.
-STAGE_TOPICS = ("command_text", "command_parse", "command_lexical_units", "command_semantic_frames", "command_procedure")
+STAGE_TOPICS = (
+    "command_text",
+    "command_parse",
+    "command_lexical_units",
+    "command_semantic_frames",
+    "command_procedure",
+)
 
 
 class Conversation:

@@ -1,4 +1,5 @@
 """The sentences of a demonstration, what each is expected to do, and the verdict on what was measured."""
+
 import math
 from dataclasses import dataclass, field
 from enum import Enum
@@ -116,7 +117,11 @@ def judge(line: Line, outcome: str, observation: Observation) -> Tuple[bool, str
 
 def _deviation(measured: Measured, expected: Any, observation: Observation, tolerance: float) -> str:
     if measured is Measured.SAID:
-        return "" if any(str(expected).lower() in text.lower() for text in observation.said) else f'did not say "{expected}"'
+        return (
+            ""
+            if any(str(expected).lower() in text.lower() for text in observation.said)
+            else f'did not say "{expected}"'
+        )
     if measured is Measured.REACHED:
         distance = math.hypot(observation.position_m[0] - expected[0], observation.position_m[1] - expected[1])
         return "" if distance <= 0.3 else f"{distance:.2f} m away from the place"

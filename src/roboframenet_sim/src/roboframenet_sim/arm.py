@@ -1,4 +1,5 @@
 """An arm whose joints follow trajectories within their limits."""
+
 import math
 from dataclasses import dataclass
 from typing import Dict, Optional, Tuple
@@ -32,18 +33,28 @@ class Trajectory:
 
 
 RIGHT_LIMITS: Dict[str, JointLimit] = {
-    "shoulder_pan": JointLimit(-2.135, 0.564, 2.08), "shoulder_lift": JointLimit(-0.353, 1.296, 2.08),
-    "upper_arm_roll": JointLimit(-3.75, 0.65, 3.27), "elbow_flex": JointLimit(-2.121, -0.15, 3.3),
-    "forearm_roll": JointLimit(-math.inf, math.inf, 3.6), "wrist_flex": JointLimit(-2.0, -0.1, 3.07),
-    "wrist_roll": JointLimit(-math.inf, math.inf, 3.6)}
+    "shoulder_pan": JointLimit(-2.135, 0.564, 2.08),
+    "shoulder_lift": JointLimit(-0.353, 1.296, 2.08),
+    "upper_arm_roll": JointLimit(-3.75, 0.65, 3.27),
+    "elbow_flex": JointLimit(-2.121, -0.15, 3.3),
+    "forearm_roll": JointLimit(-math.inf, math.inf, 3.6),
+    "wrist_flex": JointLimit(-2.0, -0.1, 3.07),
+    "wrist_roll": JointLimit(-math.inf, math.inf, 3.6),
+}
 """The right arm of a PR2: the ranges in which its controllers move the joints."""
 
 MIRRORED = ("shoulder_pan", "upper_arm_roll")
 """Joints whose range is mirrored in the left arm."""
 
 TUCKED_RAD: Dict[str, float] = {
-    "shoulder_pan": 0.0, "shoulder_lift": 1.1, "upper_arm_roll": 0.0, "elbow_flex": -1.9, "forearm_roll": 0.0,
-    "wrist_flex": -1.0, "wrist_roll": 0.0}
+    "shoulder_pan": 0.0,
+    "shoulder_lift": 1.1,
+    "upper_arm_roll": 0.0,
+    "elbow_flex": -1.9,
+    "forearm_roll": 0.0,
+    "wrist_flex": -1.0,
+    "wrist_roll": 0.0,
+}
 """Where the joints are at the start."""
 
 
@@ -88,14 +99,20 @@ class Arm:
     def check(self, trajectory: Trajectory) -> Optional[str]:
         """Return why a trajectory cannot be followed from here, or None."""
         if sorted(trajectory.joint_names) != sorted(self.limits):
-            return "the joints must be %s, got %s" % (", ".join(self.limits), ", ".join(trajectory.joint_names) or "none")
+            return "the joints must be %s, got %s" % (
+                ", ".join(self.limits),
+                ", ".join(trajectory.joint_names) or "none",
+            )
         if not trajectory.points:
             return "the trajectory has no points"
         before = TrajectoryPoint(tuple(self.positions_rad[name] for name in trajectory.joint_names), 0.0)
         for number, point in enumerate(trajectory.points):
             if len(point.positions_rad) != len(trajectory.joint_names):
                 return "point %d has %d positions for %d joints" % (
-                    number, len(point.positions_rad), len(trajectory.joint_names))
+                    number,
+                    len(point.positions_rad),
+                    len(trajectory.joint_names),
+                )
             if not all(math.isfinite(value) for value in (*point.positions_rad, point.time_s)):
                 return "point %d has numbers that are not finite" % number
             if point.time_s < before.time_s or (number and point.time_s == before.time_s):
@@ -104,11 +121,20 @@ class Arm:
                 limit = self.limits[name]
                 if not limit.lower_rad <= new_rad <= limit.upper_rad:
                     return "point %d: %s at %.3f rad is outside of %.3f to %.3f" % (
-                        number, name, new_rad, limit.lower_rad, limit.upper_rad)
+                        number,
+                        name,
+                        new_rad,
+                        limit.lower_rad,
+                        limit.upper_rad,
+                    )
                 way_rad = abs(new_rad - old_rad)
                 reach_rad = limit.speed_rad_per_s * self.SPEED_TOLERANCE * (point.time_s - before.time_s)
                 if way_rad > max(reach_rad, self.GOAL_TOLERANCE_RAD):
-                    return "point %d: %s would have to be faster than %.2f rad/s" % (number, name, limit.speed_rad_per_s)
+                    return "point %d: %s would have to be faster than %.2f rad/s" % (
+                        number,
+                        name,
+                        limit.speed_rad_per_s,
+                    )
             before = point
         return None
 
@@ -142,13 +168,19 @@ class Arm:
             self._elapsed_s += duration_s
             wanted = dict(zip(trajectory.joint_names, self._reference(trajectory)))
         for name, position_rad in self.positions_rad.items():
-            reached_rad = approach(position_rad, target=wanted[name],
-                                   step=self.limits[name].speed_rad_per_s * self.SPEED_TOLERANCE * duration_s)
+            reached_rad = approach(
+                position_rad,
+                target=wanted[name],
+                step=self.limits[name].speed_rad_per_s * self.SPEED_TOLERANCE * duration_s,
+            )
             if duration_s > 0.0:
                 self.velocities_rad_per_s[name] = (reached_rad - position_rad) / duration_s
             self.positions_rad[name] = reached_rad
-        if trajectory is not None and self._elapsed_s >= trajectory.points[-1].time_s and all(
-                abs(wanted[name] - self.positions_rad[name]) <= self.GOAL_TOLERANCE_RAD for name in wanted):
+        if (
+            trajectory is not None
+            and self._elapsed_s >= trajectory.points[-1].time_s
+            and all(abs(wanted[name] - self.positions_rad[name]) <= self.GOAL_TOLERANCE_RAD for name in wanted)
+        ):
             self._trajectory = None
 
     def _reference(self, trajectory: Trajectory) -> Tuple[float, ...]:

@@ -2,6 +2,7 @@
 
 Time is whatever the caller counts in seconds; the same commands at the same times give the same poses.
 """
+
 import math
 import random
 from dataclasses import dataclass
@@ -46,11 +47,17 @@ class BaseLimits:
     angular_acceleration_rad_per_s2: float = 6.0
     command_timeout_s: float = 0.5
     velocity_noise: float = 0.0
-    """Standard deviation of the executed velocity, as a share of the wanted one. Odometry measures what was executed."""
+    """Standard deviation of the executed velocity, as a share of the wanted one. Odometry measures what was executed.
+    """
 
     def __post_init__(self) -> None:
-        for name in ("max_linear_m_per_s", "max_angular_rad_per_s", "linear_acceleration_m_per_s2",
-                     "angular_acceleration_rad_per_s2", "command_timeout_s"):
+        for name in (
+            "max_linear_m_per_s",
+            "max_angular_rad_per_s",
+            "linear_acceleration_m_per_s2",
+            "angular_acceleration_rad_per_s2",
+            "command_timeout_s",
+        ):
             value = getattr(self, name)
             if not (math.isfinite(value) and value > 0.0):
                 raise ValueError("%s must be a positive number, got %r" % (name, value))
@@ -77,8 +84,11 @@ def integrate(pose: Pose, *, velocity: Velocity, duration_s: float) -> Pose:
     half = turned / 2.0
     shortening = 1.0 - half * half / 6.0 if abs(half) < 1e-4 else math.sin(half) / half
     chord = velocity.linear_m_per_s * duration_s * shortening
-    return Pose(x_m=pose.x_m + chord * math.cos(pose.yaw_rad + half),
-                y_m=pose.y_m + chord * math.sin(pose.yaw_rad + half), yaw_rad=pose.yaw_rad + turned)
+    return Pose(
+        x_m=pose.x_m + chord * math.cos(pose.yaw_rad + half),
+        y_m=pose.y_m + chord * math.sin(pose.yaw_rad + half),
+        yaw_rad=pose.yaw_rad + turned,
+    )
 
 
 class DifferentialBase:
@@ -94,8 +104,14 @@ class DifferentialBase:
 
     MAX_STEP_S = 0.02
 
-    def __init__(self, limits: BaseLimits = BaseLimits(), *, pose: Pose = Pose(), seed: int = 0,
-                 is_free: Optional[Callable[[float, float], bool]] = None) -> None:
+    def __init__(
+        self,
+        limits: BaseLimits = BaseLimits(),
+        *,
+        pose: Pose = Pose(),
+        seed: int = 0,
+        is_free: Optional[Callable[[float, float], bool]] = None,
+    ) -> None:
         self.limits = limits
         self.pose = pose
         self.velocity = STANDING
@@ -134,19 +150,26 @@ class DifferentialBase:
         before = self.velocity
         after = Velocity(
             linear_m_per_s=approach(
-                before.linear_m_per_s, target=clamp(wanted.linear_m_per_s, limit=limits.max_linear_m_per_s),
-                step=limits.linear_acceleration_m_per_s2 * duration_s),
+                before.linear_m_per_s,
+                target=clamp(wanted.linear_m_per_s, limit=limits.max_linear_m_per_s),
+                step=limits.linear_acceleration_m_per_s2 * duration_s,
+            ),
             angular_rad_per_s=approach(
-                before.angular_rad_per_s, target=clamp(wanted.angular_rad_per_s, limit=limits.max_angular_rad_per_s),
-                step=limits.angular_acceleration_rad_per_s2 * duration_s))
+                before.angular_rad_per_s,
+                target=clamp(wanted.angular_rad_per_s, limit=limits.max_angular_rad_per_s),
+                step=limits.angular_acceleration_rad_per_s2 * duration_s,
+            ),
+        )
         mean = Velocity(
             linear_m_per_s=self._noisy((before.linear_m_per_s + after.linear_m_per_s) / 2.0),
-            angular_rad_per_s=self._noisy((before.angular_rad_per_s + after.angular_rad_per_s) / 2.0))
+            angular_rad_per_s=self._noisy((before.angular_rad_per_s + after.angular_rad_per_s) / 2.0),
+        )
         pose = integrate(self.pose, velocity=mean, duration_s=duration_s)
         if self._is_blocked(pose):
             after = Velocity(angular_rad_per_s=after.angular_rad_per_s)
-            pose = integrate(self.pose, velocity=Velocity(angular_rad_per_s=mean.angular_rad_per_s),
-                             duration_s=duration_s)
+            pose = integrate(
+                self.pose, velocity=Velocity(angular_rad_per_s=mean.angular_rad_per_s), duration_s=duration_s
+            )
         self.velocity = after
         self.pose = pose
 

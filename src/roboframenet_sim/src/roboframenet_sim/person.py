@@ -1,4 +1,5 @@
 """A person before the robot: stands, walks a curve, leaves, comes back."""
+
 import enum
 import math
 from dataclasses import dataclass
@@ -24,7 +25,8 @@ class PersonSettings:
     """
 
     distance_m: float = 0.6
-    """Where the person stands at first and after COME: straight before the robot, from its centre to the person's skin."""
+    """Where the person stands at first and after COME: straight before the robot, from its centre to the person's skin.
+    """
     path_m: float = 10.0
     radius_m: float = 4.0
     """The walk is S-shaped: its first half bends to the left with this radius, its second half to the right."""
@@ -87,8 +89,11 @@ class Person:
 
     def _come(self, robot: Pose) -> None:
         away_m = self.settings.distance_m + self.settings.body_radius_m
-        self.pose = Pose(x_m=robot.x_m + away_m * math.cos(robot.yaw_rad),
-                         y_m=robot.y_m + away_m * math.sin(robot.yaw_rad), yaw_rad=robot.yaw_rad)
+        self.pose = Pose(
+            x_m=robot.x_m + away_m * math.cos(robot.yaw_rad),
+            y_m=robot.y_m + away_m * math.sin(robot.yaw_rad),
+            yaw_rad=robot.yaw_rad,
+        )
         self._act = PersonAct.STAND
         self._speed_m_per_s = 0.0
         self.is_present = True
@@ -105,13 +110,17 @@ class Person:
         elif self._act is PersonAct.LEAVE:
             wanted = settings.leaving_speed_m_per_s
             self.is_present = self.is_present and self.walked_m < settings.leaving_m
-        self._speed_m_per_s = approach(self._speed_m_per_s, target=wanted,
-                                       step=settings.acceleration_m_per_s2 * duration_s)
+        self._speed_m_per_s = approach(
+            self._speed_m_per_s, target=wanted, step=settings.acceleration_m_per_s2 * duration_s
+        )
         way_m = self._speed_m_per_s * duration_s
         turn_rad = 0.0
         if self._act is PersonAct.WALK:
             turn_rad = math.copysign(way_m / settings.radius_m, settings.path_m / 2.0 - self.walked_m)
         heading_rad = self.pose.yaw_rad + turn_rad / 2.0
         self.walked_m += way_m
-        self.pose = Pose(x_m=self.pose.x_m + way_m * math.cos(heading_rad),
-                         y_m=self.pose.y_m + way_m * math.sin(heading_rad), yaw_rad=self.pose.yaw_rad + turn_rad)
+        self.pose = Pose(
+            x_m=self.pose.x_m + way_m * math.cos(heading_rad),
+            y_m=self.pose.y_m + way_m * math.sin(heading_rad),
+            yaw_rad=self.pose.yaw_rad + turn_rad,
+        )

@@ -1,4 +1,5 @@
 """A simulated base on its topics: velocity commands in, odometry and tf out."""
+
 import math
 import threading
 from dataclasses import dataclass
@@ -27,8 +28,11 @@ class BaseSettings:
     base_frame: str
 
     def __post_init__(self) -> None:
-        for name, value in (("start_x_m", self.start.x_m), ("start_y_m", self.start.y_m),
-                            ("start_yaw_rad", self.start.yaw_rad)):
+        for name, value in (
+            ("start_x_m", self.start.x_m),
+            ("start_y_m", self.start.y_m),
+            ("start_yaw_rad", self.start.yaw_rad),
+        ):
             if not (isinstance(value, (int, float)) and math.isfinite(value)):
                 raise ValueError("~%s must be a finite number, got %r" % (name, value))
         if not (self.odom_frame and self.base_frame):
@@ -46,16 +50,23 @@ def read_base_settings(*, base_frame: str) -> BaseSettings:
             max_linear_m_per_s=rospy.get_param("~max_linear_m_per_s", BaseLimits.max_linear_m_per_s),
             max_angular_rad_per_s=rospy.get_param("~max_angular_rad_per_s", BaseLimits.max_angular_rad_per_s),
             linear_acceleration_m_per_s2=rospy.get_param(
-                "~linear_acceleration_m_per_s2", BaseLimits.linear_acceleration_m_per_s2),
+                "~linear_acceleration_m_per_s2", BaseLimits.linear_acceleration_m_per_s2
+            ),
             angular_acceleration_rad_per_s2=rospy.get_param(
-                "~angular_acceleration_rad_per_s2", BaseLimits.angular_acceleration_rad_per_s2),
+                "~angular_acceleration_rad_per_s2", BaseLimits.angular_acceleration_rad_per_s2
+            ),
             command_timeout_s=rospy.get_param("~command_timeout_s", BaseLimits.command_timeout_s),
-            velocity_noise=rospy.get_param("~velocity_noise", BaseLimits.velocity_noise)),
-        start=Pose(x_m=rospy.get_param("~start_x_m", 0.0), y_m=rospy.get_param("~start_y_m", 0.0),
-                   yaw_rad=rospy.get_param("~start_yaw_rad", 0.0)),
+            velocity_noise=rospy.get_param("~velocity_noise", BaseLimits.velocity_noise),
+        ),
+        start=Pose(
+            x_m=rospy.get_param("~start_x_m", 0.0),
+            y_m=rospy.get_param("~start_y_m", 0.0),
+            yaw_rad=rospy.get_param("~start_yaw_rad", 0.0),
+        ),
         seed=int(rospy.get_param("~seed", 0)),
         odom_frame=str(rospy.get_param("~odom_frame", "odom")),
-        base_frame=str(rospy.get_param("~base_frame", base_frame)))
+        base_frame=str(rospy.get_param("~base_frame", base_frame)),
+    )
 
 
 def quaternion_of_yaw(yaw_rad: float) -> Quaternion:
@@ -88,7 +99,9 @@ class RosBase:
 
     def _take_command(self, message: Twist) -> None:
         with self._lock:
-            is_driven = self._base.command(Velocity(linear_m_per_s=message.linear.x, angular_rad_per_s=message.angular.z))
+            is_driven = self._base.command(
+                Velocity(linear_m_per_s=message.linear.x, angular_rad_per_s=message.angular.z)
+            )
         if not is_driven:
             rospy.logerr_throttle(1.0, "velocity command that is not finite: the base stops")
 

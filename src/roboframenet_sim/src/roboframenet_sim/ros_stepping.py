@@ -1,4 +1,5 @@
 """The time of a simulated robot: steps of one length, along the wall clock or along a /clock of its own."""
+
 import math
 import threading
 import time
@@ -30,7 +31,9 @@ class SteppingSettings:
             if not (isinstance(value, (int, float)) and math.isfinite(value) and low <= value <= high):
                 raise ValueError("~%s must be %g to %g, got %r" % (name, low, high, value))
         if self.rate_factor != 1.0 and not self.is_clock:
-            raise ValueError("~rate_factor other than 1 needs /use_sim_time and ~publish_clock, got %r" % self.rate_factor)
+            raise ValueError(
+                "~rate_factor other than 1 needs /use_sim_time and ~publish_clock, got %r" % self.rate_factor
+            )
 
 
 def read_stepping_settings(*, rate_hz: float) -> SteppingSettings:
@@ -40,17 +43,20 @@ def read_stepping_settings(*, rate_hz: float) -> SteppingSettings:
         rate_hz: the default of ~rate_hz
     """
     is_sim_time = bool(rospy.get_param("/use_sim_time", False))
-    return SteppingSettings(rate_hz=rospy.get_param("~rate_hz", rate_hz),
-                            rate_factor=rospy.get_param("~rate_factor", SteppingSettings.rate_factor),
-                            is_sim_time=is_sim_time,
-                            is_clock=is_sim_time and bool(rospy.get_param("~publish_clock", True)))
+    return SteppingSettings(
+        rate_hz=rospy.get_param("~rate_hz", rate_hz),
+        rate_factor=rospy.get_param("~rate_factor", SteppingSettings.rate_factor),
+        is_sim_time=is_sim_time,
+        is_clock=is_sim_time and bool(rospy.get_param("~publish_clock", True)),
+    )
 
 
 class Stepper:
     """Calls a function once per period until the node is shut down.
 
     The node that publishes /clock makes every step exactly one period long, however busy the machine is: the simulation
-    then runs slower, but the same. Along the wall clock, or the /clock of another node, a step is as long as the time that
+    then runs slower, but the same. Along the wall clock, or the /clock of another node, a step is as long as the time
+    that
     has passed.
 
     Args:
@@ -123,6 +129,7 @@ def run_until_shutdown(loop: Callable[[], None]) -> None:
     Args:
         loop: returns soon after shutdown; if it raises, the node is shut down
     """
+
     def run() -> None:
         try:
             loop()

@@ -39,8 +39,10 @@ class TestPr2Sim(unittest.TestCase):
         cls.positions, cls.velocities, cls.odometry = {}, {}, None
         cls.joint_states = rospy.Subscriber("joint_states", JointState, cls.on_joints, queue_size=1)
         cls.odom = rospy.Subscriber("odom", Odometry, cls.on_odometry, queue_size=1)
-        cls.arms = {prefix: actionlib.ActionClient("%s_arm_controller/joint_trajectory_action" % prefix, JointTrajectoryAction)
-                    for prefix in ("r", "l")}
+        cls.arms = {
+            prefix: actionlib.ActionClient("%s_arm_controller/joint_trajectory_action" % prefix, JointTrajectoryAction)
+            for prefix in ("r", "l")
+        }
         for client in cls.arms.values():
             assert client.wait_for_server(rospy.Duration(DEADLINE_S))
         assert wait_until(lambda: len(cls.positions) == 14 and cls.odometry is not None)
@@ -70,8 +72,10 @@ class TestPr2Sim(unittest.TestCase):
 
     def is_at(self, positions, prefix="r"):
         """Tell whether the joints are there."""
-        return all(abs(self.positions["%s_%s_joint" % (prefix, suffix)] - position) < 0.02
-                   for suffix, position in zip(SUFFIXES, positions))
+        return all(
+            abs(self.positions["%s_%s_joint" % (prefix, suffix)] - position) < 0.02
+            for suffix, position in zip(SUFFIXES, positions)
+        )
 
     def test_both_arms_follow_trajectories(self):
         """Each arm has an action of its own."""

@@ -1,4 +1,5 @@
 """The differential base against hand calculation."""
+
 import math
 
 import pytest
@@ -13,7 +14,9 @@ def drive(base, velocity, seconds, step_s=0.02):
 
 
 def test_integrate_half_circle_ends_one_diameter_to_the_left():
-    pose = integrate(Pose(), velocity=Velocity(linear_m_per_s=math.pi / 2, angular_rad_per_s=math.pi / 2), duration_s=2.0)
+    pose = integrate(
+        Pose(), velocity=Velocity(linear_m_per_s=math.pi / 2, angular_rad_per_s=math.pi / 2), duration_s=2.0
+    )
     assert pose.x_m == pytest.approx(0.0, abs=1e-12)
     assert pose.y_m == pytest.approx(2.0)
     assert pose.yaw_rad == pytest.approx(math.pi)
@@ -30,7 +33,7 @@ def test_base_speeds_up_with_its_acceleration():
     base = DifferentialBase(BaseLimits(linear_acceleration_m_per_s2=0.5))
     drive(base, Velocity(linear_m_per_s=0.4), seconds=0.4)
     assert base.velocity.linear_m_per_s == pytest.approx(0.2)
-    assert base.pose.x_m == pytest.approx(0.5 * 0.5 * 0.4 ** 2)
+    assert base.pose.x_m == pytest.approx(0.5 * 0.5 * 0.4**2)
 
 
 def test_base_keeps_its_top_speed():
@@ -78,6 +81,7 @@ def test_noise_follows_the_seed():
         base = DifferentialBase(BaseLimits(velocity_noise=noise), seed=seed)
         drive(base, Velocity(linear_m_per_s=0.5, angular_rad_per_s=0.3), seconds=2.0)
         return base.pose
+
     assert end(1) == end(1)
     assert end(1) != end(2)
     assert end(1, noise=0.0) == end(2, noise=0.0)
@@ -92,8 +96,15 @@ def test_base_stands_before_a_wall_and_can_turn_away():
     assert base.pose.x_m < 0.8
 
 
-@pytest.mark.parametrize("wrong", [{"command_timeout_s": 0.0}, {"max_linear_m_per_s": math.nan},
-                                   {"velocity_noise": -0.1}, {"linear_acceleration_m_per_s2": -1.0}])
+@pytest.mark.parametrize(
+    "wrong",
+    [
+        {"command_timeout_s": 0.0},
+        {"max_linear_m_per_s": math.nan},
+        {"velocity_noise": -0.1},
+        {"linear_acceleration_m_per_s2": -1.0},
+    ],
+)
 def test_limits_that_make_no_sense_are_refused(wrong):
     with pytest.raises(ValueError) as caught:
         BaseLimits(**wrong)

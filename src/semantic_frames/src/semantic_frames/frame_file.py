@@ -1,17 +1,38 @@
 """Frame files: one semantic frame each, as in 2012, with additions."""
+
 import math
 from typing import Callable, Dict, List, Optional, Tuple
 
 import yaml
 from spoken_quantities import QuantityError, parse_measure, parse_number
 
-from semantic_frames.frame import (ConstantArgument, ElementMapping, FrameElement, FrameElementRelation, ListPolicy, Quantity,
-                                   RelatedFrame, SemanticFrame, ValueCondition)
+from semantic_frames.frame import (
+    ConstantArgument,
+    ElementMapping,
+    FrameElement,
+    FrameElementRelation,
+    ListPolicy,
+    Quantity,
+    RelatedFrame,
+    SemanticFrame,
+    ValueCondition,
+)
 from semantic_frames.marked_yaml import Reader, describe, did_you_mean, line_of
 
 FRAME_KEYS = ("name", "description", "frame_elements", "children", "framenet", "on_list", "confirm")
-ELEMENT_KEYS = ("name", "is_core", "default", "quantity", "unit_element", "minimum", "maximum", "values", "question", "answer",
-                "framenet")
+ELEMENT_KEYS = (
+    "name",
+    "is_core",
+    "default",
+    "quantity",
+    "unit_element",
+    "minimum",
+    "maximum",
+    "values",
+    "question",
+    "answer",
+    "framenet",
+)
 CHILD_KEYS = ("name", "frame_element_relations")
 RELATION_KEYS = ("parent_name", "parent_value", "child_name", "child_value")
 
@@ -37,8 +58,11 @@ def load_frame(text: str, path: str) -> SemanticFrame:
         frame_elements=elements,
         children=_children(reader, entries.get("children"), elements),
         framenet=reader.text(entries.get("framenet"), "framenet"),
-        on_list=ListPolicy(reader.choice(entries.get("on_list"), "on_list", [policy.value for policy in ListPolicy],
-                                         ListPolicy.REPEAT.value)),
+        on_list=ListPolicy(
+            reader.choice(
+                entries.get("on_list"), "on_list", [policy.value for policy in ListPolicy], ListPolicy.REPEAT.value
+            )
+        ),
         is_confirmed=reader.boolean(entries.get("confirm"), "confirm"),
         path=path,
         line=line_of(root),
@@ -52,7 +76,9 @@ def _elements(reader: Reader, node: Optional[yaml.Node]) -> Tuple[FrameElement, 
     unit_nodes: List[Tuple[str, yaml.Node, FrameElement]] = []
     for key, item in reader.sequence(node, "frame_elements"):
         entries = reader.mapping(item, key, ELEMENT_KEYS, required=("name",))
-        quantity_name = reader.choice(entries.get("quantity"), f"{key}.quantity", [quantity.value for quantity in Quantity], "")
+        quantity_name = reader.choice(
+            entries.get("quantity"), f"{key}.quantity", [quantity.value for quantity in Quantity], ""
+        )
         quantity = Quantity(quantity_name) if quantity_name else None
         element = FrameElement(
             name=reader.name(entries.get("name"), f"{key}.name"),
@@ -69,24 +95,46 @@ def _elements(reader: Reader, node: Optional[yaml.Node]) -> Tuple[FrameElement, 
         )
         if element.name in [other.name for other in elements]:
             reader.report("DUPLICATE_ELEMENT", item, f"{key}.name", f"a second '{element.name}'", "names that differ")
-        if element.default and element.values and element.default.lower() not in [value.lower() for value in element.values]:
-            reader.report("UNKNOWN_VALUE", entries["default"], f"{key}.default", f"'{element.default}'",
-                          f"one of {', '.join(element.values)}")
+        if (
+            element.default
+            and element.values
+            and element.default.lower() not in [value.lower() for value in element.values]
+        ):
+            reader.report(
+                "UNKNOWN_VALUE",
+                entries["default"],
+                f"{key}.default",
+                f"'{element.default}'",
+                f"one of {', '.join(element.values)}",
+            )
         if element.minimum is not None and element.maximum is not None and element.minimum > element.maximum:
-            reader.report("LIMITS", entries["minimum"], f"{key}.minimum", f"{element.minimum:g}",
-                          f"not more than the maximum {element.maximum:g}")
+            reader.report(
+                "LIMITS",
+                entries["minimum"],
+                f"{key}.minimum",
+                f"{element.minimum:g}",
+                f"not more than the maximum {element.maximum:g}",
+            )
         if element.unit_element:
             unit_nodes.append((f"{key}.unit_element", entries["unit_element"], element))
         elements.append(element)
     names = [element.name for element in elements]
     for key, unit_node, element in unit_nodes:
         if element.unit_element not in names or element.unit_element == element.name:
-            reader.report("UNKNOWN_ELEMENT", unit_node, key, f"'{element.unit_element}'", f"another element: {', '.join(names)}",
-                          did_you_mean(element.unit_element, names))
+            reader.report(
+                "UNKNOWN_ELEMENT",
+                unit_node,
+                key,
+                f"'{element.unit_element}'",
+                f"another element: {', '.join(names)}",
+                did_you_mean(element.unit_element, names),
+            )
     return tuple(elements)
 
 
-def _limit(reader: Reader, entries: Dict[str, yaml.Node], key: str, name: str, quantity: Optional[Quantity]) -> Optional[float]:
+def _limit(
+    reader: Reader, entries: Dict[str, yaml.Node], key: str, name: str, quantity: Optional[Quantity]
+) -> Optional[float]:
     node = entries.get(name)
     if node is None:
         return None
@@ -100,12 +148,21 @@ def _limit(reader: Reader, entries: Dict[str, yaml.Node], key: str, name: str, q
         except QuantityError:
             value = parse_measure(text, quantity=quantity.value).si_amount
     except QuantityError as error:
-        reader.report("NOT_A_MEASURE", node, f"{key}.{name}", describe(node), f"a {quantity.value}, such as '20 metres'", str(error))
+        reader.report(
+            "NOT_A_MEASURE",
+            node,
+            f"{key}.{name}",
+            describe(node),
+            f"a {quantity.value}, such as '20 metres'",
+            str(error),
+        )
         return None
     return value if math.isfinite(value) else None
 
 
-def _children(reader: Reader, node: Optional[yaml.Node], elements: Tuple[FrameElement, ...]) -> Tuple[Tuple[RelatedFrame, ...], ...]:
+def _children(
+    reader: Reader, node: Optional[yaml.Node], elements: Tuple[FrameElement, ...]
+) -> Tuple[Tuple[RelatedFrame, ...], ...]:
     sequences = []
     for key, item in reader.sequence(node, "children"):
         members = reader.sequence(item, key) if isinstance(item, yaml.SequenceNode) else [(key, item)]
@@ -117,10 +174,15 @@ def _children(reader: Reader, node: Optional[yaml.Node], elements: Tuple[FrameEl
 
 def _child(reader: Reader, node: yaml.Node, key: str, elements: Tuple[FrameElement, ...]) -> RelatedFrame:
     entries = reader.mapping(node, key, CHILD_KEYS, required=("name",))
-    relations = [_relation(reader, item, item_key, [element.name for element in elements])
-                 for item_key, item in reader.sequence(entries.get("frame_element_relations"), f"{key}.frame_element_relations")]
-    return RelatedFrame(name=reader.name(entries.get("name"), f"{key}.name"), line=line_of(node),
-                        frame_element_relations=tuple(relation for relation in relations if relation is not None))
+    relations = [
+        _relation(reader, item, item_key, [element.name for element in elements])
+        for item_key, item in reader.sequence(entries.get("frame_element_relations"), f"{key}.frame_element_relations")
+    ]
+    return RelatedFrame(
+        name=reader.name(entries.get("name"), f"{key}.name"),
+        line=line_of(node),
+        frame_element_relations=tuple(relation for relation in relations if relation is not None),
+    )
 
 
 def _relation(reader: Reader, node: yaml.Node, key: str, names: List[str]) -> Optional[FrameElementRelation]:
@@ -132,18 +194,30 @@ def _relation(reader: Reader, node: yaml.Node, key: str, names: List[str]) -> Op
     makers: Dict[frozenset, Callable[[], FrameElementRelation]] = {
         frozenset(("parent_name", "child_name")): lambda: ElementMapping(text("parent_name"), text("child_name")),
         frozenset(("parent_name", "child_value")): lambda: ValueCondition(
-            text("parent_name"), reader.texts(entries["child_value"], f"{key}.child_value")),
+            text("parent_name"), reader.texts(entries["child_value"], f"{key}.child_value")
+        ),
         frozenset(("parent_value", "child_name")): lambda: ConstantArgument(text("parent_value"), text("child_name")),
     }
     if not entries:
         return None
     make = makers.get(frozenset(entries))
     if make is None:
-        reader.report("RELATION_FORM", node, key, " and ".join(entries),
-                      "parent_name and child_name, parent_name and child_value, or parent_value and child_name")
+        reader.report(
+            "RELATION_FORM",
+            node,
+            key,
+            " and ".join(entries),
+            "parent_name and child_name, parent_name and child_value, or parent_value and child_name",
+        )
         return None
     parent = entries.get("parent_name")
     if parent is not None and text("parent_name") not in names:
-        reader.report("UNKNOWN_ELEMENT", parent, f"{key}.parent_name", describe(parent),
-                      f"an element of this frame: {', '.join(names) or 'it has none'}", did_you_mean(text("parent_name"), names))
+        reader.report(
+            "UNKNOWN_ELEMENT",
+            parent,
+            f"{key}.parent_name",
+            describe(parent),
+            f"an element of this frame: {', '.join(names) or 'it has none'}",
+            did_you_mean(text("parent_name"), names),
+        )
     return make()

@@ -1,4 +1,5 @@
 """Lexical unit files: one unit or a list of units, as in 2012, with additions."""
+
 from typing import Dict, List, Mapping, Optional, Tuple
 
 import yaml
@@ -44,10 +45,16 @@ def _unit(reader: Reader, node: yaml.Node, key: str) -> LexicalUnit:
     return LexicalUnit(
         frame_name=reader.name(entries.get("frame_name"), f"{prefix}frame_name"),
         verbs=verbs,
-        relations=tuple(_relation(reader, item, item_key) for item_key, item in reader.sequence(
-            entries.get("frame_element_grammatical_relations"), f"{prefix}frame_element_grammatical_relations")),
-        examples=tuple(_example(reader, item, item_key) for item_key, item in reader.sequence(
-            entries.get("examples"), f"{prefix}examples")),
+        relations=tuple(
+            _relation(reader, item, item_key)
+            for item_key, item in reader.sequence(
+                entries.get("frame_element_grammatical_relations"), f"{prefix}frame_element_grammatical_relations"
+            )
+        ),
+        examples=tuple(
+            _example(reader, item, item_key)
+            for item_key, item in reader.sequence(entries.get("examples"), f"{prefix}examples")
+        ),
         path=reader.path,
         line=line_of(node),
     )
@@ -62,8 +69,14 @@ def _relation(reader: Reader, node: yaml.Node, key: str) -> ElementRelation:
     return ElementRelation(
         name=reader.name(entries.get("name"), f"{key}.name"),
         relations=tuple(paths),
-        argument=ArgumentForm(reader.choice(entries.get("argument"), f"{key}.argument", [form.value for form in ArgumentForm],
-                                            ArgumentForm.HEAD.value)),
+        argument=ArgumentForm(
+            reader.choice(
+                entries.get("argument"),
+                f"{key}.argument",
+                [form.value for form in ArgumentForm],
+                ArgumentForm.HEAD.value,
+            )
+        ),
         words=tuple(word.lower() for word in reader.texts(entries.get("words"), f"{key}.words")),
         is_required=reader.boolean(entries.get("required"), f"{key}.required"),
         line=line_of(node),
@@ -75,9 +88,15 @@ def _path(reader: Reader, text: str, node: Optional[yaml.Node], key: str) -> Rel
     for step in steps:
         if not is_relation_name(step) and node is not None:
             known = sorted(UNIVERSAL | STANFORD | {MEASURE})
-            reader.report("UNKNOWN_RELATION", node, key, f"'{step}'",
-                          "a relation of Universal or Stanford Dependencies (dobj, iobj, prep_to, obl:to, ...), steps of a chain "
-                          "divided by '/'", did_you_mean(step, known))
+            reader.report(
+                "UNKNOWN_RELATION",
+                node,
+                key,
+                f"'{step}'",
+                "a relation of Universal or Stanford Dependencies (dobj, iobj, prep_to, obl:to, ...), steps of a chain "
+                "divided by '/'",
+                did_you_mean(step, known),
+            )
     return RelationPath(steps=steps)
 
 
@@ -107,18 +126,42 @@ def check_lexical_unit(unit: LexicalUnit, frames: Mapping[str, SemanticFrame]) -
     """
     frame = frames.get(unit.frame_name)
     if frame is None:
-        return [Problem("UNKNOWN_FRAME", unit.path, unit.line, "frame_name", f"'{unit.frame_name}'", "the name of a frame",
-                        did_you_mean(unit.frame_name, frames))]
+        return [
+            Problem(
+                "UNKNOWN_FRAME",
+                unit.path,
+                unit.line,
+                "frame_name",
+                f"'{unit.frame_name}'",
+                "the name of a frame",
+                did_you_mean(unit.frame_name, frames),
+            )
+        ]
     names = [element.name for element in frame.frame_elements]
     problems = [
-        Problem("UNKNOWN_ELEMENT", unit.path, relation.line, "frame_element_grammatical_relations", f"'{relation.name}'",
-                f"an element of {frame.name}: {', '.join(names) or 'it has none'}", did_you_mean(relation.name, names))
-        for relation in unit.relations if relation.name not in names
+        Problem(
+            "UNKNOWN_ELEMENT",
+            unit.path,
+            relation.line,
+            "frame_element_grammatical_relations",
+            f"'{relation.name}'",
+            f"an element of {frame.name}: {', '.join(names) or 'it has none'}",
+            did_you_mean(relation.name, names),
+        )
+        for relation in unit.relations
+        if relation.name not in names
     ]
     filled = {relation.name for relation in unit.relations}
     problems += [
-        Problem("CORE_NOT_FILLED", unit.path, unit.line, "frame_element_grammatical_relations", f"nothing for '{element.name}'",
-                f"a relation for every core element of {frame.name}, or a default in its file")
-        for element in frame.frame_elements if element.is_core and not element.default and element.name not in filled
+        Problem(
+            "CORE_NOT_FILLED",
+            unit.path,
+            unit.line,
+            "frame_element_grammatical_relations",
+            f"nothing for '{element.name}'",
+            f"a relation for every core element of {frame.name}, or a default in its file",
+        )
+        for element in frame.frame_elements
+        if element.is_core and not element.default and element.name not in filled
     ]
     return problems

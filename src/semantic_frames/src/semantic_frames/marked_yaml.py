@@ -1,4 +1,5 @@
 """YAML whose every value knows its line, read against a schema that collects all mistakes at once."""
+
 import difflib
 from typing import Dict, Iterable, List, Optional, Sequence, Tuple
 
@@ -27,8 +28,9 @@ class Reader:
 
     def report(self, code: str, node: yaml.Node, key: str, found: str, expected: str, hint: str = "") -> None:
         """Remember a problem at the place of a node."""
-        self.problems.append(Problem(code=code, path=self.path, line=line_of(node), key=key, found=found, expected=expected,
-                                     hint=hint))
+        self.problems.append(
+            Problem(code=code, path=self.path, line=line_of(node), key=key, found=found, expected=expected, hint=hint)
+        )
 
     def refuse_if_wrong(self) -> None:
         """
@@ -50,38 +52,65 @@ class Reader:
             FileRefused: empty, no YAML, several documents, too large, an alias
         """
         if len(text) > LARGEST_FILE:
-            raise FileRefused([Problem("TOO_LARGE", self.path, 1, "file", f"{len(text)} characters",
-                                       f"at most {LARGEST_FILE}")])
+            raise FileRefused(
+                [Problem("TOO_LARGE", self.path, 1, "file", f"{len(text)} characters", f"at most {LARGEST_FILE}")]
+            )
         try:
             for event in yaml.parse(text, Loader=yaml.SafeLoader):
                 if isinstance(event, yaml.AliasEvent) or getattr(event, "anchor", None):
-                    raise FileRefused([Problem("ALIAS", self.path, event.start_mark.line + 1, "file",
-                                               "an anchor or alias", "every value written out")])
+                    raise FileRefused(
+                        [
+                            Problem(
+                                "ALIAS",
+                                self.path,
+                                event.start_mark.line + 1,
+                                "file",
+                                "an anchor or alias",
+                                "every value written out",
+                            )
+                        ]
+                    )
             root = yaml.compose(text, Loader=yaml.SafeLoader)
         except yaml.YAMLError as error:
             mark = getattr(error, "problem_mark", None)
             reason = getattr(error, "problem", None) or getattr(error, "reason", None) or str(error).split("\n")[0]
-            raise FileRefused([Problem("NOT_YAML", self.path, mark.line + 1 if mark else 1, "file", str(reason),
-                                       "one YAML document")]) from error
+            raise FileRefused(
+                [Problem("NOT_YAML", self.path, mark.line + 1 if mark else 1, "file", str(reason), "one YAML document")]
+            ) from error
         if root is None or (isinstance(root, yaml.SequenceNode) and not root.value):
             raise FileRefused([Problem("EMPTY", self.path, 1, "file", "nothing", expected)])
         return root
 
-    def mapping(self, node: yaml.Node, key: str, known: Sequence[str], required: Sequence[str] = ()) -> Dict[str, yaml.Node]:
+    def mapping(
+        self, node: yaml.Node, key: str, known: Sequence[str], required: Sequence[str] = ()
+    ) -> Dict[str, yaml.Node]:
         """Return the entries of a mapping; unknown, duplicate and missing keys are reported."""
         if not isinstance(node, yaml.MappingNode):
-            self.report("WRONG_TYPE", node, key or "file", describe(node), f"a mapping with {', '.join(required or known)}")
+            self.report(
+                "WRONG_TYPE", node, key or "file", describe(node), f"a mapping with {', '.join(required or known)}"
+            )
             return {}
         entries: Dict[str, yaml.Node] = {}
         prefix = f"{key}." if key else ""
         for key_node, value in node.value:
             name = key_node.value if isinstance(key_node, yaml.ScalarNode) else describe(key_node)
             if name not in known:
-                self.report("UNKNOWN_KEY", key_node, prefix + str(name), f"'{name}'", f"one of {', '.join(known)}",
-                            did_you_mean(str(name), known))
+                self.report(
+                    "UNKNOWN_KEY",
+                    key_node,
+                    prefix + str(name),
+                    f"'{name}'",
+                    f"one of {', '.join(known)}",
+                    did_you_mean(str(name), known),
+                )
             elif name in entries:
-                self.report("DUPLICATE_KEY", key_node, prefix + name, f"a second '{name}'",
-                            f"one, the first stands in line {line_of(entries[name])}")
+                self.report(
+                    "DUPLICATE_KEY",
+                    key_node,
+                    prefix + name,
+                    f"a second '{name}'",
+                    f"one, the first stands in line {line_of(entries[name])}",
+                )
             else:
                 entries[name] = value
         for name in required:
@@ -138,8 +167,9 @@ class Reader:
             return default
         value = self.text(node, key)
         if value not in choices:
-            self.report("UNKNOWN_VALUE", node, key, describe(node), f"one of {', '.join(choices)}",
-                        did_you_mean(value, choices))
+            self.report(
+                "UNKNOWN_VALUE", node, key, describe(node), f"one of {', '.join(choices)}", did_you_mean(value, choices)
+            )
             return default
         return value
 

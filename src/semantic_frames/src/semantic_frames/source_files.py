@@ -1,4 +1,5 @@
 """Finds and reads the files of robot programmers."""
+
 import os
 from typing import Iterable, Iterator, List, Tuple
 
@@ -13,7 +14,8 @@ def yaml_files(paths: Iterable[str], folder_name: str) -> Iterator[str]:
     """Find the YAML files below some paths.
 
     Args:
-        paths: files, taken as they are, and folders, of which the YAML files of every folder named ``folder_name`` are taken
+        paths: files, taken as they are, and folders, of which the YAML files of every folder named ``folder_name`` are
+            taken
         folder_name: :data:`FRAMES_FOLDER` or :data:`LEXICAL_UNITS_FOLDER`
     Returns:
         absolute paths, in the order of the paths and by name within a folder
@@ -25,7 +27,11 @@ def yaml_files(paths: Iterable[str], folder_name: str) -> Iterator[str]:
         for folder, folders, names in os.walk(path):
             folders.sort()
             if os.path.basename(os.path.abspath(folder)) == folder_name:
-                yield from (os.path.abspath(os.path.join(folder, name)) for name in sorted(names) if name.endswith((".yaml", ".yml")))
+                yield from (
+                    os.path.abspath(os.path.join(folder, name))
+                    for name in sorted(names)
+                    if name.endswith((".yaml", ".yml"))
+                )
 
 
 def read_text(path: str) -> str:
@@ -38,9 +44,13 @@ def read_text(path: str) -> str:
         with open(path, encoding="utf-8") as file:
             return file.read()
     except OSError as error:
-        raise FileRefused([Problem("UNREADABLE", path, 1, "file", error.strerror or str(error), "a file that can be read")]) from error
+        raise FileRefused(
+            [Problem("UNREADABLE", path, 1, "file", error.strerror or str(error), "a file that can be read")]
+        ) from error
     except UnicodeDecodeError as error:
-        raise FileRefused([Problem("NOT_UTF8", path, 1, "file", f"byte {error.start} is not UTF-8", "UTF-8 text")]) from error
+        raise FileRefused(
+            [Problem("NOT_UTF8", path, 1, "file", f"byte {error.start} is not UTF-8", "UTF-8 text")]
+        ) from error
 
 
 def replace_problems(problems: Iterable[Problem], path: str, new: Iterable[Problem]) -> Tuple[Problem, ...]:

@@ -1,4 +1,5 @@
 """Frame files: what loads, and what is said of those that do not."""
+
 import pytest
 from semantic_frames import FileRefused, load_frame
 from semantic_frames.frame import ConstantArgument, ElementMapping, ListPolicy, Quantity, ValueCondition
@@ -32,7 +33,9 @@ def test_file_of_2012_loads_unchanged() -> None:
     assert [element.is_core for element in frame.frame_elements] == [True, True, True]
     (forward,), (backward,) = frame.children
     assert forward.frame_element_relations == (
-        ElementMapping("distance", "distance"), ValueCondition("direction", ("forward", "forwards")))
+        ElementMapping("distance", "distance"),
+        ValueCondition("direction", ("forward", "forwards")),
+    )
     assert backward.frame_element_relations == (ValueCondition("direction", ("backward",)),)
 
 
@@ -41,44 +44,86 @@ def test_frame_with_name_and_description_only() -> None:
 
 
 def test_list_among_children_is_a_sequence() -> None:
-    frame = load_frame("name: a\nframe_elements: [{name: x}]\nchildren:\n  - - name: b\n    - name: c\n      frame_element_relations:\n"
-                       "        - {parent_value: fast, child_name: speed}\n  - name: d\n", "a.yaml")
+    frame = load_frame(
+        "name: a\nframe_elements: [{name: x}]\nchildren:\n  - - name: b\n    - name: c\n      frame_element_relations:\n"
+        "        - {parent_value: fast, child_name: speed}\n  - name: d\n",
+        "a.yaml",
+    )
     assert [[child.name for child in sequence] for sequence in frame.children] == [["b", "c"], ["d"]]
     assert frame.children[0][1].frame_element_relations == (ConstantArgument("fast", "speed"),)
 
 
 def test_additions_are_read() -> None:
-    frame = load_frame("name: a\non_list: together\nconfirm: yes\nframenet: Motion\nframe_elements:\n  - name: d\n    quantity: length\n"
-                       "    unit_element: u\n    minimum: -1\n    maximum: 20 metres\n  - name: u\n    values: [on, off]\n", "a.yaml")
+    frame = load_frame(
+        "name: a\non_list: together\nconfirm: yes\nframenet: Motion\nframe_elements:\n  - name: d\n    quantity: length\n"
+        "    unit_element: u\n    minimum: -1\n    maximum: 20 metres\n  - name: u\n    values: [on, off]\n",
+        "a.yaml",
+    )
     element = frame.frame_elements[0]
     assert (element.quantity, element.minimum, element.maximum) == (Quantity.LENGTH, -1.0, 20.0)
     assert frame.frame_elements[1].values == ("on", "off")
     assert (frame.on_list, frame.is_confirmed, frame.framenet) == (ListPolicy.TOGETHER, True, "Motion")
 
 
-@pytest.mark.parametrize("text, code, line, key", [
-    ("", "EMPTY", 1, "file"),
-    ("name: [", "NOT_YAML", 1, "file"),
-    ("- a", "WRONG_TYPE", 1, "file"),
-    ("description: x", "MISSING_KEY", 1, "name"),
-    ("name: a\nname: b", "DUPLICATE_KEY", 2, "name"),
-    ("name: a\nframe_elemnts: []", "UNKNOWN_KEY", 2, "frame_elemnts"),
-    ("name: a\nframe_elements:\n  - name: x\n    is_core: perhaps", "NOT_A_BOOLEAN", 4, "frame_elements[0].is_core"),
-    ("name: a\nframe_elements:\n  - is_core: True", "MISSING_KEY", 3, "frame_elements[0].name"),
-    ("name: a\nframe_elements:\n  - name: x\n  - name: x", "DUPLICATE_ELEMENT", 4, "frame_elements[1].name"),
-    ("name: a\nframe_elements:\n  - name: x\n    quantity: lenght", "UNKNOWN_VALUE", 4, "frame_elements[0].quantity"),
-    ("name: a\nframe_elements:\n  - name: x\n    minimum: 3", "NO_QUANTITY", 4, "frame_elements[0].minimum"),
-    ("name: a\nframe_elements:\n  - name: x\n    quantity: length\n    minimum: 3 degrees", "NOT_A_MEASURE", 5, "frame_elements[0].minimum"),
-    ("name: a\nframe_elements:\n  - name: x\n    quantity: length\n    minimum: 3\n    maximum: 2", "LIMITS", 5, "frame_elements[0].minimum"),
-    ("name: a\nframe_elements:\n  - name: x\n    unit_element: u", "UNKNOWN_ELEMENT", 4, "frame_elements[0].unit_element"),
-    ("name: a\nchildren:\n  - name: b\n    frame_element_relations:\n      - {parent_name: x, child_name: y}", "UNKNOWN_ELEMENT", 5,
-     "children[0].frame_element_relations[0].parent_name"),
-    ("name: a\nchildren:\n  - name: b\n    frame_element_relations:\n      - {child_value: y}", "RELATION_FORM", 5,
-     "children[0].frame_element_relations[0]"),
-    ("name: a\nchildren:\n  - []", "EMPTY", 3, "children[0]"),
-    ("name: &x a\ndescription: *x", "ALIAS", 1, "file"),
-    ("name: a\n---\nname: b", "NOT_YAML", 2, "file"),
-])
+@pytest.mark.parametrize(
+    "text, code, line, key",
+    [
+        ("", "EMPTY", 1, "file"),
+        ("name: [", "NOT_YAML", 1, "file"),
+        ("- a", "WRONG_TYPE", 1, "file"),
+        ("description: x", "MISSING_KEY", 1, "name"),
+        ("name: a\nname: b", "DUPLICATE_KEY", 2, "name"),
+        ("name: a\nframe_elemnts: []", "UNKNOWN_KEY", 2, "frame_elemnts"),
+        (
+            "name: a\nframe_elements:\n  - name: x\n    is_core: perhaps",
+            "NOT_A_BOOLEAN",
+            4,
+            "frame_elements[0].is_core",
+        ),
+        ("name: a\nframe_elements:\n  - is_core: True", "MISSING_KEY", 3, "frame_elements[0].name"),
+        ("name: a\nframe_elements:\n  - name: x\n  - name: x", "DUPLICATE_ELEMENT", 4, "frame_elements[1].name"),
+        (
+            "name: a\nframe_elements:\n  - name: x\n    quantity: lenght",
+            "UNKNOWN_VALUE",
+            4,
+            "frame_elements[0].quantity",
+        ),
+        ("name: a\nframe_elements:\n  - name: x\n    minimum: 3", "NO_QUANTITY", 4, "frame_elements[0].minimum"),
+        (
+            "name: a\nframe_elements:\n  - name: x\n    quantity: length\n    minimum: 3 degrees",
+            "NOT_A_MEASURE",
+            5,
+            "frame_elements[0].minimum",
+        ),
+        (
+            "name: a\nframe_elements:\n  - name: x\n    quantity: length\n    minimum: 3\n    maximum: 2",
+            "LIMITS",
+            5,
+            "frame_elements[0].minimum",
+        ),
+        (
+            "name: a\nframe_elements:\n  - name: x\n    unit_element: u",
+            "UNKNOWN_ELEMENT",
+            4,
+            "frame_elements[0].unit_element",
+        ),
+        (
+            "name: a\nchildren:\n  - name: b\n    frame_element_relations:\n      - {parent_name: x, child_name: y}",
+            "UNKNOWN_ELEMENT",
+            5,
+            "children[0].frame_element_relations[0].parent_name",
+        ),
+        (
+            "name: a\nchildren:\n  - name: b\n    frame_element_relations:\n      - {child_value: y}",
+            "RELATION_FORM",
+            5,
+            "children[0].frame_element_relations[0]",
+        ),
+        ("name: a\nchildren:\n  - []", "EMPTY", 3, "children[0]"),
+        ("name: &x a\ndescription: *x", "ALIAS", 1, "file"),
+        ("name: a\n---\nname: b", "NOT_YAML", 2, "file"),
+    ],
+)
 def test_bad_file_names_code_line_and_key(text: str, code: str, line: int, key: str) -> None:
     with pytest.raises(FileRefused) as refused:
         load_frame(text, "x.yaml")

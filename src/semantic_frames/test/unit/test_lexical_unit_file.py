@@ -1,4 +1,5 @@
 """Lexical unit files: what loads, and what is said of those that do not."""
+
 import pytest
 from semantic_frames import FileRefused, check_lexical_unit, load_frame, load_lexical_units
 from semantic_frames.lexical_unit import ArgumentForm
@@ -13,7 +14,9 @@ frame_element_grammatical_relations:
   - name: theme
     relation: dobj
 """
-GIVING = load_frame("name: giving\nframe_elements:\n  - {name: recipient, is_core: True}\n  - {name: theme, is_core: True}\n", "g.yaml")
+GIVING = load_frame(
+    "name: giving\nframe_elements:\n  - {name: recipient, is_core: True}\n  - {name: theme, is_core: True}\n", "g.yaml"
+)
 
 
 def test_file_of_2012_loads_unchanged() -> None:
@@ -23,9 +26,12 @@ def test_file_of_2012_loads_unchanged() -> None:
 
 
 def test_list_of_units_chains_and_alternatives() -> None:
-    units = load_lexical_units("- frame_name: a\n  verb: [go, Walk  up]\n  frame_element_grammatical_relations:\n"
-                               "    - name: x\n      relation: [dobj/poss, prep_of]\n      argument: phrase\n      words: [On]\n      required: True\n"
-                               "  examples:\n    - text: Go.\n      frame_elements: {x: y}\n- frame_name: b\n  verb: come\n", "u.yaml")
+    units = load_lexical_units(
+        "- frame_name: a\n  verb: [go, Walk  up]\n  frame_element_grammatical_relations:\n"
+        "    - name: x\n      relation: [dobj/poss, prep_of]\n      argument: phrase\n      words: [On]\n      required: True\n"
+        "  examples:\n    - text: Go.\n      frame_elements: {x: y}\n- frame_name: b\n  verb: come\n",
+        "u.yaml",
+    )
     assert units[0].verbs == ("go", "walk up")
     relation = units[0].relations[0]
     assert [path.steps for path in relation.relations] == [("dobj", "poss"), ("prep_of",)]
@@ -33,22 +39,37 @@ def test_list_of_units_chains_and_alternatives() -> None:
     assert units[0].examples[0].frame_elements == {"x": "y"}
 
 
-@pytest.mark.parametrize("text, code, line, key", [
-    ("", "EMPTY", 1, "file"),
-    ("[]", "EMPTY", 1, "file"),
-    ("frame_name: a", "MISSING_KEY", 1, "verb"),
-    ("frame_name: a\nverb:", "EMPTY", 2, "verb"),
-    ("frame_name: a\nverb: go\nverb: come", "DUPLICATE_KEY", 3, "verb"),
-    ("frame_name: a\nverbs: go", "UNKNOWN_KEY", 2, "verbs"),
-    ("frame_name: a\nverb: go\nframe_element_grammatical_relations:\n  - {name: x, relation: dirobj}", "UNKNOWN_RELATION", 4,
-     "frame_element_grammatical_relations[0].relation"),
-    ("frame_name: a\nverb: go\nframe_element_grammatical_relations:\n  - {name: x}", "MISSING_KEY", 4,
-     "frame_element_grammatical_relations[0].relation"),
-    ("frame_name: a\nverb: go\nframe_element_grammatical_relations:\n  - {name: x, relation: dobj, argument: word}", "UNKNOWN_VALUE", 4,
-     "frame_element_grammatical_relations[0].argument"),
-    ("- frame_name: a\n  verb: go\n- frame_nam: b\n  verb: come", "UNKNOWN_KEY", 3, "[1].frame_nam"),
-    ("frame_name: a\nverb: go\nexamples:\n  - frame_elements: {x: y}", "MISSING_KEY", 4, "examples[0].text"),
-])
+@pytest.mark.parametrize(
+    "text, code, line, key",
+    [
+        ("", "EMPTY", 1, "file"),
+        ("[]", "EMPTY", 1, "file"),
+        ("frame_name: a", "MISSING_KEY", 1, "verb"),
+        ("frame_name: a\nverb:", "EMPTY", 2, "verb"),
+        ("frame_name: a\nverb: go\nverb: come", "DUPLICATE_KEY", 3, "verb"),
+        ("frame_name: a\nverbs: go", "UNKNOWN_KEY", 2, "verbs"),
+        (
+            "frame_name: a\nverb: go\nframe_element_grammatical_relations:\n  - {name: x, relation: dirobj}",
+            "UNKNOWN_RELATION",
+            4,
+            "frame_element_grammatical_relations[0].relation",
+        ),
+        (
+            "frame_name: a\nverb: go\nframe_element_grammatical_relations:\n  - {name: x}",
+            "MISSING_KEY",
+            4,
+            "frame_element_grammatical_relations[0].relation",
+        ),
+        (
+            "frame_name: a\nverb: go\nframe_element_grammatical_relations:\n  - {name: x, relation: dobj, argument: word}",
+            "UNKNOWN_VALUE",
+            4,
+            "frame_element_grammatical_relations[0].argument",
+        ),
+        ("- frame_name: a\n  verb: go\n- frame_nam: b\n  verb: come", "UNKNOWN_KEY", 3, "[1].frame_nam"),
+        ("frame_name: a\nverb: go\nexamples:\n  - frame_elements: {x: y}", "MISSING_KEY", 4, "examples[0].text"),
+    ],
+)
 def test_bad_file_names_code_line_and_key(text: str, code: str, line: int, key: str) -> None:
     with pytest.raises(FileRefused) as refused:
         load_lexical_units(text, "x.yaml")
@@ -56,7 +77,9 @@ def test_bad_file_names_code_line_and_key(text: str, code: str, line: int, key: 
     assert (problem.code, problem.line, problem.key) == (code, line, key)
 
 
-@pytest.mark.parametrize("name", ["dobj", "obj", "prep_to", "prep_in_front_of", "obl:to", "nmod:poss", "conj_and", "obl:unmarked", "measure"])
+@pytest.mark.parametrize(
+    "name", ["dobj", "obj", "prep_to", "prep_in_front_of", "obl:to", "nmod:poss", "conj_and", "obl:unmarked", "measure"]
+)
 def test_relation_name_is_known(name: str) -> None:
     assert is_relation_name(name)
 
@@ -70,11 +93,14 @@ def test_check_finds_nothing_wrong() -> None:
     assert check_lexical_unit(load_lexical_units(GIVING_2012, "give.yaml")[0], {"giving": GIVING}) == []
 
 
-@pytest.mark.parametrize("old, new, code", [
-    ("frame_name: giving", "frame_name: givign", "UNKNOWN_FRAME"),
-    ("name: theme", "name: thme", "UNKNOWN_ELEMENT"),
-    ("  - name: theme\n    relation: dobj\n", "", "CORE_NOT_FILLED"),
-])
+@pytest.mark.parametrize(
+    "old, new, code",
+    [
+        ("frame_name: giving", "frame_name: givign", "UNKNOWN_FRAME"),
+        ("name: theme", "name: thme", "UNKNOWN_ELEMENT"),
+        ("  - name: theme\n    relation: dobj\n", "", "CORE_NOT_FILLED"),
+    ],
+)
 def test_check_names_what_does_not_fit_the_frame(old: str, new: str, code: str) -> None:
     (unit,) = load_lexical_units(GIVING_2012.replace(old, new), "give.yaml")
     assert code in [problem.code for problem in check_lexical_unit(unit, {"giving": GIVING})]

@@ -1,11 +1,17 @@
 """Finding and reading files."""
+
 import pytest
 from semantic_frames import FileRefused, Problem
 from semantic_frames.source_files import FRAMES_FOLDER, read_text, replace_problems, yaml_files
 
 
 def test_yaml_files_of_folders_with_that_name_only(tmp_path) -> None:
-    for name in ("moving/frames/b.yaml", "moving/frames/a.yaml", "moving/lexical_units/c.yaml", "moving/frames/readme.txt"):
+    for name in (
+        "moving/frames/b.yaml",
+        "moving/frames/a.yaml",
+        "moving/lexical_units/c.yaml",
+        "moving/frames/readme.txt",
+    ):
         (tmp_path / name).parent.mkdir(parents=True, exist_ok=True)
         (tmp_path / name).write_text("")
     found = yaml_files([str(tmp_path), str(tmp_path / "single.yaml")], FRAMES_FOLDER)

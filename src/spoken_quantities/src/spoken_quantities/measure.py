@@ -1,4 +1,5 @@
 """Measures: a number and a unit, as people say them."""
+
 import math
 import re
 from dataclasses import dataclass
@@ -68,7 +69,9 @@ def parse_measure(text: str, *, quantity: Optional[str] = None, default_unit: st
     if unit is None:
         if quantity in (None, "number"):
             return Measure(amount=amount, unit="", quantity="number", si_amount=amount)
-        raise QuantityError("MISSING_UNIT", f'"{text.strip()}" needs a unit, such as {", ".join(units_of(quantity)[:3])}.')
+        raise QuantityError(
+            "MISSING_UNIT", f'"{text.strip()}" needs a unit, such as {", ".join(units_of(quantity)[:3])}.'
+        )
     if quantity is not None and unit.quantity != quantity:
         raise QuantityError("WRONG_QUANTITY", f'"{text.strip()}" is no {quantity}.')
     si_amount = amount * unit.si_factor

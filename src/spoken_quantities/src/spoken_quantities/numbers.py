@@ -1,17 +1,27 @@
 """Numbers in English words and digits."""
+
 import math
 import re
 from typing import Dict, List, Optional, Sequence
 
-_ONES = ("zero one two three four five six seven eight nine ten eleven twelve thirteen fourteen fifteen sixteen "
-         "seventeen eighteen nineteen").split()
+_ONES = (
+    "zero one two three four five six seven eight nine ten eleven twelve thirteen fourteen fifteen sixteen "
+    "seventeen eighteen nineteen"
+).split()
 _TENS = "twenty thirty forty fifty sixty seventy eighty ninety".split()
 _SMALL: Dict[str, int] = {word: value for value, word in enumerate(_ONES)}
 _SMALL.update({word: 20 + 10 * index for index, word in enumerate(_TENS)})
 _SMALL.update({"oh": 0, "fourty": 40})
 _MULTIPLIERS: Dict[str, float] = {"dozen": 12.0, "hundred": 1e2, "thousand": 1e3, "million": 1e6}
-_FRACTIONS: Dict[str, float] = {"half": 0.5, "third": 1 / 3, "quarter": 0.25, "fourth": 0.25, "halves": 0.5, "thirds": 1 / 3,
-                                "quarters": 0.25}
+_FRACTIONS: Dict[str, float] = {
+    "half": 0.5,
+    "third": 1 / 3,
+    "quarter": 0.25,
+    "fourth": 0.25,
+    "halves": 0.5,
+    "thirds": 1 / 3,
+    "quarters": 0.25,
+}
 _SIGNS = {"minus": -1.0, "negative": -1.0, "plus": 1.0}
 #: Words in front of a number that leave its amount as it is.
 _HEDGES = {"about", "around", "approximately", "roughly", "exactly", "another", "some", "just"}
@@ -114,7 +124,7 @@ def _fraction_at_end(words: List[str]) -> Optional[float]:
 def _decimal(words: List[str]) -> Optional[float]:
     split = words.index("point")
     whole = _whole(words[:split]) if split else 0.0
-    digits = [_SMALL.get(word, int(word) if word.isdigit() and len(word) == 1 else None) for word in words[split + 1:]]
+    digits = [_SMALL.get(word, int(word) if word.isdigit() and len(word) == 1 else None) for word in words[split + 1 :]]
     if whole is None or not digits or any(digit is None or digit > 9 for digit in digits):
         return None
     return whole + float("0." + "".join(str(digit) for digit in digits))

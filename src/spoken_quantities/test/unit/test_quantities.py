@@ -1,12 +1,15 @@
 """Numbers and measures as people say them."""
+
 import math
 from typing import List
 
 import pytest
 from spoken_quantities import QuantityError, find_unit, parse_measure, parse_number, units_of
 
-ONES = ("zero one two three four five six seven eight nine ten eleven twelve thirteen fourteen fifteen sixteen seventeen "
-        "eighteen nineteen").split()
+ONES = (
+    "zero one two three four five six seven eight nine ten eleven twelve thirteen fourteen fifteen sixteen seventeen "
+    "eighteen nineteen"
+).split()
 TENS = "zero ten twenty thirty forty fifty sixty seventy eighty ninety".split()
 
 
@@ -31,19 +34,69 @@ def test_every_number_below_ten_thousand_in_words() -> None:
     assert all(parse_number(in_words(number)) == number for number in range(10000))
 
 
-@pytest.mark.parametrize("text, number", [
-    ("120", 120), ("-2", -2), ("+3", 3), ("3.5", 3.5), (".5", 0.5), ("1,000", 1000), ("minus two", -2), ("negative 5", -5),
-    ("one eighty", 180), ("three sixty", 360), ("one twenty five", 125), ("two forty-five", 245), ("a couple of", 2), ("a couple", 2), ("a few", 3), ("a", 1), ("an", 1),
-    ("half", 0.5), ("half a", 0.5), ("a half", 0.5), ("two and a half", 2.5), ("a quarter", 0.25), ("three quarters", 0.75),
-    ("a dozen", 12), ("a hundred", 100), ("two point five", 2.5), ("one hundred twenty", 120), ("about three", 3), ("1/2", 0.5),
-    ("one thousand two hundred and six", 1206), ("2 hundred", 200), ("twenty-one", 21), ("one and a quarter", 1.25),
-])
+@pytest.mark.parametrize(
+    "text, number",
+    [
+        ("120", 120),
+        ("-2", -2),
+        ("+3", 3),
+        ("3.5", 3.5),
+        (".5", 0.5),
+        ("1,000", 1000),
+        ("minus two", -2),
+        ("negative 5", -5),
+        ("one eighty", 180),
+        ("three sixty", 360),
+        ("one twenty five", 125),
+        ("two forty-five", 245),
+        ("a couple of", 2),
+        ("a couple", 2),
+        ("a few", 3),
+        ("a", 1),
+        ("an", 1),
+        ("half", 0.5),
+        ("half a", 0.5),
+        ("a half", 0.5),
+        ("two and a half", 2.5),
+        ("a quarter", 0.25),
+        ("three quarters", 0.75),
+        ("a dozen", 12),
+        ("a hundred", 100),
+        ("two point five", 2.5),
+        ("one hundred twenty", 120),
+        ("about three", 3),
+        ("1/2", 0.5),
+        ("one thousand two hundred and six", 1206),
+        ("2 hundred", 200),
+        ("twenty-one", 21),
+        ("one and a quarter", 1.25),
+    ],
+)
 def test_parse_number(text: str, number: float) -> None:
     assert parse_number(text) == pytest.approx(number)
 
 
-@pytest.mark.parametrize("text", ["", "feet", "two mugs", "and", "three and", "one two", "ten five", "-", "point", "e", "twenty ten",
-                                  "nan", "inf", "infinity", "1e", "--2x"])
+@pytest.mark.parametrize(
+    "text",
+    [
+        "",
+        "feet",
+        "two mugs",
+        "and",
+        "three and",
+        "one two",
+        "ten five",
+        "-",
+        "point",
+        "e",
+        "twenty ten",
+        "nan",
+        "inf",
+        "infinity",
+        "1e",
+        "--2x",
+    ],
+)
 def test_words_that_are_no_number(text: str) -> None:
     with pytest.raises(QuantityError) as raised:
         parse_number(text)
@@ -57,14 +110,27 @@ def test_number_that_is_not_finite(text: str) -> None:
     assert raised.value.code == "NOT_FINITE"
 
 
-@pytest.mark.parametrize("text, quantity, si_amount, unit", [
-    ("3 feet", "length", 0.9144, "foot"), ("one metre", "length", 1.0, "metre"), ("half a metre", "length", 0.5, "metre"),
-    ("a couple of metres", "length", 2.0, "metre"), ("minus two degrees", "angle", math.radians(-2), "degree"),
-    ("ninety degrees", "angle", math.pi / 2, "degree"), ("10cm", "length", 0.1, "centimetre"), ("90°", "angle", math.pi / 2, "degree"),
-    ("2 radians", "angle", 2.0, "radian"), ("two yards", "length", 1.8288, "yard"), ("half an hour", "duration", 1800.0, "hour"),
-    ("a quarter of a turn", "angle", math.pi / 2, "turn"), ("5 seconds", "duration", 5.0, "second"), ("a foot", "length", 0.3048, "foot"),
-    ("two and a half metres", "length", 2.5, "metre"), ("-3 m", "length", -3.0, "metre"),
-])
+@pytest.mark.parametrize(
+    "text, quantity, si_amount, unit",
+    [
+        ("3 feet", "length", 0.9144, "foot"),
+        ("one metre", "length", 1.0, "metre"),
+        ("half a metre", "length", 0.5, "metre"),
+        ("a couple of metres", "length", 2.0, "metre"),
+        ("minus two degrees", "angle", math.radians(-2), "degree"),
+        ("ninety degrees", "angle", math.pi / 2, "degree"),
+        ("10cm", "length", 0.1, "centimetre"),
+        ("90°", "angle", math.pi / 2, "degree"),
+        ("2 radians", "angle", 2.0, "radian"),
+        ("two yards", "length", 1.8288, "yard"),
+        ("half an hour", "duration", 1800.0, "hour"),
+        ("a quarter of a turn", "angle", math.pi / 2, "turn"),
+        ("5 seconds", "duration", 5.0, "second"),
+        ("a foot", "length", 0.3048, "foot"),
+        ("two and a half metres", "length", 2.5, "metre"),
+        ("-3 m", "length", -3.0, "metre"),
+    ],
+)
 def test_parse_measure(text: str, quantity: str, si_amount: float, unit: str) -> None:
     measure = parse_measure(text, quantity=quantity)
     assert measure.si_amount == pytest.approx(si_amount)
@@ -75,11 +141,18 @@ def test_bare_number_takes_the_default_unit() -> None:
     assert parse_measure("one eighty", quantity="angle", default_unit="degrees").si_amount == pytest.approx(math.pi)
 
 
-@pytest.mark.parametrize("text, quantity, code", [
-    ("3 feet", "angle", "WRONG_QUANTITY"), ("3 parsecs", "length", "UNKNOWN_UNIT"), ("3", "length", "MISSING_UNIT"),
-    ("1e400 degrees", "angle", "NOT_FINITE"), ("1e306 kilometres", "length", "NOT_FINITE"), ("", "length", "NOT_A_NUMBER"),
-    ("the kitchen", "length", "NOT_A_NUMBER"),
-])
+@pytest.mark.parametrize(
+    "text, quantity, code",
+    [
+        ("3 feet", "angle", "WRONG_QUANTITY"),
+        ("3 parsecs", "length", "UNKNOWN_UNIT"),
+        ("3", "length", "MISSING_UNIT"),
+        ("1e400 degrees", "angle", "NOT_FINITE"),
+        ("1e306 kilometres", "length", "NOT_FINITE"),
+        ("", "length", "NOT_A_NUMBER"),
+        ("the kitchen", "length", "NOT_A_NUMBER"),
+    ],
+)
 def test_measure_that_is_refused(text: str, quantity: str, code: str) -> None:
     with pytest.raises(QuantityError) as raised:
         parse_measure(text, quantity=quantity)

@@ -1,4 +1,5 @@
 """Dependency trees as CoNLL-U text."""
+
 from typing import List
 
 from stanford_parser_ros.tree import DependencyTree, Word
@@ -8,7 +9,8 @@ def from_conllu(text: str) -> DependencyTree:
     """Read one sentence.
 
     Args:
-        text: lines of ten columns divided by tabs (or by blanks, for tests written by hand); comments, ranges ("1-2") and
+        text: lines of ten columns divided by tabs (or by blanks, for tests written by hand); comments, ranges ("1-2")
+            and
             empty nodes are skipped
     Returns:
         the tree; its text is the words joined by blanks unless a comment ``# text = `` gives it
@@ -20,7 +22,7 @@ def from_conllu(text: str) -> DependencyTree:
     for number, line in enumerate(text.splitlines(), start=1):
         line = line.strip()
         if line.startswith("# text = "):
-            sentence = line[len("# text = "):]
+            sentence = line[len("# text = ") :]
         if not line or line.startswith("#"):
             continue
         columns = line.split("\t") if "\t" in line else line.split()
@@ -28,9 +30,18 @@ def from_conllu(text: str) -> DependencyTree:
             raise ValueError(f"line {number}: expected at least 8 columns, found {len(columns)}")
         if not columns[0].isdigit():
             continue
-        words.append(Word(
-            index=int(columns[0]), form=columns[1], lemma=columns[2], upos=columns[3], xpos=columns[4],
-            feats="" if columns[5] == "_" else columns[5], head=int(columns[6]), deprel=columns[7]))
+        words.append(
+            Word(
+                index=int(columns[0]),
+                form=columns[1],
+                lemma=columns[2],
+                upos=columns[3],
+                xpos=columns[4],
+                feats="" if columns[5] == "_" else columns[5],
+                head=int(columns[6]),
+                deprel=columns[7],
+            )
+        )
     return DependencyTree(text=sentence or " ".join(word.form for word in words), words=tuple(words))
 
 
@@ -38,6 +49,20 @@ def to_conllu(tree: DependencyTree) -> str:
     """Write one sentence, with its text as a comment."""
     lines = [f"# text = {tree.text}"]
     for word in tree.words:
-        lines.append("\t".join([str(word.index), word.form, word.lemma, word.upos, word.xpos, word.feats or "_", str(word.head),
-                                word.deprel, "_", "_"]))
+        lines.append(
+            "\t".join(
+                [
+                    str(word.index),
+                    word.form,
+                    word.lemma,
+                    word.upos,
+                    word.xpos,
+                    word.feats or "_",
+                    str(word.head),
+                    word.deprel,
+                    "_",
+                    "_",
+                ]
+            )
+        )
     return "\n".join(lines) + "\n"

@@ -1,15 +1,19 @@
 """A word at the front of a command that the lexicon knows as a verb is a verb.
 
-Parsers learn from text in which commands are rare, and take "Scrub the pot" or "Ping" for names. The lexicon knows better. The
+Parsers learn from text in which commands are rare, and take "Scrub the pot" or "Ping" for names. The lexicon knows
+better. The
 rule looks at one place only: the first word behind an addressee, politeness and fillers.
 """
+
 from dataclasses import replace
 from typing import FrozenSet, Optional, Sequence, Tuple
 
 from stanford_parser_ros.tree import DependencyTree, Word
 
 #: Words that may stand before the verb of a command, with a comma or without.
-LEAD_IN = frozenset("please now ok okay so well uh um hey hi hello then and robot just kindly also next first finally".split())
+LEAD_IN = frozenset(
+    "please now ok okay so well uh um hey hi hello then and robot just kindly also next first finally".split()
+)
 _NOUNS = {"NOUN", "PROPN", "PRON", "NUM", "ADJ", "DET"}
 
 
@@ -54,6 +58,14 @@ def _reattached(word: Word, verb: Word, old_root: Word) -> Word:
         return replace(word, head=0, deprel="root")
     if word.index == old_root.index:
         return replace(word, head=verb.index, deprel="obj" if word.upos in _NOUNS else "xcomp")
-    if word.head == old_root.index and word.deprel.split(":")[0] in ("punct", "obl", "advmod", "discourse", "vocative", "conj", "parataxis"):
+    if word.head == old_root.index and word.deprel.split(":")[0] in (
+        "punct",
+        "obl",
+        "advmod",
+        "discourse",
+        "vocative",
+        "conj",
+        "parataxis",
+    ):
         return replace(word, head=verb.index)
     return word

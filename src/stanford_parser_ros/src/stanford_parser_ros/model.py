@@ -1,4 +1,5 @@
 """The Stanza models: which ones, loaded how, and the parse of a sentence."""
+
 import os
 import time
 from collections import OrderedDict
@@ -78,24 +79,40 @@ class Parser:
         started = time.monotonic()
         try:
             import torch
+
             torch_done = time.monotonic()
             import stanza
         except ImportError as error:
-            raise ModelError(f"Stanza is not installed for this Python ({error}): run 'make setup', or 'pip install stanza'") from error
+            raise ModelError(
+                f"Stanza is not installed for this Python ({error}): run 'make setup', or 'pip install stanza'"
+            ) from error
         torch.set_num_threads(threads)
         stanza_done = time.monotonic()
         try:
             self._pipeline: Any = stanza.Pipeline(
-                "en", dir=str(model_dir), package=package, processors=PROCESSORS, download_method=None, use_gpu=False,
-                tokenize_no_ssplit=True, logging_level="ERROR")
+                "en",
+                dir=str(model_dir),
+                package=package,
+                processors=PROCESSORS,
+                download_method=None,
+                use_gpu=False,
+                tokenize_no_ssplit=True,
+                logging_level="ERROR",
+            )
         except Exception as error:  # boundary: Stanza raises many kinds of errors for a broken file
-            raise ModelError(f"the models in {model_dir} (package '{package}') cannot be loaded: {type(error).__name__}: {error}") from error
+            raise ModelError(
+                f"the models in {model_dir} (package '{package}') cannot be loaded: {type(error).__name__}: {error}"
+            ) from error
         models_done = time.monotonic()
         self._cache: "OrderedDict[Tuple[str, FrozenSet[str]], DependencyTree]" = OrderedDict()
         self._cache_size = cache_size
         self.parse(WARM_UP)
-        self.load_times = LoadTimes(torch_s=torch_done - started, stanza_s=stanza_done - torch_done,
-                                    models_s=models_done - stanza_done, warm_up_s=time.monotonic() - models_done)
+        self.load_times = LoadTimes(
+            torch_s=torch_done - started,
+            stanza_s=stanza_done - torch_done,
+            models_s=models_done - stanza_done,
+            warm_up_s=time.monotonic() - models_done,
+        )
 
     def parse(self, text: str, verbs: FrozenSet[str] = frozenset()) -> DependencyTree:
         """Parse one utterance as one sentence.
@@ -128,7 +145,12 @@ class Parser:
         position = command_verb_position([word.text for word in sentence.words], verbs)
         if position is not None and sentence.words[position - 1].upos != "VERB":
             word = sentence.words[position - 1]
-            word.upos, word.xpos, word.feats, word.lemma = "VERB", "VB", "Mood=Imp|Person=2|VerbForm=Fin", word.text.lower()
+            word.upos, word.xpos, word.feats, word.lemma = (
+                "VERB",
+                "VB",
+                "Mood=Imp|Person=2|VerbForm=Fin",
+                word.text.lower(),
+            )
             document = self._pipeline.processors["depparse"].process(document)
             sentence = document.sentences[0]
         tree = _to_tree(text, sentence, spelling)
@@ -141,13 +163,23 @@ def _to_tree(text: str, sentence: Any, spelling: Spelling) -> DependencyTree:
         at = token.start_char
         for word in token.words:
             # The words of a multi-word token ("don't") are written one after the other where their letters allow it.
-            start = at if spelling.text[at:at + len(word.text)] == word.text else token.start_char
+            start = at if spelling.text[at : at + len(word.text)] == word.text else token.start_char
             end = start + len(word.text) if start == at else token.end_char
             at = min(end, token.end_char)
-            words.append(Word(
-                index=word.id, form=word.text, lemma=word.lemma or word.text, upos=word.upos or "X", xpos=word.xpos or "",
-                feats=word.feats or "", head=word.head, deprel=word.deprel, start_character=spelling.origins[start],
-                end_character=spelling.origins[min(end, len(spelling.origins) - 1)]))
+            words.append(
+                Word(
+                    index=word.id,
+                    form=word.text,
+                    lemma=word.lemma or word.text,
+                    upos=word.upos or "X",
+                    xpos=word.xpos or "",
+                    feats=word.feats or "",
+                    head=word.head,
+                    deprel=word.deprel,
+                    start_character=spelling.origins[start],
+                    end_character=spelling.origins[min(end, len(spelling.origins) - 1)],
+                )
+            )
     return DependencyTree(text=text, words=tuple(words))
 
 
@@ -155,6 +187,7 @@ def shipped_model_dir(package_share: Optional[str] = None) -> Path:
     """Return the folder of the models that are shipped.
 
     Args:
-        package_share: share folder of this package, for an install space; None for the source folder that this module is in
+        package_share: share folder of this package, for an install space; None for the source folder that this module
+            is in
     """
     return Path(package_share) / "models" if package_share else Path(os.path.realpath(__file__)).parents[2] / "models"

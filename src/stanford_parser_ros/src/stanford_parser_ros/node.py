@@ -1,4 +1,5 @@
 """The parser: from the text of a command to its dependencies."""
+
 import queue
 import threading
 from dataclasses import dataclass
@@ -40,8 +41,11 @@ class Settings:
     queue_size: int
 
     def __post_init__(self) -> None:
-        for name, value, largest in (("threads", self.threads, 64), ("cache_size", self.cache_size, 100000),
-                                     ("queue_size", self.queue_size, 10000)):
+        for name, value, largest in (
+            ("threads", self.threads, 64),
+            ("cache_size", self.cache_size, 100000),
+            ("queue_size", self.queue_size, 10000),
+        ):
             if not 1 <= value <= largest:
                 raise ValueError(f"~{name} must be 1 to {largest}, got {value}")
 
@@ -50,11 +54,16 @@ class Settings:
         """Read the node's private parameters."""
         folder = rospy.get_param("~model_dir", "")
         return cls(
-            model_dir=Path(folder).expanduser() if folder else shipped_model_dir(rospkg.RosPack().get_path("stanford_parser_ros")),
+            model_dir=(
+                Path(folder).expanduser()
+                if folder
+                else shipped_model_dir(rospkg.RosPack().get_path("stanford_parser_ros"))
+            ),
             package=rospy.get_param("~package", "") or "default",
             threads=int(rospy.get_param("~threads", 1)),
             cache_size=int(rospy.get_param("~cache_size", 256)),
-            queue_size=int(rospy.get_param("~queue_size", 100)))
+            queue_size=int(rospy.get_param("~queue_size", 100)),
+        )
 
 
 class ParserNode:
@@ -72,8 +81,12 @@ class ParserNode:
         Raises:
             ModelError: the models cannot be loaded
         """
-        self._parser = Parser(model_dir=settings.model_dir, package=settings.package, threads=settings.threads,
-                              cache_size=settings.cache_size)
+        self._parser = Parser(
+            model_dir=settings.model_dir,
+            package=settings.package,
+            threads=settings.threads,
+            cache_size=settings.cache_size,
+        )
         times = self._parser.load_times
         self._verbs: FrozenSet[str] = frozenset()
         self._verbs_of_file: Dict[str, FrozenSet[str]] = {}
@@ -88,8 +101,15 @@ class ParserNode:
             rospy.Subscriber("lexicon", Lexicon, self._on_lexicon, queue_size=1),
             rospy.Subscriber("command_text", Command, self._on_command, queue_size=settings.queue_size),
         ]
-        rospy.loginfo("ready after %.1f s (torch %.1f, Stanza %.1f, models %.1f, first parse %.1f): %s", times.total_s, times.torch_s,
-                      times.stanza_s, times.models_s, times.warm_up_s, settings)
+        rospy.loginfo(
+            "ready after %.1f s (torch %.1f, Stanza %.1f, models %.1f, first parse %.1f): %s",
+            times.total_s,
+            times.torch_s,
+            times.stanza_s,
+            times.models_s,
+            times.warm_up_s,
+            settings,
+        )
 
     def _on_lexicon(self, message: Lexicon) -> None:
         verbs_of_file: Dict[str, FrozenSet[str]] = {}
@@ -98,7 +118,10 @@ class ParserNode:
                 # One file that is added must not cost the reading of all others again.
                 verbs_of_file[file.text] = self._verbs_of_file.get(file.text) or frozenset(
                     # The base form stands in front of the particle: "pick" of "pick up".
-                    verb.split()[0] for unit in load_lexical_units(file.text, file.path) for verb in unit.verbs)
+                    verb.split()[0]
+                    for unit in load_lexical_units(file.text, file.path)
+                    for verb in unit.verbs
+                )
             except FileRefused as refused:
                 rospy.logwarn("the lexicon holds a file that cannot be read: %s", refused)
         self._verbs_of_file = verbs_of_file
@@ -135,8 +158,16 @@ class ParserNode:
 
     def _end(self, command: Command, outcome: int, code: str, sentence: str) -> None:
         now = rospy.Time.now()
-        self._events.publish(StageEvent(command=command, stage=STAGE, stamp=now, sentence=sentence, is_final=True, reply=Reply(
-            command=command, outcome=outcome, stage=STAGE, code=code, sentence=sentence, stamp=now)))
+        self._events.publish(
+            StageEvent(
+                command=command,
+                stage=STAGE,
+                stamp=now,
+                sentence=sentence,
+                is_final=True,
+                reply=Reply(command=command, outcome=outcome, stage=STAGE, code=code, sentence=sentence, stamp=now),
+            )
+        )
 
 
 def describe(tree: DependencyTree) -> str:

@@ -1,16 +1,27 @@
 """The phrase tree of a sentence, with Penn Treebank tags, projected from its dependencies.
 
-A head projects a phrase; its dependents are the phrase's other children, in the order of the sentence. A word with a preposition is a
+A head projects a phrase; its dependents are the phrase's other children, in the order of the sentence. A word with a
+preposition is a
 PP around the preposition and the rest.
 """
+
 from dataclasses import dataclass
 from typing import Any, Dict, List, Tuple
 
 from stanford_parser_ros.tree import DependencyTree, Word
 
 _PHRASE_OF_UPOS: Dict[str, str] = {
-    "NOUN": "NP", "PROPN": "NP", "PRON": "NP", "NUM": "NP", "VERB": "VP", "AUX": "VP", "ADJ": "ADJP", "ADV": "ADVP", "INTJ": "INTJ",
-    "SYM": "NP", "X": "X",
+    "NOUN": "NP",
+    "PROPN": "NP",
+    "PRON": "NP",
+    "NUM": "NP",
+    "VERB": "VP",
+    "AUX": "VP",
+    "ADJ": "ADJP",
+    "ADV": "ADVP",
+    "INTJ": "INTJ",
+    "SYM": "NP",
+    "X": "X",
 }
 
 
@@ -39,7 +50,9 @@ class Tree:
 
 @dataclass(frozen=True)
 class SquashedNode:
-    """A node of a flattened tree: the fields of ``stanford_parser_msgs/SquashedParseTreeNode``, the tag in Penn spelling."""
+    """A node of a flattened tree: the fields of ``stanford_parser_msgs/SquashedParseTreeNode``, the tag in Penn
+    spelling.
+    """
 
     tag: str
     parent_id: int
@@ -68,7 +81,9 @@ def _project(tree: DependencyTree, word: Word) -> Tree:
         core = Tree(_PHRASE_OF_UPOS.get(word.upos, "X"), 1.0)
         before = [child for child in rest if child.index < word.index]
         after = [child for child in rest if child.index > word.index]
-        core.children = [_project(tree, child) for child in before] + [leaf] + [_project(tree, child) for child in after]
+        core.children = (
+            [_project(tree, child) for child in before] + [leaf] + [_project(tree, child) for child in after]
+        )
     if not cases:
         return core
     phrase = Tree("PP", 1.0)
@@ -96,7 +111,9 @@ def squash(tree: Tree) -> Tuple[SquashedNode, ...]:
 
 
 def constant_of_tag(tag: str) -> str:
-    """Return the name of the message constant of a Penn tag: ``-TMP`` is ``_TMP``, ``PRP$`` is ``PRP_S``; ``X`` for an unknown one."""
+    """Return the name of the message constant of a Penn tag: ``-TMP`` is ``_TMP``, ``PRP$`` is ``PRP_S``; ``X`` for an
+    unknown one.
+    """
     name = tag.replace("-", "_").replace("$", "_S")
     return name if name.replace("_", "").isalpha() and name.isascii() else "SYM"
 
@@ -128,12 +145,20 @@ def unsquash_tree(squashed_tree: Any) -> Tree:
         ValueError: the message holds no tree
     """
     names = _names_of_constants(squashed_tree)
-    nodes = tuple(SquashedNode(names.get(node.tag, "X"), node.parent_id, node.score, node.word_index) for node in squashed_tree.nodes)
+    nodes = tuple(
+        SquashedNode(names.get(node.tag, "X"), node.parent_id, node.score, node.word_index)
+        for node in squashed_tree.nodes
+    )
     return unsquash(nodes, tuple(squashed_tree.words))
 
 
 def _names_of_constants(parse: Any) -> Dict[int, str]:
     if not parse.nodes:
         return {}
-    constants = {name: value for name, value in vars(type(parse.nodes[0])).items() if name.isupper() and isinstance(value, int)}
-    return {value: name.replace("_S", "$") if name in ("PRP_S", "WP_S") else name.replace("_", "-") for name, value in constants.items()}
+    constants = {
+        name: value for name, value in vars(type(parse.nodes[0])).items() if name.isupper() and isinstance(value, int)
+    }
+    return {
+        value: name.replace("_S", "$") if name in ("PRP_S", "WP_S") else name.replace("_", "-")
+        for name, value in constants.items()
+    }

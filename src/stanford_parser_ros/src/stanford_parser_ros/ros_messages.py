@@ -1,4 +1,5 @@
 """Parses as messages."""
+
 from typing import List
 
 from roboframenet_msgs.msg import Command, CommandParse
@@ -11,27 +12,67 @@ from stanford_parser_ros.tree import DependencyTree, Word
 
 def to_command_parse(command: Command, tree: DependencyTree) -> CommandParse:
     """Return the parse of a command as a message."""
-    return CommandParse(command=command, parse=to_parse(tree), words=[
-        UniversalWord(index=word.index, form=word.form, lemma=word.lemma, upos=word.upos, xpos=word.xpos, feats=word.feats,
-                      head=word.head, deprel=word.deprel, start_character=word.start_character, end_character=word.end_character)
-        for word in tree.words])
+    return CommandParse(
+        command=command,
+        parse=to_parse(tree),
+        words=[
+            UniversalWord(
+                index=word.index,
+                form=word.form,
+                lemma=word.lemma,
+                upos=word.upos,
+                xpos=word.xpos,
+                feats=word.feats,
+                head=word.head,
+                deprel=word.deprel,
+                start_character=word.start_character,
+                end_character=word.end_character,
+            )
+            for word in tree.words
+        ],
+    )
 
 
 def to_parse(tree: DependencyTree) -> Parse:
     """Return the parse as in 2012: collapsed Stanford dependencies, indices that point straight into ``words``."""
     return Parse(
-        nodes=[SquashedParseTreeNode(tag=getattr(SquashedParseTreeNode, constant_of_tag(node.tag), SquashedParseTreeNode.X),
-                                     parent_id=node.parent_id, score=node.score, word_index=node.word_index)
-               for node in squash(phrase_tree(tree))],
-        dependencies=[Dependency(relation=dependency.relation, governor_index=dependency.governor, dependent_index=dependency.dependent)
-                      for dependency in collapsed(tree)],
+        nodes=[
+            SquashedParseTreeNode(
+                tag=getattr(SquashedParseTreeNode, constant_of_tag(node.tag), SquashedParseTreeNode.X),
+                parent_id=node.parent_id,
+                score=node.score,
+                word_index=node.word_index,
+            )
+            for node in squash(phrase_tree(tree))
+        ],
+        dependencies=[
+            Dependency(
+                relation=dependency.relation, governor_index=dependency.governor, dependent_index=dependency.dependent
+            )
+            for dependency in collapsed(tree)
+        ],
         words=["ROOT"] + [word.form for word in tree.words],
-        tags=["ROOT"] + [word.xpos for word in tree.words])
+        tags=["ROOT"] + [word.xpos for word in tree.words],
+    )
 
 
 def to_tree(text: str, words: List[UniversalWord]) -> DependencyTree:
     """Return the tree that a message holds."""
-    return DependencyTree(text=text, words=tuple(
-        Word(index=word.index, form=word.form, lemma=word.lemma, upos=word.upos, xpos=word.xpos, feats=word.feats, head=word.head,
-             deprel=word.deprel, start_character=word.start_character, end_character=word.end_character)
-        for word in words))
+    return DependencyTree(
+        text=text,
+        words=tuple(
+            Word(
+                index=word.index,
+                form=word.form,
+                lemma=word.lemma,
+                upos=word.upos,
+                xpos=word.xpos,
+                feats=word.feats,
+                head=word.head,
+                deprel=word.deprel,
+                start_character=word.start_character,
+                end_character=word.end_character,
+            )
+            for word in words
+        ),
+    )

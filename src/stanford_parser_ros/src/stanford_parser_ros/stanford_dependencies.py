@@ -1,37 +1,84 @@
 """From Universal Dependencies (v2) to the typed dependencies of the Stanford Dependencies manual.
 
-Sources: M.-C. de Marneffe and C. Manning, *Stanford typed dependencies manual* (2008, revised 2013) for the names and for
+Sources: M.-C. de Marneffe and C. Manning, *Stanford typed dependencies manual* (2008, revised 2013) for the names and
+    for
 collapsing; universaldependencies.org/u/dep and /en/dep for the relations that come in.
 """
+
 from dataclasses import dataclass
 from typing import Dict, FrozenSet, List, Optional, Set, Tuple
 
 from stanford_parser_ros.tree import DependencyTree, Word
 
-#: Universal relation -> Stanford names. The first is the name that is written into ``Parse``; a lexical unit may use any.
+#: Universal relation -> Stanford names. The first is the name that is written into ``Parse``; a lexical unit may use
+#: any.
 #: Measures ("3 feet" in "move forward 3 feet") were tmod, npadvmod or dobj, depending on the words: all are accepted.
 RULES: Dict[str, Tuple[str, ...]] = {
     "root": ("root",),
-    "nsubj": ("nsubj",), "nsubj:pass": ("nsubjpass",), "nsubj:outer": ("nsubj",),
-    "csubj": ("csubj",), "csubj:pass": ("csubjpass",), "csubj:outer": ("csubj",),
-    "obj": ("dobj",), "iobj": ("iobj",),
-    "ccomp": ("ccomp",), "xcomp": ("xcomp", "acomp"), "advcl": ("advcl", "purpcl"), "advcl:relcl": ("advcl",),
-    "advmod": ("advmod",), "amod": ("amod",), "det": ("det",), "det:predet": ("predet",), "nummod": ("num", "number"),
-    "appos": ("appos", "abbrev"), "compound": ("nn",), "compound:prt": ("prt", "advmod"), "flat": ("nn",), "nmod:desc": ("nn",),
-    "nmod:poss": ("poss",), "fixed": ("mwe",), "goeswith": ("goeswith",), "list": ("dep",), "dep": ("dep",),
-    "obl:unmarked": ("tmod", "npadvmod", "dobj"), "obl:tmod": ("tmod", "npadvmod", "dobj"), "obl:npmod": ("npadvmod", "tmod", "dobj"),
-    "nmod:unmarked": ("npadvmod", "tmod"), "nmod:tmod": ("tmod", "npadvmod"), "nmod:npmod": ("npadvmod",),
+    "nsubj": ("nsubj",),
+    "nsubj:pass": ("nsubjpass",),
+    "nsubj:outer": ("nsubj",),
+    "csubj": ("csubj",),
+    "csubj:pass": ("csubjpass",),
+    "csubj:outer": ("csubj",),
+    "obj": ("dobj",),
+    "iobj": ("iobj",),
+    "ccomp": ("ccomp",),
+    "xcomp": ("xcomp", "acomp"),
+    "advcl": ("advcl", "purpcl"),
+    "advcl:relcl": ("advcl",),
+    "advmod": ("advmod",),
+    "amod": ("amod",),
+    "det": ("det",),
+    "det:predet": ("predet",),
+    "nummod": ("num", "number"),
+    "appos": ("appos", "abbrev"),
+    "compound": ("nn",),
+    "compound:prt": ("prt", "advmod"),
+    "flat": ("nn",),
+    "nmod:desc": ("nn",),
+    "nmod:poss": ("poss",),
+    "fixed": ("mwe",),
+    "goeswith": ("goeswith",),
+    "list": ("dep",),
+    "dep": ("dep",),
+    "obl:unmarked": ("tmod", "npadvmod", "dobj"),
+    "obl:tmod": ("tmod", "npadvmod", "dobj"),
+    "obl:npmod": ("npadvmod", "tmod", "dobj"),
+    "nmod:unmarked": ("npadvmod", "tmod"),
+    "nmod:tmod": ("tmod", "npadvmod"),
+    "nmod:npmod": ("npadvmod",),
     "obl:agent": ("agent",),
-    "acl": ("vmod", "partmod", "infmod"), "acl:relcl": ("rcmod",),
-    "aux": ("aux",), "aux:pass": ("auxpass",), "cop": ("cop",), "mark": ("mark", "complm"), "case": ("prep",),
-    "cc": ("cc",), "cc:preconj": ("preconj",), "conj": ("conj",), "parataxis": ("parataxis",),
-    "discourse": ("discourse",), "vocative": ("vocative",), "expl": ("expl",), "dislocated": ("dep",), "orphan": ("dep",),
-    "reparandum": ("dep",), "punct": ("punct",), "clf": ("dep",),
+    "acl": ("vmod", "partmod", "infmod"),
+    "acl:relcl": ("rcmod",),
+    "aux": ("aux",),
+    "aux:pass": ("auxpass",),
+    "cop": ("cop",),
+    "mark": ("mark", "complm"),
+    "case": ("prep",),
+    "cc": ("cc",),
+    "cc:preconj": ("preconj",),
+    "conj": ("conj",),
+    "parataxis": ("parataxis",),
+    "discourse": ("discourse",),
+    "vocative": ("vocative",),
+    "expl": ("expl",),
+    "dislocated": ("dep",),
+    "orphan": ("dep",),
+    "reparandum": ("dep",),
+    "punct": ("punct",),
+    "clf": ("dep",),
 }
 #: Nouns that make a prepositional phrase one preposition: "in front of the fridge" -> prep_in_front_of(go, fridge).
 COMPLEX_PREPOSITIONS: Dict[Tuple[str, str], str] = {
-    ("in", "front"): "in_front_of", ("on", "top"): "on_top_of", ("at", "back"): "at_back_of", ("in", "back"): "in_back_of",
-    ("in", "middle"): "in_middle_of", ("on", "side"): "on_side_of", ("by", "side"): "by_side_of", ("at", "end"): "at_end_of",
+    ("in", "front"): "in_front_of",
+    ("on", "top"): "on_top_of",
+    ("at", "back"): "at_back_of",
+    ("in", "back"): "in_back_of",
+    ("in", "middle"): "in_middle_of",
+    ("on", "side"): "on_side_of",
+    ("by", "side"): "by_side_of",
+    ("at", "end"): "at_end_of",
 }
 NEGATIONS = {"not", "never", "n't"}
 
@@ -106,8 +153,10 @@ def stanford_names(tree: DependencyTree, word: Word) -> Tuple[str, ...]:
 def arcs(tree: DependencyTree) -> Tuple[Arc, ...]:
     """Return every relation of a sentence under all of its names, collapsed and propagated to conjuncts.
 
-    Besides the arcs of the tree: "in front of the fridge" relates *go* and *fridge* directly; "the mug and the plate" relates both
-    to the verb; in "the cup is on the table" both *cup* and *table* hang on *is* too, where the Stanford scheme has them.
+    Besides the arcs of the tree: "in front of the fridge" relates *go* and *fridge* directly; "the mug and the plate"
+        relates both
+    to the verb; in "the cup is on the table" both *cup* and *table* hang on *is* too, where the Stanford scheme has
+    them.
     """
     found: List[Arc] = []
     for word in tree.words:
@@ -165,14 +214,27 @@ def _propagated(tree: DependencyTree, found: List[Arc]) -> List[Arc]:
         is_verbal = word.upos in ("VERB", "AUX")
         own = {name for child in tree.children(word.index) for name in [child.deprel.split(":")[0]]}
         if is_verbal:
-            extra += [Arc(word.index, child.index, _all_names(tree, child)) for child in tree.children(first.index)
-                      if child.deprel.startswith("nsubj") and "nsubj" not in own]
+            extra += [
+                Arc(word.index, child.index, _all_names(tree, child))
+                for child in tree.children(first.index)
+                if child.deprel.startswith("nsubj") and "nsubj" not in own
+            ]
         elif not preposition(tree, word):
-            extra += [Arc(arc.governor, word.index, arc.relations) for arc in found
-                      if arc.dependent == first.index and arc.governor != 0 and "conj" not in arc.relations]
+            extra += [
+                Arc(arc.governor, word.index, arc.relations)
+                for arc in found
+                if arc.dependent == first.index and arc.governor != 0 and "conj" not in arc.relations
+            ]
         else:
-            extra += [Arc(first.head, word.index, frozenset({"obl", f"obl:{preposition(tree, word)}", f"prep_{preposition(tree, word)}", "prep"}))
-                      for _ in range(1) if first.head != 0]
+            extra += [
+                Arc(
+                    first.head,
+                    word.index,
+                    frozenset({"obl", f"obl:{preposition(tree, word)}", f"prep_{preposition(tree, word)}", "prep"}),
+                )
+                for _ in range(1)
+                if first.head != 0
+            ]
     return extra
 
 
@@ -180,8 +242,12 @@ def _coordinator(tree: DependencyTree, word: Word) -> str:
     own = [child.form.lower() for child in tree.children(word.index) if child.deprel == "cc"]
     if own:
         return own[0]
-    siblings = [other for other in tree.words if other.head == word.head and other.deprel == "conj" and other.index > word.index]
-    later = [child.form.lower() for sibling in siblings for child in tree.children(sibling.index) if child.deprel == "cc"]
+    siblings = [
+        other for other in tree.words if other.head == word.head and other.deprel == "conj" and other.index > word.index
+    ]
+    later = [
+        child.form.lower() for sibling in siblings for child in tree.children(sibling.index) if child.deprel == "cc"
+    ]
     return later[0] if later else "and"
 
 
@@ -190,7 +256,11 @@ def basic(tree: DependencyTree) -> Tuple[TypedDependency, ...]:
     found = []
     for word in tree.words:
         names = stanford_names(tree, word)
-        cases = [child for child in tree.children(word.index) if child.deprel == "case" and names[0].startswith(("prep_", "agent"))]
+        cases = [
+            child
+            for child in tree.children(word.index)
+            if child.deprel == "case" and names[0].startswith(("prep_", "agent"))
+        ]
         if cases:
             found.append(TypedDependency("prep", word.head, cases[0].index))
             found.append(TypedDependency("pobj", cases[0].index, word.index))
@@ -215,8 +285,11 @@ def collapsed(tree: DependencyTree) -> Tuple[TypedDependency, ...]:
         found[(word.head, word.index)] = names[0]
     for arc in arcs(tree):
         name = next((name for name in sorted(arc.relations) if name.startswith("prep_")), None) or next(
-            (name for name in sorted(arc.relations) if name in ("dobj", "iobj", "nsubj")), None)
+            (name for name in sorted(arc.relations) if name in ("dobj", "iobj", "nsubj")), None
+        )
         if name is not None and (arc.governor, arc.dependent) not in found and arc.governor != 0:
             found[(arc.governor, arc.dependent)] = name
-    return tuple(TypedDependency(name, governor, dependent)
-                 for (governor, dependent), name in sorted(found.items(), key=lambda item: (item[0][1], item[0][0])))
+    return tuple(
+        TypedDependency(name, governor, dependent)
+        for (governor, dependent), name in sorted(found.items(), key=lambda item: (item[0][1], item[0][0]))
+    )

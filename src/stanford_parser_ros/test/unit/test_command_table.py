@@ -1,4 +1,5 @@
 """Commands and what their verb governs: 97 of 100 must be right."""
+
 from pathlib import Path
 from typing import List, Tuple
 
@@ -35,7 +36,12 @@ def fault(parser: Parser, row: Row) -> str:
     (root, *_) = tree.children(0)
     if root.form.lower() != verb and root.lemma.lower() != verb:
         return f"{text!r}: the verb is {root.form!r}"
-    found = {(name, tree.word(arc.dependent).form.lower()) for arc in arcs(tree) if arc.governor == root.index for name in arc.relations}
+    found = {
+        (name, tree.word(arc.dependent).form.lower())
+        for arc in arcs(tree)
+        if arc.governor == root.index
+        for name in arc.relations
+    }
     missing = [f"{relation}:{word}" for relation, word in pairs if (relation, word.lower()) not in found]
     return f"{text!r}: misses {', '.join(missing)}" if missing else ""
 
@@ -45,5 +51,7 @@ def test_commands_are_right(parser: Parser, capsys: pytest.CaptureFixture) -> No
     assert len(table) >= 300
     faults = [found for found in (fault(parser, row) for row in table) if found]
     with capsys.disabled():
-        print(f"\n{len(table) - len(faults)} of {len(table)} commands right" + "".join(f"\n  {found}" for found in faults))
+        print(
+            f"\n{len(table) - len(faults)} of {len(table)} commands right" + "".join(f"\n  {found}" for found in faults)
+        )
     assert len(faults) <= (1.0 - NEEDED) * len(table), "\n".join(faults)

@@ -1,4 +1,5 @@
 """The shipped models, loaded once for all tests of this module."""
+
 import socket
 from pathlib import Path
 
@@ -10,6 +11,7 @@ from stanford_parser_ros.model import ModelError, Parser, UnparsableText, shippe
 def parser() -> Parser:
     def refuse(*_arguments: object, **_keywords: object) -> None:
         raise AssertionError("the parser opened a connection")
+
     connect = socket.socket.connect
     socket.socket.connect = refuse
     try:
@@ -18,9 +20,16 @@ def parser() -> Parser:
         socket.socket.connect = connect
 
 
-@pytest.mark.parametrize("text, verb", [
-    ("Turn left 120 degrees.", "turn"), ("move backwards one metre", "move"), ("Give me 5.", "give"), ("follow me", "follow"), ("Go to the office.", "go"),
-])
+@pytest.mark.parametrize(
+    "text, verb",
+    [
+        ("Turn left 120 degrees.", "turn"),
+        ("move backwards one metre", "move"),
+        ("Give me 5.", "give"),
+        ("follow me", "follow"),
+        ("Go to the office.", "go"),
+    ],
+)
 def test_verb_of_a_command_is_the_root(parser: Parser, text: str, verb: str) -> None:
     (root,) = parser.parse(text).children(0)
     assert (root.lemma, root.upos) == (verb, "VERB")
@@ -35,7 +44,7 @@ def test_characters_are_those_of_the_text_as_it_was_said(parser: Parser) -> None
     said = "  turn   90°  to Roger’s office"
     for word in parser.parse(said).words:
         if word.form in ("turn", "90", "to", "Roger", "office"):
-            assert said[word.start_character:word.end_character] == word.form
+            assert said[word.start_character : word.end_character] == word.form
 
 
 def test_several_sentences_are_one_tree(parser: Parser) -> None:

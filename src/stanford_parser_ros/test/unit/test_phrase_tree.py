@@ -1,4 +1,5 @@
 """Phrase trees: projected, flattened, rebuilt."""
+
 import pytest
 from stanford_parser_msgs.msg import Parse
 from stanford_parser_ros import unsquash_tree
@@ -7,7 +8,9 @@ from stanford_parser_ros.phrase_tree import constant_of_tag, phrase_tree, squash
 from stanford_parser_ros.ros_messages import to_parse, to_tree, to_command_parse
 from roboframenet_msgs.msg import Command
 
-TREE = from_conllu("1 Go go VERB VB _ 0 root _ _\n2 to to ADP IN _ 4 case _ _\n3 the the DET DT _ 4 det _ _\n4 office office NOUN NN _ 1 obl _ _")
+TREE = from_conllu(
+    "1 Go go VERB VB _ 0 root _ _\n2 to to ADP IN _ 4 case _ _\n3 the the DET DT _ 4 det _ _\n4 office office NOUN NN _ 1 obl _ _"
+)
 BRACKETS = "(ROOT (S (VP (VB Go) (PP (IN to) (NP (DT the) (NN office))))))"
 
 
@@ -34,7 +37,9 @@ def test_tree_survives_the_message() -> None:
     assert to_tree(TREE.text, to_command_parse(Command(), TREE).words) == TREE
 
 
-@pytest.mark.parametrize("tag, name", [("PRP$", "PRP_S"), ("-TMP", "_TMP"), ("NN", "NN"), (".", "SYM"), ("-LRB-", "_LRB_")])
+@pytest.mark.parametrize(
+    "tag, name", [("PRP$", "PRP_S"), ("-TMP", "_TMP"), ("NN", "NN"), (".", "SYM"), ("-LRB-", "_LRB_")]
+)
 def test_constant_of_tag(tag: str, name: str) -> None:
     assert constant_of_tag(tag) == name
 

@@ -1,4 +1,5 @@
 """What is done to a text before the parse, and to the parse of a command."""
+
 from typing import Optional
 
 import pytest
@@ -9,10 +10,20 @@ from stanford_parser_ros.spelling import rewrite
 VERBS = frozenset(["scrub", "ping", "name", "turn"])
 
 
-@pytest.mark.parametrize("said, text", [
-    ("turn 90° left", "turn 90 degrees left"), ("move 3ft", "move 3 ft"), ("move 10cm up", "move 10 cm up"), ("turn -90 degrees", "turn minus 90 degrees"),
-    ("Roger’s  office ", "Roger's office"), ("wait 5s", "wait 5 s"), ("room 204", "room 204"), ("a well-known place", "a well-known place"), ("", ""),
-])
+@pytest.mark.parametrize(
+    "said, text",
+    [
+        ("turn 90° left", "turn 90 degrees left"),
+        ("move 3ft", "move 3 ft"),
+        ("move 10cm up", "move 10 cm up"),
+        ("turn -90 degrees", "turn minus 90 degrees"),
+        ("Roger’s  office ", "Roger's office"),
+        ("wait 5s", "wait 5 s"),
+        ("room 204", "room 204"),
+        ("a well-known place", "a well-known place"),
+        ("", ""),
+    ],
+)
 def test_rewrite(said: str, text: str) -> None:
     assert rewrite(said).text == text
 
@@ -23,20 +34,37 @@ def test_rewrite_remembers_where_words_came_from(said: str) -> None:
     assert len(spelling.origins) == len(spelling.text) + 1
     for word in ("left", "now", "degrees", "go"):
         if word in said:
-            assert said[spelling.origins[spelling.text.index(word)]:].startswith(word)
+            assert said[spelling.origins[spelling.text.index(word)] :].startswith(word)
 
 
-@pytest.mark.parametrize("sentence, position", [
-    ("Scrub the pot", 1), ("please scrub the pot", 2), ("robot , please ping", 4), ("uh okay turn left", 3), ("the name", None), ("Name is Bob", None),
-    ("I turn", None), ("", None), ("please", None),
-])
+@pytest.mark.parametrize(
+    "sentence, position",
+    [
+        ("Scrub the pot", 1),
+        ("please scrub the pot", 2),
+        ("robot , please ping", 4),
+        ("uh okay turn left", 3),
+        ("the name", None),
+        ("Name is Bob", None),
+        ("I turn", None),
+        ("", None),
+        ("please", None),
+    ],
+)
 def test_command_verb_position(sentence: str, position: Optional[int]) -> None:
     assert command_verb_position(sentence.split(), VERBS) == position
 
 
 def test_rerooted_makes_the_verb_the_root_and_keeps_a_tree() -> None:
-    tree = from_conllu("1 Scrub scrub PROPN NNP _ 3 compound _ _\n2 the the DET DT _ 3 det _ _\n3 pot pot NOUN NN _ 0 root _ _\n4 . . PUNCT . _ 3 punct _ _")
-    assert [(word.head, word.deprel) for word in rerooted(tree, 1).words] == [(0, "root"), (3, "det"), (1, "obj"), (1, "punct")]
+    tree = from_conllu(
+        "1 Scrub scrub PROPN NNP _ 3 compound _ _\n2 the the DET DT _ 3 det _ _\n3 pot pot NOUN NN _ 0 root _ _\n4 . . PUNCT . _ 3 punct _ _"
+    )
+    assert [(word.head, word.deprel) for word in rerooted(tree, 1).words] == [
+        (0, "root"),
+        (3, "det"),
+        (1, "obj"),
+        (1, "punct"),
+    ]
 
 
 def test_rerooted_leaves_a_right_tree_alone() -> None:

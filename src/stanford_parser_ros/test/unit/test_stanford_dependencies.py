@@ -1,4 +1,5 @@
 """From Universal to Stanford dependencies: one sentence for each rule."""
+
 from typing import Set, Tuple
 
 import pytest
@@ -19,12 +20,23 @@ def tree_of(*rows: str) -> DependencyTree:
 def names(tree: DependencyTree, governor: str, dependent: str) -> Set[str]:
     """Every name of the relations between two words."""
     index = {word.form: word.index for word in tree.words}
-    return {name for arc in arcs(tree) if (arc.governor, arc.dependent) == (index[governor], index[dependent]) for name in arc.relations}
+    return {
+        name
+        for arc in arcs(tree)
+        if (arc.governor, arc.dependent) == (index[governor], index[dependent])
+        for name in arc.relations
+    }
 
 
 def collapsed_of(tree: DependencyTree) -> Set[Tuple[str, str, str]]:
-    return {(dependency.relation, tree.word(dependency.governor).form if dependency.governor else "ROOT", tree.word(dependency.dependent).form)
-            for dependency in collapsed(tree)}
+    return {
+        (
+            dependency.relation,
+            tree.word(dependency.governor).form if dependency.governor else "ROOT",
+            tree.word(dependency.dependent).form,
+        )
+        for dependency in collapsed(tree)
+    }
 
 
 GO = tree_of("Go VERB 0 root", "to ADP 4 case", "the DET 4 det", "office NOUN 1 obl")
@@ -59,17 +71,23 @@ def test_measure_has_the_names_of_every_scheme() -> None:
 
 
 def test_preposition_of_several_words() -> None:
-    tree = tree_of("Put VERB 0 root", "it PRON 1 obj", "next ADP 6 case", "to ADP 3 fixed", "the DET 6 det", "lamp NOUN 1 obl")
+    tree = tree_of(
+        "Put VERB 0 root", "it PRON 1 obj", "next ADP 6 case", "to ADP 3 fixed", "the DET 6 det", "lamp NOUN 1 obl"
+    )
     assert "prep_next_to" in names(tree, "Put", "lamp")
 
 
 def test_preposition_around_a_noun() -> None:
-    tree = tree_of("Go VERB 0 root", "in ADP 3 case", "front NOUN 1 obl", "of ADP 6 case", "the DET 6 det", "fridge NOUN 3 nmod")
+    tree = tree_of(
+        "Go VERB 0 root", "in ADP 3 case", "front NOUN 1 obl", "of ADP 6 case", "the DET 6 det", "fridge NOUN 3 nmod"
+    )
     assert "prep_in_front_of" in names(tree, "Go", "fridge")
 
 
 def test_conjuncts_share_the_role_of_the_first() -> None:
-    tree = tree_of("Take VERB 0 root", "the DET 3 det", "mug NOUN 1 obj", "and CCONJ 6 cc", "the DET 6 det", "plate NOUN 3 conj")
+    tree = tree_of(
+        "Take VERB 0 root", "the DET 3 det", "mug NOUN 1 obj", "and CCONJ 6 cc", "the DET 6 det", "plate NOUN 3 conj"
+    )
     assert "dobj" in names(tree, "Take", "plate") and "conj_and" in names(tree, "mug", "plate")
 
 
@@ -84,7 +102,9 @@ def test_coordinator_of_a_list_stands_at_its_end() -> None:
 
 
 def test_prepositional_predicate_hangs_on_the_copula() -> None:
-    tree = tree_of("the DET 2 det", "cup NOUN 6 nsubj", "is AUX 6 cop be", "on ADP 6 case", "the DET 6 det", "table NOUN 0 root")
+    tree = tree_of(
+        "the DET 2 det", "cup NOUN 6 nsubj", "is AUX 6 cop be", "on ADP 6 case", "the DET 6 det", "table NOUN 0 root"
+    )
     assert "prep_on" in names(tree, "is", "table") and "nsubj" in names(tree, "is", "cup")
 
 

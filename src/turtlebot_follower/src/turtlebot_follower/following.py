@@ -1,4 +1,5 @@
 """Following a person: the person's place in, velocity out."""
+
 import enum
 from dataclasses import dataclass
 from typing import Optional
@@ -25,9 +26,14 @@ class FollowingSettings:
 
     def __post_init__(self) -> None:
         for name, low, high in (
-                ("goal_z_m", 0.1, 5.0), ("z_scale_per_s", 0.0, 10.0), ("x_scale_rad_per_m_s", 0.0, 20.0),
-                ("speed_share", 0.0, 1.0), ("max_linear_m_per_s", 0.01, 2.0), ("max_angular_rad_per_s", 0.01, 5.0),
-                ("lost_timeout_s", 0.2, 60.0)):
+            ("goal_z_m", 0.1, 5.0),
+            ("z_scale_per_s", 0.0, 10.0),
+            ("x_scale_rad_per_m_s", 0.0, 20.0),
+            ("speed_share", 0.0, 1.0),
+            ("max_linear_m_per_s", 0.01, 2.0),
+            ("max_angular_rad_per_s", 0.01, 5.0),
+            ("lost_timeout_s", 0.2, 60.0),
+        ):
             value = getattr(self, name)
             if not (isinstance(value, (int, float)) and low <= value <= high):
                 raise ValueError("%s must be %g to %g, got %r" % (name, low, high, value))
@@ -53,7 +59,8 @@ class FollowingStep:
 class Follower:
     """Follows one person, from the start of a goal to its end.
 
-    The law of the Turtlebot's follower turns by ``-x x_scale`` and drives by ``(z - goal_z) z_scale``. It alone lets the
+    The law of the Turtlebot's follower turns by ``-x x_scale`` and drives by ``(z - goal_z) z_scale``. It alone lets
+    the
     person get ahead by speed / z_scale: at half a metre per second that is further than the box reaches. So the
     speed of the person, which is the change of z plus what the robot drives, is driven too.
 
@@ -74,8 +81,9 @@ class Follower:
         self._driven_m_per_s = 0.0
         self._person_m_per_s = 0.0
 
-    def observe(self, centroid: Optional[Centroid], *, stamp_s: float, driven_m_per_s: Optional[float],
-                now_s: float) -> FollowingStep:
+    def observe(
+        self, centroid: Optional[Centroid], *, stamp_s: float, driven_m_per_s: Optional[float], now_s: float
+    ) -> FollowingStep:
         """Take a picture, and return what to drive.
 
         Args:
@@ -109,8 +117,11 @@ class Follower:
             angular = 0.0
         limit, turn_limit = settings.max_linear_m_per_s, settings.max_angular_rad_per_s
         self._driven_m_per_s = max(-limit, min(limit, linear))
-        return FollowingStep(linear_m_per_s=self._driven_m_per_s,
-                             angular_rad_per_s=max(-turn_limit, min(turn_limit, angular)), sight=Sight.SEEN)
+        return FollowingStep(
+            linear_m_per_s=self._driven_m_per_s,
+            angular_rad_per_s=max(-turn_limit, min(turn_limit, angular)),
+            sight=Sight.SEEN,
+        )
 
     def wait(self, *, now_s: float) -> FollowingStep:
         """Return what to do without a picture, or with one in which nobody is: stand, and lose patience in the end."""

@@ -1,4 +1,5 @@
 """Followers that a robot already has: behind a service, or in a launch file, as in 2012."""
+
 import os
 import signal
 import subprocess
@@ -88,7 +89,9 @@ class LaunchFollower:
             raise FollowerError("~launchfile: there is no file %r" % self._path)
         try:
             # A group of its own: the interrupt of a terminal must not reach it before stop() does.
-            self._process = subprocess.Popen(["roslaunch", self._path], stdin=subprocess.DEVNULL, start_new_session=True)
+            self._process = subprocess.Popen(
+                ["roslaunch", self._path], stdin=subprocess.DEVNULL, start_new_session=True
+            )
         except OSError as error:
             raise FollowerError("roslaunch cannot be started: %s" % error) from error
 

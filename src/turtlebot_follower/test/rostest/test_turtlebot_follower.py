@@ -13,7 +13,11 @@ from actionlib_msgs.msg import GoalStatus
 from geometry_msgs.msg import PoseStamped, Twist
 from nav_msgs.msg import Odometry
 from roboframenet_msgs.msg import (
-    FilledFrameElement, FilledSemanticFrame, FilledSemanticFrameAction, FilledSemanticFrameGoal)
+    FilledFrameElement,
+    FilledSemanticFrame,
+    FilledSemanticFrameAction,
+    FilledSemanticFrameGoal,
+)
 from std_msgs.msg import String
 from turtlebot_msgs.srv import SetFollowState, SetFollowStateRequest, SetFollowStateResponse
 
@@ -41,9 +45,11 @@ class TestTurtlebotFollower(unittest.TestCase):
         """Connect to the robot, the person and the follower."""
         cls.robot, cls.speed, cls.person, cls.last_command = None, None, None, None
         cls.gaps_m, cls.path_m = [], 0.0
-        cls.subscribers = [rospy.Subscriber("odom", Odometry, cls.on_odometry, queue_size=1),
-                           rospy.Subscriber("person/pose", PoseStamped, cls.on_person, queue_size=1),
-                           rospy.Subscriber("cmd_vel", Twist, cls.on_command, queue_size=100)]
+        cls.subscribers = [
+            rospy.Subscriber("odom", Odometry, cls.on_odometry, queue_size=1),
+            rospy.Subscriber("person/pose", PoseStamped, cls.on_person, queue_size=1),
+            rospy.Subscriber("cmd_vel", Twist, cls.on_command, queue_size=100),
+        ]
         cls.act = rospy.Publisher("person/act", String, queue_size=10)
         cls.client = actionlib.ActionClient("following", FilledSemanticFrameAction)
         assert wait_until(lambda: cls.client.wait_for_server(rospy.Duration(1.0)))
@@ -76,7 +82,9 @@ class TestTurtlebotFollower(unittest.TestCase):
 
     def follow(self, client=None, feedback_cb=None):
         """Say "Follow me."."""
-        frame = FilledSemanticFrame(name="following", frame_elements=[FilledFrameElement(name="cotheme", argument="me")])
+        frame = FilledSemanticFrame(
+            name="following", frame_elements=[FilledFrameElement(name="cotheme", argument="me")]
+        )
         return (client or self.client).send_goal(FilledSemanticFrameGoal(frame=frame), feedback_cb=feedback_cb)
 
     def outcome(self, handle):
@@ -163,6 +171,7 @@ class TestTurtlebotFollower(unittest.TestCase):
 
     def test_follower_in_a_launch_file_runs_while_the_goal_does(self):
         """As in 2012."""
+
         def is_up():
             published = rosgraph.Master(rospy.get_name()).getSystemState()[0]
             return any(node.endswith("/other_follower/other_follower") for _, nodes in published for node in nodes)

@@ -1,4 +1,5 @@
 """The follower, closed over the simulated robot, person and camera."""
+
 import math
 
 import pytest
@@ -29,8 +30,16 @@ class Rig:
         pose = self.person.pose
         body = Cylinder(pose.x_m, pose.y_m, 0.2, 1.7) if self.person.is_present else None
         cloud = render(CAMERA, pose=self.base.pose, person=body)
-        points = points_of(cloud.tobytes(), height=60, width=80, point_step=12, row_step=960, is_bigendian=False,
-                           offsets={"x": 0, "y": 4, "z": 8}, datatypes={"x": 7, "y": 7, "z": 7})
+        points = points_of(
+            cloud.tobytes(),
+            height=60,
+            width=80,
+            point_step=12,
+            row_step=960,
+            is_bigendian=False,
+            offsets={"x": 0, "y": 4, "z": 8},
+            datatypes={"x": 7, "y": 7, "z": 7},
+        )
         return centroid(points, box=Box(), min_share=0.005)
 
     def run(self, seconds):
@@ -38,14 +47,17 @@ class Rig:
             picture, self.picture = self.picture, self.look()
             self.now_s += PICTURE_S
             driven = self.base.velocity.linear_m_per_s if self.has_odometry else None
-            step = self.follower.observe(picture, stamp_s=self.now_s - PICTURE_S, driven_m_per_s=driven, now_s=self.now_s)
+            step = self.follower.observe(
+                picture, stamp_s=self.now_s - PICTURE_S, driven_m_per_s=driven, now_s=self.now_s
+            )
             self.sights.append(step.sight)
             self.base.command(Velocity(step.linear_m_per_s, step.angular_rad_per_s))
             for _ in range(4):
                 self.base.step(PICTURE_S / 4)
                 self.person.step(PICTURE_S / 4)
-            self.gaps_m.append(math.hypot(self.person.pose.x_m - self.base.pose.x_m,
-                                          self.person.pose.y_m - self.base.pose.y_m) - 0.2)
+            self.gaps_m.append(
+                math.hypot(self.person.pose.x_m - self.base.pose.x_m, self.person.pose.y_m - self.base.pose.y_m) - 0.2
+            )
         return self
 
     def order(self, act):
@@ -56,7 +68,12 @@ class Rig:
 @pytest.mark.parametrize("has_odometry", [True, False])
 @pytest.mark.parametrize("distance_m", [0.45, 0.6, 0.7])
 def test_curve_of_ten_metres_keeps_the_band(has_odometry, distance_m):
-    rig = Rig(has_odometry=has_odometry, person=PersonSettings(distance_m=distance_m)).run(1.0).order(PersonAct.WALK).run(24.0)
+    rig = (
+        Rig(has_odometry=has_odometry, person=PersonSettings(distance_m=distance_m))
+        .run(1.0)
+        .order(PersonAct.WALK)
+        .run(24.0)
+    )
     assert rig.person.walked_m > 9.9
     assert BAND_M[0] < min(rig.gaps_m) and max(rig.gaps_m) < BAND_M[1]
     assert set(rig.sights[2:]) == {Sight.SEEN}
@@ -101,7 +118,9 @@ def test_person_who_comes_back_in_time_is_followed_on():
 def test_robot_backs_off_from_a_person_who_comes_near():
     follower = Follower(FollowingSettings(speed_share=0.0), now_s=0.0)
     step = follower.observe(Centroid(x_m=0.1, z_m=0.4, count=9), stamp_s=1.0, driven_m_per_s=0.0, now_s=1.0)
-    assert step == FollowingStep(linear_m_per_s=pytest.approx(-0.2), angular_rad_per_s=pytest.approx(-0.5), sight=Sight.SEEN)
+    assert step == FollowingStep(
+        linear_m_per_s=pytest.approx(-0.2), angular_rad_per_s=pytest.approx(-0.5), sight=Sight.SEEN
+    )
 
 
 def test_speeds_are_limited():
@@ -116,8 +135,9 @@ def test_nobody_within_the_timeout_is_lost():
     assert follower.wait(now_s=7.1) == FollowingStep(0.0, 0.0, Sight.LOST)
 
 
-@pytest.mark.parametrize("wrong", [{"goal_z_m": 0.0}, {"lost_timeout_s": float("nan")}, {"speed_share": 2.0},
-                                   {"z_scale_per_s": "1"}])
+@pytest.mark.parametrize(
+    "wrong", [{"goal_z_m": 0.0}, {"lost_timeout_s": float("nan")}, {"speed_share": 2.0}, {"z_scale_per_s": "1"}]
+)
 def test_settings_that_make_no_sense_are_refused(wrong):
     with pytest.raises(ValueError, match=next(iter(wrong))):
         FollowingSettings(**wrong)

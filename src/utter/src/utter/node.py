@@ -1,4 +1,5 @@
 """RFNServers that speak: the frames *saying* and *telling*."""
+
 import datetime
 from typing import Callable
 
@@ -28,11 +29,17 @@ class UtterServer:
     """
 
     def __init__(self) -> None:
-        self._voice = Voice(is_aloud=rospy.get_param("~aloud", True), timeout_s=float(rospy.get_param("~timeout_s", 30.0)))
+        self._voice = Voice(
+            is_aloud=rospy.get_param("~aloud", True), timeout_s=float(rospy.get_param("~timeout_s", 30.0))
+        )
         self._servers = [
-            self._serve("saying", lambda frame: spoken_text(
-                elements(frame).get("message", ""), elements(frame).get("addressee", ""))),
-            self._serve("telling", lambda frame: told_fact(elements(frame).get("message", ""), datetime.datetime.now())),
+            self._serve(
+                "saying",
+                lambda frame: spoken_text(elements(frame).get("message", ""), elements(frame).get("addressee", "")),
+            ),
+            self._serve(
+                "telling", lambda frame: told_fact(elements(frame).get("message", ""), datetime.datetime.now())
+            ),
         ]
 
     def _serve(self, name: str, sentence_of: Callable[[FilledSemanticFrame], str]) -> RFNServer:

@@ -1,4 +1,5 @@
 """External programs that make sound, bounded in time and ended when they are no longer wanted."""
+
 import shutil
 import subprocess
 import time
@@ -34,7 +35,9 @@ def run_bounded(command: Sequence[str], *, timeout_s: float, is_wanted: Callable
         whether the program came to its own end with exit status 0
     """
     try:
-        process = subprocess.Popen(command, stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+        process = subprocess.Popen(
+            command, stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL
+        )
     except OSError:
         return False
     end = time.monotonic() + timeout_s
