@@ -27,8 +27,8 @@ test: build ## run all tests (FILTER=package runs one package's)
 lint: build ## check packages and launch files with catkin_lint
 	@. scripts/environment.sh && catkin_lint --offline src underlay tests
 
-bench: build ## compare speed and cost with stock Stanza and stock actionlib, in one run
-	@scripts/bench
+bench: build ## compare with stock Stanza and stock actionlib (EWT=folder: score the parser on the treebank)
+	@EWT="$(abspath $(EWT))" HURIC="$(abspath $(HURIC))" scripts/bench
 
 install: build ## install into install/ (DESTDIR-style: set PREFIX to choose another folder)
 	@scripts/install $(PREFIX)
