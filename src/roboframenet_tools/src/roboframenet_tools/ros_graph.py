@@ -1,4 +1,6 @@
 """Frames, lexical units and servers of the running graph."""
+from typing import Tuple
+
 import rosgraph
 import rospy
 
@@ -33,3 +35,14 @@ def live_knowledge(*, timeout_s: float) -> Knowledge:
         if callback.is_alive:
             knowledge.graph.register(callback.frame_name, callback.callback_topic)
     return knowledge
+
+
+#: A topic or action of each robot that tells that it is there, real or simulated.
+_ROBOT_TOPICS = (("turtlebot", "cmd_vel_mux/input/navi"), ("pr2", "r_arm_controller/joint_trajectory_action/goal"))
+
+
+def robots_up() -> Tuple[str, ...]:
+    """Return the robots that somebody offers in the running graph, by what they subscribe to."""
+    _, subscribers, _ = rosgraph.Master("/rfn").getSystemState()
+    topics = [topic for topic, nodes in subscribers if nodes]
+    return tuple(robot for robot, name in _ROBOT_TOPICS if any(topic.endswith("/" + name) for topic in topics))

@@ -155,12 +155,20 @@ class Pipeline:
         self._max_candidates = max_candidates
         self._verbs = frozenset(verb.split()[0] for verb in knowledge.lexicon.verbs)
 
+    def parse(self, text: str) -> DependencyTree:
+        """Parse a sentence with the verbs of the lexicon in mind.
+
+        Raises:
+            UnparsableText: no words
+        """
+        return self._parser.parse(text, self._verbs)
+
     def understand(self, text: str) -> Understanding:
         """Understand one sentence; every sentence gives a reply."""
         if not text.strip():
             return _nothing(text, Reply("REFUSED", "EMPTY_TEXT", "I heard nothing."))
         try:
-            tree = self._parser.parse(text, self._verbs)
+            tree = self.parse(text)
         except UnparsableText as error:
             return _nothing(text, Reply("REFUSED", "EMPTY_TEXT", f"I heard no words: {error}."))
         sentence = Sentence(tree)
