@@ -10,6 +10,13 @@ from typing import List, Optional, Sequence
 #: a subcommand that needs no ROS works without ROS, and ``rfn --help`` is quick.
 COMMANDS = (
     ("say", "roboframenet_tools.ros_say", "say a sentence to the robot and see what comes of it"),
+    ("explain", "roboframenet_tools.explain", "show how a sentence is understood, without running it"),
+    ("check", "roboframenet_tools.check", "check frame and lexical unit files"),
+    ("list", "roboframenet_tools.listing", "count domains, frames, lexical units and what is grounded, beside the paper"),
+    ("graph", "roboframenet_tools.graph", "draw the graph of semantic frames"),
+    ("new", "roboframenet_tools.new", "make the files of a new frame: frame, lexical unit, RFNServer, test"),
+    ("doctor", "roboframenet_tools.doctor", "look for what keeps the system from working"),
+    ("completion", "roboframenet_tools.completion", "print the completion of rfn for bash"),
 )
 
 

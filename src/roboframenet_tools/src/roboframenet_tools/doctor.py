@@ -1,0 +1,83 @@
+"""``rfn doctor``: what keeps the system from working, and what to do about it."""
+import argparse
+import importlib
+import os
+import sys
+from dataclasses import dataclass
+from typing import List
+
+from stanford_parser_ros.model import ModelError, check_model_folder, shipped_model_dir
+
+EXAMPLES = """examples:
+  rfn doctor
+  rfn doctor --no-master    only what needs no running graph
+
+exit status: 0 everything is well, 1 a problem
+"""
+
+
+@dataclass(frozen=True)
+class Finding:
+    """One thing that was looked at; ``advice`` is empty when it is well."""
+
+    subject: str
+    found: str
+    advice: str = ""
+
+    def __str__(self) -> str:
+        text = f"{'problem' if self.advice else 'ok':<8} {self.subject:<14} {self.found}"
+        return f"{text}\n{'':<24}-> {self.advice}" if self.advice else text
+
+
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    """Declare the arguments of ``rfn doctor``."""
+    parser.epilog = EXAMPLES
+    parser.add_argument("--no-master", action="store_true", help="do not look for a running graph")
+
+
+def run(arguments: argparse.Namespace) -> int:
+    """Print the findings; return the exit status."""
+    findings = [interpreter(), library("stanza"), library("torch"), library("rospy"), models(), host_name()]
+    if not arguments.no_master:
+        try:
+            from roboframenet_tools.ros_doctor import graph_findings
+            findings += graph_findings()
+        except ImportError as error:
+            findings.append(Finding("graph", str(error), "source devel/setup.sh (or setup.sh of the install space)"))
+    for finding in findings:
+        print(finding)
+    return 1 if any(finding.advice for finding in findings) else 0
+
+
+def interpreter() -> Finding:
+    """Look at the Python that runs this."""
+    found = f"{sys.executable} {sys.version.split()[0]}"
+    return Finding("interpreter", found, "" if sys.version_info >= (3, 8) else "use Python 3.8 or later")
+
+
+def library(name: str) -> Finding:
+    """Look whether a library can be imported."""
+    try:
+        module = importlib.import_module(name)
+    except ImportError as error:
+        advice = "source devel/setup.sh" if name == "rospy" else "run 'make setup', and rfn with the Python of its environment"
+        return Finding(name, str(error), advice)
+    return Finding(name, str(getattr(module, "__version__", "there")))
+
+
+def models() -> Finding:
+    """Look at the models of the parser."""
+    folder = shipped_model_dir()
+    try:
+        check_model_folder(folder, "default")
+    except ModelError as error:
+        return Finding("models", str(error), "restore the folder models of stanford_parser_ros")
+    return Finding("models", str(folder))
+
+
+def host_name() -> Finding:
+    """Look at the name by which other nodes reach ours."""
+    names: List[str] = [f"{name}={os.environ[name]}" for name in ("ROS_HOSTNAME", "ROS_IP") if os.environ.get(name)]
+    if names:
+        return Finding("host name", ", ".join(names))
+    return Finding("host name", "neither ROS_HOSTNAME nor ROS_IP is set", "export ROS_HOSTNAME=127.0.0.1 for one machine")
