@@ -100,10 +100,11 @@ class LaunchFollower:
         process, self._process = self._process, None
         if process is None:
             return
-        for signal_number in (signal.SIGINT, signal.SIGKILL):
+        # Killing roslaunch would leave its nodes behind: it gets its time to end them.
+        for signal_number, patience in ((signal.SIGINT, 10.0), (signal.SIGTERM, 5.0), (signal.SIGKILL, 1.0)):
             try:
                 os.killpg(process.pid, signal_number)
-                process.wait(self._timeout_s)
+                process.wait(patience * self._timeout_s)
                 return
             except ProcessLookupError:
                 process.wait(self._timeout_s)
