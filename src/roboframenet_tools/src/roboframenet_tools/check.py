@@ -87,7 +87,10 @@ def find_problems(knowledge: Knowledge, checked: Tuple[str, ...]) -> List[Proble
     problems = list(knowledge.problems) + list(knowledge.graph.unknown_children())
     for unit in knowledge.lexicon.units:
         problems += check_lexical_unit(unit, knowledge.frames)
-    return sorted((problem for problem in problems if problem.path in checked), key=lambda problem: (problem.path, problem.line))
+    # A frame that was refused has its own problem; that others name it is none.
+    refused = {f"'{name}'" for name in knowledge.read_names - set(knowledge.frames)}
+    return sorted((problem for problem in problems if problem.path in checked
+                   and not (problem.code == "UNKNOWN_FRAME" and problem.found in refused)), key=lambda problem: (problem.path, problem.line))
 
 
 class Examples:

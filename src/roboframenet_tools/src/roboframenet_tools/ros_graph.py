@@ -37,12 +37,14 @@ def live_knowledge(*, timeout_s: float) -> Knowledge:
     return knowledge
 
 
-#: A topic or action of each robot that tells that it is there, real or simulated.
-_ROBOT_TOPICS = (("turtlebot", "cmd_vel_mux/input/navi"), ("pr2", "r_arm_controller/joint_trajectory_action/goal"))
+#: Subscribed by a PR2, real or simulated; a robot that takes velocities and has no such arm counts as a Turtlebot.
+_ARM_GOAL = "r_arm_controller/joint_trajectory_action/goal"
 
 
 def robots_up() -> Tuple[str, ...]:
-    """Return the robots that somebody offers in the running graph, by what they subscribe to."""
+    """Return the robots in the running graph, by what is subscribed to in each namespace."""
     _, subscribers, _ = rosgraph.Master("/rfn").getSystemState()
     topics = [topic for topic, nodes in subscribers if nodes]
-    return tuple(robot for robot, name in _ROBOT_TOPICS if any(topic.endswith("/" + name) for topic in topics))
+    arms = {topic[:-len(_ARM_GOAL)] for topic in topics if topic.endswith("/" + _ARM_GOAL)}
+    bases = {topic[:-len("cmd_vel")] for topic in topics if topic.endswith("/cmd_vel")}
+    return ("turtlebot",) * len(bases - arms) + ("pr2",) * len(arms)

@@ -2,7 +2,7 @@
 import os
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Callable, Dict, Iterable, List, Mapping, Optional, Tuple, Union
+from typing import Callable, Dict, FrozenSet, Iterable, List, Mapping, Optional, Tuple, Union
 
 from frame_registrar import search as registrar
 from frame_registrar.graph import FrameGraph
@@ -71,11 +71,15 @@ class Understanding:
 
 @dataclass(frozen=True)
 class Knowledge:
-    """Frames and lexical units of some folders, and what is wrong with their files."""
+    """Frames and lexical units of some folders, and what is wrong with their files.
+
+    ``read_names`` are the frames of files that could be read, also of those that the graph refused.
+    """
 
     graph: FrameGraph
     lexicon: Lexicon
     problems: Tuple[Problem, ...]
+    read_names: FrozenSet[str]
 
     @property
     def frames(self) -> Mapping[str, SemanticFrame]:
@@ -129,7 +133,7 @@ def load_texts(frame_files: Iterable[Tuple[str, Callable[[], str]]],
             lexicon.add_file(text(), path)
         except FileRefused as error:
             problems += error.problems
-    return Knowledge(graph, lexicon, tuple(problems))
+    return Knowledge(graph, lexicon, tuple(problems), frozenset(owners))
 
 
 def pretend_servers(graph: FrameGraph) -> None:

@@ -1,0 +1,68 @@
+"""Explaining sentences, offline."""
+import json
+
+import pytest
+
+from roboframenet_tools import explain
+from roboframenet_tools.drawing import draw_arcs, svg_arcs
+from roboframenet_tools.explain import describe
+from roboframenet_tools.understanding import Pipeline, load_knowledge, pretend_servers, shipped_domains, to_json
+from stanford_parser_ros.tree import DependencyTree, Word
+
+TREE = DependencyTree("Take it", (Word(1, "Take", "take", "VERB", "VB", "", 0, "root"), Word(2, "it", "it", "PRON", "PRP", "", 1, "obj")))
+
+
+@pytest.fixture(scope="module")
+def pipeline():
+    knowledge = load_knowledge([shipped_domains()])
+    pretend_servers(knowledge.graph)
+    return Pipeline(knowledge)
+
+
+def test_json_of_a_command(pipeline):
+    result = to_json(pipeline.understand("Turn left 120 degrees."))
+    assert list(result) == ["text", "tokens", "frames", "left_over", "reply"]
+    frame = result["frames"][0]
+    assert (frame["name"], frame["verb_token"]) == ("turning", 1)
+    direction = next(element for element in frame["frame_elements"] if element["name"] == "direction")
+    assert direction == {"name": "direction", "argument": "left", "tokens": [2], "head_token": 2}
+    assert result["left_over"] == []
+    assert result["reply"]["outcome"] == "DONE"
+
+
+def test_negated_command_reaches_no_frame(pipeline):
+    result = to_json(pipeline.understand("Don't move."))
+    assert result["frames"] == []
+    assert result["reply"]["code"] == "NEGATED"
+
+
+def test_missing_relation_is_named(pipeline):
+    understanding = pipeline.understand("Bring.")
+    assert understanding.reply.code == "MISSING_ELEMENT"
+    assert "no dobj" in describe(understanding)
+
+
+@pytest.mark.parametrize("line", ["", "   ", "?!", "\x00", "\t", "😀", "a" * 300, "(calibrate)", "<no speech>", "\u2028go\ufffd"])
+def test_no_line_raises(pipeline, line):
+    json.dumps(to_json(pipeline.understand(line)))
+
+
+def test_an_error_becomes_a_reply(pipeline, monkeypatch):
+    def fail(text):
+        raise RuntimeError("broken")
+    monkeypatch.setattr(pipeline, "understand", fail)
+    result = to_json(pipeline.understand_safely("Turn left."))
+    assert result["reply"] == {"outcome": "FAILED", "code": "STAGE_ERROR", "sentence": "RuntimeError: broken"}
+
+
+def test_a_batch_has_a_line_for_each_line(tmp_path):
+    file = tmp_path / "lines"
+    file.write_bytes(b"one\r\n\n\xff\nlast")
+    assert explain._lines(str(file)) == ["one", "", "\ufffd", "last"]
+
+
+def test_arcs_point_at_the_dependent():
+    lines = draw_arcs(TREE).splitlines()
+    assert "obj" in lines[0]
+    assert lines[1].index("▼") > lines[1].index("●")
+    assert svg_arcs(TREE).count("<path d=\"M55") == 1
