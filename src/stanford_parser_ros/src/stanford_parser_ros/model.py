@@ -12,6 +12,8 @@ from stanford_parser_ros.spelling import Spelling, rewrite
 from stanford_parser_ros.tree import DependencyTree, Word
 
 PROCESSORS = "tokenize,mwt,pos,lemma,depparse"
+#: Used where the package has it: official packages do, the shipped one does not.
+CONSTITUENCY = "constituency"
 #: Parsed once at start: the first sentence costs several times as much as the others.
 WARM_UP = "Turn left 120 degrees."
 
@@ -62,6 +64,11 @@ def check_model_folder(folder: Path, package: str) -> None:
             raise ModelError(f"{folder} holds no model for '{processor}' of the package '{package}' ({hint})")
 
 
+def processors_of(folder: Path) -> str:
+    """Return the processors to load from a folder, as Stanza wants them."""
+    return PROCESSORS + (f",{CONSTITUENCY}" if any((folder / "en" / CONSTITUENCY).glob("*.pt")) else "")
+
+
 class Parser:
     """Parses sentences with one Stanza package; nothing is ever downloaded."""
 
@@ -87,13 +94,14 @@ class Parser:
                 f"Stanza is not installed for this Python ({error}): run 'make setup', or 'pip install stanza'"
             ) from error
         torch.set_num_threads(threads)
+        self._inference_mode: Any = torch.inference_mode
         stanza_done = time.monotonic()
         try:
             self._pipeline: Any = stanza.Pipeline(
                 "en",
                 dir=str(model_dir),
                 package=package,
-                processors=PROCESSORS,
+                processors=processors_of(model_dir),
                 download_method=None,
                 use_gpu=False,
                 tokenize_no_ssplit=True,
@@ -140,6 +148,10 @@ class Parser:
         spelling = rewrite(text)
         if not any(character.isalnum() for character in spelling.text):
             raise UnparsableText("there are no words in it")
+        with self._inference_mode():
+            return self._parse_spelling(text, spelling, verbs)
+
+    def _parse_spelling(self, text: str, spelling: Spelling, verbs: FrozenSet[str]) -> DependencyTree:
         document = self._pipeline(spelling.text)
         sentence = document.sentences[0]
         position = command_verb_position([word.text for word in sentence.words], verbs)
@@ -180,7 +192,8 @@ def _to_tree(text: str, sentence: Any, spelling: Spelling) -> DependencyTree:
                     end_character=spelling.origins[min(end, len(spelling.origins) - 1)],
                 )
             )
-    return DependencyTree(text=text, words=tuple(words))
+    constituency = getattr(sentence, CONSTITUENCY, None)
+    return DependencyTree(text=text, words=tuple(words), brackets=str(constituency) if constituency is not None else "")
 
 
 def shipped_model_dir(package_share: Optional[str] = None) -> Path:

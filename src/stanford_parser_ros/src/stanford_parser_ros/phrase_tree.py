@@ -1,4 +1,4 @@
-"""The phrase tree of a sentence, with Penn Treebank tags, projected from its dependencies.
+"""The phrase tree of a sentence, with Penn Treebank tags: of the constituency parser, or projected from its dependencies.
 
 A head projects a phrase; its dependents are the phrase's other children, in the order of the sentence. A word with a
 preposition is a
@@ -61,13 +61,44 @@ class SquashedNode:
 
 
 def phrase_tree(tree: DependencyTree) -> Tree:
-    """Return the phrase tree of a sentence."""
+    """Return the phrase tree of a sentence: what the constituency parser made of it, else what its heads project."""
+    if tree.brackets:
+        return from_brackets(tree.brackets)
     root = Tree("ROOT", 1.0)
     clause = Tree("S", 1.0)
     root.children.append(clause)
     for word in tree.children(0):
         clause.children.append(_project(tree, word))
     return root
+
+
+def from_brackets(text: str) -> Tree:
+    """Read a phrase tree in brackets: "(ROOT (NP (DT the) (NN cup)))". Words are counted from 1.
+
+    Raises:
+        ValueError: the brackets do not match
+    """
+    open_nodes: List[Tree] = []
+    position = 0
+    tokens = text.replace("(", " ( ").replace(")", " ) ").split()
+    for number, token in enumerate(tokens):
+        if token == "(":
+            if number + 1 == len(tokens) or tokens[number + 1] in "()":
+                raise ValueError(f"a bracket without a tag: {text!r}")
+            open_nodes.append(Tree(tokens[number + 1], 1.0))
+        elif token == ")":
+            if not open_nodes:
+                raise ValueError(f"a bracket that closes nothing: {text!r}")
+            node = open_nodes.pop()
+            if not open_nodes:
+                if number + 1 != len(tokens):
+                    raise ValueError(f"more than one tree: {text!r}")
+                return node
+            open_nodes[-1].children.append(node)
+        elif tokens[number - 1] != "(" and open_nodes:
+            position += 1
+            open_nodes[-1].word, open_nodes[-1].word_index = token, position
+    raise ValueError(f"a bracket that is not closed: {text!r}")
 
 
 def _project(tree: DependencyTree, word: Word) -> Tree:

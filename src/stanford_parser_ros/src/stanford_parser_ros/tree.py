@@ -39,10 +39,12 @@ class DependencyTree:
     Attributes:
         text: as it was said
         words: in order; ``words[i].index == i + 1``
+        brackets: the phrase tree as "(ROOT (S ...))", where the models have a constituency parser; empty otherwise
     """
 
     text: str
     words: Tuple[Word, ...]
+    brackets: str = ""
 
     def word(self, index: int) -> Word:
         """Return the word at a position, from 1.
