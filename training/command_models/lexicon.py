@@ -34,7 +34,8 @@ class Lexicon:
 
 
 TRAINING = Lexicon(
-    things=_words("""
+    things=_words(
+        """
         cup mug glass plate bowl bottle can jar knife fork spoon pan pot lid tray box bag basket bucket book magazine
         newspaper paper letter message parcel envelope pen pencil ruler notebook laptop computer phone mobile_phone
         cell_phone telephone tablet mouse keyboard remote remote_control remote_controller charger cable wire battery
@@ -44,33 +45,46 @@ TRAINING = Lexicon(
         screwdriver hammer wrench drill nail tool rope ladder tissue_box toilet_roll coffee_mug tea_cup wine_glass
         guitar picture photo card ticket cigarette lighter pill medicine_box umbrella watch camera radio
         salt_shaker cereal_box juice_carton water_bottle trash_bin bin garbage_bag shovel barrel cone
-        painting statue clock alarm_clock disk cd file document folder vegetable fruit slice bat basketball"""),
-    masses=_words("""
+        painting statue clock alarm_clock disk cd file document folder vegetable fruit slice bat basketball"""
+    ),
+    masses=_words(
+        """
         water milk coffee tea juice wine bread butter cheese rice sugar salt soup yogurt food meat rubbish garbage
-        laundry paper music soap toast lettuce fish dust news mail luggage breakfast lunch dinner stuff"""),
-    fixtures=_words("""
+        laundry paper music soap toast lettuce fish dust news mail luggage breakfast lunch dinner stuff"""
+    ),
+    fixtures=_words(
+        """
         table desk chair sofa couch bed shelf cupboard cabinet closet wardrobe drawer counter sink fridge refrigerator
         oven stove microwave dishwasher washing_machine television tv lamp light window door curtain fan heater radio
         switch stereo armchair bench stool nightstand bedside_table coffee_table dining_table kitchen_table side_table
         bookshelf bathtub shower toilet fireplace socket power_socket wall gate stairs ladder tap faucet carpet rug
         printer monitor screen board whiteboard bookcase dresser rack box pantry main_door front_door oven_door
-        dinner_table tv_stand doorway machine elevator charger station"""),
-    places=_words("""
+        dinner_table tv_stand doorway machine elevator charger station"""
+    ),
+    places=_words(
+        """
         kitchen bathroom bedroom living_room dining_room office hallway hall corridor garden garage studio studio_room
         laundry_room lobby entrance exit room library lab laboratory classroom meeting_room restroom toilet balcony
         terrace basement cellar attic building house apartment corner door street shop store hotel dinner_room
-        livingroom guest_room conference_room playroom yard center middle reception starting_point stair landing"""),
-    people=_words("""
+        livingroom guest_room conference_room playroom yard center middle reception starting_point stair landing"""
+    ),
+    people=_words(
+        """
         man woman person boy girl child guy lady mother father brother sister friend guest visitor doctor nurse
-        teacher student neighbor waiter manager boss baby kid grandmother grandfather postman operator team class"""),
-    names=_words("""
+        teacher student neighbor waiter manager boss baby kid grandmother grandfather postman operator team class"""
+    ),
+    names=_words(
+        """
         Roger Anna Peter Maria John Mary Michael Sarah David Laura Tom Susan Paul Julia Robert Linda James Emma Mark
-        Karen Daniel Marco Alice Bob Charles Diana Eric Frank Helen Jack Kate Luke Nina Oliver Sam Victor Ben Brian"""),
+        Karen Daniel Marco Alice Bob Charles Diana Eric Frank Helen Jack Kate Luke Nina Oliver Sam Victor Ben Brian"""
+    ),
     robots=_words("Robbie Max Rob buddy Pepper Nao Baxter Marvin Alfred Jarvis dude man sir"),
-    adjectives=_words("""
+    adjectives=_words(
+        """
         red blue green yellow black white brown grey big small large little old new long short clean dirty empty full
         heavy light hot cold wooden plastic metal round square tall soft pink orange purple dark bright fresh broken
-        nearest closest other next last first second third main left right far near empty wet dry thin thick warm"""),
+        nearest closest other next last first second third main left right far near empty wet dry thin thick warm"""
+    ),
     states=_words("open closed on off hot cold clean dirty empty full ready locked free busy warm wet dry here there"),
     transitive=_words(
         """
@@ -82,26 +96,34 @@ TRAINING = Lexicon(
         draw write name call phone greet welcome hug tickle help visit enter leave reach cross pass explore search
         locate detect recognize identify point track monitor guard use test adjust raise lower tilt shake squeeze
         twist rotate turn spin roll slide drag hang store keep save buy order serve offer deliver hand send describe
-        explain remember forget learn repeat say sing tell answer ask enjoy finish continue cancel hide steady set prepare
-        make control activate charge ignore approach avoid tidy water switch face center align nudge shut grip eat drink"""
+        explain remember forget learn repeat say sing tell answer ask enjoy finish continue cancel hide steady set
+        prepare
+        make control activate charge ignore approach avoid tidy water switch face center align nudge shut grip eat
+        drink"""
     ),
-    intransitive=_words("""
+    intransitive=_words(
+        """
         stop wait go come move walk run drive turn rotate spin dance sing speak talk listen sleep wake rest sit stand
         jump hop roll stay return leave continue begin start finish proceed advance reverse wave nod smile laugh
         relax freeze hurry explore charge recharge dock undock ping park beep bow crouch kneel stretch swim fly climb
         look search pause halt retreat drift circle patrol help try work think breathe swing shake step veer pivot
-        calibrate reboot restart repeat answer knock"""),
-    manners=_words("""
+        calibrate reboot restart repeat answer knock"""
+    ),
+    manners=_words(
+        """
         slowly quickly carefully gently quietly fast immediately closely straight carefully smoothly softly faster
-        slower backwards sideways together alone again now here there upstairs downstairs outside inside"""),
+        slower backwards sideways together alone again now here there upstairs downstairs outside inside"""
+    ),
     gestures=_words("hug kiss smile wave hand high_five fist_bump break moment minute second chance"),
     noise=_words("song joke story poem melody name sentence word"),
 )
 
 EVALUATION = Lexicon(
-    things=_words("""
+    things=_words(
+        """
         thermos ladle spatula colander whisk stapler calculator teapot saucer corkscrew grater flashlight helmet
-        binder cardigan sandal pineapple zucchini muffin marker shampoo hairbrush trophy kettle"""),
+        binder cardigan sandal pineapple zucchini muffin marker shampoo hairbrush trophy kettle"""
+    ),
     masses=_words("honey mustard flour lemonade detergent oatmeal"),
     fixtures=_words("hutch bureau freezer toaster dryer thermostat chandelier recliner crib ottoman pedestal blender"),
     places=_words("pharmacy nursery gymnasium foyer veranda cafeteria workshop greenhouse vestibule canteen"),
@@ -110,9 +132,11 @@ EVALUATION = Lexicon(
     robots=_words("Zeno Rover Clank Tinman Optimus Gizmo"),
     adjectives=_words("crimson turquoise tiny shiny fragile rectangular striped beige transparent rusty"),
     states=_words("ajar unlocked spotless unplugged lukewarm"),
-    transitive=_words("""
+    transitive=_words(
+        """
         rummage hoist polish marinate dismantle sterilize tow retrieve unscrew juggle mash disinfect assemble sprinkle
-        drain puncture caress wiggle"""),
+        drain puncture caress wiggle"""
+    ),
     intransitive=_words("crawl twirl tiptoe meditate whistle yawn wobble levitate applaud stroll hibernate scoot"),
     manners=_words("cautiously briskly silently steadily clumsily"),
     gestures=_words("salute massage"),

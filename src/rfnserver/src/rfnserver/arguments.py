@@ -1,4 +1,5 @@
 """Reads the arguments of a filled frame: words, lengths, angles."""
+
 from typing import Any
 
 from spoken_quantities import QuantityError, parse_measure, parse_number
@@ -12,11 +13,14 @@ def argument(frame: Any, name: str, default: str = "") -> str:
     """Return the argument of a frame element.
 
     Args:
-        frame: anything with ``frame_elements`` that have ``name`` and ``argument``, such as the message FilledSemanticFrame
+        frame: anything with ``frame_elements`` that have ``name`` and ``argument``, such as the message
+            FilledSemanticFrame
         name: of the element
         default: returned when the element has no argument
     """
-    return next((element.argument for element in frame.frame_elements if element.name == name and element.argument), default)
+    return next(
+        (element.argument for element in frame.frame_elements if element.name == name and element.argument), default
+    )
 
 
 def required(frame: Any, name: str) -> str:

@@ -1,10 +1,16 @@
 """``RFNServer``: an action server that registers for semantic frames."""
+
 import traceback
 from typing import Any, Callable, Optional
 
 import actionlib
 import rospy
-from roboframenet_msgs.msg import FilledSemanticFrame, FilledSemanticFrameAction, FilledSemanticFrameGoal, FilledSemanticFrameResult
+from roboframenet_msgs.msg import (
+    FilledSemanticFrame,
+    FilledSemanticFrameAction,
+    FilledSemanticFrameGoal,
+    FilledSemanticFrameResult,
+)
 
 from rfnserver.ros_quiet_action_server import QuietActionServer
 from rfnserver.ros_registration import Registration
@@ -25,11 +31,14 @@ class RFNServer(actionlib.SimpleActionServer):
         server.register_with_frame("waving")
         server.start()
 
-    The callback gets the filled frame. If it returns without having ended the goal, the goal succeeds (or is preempted, when that
+    The callback gets the filled frame. If it returns without having ended the goal, the goal succeeds (or is preempted,
+    when that
     was asked for); if it raises, the goal is aborted with the reason. ``set_aborted(text=...)`` tells the person why.
 
-    Files and registrations may be added before and after ``start()``; they are given again by themselves to a registrar or framer
-    that restarts. In contrast to the stock server there is no lost wake-up between two goals, no traceback at shutdown, and nothing to do
+    Files and registrations may be added before and after ``start()``; they are given again by themselves to a registrar
+    or framer
+    that restarts. In contrast to the stock server there is no lost wake-up between two goals, no traceback at shutdown,
+    and nothing to do
     while there is no goal.
     """
 
@@ -44,7 +53,8 @@ class RFNServer(actionlib.SimpleActionServer):
         super().__init__(name, FilledSemanticFrameAction, execute_cb=self._execute_frame, auto_start=False)
         # The one that the base class made was never started: it has no topics yet.
         self.action_server = QuietActionServer(
-            name, FilledSemanticFrameAction, self.internal_goal_callback, self.internal_preempt_callback, False)
+            name, FilledSemanticFrameAction, self.internal_goal_callback, self.internal_preempt_callback, False
+        )
         rospy.on_shutdown(self._wake_up)
 
     @property
@@ -58,7 +68,8 @@ class RFNServer(actionlib.SimpleActionServer):
         Args:
             frame_name: of a frame, also one whose file is added later
         Returns:
-            True when the registrar agreed; False when it did not or is not there, logged, and tried again when it appears
+            True when the registrar agreed; False when it did not or is not there, logged, and tried again when it
+            appears
         """
         return self._registration.want(WishKind.REGISTRATION, frame_name)
 
@@ -88,7 +99,8 @@ class RFNServer(actionlib.SimpleActionServer):
     def executeLoop(self) -> None:  # the name is the base class's
         """Wait for goals and run the callback, until shutdown.
 
-        The stock loop looks for a goal before it takes the lock and then sleeps a tenth of a second: a goal that comes in between
+        The stock loop looks for a goal before it takes the lock and then sleeps a tenth of a second: a goal that comes
+            in between
         waits as long. Here both happen under the lock.
         """
         while not rospy.is_shutdown():

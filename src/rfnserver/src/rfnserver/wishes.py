@@ -1,4 +1,5 @@
 """What a server wants the registrar and the framer to know, and what of it they do not know yet."""
+
 from dataclasses import dataclass
 from enum import Enum
 from typing import FrozenSet, Iterable, Optional, Tuple
@@ -40,7 +41,9 @@ class Knowledge:
     registrations: FrozenSet[str] = frozenset()
 
 
-def forgotten(wishes: Iterable[Wish], *, registrar: Optional[Knowledge], framer: Optional[Knowledge]) -> Tuple[Wish, ...]:
+def forgotten(
+    wishes: Iterable[Wish], *, registrar: Optional[Knowledge], framer: Optional[Knowledge]
+) -> Tuple[Wish, ...]:
     """Return the wishes that the other side does not know.
 
     Args:
@@ -52,7 +55,9 @@ def forgotten(wishes: Iterable[Wish], *, registrar: Optional[Knowledge], framer:
     for wish in wishes:
         if wish.kind is WishKind.FRAME_FILE and registrar is not None and wish.subject not in registrar.files:
             missing.append(wish)
-        elif wish.kind is WishKind.REGISTRATION and registrar is not None and wish.subject not in registrar.registrations:
+        elif (
+            wish.kind is WishKind.REGISTRATION and registrar is not None and wish.subject not in registrar.registrations
+        ):
             missing.append(wish)
         elif wish.kind is WishKind.LEXICAL_UNIT_FILE and framer is not None and wish.subject not in framer.files:
             missing.append(wish)

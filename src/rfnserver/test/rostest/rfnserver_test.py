@@ -8,8 +8,14 @@ from typing import Any, Callable, List
 import actionlib
 import rospy
 from actionlib_msgs.msg import GoalStatus, GoalStatusArray
-from roboframenet_msgs.msg import (FilledFrameElement, FilledSemanticFrame, FilledSemanticFrameAction, FilledSemanticFrameGoal,
-                                   FrameCallback, FrameCatalogue)
+from roboframenet_msgs.msg import (
+    FilledFrameElement,
+    FilledSemanticFrame,
+    FilledSemanticFrameAction,
+    FilledSemanticFrameGoal,
+    FrameCallback,
+    FrameCatalogue,
+)
 from roboframenet_msgs.srv import RegisterWithFrame, RegisterWithFrameRequest, RegisterWithFrameResponse
 
 from rfnserver import RFNServer
@@ -50,9 +56,15 @@ class Registrar:
         self._publish()
 
     def _publish(self) -> None:
-        self._publisher.publish(FrameCatalogue(registrar_id=self._id, callbacks=[
-            FrameCallback(frame_name=request.frame_name, callback_topic=request.callback_topic, is_alive=True)
-            for request in self.requests]))
+        self._publisher.publish(
+            FrameCatalogue(
+                registrar_id=self._id,
+                callbacks=[
+                    FrameCallback(frame_name=request.frame_name, callback_topic=request.callback_topic, is_alive=True)
+                    for request in self.requests
+                ],
+            )
+        )
 
     def _on_register(self, request: RegisterWithFrameRequest) -> RegisterWithFrameResponse:
         if request.frame_name == "forbidden":
@@ -87,6 +99,7 @@ class RFNServerTest(unittest.TestCase):
     def test_exception_aborts_with_its_reason(self) -> None:
         def fall_over(_frame: FilledSemanticFrame) -> None:
             raise RuntimeError("no legs")
+
         self.serve("falling", fall_over)
         goal = Goal("falling", FilledSemanticFrame())
         self.assertEqual(goal.wait(), GoalStatus.ABORTED)
@@ -146,5 +159,6 @@ class RFNServerTest(unittest.TestCase):
 
 if __name__ == "__main__":
     import rostest
+
     rospy.init_node("rfnserver_test")
     rostest.rosrun("rfnserver", "rfnserver", RFNServerTest)

@@ -1,4 +1,5 @@
 """Arguments of filled frames."""
+
 import math
 from types import SimpleNamespace
 
@@ -7,7 +8,9 @@ from rfnserver.arguments import ArgumentError, angle_rad, argument, duration_s, 
 
 
 def frame(**arguments: str) -> SimpleNamespace:
-    return SimpleNamespace(frame_elements=[SimpleNamespace(name=name, argument=text) for name, text in arguments.items()])
+    return SimpleNamespace(
+        frame_elements=[SimpleNamespace(name=name, argument=text) for name, text in arguments.items()]
+    )
 
 
 def test_argument_of_an_element_that_is_not_there() -> None:

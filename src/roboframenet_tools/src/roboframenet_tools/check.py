@@ -1,4 +1,5 @@
 """``rfn check``: what is wrong with frame and lexical unit files."""
+
 import argparse
 import os
 import sys
@@ -24,9 +25,17 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Declare the arguments of ``rfn check``."""
     parser.epilog = EXAMPLES
     parser.add_argument("paths", nargs="+", help="files, and folders with the folders frames and lexical_units in them")
-    parser.add_argument("--with", dest="others", action="append", default=[], metavar="FOLDER",
-                        help="frames and units that the files may refer to, not checked themselves")
-    parser.add_argument("--examples", action="store_true", help="run each unit's examples through the parser and the framer")
+    parser.add_argument(
+        "--with",
+        dest="others",
+        action="append",
+        default=[],
+        metavar="FOLDER",
+        help="frames and units that the files may refer to, not checked themselves",
+    )
+    parser.add_argument(
+        "--examples", action="store_true", help="run each unit's examples through the parser and the framer"
+    )
 
 
 def run(arguments: argparse.Namespace) -> int:
@@ -89,8 +98,14 @@ def find_problems(knowledge: Knowledge, checked: Tuple[str, ...]) -> List[Proble
         problems += check_lexical_unit(unit, knowledge.frames)
     # A frame that was refused has its own problem; that others name it is none.
     refused = {f"'{name}'" for name in knowledge.read_names - set(knowledge.frames)}
-    return sorted((problem for problem in problems if problem.path in checked
-                   and not (problem.code == "UNKNOWN_FRAME" and problem.found in refused)), key=lambda problem: (problem.path, problem.line))
+    return sorted(
+        (
+            problem
+            for problem in problems
+            if problem.path in checked and not (problem.code == "UNKNOWN_FRAME" and problem.found in refused)
+        ),
+        key=lambda problem: (problem.path, problem.line),
+    )
 
 
 class Examples:
@@ -108,7 +123,8 @@ class Examples:
     def problem(self, unit: LexicalUnit, example: Example) -> Optional[Problem]:
         """Return why an example is not understood as its unit says, None if it is.
 
-        It is when it is one clause and one of the readings that are offered has the unit's frame and the expected arguments.
+        It is when it is one clause and one of the readings that are offered has the unit's frame and the expected
+        arguments.
         """
         outcome, _ = read(self._pipeline.parse(example.text), self.knowledge.lexicon, self.knowledge.frames)
         if not isinstance(outcome, Understood):
@@ -117,18 +133,33 @@ class Examples:
             for reading in outcome.clauses[0] if len(outcome.clauses) == 1 else ():
                 arguments = {value.name: value.argument for value in reading.values}
                 if reading.unit.frame_name == unit.frame_name and all(
-                        arguments.get(name) == text for name, text in example.frame_elements.items()):
+                    arguments.get(name) == text for name, text in example.frame_elements.items()
+                ):
                     return None
-            found = "; ".join(f"{readings[0].unit.frame_name}("
-                              + ", ".join(f"{value.name}={value.argument}" for value in readings[0].values) + ")"
-                              for readings in outcome.clauses)
+            found = "; ".join(
+                f"{readings[0].unit.frame_name}("
+                + ", ".join(f"{value.name}={value.argument}" for value in readings[0].values)
+                + ")"
+                for readings in outcome.clauses
+            )
         expected = ", ".join(f"{name}={text}" for name, text in example.frame_elements.items())
-        return Problem("EXAMPLE_NOT_UNDERSTOOD", unit.path, example.line, f'"{example.text}"', found,
-                       f"{unit.frame_name}({expected})", "'rfn explain' shows why")
+        return Problem(
+            "EXAMPLE_NOT_UNDERSTOOD",
+            unit.path,
+            example.line,
+            f'"{example.text}"',
+            found,
+            f"{unit.frame_name}({expected})",
+            "'rfn explain' shows why",
+        )
 
 
 def example_problems(examples: Examples, checked: Tuple[str, ...]) -> List[Problem]:
     """Run the examples of every checked unit."""
-    found = [examples.problem(unit, example) for unit in examples.knowledge.lexicon.units if unit.path in checked
-             for example in unit.examples]
+    found = [
+        examples.problem(unit, example)
+        for unit in examples.knowledge.lexicon.units
+        if unit.path in checked
+        for example in unit.examples
+    ]
     return [problem for problem in found if problem is not None]

@@ -1,4 +1,5 @@
 """The command line ``rfn``: one subcommand for each thing a person asks of the system."""
+
 import argparse
 import importlib
 import sys
@@ -12,7 +13,11 @@ COMMANDS = (
     ("say", "roboframenet_tools.ros_say", "say a sentence to the robot and see what comes of it"),
     ("explain", "roboframenet_tools.explain", "show how a sentence is understood, without running it"),
     ("check", "roboframenet_tools.check", "check frame and lexical unit files"),
-    ("list", "roboframenet_tools.listing", "count domains, frames, lexical units and what is grounded, beside the paper"),
+    (
+        "list",
+        "roboframenet_tools.listing",
+        "count domains, frames, lexical units and what is grounded, beside the paper",
+    ),
     ("graph", "roboframenet_tools.graph", "draw the graph of semantic frames"),
     ("new", "roboframenet_tools.new", "make the files of a new frame: frame, lexical unit, RFNServer, test"),
     ("doctor", "roboframenet_tools.doctor", "look for what keeps the system from working"),
@@ -30,12 +35,16 @@ def main(argv: Optional[Sequence[str]] = None) -> int:
     """
     words: List[str] = list(sys.argv[1:] if argv is None else argv)
     parser = argparse.ArgumentParser(
-        prog="rfn", description="RoboFrameNet from the command line.", epilog="'rfn COMMAND --help' tells more of each.")
+        prog="rfn", description="RoboFrameNet from the command line.", epilog="'rfn COMMAND --help' tells more of each."
+    )
     subparsers = parser.add_subparsers(dest="command", metavar="COMMAND")
     for name, module, line in COMMANDS:
         subparser = subparsers.add_parser(
-            name, help=line, description=line[0].upper() + line[1:] + ".",
-            formatter_class=argparse.RawDescriptionHelpFormatter)
+            name,
+            help=line,
+            description=line[0].upper() + line[1:] + ".",
+            formatter_class=argparse.RawDescriptionHelpFormatter,
+        )
         if words[:1] == [name]:
             importlib.import_module(module).add_arguments(subparser)
     arguments = parser.parse_args(words)

@@ -1,4 +1,5 @@
 """``rfn doctor``: what keeps the system from working, and what to do about it."""
+
 import argparse
 import importlib
 import os
@@ -41,6 +42,7 @@ def run(arguments: argparse.Namespace) -> int:
     if not arguments.no_master:
         try:
             from roboframenet_tools.ros_doctor import graph_findings
+
             findings += graph_findings()
         except ImportError as error:
             findings.append(Finding("graph", str(error), "source devel/setup.sh (or setup.sh of the install space)"))
@@ -60,7 +62,11 @@ def library(name: str) -> Finding:
     try:
         module = importlib.import_module(name)
     except ImportError as error:
-        advice = "source devel/setup.sh" if name == "rospy" else "run 'make setup', and rfn with the Python of its environment"
+        advice = (
+            "source devel/setup.sh"
+            if name == "rospy"
+            else "run 'make setup', and rfn with the Python of its environment"
+        )
         return Finding(name, str(error), advice)
     return Finding(name, str(getattr(module, "__version__", "there")))
 
@@ -80,4 +86,6 @@ def host_name() -> Finding:
     names: List[str] = [f"{name}={os.environ[name]}" for name in ("ROS_HOSTNAME", "ROS_IP") if os.environ.get(name)]
     if names:
         return Finding("host name", ", ".join(names))
-    return Finding("host name", "neither ROS_HOSTNAME nor ROS_IP is set", "export ROS_HOSTNAME=127.0.0.1 for one machine")
+    return Finding(
+        "host name", "neither ROS_HOSTNAME nor ROS_IP is set", "export ROS_HOSTNAME=127.0.0.1 for one machine"
+    )

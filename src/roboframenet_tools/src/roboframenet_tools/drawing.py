@@ -1,4 +1,5 @@
 """Draws a dependency tree as arcs: in a terminal and as SVG."""
+
 from typing import List, Tuple
 from xml.sax.saxutils import escape
 
@@ -9,7 +10,9 @@ def _levels(tree: DependencyTree) -> List[Tuple[Word, int]]:
     """Words with a head, and how high the arc of each must pass, from 1; short arcs lie below long ones."""
     placed: List[Tuple[int, int, int]] = []
     found = []
-    for word in sorted((word for word in tree.words if word.head), key=lambda word: (abs(word.head - word.index), word.index)):
+    for word in sorted(
+        (word for word in tree.words if word.head), key=lambda word: (abs(word.head - word.index), word.index)
+    ):
         left, right = sorted((word.index, word.head))
         level = 1 + max((height for low, high, height in placed if low < right and left < high), default=0)
         placed.append((left, right, level))
@@ -34,10 +37,10 @@ def draw_arcs(tree: DependencyTree) -> str:
         for column in range(left + 1, right):
             row[column] = "─"
         row[left], row[right] = "╭" if row[left] == " " else "┬", "╮" if row[right] == " " else "┬"
-        label = word.deprel[:max(0, right - left - 1)]
+        label = word.deprel[: max(0, right - left - 1)]
         begin = left + 1 + (right - left - 1 - len(label)) // 2
-        row[begin:begin + len(label)] = list(label)
-        for below in rows[height - level + 1:]:
+        row[begin : begin + len(label)] = list(label)
+        for below in rows[height - level + 1 :]:
             for column in (start, end):
                 if below[column] == " ":
                     below[column] = "│"
@@ -55,17 +58,27 @@ def svg_arcs(tree: DependencyTree) -> str:
     pitch, step = 110, 34
     levels = _levels(tree)
     base = 40 + step * max((level for _, level in levels), default=1)
-    parts = [f'<svg xmlns="http://www.w3.org/2000/svg" width="{pitch * len(tree.words)}" height="{base + 60}" font-family="sans-serif">',
-             '<defs><marker id="tip" markerWidth="8" markerHeight="8" refX="4" refY="4" orient="auto">'
-             '<path d="M0,0 L8,4 L0,8 z"/></marker></defs>']
+    parts = [
+        f'<svg xmlns="http://www.w3.org/2000/svg" width="{pitch * len(tree.words)}" height="{base + 60}" font-family="sans-serif">',
+        '<defs><marker id="tip" markerWidth="8" markerHeight="8" refX="4" refY="4" orient="auto">'
+        '<path d="M0,0 L8,4 L0,8 z"/></marker></defs>',
+    ]
     for word, level in levels:
         start, end = (pitch * index - pitch // 2 for index in (word.head, word.index))
         top = base - step * level
-        parts.append(f'<path d="M{start},{base} L{start},{top} L{end},{top} L{end},{base - 4}" fill="none" stroke="#456" marker-end="url(#tip)"/>')
-        parts.append(f'<text x="{(start + end) // 2}" y="{top - 4}" font-size="12" text-anchor="middle">{escape(word.deprel)}</text>')
+        parts.append(
+            f'<path d="M{start},{base} L{start},{top} L{end},{top} L{end},{base - 4}" fill="none" stroke="#456" marker-end="url(#tip)"/>'
+        )
+        parts.append(
+            f'<text x="{(start + end) // 2}" y="{top - 4}" font-size="12" text-anchor="middle">{escape(word.deprel)}</text>'
+        )
     for word in tree.words:
         x = pitch * word.index - pitch // 2
         weight = ' font-weight="bold"' if word.head == 0 else ""
-        parts.append(f'<text x="{x}" y="{base + 22}" font-size="16" text-anchor="middle"{weight}>{escape(word.form)}</text>')
-        parts.append(f'<text x="{x}" y="{base + 40}" font-size="11" fill="#777" text-anchor="middle">{escape(word.upos)}</text>')
+        parts.append(
+            f'<text x="{x}" y="{base + 22}" font-size="16" text-anchor="middle"{weight}>{escape(word.form)}</text>'
+        )
+        parts.append(
+            f'<text x="{x}" y="{base + 40}" font-size="11" fill="#777" text-anchor="middle">{escape(word.upos)}</text>'
+        )
     return "\n".join(parts + ["</svg>"]) + "\n"

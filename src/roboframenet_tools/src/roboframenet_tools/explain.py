@@ -1,11 +1,20 @@
 """``rfn explain``: how a sentence is understood, step by step."""
+
 import argparse
 import json
 import sys
 from typing import List
 
 from roboframenet_tools.drawing import draw_arcs, svg_arcs
-from roboframenet_tools.understanding import Knowledge, Pipeline, Understanding, load_knowledge, pretend_servers, shipped_domains, to_json
+from roboframenet_tools.understanding import (
+    Knowledge,
+    Pipeline,
+    Understanding,
+    load_knowledge,
+    pretend_servers,
+    shipped_domains,
+    to_json,
+)
 from stanford_parser_ros.model import ModelError
 
 EXAMPLES = """examples:
@@ -22,8 +31,12 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Declare the arguments of ``rfn explain``."""
     parser.epilog = EXAMPLES
     parser.add_argument("text", nargs="*", help="the sentence")
-    parser.add_argument("--domains", action="append", metavar="FOLDER", help="folder of frames and units (default: those shipped)")
-    parser.add_argument("--live", action="store_true", help="frames, units and servers of the running graph; needs a ROS master")
+    parser.add_argument(
+        "--domains", action="append", metavar="FOLDER", help="folder of frames and units (default: those shipped)"
+    )
+    parser.add_argument(
+        "--live", action="store_true", help="frames, units and servers of the running graph; needs a ROS master"
+    )
     parser.add_argument("--svg", metavar="FILE", help="also draw the parse into this file")
     parser.add_argument("--batch", metavar="FILE", help="one sentence a line; '-' reads standard input")
     parser.add_argument("--json", action="store_true", help="one JSON object a sentence")
@@ -44,7 +57,10 @@ def run(arguments: argparse.Namespace) -> int:
         print(problem, file=sys.stderr)
     for line in lines:
         understanding = pipeline.understand_safely(line)
-        print(json.dumps(to_json(understanding), ensure_ascii=False) if arguments.json else describe(understanding), flush=True)
+        print(
+            json.dumps(to_json(understanding), ensure_ascii=False) if arguments.json else describe(understanding),
+            flush=True,
+        )
     if arguments.batch:
         return 0
     if arguments.svg and understanding.tree is not None:
@@ -67,6 +83,7 @@ def _lines(path: str) -> List[str]:
 def _knowledge(arguments: argparse.Namespace) -> Knowledge:
     if arguments.live:
         from roboframenet_tools.ros_graph import live_knowledge
+
         return live_knowledge(timeout_s=10.0)
     knowledge = load_knowledge(arguments.domains or [shipped_domains()])
     pretend_servers(knowledge.graph)
@@ -82,7 +99,11 @@ def describe(understanding: Understanding) -> str:
         lines.append(f"clause {number}: {len(attempts)} lexical units tried")
         for attempt in attempts:
             place = f"{attempt.unit.path.rsplit('/', 1)[-1]}:{attempt.unit.line}"
-            elements = ", ".join(f"{value.name}={value.argument}" for value in attempt.reading.values) if attempt.reading else ""
+            elements = (
+                ", ".join(f"{value.name}={value.argument}" for value in attempt.reading.values)
+                if attempt.reading
+                else ""
+            )
             verdict = "no" if attempt.reading is None else "incomplete" if attempt.wanted else "fits"
             lines.append(f"  {verdict:<10} {attempt.verb} -> {attempt.unit.frame_name}({elements})  [{place}]")
             lines += [f"             no {relations} for {element}" for element, relations in attempt.wanted]
@@ -93,8 +114,10 @@ def describe(understanding: Understanding) -> str:
     if understanding.readings:
         lines.append("frames reached: " + ", then ".join(reading.unit.frame_name for reading in understanding.readings))
     for number, candidate in enumerate(understanding.candidates, start=1):
-        steps = ", then ".join(f"{frame.name}({', '.join(f'{name}={text}' for name, text in frame.arguments)}) on {frame.server}"
-                               for frame in candidate.frames)
+        steps = ", then ".join(
+            f"{frame.name}({', '.join(f'{name}={text}' for name, text in frame.arguments)}) on {frame.server}"
+            for frame in candidate.frames
+        )
         lines.append(f"{'would run' if number == 1 else 'otherwise'}: {steps}")
     reply = understanding.reply
     lines.append(f"reply: {reply.outcome.lower().replace('_', ' ')} [{reply.code}] {reply.sentence}")

@@ -1,4 +1,5 @@
 """``rfn graph``: the graph of semantic frames as SVG or dot."""
+
 import argparse
 import sys
 from typing import Dict, List, Mapping
@@ -16,7 +17,9 @@ EXAMPLES = """examples:
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Declare the arguments of ``rfn graph``."""
     parser.epilog = EXAMPLES
-    parser.add_argument("--domains", action="append", metavar="FOLDER", help="folder of frames (default: those shipped)")
+    parser.add_argument(
+        "--domains", action="append", metavar="FOLDER", help="folder of frames (default: those shipped)"
+    )
     form = parser.add_mutually_exclusive_group(required=True)
     form.add_argument("--svg", metavar="FILE", help="write SVG; '-' for standard output")
     form.add_argument("--dot", metavar="FILE", help="write the language of Graphviz; '-' for standard output")
@@ -39,19 +42,26 @@ def run(arguments: argparse.Namespace) -> int:
 
 
 def dot(graph: FrameGraph) -> str:
-    """Return the graph for Graphviz: steps of a sequence are numbered, a frame that stands alone for its parent is dashed."""
+    """Return the graph for Graphviz: steps of a sequence are numbered, a frame that stands alone for its parent is
+    dashed.
+    """
     lines = ["digraph frames {", "  rankdir=LR; node [shape=box, fontname=sans];"]
     lines += [f'  "{name}";' for name in graph.frames]
     for parent, child, label in _edges(graph):
-        lines.append(f'  "{parent}" -> "{child}" [label="{label}"];' if label else f'  "{parent}" -> "{child}" [style=dashed];')
+        lines.append(
+            f'  "{parent}" -> "{child}" [label="{label}"];' if label else f'  "{parent}" -> "{child}" [style=dashed];'
+        )
     return "\n".join(lines + ["}"]) + "\n"
 
 
 def _edges(graph: FrameGraph) -> List[tuple]:
     """Parent, child, and for a sequence its number and the step in it: "1.2"."""
-    return [(frame.name, child.name, f"{number}.{step}" if len(sequence) > 1 else "")
-            for frame in graph.frames.values() for number, sequence in enumerate(frame.children, start=1)
-            for step, child in enumerate(sequence, start=1)]
+    return [
+        (frame.name, child.name, f"{number}.{step}" if len(sequence) > 1 else "")
+        for frame in graph.frames.values()
+        for number, sequence in enumerate(frame.children, start=1)
+        for step, child in enumerate(sequence, start=1)
+    ]
 
 
 def layers(graph: FrameGraph) -> Dict[str, int]:
@@ -86,7 +96,9 @@ def svg(graph: FrameGraph) -> str:
         place[name] = (20 + 240 * column, 20 + 34 * rows.get(column, 0))
         rows[column] = rows.get(column, 0) + 1
     width, height = 20 + 240 * (last + 1), 40 + 34 * max(rows.values(), default=0)
-    parts = [f'<svg xmlns="http://www.w3.org/2000/svg" width="{width}" height="{height}" font-family="sans-serif" font-size="12">']
+    parts = [
+        f'<svg xmlns="http://www.w3.org/2000/svg" width="{width}" height="{height}" font-family="sans-serif" font-size="12">'
+    ]
     for parent, child, label in edges:
         (x, y), (to_x, to_y) = place[parent], place[child]
         dash = "" if label else ' stroke-dasharray="4 3"'

@@ -1,4 +1,5 @@
 """``rfn list``: the paper's evaluation table beside ours, counted."""
+
 import argparse
 import os
 import sys
@@ -15,8 +16,14 @@ EXAMPLES = """examples:
 Grounded frames, complete domains and robots are those of the running graph; without a ROS master they are shown as '-'.
 """
 #: Thomas and Jenkins, ICRA 2012, section V.
-PAPER = (("domains", "10"), ("frames", "52"), ("lexical units", "-"), ("domains with grounded frames", "6"), ("grounded frames", "16"),
-         ("robots", "2"))
+PAPER = (
+    ("domains", "10"),
+    ("frames", "52"),
+    ("lexical units", "-"),
+    ("domains with grounded frames", "6"),
+    ("grounded frames", "16"),
+    ("robots", "2"),
+)
 
 
 @dataclass(frozen=True)
@@ -32,7 +39,9 @@ class Domain:
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Declare the arguments of ``rfn list``."""
     parser.epilog = EXAMPLES
-    parser.add_argument("--domains", action="append", metavar="FOLDER", help="folder of domains (default: those shipped)")
+    parser.add_argument(
+        "--domains", action="append", metavar="FOLDER", help="folder of domains (default: those shipped)"
+    )
 
 
 def run(arguments: argparse.Namespace) -> int:
@@ -41,6 +50,7 @@ def run(arguments: argparse.Namespace) -> int:
     live, robots = None, None  # type: Optional[Knowledge], Optional[Tuple[str, ...]]
     try:
         from roboframenet_tools.ros_graph import is_master_up, live_knowledge, robots_up
+
         if is_master_up():
             live = live_knowledge(timeout_s=5.0)
             robots = robots_up()
@@ -53,8 +63,10 @@ def run(arguments: argparse.Namespace) -> int:
 def is_grounded(graph: FrameGraph, name: str) -> bool:
     """Whether living servers can carry a frame out: one of its own, or those of one of its sequences of children."""
     frame = graph.frame(name)
-    return bool(graph.servers(name)) or (frame is not None and any(
-        all(is_grounded(graph, child.name) for child in sequence) for sequence in frame.children))
+    return bool(graph.servers(name)) or (
+        frame is not None
+        and any(all(is_grounded(graph, child.name) for child in sequence) for sequence in frame.children)
+    )
 
 
 def count(knowledge: Knowledge, live: Optional[FrameGraph]) -> Tuple[Domain, ...]:
@@ -62,10 +74,15 @@ def count(knowledge: Knowledge, live: Optional[FrameGraph]) -> Tuple[Domain, ...
     domains = {}
     for name, frame in knowledge.frames.items():
         domains.setdefault(_domain(frame.path), []).append(name)
-    return tuple(Domain(
-        name=domain, frames=len(names), units=sum(1 for unit in knowledge.lexicon.units if _domain(unit.path) == domain),
-        grounded=sum(is_grounded(live, name) for name in names) if live else None)
-        for domain, names in sorted(domains.items()))
+    return tuple(
+        Domain(
+            name=domain,
+            frames=len(names),
+            units=sum(1 for unit in knowledge.lexicon.units if _domain(unit.path) == domain),
+            grounded=sum(is_grounded(live, name) for name in names) if live else None,
+        )
+        for domain, names in sorted(domains.items())
+    )
 
 
 def _domain(path: str) -> str:
@@ -77,10 +94,14 @@ def table(domains: Sequence[Domain], robots: Optional[Tuple[str, ...]]) -> str:
     rows: List[Tuple[str, ...]] = [("domain", "frames", "lexical units", "grounded")]
     rows += [(domain.name, str(domain.frames), str(domain.units), _number(domain.grounded)) for domain in domains]
     is_live = bool(domains) and domains[0].grounded is not None
-    ours = (str(len(domains)), str(sum(domain.frames for domain in domains)), str(sum(domain.units for domain in domains)),
-            _number(sum(1 for domain in domains if domain.grounded) if is_live else None),
-            _number(sum(domain.grounded or 0 for domain in domains) if is_live else None),
-            "-" if robots is None else f"{len(robots)} ({', '.join(robots)})" if robots else "0")
+    ours = (
+        str(len(domains)),
+        str(sum(domain.frames for domain in domains)),
+        str(sum(domain.units for domain in domains)),
+        _number(sum(1 for domain in domains if domain.grounded) if is_live else None),
+        _number(sum(domain.grounded or 0 for domain in domains) if is_live else None),
+        "-" if robots is None else f"{len(robots)} ({', '.join(robots)})" if robots else "0",
+    )
     summary = [("", "paper", "here")] + [(name, paper, value) for (name, paper), value in zip(PAPER, ours)]
     return _aligned(rows) + "\n\n" + _aligned(summary)
 

@@ -1,4 +1,5 @@
 """What ``rfn doctor`` asks of the running graph."""
+
 from typing import List
 
 import rosgraph
@@ -8,23 +9,44 @@ import rospy
 from roboframenet_tools.doctor import Finding
 
 #: Nodes of the pipeline; the names are those of the launch file.
-PIPELINE = ("command_server", "stanford_parser_ros", "semantic_framer", "frame_registrar", "arbitrator", "executor", "stop_server")
+PIPELINE = (
+    "command_server",
+    "stanford_parser_ros",
+    "semantic_framer",
+    "frame_registrar",
+    "arbitrator",
+    "executor",
+    "stop_server",
+)
 
 
 def graph_findings() -> List[Finding]:
     """Look at the master, the nodes of the pipeline, and the time."""
     if not rosgraph.is_master_online():
-        return [Finding("master", f"none at {rosgraph.get_master_uri()}", "start the pipeline ('make run'), or set ROS_MASTER_URI")]
+        return [
+            Finding(
+                "master",
+                f"none at {rosgraph.get_master_uri()}",
+                "start the pipeline ('make run'), or set ROS_MASTER_URI",
+            )
+        ]
     findings = [Finding("master", rosgraph.get_master_uri())]
     names = rosnode.get_node_names()
     for wanted in PIPELINE:
         found = [name for name in names if name.rsplit("/", 1)[-1] == wanted]
         if not found:
-            findings.append(Finding(wanted, "not running", "start the pipeline ('make run'); its log says why a node ended"))
+            findings.append(
+                Finding(wanted, "not running", "start the pipeline ('make run'); its log says why a node ended")
+            )
         for name in found:
             is_alive = rosnode.rosnode_ping(name, max_count=1, verbose=False)
-            findings.append(Finding(wanted, "answers" if is_alive else "is registered but does not answer",
-                                    "" if is_alive else "restart it; 'rosnode cleanup' forgets dead nodes"))
+            findings.append(
+                Finding(
+                    wanted,
+                    "answers" if is_alive else "is registered but does not answer",
+                    "" if is_alive else "restart it; 'rosnode cleanup' forgets dead nodes",
+                )
+            )
     return findings + [_time()]
 
 
@@ -36,5 +58,9 @@ def _time() -> Finding:
         rospy.init_node("rfn_doctor", anonymous=True, disable_signals=True)
         rospy.wait_for_message("/clock", rospy.AnyMsg, timeout=5.0)
     except rospy.ROSException as error:
-        return Finding("time", f"simulated, but no clock comes: {error}", "start what publishes /clock, or set /use_sim_time to false")
+        return Finding(
+            "time",
+            f"simulated, but no clock comes: {error}",
+            "start what publishes /clock, or set /use_sim_time to false",
+        )
     return Finding("time", "simulated, the clock runs")

@@ -1,4 +1,5 @@
 """``rfn say``: a sentence through the action ``command``, with the stages as they pass."""
+
 import argparse
 import queue
 import sys
@@ -24,10 +25,20 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.epilog = EXAMPLES
     parser.add_argument("text", nargs="+", help="the sentence; several words are joined by blanks")
     parser.add_argument("--json", action="store_true", help="one JSON object a line: events, then the reply")
-    parser.add_argument("--timeout", type=float, default=120.0, metavar="SECONDS",
-                        help="how long to wait for the reply (default 120); then the command is cancelled")
-    parser.add_argument("--wait", type=float, default=10.0, metavar="SECONDS",
-                        help="how long to wait for the command server to be there (default 10)")
+    parser.add_argument(
+        "--timeout",
+        type=float,
+        default=120.0,
+        metavar="SECONDS",
+        help="how long to wait for the reply (default 120); then the command is cancelled",
+    )
+    parser.add_argument(
+        "--wait",
+        type=float,
+        default=10.0,
+        metavar="SECONDS",
+        help="how long to wait for the command server to be there (default 10)",
+    )
 
 
 def run(arguments: argparse.Namespace) -> int:
@@ -70,9 +81,17 @@ def run(arguments: argparse.Namespace) -> int:
 def _report(item: Tuple[int, Reply], *, as_json: bool) -> int:
     status, reply = item
     if not reply.command.id:
-        return _complain(f"the command server ended the goal as {actionlib.TerminalState.to_string(status)} without a reply")
-    answer = Answer(id=reply.command.id, text=reply.command.text, outcome=Outcome(reply.outcome), stage=reply.stage,
-                    code=reply.code, sentence=reply.sentence)
+        return _complain(
+            f"the command server ended the goal as {actionlib.TerminalState.to_string(status)} without a reply"
+        )
+    answer = Answer(
+        id=reply.command.id,
+        text=reply.command.text,
+        outcome=Outcome(reply.outcome),
+        stage=reply.stage,
+        code=reply.code,
+        sentence=reply.sentence,
+    )
     print(format_answer(answer, as_json=as_json), flush=True)
     return EXIT_STATUS[answer.outcome]
 

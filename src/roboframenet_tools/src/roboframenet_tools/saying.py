@@ -1,4 +1,5 @@
 """What ``rfn say`` prints, and the exit status that it ends with."""
+
 import json
 from dataclasses import asdict, dataclass
 from enum import IntEnum
@@ -58,4 +59,6 @@ def format_answer(answer: Answer, *, as_json: bool) -> str:
     if as_json:
         return json.dumps({"reply": {**asdict(answer), "outcome": answer.outcome.name}})
     name = answer.outcome.name.lower().replace("_", " ")
-    return f"{name}: {answer.sentence}" + (f" [{answer.code} in {answer.stage}]" if answer.outcome is not Outcome.DONE else "")
+    return f"{name}: {answer.sentence}" + (
+        f" [{answer.code} in {answer.stage}]" if answer.outcome is not Outcome.DONE else ""
+    )

@@ -1,4 +1,5 @@
 """The pipeline without ROS: from a sentence to what would run, with everything that was tried on the way."""
+
 import os
 from dataclasses import dataclass
 from pathlib import Path
@@ -93,6 +94,7 @@ def shipped_domains() -> str:
     if beside.is_dir():
         return str(beside)
     import rospkg  # only an installed space needs it
+
     return os.path.join(rospkg.RosPack().get_path("roboframenet_domains"), "domains")
 
 
@@ -111,8 +113,9 @@ def _texts(paths: Iterable[str]) -> List[Tuple[str, Callable[[], str]]]:
     return [(path, lambda path=path: read_text(path)) for path in paths]
 
 
-def load_texts(frame_files: Iterable[Tuple[str, Callable[[], str]]],
-               unit_files: Iterable[Tuple[str, Callable[[], str]]]) -> Knowledge:
+def load_texts(
+    frame_files: Iterable[Tuple[str, Callable[[], str]]], unit_files: Iterable[Tuple[str, Callable[[], str]]]
+) -> Knowledge:
     """Read frames and units from paths with a function that gives the text of each."""
     graph, lexicon = FrameGraph(), Lexicon()
     problems: List[Problem] = []
@@ -121,8 +124,17 @@ def load_texts(frame_files: Iterable[Tuple[str, Callable[[], str]]],
         try:
             frame = load_frame(text(), path)
             if frame.name in owners:
-                problems.append(Problem("DUPLICATE_FRAME", path, frame.line, "name", f"'{frame.name}'", "a name of its own",
-                                        f"also in {owners[frame.name].path}:{owners[frame.name].line}"))
+                problems.append(
+                    Problem(
+                        "DUPLICATE_FRAME",
+                        path,
+                        frame.line,
+                        "name",
+                        f"'{frame.name}'",
+                        "a name of its own",
+                        f"also in {owners[frame.name].path}:{owners[frame.name].line}",
+                    )
+                )
                 continue
             owners[frame.name] = frame
             graph.add(frame)
@@ -182,8 +194,18 @@ class Pipeline:
             readings = tuple(readings[0] for readings in outcome.clauses)
             found = self._search(outcome.clauses)
             if isinstance(found, registrar.Refusal):
-                return Understanding(text, tree, attempts, readings, (), Reply(
-                    "NEEDS_INFORMATION" if found.code == "MISSING_ELEMENT" else "REFUSED", found.code, found.sentence))
+                return Understanding(
+                    text,
+                    tree,
+                    attempts,
+                    readings,
+                    (),
+                    Reply(
+                        "NEEDS_INFORMATION" if found.code == "MISSING_ELEMENT" else "REFUSED",
+                        found.code,
+                        found.sentence,
+                    ),
+                )
             first = ", then ".join(f"{frame.name} on {frame.server}" for frame in found[0].frames)
             return Understanding(text, tree, attempts, readings, found, Reply("DONE", "DONE", f"I would do {first}."))
         readings = () if outcome.code in _NOTHING_MEANT else self._best(sentence)
@@ -198,8 +220,11 @@ class Pipeline:
             return _nothing(text, Reply("FAILED", "STAGE_ERROR", f"{type(error).__name__}: {error}"))
 
     def _best(self, sentence: Sentence) -> Tuple[Reading, ...]:
-        found = [read_clause(sentence, clause, self.knowledge.lexicon, self.knowledge.frames)
-                 for clause in find_clauses(sentence) if not clause.is_negated]
+        found = [
+            read_clause(sentence, clause, self.knowledge.lexicon, self.knowledge.frames)
+            for clause in find_clauses(sentence)
+            if not clause.is_negated
+        ]
         return tuple(readings[0] for readings in found if readings)
 
     def _attempts(self, sentence: Sentence, clause: Clause) -> Tuple[Attempt, ...]:
@@ -211,15 +236,27 @@ class Pipeline:
                 reading = found[0] if found else None
                 filled = {value.name for value in reading.values} if reading else set()
                 needed = {element.name for element in reading.missing} if reading else set()
-                wanted = tuple((relation.name, " or ".join(map(str, relation.relations)) + (
-                    f" ({', '.join(relation.words)})" if relation.words else "")) for relation in unit.relations
-                    if (reading is None and relation.is_required) or (relation.name in needed and relation.name not in filled))
+                wanted = tuple(
+                    (
+                        relation.name,
+                        " or ".join(map(str, relation.relations))
+                        + (f" ({', '.join(relation.words)})" if relation.words else ""),
+                    )
+                    for relation in unit.relations
+                    if (reading is None and relation.is_required)
+                    or (relation.name in needed and relation.name not in filled)
+                )
                 attempts.append(Attempt(unit, match.verb, reading, wanted))
         return tuple(attempts)
 
-    def _search(self, clauses: Tuple[Tuple[Reading, ...], ...]) -> Union[Tuple[registrar.Candidate, ...], registrar.Refusal]:
-        return registrar.search(self.knowledge.graph, [[_registrar_reading(reading) for reading in readings] for readings in clauses],
-                                max_candidates=self._max_candidates)
+    def _search(
+        self, clauses: Tuple[Tuple[Reading, ...], ...]
+    ) -> Union[Tuple[registrar.Candidate, ...], registrar.Refusal]:
+        return registrar.search(
+            self.knowledge.graph,
+            [[_registrar_reading(reading) for reading in readings] for readings in clauses],
+            max_candidates=self._max_candidates,
+        )
 
 
 class _OneUnit(Lexicon):
@@ -232,9 +269,14 @@ class _OneUnit(Lexicon):
 
 
 def _registrar_reading(reading: Reading) -> registrar.Reading:
-    return registrar.Reading(frame_name=reading.unit.frame_name, coverage=reading.coverage, arguments=tuple(
-        registrar.Argument(name=value.name, text=value.argument, items=value.items, conjunction=value.conjunction)
-        for value in reading.values))
+    return registrar.Reading(
+        frame_name=reading.unit.frame_name,
+        coverage=reading.coverage,
+        arguments=tuple(
+            registrar.Argument(name=value.name, text=value.argument, items=value.items, conjunction=value.conjunction)
+            for value in reading.values
+        ),
+    )
 
 
 def _nothing(text: str, reply: Reply) -> Understanding:
@@ -248,13 +290,26 @@ def to_json(understanding: Understanding) -> Dict[str, object]:
     return {
         "text": understanding.text,
         "tokens": [word.form for word in words],
-        "frames": [{
-            "name": reading.unit.frame_name,
-            "verb_token": reading.verb_positions[0],
-            "frame_elements": [
-                {"name": value.name, "argument": value.argument, "tokens": list(value.positions), "head_token": value.head_position}
-                for value in reading.values],
-        } for reading in understanding.readings],
+        "frames": [
+            {
+                "name": reading.unit.frame_name,
+                "verb_token": reading.verb_positions[0],
+                "frame_elements": [
+                    {
+                        "name": value.name,
+                        "argument": value.argument,
+                        "tokens": list(value.positions),
+                        "head_token": value.head_position,
+                    }
+                    for value in reading.values
+                ],
+            }
+            for reading in understanding.readings
+        ],
         "left_over": [words[index - 1].form for index in left],
-        "reply": {"outcome": understanding.reply.outcome, "code": understanding.reply.code, "sentence": understanding.reply.sentence},
+        "reply": {
+            "outcome": understanding.reply.outcome,
+            "code": understanding.reply.code,
+            "sentence": understanding.reply.sentence,
+        },
     }

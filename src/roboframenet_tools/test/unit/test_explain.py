@@ -1,4 +1,5 @@
 """Explaining sentences, offline."""
+
 import json
 
 import pytest
@@ -9,7 +10,9 @@ from roboframenet_tools.explain import describe
 from roboframenet_tools.understanding import Pipeline, load_knowledge, pretend_servers, shipped_domains, to_json
 from stanford_parser_ros.tree import DependencyTree, Word
 
-TREE = DependencyTree("Take it", (Word(1, "Take", "take", "VERB", "VB", "", 0, "root"), Word(2, "it", "it", "PRON", "PRP", "", 1, "obj")))
+TREE = DependencyTree(
+    "Take it", (Word(1, "Take", "take", "VERB", "VB", "", 0, "root"), Word(2, "it", "it", "PRON", "PRP", "", 1, "obj"))
+)
 
 
 @pytest.fixture(scope="module")
@@ -42,7 +45,9 @@ def test_missing_relation_is_named(pipeline):
     assert "no dobj" in describe(understanding)
 
 
-@pytest.mark.parametrize("line", ["", "   ", "?!", "\x00", "\t", "😀", "a" * 300, "(calibrate)", "<no speech>", "\u2028go\ufffd"])
+@pytest.mark.parametrize(
+    "line", ["", "   ", "?!", "\x00", "\t", "😀", "a" * 300, "(calibrate)", "<no speech>", "\u2028go\ufffd"]
+)
 def test_no_line_raises(pipeline, line):
     json.dumps(to_json(pipeline.understand(line)))
 
@@ -50,6 +55,7 @@ def test_no_line_raises(pipeline, line):
 def test_an_error_becomes_a_reply(pipeline, monkeypatch):
     def fail(text):
         raise RuntimeError("broken")
+
     monkeypatch.setattr(pipeline, "understand", fail)
     result = to_json(pipeline.understand_safely("Turn left."))
     assert result["reply"] == {"outcome": "FAILED", "code": "STAGE_ERROR", "sentence": "RuntimeError: broken"}
@@ -65,4 +71,4 @@ def test_arcs_point_at_the_dependent():
     lines = draw_arcs(TREE).splitlines()
     assert "obj" in lines[0]
     assert lines[1].index("▼") > lines[1].index("●")
-    assert svg_arcs(TREE).count("<path d=\"M55") == 1
+    assert svg_arcs(TREE).count('<path d="M55') == 1

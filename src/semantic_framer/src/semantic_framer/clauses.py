@@ -1,4 +1,5 @@
 """The clauses of a sentence: each verb that asks for something, with the words that belong to it."""
+
 from dataclasses import dataclass
 from typing import FrozenSet, List, Optional, Set, Tuple
 
@@ -71,7 +72,9 @@ def _collect(sentence: Sentence, word: Word, is_negated: bool, found: List[Tuple
     children = sentence.children(word.index)
     is_negated = is_negated or _has_negation(sentence, word)
     copula = next((child for child in children if child.deprel == "cop"), None)
-    wrapped = next((child for child in children if child.deprel in ("xcomp", "ccomp") and child.upos in ("VERB", "AUX")), None)
+    wrapped = next(
+        (child for child in children if child.deprel in ("xcomp", "ccomp") and child.upos in ("VERB", "AUX")), None
+    )
     if wrapped is not None and word.lemma.lower() in WRAPPERS:
         _collect(sentence, wrapped, is_negated, found)
     elif wrapped is not None and word.lemma.lower() in _MOTION and wrapped.index == word.index + 1:
@@ -79,28 +82,53 @@ def _collect(sentence: Sentence, word: Word, is_negated: bool, found: List[Tuple
     elif copula is not None:
         found.append((copula.index, is_negated))
     elif word.upos in ("VERB", "AUX"):
-        serial = next((child for child in children if child.deprel == "conj" and child.upos == "VERB"
-                       and word.lemma.lower() in _MOTION and child.index - word.index <= 2
-                       and not any(arc in ("obl", "advmod") for arc in (c.deprel for c in children if c.index < child.index and c.index > word.index))), None)
+        serial = next(
+            (
+                child
+                for child in children
+                if child.deprel == "conj"
+                and child.upos == "VERB"
+                and word.lemma.lower() in _MOTION
+                and child.index - word.index <= 2
+                and not any(
+                    arc in ("obl", "advmod")
+                    for arc in (c.deprel for c in children if c.index < child.index and c.index > word.index)
+                )
+            ),
+            None,
+        )
         if serial is None:
             found.append((word.index, is_negated))
     for child in children:
-        if child.deprel in ("conj", "parataxis", "list") and (child.upos in ("VERB", "AUX") or any(
-                inner.deprel == "cop" for inner in sentence.children(child.index))):
+        if child.deprel in ("conj", "parataxis", "list") and (
+            child.upos in ("VERB", "AUX") or any(inner.deprel == "cop" for inner in sentence.children(child.index))
+        ):
             # "don't move or speak" negates both; "don't move, just speak" is rare, and not acting is the safe reading.
             _collect(sentence, child, is_negated and child.deprel == "conj", found)
 
 
 def _has_negation(sentence: Sentence, word: Word) -> bool:
-    return any(child.form.lower() in NEGATIONS or child.lemma.lower() in NEGATIONS
-               for child in sentence.children(word.index) if child.deprel in ("advmod", "aux", "det", "discourse", "mark", "cc", "dep"))
+    return any(
+        child.form.lower() in NEGATIONS or child.lemma.lower() in NEGATIONS
+        for child in sentence.children(word.index)
+        if child.deprel in ("advmod", "aux", "det", "discourse", "mark", "cc", "dep")
+    )
 
 
 def _clause(sentence: Sentence, verb: int, positions: FrozenSet[int], is_negated: bool) -> Clause:
     condition = _condition(sentence, _top(sentence, verb), positions)
-    subject = next((child.index for child in sentence.children(_top(sentence, verb)) if child.deprel.startswith("nsubj")), 0)
-    return Clause(verb=verb, lemma=sentence.word(verb).lemma.lower(), positions=positions, is_negated=is_negated,
-                  condition=sentence.text(sorted(condition)) if condition else "", condition_positions=condition, subject=subject)
+    subject = next(
+        (child.index for child in sentence.children(_top(sentence, verb)) if child.deprel.startswith("nsubj")), 0
+    )
+    return Clause(
+        verb=verb,
+        lemma=sentence.word(verb).lemma.lower(),
+        positions=positions,
+        is_negated=is_negated,
+        condition=sentence.text(sorted(condition)) if condition else "",
+        condition_positions=condition,
+        subject=subject,
+    )
 
 
 def _condition(sentence: Sentence, top: int, positions: FrozenSet[int]) -> FrozenSet[int]:
@@ -121,9 +149,23 @@ def _condition(sentence: Sentence, top: int, positions: FrozenSet[int]) -> Froze
 
 def _is_delay(sentence: Sentence, word: Word) -> bool:
     """Whether a phrase says when: "in five minutes", "after lunch", "at noon"."""
-    case: Optional[str] = next((child.form.lower() for child in sentence.children(word.index) if child.deprel == "case"), None)
+    case: Optional[str] = next(
+        (child.form.lower() for child in sentence.children(word.index) if child.deprel == "case"), None
+    )
     lemma = word.lemma.lower()
     if case in ("in", "after", "within") and lemma in ("second", "minute", "hour", "moment", "while", "day"):
         return True
     return case in ("after", "before", "until", "till", "at") and lemma in (
-        "noon", "midnight", "lunch", "dinner", "breakfast", "o'clock", "night", "morning", "evening", "afternoon", "sunset", "tomorrow")
+        "noon",
+        "midnight",
+        "lunch",
+        "dinner",
+        "breakfast",
+        "o'clock",
+        "night",
+        "morning",
+        "evening",
+        "afternoon",
+        "sunset",
+        "tomorrow",
+    )

@@ -1,4 +1,5 @@
 """What is remembered from one utterance to the next: an open question, and what was spoken of."""
+
 from dataclasses import dataclass, replace
 from typing import Optional, Tuple
 
@@ -7,8 +8,38 @@ from semantic_framer.matching import Reading
 #: Words that stand for something said before.
 PRONOUNS = frozenset(["it", "them", "that", "this", "those", "these", "one", "ones"])
 PLACE_PRONOUNS = frozenset(["there"])
-YES = frozenset(["yes", "yeah", "yep", "sure", "ok", "okay", "right", "correct", "affirmative", "do it", "go ahead", "yes please", "please do"])
-NO = frozenset(["no", "nope", "cancel", "never mind", "nevermind", "don't", "do not", "negative", "no thanks", "no thank you", "forget it"])
+YES = frozenset(
+    [
+        "yes",
+        "yeah",
+        "yep",
+        "sure",
+        "ok",
+        "okay",
+        "right",
+        "correct",
+        "affirmative",
+        "do it",
+        "go ahead",
+        "yes please",
+        "please do",
+    ]
+)
+NO = frozenset(
+    [
+        "no",
+        "nope",
+        "cancel",
+        "never mind",
+        "nevermind",
+        "don't",
+        "do not",
+        "negative",
+        "no thanks",
+        "no thank you",
+        "forget it",
+    ]
+)
 
 
 @dataclass(frozen=True)

@@ -1,4 +1,5 @@
 """From a parsed utterance to what it asks for: clauses of readings, a refusal, or a question."""
+
 from dataclasses import dataclass, replace
 from enum import Enum
 from typing import List, Mapping, Optional, Tuple, Union
@@ -48,7 +49,9 @@ class Policy:
 
 @dataclass(frozen=True)
 class Understood:
-    """What is to be done: clauses in order, the readings of each the best first; ``warning`` names words that were ignored."""
+    """What is to be done: clauses in order, the readings of each the best first; ``warning`` names words that were
+    ignored.
+    """
 
     clauses: Tuple[Tuple[Reading, ...], ...]
     warning: str = ""
@@ -74,8 +77,15 @@ class Question:
 Outcome = Union[Understood, Refusal, Question]
 
 
-def read(tree: DependencyTree, lexicon: Lexicon, frames: Mapping[str, SemanticFrame], *, context: Context = Context(),
-         policy: Policy = Policy(), now_s: float = 0.0) -> Tuple[Outcome, Context]:
+def read(
+    tree: DependencyTree,
+    lexicon: Lexicon,
+    frames: Mapping[str, SemanticFrame],
+    *,
+    context: Context = Context(),
+    policy: Policy = Policy(),
+    now_s: float = 0.0,
+) -> Tuple[Outcome, Context]:
     """Understand an utterance.
 
     Args:
@@ -108,21 +118,34 @@ def read(tree: DependencyTree, lexicon: Lexicon, frames: Mapping[str, SemanticFr
 
 
 def _known_clauses(sentence: Sentence, lexicon: Lexicon) -> Tuple[Clause, ...]:
-    """Clauses of the sentence; where the parser saw no verb, a verb of the lexicon at its front ("High five!") makes one."""
+    """Clauses of the sentence; where the parser saw no verb, a verb of the lexicon at its front ("High five!") makes
+    one.
+    """
     clauses = find_clauses(sentence)
     if clauses and any(match_verbs(sentence, clause, lexicon) for clause in clauses):
         return clauses
-    words = [word for word in sentence.tree.words if word.upos != "PUNCT" and (word.upos != "INTJ" or len(sentence.tree.words) < 3)]
+    words = [
+        word
+        for word in sentence.tree.words
+        if word.upos != "PUNCT" and (word.upos != "INTJ" or len(sentence.tree.words) < 3)
+    ]
     if words:
-        front = Clause(verb=words[0].index, lemma=words[0].form.lower(), positions=frozenset(word.index for word in sentence.tree.words),
-                       is_negated=any(clause.is_negated for clause in clauses), condition="", condition_positions=frozenset())
+        front = Clause(
+            verb=words[0].index,
+            lemma=words[0].form.lower(),
+            positions=frozenset(word.index for word in sentence.tree.words),
+            is_negated=any(clause.is_negated for clause in clauses),
+            condition="",
+            condition_positions=frozenset(),
+        )
         if match_verbs(sentence, front, lexicon):
             return (front,)
     return clauses
 
 
-def _read_one(sentence: Sentence, clause: Clause, lexicon: Lexicon, frames: Mapping[str, SemanticFrame],
-              policy: Policy) -> Union[Tuple[Reading, ...], Refusal]:
+def _read_one(
+    sentence: Sentence, clause: Clause, lexicon: Lexicon, frames: Mapping[str, SemanticFrame], policy: Policy
+) -> Union[Tuple[Reading, ...], Refusal]:
     matches: Tuple[VerbMatch, ...] = match_verbs(sentence, clause, lexicon)
     if clause.is_negated:
         return Refusal("NEGATED", f'You said not to: "{sentence.text(sorted(clause.positions))}". I do nothing.')
@@ -136,19 +159,32 @@ def _read_one(sentence: Sentence, clause: Clause, lexicon: Lexicon, frames: Mapp
         if not wanted & set(frames):
             return Refusal("UNKNOWN_FRAME", f"No file describes the frame {' or '.join(sorted(wanted))}.")
         return Refusal("NO_READING", f'I know "{matches[0].verb}", but not in this way.')
-    if clause.condition and not any(set(clause.condition_positions) <= {p for value in reading.values for p in value.positions}
-                                    for reading in readings if not reading.missing):
+    if clause.condition and not any(
+        set(clause.condition_positions) <= {p for value in reading.values for p in value.positions}
+        for reading in readings
+        if not reading.missing
+    ):
         return Refusal("CONDITION", f'I can only act at once, not "{clause.condition}".')
     complete = tuple(reading for reading in readings if not reading.missing)
     if not complete:
         return (readings[0],)
     # Words that one reading accounts for must not be dropped by taking another.
     fewest = len(complete[0].left_over)
-    return tuple(reading for reading in complete if policy.left_over_words is LeftOverWords.IGNORE or len(reading.left_over) == fewest)
+    return tuple(
+        reading
+        for reading in complete
+        if policy.left_over_words is LeftOverWords.IGNORE or len(reading.left_over) == fewest
+    )
 
 
-def _finish(clauses: Tuple[Tuple[Reading, ...], ...], sentence: Sentence, frames: Mapping[str, SemanticFrame], context: Context,
-            policy: Policy, now_s: float) -> Tuple[Outcome, Context]:
+def _finish(
+    clauses: Tuple[Tuple[Reading, ...], ...],
+    sentence: Sentence,
+    frames: Mapping[str, SemanticFrame],
+    context: Context,
+    policy: Policy,
+    now_s: float,
+) -> Tuple[Outcome, Context]:
     """Resolve pronouns, then refuse or ask where something is open."""
     is_confirmed = bool(clauses) and context.pending is None and _is_confirmation(sentence)
     done: List[Tuple[Reading, ...]] = []
@@ -162,26 +198,52 @@ def _finish(clauses: Tuple[Tuple[Reading, ...], ...], sentence: Sentence, frames
         best = resolved_readings[0]
         if best.missing:
             element = best.missing[0]
-            pending = Pending(clauses=tuple(done) + ((best,),) + clauses[position + 1:], clause=position, element=element.name,
-                              expires_s=now_s + policy.question_timeout_s)
+            pending = Pending(
+                clauses=tuple(done) + ((best,),) + clauses[position + 1 :],
+                clause=position,
+                element=element.name,
+                expires_s=now_s + policy.question_timeout_s,
+            )
             return Question("MISSING_ELEMENT", question_for(element)), replace(context, pending=pending)
         if best.left_over and policy.left_over_words is LeftOverWords.STRICT:
             words = tuple(sentence.word(index).form for index in best.left_over)
-            return Refusal("LEFT_OVER_WORDS", f'I do not understand "{" ".join(words)}" in "{sentence.tree.text.strip()}", so I do nothing.',
-                           left_over=words), context
+            return (
+                Refusal(
+                    "LEFT_OVER_WORDS",
+                    f'I do not understand "{" ".join(words)}" in "{sentence.tree.text.strip()}", so I do nothing.',
+                    left_over=words,
+                ),
+                context,
+            )
         alternative = next((value for value in best.values if value.conjunction == "or"), None)
         if alternative is not None and policy.alternatives is Alternatives.ASK:
-            pending = Pending(clauses=tuple(done) + ((best,),) + clauses[position + 1:], clause=position, element=alternative.name,
-                              expires_s=now_s + policy.question_timeout_s)
-            return Question("AMBIGUOUS", f"Which one: {' or '.join(alternative.items)}?"), replace(context, pending=pending)
+            pending = Pending(
+                clauses=tuple(done) + ((best,),) + clauses[position + 1 :],
+                clause=position,
+                element=alternative.name,
+                expires_s=now_s + policy.question_timeout_s,
+            )
+            return Question("AMBIGUOUS", f"Which one: {' or '.join(alternative.items)}?"), replace(
+                context, pending=pending
+            )
         context = _remember(best, frames, context)
         done.append(tuple(resolved_readings))
     confirm = [readings[0] for readings in done if frames[readings[0].unit.frame_name].is_confirmed]
     if confirm and not is_confirmed:
         pending = Pending(clauses=tuple(done), clause=0, element="", expires_s=now_s + policy.question_timeout_s)
-        return Question("CONFIRM", f'Shall I really do this: "{sentence.tree.text.strip()}"? Say yes or no.'), replace(context, pending=pending)
-    ignored = [sentence.word(index).form for readings in done for index in readings[0].left_over
-               if index <= len(sentence.tree.words)] if policy.left_over_words is LeftOverWords.WARN else []
+        return Question("CONFIRM", f'Shall I really do this: "{sentence.tree.text.strip()}"? Say yes or no.'), replace(
+            context, pending=pending
+        )
+    ignored = (
+        [
+            sentence.word(index).form
+            for readings in done
+            for index in readings[0].left_over
+            if index <= len(sentence.tree.words)
+        ]
+        if policy.left_over_words is LeftOverWords.WARN
+        else []
+    )
     return Understood(tuple(done), warning=f'ignored: {" ".join(ignored)}' if ignored else ""), context
 
 
@@ -195,8 +257,9 @@ def question_for(element: FrameElement) -> str:
     return f'{question} For instance: "{element.answer}".' if element.answer else question
 
 
-def _answer(sentence: Sentence, context: Context, lexicon: Lexicon, policy: Policy,
-            frames: Mapping[str, SemanticFrame]) -> Optional[Tuple[Tuple[Reading, ...], ...]]:
+def _answer(
+    sentence: Sentence, context: Context, lexicon: Lexicon, policy: Policy, frames: Mapping[str, SemanticFrame]
+) -> Optional[Tuple[Tuple[Reading, ...], ...]]:
     """Take an utterance as the answer to the open question; None when it is none."""
     pending = context.pending
     if pending is None:
@@ -216,7 +279,9 @@ def _answer(sentence: Sentence, context: Context, lexicon: Lexicon, policy: Poli
     if any(missing.name == element.name for missing in reading.missing):
         return None
     reading = replace(reading, left_over=())
-    return tuple((reading,) if position == pending.clause else readings for position, readings in enumerate(pending.clauses))
+    return tuple(
+        (reading,) if position == pending.clause else readings for position, readings in enumerate(pending.clauses)
+    )
 
 
 def _fragment_values(sentence: Sentence, frame: SemanticFrame, element: FrameElement) -> List[ElementValue]:
@@ -254,7 +319,20 @@ def _resolve(reading: Reading, context: Context) -> Union[Reading, Question]:
 
 #: Frame elements that are places, and not things, by FrameNet's names.
 _PLACES = frozenset(["Goal", "Source", "Location", "Ground", "Area", "Place", "Path"])
-_NO_THINGS = frozenset(["Manner", "Direction", "Distance", "Angle", "Duration", "Recipient", "Beneficiary", "Addressee", "Agent", "Message"])
+_NO_THINGS = frozenset(
+    [
+        "Manner",
+        "Direction",
+        "Distance",
+        "Angle",
+        "Duration",
+        "Recipient",
+        "Beneficiary",
+        "Addressee",
+        "Agent",
+        "Message",
+    ]
+)
 
 
 def _remember(reading: Reading, frames: Mapping[str, SemanticFrame], context: Context) -> Context:
@@ -268,5 +346,3 @@ def _remember(reading: Reading, frames: Mapping[str, SemanticFrame], context: Co
         elif element.framenet not in _NO_THINGS and value.argument.lower() not in ("me", "you", "us"):
             context = replace(context, thing=value.argument)
     return context
-
-

@@ -1,4 +1,5 @@
 """Matches lexical units against a clause: which words fill which frame element."""
+
 from dataclasses import dataclass, replace
 from typing import Dict, FrozenSet, List, Mapping, Optional, Sequence, Set, Tuple
 
@@ -13,7 +14,8 @@ from semantic_framer.sentence import Sentence
 from semantic_framer.values import ElementValue, amount_value, given_value, phrase_value, unit_value
 
 #: A phrase with one of these hangs on the verb, if the unit asks for it, even where the parser hung it on the object:
-#: "bring the mug to the table". The others ("on", "in", "near") do so only for a core element: "put the mug on the table".
+#: "bring the mug to the table". The others ("on", "in", "near") do so only for a core element: "put the mug on the
+#: table".
 DIRECTIONAL = frozenset("to into onto towards toward from for with by as through via".split())
 
 
@@ -69,9 +71,20 @@ def _verb_positions(sentence: Sentence, clause: Clause, particles: Sequence[str]
     found: List[int] = []
     after = clause.verb
     for particle in particles:
-        position = next((index for index in sorted(clause.positions) if index > after and sentence.word(index).form.lower() == particle
-                         and (index == after + 1 or sentence.word(index).deprel in ("compound:prt", "advmod", "case", "obl", "obj", "xcomp"))
-                         and (index == after + 1 or _is_near(sentence, clause, index))), None)
+        position = next(
+            (
+                index
+                for index in sorted(clause.positions)
+                if index > after
+                and sentence.word(index).form.lower() == particle
+                and (
+                    index == after + 1
+                    or sentence.word(index).deprel in ("compound:prt", "advmod", "case", "obl", "obj", "xcomp")
+                )
+                and (index == after + 1 or _is_near(sentence, clause, index))
+            ),
+            None,
+        )
         if position is None:
             return None
         found.append(position)
@@ -84,7 +97,9 @@ def _is_near(sentence: Sentence, clause: Clause, index: int) -> bool:
     return head == clause.verb or (head != 0 and sentence.word(head).head == clause.verb)
 
 
-def read_clause(sentence: Sentence, clause: Clause, lexicon: Lexicon, frames: Mapping[str, SemanticFrame]) -> Tuple[Reading, ...]:
+def read_clause(
+    sentence: Sentence, clause: Clause, lexicon: Lexicon, frames: Mapping[str, SemanticFrame]
+) -> Tuple[Reading, ...]:
     """Try every lexical unit of a clause's verb.
 
     Args:
@@ -105,8 +120,10 @@ def read_clause(sentence: Sentence, clause: Clause, lexicon: Lexicon, frames: Ma
             reading = _Filling(sentence, clause, unit, frame, match, amounts).reading()
             if reading is not None:
                 readings.append(reading)
-    different = {(reading.unit.frame_name, frozenset((value.name, value.argument) for value in reading.values)): reading
-                 for reading in sorted(readings, key=rank, reverse=True)}
+    different = {
+        (reading.unit.frame_name, frozenset((value.name, value.argument) for value in reading.values)): reading
+        for reading in sorted(readings, key=rank, reverse=True)
+    }
     return tuple(sorted(different.values(), key=rank))
 
 
@@ -114,14 +131,27 @@ def rank(reading: Reading) -> Tuple[bool, int, int, int, int]:
     """Order readings: the smallest is the best."""
     said = sum(1 for value in reading.values if value.positions)
     required = sum(1 for relation in reading.unit.relations if relation.is_required)
-    return (bool(reading.missing), len(reading.left_over), -(said + required), len(reading.missing), -len(reading.verb.split()))
+    return (
+        bool(reading.missing),
+        len(reading.left_over),
+        -(said + required),
+        len(reading.missing),
+        -len(reading.verb.split()),
+    )
 
 
 class _Filling:
     """Fills one unit from one clause."""
 
-    def __init__(self, sentence: Sentence, clause: Clause, unit: LexicalUnit, frame: SemanticFrame, match: VerbMatch,
-                 amounts: Tuple[Amount, ...]) -> None:
+    def __init__(
+        self,
+        sentence: Sentence,
+        clause: Clause,
+        unit: LexicalUnit,
+        frame: SemanticFrame,
+        match: VerbMatch,
+        amounts: Tuple[Amount, ...],
+    ) -> None:
         self._sentence = sentence
         self._clause = clause
         self._unit = unit
@@ -141,26 +171,42 @@ class _Filling:
                 is_first = relation.is_required or bool(relation.words) or (element is not None and element.is_core)
                 if relation.name not in self._heads and relation.name not in self._amount_of and is_first == wants_core:
                     self._take_phrase(relation)
-        if any(relation.is_required and relation.name not in self._heads and relation.name not in self._amount_of
-               for relation in self._unit.relations):
+        if any(
+            relation.is_required and relation.name not in self._heads and relation.name not in self._amount_of
+            for relation in self._unit.relations
+        ):
             return None
         values = self._values()
         names = {value.name for value in values}
-        missing = tuple(element for element in self._frame.frame_elements if element.is_core and element.name not in names)
+        missing = tuple(
+            element for element in self._frame.frame_elements if element.is_core and element.name not in names
+        )
         left_over, coverage = self._coverage(values)
-        return Reading(unit=self._unit, verb=self._match.verb, verb_positions=self._match.positions, values=values, missing=missing,
-                       left_over=left_over, coverage=coverage)
+        return Reading(
+            unit=self._unit,
+            verb=self._match.verb,
+            verb_positions=self._match.positions,
+            values=values,
+            missing=missing,
+            left_over=left_over,
+            coverage=coverage,
+        )
 
     def _take_amounts(self) -> None:
         """Give each amount to the first element that measures it and asks for a measure."""
         free = list(self._amounts)
-        wanting = [relation.name for relation in self._unit.relations if any(path.steps[-1] == MEASURE for path in relation.relations)]
+        wanting = [
+            relation.name
+            for relation in self._unit.relations
+            if any(path.steps[-1] == MEASURE for path in relation.relations)
+        ]
         for name in wanting:
             element = self._frame.element(name)
             if element is None or element.quantity is None:
                 continue
             amount = next((amount for amount in free if amount.quantity == element.quantity.value), None) or next(
-                (amount for amount in free if not amount.unit and element.quantity is not Quantity.NUMBER), None)
+                (amount for amount in free if not amount.unit and element.quantity is not Quantity.NUMBER), None
+            )
             if amount is None:
                 continue
             free.remove(amount)
@@ -184,7 +230,8 @@ class _Filling:
     def _is_in_a_measure(self, head: int) -> bool:
         """Whether a word measures ("two degrees"), and so is no thing; a bare number may be one ("give me 5")."""
         return any(head in amount.positions for amount in self._amount_of.values()) or any(
-            head in amount.positions and amount.unit for amount in self._amounts)
+            head in amount.positions and amount.unit for amount in self._amounts
+        )
 
     def _is_core(self, name: str) -> bool:
         element = self._frame.element(name)
@@ -195,13 +242,27 @@ class _Filling:
 
     def _is_one_of(self, head: int, words: Tuple[str, ...]) -> bool:
         word = self._sentence.word(head)
-        compound = " ".join([child.form.lower() for child in self._sentence.children(head)
-                             if child.deprel in ("compound", "amod") and child.index < head] + [word.form.lower()])
+        compound = " ".join(
+            [
+                child.form.lower()
+                for child in self._sentence.children(head)
+                if child.deprel in ("compound", "amod") and child.index < head
+            ]
+            + [word.form.lower()]
+        )
         return word.form.lower() in words or word.lemma.lower() in words or compound in words
 
     def _is_only_an_adverb(self, head: int, steps: Tuple[str, ...]) -> bool:
         """Whether an adverb that says how ("slowly", "forward") would become an argument that says what or where."""
-        return steps[-1] in ("advmod", "prt") and self._sentence.word(head).form.lower() not in ("here", "there", "home", "upstairs", "downstairs", "outside", "inside")
+        return steps[-1] in ("advmod", "prt") and self._sentence.word(head).form.lower() not in (
+            "here",
+            "there",
+            "home",
+            "upstairs",
+            "downstairs",
+            "outside",
+            "inside",
+        )
 
     def _follow(self, steps: Tuple[str, ...], is_core: bool) -> List[int]:
         """Return the words at the end of a chain of relations that starts at the verb."""
@@ -228,7 +289,9 @@ class _Filling:
         for relation in ("dobj", "iobj", "obl", "tmod"):
             for noun in self._sentence.dependents(self._clause.verb, relation):
                 found += self._sentence.dependents(noun, f"prep_{preposition}")
-        particle = [index for index in self._match.positions[1:] if self._sentence.word(index).form.lower() == preposition]
+        particle = [
+            index for index in self._match.positions[1:] if self._sentence.word(index).form.lower() == preposition
+        ]
         return [head for head in found if head not in particle]
 
     def _values(self) -> Tuple[ElementValue, ...]:
@@ -239,12 +302,20 @@ class _Filling:
             if element.name in self._amount_of:
                 amount = self._amount_of[element.name]
                 is_unit = any(other.unit_element == element.name for other in self._frame.frame_elements)
-                values.append(unit_value(self._sentence, element.name, amount) if is_unit else amount_value(
-                    self._sentence, element.name, amount, is_whole=not element.unit_element))
+                values.append(
+                    unit_value(self._sentence, element.name, amount)
+                    if is_unit
+                    else amount_value(self._sentence, element.name, amount, is_whole=not element.unit_element)
+                )
             elif element.name in self._heads:
                 head = self._heads[element.name]
-                others = [subtree for name, other in self._heads.items() if name != element.name and other != head
-                          for subtree in [self._sentence.subtree(other)] if head not in subtree]
+                others = [
+                    subtree
+                    for name, other in self._heads.items()
+                    if name != element.name and other != head
+                    for subtree in [self._sentence.subtree(other)]
+                    if head not in subtree
+                ]
                 left_out = verb_words | amount_words | frozenset().union(*others) | self._outside(head)
                 relation = next(relation for relation in self._unit.relations if relation.name == element.name)
                 values.append(phrase_value(self._sentence, element.name, head, relation.argument, left_out))
@@ -255,7 +326,8 @@ class _Filling:
     def _outside(self, head: int) -> FrozenSet[int]:
         """Words below a head that belong to other clauses or to a condition."""
         return frozenset(self._sentence.subtree(head) - self._clause.positions) | (
-            self._clause.condition_positions if head not in self._clause.condition_positions else frozenset())
+            self._clause.condition_positions if head not in self._clause.condition_positions else frozenset()
+        )
 
     def _coverage(self, values: Tuple[ElementValue, ...]) -> Tuple[Tuple[int, ...], float]:
         used: Set[int] = set(self._match.positions)
@@ -264,11 +336,18 @@ class _Filling:
             if value.head_position:
                 # Words between the verb and its argument that only carry the argument: "to", "the".
                 used.update(child.index for child in self._sentence.children(value.head_position))
-        content = [index for index in sorted(self._clause.positions) if self._sentence.is_content(index) and index != self._clause.verb]
+        content = [
+            index
+            for index in sorted(self._clause.positions)
+            if self._sentence.is_content(index) and index != self._clause.verb
+        ]
         # The verb of a wrapped request ("I want you to ...") is said around the clause.
         content = [index for index in content if self._clause.verb not in self._sentence.subtree(index)]
-        left_over = tuple(index for index in content if index not in used and index != self._clause.subject
-                          and not self._hangs_on_used(index, used))
+        left_over = tuple(
+            index
+            for index in content
+            if index not in used and index != self._clause.subject and not self._hangs_on_used(index, used)
+        )
         return left_over, 1.0 - len(left_over) / (len(content) + 1)
 
     def _hangs_on_used(self, index: int, used: Set[int]) -> bool:
@@ -280,4 +359,8 @@ class _Filling:
 def with_value(reading: Reading, value: ElementValue) -> Reading:
     """Fill an element of a reading that nothing filled, or replace what filled it."""
     kept = tuple(other for other in reading.values if other.name != value.name)
-    return replace(reading, values=kept + (value,), missing=tuple(element for element in reading.missing if element.name != value.name))
+    return replace(
+        reading,
+        values=kept + (value,),
+        missing=tuple(element for element in reading.missing if element.name != value.name),
+    )

@@ -1,4 +1,5 @@
 """Amounts in a sentence, found in its words: the same words hang in the tree in many ways ("move 3 feet forward")."""
+
 import math
 from dataclasses import dataclass
 from typing import List, Optional, Sequence, Tuple
@@ -52,7 +53,7 @@ def find_amounts(sentence: Sentence, positions: Sequence[int]) -> Tuple[Amount, 
     while start < len(ordered):
         amount = None
         for length in range(min(LONGEST, len(ordered) - start), 0, -1):
-            window = ordered[start:start + length]
+            window = ordered[start : start + length]
             if window[-1] - window[0] == length - 1:
                 amount = _amount(sentence, window)
             if amount is not None:
@@ -69,10 +70,14 @@ def _amount(sentence: Sentence, window: Sequence[int]) -> Optional[Amount]:
     forms = [sentence.word(index).form for index in window]
     unit = find_unit(forms[-1]) if len(forms) > 1 else None
     numeral = forms[:-1] if unit else forms
-    if not all(form.lower() in _NUMBER_WORDS or form[0].isdigit() or form in ("-", "+") or form[0] in "+-." for form in numeral):
+    if not all(
+        form.lower() in _NUMBER_WORDS or form[0].isdigit() or form in ("-", "+") or form[0] in "+-." for form in numeral
+    ):
         return None
-    if not any(form[0].isdigit() or form.lower() in _NUMBER_WORDS - {"a", "an", "and", "of", "-", "point", "plus"} for form in numeral) \
-            and not (unit and len(forms) == 2):
+    if not any(
+        form[0].isdigit() or form.lower() in _NUMBER_WORDS - {"a", "an", "and", "of", "-", "point", "plus"}
+        for form in numeral
+    ) and not (unit and len(forms) == 2):
         return None
     if numeral[-1].lower() == "and" or (unit is None and numeral[0].lower() in ("a", "an", "and", "of")):
         return None
@@ -85,7 +90,13 @@ def _amount(sentence: Sentence, window: Sequence[int]) -> Optional[Amount]:
         measure = parse_measure(said)
     except QuantityError as error:
         if error.code == "NOT_FINITE":
-            return Amount(tuple(window), float("inf"), forms[-1] if unit else "", unit.quantity if unit else "number", float("inf"),
-                          spoken)
+            return Amount(
+                tuple(window),
+                float("inf"),
+                forms[-1] if unit else "",
+                unit.quantity if unit else "number",
+                float("inf"),
+                spoken,
+            )
         return None
     return Amount(tuple(window), measure.amount, forms[-1], measure.quantity, measure.si_amount, spoken)

@@ -1,4 +1,5 @@
 """The semantic framer: from the parse of a command to the frames that it evokes."""
+
 import threading
 import time
 import uuid
@@ -6,8 +7,18 @@ from dataclasses import dataclass
 from typing import Dict, List, Tuple
 
 import rospy
-from roboframenet_msgs.msg import (CommandLexicalUnits, CommandParse, FileProblem, FileProblems, FilledLexicalUnitList, FrameCatalogue,
-                                   Lexicon as LexiconMessage, Reply, SourceFile, StageEvent)
+from roboframenet_msgs.msg import (
+    CommandLexicalUnits,
+    CommandParse,
+    FileProblem,
+    FileProblems,
+    FilledLexicalUnitList,
+    FrameCatalogue,
+    Lexicon as LexiconMessage,
+    Reply,
+    SourceFile,
+    StageEvent,
+)
 from roboframenet_msgs.srv import AddLexicalUnit, AddLexicalUnitRequest, AddLexicalUnitResponse
 from semantic_frames import FileRefused, Problem, load_frame
 from semantic_frames.frame import SemanticFrame
@@ -54,8 +65,12 @@ class Settings:
             raise ValueError(f"~question_timeout_s must be 1 to 3600 s, got {timeout_s}")
         return cls(
             lexical_unit_paths=tuple([paths] if isinstance(paths, str) else paths),
-            policy=Policy(left_over_words=LeftOverWords(rospy.get_param("~left_over_words", "strict")),
-                          alternatives=Alternatives(rospy.get_param("~alternatives", "either")), question_timeout_s=timeout_s))
+            policy=Policy(
+                left_over_words=LeftOverWords(rospy.get_param("~left_over_words", "strict")),
+                alternatives=Alternatives(rospy.get_param("~alternatives", "either")),
+                question_timeout_s=timeout_s,
+            ),
+        )
 
 
 class SemanticFramer:
@@ -94,8 +109,13 @@ class SemanticFramer:
             rospy.Subscriber("command_parse", CommandParse, self._on_command, queue_size=100),
         ]
         self._service = rospy.Service("add_lexical_unit", AddLexicalUnit, self._on_add_lexical_unit)
-        rospy.loginfo("ready: %d lexical units, %d verbs, %d problems, %s", len(self._lexicon.units), len(self._lexicon.verbs),
-                      len(self._problems), settings)
+        rospy.loginfo(
+            "ready: %d lexical units, %d verbs, %d problems, %s",
+            len(self._lexicon.units),
+            len(self._lexicon.verbs),
+            len(self._problems),
+            settings,
+        )
 
     def _add_file(self, path: str) -> bool:
         """Add one lexical unit file; return whether it was accepted. The problems are logged and published."""
@@ -109,9 +129,22 @@ class SemanticFramer:
             for problem in problems:
                 rospy.logerr("refused: %s", problem)
         self._problems = replace_problems(self._problems, path, problems)
-        self._file_problems.publish(FileProblems(problems=[
-            FileProblem(code=problem.code, path=problem.path, line=problem.line, key=problem.key, found=problem.found,
-                        expected=problem.expected, hint=problem.hint) for problem in self._problems]))
+        self._file_problems.publish(
+            FileProblems(
+                problems=[
+                    FileProblem(
+                        code=problem.code,
+                        path=problem.path,
+                        line=problem.line,
+                        key=problem.key,
+                        found=problem.found,
+                        expected=problem.expected,
+                        hint=problem.hint,
+                    )
+                    for problem in self._problems
+                ]
+            )
+        )
         return not problems
 
     def _on_add_lexical_unit(self, request: AddLexicalUnitRequest) -> AddLexicalUnitResponse:
@@ -125,8 +158,12 @@ class SemanticFramer:
         return AddLexicalUnitResponse(success=is_added)
 
     def _publish_lexicon(self) -> None:
-        self._lexicon_publisher.publish(LexiconMessage(framer_id=self._id, files=[
-            SourceFile(path=path, text=text) for path, text in self._lexicon.files.items()]))
+        self._lexicon_publisher.publish(
+            LexiconMessage(
+                framer_id=self._id,
+                files=[SourceFile(path=path, text=text) for path, text in self._lexicon.files.items()],
+            )
+        )
 
     def _on_catalogue(self, message: FrameCatalogue) -> None:
         known = self._frame_of_file
@@ -148,7 +185,9 @@ class SemanticFramer:
             outcome = self._read(tree)
         except Exception as error:  # boundary: whatever fails here, the command gets its reply
             rospy.logerr("cmd=%s failed", message.command.id, exc_info=True)
-            self._end(message, Reply.FAILED, "STAGE_ERROR", f"The semantic framer failed: {type(error).__name__}: {error}")
+            self._end(
+                message, Reply.FAILED, "STAGE_ERROR", f"The semantic framer failed: {type(error).__name__}: {error}"
+            )
             return
         if isinstance(outcome, Refusal):
             self._end(message, Reply.REFUSED, outcome.code, outcome.sentence)
@@ -162,25 +201,58 @@ class SemanticFramer:
         with self._lock:
             while True:
                 frames = self._frames
-                outcome, context = read(tree, self._lexicon, frames, context=self._context, policy=self._settings.policy,
-                                        now_s=time.monotonic())
-                if not isinstance(outcome, Refusal) or outcome.code != "UNKNOWN_FRAME" or not self._lock.wait_for(
-                        lambda: self._frames is not frames, timeout=max(0.0, end - time.monotonic())):
+                outcome, context = read(
+                    tree,
+                    self._lexicon,
+                    frames,
+                    context=self._context,
+                    policy=self._settings.policy,
+                    now_s=time.monotonic(),
+                )
+                if (
+                    not isinstance(outcome, Refusal)
+                    or outcome.code != "UNKNOWN_FRAME"
+                    or not self._lock.wait_for(
+                        lambda: self._frames is not frames, timeout=max(0.0, end - time.monotonic())
+                    )
+                ):
                     self._context = context
                     return outcome
 
     def _pass_on(self, message: CommandParse, understood: Understood, sentence: Sentence) -> None:
-        described = "; then ".join(" or ".join(describe(reading) for reading in readings[:3]) for readings in understood.clauses)
-        self._events.publish(StageEvent(command=message.command, stage=STAGE, stamp=rospy.Time.now(), sentence=" ".join(
-            part for part in (described, understood.warning and f"({understood.warning})") if part)))
+        described = "; then ".join(
+            " or ".join(describe(reading) for reading in readings[:3]) for readings in understood.clauses
+        )
+        self._events.publish(
+            StageEvent(
+                command=message.command,
+                stage=STAGE,
+                stamp=rospy.Time.now(),
+                sentence=" ".join(
+                    part for part in (described, understood.warning and f"({understood.warning})") if part
+                ),
+            )
+        )
         self._units_2012.publish(to_filled_units(understood.clauses))
-        self._units.publish(CommandLexicalUnits(command=message.command, clauses=to_clauses(understood.clauses, sentence)))
+        self._units.publish(
+            CommandLexicalUnits(command=message.command, clauses=to_clauses(understood.clauses, sentence))
+        )
 
     def _end(self, message: CommandParse, outcome: int, code: str, sentence: str) -> None:
         rospy.loginfo("cmd=%s ends here: %s", message.command.id, sentence)
         now = rospy.Time.now()
-        self._events.publish(StageEvent(command=message.command, stage=STAGE, stamp=now, sentence=sentence, is_final=True, reply=Reply(
-            command=message.command, outcome=outcome, stage=STAGE, code=code, sentence=sentence, stamp=now)))
+        self._events.publish(
+            StageEvent(
+                command=message.command,
+                stage=STAGE,
+                stamp=now,
+                sentence=sentence,
+                is_final=True,
+                reply=Reply(
+                    command=message.command, outcome=outcome, stage=STAGE, code=code, sentence=sentence, stamp=now
+                ),
+            )
+        )
 
 
 def describe(reading: Reading) -> str:

@@ -1,8 +1,15 @@
 """What the framer understood, as messages."""
+
 from typing import Sequence, Tuple
 
-from roboframenet_msgs.msg import (Clause, FilledFrameElement, FilledLexicalUnit, FilledLexicalUnitList, FrameElementValue,
-                                   LexicalUnitReading)
+from roboframenet_msgs.msg import (
+    Clause,
+    FilledFrameElement,
+    FilledLexicalUnit,
+    FilledLexicalUnitList,
+    FrameElementValue,
+    LexicalUnitReading,
+)
 
 from semantic_framer.matching import Reading
 from semantic_framer.sentence import Sentence
@@ -20,21 +27,40 @@ def to_filled_units(clauses: Sequence[Tuple[Reading, ...]]) -> FilledLexicalUnit
 
 
 def _unit(reading: Reading) -> FilledLexicalUnit:
-    return FilledLexicalUnit(frame_name=reading.unit.frame_name, verb=reading.verb, frame_elements=[
-        FilledFrameElement(name=value.name, argument=value.argument) for value in reading.values])
+    return FilledLexicalUnit(
+        frame_name=reading.unit.frame_name,
+        verb=reading.verb,
+        frame_elements=[FilledFrameElement(name=value.name, argument=value.argument) for value in reading.values],
+    )
 
 
 def _reading(reading: Reading, sentence: Sentence) -> LexicalUnitReading:
     count = len(sentence.tree.words)
     return LexicalUnitReading(
-        lexical_unit=_unit(reading), values=[_value(value) for value in reading.values], verb_position=reading.verb_positions[0],
-        left_over=[sentence.word(index).form for index in reading.left_over if index <= count], coverage=reading.coverage,
-        source=reading.unit.path)
+        lexical_unit=_unit(reading),
+        values=[_value(value) for value in reading.values],
+        verb_position=reading.verb_positions[0],
+        left_over=[sentence.word(index).form for index in reading.left_over if index <= count],
+        coverage=reading.coverage,
+        source=reading.unit.path,
+    )
 
 
 def _value(value: ElementValue) -> FrameElementValue:
     return FrameElementValue(
-        name=value.name, argument=value.argument, head=value.head, phrase=value.phrase, possessor=value.possessor,
-        determiner=value.determiner, adjectives=list(value.adjectives), amount=value.amount, unit=value.unit, quantity=value.quantity,
-        si_amount=value.si_amount, conjunction=value.conjunction, items=list(value.items), positions=list(value.positions),
-        head_position=value.head_position)
+        name=value.name,
+        argument=value.argument,
+        head=value.head,
+        phrase=value.phrase,
+        possessor=value.possessor,
+        determiner=value.determiner,
+        adjectives=list(value.adjectives),
+        amount=value.amount,
+        unit=value.unit,
+        quantity=value.quantity,
+        si_amount=value.si_amount,
+        conjunction=value.conjunction,
+        items=list(value.items),
+        positions=list(value.positions),
+        head_position=value.head_position,
+    )

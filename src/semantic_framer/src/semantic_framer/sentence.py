@@ -1,4 +1,5 @@
 """A parsed sentence with its relations by governor, and the words that carry no content of their own."""
+
 from functools import lru_cache
 from typing import Dict, FrozenSet, List, Sequence, Set, Tuple
 
@@ -8,9 +9,25 @@ from stanford_parser_ros.tree import DependencyTree, Word
 #: Said around a command without changing it.
 HARMLESS = frozenset(
     "please now just kindly then also okay ok so well uh um er hmm hey hi hello robot again next first finally simply actually "
-    "thanks thank could can would will you i us lets".split())
-_FUNCTION_RELATIONS = {"punct", "det", "case", "mark", "aux", "aux:pass", "cop", "cc", "cc:preconj", "discourse", "vocative", "fixed",
-                       "expl", "reparandum", "goeswith"}
+    "thanks thank could can would will you i us lets".split()
+)
+_FUNCTION_RELATIONS = {
+    "punct",
+    "det",
+    "case",
+    "mark",
+    "aux",
+    "aux:pass",
+    "cop",
+    "cc",
+    "cc:preconj",
+    "discourse",
+    "vocative",
+    "fixed",
+    "expl",
+    "reparandum",
+    "goeswith",
+}
 
 
 class Sentence:
@@ -28,7 +45,8 @@ class Sentence:
         for arc in self.arcs:
             self._by_governor.setdefault(arc.governor, []).append(arc)
         self._children: Dict[int, Tuple[Word, ...]] = {
-            index: tree.children(index) for index in range(len(tree.words) + 1)}
+            index: tree.children(index) for index in range(len(tree.words) + 1)
+        }
         self.subtree = lru_cache(maxsize=None)(self._subtree)
 
     def word(self, index: int) -> Word:

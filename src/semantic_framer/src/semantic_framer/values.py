@@ -1,4 +1,5 @@
 """What fills a frame element: the words, and what they mean."""
+
 import math
 from dataclasses import dataclass, replace
 from typing import FrozenSet, List, Tuple
@@ -30,7 +31,9 @@ class ElementValue:
     head_position: int = 0
 
 
-def phrase_value(sentence: Sentence, name: str, head: int, form: ArgumentForm, left_out: FrozenSet[int]) -> ElementValue:
+def phrase_value(
+    sentence: Sentence, name: str, head: int, form: ArgumentForm, left_out: FrozenSet[int]
+) -> ElementValue:
     """Make the value of a phrase.
 
     Args:
@@ -42,11 +45,15 @@ def phrase_value(sentence: Sentence, name: str, head: int, form: ArgumentForm, l
     Returns:
         the value; its positions include a preposition at the front, its argument does not
     """
-    conjuncts = [child for child in sentence.children(head) if child.deprel == "conj" and child.upos not in ("VERB", "AUX")]
+    conjuncts = [
+        child for child in sentence.children(head) if child.deprel == "conj" and child.upos not in ("VERB", "AUX")
+    ]
     positions = sorted(sentence.subtree(head) - left_out)
     while len(positions) > 1 and sentence.word(positions[-1]).upos == "PUNCT":
         positions.pop()
-    while len(positions) > 1 and (sentence.word(positions[0]).upos == "PUNCT" or sentence.word(positions[0]).deprel in ("cc", "discourse")):
+    while len(positions) > 1 and (
+        sentence.word(positions[0]).upos == "PUNCT" or sentence.word(positions[0]).deprel in ("cc", "discourse")
+    ):
         positions.pop(0)
     prepositions = _prepositions(sentence, head)
     bare = [index for index in positions if index not in prepositions]
@@ -54,8 +61,15 @@ def phrase_value(sentence: Sentence, name: str, head: int, form: ArgumentForm, l
     conjunction = ""
     items: Tuple[str, ...] = ()
     if conjuncts:
-        conjunction = next((inner.form.lower() for conjunct in conjuncts for inner in sentence.children(conjunct.index)
-                            if inner.deprel == "cc"), "and")
+        conjunction = next(
+            (
+                inner.form.lower()
+                for conjunct in conjuncts
+                for inner in sentence.children(conjunct.index)
+                if inner.deprel == "cc"
+            ),
+            "and",
+        )
         items = _items(sentence, head, [conjunct.index for conjunct in conjuncts], left_out | prepositions)
     phrase_argument = sentence.text(bare)
     return ElementValue(
@@ -83,11 +97,18 @@ def _prepositions(sentence: Sentence, head: int) -> FrozenSet[int]:
 
 def _items(sentence: Sentence, head: int, conjuncts: List[int], left_out: FrozenSet[int]) -> Tuple[str, ...]:
     later = frozenset(index for conjunct in conjuncts for index in sentence.subtree(conjunct))
-    groups = [sentence.subtree(head) - later - left_out] + [sentence.subtree(conjunct) - left_out for conjunct in conjuncts]
+    groups = [sentence.subtree(head) - later - left_out] + [
+        sentence.subtree(conjunct) - left_out for conjunct in conjuncts
+    ]
     items = []
     for group in groups:
-        words = [index for index in sorted(group) if sentence.word(index).upos != "PUNCT" and sentence.word(index).deprel not in ("cc", "case")
-                 or sentence.word(index).xpos == "POS"]
+        words = [
+            index
+            for index in sorted(group)
+            if sentence.word(index).upos != "PUNCT"
+            and sentence.word(index).deprel not in ("cc", "case")
+            or sentence.word(index).xpos == "POS"
+        ]
         if words:
             items.append(sentence.text(words))
     return tuple(items)
@@ -104,15 +125,30 @@ def amount_value(sentence: Sentence, name: str, amount: Amount, *, is_whole: boo
     """
     whole = f"{amount.digits()} {amount.unit}".strip()
     return ElementValue(
-        name=name, argument=whole if is_whole else amount.digits(), head=sentence.word(amount.positions[-1]).form,
-        phrase=sentence.text(amount.positions), amount=amount.amount, unit=amount.unit, quantity=amount.quantity,
-        si_amount=amount.si_amount, positions=amount.positions, head_position=amount.positions[-1])
+        name=name,
+        argument=whole if is_whole else amount.digits(),
+        head=sentence.word(amount.positions[-1]).form,
+        phrase=sentence.text(amount.positions),
+        amount=amount.amount,
+        unit=amount.unit,
+        quantity=amount.quantity,
+        si_amount=amount.si_amount,
+        positions=amount.positions,
+        head_position=amount.positions[-1],
+    )
 
 
 def unit_value(sentence: Sentence, name: str, amount: Amount) -> ElementValue:
     """Make the value of the unit of an amount."""
-    return ElementValue(name=name, argument=amount.unit, head=amount.unit, phrase=amount.unit, unit=amount.unit,
-                        positions=amount.positions[-1:], head_position=amount.positions[-1])
+    return ElementValue(
+        name=name,
+        argument=amount.unit,
+        head=amount.unit,
+        phrase=amount.unit,
+        unit=amount.unit,
+        positions=amount.positions[-1:],
+        head_position=amount.positions[-1],
+    )
 
 
 def given_value(name: str, argument: str) -> ElementValue:

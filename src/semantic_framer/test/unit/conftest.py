@@ -1,4 +1,5 @@
 """One parser and the frames of the domains, for all tests of the framer."""
+
 from pathlib import Path
 from typing import Callable, Dict, Tuple
 
@@ -26,7 +27,9 @@ def lexicon() -> Lexicon:
 
 @pytest.fixture(scope="session")
 def frames() -> Dict[str, SemanticFrame]:
-    loaded = [load_frame(Path(path).read_text(encoding="utf-8"), path) for path in yaml_files([str(DOMAINS)], FRAMES_FOLDER)]
+    loaded = [
+        load_frame(Path(path).read_text(encoding="utf-8"), path) for path in yaml_files([str(DOMAINS)], FRAMES_FOLDER)
+    ]
     return {frame.name: frame for frame in loaded}
 
 
@@ -39,7 +42,9 @@ def parser() -> Parser:
 def understand(parser: Parser, lexicon: Lexicon, frames: Dict[str, SemanticFrame]) -> Understand:
     verbs = frozenset(verb.split()[0] for verb in lexicon.verbs)
 
-    def call(text: str, context: Context = Context(), policy: Policy = Policy(), now_s: float = 0.0) -> Tuple[Outcome, Context]:
+    def call(
+        text: str, context: Context = Context(), policy: Policy = Policy(), now_s: float = 0.0
+    ) -> Tuple[Outcome, Context]:
         return read(parser.parse(text, verbs), lexicon, frames, context=context, policy=policy, now_s=now_s)
 
     return call

@@ -1,4 +1,5 @@
 """The lexicon, amounts found in words, yes and no: no model needed."""
+
 from typing import List, Tuple
 
 import pytest
@@ -13,17 +14,32 @@ from stanford_parser_ros.tree import DependencyTree, Word
 def sentence_of(text: str) -> Sentence:
     """A sentence without structure: every word hangs on the first."""
     forms = text.split()
-    return Sentence(DependencyTree(text=text, words=tuple(
-        Word(index, form, form.lower(), "X", "", "", 0 if index == 1 else 1, "dep") for index, form in enumerate(forms, start=1))))
+    return Sentence(
+        DependencyTree(
+            text=text,
+            words=tuple(
+                Word(index, form, form.lower(), "X", "", "", 0 if index == 1 else 1, "dep")
+                for index, form in enumerate(forms, start=1)
+            ),
+        )
+    )
 
 
-@pytest.mark.parametrize("text, amounts", [
-    ("move 3 feet forward", [("3", "feet", "length")]), ("turn minus two degrees", [("-2", "degrees", "angle")]),
-    ("wait half an hour", [("0.5", "hour", "duration")]), ("a couple of metres", [("2", "metres", "length")]),
-    ("one hundred and twenty degrees left", [("120", "degrees", "angle")]), ("give me 5", [("5", "", "number")]),
-    ("go two metres and turn ninety degrees", [("2", "metres", "length"), ("90", "degrees", "angle")]),
-    ("take a mug", []), ("go to the office", []), ("turn 1e400 degrees", [("1e400", "degrees", "angle")]),
-])
+@pytest.mark.parametrize(
+    "text, amounts",
+    [
+        ("move 3 feet forward", [("3", "feet", "length")]),
+        ("turn minus two degrees", [("-2", "degrees", "angle")]),
+        ("wait half an hour", [("0.5", "hour", "duration")]),
+        ("a couple of metres", [("2", "metres", "length")]),
+        ("one hundred and twenty degrees left", [("120", "degrees", "angle")]),
+        ("give me 5", [("5", "", "number")]),
+        ("go two metres and turn ninety degrees", [("2", "metres", "length"), ("90", "degrees", "angle")]),
+        ("take a mug", []),
+        ("go to the office", []),
+        ("turn 1e400 degrees", [("1e400", "degrees", "angle")]),
+    ],
+)
 def test_find_amounts(text: str, amounts: List[Tuple[str, str, str]]) -> None:
     sentence = sentence_of(text)
     found = find_amounts(sentence, range(1, len(text.split()) + 1))

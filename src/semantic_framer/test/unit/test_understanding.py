@@ -1,4 +1,5 @@
 """What is understood of real sentences, with the shipped models and the frames of the domains."""
+
 import itertools
 from typing import Any, Dict, List, Tuple
 
@@ -10,41 +11,47 @@ from semantic_framer.framer import Alternatives, LeftOverWords, Policy, Question
 def frames_of(outcome: Any) -> List[Tuple[str, Dict[str, str]]]:
     """Name and arguments of the best reading of each clause."""
     assert isinstance(outcome, Understood), outcome
-    return [(readings[0].unit.frame_name, {value.name: value.argument for value in readings[0].values}) for readings in outcome.clauses]
+    return [
+        (readings[0].unit.frame_name, {value.name: value.argument for value in readings[0].values})
+        for readings in outcome.clauses
+    ]
 
 
-@pytest.mark.parametrize("text, frame, arguments", [
-    ("Turn left 120 degrees.", "turning", {"direction": "left", "angle": "120", "angle_unit": "degrees"}),
-    ("Turn right 2 radians.", "turning", {"direction": "right", "angle": "2", "angle_unit": "radians"}),
-    ("turn left", "turning", {"direction": "left", "angle": "90", "angle_unit": "degrees"}),
-    ("turn left one eighty", "turning", {"angle": "180", "angle_unit": "degrees"}),
-    ("rotate ninety degrees to the left", "turning", {"direction": "left", "angle": "90"}),
-    ("Move forward 3 feet.", "moving", {"direction": "forward", "distance": "3", "distance_unit": "feet"}),
-    ("move backwards one metre", "moving", {"direction": "backwards", "distance": "1", "distance_unit": "metre"}),
-    ("move forward half a metre", "moving", {"distance": "0.5", "distance_unit": "metre"}),
-    ("move forward a couple of metres", "moving", {"distance": "2", "distance_unit": "metres"}),
-    ("Turn left 1e400 degrees.", "turning", {"angle": "1e400"}),
-    ("Go to the office.", "navigating_to_location", {"goal": "the office"}),
-    ("Go to Roger's office.", "navigating_to_location", {"goal": "Roger's office"}),
-    ("Come to the fridge.", "arriving", {"goal": "the fridge"}),
-    ("Give me 5.", "high_fiving", {"hand": "5"}),
-    ("Give me the mug.", "giving", {"theme": "the mug", "recipient": "me"}),
-    ("High five!", "high_fiving", {}),
-    ("Give me a hug.", "hugging", {"act": "hug"}),
-    ("Ping.", "pinging", {}),
-    ("Follow me.", "following", {"cotheme": "me"}),
-    ("Put the mug on the table.", "placing", {"theme": "the mug", "goal": "the table"}),
-    ("bring the mug to the table", "bringing", {"theme": "the mug", "goal": "the table"}),
-    ("pick up the box", "taking", {"theme": "the box"}),
-    ("pick the ball up", "taking", {"theme": "the ball"}),
-    ("switch the radio off", "switching_device", {"device": "the radio", "operational_state": "off"}),
-    ("grab the red mug on the kitchen table", "taking", {"theme": "the red mug"}),
-    ("could you please turn left", "turning", {"direction": "left"}),
-    ("I want you to follow me", "following", {"cotheme": "me"}),
-    ("would you mind closing the door", "closing", {"container_portal": "the door"}),
-    ("I need the mug.", "bringing", {"theme": "the mug"}),
-    ("uh okay turn left", "turning", {"direction": "left"}),
-])
+@pytest.mark.parametrize(
+    "text, frame, arguments",
+    [
+        ("Turn left 120 degrees.", "turning", {"direction": "left", "angle": "120", "angle_unit": "degrees"}),
+        ("Turn right 2 radians.", "turning", {"direction": "right", "angle": "2", "angle_unit": "radians"}),
+        ("turn left", "turning", {"direction": "left", "angle": "90", "angle_unit": "degrees"}),
+        ("turn left one eighty", "turning", {"angle": "180", "angle_unit": "degrees"}),
+        ("rotate ninety degrees to the left", "turning", {"direction": "left", "angle": "90"}),
+        ("Move forward 3 feet.", "moving", {"direction": "forward", "distance": "3", "distance_unit": "feet"}),
+        ("move backwards one metre", "moving", {"direction": "backwards", "distance": "1", "distance_unit": "metre"}),
+        ("move forward half a metre", "moving", {"distance": "0.5", "distance_unit": "metre"}),
+        ("move forward a couple of metres", "moving", {"distance": "2", "distance_unit": "metres"}),
+        ("Turn left 1e400 degrees.", "turning", {"angle": "1e400"}),
+        ("Go to the office.", "navigating_to_location", {"goal": "the office"}),
+        ("Go to Roger's office.", "navigating_to_location", {"goal": "Roger's office"}),
+        ("Come to the fridge.", "arriving", {"goal": "the fridge"}),
+        ("Give me 5.", "high_fiving", {"hand": "5"}),
+        ("Give me the mug.", "giving", {"theme": "the mug", "recipient": "me"}),
+        ("High five!", "high_fiving", {}),
+        ("Give me a hug.", "hugging", {"act": "hug"}),
+        ("Ping.", "pinging", {}),
+        ("Follow me.", "following", {"cotheme": "me"}),
+        ("Put the mug on the table.", "placing", {"theme": "the mug", "goal": "the table"}),
+        ("bring the mug to the table", "bringing", {"theme": "the mug", "goal": "the table"}),
+        ("pick up the box", "taking", {"theme": "the box"}),
+        ("pick the ball up", "taking", {"theme": "the ball"}),
+        ("switch the radio off", "switching_device", {"device": "the radio", "operational_state": "off"}),
+        ("grab the red mug on the kitchen table", "taking", {"theme": "the red mug"}),
+        ("could you please turn left", "turning", {"direction": "left"}),
+        ("I want you to follow me", "following", {"cotheme": "me"}),
+        ("would you mind closing the door", "closing", {"container_portal": "the door"}),
+        ("I need the mug.", "bringing", {"theme": "the mug"}),
+        ("uh okay turn left", "turning", {"direction": "left"}),
+    ],
+)
 def test_one_frame(understand: Any, text: str, frame: str, arguments: Dict[str, str]) -> None:
     ((name, filled),) = frames_of(understand(text)[0])
     assert name == frame
@@ -100,12 +107,22 @@ def test_possessor_is_known(understand: Any) -> None:
     assert (value.possessor, value.head) == ("Roger", "office")
 
 
-@pytest.mark.parametrize("text, code", [
-    ("Don't turn left.", "NEGATED"), ("never go to the kitchen", "NEGATED"), ("I don't want you to follow me", "NEGATED"),
-    ("turn left when I say so", "CONDITION"), ("move forward 2 metres in five minutes", "CONDITION"), ("if you see Bob, go to the office", "CONDITION"),
-    ("go to the kitchen later", "CONDITION"), ("Fly to the moon.", "UNKNOWN_VERB"), ("Colorless green ideas sleep furiously.", "UNKNOWN_VERB"),
-    ("the office", "NO_VERB"), ("Ping sideways with the hammer.", "LEFT_OVER_WORDS"),
-])
+@pytest.mark.parametrize(
+    "text, code",
+    [
+        ("Don't turn left.", "NEGATED"),
+        ("never go to the kitchen", "NEGATED"),
+        ("I don't want you to follow me", "NEGATED"),
+        ("turn left when I say so", "CONDITION"),
+        ("move forward 2 metres in five minutes", "CONDITION"),
+        ("if you see Bob, go to the office", "CONDITION"),
+        ("go to the kitchen later", "CONDITION"),
+        ("Fly to the moon.", "UNKNOWN_VERB"),
+        ("Colorless green ideas sleep furiously.", "UNKNOWN_VERB"),
+        ("the office", "NO_VERB"),
+        ("Ping sideways with the hammer.", "LEFT_OVER_WORDS"),
+    ],
+)
 def test_refusals(understand: Any, text: str, code: str) -> None:
     outcome, _ = understand(text)
     assert isinstance(outcome, Refusal) and outcome.code == code and outcome.sentence
@@ -137,12 +154,41 @@ def test_question_is_forgotten_when_a_command_follows(understand: Any) -> None:
     assert frames_of(outcome)[0][0] == "turning" and after.pending is None
 
 
-NEGATIONS = ("don't {}", "do not {}", "never {}", "please don't {}", "robot, do not {}", "you must not {}", "I don't want you to {}")
-CONDITIONS = ("if the door is open, {}", "{} when I say so", "{} in five minutes", "{} later", "{} after lunch", "unless I say no, {}",
-              "{} once Bob is here")
-ACTIONS = ("turn left", "go to the kitchen", "move forward 2 metres", "follow me", "take the mug", "open the door", "put the box on the table",
-           "bring me the book", "say hello", "close the window", "chop the onions", "clean the table", "pick up the ball", "come to the fridge",
-           "rotate 90 degrees to the right")
+NEGATIONS = (
+    "don't {}",
+    "do not {}",
+    "never {}",
+    "please don't {}",
+    "robot, do not {}",
+    "you must not {}",
+    "I don't want you to {}",
+)
+CONDITIONS = (
+    "if the door is open, {}",
+    "{} when I say so",
+    "{} in five minutes",
+    "{} later",
+    "{} after lunch",
+    "unless I say no, {}",
+    "{} once Bob is here",
+)
+ACTIONS = (
+    "turn left",
+    "go to the kitchen",
+    "move forward 2 metres",
+    "follow me",
+    "take the mug",
+    "open the door",
+    "put the box on the table",
+    "bring me the book",
+    "say hello",
+    "close the window",
+    "chop the onions",
+    "clean the table",
+    "pick up the ball",
+    "come to the fridge",
+    "rotate 90 degrees to the right",
+)
 
 
 def test_nothing_negated_or_conditional_is_ever_done(understand: Any) -> None:

@@ -1,4 +1,5 @@
-"""The phrase tree of a sentence, with Penn Treebank tags: of the constituency parser, or projected from its dependencies.
+"""The phrase tree of a sentence, with Penn Treebank tags: of the constituency parser, or projected from its
+dependencies.
 
 A head projects a phrase; its dependents are the phrase's other children, in the order of the sentence. A word with a
 preposition is a

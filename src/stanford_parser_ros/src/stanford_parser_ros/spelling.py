@@ -4,6 +4,8 @@ from dataclasses import dataclass
 from typing import List, Tuple
 
 _RULES: Tuple[Tuple["re.Pattern[str]", str], ...] = (
+    # Marks of transcribers and of speech recognisers: "<pause>", "<no speech>".
+    (re.compile(r"<[a-zA-Z _-]{1,30}>"), " "),
     (re.compile(r"[‘’ʼ`]"), "'"),
     (re.compile(r"[“”]"), '"'),
     (re.compile(r"[–—]"), "-"),

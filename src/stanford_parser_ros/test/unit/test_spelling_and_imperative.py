@@ -21,6 +21,7 @@ VERBS = frozenset(["scrub", "ping", "name", "turn"])
         ("wait 5s", "wait 5 s"),
         ("room 204", "room 204"),
         ("a well-known place", "a well-known place"),
+        ("move forward <pause> two feet", "move forward two feet"),
         ("", ""),
     ],
 )
