@@ -22,8 +22,8 @@ OUTCOME_NAMES = {
     Reply.NEEDS_INFORMATION: "NEEDS_INFORMATION",
     Reply.SUPERSEDED: "SUPERSEDED",
 }
-#: How long after a reply the base may still roll out, seconds.
-ROLL_OUT_S = 3.0
+#: How long after a reply the base may still roll out and the arms return to their safe pose, seconds.
+ROLL_OUT_S = 8.0
 #: The robot is complete when no server has registered for so long, seconds.
 SETTLED_S = 3.0
 #: Events of the stages may arrive a moment after the reply, seconds.

@@ -1,4 +1,5 @@
 """Watches what a robot does: odometry, joints, and the texts that servers publish."""
+
 import math
 import threading
 from typing import Dict, List, Optional, Tuple
@@ -28,6 +29,7 @@ class RobotObserver:
         self._turned_rad = 0.0
         self._driven_m = 0.0
         self._speed = 0.0
+        self._joint_speed = 0.0
         self._joints: Dict[str, float] = {}
         self._start_joints: Dict[str, float] = {}
         self._arm_moved_rad = 0.0
@@ -63,8 +65,21 @@ class RobotObserver:
             pose = self._pose or start
             moved_m = (pose[0] - start[0]) * math.cos(start[2]) + (pose[1] - start[1]) * math.sin(start[2])
             return Observation(
-                turned_rad=self._turned_rad, moved_m=moved_m, driven_m=self._driven_m, position_m=pose[:2],
-                arm_moved_rad=self._arm_moved_rad, said=tuple(self._said), is_still=self._speed <= STILL)
+                turned_rad=self._turned_rad,
+                moved_m=moved_m,
+                driven_m=self._driven_m,
+                position_m=pose[:2],
+                arm_moved_rad=self._arm_moved_rad,
+                arm_offset_rad=self._arm_offset_rad(),
+                said=tuple(self._said),
+                is_still=max(self._speed, self._joint_speed) <= STILL,
+            )
+
+    def _arm_offset_rad(self) -> float:
+        offsets = [
+            abs(self._joints[name] - start) for name, start in self._start_joints.items() if name in self._joints
+        ]
+        return max(offsets, default=0.0)
 
     def _on_odometry(self, message: Odometry) -> None:
         orientation = message.pose.pose.orientation
@@ -81,6 +96,7 @@ class RobotObserver:
 
     def _on_joints(self, message: JointState) -> None:
         with self._lock:
+            self._joint_speed = max((abs(speed) for speed in message.velocity), default=0.0)
             for name, position in zip(message.name, message.position):
                 self._joints[name] = position
                 start = self._start_joints.setdefault(name, position)

@@ -14,6 +14,7 @@ class Measured(Enum):
     REACHED = "reached"  # distance to a point of the map, metres
     FOLLOWED_M = "followed_m"  # path driven while following, metres; at least that much
     ARM_MOVED_RAD = "arm_moved_rad"  # largest excursion of a joint; at least that much
+    ARM_OFFSET_RAD = "arm_offset_rad"  # how far the joints are from where they began; at most that much
     SAID = "said"  # text published by a server, or part of it
 
 
@@ -65,8 +66,9 @@ class Observation:
         driven_m: length of the path driven
         position_m: (x, y) at the end, in the frame of the odometry
         arm_moved_rad: largest excursion of any arm joint
+        arm_offset_rad: how far the joint that is farthest from where it began is from there at the end
         said: texts published by the servers
-        is_still: whether the base stood still at the end
+        is_still: whether base and joints stood still at the end
     """
 
     turned_rad: float = 0.0
@@ -74,6 +76,7 @@ class Observation:
     driven_m: float = 0.0
     position_m: Tuple[float, float] = (0.0, 0.0)
     arm_moved_rad: float = 0.0
+    arm_offset_rad: float = 0.0
     said: Tuple[str, ...] = ()
     is_still: bool = True
 
@@ -105,7 +108,7 @@ def judge(line: Line, outcome: str, observation: Observation) -> Tuple[bool, str
     if outcome != line.outcome:
         return False, f"expected {line.outcome}"
     if not observation.is_still:
-        return False, "the base still moves"
+        return False, "the robot still moves"
     for measured, expected in line.expected.items():
         reason = _deviation(measured, expected, observation, line.tolerance)
         if reason:
@@ -129,6 +132,9 @@ def _deviation(measured: Measured, expected: Any, observation: Observation, tole
         return "" if observation.driven_m >= expected else f"followed {observation.driven_m:.2f} m only"
     if measured is Measured.ARM_MOVED_RAD:
         return "" if observation.arm_moved_rad >= expected else f"arm moved {observation.arm_moved_rad:.2f} rad only"
+    if measured is Measured.ARM_OFFSET_RAD:
+        offset = observation.arm_offset_rad
+        return "" if offset <= expected else f"arm is {offset:.2f} rad from where it began"
     amount = observation.turned_rad if measured is Measured.TURNED_RAD else observation.moved_m
     error = abs(amount - expected) / abs(expected)
     return "" if error <= tolerance else f"{100 * error:.1f} % off"

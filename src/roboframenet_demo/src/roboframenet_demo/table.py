@@ -1,4 +1,5 @@
 """Tables for a terminal."""
+
 import textwrap
 from typing import List, Sequence
 
@@ -13,6 +14,7 @@ def format_table(header: Sequence[str], rows: Sequence[Sequence[str]], *, widths
     Returns:
         the table, without a newline at its end
     """
+
     def lines_of(cells: Sequence[str]) -> List[str]:
         wrapped = [textwrap.wrap(cell, width) or [""] for cell, width in zip(cells, widths)]
         height = max(len(cell) for cell in wrapped)

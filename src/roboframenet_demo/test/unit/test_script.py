@@ -29,6 +29,8 @@ def test_judge_minds_a_base_that_rolls_on() -> None:
     ({Measured.REACHED: [1.0, 2.0]}, Observation(position_m=(2.1, 2.0)), False),
     ({Measured.FOLLOWED_M: 1.0}, Observation(driven_m=1.5), True),
     ({Measured.ARM_MOVED_RAD: 0.5}, Observation(arm_moved_rad=0.2), False),
+    ({Measured.ARM_OFFSET_RAD: 0.05}, Observation(arm_offset_rad=0.2), False),
+    ({Measured.ARM_OFFSET_RAD: 0.05}, Observation(arm_offset_rad=0.01), True),
 ])
 def test_judge_knows_every_measure(expected: dict, observation: Observation, is_right: bool) -> None:
     assert judge(Line(text="x", expected=expected), "DONE", observation)[0] is is_right
