@@ -53,7 +53,8 @@ def parse_measure(text: str, *, quantity: Optional[str] = None, default_unit: st
     if joined and find_unit(joined.group(2)) is not None:
         number_text, unit = joined.group(1), find_unit(joined.group(2))
     elif unit is not None and not head:
-        number_text = "one"
+        # "a metre" may arrive as "metre"; "metres" alone leaves the amount open.
+        number_text = words if last.lower() == "feet" or (last.lower().endswith("s") and len(last) > 2) else "one"
     elif unit is None and default_unit and quantity != "number":
         unit = find_unit(default_unit)
     for filler in _FILLERS:

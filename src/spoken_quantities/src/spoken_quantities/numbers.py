@@ -23,9 +23,14 @@ _FRACTIONS: Dict[str, float] = {
     "quarters": 0.25,
 }
 _SIGNS = {"minus": -1.0, "negative": -1.0, "plus": 1.0}
+_DIGIT_OF: Dict[str, int] = {word: value for word, value in _SMALL.items() if value < 10}
+_DIGIT_OF.update({str(value): value for value in range(10)})
 #: Words in front of a number that leave its amount as it is.
 _HEDGES = {"about", "around", "approximately", "roughly", "exactly", "another", "some", "just"}
-_DIGITS = re.compile(r"[+-]?(\d+(,\d{3})+|\d+)?(\.\d+)?(e[+-]?\d+)?$", re.IGNORECASE)
+_JOINING_HYPHEN = re.compile(r"(?<=[a-z])-(?=[a-z])")
+_LEADING_SIGN = re.compile(r"^\s*-\s*(?=[^\s-])")
+_RATIO = re.compile(r"(\d{1,9})\s*/\s*(\d{1,9})$", re.ASCII)
+_DIGITS = re.compile(r"[+]?(\d+(,\d{3})+|\d+)?(\.\d+)?(e[+-]?\d+)?$", re.IGNORECASE | re.ASCII)
 
 
 class QuantityError(ValueError):
@@ -61,10 +66,9 @@ def parse_number(text: str) -> float:
     Raises:
         QuantityError: NOT_A_NUMBER, NOT_FINITE ("1e400")
     """
-    words = text.lower().replace("-", " - ").split() if not _is_digits(text) else [text.strip()]
-    # "twenty-one" is two words, "-2" and "- 2" are a sign and a number.
-    words = ["minus" if word == "-" and index == 0 else word for index, word in enumerate(words)]
-    words = [word for word in words if word != "-" and word not in _HEDGES]
+    # Between two words a hyphen joins ("twenty-one"); between digits it is a range ("100-50"), which is no number.
+    spelled = _JOINING_HYPHEN.sub(" ", text.lower().replace("\u2212", "-"))
+    words = [word for word in _LEADING_SIGN.sub("minus ", spelled).split() if word not in _HEDGES]
     sign = 1.0
     while words and words[0] in _SIGNS:
         sign *= _SIGNS[words.pop(0)]
@@ -77,8 +81,8 @@ def parse_number(text: str) -> float:
 
 
 def _is_digits(text: str) -> bool:
-    stripped = text.strip()
-    return bool(_DIGITS.match(stripped)) and any(character.isdigit() for character in stripped)
+    """Whether a text is a number in digits, without a minus."""
+    return bool(_DIGITS.match(text)) and any(character.isdigit() for character in text)
 
 
 def _parse_unsigned(words: List[str]) -> Optional[float]:
@@ -86,13 +90,16 @@ def _parse_unsigned(words: List[str]) -> Optional[float]:
         return None
     if len(words) == 1 and _is_digits(words[0]):
         return float(words[0].replace(",", ""))
-    if len(words) == 3 and words[1] == "/" or len(words) == 1 and re.match(r"\d+/\d+$", words[0]):
-        numerator, denominator = "".join(words).split("/")
-        return float(numerator) / float(denominator) if float(denominator) else math.inf
+    ratio = _RATIO.match(" ".join(words))
+    if ratio:
+        numerator, denominator = (float(part) for part in ratio.groups())
+        return numerator / denominator if denominator else math.inf
     if words[0] in ("a", "an", "one") and words[1:] and words[1] in ("couple", "few"):
         return ({"couple": 2.0, "few": 3.0}[words[1]]) if words[2:] in ([], ["of"]) else None
     if words in (["a"], ["an"]):
         return 1.0
+    if words[-2:] == ["a", "dozen"] and words[:-2] == ["half"] or words == ["half", "dozen"]:
+        return 6.0
     halves = _fraction_at_end(words)
     if halves is not None:
         return halves
@@ -108,7 +115,10 @@ def _fraction_at_end(words: List[str]) -> Optional[float]:
         words.pop()
     if not words or words[-1] not in _FRACTIONS:
         return None
-    fraction = _FRACTIONS[words.pop()]
+    name = words.pop()
+    fraction = _FRACTIONS[name]
+    if words[-1:] == ["and"]:
+        words.append("a")
     if words and words[-1] in ("a", "an", "one"):
         words.pop()
         if words and words[-1] == "and":
@@ -117,6 +127,9 @@ def _fraction_at_end(words: List[str]) -> Optional[float]:
         return None if words else fraction
     if not words:
         return fraction
+    # "twenty third" is a place in a row; "three quarter" is said before a noun ("a three quarter turn").
+    if not name.endswith("s") and name != "quarter":
+        return None
     count = _whole(words)
     return None if count is None else count * fraction
 
@@ -124,8 +137,8 @@ def _fraction_at_end(words: List[str]) -> Optional[float]:
 def _decimal(words: List[str]) -> Optional[float]:
     split = words.index("point")
     whole = _whole(words[:split]) if split else 0.0
-    digits = [_SMALL.get(word, int(word) if word.isdigit() and len(word) == 1 else None) for word in words[split + 1 :]]
-    if whole is None or not digits or any(digit is None or digit > 9 for digit in digits):
+    digits = [_DIGIT_OF.get(word) for word in words[split + 1 :]]
+    if whole is None or not digits or None in digits:
         return None
     return whole + float("0." + "".join(str(digit) for digit in digits))
 
@@ -135,39 +148,52 @@ def _whole(words: List[str]) -> Optional[float]:
     total = 0.0
     group: Optional[float] = None
     before: Optional[str] = None
+    largest = math.inf
     for word in words:
         if word == "and":
             if before not in ("hundred", "thousand", "million"):
                 return None
-        elif word in ("a", "an") and before is None:
+        elif word in ("a", "an"):
+            if before is not None or words[1:2] not in (["dozen"], ["hundred"], ["thousand"], ["million"]):
+                return None
             group = 1.0
         elif word in _SMALL or _is_digits(word):
             value = float(_SMALL[word]) if word in _SMALL else float(word.replace(",", ""))
-            group = _append(group, value, before)
+            group = _append(group, value, before, is_word=word in _SMALL)
             if group is None:
                 return None
         elif word in _MULTIPLIERS:
             factor = _MULTIPLIERS[word]
+            # Thousands come before hundreds, and each once: "one hundred two hundred" is two numbers.
+            if factor >= largest or (group is None and before is not None) or before == "and":
+                return None
+            if factor < 1e3 and group is not None and group >= 100:
+                return None
             group = (1.0 if group is None else group) * factor
             if factor >= 1e3:
-                total, group = total + group, None
+                total, group, largest = total + group, None, factor
         else:
             return None
         before = word
-    if before == "and" or (group is None and total == 0.0):
+    if before == "and" or before is None:
         return None
     return total + (group or 0.0)
 
 
-def _append(group: Optional[float], value: float, before: Optional[str]) -> Optional[float]:
-    """Put a number word behind those before it; None when English does not say it so."""
+def _append(group: Optional[float], value: float, before: Optional[str], *, is_word: bool) -> Optional[float]:
+    """Put a number behind the words before it; None when English does not say it so."""
     if group is None:
         return value
-    if before in ("hundred", "and") or (before is not None and before not in _SMALL and group % 100 == 0):
+    if before == "dozen":
+        return None
+    if before in ("hundred", "and"):
         return group + value if value < 100 else None
-    if group % 10 == 0 and 20 <= group % 100 and value < 10 and value > 0:
+    if not is_word or before not in _SMALL:
+        # "100 50" and "20 3" are two numbers, whatever their sum is.
+        return None
+    if group % 10 == 0 and 20 <= group % 100 and 0 < value < 10:
         return group + value
     # "one eighty" is said for 180, "one twenty five" continues it.
-    if group < 10 and 10 <= value < 100:
+    if 1 <= group < 10 <= value < 100:
         return group * 100 + value
     return None

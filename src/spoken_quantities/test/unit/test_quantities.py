@@ -1,10 +1,11 @@
 """Numbers and measures as people say them."""
 
 import math
+import random
 from typing import List
 
 import pytest
-from spoken_quantities import QuantityError, find_unit, parse_measure, parse_number, units_of
+from spoken_quantities import QuantityError, find_unit, number_words, parse_measure, parse_number, units_of
 
 ONES = (
     "zero one two three four five six seven eight nine ten eleven twelve thirteen fourteen fifteen sixteen seventeen "
@@ -70,6 +71,16 @@ def test_every_number_below_ten_thousand_in_words() -> None:
         ("2 hundred", 200),
         ("twenty-one", 21),
         ("one and a quarter", 1.25),
+        ("two and half", 2.5),
+        ("half a dozen", 6),
+        ("minus half", -0.5),
+        ("\u22122", -2),
+        ("- 2", -2),
+        ("twelve hundred", 1200),
+        ("hundred thousand", 100000),
+        ("2 hundred and 50", 250),
+        ("1 / 2", 0.5),
+        ("three quarter", 0.75),
     ],
 )
 def test_parse_number(text: str, number: float) -> None:
@@ -95,6 +106,20 @@ def test_parse_number(text: str, number: float) -> None:
         "infinity",
         "1e",
         "--2x",
+        "--2",
+        "100-50",
+        "20-3",
+        "100 50",
+        "1 80",
+        "zero eighty",
+        "a eighty",
+        "one hundred two hundred",
+        "two thousand three thousand",
+        "one dozen two",
+        "twenty third",
+        "a / b",
+        "and / or",
+        "two point \u00b2",
     ],
 )
 def test_words_that_are_no_number(text: str) -> None:
@@ -151,12 +176,33 @@ def test_bare_number_takes_the_default_unit() -> None:
         ("1e306 kilometres", "length", "NOT_FINITE"),
         ("", "length", "NOT_A_NUMBER"),
         ("the kitchen", "length", "NOT_A_NUMBER"),
+        ("100-50 metres", "length", "NOT_A_NUMBER"),
+        ("metres", "length", "NOT_A_NUMBER"),
+        ("feet", "length", "NOT_A_NUMBER"),
     ],
 )
 def test_measure_that_is_refused(text: str, quantity: str, code: str) -> None:
     with pytest.raises(QuantityError) as raised:
         parse_measure(text, quantity=quantity)
     assert raised.value.code == code
+
+
+@pytest.mark.parametrize("text, metres", [("metre", 1.0), ("foot", 0.3048)])
+def test_unit_alone_in_the_singular_is_one_of_it(text: str, metres: float) -> None:
+    assert parse_measure(text, quantity="length").si_amount == pytest.approx(metres)
+
+
+@pytest.mark.parametrize("seed", range(5))
+def test_any_text_is_a_finite_number_or_refused_with_a_reason(seed: int) -> None:
+    chance = random.Random(seed)
+    parts = list(number_words()) + ["a", "an", "and", "of", "point", "-", "/", "2", "50", "1e9", "\u00b2", "feet", "-3", ""]
+    for _ in range(2000):
+        text = " ".join(chance.choice(parts) for _ in range(chance.randint(0, 6)))
+        for read in (parse_number, lambda said: parse_measure(said).si_amount):
+            try:
+                assert math.isfinite(read(text)), f"{text!r}, seed {seed}"
+            except QuantityError as error:
+                assert error.code and str(error), f"{text!r}, seed {seed}"
 
 
 def test_every_quantity_has_units_and_each_is_found_by_its_name() -> None:
