@@ -1,12 +1,12 @@
 """Lexical unit files: one unit or a list of units, as in 2012, with additions."""
 
-from typing import Dict, List, Mapping, Optional, Tuple
+from typing import Dict, List, Mapping, Tuple
 
 import yaml
 
 from semantic_frames.frame import SemanticFrame
 from semantic_frames.lexical_unit import ArgumentForm, ElementRelation, Example, LexicalUnit, RelationPath
-from semantic_frames.marked_yaml import Reader, did_you_mean, line_of
+from semantic_frames.marked_yaml import Reader, did_you_mean, is_empty, line_of
 from semantic_frames.problem import Problem
 from semantic_frames.relation_names import MEASURE, STANFORD, UNIVERSAL, is_relation_name
 
@@ -63,7 +63,11 @@ def _unit(reader: Reader, node: yaml.Node, key: str) -> LexicalUnit:
 def _relation(reader: Reader, node: yaml.Node, key: str) -> ElementRelation:
     entries = reader.mapping(node, key, RELATION_KEYS, required=("name", "relation"))
     relation = entries.get("relation")
-    paths = [_path(reader, text, relation, f"{key}.relation") for text in reader.texts(relation, f"{key}.relation")]
+    if isinstance(relation, yaml.SequenceNode):
+        alternatives = reader.sequence(relation, f"{key}.relation")
+    else:
+        alternatives = [(f"{key}.relation", relation)] if relation is not None and not is_empty(relation) else []
+    paths = [_path(reader, item, item_key) for item_key, item in alternatives]
     if relation is not None and not paths:
         reader.report("EMPTY", relation, f"{key}.relation", "no relation", "a relation such as dobj or prep_to")
     return ElementRelation(
@@ -83,10 +87,10 @@ def _relation(reader: Reader, node: yaml.Node, key: str) -> ElementRelation:
     )
 
 
-def _path(reader: Reader, text: str, node: Optional[yaml.Node], key: str) -> RelationPath:
-    steps = tuple(step.strip() for step in text.split("/"))
+def _path(reader: Reader, node: yaml.Node, key: str) -> RelationPath:
+    steps = tuple(step.strip() for step in reader.text(node, key).split("/"))
     for step in steps:
-        if not is_relation_name(step) and node is not None:
+        if not is_relation_name(step) and isinstance(node, yaml.ScalarNode):
             known = sorted(UNIVERSAL | STANFORD | {MEASURE})
             reader.report(
                 "UNKNOWN_RELATION",
@@ -122,7 +126,7 @@ def check_lexical_unit(unit: LexicalUnit, frames: Mapping[str, SemanticFrame]) -
         unit: the unit
         frames: by name
     Returns:
-        problems: an unknown frame, an unknown element, a core element that nothing can fill
+        problems: an unknown frame, an unknown element in a relation or an example, a core element that nothing can fill
     """
     frame = frames.get(unit.frame_name)
     if frame is None:
@@ -138,18 +142,20 @@ def check_lexical_unit(unit: LexicalUnit, frames: Mapping[str, SemanticFrame]) -
             )
         ]
     names = [element.name for element in frame.frame_elements]
+    named = [(relation.line, "frame_element_grammatical_relations", relation.name) for relation in unit.relations]
+    named += [(example.line, "examples", name) for example in unit.examples for name in example.frame_elements]
     problems = [
         Problem(
             "UNKNOWN_ELEMENT",
             unit.path,
-            relation.line,
-            "frame_element_grammatical_relations",
-            f"'{relation.name}'",
+            line,
+            key,
+            f"'{name}'",
             f"an element of {frame.name}: {', '.join(names) or 'it has none'}",
-            did_you_mean(relation.name, names),
+            did_you_mean(name, names),
         )
-        for relation in unit.relations
-        if relation.name not in names
+        for line, key, name in named
+        if name not in names
     ]
     filled = {relation.name for relation in unit.relations}
     problems += [

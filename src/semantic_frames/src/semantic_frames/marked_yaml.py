@@ -9,6 +9,8 @@ from semantic_frames.problem import FileRefused, Problem
 
 #: Nobody writes a longer file by hand.
 LARGEST_FILE = 1_000_000
+#: Lists and mappings inside each other; the deepest key of a frame file is at 6.
+DEEPEST_NESTING = 20
 _BOOLEANS = {"true": True, "yes": True, "false": False, "no": False}
 
 
@@ -49,14 +51,29 @@ class Reader:
         Returns:
             the root
         Raises:
-            FileRefused: empty, no YAML, several documents, too large, an alias
+            FileRefused: empty, no YAML, several documents, too large, nested too deeply, an alias
         """
         if len(text) > LARGEST_FILE:
             raise FileRefused(
                 [Problem("TOO_LARGE", self.path, 1, "file", f"{len(text)} characters", f"at most {LARGEST_FILE}")]
             )
         try:
+            depth = 0
             for event in yaml.parse(text, Loader=yaml.SafeLoader):
+                depth += isinstance(event, yaml.CollectionStartEvent) - isinstance(event, yaml.CollectionEndEvent)
+                if depth > DEEPEST_NESTING:
+                    raise FileRefused(
+                        [
+                            Problem(
+                                "TOO_DEEP",
+                                self.path,
+                                event.start_mark.line + 1,
+                                "file",
+                                f"more than {DEEPEST_NESTING} lists and mappings inside each other",
+                                expected,
+                            )
+                        ]
+                    )
                 if isinstance(event, yaml.AliasEvent) or getattr(event, "anchor", None):
                     raise FileRefused(
                         [

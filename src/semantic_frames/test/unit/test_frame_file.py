@@ -121,6 +121,9 @@ def test_additions_are_read() -> None:
         ),
         ("name: a\nchildren:\n  - []", "EMPTY", 3, "children[0]"),
         ("name: &x a\ndescription: *x", "ALIAS", 1, "file"),
+        ("name: " + "[" * 3000, "TOO_DEEP", 1, "file"),
+        ("".join(" " * depth + "name:\n" for depth in range(40)), "TOO_DEEP", 21, "file"),
+        ("#" * 1000001, "TOO_LARGE", 1, "file"),
         ("name: a\n---\nname: b", "NOT_YAML", 2, "file"),
     ],
 )

@@ -66,6 +66,25 @@ def test_list_of_units_chains_and_alternatives() -> None:
             4,
             "frame_element_grammatical_relations[0].argument",
         ),
+        (
+            "frame_name: a\nverb: go\nframe_element_grammatical_relations:\n  - name: x\n    relation:\n      - dobj\n"
+            "      - dirobj\n",
+            "UNKNOWN_RELATION",
+            7,
+            "frame_element_grammatical_relations[0].relation[1]",
+        ),
+        (
+            "frame_name: a\nverb: go\nframe_element_grammatical_relations:\n  - {name: x, relation: {dobj: poss}}",
+            "WRONG_TYPE",
+            4,
+            "frame_element_grammatical_relations[0].relation",
+        ),
+        (
+            "frame_name: a\nverb: go\nframe_element_grammatical_relations:\n  - name: x\n    relation:",
+            "EMPTY",
+            5,
+            "frame_element_grammatical_relations[0].relation",
+        ),
         ("- frame_name: a\n  verb: go\n- frame_nam: b\n  verb: come", "UNKNOWN_KEY", 3, "[1].frame_nam"),
         ("frame_name: a\nverb: go\nexamples:\n  - frame_elements: {x: y}", "MISSING_KEY", 4, "examples[0].text"),
     ],
@@ -104,3 +123,10 @@ def test_check_finds_nothing_wrong() -> None:
 def test_check_names_what_does_not_fit_the_frame(old: str, new: str, code: str) -> None:
     (unit,) = load_lexical_units(GIVING_2012.replace(old, new), "give.yaml")
     assert code in [problem.code for problem in check_lexical_unit(unit, {"giving": GIVING})]
+
+
+def test_check_names_the_line_of_an_example_with_an_unknown_element() -> None:
+    text = GIVING_2012 + "examples:\n  - text: Give me the mug.\n    frame_elements: {recipient: me, thme: the mug}\n"
+    (problem,) = check_lexical_unit(load_lexical_units(text, "give.yaml")[0], {"giving": GIVING})
+    assert (problem.code, problem.line, problem.key) == ("UNKNOWN_ELEMENT", 9, "examples")
+    assert problem.hint == "did you mean 'theme'?"
