@@ -1,15 +1,19 @@
-"""The frame `stopping` for sentences that reach the stop server through language."""
+"""The frames `stopping` and `waiting` for sentences that reach the stop server through language."""
+
 import threading
-from typing import Callable
+import time
+from typing import Any, Callable
 
 import rospy
 
 SERVER = "stopping"
-FRAME = "stopping"
+FRAMES = ("stopping", "waiting")
+#: How often a robot that waits looks whether it is asked for something else, seconds.
+POLL_S = 0.05
 
 
 class StoppingFrame:
-    """Offers an RFNServer for the frame, from a thread of its own.
+    """Offers an RFNServer for the frames, from a thread of its own.
 
     The import and the registration may take long or fail, and the short way must not wait for either.
     """
@@ -24,7 +28,7 @@ class StoppingFrame:
         self._thread = threading.Thread(target=self._offer, name="stopping_frame", daemon=True)
 
     def start(self) -> None:
-        """Begin to offer the frame; returns at once."""
+        """Begin to offer the frames; returns at once."""
         self._thread.start()
 
     def close(self, *, timeout_s: float) -> None:
@@ -34,10 +38,27 @@ class StoppingFrame:
     def _offer(self) -> None:
         try:
             from rfnserver import RFNServer
-            server = RFNServer(SERVER, lambda frame: self._stop())
-            server.register_with_frame(FRAME)
+
+            server = RFNServer(SERVER, lambda frame: self._carry_out(server, frame))
+            for frame_name in FRAMES:
+                server.register_with_frame(frame_name)
             server.start()
         except Exception as error:  # boundary: whatever is wrong with the long way, the short way works on
-            rospy.logwarn("the frame %s is not offered: %s: %s", FRAME, type(error).__name__, error)
+            rospy.logwarn("the frames %s are not offered: %s: %s", ", ".join(FRAMES), type(error).__name__, error)
             return
         self._server = server
+
+    def _carry_out(self, server: Any, frame: Any) -> None:
+        """Stop; "wait for two minutes" also keeps still for so long, unless another command comes."""
+        from rfnserver.arguments import ArgumentError, argument, duration_s
+
+        self._stop()
+        if not argument(frame, "duration"):
+            return
+        try:
+            end = time.monotonic() + duration_s(frame, "duration")
+        except ArgumentError as reason:
+            server.set_aborted(None, str(reason))
+            return
+        while time.monotonic() < end and not server.is_preempt_requested() and not rospy.is_shutdown():
+            time.sleep(POLL_S)
