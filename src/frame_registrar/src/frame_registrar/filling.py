@@ -121,17 +121,25 @@ def child_arguments(parent: FilledFrame, child: RelatedFrame) -> Optional[Mappin
     Returns:
         arguments by element of the child; None when a value condition says that the child does not stand for the parent
     """
+    if unmet_condition(parent, child) is not None:
+        return None
     arguments = {}
     for relation in child.frame_element_relations:
-        if isinstance(relation, ValueCondition):
-            said = bare(parent.argument(relation.parent_name))
-            if said not in [bare(value) for value in relation.child_values]:
-                return None
-        elif isinstance(relation, ConstantArgument):
+        if isinstance(relation, ConstantArgument):
             arguments[relation.child_name] = relation.parent_value
         elif isinstance(relation, ElementMapping) and parent.argument(relation.parent_name):
             arguments[relation.child_name] = parent.argument(relation.parent_name)
     return arguments
+
+
+def unmet_condition(parent: FilledFrame, child: RelatedFrame) -> Optional[ValueCondition]:
+    """Return the first value condition that keeps a child from standing for its filled parent, None for none."""
+    for relation in child.frame_element_relations:
+        if isinstance(relation, ValueCondition):
+            said = bare(parent.argument(relation.parent_name))
+            if said not in [bare(value) for value in relation.child_values]:
+                return relation
+    return None
 
 
 def bare(argument: str) -> str:

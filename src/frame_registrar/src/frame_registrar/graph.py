@@ -35,8 +35,7 @@ class FrameGraph:
             whether anything changed; False for a file that is known already
         Raises:
             FileRefused: the frame would close a cycle, or an element named in a relation does not exist; the graph
-                stays
-                as it was
+                stays as it was
         """
         known = self._frames.get(frame.name)
         if known == frame:
@@ -65,6 +64,12 @@ class FrameGraph:
         self._frames[frame.name] = frame
         self._graph = graph
         return True
+
+    def remove(self, name: str) -> None:
+        """Forget a frame; what registered for it, and parents that name it, wait for it to come again."""
+        self._frames.pop(name, None)
+        if name in self._graph:
+            self._graph.remove_edges_from(list(self._graph.out_edges(name)))
 
     def _element_problems(self, frame: SemanticFrame) -> List[Problem]:
         """Relations of the frame to children that are known, and of known parents to the frame."""

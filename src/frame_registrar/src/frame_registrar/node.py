@@ -5,6 +5,7 @@ import uuid
 from dataclasses import dataclass
 from typing import Dict, FrozenSet, List, Tuple
 
+import rosgraph
 import rospy
 from roboframenet_msgs.msg import (
     CommandLexicalUnits,
@@ -30,6 +31,7 @@ from roboframenet_msgs.srv import (
     RegisterWithFrameResponse,
 )
 from semantic_frames import FileRefused, Problem, load_frame
+from semantic_frames.frame import SemanticFrame
 from semantic_frames.source_files import FRAMES_FOLDER, read_text, replace_problems, yaml_files
 
 from frame_registrar.graph import FrameGraph
@@ -94,6 +96,7 @@ class FrameRegistrar:
     def __init__(self, settings: Settings) -> None:
         self._settings = settings
         self._lock = threading.Lock()
+        self._adding = threading.Lock()
         self._graph = FrameGraph()
         self._texts: Dict[str, str] = {}
         self._problems: Tuple[Problem, ...] = ()
@@ -129,33 +132,41 @@ class FrameRegistrar:
 
     def _add_file(self, path: str) -> bool:
         """Add one frame file; return whether it is in the graph now. The problems are logged and published."""
-        try:
-            text = read_text(path)
-            frame = load_frame(text, path)
-            other = self._graph.frame(frame.name)
-            with self._lock:
-                self._graph.add(frame)
-                if other is not None and other.path != path:
-                    rospy.logwarn("frame '%s' of %s takes the place of the one of %s", frame.name, path, other.path)
-                    self._texts.pop(other.path, None)
+        problems: Tuple[Problem, ...] = ()
+        with self._lock:
+            try:
+                text = read_text(path)
+                self._add_frame(load_frame(text, path))
                 self._texts[path] = text
-            problems: Tuple[Problem, ...] = ()
-        except FileRefused as refused:
-            problems = refused.problems
-            for problem in problems:
-                rospy.logerr("refused: %s", problem)
-        self._problems = replace_problems(self._problems, path, problems)
-        self._file_problems.publish(to_file_problems(self._problems))
+            except FileRefused as refused:
+                problems = refused.problems
+                for problem in problems:
+                    rospy.logerr("refused: %s", problem)
+            self._problems = replace_problems(self._problems, path, problems)
+            self._file_problems.publish(to_file_problems(self._problems))
         return not problems
+
+    def _add_frame(self, frame: SemanticFrame) -> None:
+        before = self._graph.frame(frame.name)
+        self._graph.add(frame)
+        if before is not None and before.path != frame.path:
+            rospy.logwarn("frame '%s' of %s takes the place of the one of %s", frame.name, frame.path, before.path)
+            self._texts.pop(before.path, None)
+        for name in [name for name, other in self._graph.frames.items() if other.path == frame.path]:
+            if name != frame.name:
+                rospy.loginfo("frame '%s' is gone: %s describes '%s' now", name, frame.path, frame.name)
+                self._graph.remove(name)
 
     def _on_add_frame(self, request: AddFrameRequest) -> AddFrameResponse:
         path = request.absolute_file_path
-        is_added = self._add_file(path)
-        if is_added:
-            added = rospy.get_param(ADDED_FRAMES, [])
-            if path not in added:
-                rospy.set_param(ADDED_FRAMES, added + [path])
-            self._publish_catalogue()
+        # Of two files that are added at once neither may be lost from the parameter, and no command waits for the master.
+        with self._adding:
+            is_added = self._add_file(path)
+            if is_added:
+                added = rospy.get_param(ADDED_FRAMES, [])
+                if path not in added:
+                    rospy.set_param(ADDED_FRAMES, added + [path])
+                self._publish_catalogue()
         return AddFrameResponse(success=is_added)
 
     def _on_get_empty_frame(self, request: GetEmptyFrameRequest) -> GetEmptyFrameResponse:
@@ -163,15 +174,19 @@ class FrameRegistrar:
         return GetEmptyFrameResponse(frame=to_empty_frame(frame) if frame else EmptySemanticFrame())
 
     def _on_register(self, request: RegisterWithFrameRequest) -> RegisterWithFrameResponse:
-        with self._lock:
-            errors = self._graph.register(request.frame_name, request.callback_topic)
+        server = request.callback_topic
+        if server.strip() and (server.startswith("~") or not rosgraph.names.is_legal_name(server)):
+            errors: Tuple[str, ...] = (f"'{server}' is no name of an action server: a graph name without '~' is expected",)
+        else:
+            with self._lock:
+                errors = self._graph.register(request.frame_name, server)
         for error in errors:
             rospy.logerr("registration refused: %s", error)
         if not errors:
             if self._graph.frame(request.frame_name) is None:
                 rospy.logwarn(
                     "'%s' registered for the frame '%s', which no file describes yet",
-                    request.callback_topic,
+                    server,
                     request.frame_name,
                 )
             self._publish_catalogue()
@@ -189,16 +204,18 @@ class FrameRegistrar:
             self._publish_catalogue()
 
     def _publish_catalogue(self) -> None:
+        # Published under the lock: of two changes at once, the later must be the one that stays latched.
         with self._lock:
-            message = FrameCatalogue(
-                registrar_id=self._id,
-                files=[SourceFile(path=path, text=text) for path, text in self._texts.items()],
-                callbacks=[
-                    FrameCallback(frame_name=frame, callback_topic=server, is_alive=self._graph.is_alive(server))
-                    for frame, server in self._graph.registrations()
-                ],
+            self._catalogue.publish(
+                FrameCatalogue(
+                    registrar_id=self._id,
+                    files=[SourceFile(path=path, text=text) for path, text in self._texts.items()],
+                    callbacks=[
+                        FrameCallback(frame_name=frame, callback_topic=server, is_alive=self._graph.is_alive(server))
+                        for frame, server in self._graph.registrations()
+                    ],
+                )
             )
-        self._catalogue.publish(message)
 
     def _on_command(self, message: CommandLexicalUnits) -> None:
         try:
@@ -210,7 +227,10 @@ class FrameRegistrar:
             return
         if isinstance(outcome, Refusal):
             rospy.loginfo("cmd=%s refused: %s", message.command.id, outcome.sentence)
-            self._end(message, Reply.REFUSED, outcome.code, outcome.sentence)
+            is_question = outcome.code == "MISSING_ELEMENT"
+            self._end(
+                message, Reply.NEEDS_INFORMATION if is_question else Reply.REFUSED, outcome.code, outcome.sentence
+            )
             return
         lists = to_frame_lists(outcome)
         self._events.publish(

@@ -1,13 +1,17 @@
 """Which action servers are there, by what the master and the nodes themselves say."""
 
-import socket
 import threading
 import xmlrpc.client
-from http.client import HTTPConnection
+from http.client import HTTPConnection, HTTPException
 from typing import Callable, Dict, FrozenSet, Iterable, Optional, Tuple
+from xml.parsers.expat import ExpatError
 
 import rosgraph
 import rospy
+
+
+#: What asking a node may end in. The port of a dead node may belong to somebody who speaks no XML-RPC by now.
+_NO_ANSWER = (OSError, HTTPException, ExpatError, xmlrpc.client.Error, rosgraph.MasterException)
 
 
 class _TimeoutTransport(xmlrpc.client.Transport):
@@ -27,9 +31,8 @@ class LivenessWatch:
     """Asks at a low rate whether the nodes behind action servers still answer.
 
     The master knows which node publishes ``<server>/status``, also long after that node was killed; the node itself
-    answers ``getPid``. Both are the distribution's own interfaces: servers need nothing for it, and a process with many
-    servers is
-    asked once.
+    answers ``getPid``. Both are the distribution's own interfaces: servers need nothing for it, and a process with
+    many servers is asked once.
     """
 
     def __init__(
@@ -67,7 +70,7 @@ class LivenessWatch:
                 continue
             try:
                 dead = self._dead_among(servers)
-            except (OSError, socket.error, rosgraph.MasterException, xmlrpc.client.Error) as error:
+            except _NO_ANSWER as error:
                 # A master that is busy or away says nothing about the servers.
                 rospy.logwarn_throttle(30.0, "cannot ask the master who is alive: %s", error)
                 continue
@@ -93,5 +96,5 @@ class LivenessWatch:
             uri: Optional[str] = master.lookupNode(node)
             proxy = xmlrpc.client.ServerProxy(uri, transport=_TimeoutTransport(self._timeout_s))
             return proxy.getPid(rospy.get_name())[0] == 1
-        except (OSError, rosgraph.MasterException, xmlrpc.client.Error):
+        except _NO_ANSWER:
             return False

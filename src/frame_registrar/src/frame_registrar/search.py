@@ -2,14 +2,15 @@
 
 from dataclasses import dataclass, replace
 from itertools import islice
-from typing import Dict, Iterator, List, Optional, Sequence, Tuple, Union
+from typing import Dict, Iterator, List, Sequence, Tuple, Union
 
 from semantic_frames.frame import ListPolicy, SemanticFrame
 
-from frame_registrar.filling import FilledFrame, Unfillable, alternatives, child_arguments, fill, words
+from frame_registrar.filling import Unfillable, fill, words
 from frame_registrar.graph import FrameGraph
+from frame_registrar.realisation import Frames, Realiser, Refusal
 
-Frames = Tuple[FilledFrame, ...]
+__all__ = ["Argument", "Candidate", "Reading", "Refusal", "search"]
 
 
 @dataclass(frozen=True)
@@ -57,21 +58,11 @@ class Candidate:
     coverage: float
 
 
-@dataclass(frozen=True)
-class Refusal:
-    """Nothing can do what was said.
-
-    Attributes:
-        code: as in ``Reply.code``
-        sentence: for a person
-    """
-
-    code: str
-    sentence: str
-
-
 #: When several readings fail, the reason that tells the person most comes first.
 _REASONS = ("LIMIT", "VALUE_NOT_ALLOWED", "MISSING_ELEMENT", "NO_SERVER", "UNKNOWN_FRAME")
+#: Several roads through the graph may lead to the same frames, which count once.
+_MOST_EXAMINED = 100_000
+_NOTHING_UNDERSTOOD = Refusal("NO_READING", "I understood nothing that I could do.")
 
 
 def search(
@@ -86,27 +77,53 @@ def search(
     Returns:
         candidates, those of a higher coverage first; a refusal when there is none
     """
+    realiser = Realiser(graph)
     by_clause: List[List[Candidate]] = []
     for readings in clauses:
-        found: List[Candidate] = []
-        refusals: List[Refusal] = []
-        for reading in sorted(readings, key=lambda reading: -reading.coverage):
-            outcome = _of_reading(graph, reading, max_candidates - len(found))
-            if isinstance(outcome, Refusal):
-                refusals.append(outcome)
-            else:
-                found += outcome
-            if len(found) >= max_candidates:
-                break
-        if not found:
-            return (
-                min(refusals, key=lambda refusal: _REASONS.index(refusal.code))
-                if refusals
-                else Refusal("NO_READING", "I understood nothing that I could do.")
-            )
+        found = _of_clause(realiser, readings, max_candidates)
+        if isinstance(found, Refusal):
+            return found
         by_clause.append(found)
     candidates = list(islice(_concatenations(by_clause), max_candidates))
+    if not candidates:
+        return _NOTHING_UNDERSTOOD
     return tuple(sorted(candidates, key=lambda candidate: -candidate.coverage))
+
+
+def _of_clause(
+    realiser: Realiser, readings: Sequence[Reading], max_candidates: int
+) -> Union[List[Candidate], Refusal]:
+    """Find the ways to carry out one clause, readings of a higher coverage first, none of them twice."""
+    found: Dict[Frames, Candidate] = {}
+    refusals: List[Refusal] = []
+    for reading in sorted(readings, key=lambda reading: -reading.coverage):
+        frame = realiser.graph.frame(reading.frame_name)
+        if frame is None:
+            name = words(reading.frame_name)
+            refusals.append(
+                Refusal("UNKNOWN_FRAME", f'The lexicon speaks of "{name}", but no file describes that frame.')
+            )
+            continue
+        for task in _tasks(frame, reading):
+            try:
+                filled = [fill(frame, arguments) for arguments in task]
+            except Unfillable as error:
+                refusals.append(Refusal(error.code, str(error)))
+                continue
+            is_realised = False
+            for frames in islice(realiser.realise(filled), _MOST_EXAMINED):
+                is_realised = True
+                found.setdefault(frames, Candidate(frames=frames, coverage=reading.coverage))
+                if len(found) >= max_candidates:
+                    return list(found.values())
+            if not is_realised:
+                refusals += realiser.why_not(filled)
+    if found:
+        return list(found.values())
+    if realiser.is_cut:
+        return Refusal("TOO_MANY_CANDIDATES", "There are more ways to do that than I can look at, and none works so far.")
+    # min() keeps the first of equals: the reading of the higher coverage.
+    return min(refusals, key=lambda refusal: _REASONS.index(refusal.code), default=_NOTHING_UNDERSTOOD)
 
 
 def _concatenations(by_clause: Sequence[Sequence[Candidate]]) -> Iterator[Candidate]:
@@ -118,31 +135,6 @@ def _concatenations(by_clause: Sequence[Sequence[Candidate]]) -> Iterator[Candid
             continue
         for rest in _concatenations(by_clause[1:]):
             yield Candidate(frames=first.frames + rest.frames, coverage=min(first.coverage, rest.coverage))
-
-
-def _of_reading(graph: FrameGraph, reading: Reading, limit: int) -> Union[List[Candidate], Refusal]:
-    frame = graph.frame(reading.frame_name)
-    if frame is None:
-        return Refusal(
-            "UNKNOWN_FRAME", f'The lexicon speaks of "{words(reading.frame_name)}", but no file describes that frame.'
-        )
-    found: List[Candidate] = []
-    refusal: Optional[Refusal] = None
-    for task in _tasks(frame, reading):
-        try:
-            filled = [fill(frame, arguments) for arguments in task]
-        except Unfillable as error:
-            refusal = refusal or Refusal(error.code, str(error))
-            continue
-        realised = _sequence(graph, filled)
-        found += [
-            Candidate(frames=frames, coverage=reading.coverage) for frames in islice(realised, limit - len(found))
-        ]
-        if len(found) >= limit:
-            break
-    if found:
-        return found
-    return refusal or _nobody(graph, frame)
 
 
 def _tasks(frame: SemanticFrame, reading: Reading) -> Iterator[List[Dict[str, str]]]:
@@ -167,45 +159,4 @@ def _with(reading: Reading, argument: Argument, item: str) -> Reading:
         arguments=tuple(
             Argument(name=other.name, text=item) if other is argument else other for other in reading.arguments
         ),
-    )
-
-
-def _sequence(graph: FrameGraph, frames: Sequence[FilledFrame]) -> Iterator[Frames]:
-    """All combinations of the ways to carry out each of several frames, lazily."""
-    if not frames:
-        yield ()
-        return
-    for first in _realisations(graph, frames[0]):
-        for rest in _sequence(graph, frames[1:]):
-            yield first + rest
-
-
-def _realisations(graph: FrameGraph, filled: FilledFrame) -> Iterator[Frames]:
-    """Every way to carry out one filled frame: its own servers, then what its children can do."""
-    for server in graph.servers(filled.name):
-        yield (replace(filled, server=server),)
-    frame = graph.frame(filled.name)
-    if frame is None:
-        return
-    for sequence in frame.children:
-        children: List[FilledFrame] = []
-        for child in sequence:
-            arguments = child_arguments(filled, child)
-            child_frame = graph.frame(child.name)
-            if arguments is None or child_frame is None:
-                break
-            try:
-                children.append(fill(child_frame, arguments))
-            except Unfillable:
-                break
-        else:
-            yield from _sequence(graph, children)
-
-
-def _nobody(graph: FrameGraph, frame: SemanticFrame) -> Refusal:
-    able = (frame.name,) + graph.descendants(frame.name)
-    names = tuple(f'"{name}"' for name in able[:6])
-    return Refusal(
-        "NO_SERVER",
-        f"I understand what you want, but nobody here can do it: no server is registered for {alternatives(names)}.",
     )

@@ -90,3 +90,13 @@ def test_unknown_children_are_told() -> None:
     graph = FrameGraph()
     graph.add(frame(A))
     assert [problem.found for problem in graph.unknown_children()] == ["'b'"]
+
+
+def test_removed_frame_may_come_again() -> None:
+    graph = FrameGraph()
+    graph.add(frame(A))
+    graph.register("a", "server")
+    graph.remove("a")
+    assert graph.frame("a") is None and graph.descendants("a") == ()
+    graph.remove("a")
+    assert graph.add(frame(A)) and graph.servers("a") == ("server",) and graph.descendants("a") == ("b",)

@@ -5,6 +5,7 @@ import random
 from typing import Dict, List, Tuple
 
 import pytest
+from frame_registrar import realisation
 from frame_registrar.graph import FrameGraph
 from frame_registrar.search import Argument, Candidate, Reading, Refusal, search
 from semantic_frames import load_frame
@@ -77,7 +78,7 @@ def test_default_fills_what_was_not_said() -> None:
         (dict(distance="1e400", unit="metres"), "LIMIT"),
         (dict(distance="3", unit="parsecs"), "VALUE_NOT_ALLOWED"),
         (dict(unit="metres"), "MISSING_ELEMENT"),
-        (dict(distance="3", unit="metres", direction="sideways"), "NO_SERVER"),
+        (dict(distance="3", unit="metres", direction="sideways"), "VALUE_NOT_ALLOWED"),
     ],
 )
 def test_refusal_tells_why(arguments: Dict[str, str], code: str) -> None:
@@ -130,6 +131,76 @@ def test_search_is_lazy_and_bounded() -> None:
     assert len(search(graph, [[reading("a")]], max_candidates=64)) == 64
 
 
+def test_sequence_with_one_member_that_nobody_can_do_ends_at_once() -> None:
+    names = [f"m{index}" for index in range(60)]
+    graph = graph_of(
+        "name: a\nchildren: [[%s, {name: last}]]\n" % ", ".join("{name: %s}" % name for name in names),
+        "name: last\n",
+        *[f"name: {name}\n" for name in names],
+        servers=tuple((name, f"{name}_{index}") for name in names for index in range(2)),
+    )
+    refusal = search(graph, [[reading("a")]], max_candidates=64)
+    assert isinstance(refusal, Refusal) and 'registered for "a" or "last".' in refusal.sentence
+
+
+def test_frames_that_several_roads_lead_to_are_one_candidate() -> None:
+    graph = graph_of(
+        "name: a\nchildren: [{name: b}, {name: c}]\n",
+        "name: b\nchildren: [{name: d}]\n",
+        "name: c\nchildren: [{name: d}]\n",
+        "name: d\n",
+        servers=(("d", "s"),),
+    )
+    assert servers_of(search(graph, [[reading("a"), reading("a", 0.5)]], max_candidates=9)) == [("s",)]
+
+
+def test_limit_of_a_child_is_told() -> None:
+    graph = graph_of(
+        "name: p\nframe_elements: [{name: d}]\nchildren:\n  - name: c\n    frame_element_relations:\n"
+        "      - {parent_name: d, child_name: d}\n",
+        "name: c\nframe_elements: [{name: d, quantity: length, maximum: 20}]\n",
+        servers=(("c", "s"),),
+    )
+    refusal = search(graph, [[reading("p", d="30 metres")]], max_candidates=9)
+    assert isinstance(refusal, Refusal) and refusal.code == "LIMIT" and "20 metres" in refusal.sentence
+
+
+def test_value_that_no_child_stands_for_is_told_with_those_that_do() -> None:
+    refusal = search(
+        moving_graph(), [[reading("moving", distance="3", unit="metres", direction="sideways")]], max_candidates=9
+    )
+    assert isinstance(refusal, Refusal) and '"sideways": it is forward, Forwards or backward' in refusal.sentence
+
+
+def test_child_that_is_meant_but_has_no_server_is_what_is_missing() -> None:
+    graph = moving_graph()
+    graph.set_dead(frozenset(["backward_server"]))
+    refusal = search(
+        graph, [[reading("moving", distance="3", unit="metres", direction="backward")]], max_candidates=9
+    )
+    assert isinstance(refusal, Refusal) and refusal.code == "NO_SERVER"
+    assert 'registered for "moving" or "moving_backward".' in refusal.sentence
+
+
+def test_child_without_a_file_is_named_as_missing() -> None:
+    refusal = search(graph_of("name: a\nchildren: [{name: b}]\n"), [[reading("a")]], max_candidates=9)
+    assert isinstance(refusal, Refusal) and '"a" or "b"' in refusal.sentence
+
+
+def test_graph_too_large_to_look_at_is_said(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(realisation, "MOST_FRAMES", 2)
+    texts = [f"name: f{index}\nchildren: [{{name: f{index + 1}}}]\n" for index in range(5)] + ["name: f5\n"]
+    graph = graph_of(*texts, servers=(("f5", "s"),))
+    refusal = search(graph, [[reading("f0")]], max_candidates=9)
+    assert isinstance(refusal, Refusal) and refusal.code == "TOO_MANY_CANDIDATES"
+
+
+@pytest.mark.parametrize("clauses", [[], [[]]])
+def test_nothing_understood_is_a_refusal(clauses: List[List[Reading]]) -> None:
+    refusal = search(moving_graph(), clauses, max_candidates=9)
+    assert isinstance(refusal, Refusal) and refusal.code == "NO_READING"
+
+
 def test_higher_coverage_comes_first() -> None:
     graph = graph_of("name: a\n", "name: b\n", servers=(("a", "a1"), ("b", "b1")))
     found = search(graph, [[reading("a", 0.5), reading("b", 1.0)]], max_candidates=9)
@@ -168,7 +239,7 @@ def test_lists(policy: str, conjunction: str, expected: List[List[str]]) -> None
 def brute_force(
     children: Dict[str, List[List[str]]], servers: Dict[str, List[str]], name: str
 ) -> List[Tuple[str, ...]]:
-    """All realisations, by writing out every product."""
+    """All realisations, those that several roads lead to repeated, by writing out every product."""
     found = [(server,) for server in servers.get(name, [])]
     for sequence in children.get(name, []):
         parts = [brute_force(children, servers, child) for child in sequence]
@@ -199,6 +270,6 @@ def test_search_finds_what_brute_force_finds(seed: int) -> None:
         for name in names
     ]
     graph = graph_of(*texts, servers=tuple((name, server) for name in names for server in servers[name]))
-    expected = brute_force(children, servers, "f0")
+    expected = list(dict.fromkeys(brute_force(children, servers, "f0")))
     found = search(graph, [[reading("f0")]], max_candidates=100000)
     assert (servers_of(found) if not isinstance(found, Refusal) else []) == expected, f"seed {seed}"

@@ -1,0 +1,255 @@
+#!/usr/bin/python3
+"""The node: its services, a command in and candidates out, files that are wrong, and what is killed."""
+import os
+import signal
+import tempfile
+import threading
+import time
+import unittest
+from typing import Callable, List, Optional
+from xmlrpc.client import ServerProxy
+
+import rosgraph
+import rospy
+from actionlib_msgs.msg import GoalStatusArray
+from roboframenet_msgs.msg import (
+    Clause,
+    Command,
+    CommandLexicalUnits,
+    CommandSemanticFrames,
+    FileProblems,
+    FilledFrameElement,
+    FilledLexicalUnit,
+    FilledSemanticFrameListList,
+    FrameCatalogue,
+    LexicalUnitReading,
+    Reply,
+    StageEvent,
+)
+from roboframenet_msgs.srv import AddFrame, GetEmptyFrame, RegisterWithFrame
+
+
+def wait_until(condition: Callable[[], bool], timeout_s: float = 60.0) -> bool:
+    """Wait for a condition; return whether it came true in time."""
+    end = time.monotonic() + timeout_s
+    while time.monotonic() < end:
+        if condition():
+            return True
+        time.sleep(0.02)
+    return condition()
+
+
+class FrameRegistrarTest(unittest.TestCase):
+    """A registrar that may be killed, two action servers that stay and one that is killed."""
+
+    @classmethod
+    def setUpClass(cls) -> None:
+        cls.candidates: List[CommandSemanticFrames] = []
+        cls.candidates_2012: List[FilledSemanticFrameListList] = []
+        cls.events: List[StageEvent] = []
+        cls.catalogue: Optional[FrameCatalogue] = None
+        cls.problems: Optional[FileProblems] = None
+        cls.number = 0
+        cls.folder = tempfile.mkdtemp()
+        cls.subscribers = [
+            rospy.Subscriber("command_semantic_frames", CommandSemanticFrames, cls.candidates.append, queue_size=10),
+            rospy.Subscriber(
+                "filled_semantic_frames", FilledSemanticFrameListList, cls.candidates_2012.append, queue_size=10
+            ),
+            rospy.Subscriber("stage_events", StageEvent, cls.events.append, queue_size=10),
+            rospy.Subscriber("frame_catalogue", FrameCatalogue, lambda message: setattr(cls, "catalogue", message)),
+            rospy.Subscriber("file_problems", FileProblems, lambda message: setattr(cls, "problems", message)),
+        ]
+        cls.units = rospy.Publisher("command_lexical_units", CommandLexicalUnits, queue_size=10)
+        for server in ("steady", "second", "mortal"):
+            rospy.wait_for_message(f"{server}/status", GoalStatusArray, timeout=60.0)
+
+    def setUp(self) -> None:
+        self.assertTrue(wait_until(self.is_connected), "the registrar is not there")
+
+    def is_connected(self) -> bool:
+        """Whether commands reach the registrar, and all that it says comes back."""
+        return (
+            self.units.get_num_connections() > 0
+            and self.catalogue is not None
+            and all(subscriber.get_num_connections() > 0 for subscriber in self.subscribers)
+        )
+
+    def call(self, name: str, service_type: type, *arguments: str) -> object:
+        rospy.wait_for_service(name, timeout=60.0)
+        return rospy.ServiceProxy(name, service_type)(*arguments)
+
+    def add_frame(self, name: str, text: str) -> bool:
+        path = os.path.join(self.folder, name)
+        with open(path, "w", encoding="utf-8") as file:
+            file.write(text)
+        return self.call("add_frame", AddFrame, path).success
+
+    def register(self, frame: str, server: str) -> None:
+        answer = self.call("register_with_frame", RegisterWithFrame, frame, server)
+        self.assertTrue(answer.success, answer.error)
+
+    def command(self, frame: str, **arguments: str) -> object:
+        """Send a command; return its candidates, or its final event."""
+        type(self).number += 1
+        command_id = f"command_{self.number}"
+        elements = [FilledFrameElement(name=name, argument=argument) for name, argument in arguments.items()]
+        unit = FilledLexicalUnit(frame_name=frame, verb="do", frame_elements=elements)
+        self.units.publish(
+            CommandLexicalUnits(
+                command=Command(id=command_id),
+                clauses=[Clause(readings=[LexicalUnitReading(lexical_unit=unit, coverage=1.0)])],
+            )
+        )
+        answers: List[object] = []
+
+        def is_answered() -> bool:
+            answers[:] = [message for message in list(self.candidates) if message.command.id == command_id]
+            answers.extend(
+                event for event in list(self.events) if event.command.id == command_id and event.is_final
+            )
+            return bool(answers)
+
+        self.assertTrue(wait_until(is_answered), f"no answer to {command_id}")
+        self.assertEqual(len(answers), 1)
+        return answers[0]
+
+    def servers(self, frame: str, **arguments: str) -> List[List[str]]:
+        """Servers of each candidate for a command; a refusal has none."""
+        answer = self.command(frame, **arguments)
+        if isinstance(answer, StageEvent):
+            return []
+        lists = answer.candidates.frame_lists
+        for frames in lists:
+            for filled in frames.frames:
+                self.assertEqual(len(filled.action_server_topics), 1)
+        return [[filled.action_server_topics[0] for filled in frames.frames] for frames in lists]
+
+    def is_alive(self, server: str) -> Optional[bool]:
+        """What the catalogue says of a server, None for one that it does not have."""
+        callbacks = self.catalogue.callbacks
+        return next((callback.is_alive for callback in callbacks if callback.callback_topic == server), None)
+
+    def kill(self, node: str) -> None:
+        """Kill a node the hard way."""
+        uri = rosgraph.Master(rospy.get_name()).lookupNode(rospy.resolve_name(node))
+        os.kill(ServerProxy(uri).getPid(rospy.get_name())[2], signal.SIGKILL)
+
+    def test_services_and_a_command_that_a_child_carries_out(self) -> None:
+        frame = self.call("get_empty_frame", GetEmptyFrame, "moving").frame
+        self.assertEqual(
+            [(element.name, element.is_core, element.default) for element in frame.frame_elements],
+            [("direction", True, "forward"), ("distance", True, "")],
+        )
+        self.assertEqual(self.call("get_empty_frame", GetEmptyFrame, "no_such_frame").frame.name, "")
+        for server in ("steady", "second", "steady"):
+            self.register("moving_forward", server)
+        self.assertEqual(self.servers("moving", distance="3 feet"), [["steady"], ["second"]])
+
+        def arguments_2012() -> List[str]:
+            frames = [message.frame_lists[0].frames[0] for message in list(self.candidates_2012)]
+            return [frame.frame_elements[0].argument for frame in frames if frame.name == "moving_forward"]
+
+        self.assertTrue(wait_until(lambda: arguments_2012() == ["3 feet"]), arguments_2012())
+        self.assertTrue(wait_until(lambda: self.is_alive("second") is True))
+
+    def test_refusal_tells_the_limit(self) -> None:
+        event = self.command("moving", distance="3 miles")
+        self.assertEqual((event.reply.outcome, event.reply.code), (Reply.REFUSED, "LIMIT"))
+        self.assertIn("20 metres", event.reply.sentence)
+
+    def test_missing_element_is_a_question(self) -> None:
+        event = self.command("moving")
+        self.assertEqual((event.reply.outcome, event.reply.code), (Reply.NEEDS_INFORMATION, "MISSING_ELEMENT"))
+
+    def test_command_without_clauses_is_answered(self) -> None:
+        self.units.publish(CommandLexicalUnits(command=Command(id="empty")))
+        self.assertTrue(wait_until(lambda: any(event.command.id == "empty" for event in list(self.events))))
+        event = next(event for event in self.events if event.command.id == "empty")
+        self.assertEqual((event.is_final, event.reply.code), (True, "NO_READING"))
+
+    def test_registration_that_makes_no_sense_is_refused_with_a_reason(self) -> None:
+        for frame, server in (("", "steady"), ("moving", ""), ("moving", "two words"), ("moving", "~private")):
+            answer = self.call("register_with_frame", RegisterWithFrame, frame, server)
+            self.assertFalse(answer.success)
+            self.assertTrue(answer.error and answer.error[0])
+
+    def test_wrong_file_at_start_is_told_by_line_and_key_to_who_comes_late(self) -> None:
+        late = rospy.wait_for_message("file_problems", FileProblems, timeout=60.0)
+        problem = next(problem for problem in late.problems if problem.path.endswith("mistyped.yaml"))
+        self.assertEqual((problem.code, problem.line, problem.key), ("UNKNOWN_KEY", 2, "descripton"))
+        self.assertIn("did you mean 'description'", problem.hint)
+        self.assertEqual(self.call("get_empty_frame", GetEmptyFrame, "moving").frame.name, "moving")
+
+    def test_cycle_is_refused_by_its_names_and_nothing_changes(self) -> None:
+        self.assertTrue(self.add_frame("circle_a.yaml", "name: circle_a\nchildren:\n  - name: circle_b\n"))
+        self.assertFalse(self.add_frame("circle_b.yaml", "name: circle_b\nchildren:\n  - name: circle_a\n"))
+
+        def cycles() -> List[str]:
+            return [problem.found for problem in self.problems.problems if problem.code == "CYCLE"]
+
+        self.assertTrue(wait_until(lambda: cycles() == ["circle_b -> circle_a -> circle_b"]), cycles())
+        self.assertEqual(self.call("get_empty_frame", GetEmptyFrame, "circle_b").frame.name, "")
+        self.assertTrue(self.add_frame("circle_b.yaml", "name: circle_b\n"))
+        self.assertTrue(wait_until(lambda: not cycles()), "the problem of a file that was mended stays")
+
+    def test_server_may_register_before_the_file_comes(self) -> None:
+        self.register("waving", "steady")
+        self.assertEqual(self.command("waving").reply.code, "UNKNOWN_FRAME")
+        self.assertTrue(self.add_frame("waving.yaml", "name: waving\n"))
+        self.assertEqual(self.servers("waving"), [["steady"]])
+
+    def test_changed_file_takes_the_place_of_the_old_one_even_under_another_name(self) -> None:
+        self.register("bowing", "steady")
+        self.register("nodding", "steady")
+        for _ in range(2):
+            self.assertTrue(self.add_frame("gesture.yaml", "name: bowing\n"))
+        self.assertEqual(self.servers("bowing"), [["steady"]])
+        self.assertTrue(self.add_frame("gesture.yaml", "name: nodding\n"))
+        self.assertEqual(self.servers("nodding"), [["steady"]])
+        self.assertEqual(self.command("bowing").reply.code, "UNKNOWN_FRAME")
+
+    def test_killed_server_is_not_offered_until_it_is_back(self) -> None:
+        self.assertTrue(self.add_frame("dying.yaml", "name: dying\n"))
+        self.register("dying", "mortal")
+        self.assertTrue(wait_until(lambda: self.servers("dying") == [["mortal"]]))
+        self.kill("mortal_servers")
+        self.assertTrue(wait_until(lambda: self.is_alive("mortal") is False), "a dead server is offered")
+        event = self.command("dying")
+        self.assertEqual((event.reply.outcome, event.reply.code), (Reply.REFUSED, "NO_SERVER"))
+        self.assertIn('"dying"', event.reply.sentence)
+        self.assertTrue(wait_until(lambda: self.is_alive("mortal") is True), "a server that is back is not offered")
+        self.assertEqual(self.servers("dying"), [["mortal"]])
+
+    def test_killed_registrar_knows_what_was_added_to_it(self) -> None:
+        names = [f"added_{index}" for index in range(6)]
+        threads = [
+            threading.Thread(target=self.add_frame, args=(f"{name}.yaml", f"name: {name}\n")) for name in names
+        ]
+        for thread in threads:
+            thread.start()
+        for thread in threads:
+            thread.join()
+        self.assertTrue(self.add_frame("vanishing.yaml", "name: vanishing\n"))
+        os.remove(os.path.join(self.folder, "vanishing.yaml"))
+        old = self.catalogue.registrar_id
+        self.kill("frame_registrar")
+        self.assertTrue(wait_until(lambda: self.catalogue.registrar_id != old), "no new registrar")
+        self.assertTrue(wait_until(self.is_connected))
+        for name in names:
+            self.assertEqual(self.call("get_empty_frame", GetEmptyFrame, name).frame.name, name)
+        self.assertTrue(
+            wait_until(
+                lambda: [problem.code for problem in self.problems.problems if "vanishing" in problem.path]
+                == ["UNREADABLE"]
+            )
+        )
+        self.register(names[0], "steady")
+        self.assertTrue(wait_until(lambda: self.servers(names[0]) == [["steady"]]))
+
+
+if __name__ == "__main__":
+    import rostest
+
+    rospy.init_node("test_frame_registrar_node")
+    rostest.rosrun("frame_registrar", "frame_registrar_node", FrameRegistrarTest)
