@@ -1,6 +1,5 @@
 #!/usr/bin/python3
 """Frames that nobody can carry out are refused by name; registering a server makes each of them run."""
-import time
 import unittest
 from typing import Dict, List
 
@@ -8,6 +7,7 @@ import rospy
 from roboframenet_msgs.msg import Reply
 from std_msgs.msg import String
 
+from pipeline import is_pipeline_complete, wait_until
 from rfnserver import RFNServer
 
 SENTENCES = (
@@ -26,22 +26,16 @@ class AddedAbilitiesTest(unittest.TestCase):
         cls.replies: List[Reply] = []
         cls.subscriber = rospy.Subscriber("reply", Reply, cls.replies.append, queue_size=100)
         cls.text = rospy.Publisher("text", String, queue_size=10)
-        end = time.monotonic() + 60.0
-        while cls.text.get_num_connections() < 2 and time.monotonic() < end:
-            time.sleep(0.1)
+        assert wait_until(lambda: cls.text.get_num_connections() >= 2), "nobody listens to 'text'"
+        assert wait_until(is_pipeline_complete, 120.0), "the pipeline did not come up"
         rospy.wait_for_service("register_with_frame", timeout=60.0)
         rospy.wait_for_service("add_lexical_unit", timeout=60.0)
 
     def say(self, text: str) -> Reply:
         since = len(self.replies)
         self.text.publish(String(data=text))
-        end = time.monotonic() + 60.0
-        while time.monotonic() < end:
-            found = [reply for reply in self.replies[since:] if reply.command.text == text]
-            if found:
-                return found[0]
-            time.sleep(0.02)
-        self.fail(f"no reply to {text!r}")
+        self.assertTrue(wait_until(lambda: any(reply.command.text == text for reply in self.replies[since:])), text)
+        return next(reply for reply in self.replies[since:] if reply.command.text == text)
 
     def test_each_runs_as_soon_as_a_server_registers(self) -> None:
         for text, frame_name, arguments in SENTENCES:
@@ -49,8 +43,12 @@ class AddedAbilitiesTest(unittest.TestCase):
             self.assertEqual((refused.outcome, refused.code), (Reply.REFUSED, "NO_SERVER"), refused.sentence)
             self.assertIn(frame_name, refused.sentence)
             seen: List[Dict[str, str]] = []
-            server = RFNServer(f"test_{frame_name}", lambda frame, seen=seen: seen.append(
-                {element.name: element.argument for element in frame.frame_elements}))
+            server = RFNServer(
+                f"test_{frame_name}",
+                lambda frame, seen=seen: seen.append(
+                    {element.name: element.argument for element in frame.frame_elements}
+                ),
+            )
             self.assertTrue(server.register_with_frame(frame_name))
             server.start()
             done = self.say(text)
@@ -60,5 +58,6 @@ class AddedAbilitiesTest(unittest.TestCase):
 
 if __name__ == "__main__":
     import rostest
+
     rospy.init_node("added_abilities_test")
     rostest.rosrun("roboframenet_tests", "added_abilities", AddedAbilitiesTest)

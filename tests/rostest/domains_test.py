@@ -25,5 +25,6 @@ class DomainsTest(unittest.TestCase):
 
 if __name__ == "__main__":
     import rostest
+
     rospy.init_node("domains_test")
     rostest.rosrun("roboframenet_tests", rospy.get_name().strip("/"), DomainsTest)

@@ -6,7 +6,7 @@ import signal
 import tempfile
 import time
 import unittest
-from typing import Callable, List, Optional
+from typing import List, Optional
 from xmlrpc.client import ServerProxy
 
 import rosgraph
@@ -15,18 +15,10 @@ from roboframenet_msgs.msg import FileProblem, FileProblems, Reply
 from roboframenet_msgs.srv import AddFrame, AddLexicalUnit, GetEmptyFrame
 from std_msgs.msg import String
 
+from pipeline import is_pipeline_complete, wait_until
+
 NODES = ("frame_registrar", "semantic_framer", "greeting_server")
 ORDERS = 20
-
-
-def wait_until(condition: Callable[[], bool], timeout_s: float = 60.0) -> bool:
-    """Wait for a condition; return whether it came true in time."""
-    end = time.monotonic() + timeout_s
-    while time.monotonic() < end:
-        if condition():
-            return True
-        time.sleep(0.05)
-    return condition()
 
 
 class FaultsTest(unittest.TestCase):
@@ -44,6 +36,7 @@ class FaultsTest(unittest.TestCase):
         ]
         cls.text = rospy.Publisher("text", String, queue_size=10)
         assert wait_until(lambda: cls.text.get_num_connections() >= 2), "nobody listens to 'text'"
+        assert wait_until(is_pipeline_complete, 120.0), "the pipeline did not come up"
         cls.folder = tempfile.mkdtemp()
         rospy.wait_for_service("add_frame", timeout=60.0)
         rospy.wait_for_service("add_lexical_unit", timeout=60.0)

@@ -16,20 +16,11 @@ from actionlib_msgs.msg import GoalStatus, GoalStatusArray
 from nav_msgs.msg import Odometry
 from std_msgs.msg import String
 
+from pipeline import is_pipeline_complete, wait_until
 from rfnserver import RFNServer
-from roboframenet_msgs.msg import CommandStatus, Reply
+from roboframenet_msgs.msg import Reply
 
 PIPELINE = ("stanford_parser_ros", "semantic_framer", "frame_registrar", "arbitrator", "executor")
-
-
-def wait_until(condition: Callable[[], bool], timeout_s: float = 30.0) -> bool:
-    """Wait for a condition; return whether it came true in time."""
-    end = time.monotonic() + timeout_s
-    while time.monotonic() < end:
-        if condition():
-            return True
-        time.sleep(0.02)
-    return condition()
 
 
 class FullGraphTest(unittest.TestCase):
@@ -51,7 +42,7 @@ class FullGraphTest(unittest.TestCase):
         ]
         cls.text = rospy.Publisher("text", String, queue_size=10)
         assert wait_until(lambda: cls.text.get_num_connections() >= 2), "nobody listens to 'text'"
-        rospy.wait_for_message("status", CommandStatus, timeout=90.0)
+        assert wait_until(is_pipeline_complete, 120.0), "the pipeline did not come up"
         assert wait_until(lambda: cls.heading is not None), "no odometry"
         cls.folder = tempfile.mkdtemp()
 
