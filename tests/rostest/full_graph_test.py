@@ -5,9 +5,8 @@ import os
 import signal
 import tempfile
 import threading
-import time
 import unittest
-from typing import Callable, List
+from typing import List
 from xmlrpc.client import ServerProxy
 
 import rosgraph

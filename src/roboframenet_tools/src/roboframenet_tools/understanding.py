@@ -12,7 +12,7 @@ from semantic_frames.frame import SemanticFrame
 from semantic_frames.lexical_unit import LexicalUnit
 from semantic_frames.source_files import FRAMES_FOLDER, LEXICAL_UNITS_FOLDER, read_text, yaml_files
 from semantic_framer.clauses import Clause, find_clauses
-from semantic_framer.framer import Question, Refusal, Understood, read
+from semantic_framer.framer import Question, Understood, read
 from semantic_framer.lexicon import Lexicon
 from semantic_framer.matching import Reading, match_verbs, read_clause
 from semantic_framer.sentence import Sentence

@@ -4,7 +4,6 @@ import itertools
 from typing import Any, Dict, List, Tuple
 
 import pytest
-from semantic_framer.dialogue import Context
 from semantic_framer.framer import Alternatives, LeftOverWords, Policy, Question, Refusal, Understood
 
 

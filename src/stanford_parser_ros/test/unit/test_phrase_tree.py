@@ -48,3 +48,16 @@ def test_constant_of_tag(tag: str, name: str) -> None:
 def test_message_without_a_tree_is_refused() -> None:
     with pytest.raises(ValueError):
         unsquash_tree(Parse())
+
+
+def test_tree_of_a_constituency_parser_is_taken_as_it_is() -> None:
+    given = "(ROOT (S (VP (VB Go) (ADVP (RB home)))))"
+    tree = phrase_tree(DependencyTree(text="Go home", words=(), brackets=given))
+    assert repr(tree) == given
+    assert [node.word_index for node in squash(tree) if node.word_index > 0] == [1, 2]
+
+
+@pytest.mark.parametrize("text", ["(ROOT (S", "(ROOT))", "(A a) (B b)", "()", ""])
+def test_brackets_that_do_not_match_are_refused(text: str) -> None:
+    with pytest.raises(ValueError):
+        from_brackets(text)
