@@ -11,7 +11,10 @@ from semantic_framer.sentence import Sentence
 WRAPPERS = frozenset("want need like mind wish try remember ask love prefer let have help".split())
 #: Verbs that only lead to the next one: "go get the mug", "come and help".
 _MOTION = frozenset(["go", "come", "try"])
-NEGATIONS = frozenset(["not", "never", "n't", "no", "dont", "don't"])
+NEGATIONS = frozenset("not never n't no dont don't neither nor nobody noone none nothing".split())
+#: Who may be told to act, or may ask for something: any other subject makes a statement ("Bob turned left").
+_ADDRESSEES = frozenset(["you", "robot", "u", "we"])
+_REPORTING_AUXILIARIES = frozenset("did was were is are 's 're am has have had been".split())
 #: Subordinators and words that make an action depend on something, or put it off.
 CONDITIONS = frozenset("if when until till unless once after before while whenever as".split())
 DELAYS = frozenset("later tomorrow tonight soon".split())
@@ -29,6 +32,7 @@ class Clause:
         condition: words of a condition or a delay ("when I say so"), empty for none
         condition_positions: of those words
         subject: index of the subject, 0 for none
+        is_report: whether it tells or asks what happens ("I turned left", "did you turn left?"), asking for nothing
     """
 
     verb: int
@@ -38,6 +42,7 @@ class Clause:
     condition: str
     condition_positions: FrozenSet[int]
     subject: int = 0
+    is_report: bool = False
 
 
 def find_clauses(sentence: Sentence) -> Tuple[Clause, ...]:
@@ -111,7 +116,8 @@ def _has_negation(sentence: Sentence, word: Word) -> bool:
     return any(
         child.form.lower() in NEGATIONS or child.lemma.lower() in NEGATIONS
         for child in sentence.children(word.index)
-        if child.deprel in ("advmod", "aux", "det", "discourse", "mark", "cc", "dep")
+        if child.deprel in ("advmod", "aux", "det", "discourse", "mark", "cc", "cc:preconj", "dep")
+        or (child.deprel.startswith("nsubj") and child.form.lower() in NEGATIONS)
     )
 
 
@@ -128,7 +134,30 @@ def _clause(sentence: Sentence, verb: int, positions: FrozenSet[int], is_negated
         condition=sentence.text(sorted(condition)) if condition else "",
         condition_positions=condition,
         subject=subject,
+        is_report=_is_report(sentence, verb, subject),
     )
+
+
+def _is_report(sentence: Sentence, verb: int, subject: int) -> bool:
+    """Whether a verb tells or asks what happens; "I need ..." and other wishes ask for something.
+
+    Statements with "be" are what units for them are about ("There are two chairs in the kitchen.").
+    """
+    word = sentence.word(verb)
+    if word.deprel == "cop" or word.lemma.lower() == "be":
+        return False
+    if not subject:
+        # "Bob turned left" where the parser takes Bob for the one who is spoken to; "put" and "set" may be commands.
+        return word.xpos in ("VBD", "VBZ") and word.form.lower() != word.lemma.lower()
+    if any(
+        child.deprel in ("aux", "aux:pass") and child.form.lower() in _REPORTING_AUXILIARIES
+        for child in sentence.children(verb)
+    ):
+        return True
+    said = sentence.word(subject).form.lower()
+    if said == "i" and word.lemma.lower() in WRAPPERS:
+        return False
+    return word.xpos == "VBD" or said not in _ADDRESSEES
 
 
 def _condition(sentence: Sentence, top: int, positions: FrozenSet[int]) -> FrozenSet[int]:

@@ -22,6 +22,8 @@ YES = frozenset(
         "do it",
         "go ahead",
         "yes please",
+        "yes do it",
+        "yes go ahead",
         "please do",
     ]
 )
@@ -50,6 +52,7 @@ class Pending:
         clauses: what was understood so far; the clause that asks holds one reading
         clause: its position among them
         element: the element that was asked for; empty for a question of yes or no
+        choices: the only answers, as they were offered; empty where every answer may be given
         expires_s: on the clock of the caller; later the question is forgotten
     """
 
@@ -57,6 +60,7 @@ class Pending:
     clause: int
     element: str
     expires_s: float
+    choices: Tuple[str, ...] = ()
 
 
 @dataclass(frozen=True)

@@ -2,13 +2,13 @@
 
 from dataclasses import dataclass, replace
 from enum import Enum
-from typing import List, Mapping, Optional, Tuple, Union
+from typing import List, Mapping, Optional, Sequence, Tuple, Union
 
 from semantic_frames.frame import FrameElement, SemanticFrame
 from semantic_frames.lexical_unit import ArgumentForm
 from stanford_parser_ros.tree import DependencyTree
 
-from semantic_framer.clauses import Clause, find_clauses
+from semantic_framer.clauses import CONDITIONS, DELAYS, NEGATIONS, WRAPPERS, Clause, find_clauses
 from semantic_framer.dialogue import PLACE_PRONOUNS, PRONOUNS, Context, Pending, is_no, is_yes
 from semantic_framer.lexicon import Lexicon
 from semantic_framer.matching import Reading, VerbMatch, match_verbs, read_clause, with_value
@@ -76,6 +76,9 @@ class Question:
 
 Outcome = Union[Understood, Refusal, Question]
 
+#: Verbs that only lead to a request: "go get the mug", "would you be so kind".
+_LEADING = frozenset(["go", "come", "would", "be"])
+
 
 def read(
     tree: DependencyTree,
@@ -100,11 +103,16 @@ def read(
     """
     context = context.at(now_s)
     sentence = Sentence(tree)
-    if context.pending is not None:
-        answered = _answer(sentence, context, lexicon, policy, frames)
-        if answered is not None:
-            return _finish(answered, sentence, frames, replace(context, pending=None), policy, now_s)
+    pending = context.pending
     context = replace(context, pending=None)
+    if pending is not None:
+        if is_no(tree.text):
+            return Refusal("NEGATED", "As you wish: I do nothing."), context
+        answered = _answer(sentence, pending, lexicon, policy, frames)
+        if answered is not None:
+            # A yes counts only where it was asked for: "right" may be a direction.
+            is_confirmed = not pending.element
+            return _finish(answered, sentence, frames, context, policy, now_s, is_confirmed=is_confirmed)
     clauses = _known_clauses(sentence, lexicon)
     if not clauses:
         return Refusal("NO_VERB", f'I hear no command in "{tree.text.strip()}".'), context
@@ -114,7 +122,54 @@ def read(
         if isinstance(outcome, Refusal):
             return outcome, context
         understood.append(outcome)
-    return _finish(tuple(understood), sentence, frames, context, policy, now_s)
+    open_words = _outside(sentence, clauses)
+    if open_words and policy.left_over_words is LeftOverWords.STRICT:
+        return _left_over(sentence, open_words), context
+    either = _either_clause(sentence, clauses)
+    if either:
+        return Question("AMBIGUOUS", f"Which one shall I do: {either}?"), context
+    outcome, context = _finish(tuple(understood), sentence, frames, context, policy, now_s)
+    if isinstance(outcome, Understood) and open_words and policy.left_over_words is LeftOverWords.WARN:
+        words = " ".join(sentence.word(index).form for index in open_words)
+        outcome = replace(outcome, warning=f"{outcome.warning or 'ignored:'} {words}")
+    return outcome, context
+
+
+def _outside(sentence: Sentence, clauses: Tuple[Clause, ...]) -> Tuple[int, ...]:
+    """Content words that are in no clause; those around a request ("I would like you to ...") are none of them."""
+    inside = frozenset().union(*(clause.positions for clause in clauses))
+    return tuple(
+        word.index
+        for word in sentence.tree.words
+        if word.index not in inside
+        and sentence.is_content(word.index)
+        and word.lemma.lower() not in WRAPPERS | _LEADING
+        and not (word.deprel.startswith("nsubj") and word.form.lower() in ("i", "you", "we"))
+    )
+
+
+def _either_clause(sentence: Sentence, clauses: Tuple[Clause, ...]) -> str:
+    """Return the clauses where a person left the choice between them, "turn left or go back"; empty where not."""
+    verbs = {clause.verb for clause in clauses}
+    is_choice = any(
+        word.form.lower() == "or" and word.deprel == "cc" and word.head in verbs for word in sentence.tree.words
+    )
+    if not is_choice:
+        return ""
+    said = [
+        [index for index in sorted(clause.positions) if sentence.word(index).deprel not in ("punct", "cc")]
+        for clause in clauses
+    ]
+    return " or ".join(f'"{sentence.text(positions)}"' for positions in said)
+
+
+def _left_over(sentence: Sentence, positions: Sequence[int]) -> Refusal:
+    words = tuple(sentence.word(index).form for index in positions)
+    return Refusal(
+        "LEFT_OVER_WORDS",
+        f'I do not understand "{" ".join(words)}" in "{sentence.tree.text.strip()}", so I do nothing.',
+        left_over=words,
+    )
 
 
 def _known_clauses(sentence: Sentence, lexicon: Lexicon) -> Tuple[Clause, ...]:
@@ -154,6 +209,14 @@ def _read_one(
         hint = f' Do you mean {" or ".join(near)}?' if near else ""
         return Refusal("UNKNOWN_VERB", f'I do not know how to "{clause.lemma}".{hint}')
     readings = read_clause(sentence, clause, lexicon, frames)
+    if clause.is_report:
+        # Only a unit that asks for the subject is about what happens: "The mug stands on the table."
+        readings = tuple(
+            reading for reading in readings if any(clause.subject in value.positions for value in reading.values)
+        )
+        if matches and not readings:
+            said = sentence.text([index for index in sorted(clause.positions) if sentence.word(index).upos != "PUNCT"])
+            return Refusal("NO_READING", f'"{said}" does not ask me to do anything.')
     if not readings:
         wanted = {unit.frame_name for match in matches for unit in lexicon.units_of(match.verb)}
         if not wanted & set(frames):
@@ -184,9 +247,16 @@ def _finish(
     context: Context,
     policy: Policy,
     now_s: float,
+    *,
+    is_confirmed: bool = False,
 ) -> Tuple[Outcome, Context]:
     """Resolve pronouns, then refuse or ask where something is open."""
-    is_confirmed = bool(clauses) and context.pending is None and _is_confirmation(sentence)
+    # Words that are left over are words of this sentence: they are judged before anything waits for another one.
+    if policy.left_over_words is LeftOverWords.STRICT:
+        for readings in clauses:
+            if readings[0].left_over:
+                return _left_over(sentence, readings[0].left_over), context
+    ignored = [sentence.word(index).form for readings in clauses for index in readings[0].left_over]
     done: List[Tuple[Reading, ...]] = []
     for position, readings in enumerate(clauses):
         resolved_readings = []
@@ -199,29 +269,20 @@ def _finish(
         if best.missing:
             element = best.missing[0]
             pending = Pending(
-                clauses=tuple(done) + ((best,),) + clauses[position + 1 :],
+                clauses=_waiting(tuple(done) + ((best,),) + clauses[position + 1 :]),
                 clause=position,
                 element=element.name,
                 expires_s=now_s + policy.question_timeout_s,
             )
             return Question("MISSING_ELEMENT", question_for(element)), replace(context, pending=pending)
-        if best.left_over and policy.left_over_words is LeftOverWords.STRICT:
-            words = tuple(sentence.word(index).form for index in best.left_over)
-            return (
-                Refusal(
-                    "LEFT_OVER_WORDS",
-                    f'I do not understand "{" ".join(words)}" in "{sentence.tree.text.strip()}", so I do nothing.',
-                    left_over=words,
-                ),
-                context,
-            )
         alternative = next((value for value in best.values if value.conjunction == "or"), None)
         if alternative is not None and policy.alternatives is Alternatives.ASK:
             pending = Pending(
-                clauses=tuple(done) + ((best,),) + clauses[position + 1 :],
+                clauses=_waiting(tuple(done) + ((best,),) + clauses[position + 1 :]),
                 clause=position,
                 element=alternative.name,
                 expires_s=now_s + policy.question_timeout_s,
+                choices=alternative.items,
             )
             return Question("AMBIGUOUS", f"Which one: {' or '.join(alternative.items)}?"), replace(
                 context, pending=pending
@@ -230,25 +291,25 @@ def _finish(
         done.append(tuple(resolved_readings))
     confirm = [readings[0] for readings in done if frames[readings[0].unit.frame_name].is_confirmed]
     if confirm and not is_confirmed:
-        pending = Pending(clauses=tuple(done), clause=0, element="", expires_s=now_s + policy.question_timeout_s)
-        return Question("CONFIRM", f'Shall I really do this: "{sentence.tree.text.strip()}"? Say yes or no.'), replace(
+        pending = Pending(
+            clauses=_waiting(tuple(done)), clause=0, element="", expires_s=now_s + policy.question_timeout_s
+        )
+        asked = ", then ".join(_in_words(readings[0]) for readings in done)
+        return Question("CONFIRM", f'Shall I really do this: "{asked}"? Say yes or no.'), replace(
             context, pending=pending
         )
-    ignored = (
-        [
-            sentence.word(index).form
-            for readings in done
-            for index in readings[0].left_over
-            if index <= len(sentence.tree.words)
-        ]
-        if policy.left_over_words is LeftOverWords.WARN
-        else []
-    )
-    return Understood(tuple(done), warning=f'ignored: {" ".join(ignored)}' if ignored else ""), context
+    warning = f'ignored: {" ".join(ignored)}' if ignored and policy.left_over_words is LeftOverWords.WARN else ""
+    return Understood(tuple(done), warning=warning), context
 
 
-def _is_confirmation(sentence: Sentence) -> bool:
-    return is_yes(sentence.tree.text)
+def _waiting(clauses: Tuple[Tuple[Reading, ...], ...]) -> Tuple[Tuple[Reading, ...], ...]:
+    """Return readings that outlive their sentence: the positions of its words mean nothing in the next one."""
+    return tuple(tuple(replace(reading, left_over=()) for reading in readings) for readings in clauses)
+
+
+def _in_words(reading: Reading) -> str:
+    """Return what a reading does: the verb, and the arguments that were said, in the order of the frame."""
+    return " ".join([reading.verb] + [value.argument for value in reading.values if value.positions])
 
 
 def question_for(element: FrameElement) -> str:
@@ -258,30 +319,51 @@ def question_for(element: FrameElement) -> str:
 
 
 def _answer(
-    sentence: Sentence, context: Context, lexicon: Lexicon, policy: Policy, frames: Mapping[str, SemanticFrame]
+    sentence: Sentence, pending: Pending, lexicon: Lexicon, policy: Policy, frames: Mapping[str, SemanticFrame]
 ) -> Optional[Tuple[Tuple[Reading, ...], ...]]:
-    """Take an utterance as the answer to the open question; None when it is none."""
-    pending = context.pending
-    if pending is None:
+    """Take an utterance as the answer to the open question; None when it is none, or says more than an answer."""
+    if any(readings[0].unit.frame_name not in frames for readings in pending.clauses):
         return None
     if not pending.element:
         return pending.clauses if is_yes(sentence.tree.text) else None
     clauses = find_clauses(sentence)
-    if any(match_verbs(sentence, clause, lexicon) for clause in clauses) or is_no(sentence.tree.text):
+    if any(match_verbs(sentence, clause, lexicon) for clause in clauses):
         return None
     reading = pending.clauses[pending.clause][0]
     frame = frames.get(reading.unit.frame_name)
     element = frame.element(pending.element) if frame is not None else None
     if frame is None or element is None:
         return None
-    for value in _fragment_values(sentence, frame, element):
-        reading = with_value(reading, value)
-    if any(missing.name == element.name for missing in reading.missing):
+    values = _fragment_values(sentence, frame, element)
+    if not values or not _is_all_said(sentence, values, policy):
         return None
-    reading = replace(reading, left_over=())
+    if pending.choices and not any(_is_choice(values[0], choice) for choice in pending.choices):
+        return None
+    for value in values:
+        reading = with_value(reading, value)
     return tuple(
         (reading,) if position == pending.clause else readings for position, readings in enumerate(pending.clauses)
     )
+
+
+def _is_all_said(sentence: Sentence, values: List[ElementValue], policy: Policy) -> bool:
+    """Whether values are all that an answer says: no "not", no condition, no delay, no word of another matter."""
+    used = frozenset(position for value in values for position in value.positions)
+    for word in sentence.tree.words:
+        if word.form.lower() in NEGATIONS | CONDITIONS | DELAYS:
+            return False
+        if word.index in used or policy.left_over_words is not LeftOverWords.STRICT:
+            continue
+        if sentence.is_content(word.index):
+            return False
+    return True
+
+
+def _is_choice(value: ElementValue, choice: str) -> bool:
+    """Whether an answer names one of the things that were offered: "the plate", "plate"."""
+    answer, offered = value.phrase.lower().split(), choice.lower().split()
+    articles = ("a", "an", "the")
+    return [word for word in answer if word not in articles] == [word for word in offered if word not in articles]
 
 
 def _fragment_values(sentence: Sentence, frame: SemanticFrame, element: FrameElement) -> List[ElementValue]:

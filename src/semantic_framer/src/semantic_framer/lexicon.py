@@ -1,7 +1,7 @@
 """The lexicon: lexical units by verb, as the files of robot programmers define them."""
 import difflib
 from collections import defaultdict
-from typing import Dict, FrozenSet, List, Mapping, Tuple
+from typing import Dict, FrozenSet, List, Mapping, Set, Tuple
 
 from semantic_frames import load_lexical_units
 from semantic_frames.lexical_unit import LexicalUnit
@@ -14,6 +14,7 @@ class Lexicon:
         self._files: Dict[str, Tuple[str, Tuple[LexicalUnit, ...]]] = {}
         self._by_verb: Dict[str, List[LexicalUnit]] = defaultdict(list)
         self._by_first_word: Dict[str, List[str]] = defaultdict(list)
+        self._by_spelling: Dict[str, Set[str]] = defaultdict(set)
 
     @property
     def files(self) -> Mapping[str, str]:
@@ -47,7 +48,10 @@ class Lexicon:
         for unit in units:
             for verb in dict.fromkeys(unit.verbs):
                 if verb not in self._by_verb:
-                    self._by_first_word[verb.split()[0]].append(verb)
+                    first = verb.split()[0]
+                    self._by_first_word[first].append(verb)
+                    for spelling in _spellings(first):
+                        self._by_spelling[spelling].add(first)
                 self._by_verb[verb].append(unit)
         return units
 
@@ -60,5 +64,16 @@ class Lexicon:
         return tuple(sorted(self._by_first_word.get(word, ()), key=lambda verb: (-len(verb.split()), verb)))
 
     def nearest_verbs(self, word: str, count: int = 3) -> Tuple[str, ...]:
-        """Verbs that are spelled like a word, the nearest first; none when nothing is near."""
-        return tuple(difflib.get_close_matches(word, sorted(self._by_verb), n=count, cutoff=0.6))
+        """Verbs that are spelled like a word, the nearest first; none when nothing is near.
+
+        At most one letter is wrong, missing, too many, or in its neighbour's place, so that the time does not grow with
+        the lexicon and no word is offered that only looks similar from afar.
+        """
+        near = {first for spelling in _spellings(word) for first in self._by_spelling.get(spelling, ())}
+        firsts = difflib.get_close_matches(word, sorted(near), n=count, cutoff=0.0)
+        return tuple(verb for first in firsts for verb in self._by_first_word.get(first, ()))[:count]
+
+
+def _spellings(word: str) -> FrozenSet[str]:
+    """Return a word, and the word without each of its letters."""
+    return frozenset([word] + [word[:position] + word[position + 1 :] for position in range(len(word))])

@@ -1,0 +1,154 @@
+#!/usr/bin/python3
+"""The node: parses by hand in, lexical units or one final event out for each command."""
+
+import os
+import tempfile
+import time
+import unittest
+
+import rospy
+import rostest
+from roboframenet_msgs.msg import (
+    Command,
+    CommandLexicalUnits,
+    CommandParse,
+    FileProblems,
+    FilledLexicalUnitList,
+    FrameCatalogue,
+    Lexicon,
+    Reply,
+    SourceFile,
+    StageEvent,
+)
+from roboframenet_msgs.srv import AddLexicalUnit
+from stanford_parser_msgs.msg import UniversalWord
+
+FRAME = "name: turning\nframe_elements:\n  - {name: direction, is_core: True, values: [left, right]}\n"
+UNIT = (
+    "- frame_name: turning\n  verb: turn\n  frame_element_grammatical_relations:\n"
+    "    - {name: direction, relation: advmod, words: [left, right]}\n"
+    "- frame_name: unheard_of\n  verb: vanish\n"
+)
+
+
+def wait_until(condition, timeout_s=20.0):
+    end = time.monotonic() + timeout_s
+    while time.monotonic() < end:
+        if condition():
+            return True
+        time.sleep(0.02)
+    return condition()
+
+
+class SemanticFramerNodeTest(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        rospy.init_node("test_semantic_framer_node")
+        cls.folder = tempfile.TemporaryDirectory()
+        cls.units, cls.units_2012, cls.events, cls.lexicons, cls.problems = [], [], [], [], []
+        cls.subscribers = [
+            rospy.Subscriber("command_lexical_units", CommandLexicalUnits, cls.units.append),
+            rospy.Subscriber("filled_lexical_units", FilledLexicalUnitList, cls.units_2012.append),
+            rospy.Subscriber("stage_events", StageEvent, cls.events.append),
+            rospy.Subscriber("lexicon", Lexicon, cls.lexicons.append),
+            rospy.Subscriber("file_problems", FileProblems, cls.problems.append),
+        ]
+        cls.parses = rospy.Publisher("command_parse", CommandParse, queue_size=10)
+        cls.catalogue = rospy.Publisher("frame_catalogue", FrameCatalogue, queue_size=1, latch=True)
+        rospy.wait_for_service("add_lexical_unit", timeout=20.0)
+        cls.add = rospy.ServiceProxy("add_lexical_unit", AddLexicalUnit)
+        connected = [cls.parses, cls.catalogue] + cls.subscribers
+        assert wait_until(lambda: all(end.get_num_connections() for end in connected))
+        assert cls.add(absolute_file_path=cls.file("units.yaml", UNIT)).success
+        cls.catalogue.publish(FrameCatalogue(registrar_id="test", files=[SourceFile(path="turning.yaml", text=FRAME)]))
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.folder.cleanup()
+
+    @classmethod
+    def file(cls, name, text):
+        path = os.path.join(cls.folder.name, name)
+        with open(path, "w", encoding="utf-8") as stream:
+            stream.write(text)
+        return path
+
+    def say(self, command_id, *rows):
+        """Publish a parse; each row is form, lemma, part of speech, tag, head, relation."""
+        words = []
+        for index, row in enumerate(rows, start=1):
+            form, lemma, upos, xpos, head, deprel = row.split()
+            words.append(
+                UniversalWord(
+                    index=index, form=form, lemma=lemma, upos=upos, xpos=xpos, head=int(head), deprel=deprel
+                )
+            )
+        text = " ".join(word.form for word in words)
+        self.parses.publish(CommandParse(command=Command(id=command_id, text=text), words=words))
+
+    def events_of(self, command_id):
+        return [event for event in list(self.events) if event.command.id == command_id]
+
+    def ending(self, command_id):
+        self.assertTrue(wait_until(lambda: self.events_of(command_id)))
+        (event,) = self.events_of(command_id)
+        self.assertTrue(event.is_final)
+        self.assertEqual([], [message for message in self.units if message.command.id == command_id])
+        return event.reply
+
+    def test_command_is_passed_on_with_its_frame(self):
+        self.say("turn", "turn turn VERB VB 0 root", "left left ADV RB 1 advmod")
+        self.assertTrue(wait_until(lambda: any(message.command.id == "turn" for message in self.units)))
+        self.assertTrue(wait_until(lambda: self.units_2012 and self.events_of("turn")))
+        (message,) = [message for message in self.units if message.command.id == "turn"]
+        unit = message.clauses[0].readings[0].lexical_unit
+        self.assertEqual(("turning", "turn"), (unit.frame_name, unit.verb))
+        self.assertEqual([("direction", "left")], [(e.name, e.argument) for e in unit.frame_elements])
+        self.assertEqual([unit], self.units_2012[0].lexical_units)
+        self.assertFalse(self.events_of("turn")[0].is_final)
+
+    def test_negated_command_is_refused(self):
+        self.say("not", "never never ADV RB 2 advmod", "turn turn VERB VB 0 root", "left left ADV RB 2 advmod")
+        reply = self.ending("not")
+        self.assertEqual((Reply.REFUSED, "NEGATED"), (reply.outcome, reply.code))
+
+    def test_frame_that_no_file_describes(self):
+        self.say("vanish", "vanish vanish VERB VB 0 root")
+        self.assertEqual("UNKNOWN_FRAME", self.ending("vanish").code)
+
+    def test_question_and_its_answer(self):
+        self.say("ask", "turn turn VERB VB 0 root")
+        reply = self.ending("ask")
+        self.assertEqual((Reply.NEEDS_INFORMATION, "MISSING_ELEMENT"), (reply.outcome, reply.code))
+        self.say("answer", "right right ADV RB 0 root")
+        self.assertTrue(wait_until(lambda: any(message.command.id == "answer" for message in self.units)))
+
+    def test_command_without_words_is_answered(self):
+        self.say("empty")
+        self.assertEqual("NO_VERB", self.ending("empty").code)
+
+    def test_parse_whose_words_do_not_hang_together_is_answered(self):
+        self.say("broken", "turn turn VERB VB 7 root")
+        self.assertNotEqual(Reply.DONE, self.ending("broken").outcome)
+
+    def test_lexicon_is_latched(self):
+        self.assertTrue(wait_until(lambda: any("units.yaml" in f.path for m in self.lexicons for f in m.files)))
+        self.assertTrue(all(message.framer_id for message in self.lexicons))
+
+    def test_wrong_file_is_refused_with_its_line_and_the_rest_works(self):
+        path = self.file("wrong.yaml", "frame_name: turning\nverbs: turn\n")
+        self.assertFalse(self.add(absolute_file_path=path).success)
+        self.assertTrue(wait_until(lambda: any(p.path == path for m in self.problems for p in m.problems)))
+        problem = next(p for message in self.problems for p in message.problems if p.path == path and p.key == "verbs")
+        self.assertEqual(2, problem.line)
+        self.say("still", "turn turn VERB VB 0 root", "left left ADV RB 1 advmod")
+        self.assertTrue(wait_until(lambda: any(message.command.id == "still" for message in self.units)))
+
+    def test_file_that_was_added_is_kept_for_a_restart(self):
+        self.assertIn(
+            os.path.join(self.folder.name, "units.yaml"), rospy.get_param("semantic_framer/_added_lexical_units")
+        )
+
+
+if __name__ == "__main__":
+    rostest.rosrun("semantic_framer", "semantic_framer_node", SemanticFramerNodeTest)
