@@ -81,6 +81,10 @@ class ParserNode:
         Raises:
             ModelError: the models cannot be loaded
         """
+        # Whoever listens connects while the models load: the first parse must not find nobody.
+        self._parses = rospy.Publisher("command_parse", CommandParse, queue_size=100)
+        self._parses_2012 = rospy.Publisher("parse", Parse, queue_size=100)
+        self._events = rospy.Publisher("stage_events", StageEvent, queue_size=100)
         self._parser = Parser(
             model_dir=settings.model_dir,
             package=settings.package,
@@ -91,9 +95,6 @@ class ParserNode:
         self._verbs: FrozenSet[str] = frozenset()
         self._verbs_of_file: Dict[str, FrozenSet[str]] = {}
         self._commands: "queue.Queue[Command]" = queue.Queue(settings.queue_size)
-        self._parses = rospy.Publisher("command_parse", CommandParse, queue_size=100)
-        self._parses_2012 = rospy.Publisher("parse", Parse, queue_size=100)
-        self._events = rospy.Publisher("stage_events", StageEvent, queue_size=100)
         self._worker = threading.Thread(target=self._run, name="parser", daemon=True)
         self._worker.start()
         rospy.on_shutdown(lambda: self._worker.join(2.0 * WAKE_UP_S))
