@@ -1,6 +1,7 @@
 """What the tests of the whole graph share."""
 
 import time
+import xmlrpc.client
 from typing import Callable
 
 import rosgraph
@@ -28,7 +29,19 @@ def wait_until(condition: Callable[[], bool], timeout_s: float = 60.0) -> bool:
 
 
 def is_pipeline_complete() -> bool:
-    """Whether every stage listens."""
-    _, subscribers, _ = rosgraph.Master(rospy.get_name()).getSystemState()
-    heard = {topic for topic, nodes in subscribers if set(nodes) - {rospy.get_name()}}
-    return all(rospy.resolve_name(topic) in heard for topic in STAGE_TOPICS)
+    """Whether every stage listens and is connected to those that speak to it: what is said before is lost."""
+    publishers, subscribers, _ = rosgraph.Master(rospy.get_name()).getSystemState()
+    spoken = {topic for topic, _ in publishers}
+    heard = {topic: set(nodes) - {rospy.get_name()} for topic, nodes in subscribers}
+    for topic in map(rospy.resolve_name, STAGE_TOPICS):
+        if not heard.get(topic):
+            return False
+        if topic in spoken and not all(is_connected(node, topic) for node in heard[topic]):
+            return False
+    return True
+
+
+def is_connected(node: str, topic: str) -> bool:
+    """Whether a subscriber has a connection from a publisher of the topic."""
+    api = xmlrpc.client.ServerProxy(rosgraph.Master(rospy.get_name()).lookupNode(node))
+    return any(entry[2] == "i" and entry[4] == topic and entry[5] for entry in api.getBusInfo(rospy.get_name())[2])

@@ -43,6 +43,15 @@ class CommandChainTest(unittest.TestCase):
         assert wait_until(lambda: all(entity.get_num_connections() == 1 for entity in subscribers + [
             cls.frames, cls.events]))
         assert wait_until(lambda: replies.get_num_connections() == 2 and cls.text.get_num_connections() == 2)
+        assert wait_until(cls.is_arbitrator_heard)
+
+    @classmethod
+    def is_arbitrator_heard(cls):
+        """Whether the executor is connected to the arbitrator: what is published before is lost."""
+        api = xmlrpc.client.ServerProxy(rosgraph.Master(rospy.get_name()).lookupNode("/executor"))
+        connections = api.getBusInfo(rospy.get_name())[2]
+        topic = rospy.resolve_name("command_procedure")
+        return any(entry[2] == "i" and entry[4] == topic and entry[5] for entry in connections)
 
     @classmethod
     def on_command(cls, command):
