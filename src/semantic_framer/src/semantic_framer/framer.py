@@ -222,8 +222,11 @@ def _read_one(
         if not wanted & set(frames):
             return Refusal("UNKNOWN_FRAME", f"No file describes the frame {' or '.join(sorted(wanted))}.")
         return Refusal("NO_READING", f'I know "{matches[0].verb}", but not in this way.')
+    # "Check if the oven is hot": the words of the condition fill an element, "if" itself does not.
+    conditional = {index for index in clause.condition_positions if sentence.word(index).deprel != "mark"}
     if clause.condition and not any(
-        set(clause.condition_positions) <= {p for value in reading.values for p in value.positions}
+        (conditional or set(clause.condition_positions))
+        <= {position for value in reading.values for position in value.positions}
         for reading in readings
         if not reading.missing
     ):
@@ -390,9 +393,10 @@ def _resolve(reading: Reading, context: Context) -> Union[Reading, Question]:
         relation = next((relation for relation in reading.unit.relations if relation.name == value.name), None)
         is_fixed = relation is not None and bool(relation.words)
         if word in PRONOUNS and value.positions and not is_fixed and word not in ("this", "one", "that"):
-            if not context.thing:
+            # "Go near the radio and switch it on": a place is a thing too.
+            if not context.thing and not context.place:
                 return Question("AMBIGUOUS", f'What do you mean by "{value.argument}"?')
-            value = resolved(value, context.thing)
+            value = resolved(value, context.thing or context.place)
         elif word in PLACE_PRONOUNS and not is_fixed and context.place:
             value = resolved(value, context.place)
         values.append(value)

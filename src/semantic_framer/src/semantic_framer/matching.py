@@ -7,6 +7,7 @@ from semantic_frames.frame import FrameElement, Quantity, SemanticFrame
 from semantic_frames.lexical_unit import ElementRelation, LexicalUnit
 from semantic_frames.relation_names import MEASURE
 
+from semantic_framer.attachment import STATIC, joined_phrases, words_before, words_before_amount
 from semantic_framer.clauses import Clause
 from semantic_framer.lexicon import Lexicon
 from semantic_framer.measures import Amount, find_amounts
@@ -14,8 +15,8 @@ from semantic_framer.sentence import Sentence
 from semantic_framer.values import ElementValue, amount_value, given_value, phrase_value, unit_value
 
 #: A phrase with one of these hangs on the verb, if the unit asks for it, even where the parser hung it on the object:
-#: "bring the mug to the table". The others ("on", "in", "near") do so only for a core element: "put the mug on the
-#: table".
+#: "bring the mug to the table". The others ("on", "in", "near") do so only for a core or required element: "put the
+#: mug on the table".
 DIRECTIONAL = frozenset("to into onto towards toward from for with by as through via".split())
 
 
@@ -161,6 +162,7 @@ class _Filling:
         self._taken: Dict[str, FrozenSet[int]] = {}
         self._heads: Dict[str, int] = {}
         self._amount_of: Dict[str, Amount] = {}
+        self._subject = clause.subject or self._shared_subject()
 
     def reading(self) -> Optional[Reading]:
         """Return the reading; None when a required relation does not match."""
@@ -215,8 +217,15 @@ class _Filling:
                 self._amount_of[element.unit_element] = amount
 
     def _take_phrase(self, relation: ElementRelation) -> None:
+        is_wanted = relation.is_required or self._is_core(relation.name)
+        # "Put it on the bench in the kitchen": of the places the first is meant, the others tell more of it.
+        static = [path for path in relation.relations if _preposition(path.steps[0]).split("_")[0] in STATIC]
+        places = sorted(head for path in static for head in self._follow(path.steps, is_wanted))
         for path in relation.relations:
-            heads = self._follow(path.steps, self._is_core(relation.name))
+            if path in static:
+                heads = places if path == static[0] else []
+            else:
+                heads = self._follow(path.steps, is_wanted)
             for head in heads:
                 if head in self._heads.values() or head in self._match.positions or not self._is_in_clause(head):
                     continue
@@ -238,7 +247,19 @@ class _Filling:
         return element is not None and element.is_core
 
     def _is_in_clause(self, head: int) -> bool:
-        return head in self._clause.positions or head == self._clause.subject
+        return head in self._clause.positions or head == self._subject
+
+    def _shared_subject(self) -> int:
+        """Return the subject of the verb that this one is joined to: "could you go there and take the mug"."""
+        word = self._sentence.word(self._clause.verb)
+        seen = set()
+        while word.deprel == "conj" and word.index not in seen:
+            seen.add(word.index)
+            word = self._sentence.word(word.head)
+            for child in self._sentence.children(word.index):
+                if child.deprel.startswith("nsubj"):
+                    return child.index
+        return 0
 
     def _is_one_of(self, head: int, words: Tuple[str, ...]) -> bool:
         word = self._sentence.word(head)
@@ -275,6 +296,8 @@ class _Filling:
                 found += self._sentence.dependents(governor, step)
                 if number == 0:
                     found += self._reattached(step, is_core)
+                    if step == "nsubj" and self._subject and not self._clause.subject:
+                        found.append(self._subject)
             governors = list(dict.fromkeys(found))
         return governors
 
@@ -282,7 +305,7 @@ class _Filling:
         """Phrases with a preposition that the parser hung on an object though the unit wants them at the verb."""
         if not step.startswith(("prep_", "obl:")):
             return []
-        preposition = step.split("_", 1)[1] if step.startswith("prep_") else step.split(":", 1)[1]
+        preposition = _preposition(step)
         if not (is_core or preposition in DIRECTIONAL):
             return []
         found = []
@@ -297,6 +320,7 @@ class _Filling:
     def _values(self) -> Tuple[ElementValue, ...]:
         verb_words = frozenset(self._match.positions)
         amount_words = frozenset(position for amount in self._amount_of.values() for position in amount.positions)
+        joined = self._joined(verb_words | amount_words)
         values: List[ElementValue] = []
         for element in self._frame.frame_elements:
             if element.name in self._amount_of:
@@ -307,6 +331,9 @@ class _Filling:
                     if is_unit
                     else amount_value(self._sentence, element.name, amount, is_whole=not element.unit_element)
                 )
+                before = words_before_amount(self._sentence, min(amount.positions))
+                if not is_unit:
+                    values[-1] = replace(values[-1], positions=tuple(sorted(before)) + values[-1].positions)
             elif element.name in self._heads:
                 head = self._heads[element.name]
                 others = [
@@ -318,10 +345,43 @@ class _Filling:
                 ]
                 left_out = verb_words | amount_words | frozenset().union(*others) | self._outside(head)
                 relation = next(relation for relation in self._unit.relations if relation.name == element.name)
-                values.append(phrase_value(self._sentence, element.name, head, relation.argument, left_out))
+                values.append(
+                    phrase_value(
+                        self._sentence,
+                        element.name,
+                        head,
+                        relation.argument,
+                        left_out - joined.get(element.name, frozenset()),
+                        joined.get(element.name, frozenset()),
+                    )
+                )
             elif element.default:
                 values.append(given_value(element.name, element.default))
         return tuple(values)
+
+    def _joined(self, used: FrozenSet[int]) -> Dict[str, FrozenSet[int]]:
+        """Return the words that belong to an element though they hang on the verb, by its name."""
+        verb = self._clause.verb
+        with_words = {relation.name for relation in self._unit.relations if relation.words}
+        phrases = {}
+        for name, head in self._heads.items():
+            others = {other for other in self._heads.values() if other != head}
+            subtree = self._sentence.subtree(head)
+            positions = subtree.difference(
+                *(self._sentence.subtree(other) for other in others if head not in self._sentence.subtree(other))
+            )
+            # Of a subject nothing that follows the verb can be a part, but where "there" holds its place.
+            if verb not in subtree and (head > verb or max(subtree) + 1 != verb):
+                phrases[name] = (head, frozenset(positions))
+        taken = used | frozenset().union(*(positions for _, positions in phrases.values()))
+        free = self._clause.positions - taken - self._clause.condition_positions
+        open_phrases = {name: phrase for name, phrase in phrases.items() if name not in with_words}
+        joined = joined_phrases(self._sentence, verb, open_phrases, free)
+        for name, (_, positions) in phrases.items():
+            before = words_before(self._sentence, verb, min(positions), free) if positions else frozenset()
+            if before:
+                joined[name] = joined.get(name, frozenset()) | before
+        return joined
 
     def _outside(self, head: int) -> FrozenSet[int]:
         """Words below a head that belong to other clauses or to a condition."""
@@ -346,7 +406,7 @@ class _Filling:
         left_over = tuple(
             index
             for index in content
-            if index not in used and index != self._clause.subject and not self._hangs_on_used(index, used)
+            if index not in used and index != self._subject and not self._hangs_on_used(index, used)
         )
         return left_over, 1.0 - len(left_over) / (len(content) + 1)
 
@@ -354,6 +414,13 @@ class _Filling:
         """Whether a word is a part of a name that is used: "living" in "living room"."""
         word = self._sentence.word(index)
         return word.deprel in ("compound", "flat", "goeswith", "fixed") and word.head in used
+
+
+def _preposition(step: str) -> str:
+    """Return the preposition of a relation ("prep_to", "obl:to", "prep_next_to"); empty for none."""
+    if not step.startswith(("prep_", "obl:")):
+        return ""
+    return step.split("_", 1)[1] if step.startswith("prep_") else step.split(":", 1)[1]
 
 
 def with_value(reading: Reading, value: ElementValue) -> Reading:

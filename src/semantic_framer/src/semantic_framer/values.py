@@ -32,7 +32,12 @@ class ElementValue:
 
 
 def phrase_value(
-    sentence: Sentence, name: str, head: int, form: ArgumentForm, left_out: FrozenSet[int]
+    sentence: Sentence,
+    name: str,
+    head: int,
+    form: ArgumentForm,
+    left_out: FrozenSet[int],
+    joined: FrozenSet[int] = frozenset(),
 ) -> ElementValue:
     """Make the value of a phrase.
 
@@ -42,20 +47,23 @@ def phrase_value(
         head: index of the head word
         form: which words become the argument
         left_out: words that belong to something else
+        joined: words that belong to the phrase though they hang elsewhere
     Returns:
         the value; its positions include a preposition at the front, its argument does not
     """
     conjuncts = [
         child for child in sentence.children(head) if child.deprel == "conj" and child.upos not in ("VERB", "AUX")
     ]
-    positions = sorted(sentence.subtree(head) - left_out)
+    positions = sorted((sentence.subtree(head) - left_out) | joined)
     while len(positions) > 1 and sentence.word(positions[-1]).upos == "PUNCT":
         positions.pop()
     while len(positions) > 1 and (
-        sentence.word(positions[0]).upos == "PUNCT" or sentence.word(positions[0]).deprel in ("cc", "discourse")
+        sentence.word(positions[0]).upos == "PUNCT" or sentence.word(positions[0]).deprel in ("cc", "discourse", "mark")
     ):
         positions.pop(0)
     prepositions = _prepositions(sentence, head)
+    if prepositions and positions[0] < min(prepositions):
+        prepositions |= frozenset(index for index in joined if index < min(prepositions))
     bare = [index for index in positions if index not in prepositions]
     children = sentence.children(head)
     conjunction = ""
@@ -134,7 +142,8 @@ def amount_value(sentence: Sentence, name: str, amount: Amount, *, is_whole: boo
         quantity=amount.quantity,
         si_amount=amount.si_amount,
         positions=amount.positions,
-        head_position=amount.positions[-1],
+        # The head of "60 degrees" is the unit; an element that holds the number alone has the number for its head.
+        head_position=amount.positions[-1 if is_whole or not amount.unit else -2],
     )
 
 
