@@ -4,7 +4,7 @@ from dataclasses import dataclass, replace
 from typing import Dict, FrozenSet, List, Mapping, Optional, Sequence, Set, Tuple
 
 from semantic_frames.frame import FrameElement, Quantity, SemanticFrame
-from semantic_frames.lexical_unit import ElementRelation, LexicalUnit
+from semantic_frames.lexical_unit import ArgumentForm, ElementRelation, LexicalUnit
 from semantic_frames.relation_names import MEASURE
 
 from semantic_framer.attachment import STATIC, joined_phrases, words_before, words_before_amount
@@ -312,6 +312,10 @@ class _Filling:
         for relation in ("dobj", "iobj", "obl", "tmod"):
             for noun in self._sentence.dependents(self._clause.verb, relation):
                 found += self._sentence.dependents(noun, f"prep_{preposition}")
+                # "Bring the plant on the shelf near the window": near the window it shall be brought.
+                for inner in self._sentence.children(noun) if relation == "dobj" else ():
+                    if inner.deprel == "nmod" and inner.index > noun:
+                        found += self._sentence.dependents(inner.index, f"prep_{preposition}")
         particle = [
             index for index in self._match.positions[1:] if self._sentence.word(index).form.lower() == preposition
         ]
@@ -362,7 +366,11 @@ class _Filling:
     def _joined(self, used: FrozenSet[int]) -> Dict[str, FrozenSet[int]]:
         """Return the words that belong to an element though they hang on the verb, by its name."""
         verb = self._clause.verb
-        with_words = {relation.name for relation in self._unit.relations if relation.words}
+        with_words = {
+            relation.name
+            for relation in self._unit.relations
+            if relation.words and relation.argument is ArgumentForm.HEAD
+        }
         phrases = {}
         for name, head in self._heads.items():
             others = {other for other in self._heads.values() if other != head}
@@ -385,7 +393,7 @@ class _Filling:
 
     def _outside(self, head: int) -> FrozenSet[int]:
         """Words below a head that belong to other clauses or to a condition."""
-        return frozenset(self._sentence.subtree(head) - self._clause.positions) | (
+        return frozenset(self._sentence.subtree(head) - self._clause.positions - {self._subject}) | (
             self._clause.condition_positions if head not in self._clause.condition_positions else frozenset()
         )
 
