@@ -24,12 +24,15 @@ class CorpusMapping:
         frames: name in the corpus by name of our frame
         elements: name in the corpus by name of our frame and of its element; under the frame ``all`` for every frame
         words_left_out: words that the spans of the corpus do not begin with (articles, prepositions), lower case
+        transparent_nouns: nouns whose "of" phrase has the head for the corpus, as FrameNet's transparent nouns have: the
+            door is the head of "the front of the door"
         is_head_span: whether a span of the corpus ends with its head ("the mug" of "the mug on the table")
     """
 
     frames: Mapping[str, str]
     elements: Mapping[str, Mapping[str, str]]
     words_left_out: FrozenSet[str] = frozenset()
+    transparent_nouns: FrozenSet[str] = frozenset()
     is_head_span: bool = False
 
     def frame_name(self, frame: SemanticFrame) -> str:
@@ -57,7 +60,7 @@ def load_mapping(path: str) -> CorpusMapping:
     """
     reader = Reader(path)
     root = reader.compose(read_text(path), "a mapping with frames and frame_elements")
-    entries = reader.mapping(root, "", ("frames", "frame_elements", "words_left_out", "head_spans"))
+    entries = reader.mapping(root, "", ("frames", "frame_elements", "words_left_out", "transparent_nouns", "head_spans"))
     elements = {
         name: _names(reader, node, f"frame_elements.{name}")
         for name, node in _pairs(reader, entries.get("frame_elements"), "frame_elements").items()
@@ -66,6 +69,7 @@ def load_mapping(path: str) -> CorpusMapping:
         frames=_names(reader, entries.get("frames"), "frames"),
         elements=elements,
         words_left_out=frozenset(reader.texts(entries.get("words_left_out"), "words_left_out")),
+        transparent_nouns=frozenset(reader.texts(entries.get("transparent_nouns"), "transparent_nouns")),
         is_head_span=reader.boolean(entries.get("head_spans"), "head_spans"),
     )
     reader.refuse_if_wrong()

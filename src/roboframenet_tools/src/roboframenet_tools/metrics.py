@@ -66,9 +66,10 @@ class Score:
         aic_head: the same over (frame, element, head word)
         em: exact match, share of commands with all frames, elements and spans right and nothing besides
         coverage: share of commands that are answered: they would be carried out
-        precision_answered: share of the answered commands whose frames are right, all of them and no other
-        precision_answered_heads: share of the answered commands whose frames and the head words of all elements are
-            right
+        precision_answered: over the answered commands, share of the recognised frames that are right: the precision that
+            goes into ``fp``
+        right_answered: share of the answered commands with all frames right and no other
+        right_answered_heads: share of the answered commands with all frames and all head words right and no others
         ms_per_command: mean time to parse and understand one
         per_frame: by name in the corpus
     """
@@ -80,7 +81,8 @@ class Score:
     em: float
     coverage: float
     precision_answered: float
-    precision_answered_heads: float
+    right_answered: float
+    right_answered_heads: float
     ms_per_command: float
     per_frame: Mapping[str, FrameRow]
 
@@ -94,7 +96,7 @@ def score(pairs: Iterable[Tuple[AnnotatedCommand, Answer]]) -> Score:
     A frame or element that occurs twice in a command counts twice. An element without an annotated head is right by its
     head when the answer's head is one of its words.
     """
-    frame_count = exact_count = head_count = Count()
+    frame_count = exact_count = head_count = answered_count = Count()
     commands = exact_commands = answered = answered_frames = answered_heads = 0
     milliseconds = 0.0
     rows: Dict[str, FrameRow] = {}
@@ -110,6 +112,7 @@ def score(pairs: Iterable[Tuple[AnnotatedCommand, Answer]]) -> Score:
         head_count = head_count.plus(*heads)
         exact_commands += _is_all(frames) and _is_all(exact)
         answered += answer.is_answered
+        answered_count = answered_count.plus(*frames) if answer.is_answered else answered_count
         answered_frames += answer.is_answered and _is_all(frames)
         answered_heads += answer.is_answered and _is_all(frames) and _is_all(heads)
         _add_rows(rows, command.frames, answer.frames)
@@ -120,8 +123,9 @@ def score(pairs: Iterable[Tuple[AnnotatedCommand, Answer]]) -> Score:
         aic_head=head_count.f1,
         em=_percent(exact_commands, commands),
         coverage=_percent(answered, commands),
-        precision_answered=_percent(answered_frames, answered),
-        precision_answered_heads=_percent(answered_heads, answered),
+        precision_answered=_percent(answered_count.right, answered_count.predicted),
+        right_answered=_percent(answered_frames, answered),
+        right_answered_heads=_percent(answered_heads, answered),
         ms_per_command=milliseconds / commands if commands else 0.0,
         per_frame=dict(sorted(rows.items())),
     )

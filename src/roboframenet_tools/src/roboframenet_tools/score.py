@@ -114,13 +114,13 @@ def to_json(found: Score) -> Dict[str, object]:
 
 def table(corpus: str, rows: Sequence[Tuple[str, Score]]) -> str:
     """Return the figures for a person: all in one table, then each frame of the first row."""
-    lines = [("", "FP", "AIC-exact", "AIC-head", "EM", "coverage", "precision", "(and heads)", "ms/command")]
+    lines = [("", "FP", "AIC-exact", "AIC-head", "EM", "coverage", "precision", "right", "right heads", "ms/command")]
     for name, found in rows:
         figures = (found.fp, found.aic_exact, found.aic_head, found.em, found.coverage)
-        figures += (found.precision_answered, found.precision_answered_heads, found.ms_per_command)
+        figures += (found.precision_answered, found.right_answered, found.right_answered_heads, found.ms_per_command)
         lines.append((name,) + tuple(f"{figure:.1f}" for figure in figures))
     for name, *published in PUBLISHED[corpus]:
-        lines.append((name,) + tuple(f"{figure:.1f}" for figure in published) + ("-",) * 5)
+        lines.append((name,) + tuple(f"{figure:.1f}" for figure in published) + ("-",) * 6)
     frames = [("frame", "annotated", "FP", "AIC-exact", "AIC-head", "taken for")]
     for name, row in rows[0][1].per_frame.items():
         taken = ", ".join(f"{other} {count}" for other, count in sorted(row.taken_for.items()) if other != name)

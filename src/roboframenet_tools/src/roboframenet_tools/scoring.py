@@ -60,7 +60,8 @@ def _annotated(
     for name, words, head_word in fillings:
         corpus_name = mapping.element_name(frame, name)
         tokens = positions_at(command, _characters(tree, words))
-        head = min(positions_at(command, _characters(tree, [head_word])), default=0)
+        head_characters = _characters(tree, [_semantic_head(tree, mapping, head_word)])
+        head = min(positions_at(command, head_characters), default=0)
         if corpus_name is None or not tokens:
             continue
         before, first_head = found.get(corpus_name, (frozenset(), head))
@@ -73,6 +74,23 @@ def _annotated(
             for name, (tokens, head) in found.items()
         ),
     )
+
+
+def _semantic_head(tree: DependencyTree, mapping: CorpusMapping, head: int) -> int:
+    while head > 0 and tree.word(head).form.lower() in mapping.transparent_nouns:
+        inner = next(
+            (
+                child.index
+                for child in tree.children(head)
+                if child.deprel.startswith("nmod")
+                and any(word.deprel == "case" and word.form.lower() == "of" for word in tree.children(child.index))
+            ),
+            0,
+        )
+        if not inner:
+            break
+        head = inner
+    return head
 
 
 def _span(command: AnnotatedCommand, mapping: CorpusMapping, tokens: FrozenSet[int], head: int) -> FrozenSet[int]:
