@@ -60,7 +60,9 @@ def load_mapping(path: str) -> CorpusMapping:
     """
     reader = Reader(path)
     root = reader.compose(read_text(path), "a mapping with frames and frame_elements")
-    entries = reader.mapping(root, "", ("frames", "frame_elements", "words_left_out", "transparent_nouns", "head_spans"))
+    entries = reader.mapping(
+        root, "", ("frames", "frame_elements", "words_left_out", "transparent_nouns", "head_spans")
+    )
     elements = {
         name: _names(reader, node, f"frame_elements.{name}")
         for name, node in _pairs(reader, entries.get("frame_elements"), "frame_elements").items()

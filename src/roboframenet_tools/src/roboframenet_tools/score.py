@@ -4,22 +4,26 @@ import argparse
 import json
 import sys
 from collections import Counter
-from typing import Dict, List, Sequence, Tuple
+from typing import Callable, Dict, List, Sequence, Tuple
 
 from command_server.stop_words import is_stop
+from roboframenet_tools.annotated_sentences import sentences_of
 from roboframenet_tools.corpus import AnnotatedCommand, CorpusError
 from roboframenet_tools.corpus_mapping import CorpusMapping, load_mapping, shipped_mapping
 from roboframenet_tools.huric_corpus import read_huric
+from roboframenet_tools.learn import learned_knowledge, lexicon_files
 from roboframenet_tools.metrics import Answer, Score, is_exact, score
 from roboframenet_tools.scoring import answer, answer_2012
 from roboframenet_tools.scout_corpus import read_scout, without_remarks
 from roboframenet_tools.tage_corpus import read_tage
 from roboframenet_tools.understanding import Pipeline, load_knowledge, pretend_servers, shipped_domains
 from semantic_frames import FileRefused
+from semantic_frames.source_files import LEXICAL_UNITS_FOLDER
 from stanford_parser_ros.model import ModelError
 
 EXAMPLES = """examples:
   rfn score huric huric-2.1/english
+  rfn score huric huric-2.1/english --folds 5
   rfn score tage tagE/data --json > tage.json
   rfn score scout scout/transcripts
 
@@ -36,6 +40,13 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("corpus", choices=("huric", "tage", "scout"), help="which corpus")
     parser.add_argument("folder", metavar="DIR", help="its folder")
     parser.add_argument("--domains", action="append", metavar="FOLDER", help="frames and units (default: shipped)")
+    parser.add_argument(
+        "--folds",
+        type=int,
+        default=0,
+        metavar="N",
+        help="huric: score each Nth of the commands with units that are learned from the others alone",
+    )
     parser.add_argument("--json", action="store_true", help="one JSON object")
     parser.add_argument(
         "--behaviour",
@@ -69,8 +80,11 @@ def _score_frames(
     arguments: argparse.Namespace, pipeline: Pipeline, mapping: CorpusMapping, commands: Sequence[AnnotatedCommand]
 ) -> int:
     is_old = arguments.behaviour == "2012"
-    answers = [(answer_2012 if is_old else answer)(pipeline, mapping, command) for command in commands]
-    pairs = list(zip(commands, answers))
+    understand = answer_2012 if is_old else answer
+    if arguments.folds:
+        pairs = _in_folds(pipeline, mapping, commands, arguments.folds, understand)
+    else:
+        pairs = [(command, understand(pipeline, mapping, command)) for command in commands]
     found = score(pairs)
     if arguments.wrong:
         with open(arguments.wrong, "w", encoding="utf-8") as file:
@@ -78,12 +92,41 @@ def _score_frames(
     if arguments.json:
         print(json.dumps(to_json(found)))
         return 0
-    rows = [("2012" if is_old else "now", found)]
+    name = "2012" if is_old else "now"
+    rows = [(f"{name}, learned, {arguments.folds}-fold" if arguments.folds else name, found)]
+    if arguments.folds:
+        rows.append((name, score((command, understand(pipeline, mapping, command)) for command in commands)))
     if not is_old:
         old = [answer_2012(pipeline, mapping, command) for command in commands]
         rows.append(("2012", score(zip(commands, old))))
     print(table(arguments.corpus, rows))
     return 0
+
+
+def _in_folds(
+    pipeline: Pipeline,
+    mapping: CorpusMapping,
+    commands: Sequence[AnnotatedCommand],
+    folds: int,
+    understand: Callable[[Pipeline, CorpusMapping, AnnotatedCommand], Answer],
+) -> List[Tuple[AnnotatedCommand, Answer]]:
+    """Score each fold with units that the others teach, and with none that is shipped; the frames stay."""
+    known = pipeline.knowledge
+    found: List[Tuple[AnnotatedCommand, Answer]] = []
+    for fold in range(folds):
+        others = [command for number, command in enumerate(commands) if number % folds != fold]
+        sentences, _ = sentences_of(others, mapping, known.frames, known.lexicon.units)
+        files, _ = lexicon_files(sentences, pipeline.parser, known)
+        units = {path: text for path, text in files.items() if path.startswith(LEXICAL_UNITS_FOLDER)}
+        learned = learned_knowledge(known.frames, {}, units)
+        pretend_servers(learned.graph)
+        taught = Pipeline(learned, pipeline.parser)
+        found += [
+            (command, understand(taught, mapping, command))
+            for number, command in enumerate(commands)
+            if number % folds == fold
+        ]
+    return found
 
 
 def to_json(found: Score) -> Dict[str, object]:
