@@ -3,6 +3,7 @@
 import argparse
 import os
 import sys
+from functools import lru_cache
 from typing import Callable, Dict, List, Mapping, Optional, Sequence, Set, Tuple
 
 from roboframenet_tools.annotated_sentences import AnnotatedSentence, read_sentences, sentences_of
@@ -15,6 +16,7 @@ from semantic_frames import FileRefused
 from semantic_frames.frame import SemanticFrame
 from semantic_frames.source_files import FRAMES_FOLDER, LEXICAL_UNITS_FOLDER, read_text
 from semantic_framer.framer import Understood, read
+from semantic_framer.lexicon import Lexicon
 from stanford_parser_ros.model import ModelError, Parser, UnparsableText, shipped_model_dir
 from stanford_parser_ros.tree import DependencyTree
 
@@ -86,9 +88,9 @@ def lexicon_files(
         text by path in the folder of the domain; and one line for each thing that was not explained
     """
     verbs = frozenset(sentence.text[sentence.verb[0][0] : sentence.verb[0][1]].lower() for sentence in sentences)
-    parse: Callable[[str], DependencyTree] = lambda text: parser.parse(text, verbs)
+    parse: Callable[[str], DependencyTree] = lru_cache(maxsize=None)(lambda text: parser.parse(text, verbs))
     readable, unexplained = _parsable(sentences, parse)
-    units, report = learn(readable, parse)
+    units, report = learn(readable, parse, known.frames)
     units = _useful(units, parse, known)
     new = _new_frames(units, known)
     by_frame = _by_frame(units)
@@ -96,7 +98,7 @@ def lexicon_files(
     examples: Set[int] = set()
     wrong: List[str] = []
     for lesson in [lesson for unit in units for lesson in unit.lessons]:
-        found = _understood(lesson, parse, learned)
+        found = _understood(lesson, parse, learned.lexicon, learned.frames)
         if found is None:
             wrong.append(
                 f'{lesson.sentence.place}: {lesson.sentence.frame_name} is not found in "{lesson.sentence.text}"'
@@ -136,21 +138,22 @@ def _useful(
 
     Only a unit whose verbs evoke its frame by another unit too may be left out.
     """
-    lessons = [lesson for unit in units for lesson in unit.lessons]
+    frames = _draft(units, known).frames
 
-    def explained(some: Sequence[LearnedUnit]) -> int:
-        knowledge = _draft(some, known)
-        return sum(_understood(lesson, parse, knowledge) is not None for lesson in lessons)
+    def explained(some: Sequence[LearnedUnit], lessons: Sequence[Lesson]) -> int:
+        lexicon = Lexicon()
+        for name, members in _by_frame(some).items():
+            lexicon.add_file(to_yaml(members, lambda lesson: False), name)
+        return sum(_understood(lesson, parse, lexicon, frames, offered=1) is not None for lesson in lessons)
 
     kept = list(units)
-    best = explained(kept)
     for unit in units:
         others = [other for other in kept if other is not unit]
         verbs = {verb for other in others if other.frame_name == unit.frame_name for verb in other.verbs}
         if unit.required and set(unit.verbs) <= verbs:
-            count = explained(others)
-            if count > best:
-                kept, best = others, count
+            lessons = [lesson for other in units for lesson in other.lessons if lesson.verb in unit.verbs]
+            if explained(others, lessons) > explained(kept, lessons):
+                kept = others
     return tuple(kept)
 
 
@@ -184,13 +187,22 @@ def _parsable(
     return tuple(good), tuple(bad)
 
 
-def _understood(lesson: Lesson, parse: Callable[[str], DependencyTree], knowledge: Knowledge) -> Optional[int]:
-    """Return how many clauses a sentence has of which one is the lesson; None where none is."""
-    outcome, _ = read(parse(lesson.sentence.text), knowledge.lexicon, knowledge.frames)
+def _understood(
+    lesson: Lesson,
+    parse: Callable[[str], DependencyTree],
+    lexicon: Lexicon,
+    frames: Mapping[str, SemanticFrame],
+    offered: Optional[int] = None,
+) -> Optional[int]:
+    """Return how many clauses a sentence has of which one is the lesson; None where none is.
+
+    Of the readings of a clause so many count, the best first.
+    """
+    outcome, _ = read(parse(lesson.sentence.text), lexicon, frames)
     if not isinstance(outcome, Understood):
         return None
     for readings in outcome.clauses:
-        for reading in readings:
+        for reading in readings[:offered]:
             arguments = {value.name: value.argument for value in reading.values}
             if reading.unit.frame_name == lesson.sentence.frame_name and all(
                 arguments.get(name) == text for name, text in lesson.arguments.items()

@@ -13,6 +13,7 @@ from typing import Dict, FrozenSet, Iterable, List, Mapping, Optional, Sequence,
 
 from roboframenet_tools.annotated_sentences import AnnotatedSentence, Span
 from semantic_frames.frame import SemanticFrame
+from semantic_frames.relation_names import MEASURE
 from semantic_framer.matching import DIRECTIONAL
 from semantic_framer.sentence import Sentence
 from stanford_parser_ros.tree import DependencyTree
@@ -85,35 +86,42 @@ class LearnedUnit:
 
 
 def learn(
-    sentences: Iterable[AnnotatedSentence], parse: Callable[[str], DependencyTree]
+    sentences: Iterable[AnnotatedSentence],
+    parse: Callable[[str], DependencyTree],
+    frames: Mapping[str, SemanticFrame],
 ) -> Tuple[Tuple[LearnedUnit, ...], Tuple[str, ...]]:
     """Learn units.
 
     Args:
         sentences: annotated
         parse: gives the tree of a text
+        frames: that are known, by name: an element that measures takes any measure
     Returns:
         units by frame, those of several required elements first; and one line for each thing that was not explained
     """
     lessons: List[Lesson] = []
     unexplained: List[str] = []
     for sentence in sentences:
-        lesson = _lesson(sentence, Sentence(parse(sentence.text)), unexplained)
+        lesson = _lesson(sentence, Sentence(parse(sentence.text)), frames.get(sentence.frame_name), unexplained)
         if lesson is not None:
             lessons.append(lesson)
     return _units(lessons), tuple(unexplained)
 
 
-def _lesson(annotated: AnnotatedSentence, sentence: Sentence, unexplained: List[str]) -> Optional[Lesson]:
+def _lesson(
+    annotated: AnnotatedSentence, sentence: Sentence, frame: Optional[SemanticFrame], unexplained: List[str]
+) -> Optional[Lesson]:
     verb_words = _positions(sentence, annotated.verb)
     if not verb_words:
         unexplained.append(f'{annotated.place}: the parser has no word for the verb in "{annotated.text}"')
         return None
-    verb = next(
-        (word for word in verb_words if sentence.word(word).upos in ("VERB", "AUX")),
-        verb_words[0],
-    )
-    particles = [sentence.word(word).form.lower() for word in verb_words if word > verb]
+    ranked = [word for upos in ("VERB", "AUX") for word in verb_words if sentence.word(word).upos == upos]
+    verb = (ranked or list(verb_words))[0]
+    particles = [
+        sentence.word(word).form.lower()
+        for word in verb_words
+        if word > verb and sentence.word(word).upos in _CLOSED_CLASSES
+    ]
     relations: Dict[str, str] = {}
     words: Dict[str, str] = {}
     arguments: Dict[str, str] = {}
@@ -121,6 +129,10 @@ def _lesson(annotated: AnnotatedSentence, sentence: Sentence, unexplained: List[
     reattached: Set[str] = set()
     for name, spans in annotated.elements.items():
         positions = _positions(sentence, spans)
+        element = frame.element(name) if frame is not None else None
+        if element is not None and element.quantity is not None:
+            relations.update({measured: MEASURE for measured in (name, element.unit_element) if measured})
+            continue
         head = _head(sentence, positions)
         path = _path(sentence, verb, head) if head else None
         if path is None:
@@ -223,7 +235,7 @@ def _units(lessons: Sequence[Lesson]) -> Tuple[LearnedUnit, ...]:
         unit = units.setdefault((frame, frozenset(required)), LearnedUnit(frame, required=required))
         unit.verbs += [verb] if verb not in unit.verbs else []
         unit.lessons += members
-    rarer = _rarer(lessons)
+    rarer = _rarer(lessons) | _same_shape(lessons)
     for unit in units.values():
         _fill(unit, rarer)
     return tuple(sorted(units.values(), key=lambda unit: (unit.frame_name, -len(unit.required))))
@@ -238,7 +250,7 @@ def _rarer(lessons: Sequence[Lesson]) -> FrozenSet[Tuple[str, str, str]]:
         (lesson.sentence.frame_name, name, relation)
         for lesson in lessons
         for name, relation in lesson.relations.items()
-        if name not in lesson.closed
+        if name not in lesson.closed and relation != MEASURE
     )
     return frozenset(
         (frame, name, relation)
@@ -250,10 +262,40 @@ def _rarer(lessons: Sequence[Lesson]) -> FrozenSet[Tuple[str, str, str]]:
     )
 
 
+def _same_shape(lessons: Sequence[Lesson]) -> FrozenSet[Tuple[str, str, str]]:
+    """Return frame, element and relation where a verb evokes another frame by the same relations more often.
+
+    Such frames are told apart by the words: "open the door", "open the water".
+    """
+    members: Dict[Tuple[str, str], List[Lesson]] = defaultdict(list)
+    for lesson in lessons:
+        members[(lesson.verb, lesson.sentence.frame_name)].append(lesson)
+    shapes = {
+        key: frozenset.intersection(*(frozenset(lesson.relations.values()) for lesson in some)) - {"nsubj"}
+        for key, some in members.items()
+    }
+    found: Set[Tuple[str, str, str]] = set()
+    for (verb, frame), shape in shapes.items():
+        if shape and any(
+            verb == other_verb
+            and frame != other
+            and shape == other_shape
+            and (len(members[(verb, frame)]), frame) < (len(members[(verb, other)]), other)
+            for (other_verb, other), other_shape in shapes.items()
+        ):
+            found |= {
+                (frame, name, relation)
+                for lesson in members[(verb, frame)]
+                for name, relation in lesson.relations.items()
+                if relation in shape
+            }
+    return frozenset(found)
+
+
 def _fill(unit: LearnedUnit, rarer: FrozenSet[Tuple[str, str, str]]) -> None:
     for lesson in unit.lessons:
         for name, relation in lesson.relations.items():
-            is_closed = name in lesson.closed or (unit.frame_name, name, relation) in rarer
+            is_closed = relation != MEASURE and name in lesson.closed or (unit.frame_name, name, relation) in rarer
             seen = (unit.closed_relations if is_closed else unit.open_relations).setdefault(name, [])
             seen += [relation] if relation not in seen else []
             if is_closed and lesson.words[name] not in unit.words.setdefault(name, []):
