@@ -14,6 +14,8 @@ _OF_A_THING = frozenset(["with", "without"])
 _PLACE_ADVERBS = frozenset(["here", "there", "upstairs", "downstairs", "outside", "inside"])
 #: Adverbs in front of a preposition that make it more precise: "close to the door", "over to the sofa".
 _OF_A_PREPOSITION = frozenset("close over right straight directly back up down out along all just near next".split())
+#: Sides of a thing where "of" follows, and directions where it does not: "to the left", "to the left of the table".
+_SIDES = frozenset(["left", "right", "front", "back", "top", "bottom"])
 _OF_A_NUMBER = frozenset("by about almost around roughly approximately nearly exactly precisely another".split())
 
 
@@ -58,8 +60,17 @@ def _tells_which(sentence: Sentence, index: int, head: int) -> bool:
     prepositions = [child.form.lower() for child in sentence.children(index) if child.deprel == "case"]
     if not prepositions:
         return False
-    is_thing = not any(child.deprel == "case" for child in sentence.children(head))
+    is_thing = word.upos != "PRON" and not any(child.deprel == "case" for child in sentence.children(head))
     return prepositions[0] in STATIC or (prepositions[0] in _OF_A_THING and is_thing)
+
+
+def is_side_of_something(sentence: Sentence, index: int) -> bool:
+    """Whether a word is a side of a thing, and no direction: "the left of the table"."""
+    return sentence.word(index).form.lower() in _SIDES and any(
+        child.deprel.startswith("nmod")
+        and any(inner.deprel == "case" and inner.form.lower() == "of" for inner in sentence.children(child.index))
+        for child in sentence.children(index)
+    )
 
 
 def words_before(sentence: Sentence, verb: int, first: int, free: FrozenSet[int]) -> FrozenSet[int]:

@@ -7,7 +7,7 @@ from semantic_frames.frame import FrameElement, Quantity, SemanticFrame
 from semantic_frames.lexical_unit import ArgumentForm, ElementRelation, LexicalUnit
 from semantic_frames.relation_names import MEASURE
 
-from semantic_framer.attachment import STATIC, joined_phrases, words_before, words_before_amount
+from semantic_framer.attachment import STATIC, is_side_of_something, joined_phrases, words_before, words_before_amount
 from semantic_framer.clauses import Clause
 from semantic_framer.lexicon import Lexicon
 from semantic_framer.measures import Amount, find_amounts
@@ -262,6 +262,8 @@ class _Filling:
         return 0
 
     def _is_one_of(self, head: int, words: Tuple[str, ...]) -> bool:
+        if is_side_of_something(self._sentence, head):
+            return False
         word = self._sentence.word(head)
         compound = " ".join(
             [
@@ -319,7 +321,11 @@ class _Filling:
         particle = [
             index for index in self._match.positions[1:] if self._sentence.word(index).form.lower() == preposition
         ]
-        return [head for head in found if head not in particle]
+        return [
+            head
+            for head in found
+            if head not in particle and not self._sentence.word(head).deprel.startswith("acl")  # "which is on the bed"
+        ]
 
     def _values(self) -> Tuple[ElementValue, ...]:
         verb_words = frozenset(self._match.positions)
