@@ -49,7 +49,7 @@ class Lesson:
         relations: path of relations from the verb by element
         words: lemma of the head by element
         closed: elements that a word of a closed class fills ("slowly", "left", "you")
-        reattached: elements whose phrase the parser hung on another element, with a preposition that says where
+        places: elements with a preposition that says where, behind an object: a parser may hang them on the object
         arguments: by element, as the framer would give them
     """
 
@@ -58,7 +58,7 @@ class Lesson:
     relations: Mapping[str, str]
     words: Mapping[str, str]
     closed: FrozenSet[str]
-    reattached: FrozenSet[str]
+    places: FrozenSet[str]
     arguments: Mapping[str, str]
 
 
@@ -105,7 +105,7 @@ def learn(
         lesson = _lesson(sentence, Sentence(parse(sentence.text)), frames.get(sentence.frame_name), unexplained)
         if lesson is not None:
             lessons.append(lesson)
-    return _units(lessons), tuple(unexplained)
+    return _units(lessons, frames), tuple(unexplained)
 
 
 def _lesson(
@@ -126,7 +126,7 @@ def _lesson(
     words: Dict[str, str] = {}
     arguments: Dict[str, str] = {}
     closed: Set[str] = set()
-    reattached: Set[str] = set()
+    places: Set[str] = set()
     for name, spans in annotated.elements.items():
         positions = _positions(sentence, spans)
         element = frame.element(name) if frame is not None else None
@@ -139,9 +139,9 @@ def _lesson(
             unexplained.append(f'{annotated.place}: nothing leads from the verb to {name} in "{annotated.text}"')
             continue
         if len(path) == 2 and path[0] in ("dobj", "iobj", "nsubj", "tmod") and path[1].startswith("prep_"):
-            if path[1][len("prep_") :] not in DIRECTIONAL:
-                reattached.add(name)
             path = path[1:]
+        if path[0].startswith("prep_") and path[0][len("prep_") :] not in DIRECTIONAL:
+            places.add(name)
         relations[name] = "/".join(path)
         word = sentence.word(head)
         words[name] = word.form.lower()
@@ -158,7 +158,7 @@ def _lesson(
         relations=relations,
         words=words,
         closed=frozenset(closed),
-        reattached=frozenset(reattached),
+        places=frozenset(places) if "dobj" in relations.values() else frozenset(),
         arguments=arguments,
     )
 
@@ -212,12 +212,14 @@ def _argument(sentence: Sentence, positions: Sequence[int], head: int) -> str:
     return sentence.text([index for index in positions if index not in cases])
 
 
-def _units(lessons: Sequence[Lesson]) -> Tuple[LearnedUnit, ...]:
+def _units(lessons: Sequence[Lesson], frames: Mapping[str, SemanticFrame]) -> Tuple[LearnedUnit, ...]:
     frames_of: Dict[str, Set[str]] = defaultdict(set)
     hanging: Dict[Tuple[str, str], Set[str]] = defaultdict(set)
+    core = {name: _core(name, lessons, frames.get(name)) for name in {lesson.sentence.frame_name for lesson in lessons}}
     for lesson in lessons:
         frames_of[lesson.verb].add(lesson.sentence.frame_name)
-        hanging[(lesson.sentence.frame_name, lesson.verb)] |= lesson.reattached
+        # A core element is looked for on the object anyway.
+        hanging[(lesson.sentence.frame_name, lesson.verb)] |= lesson.places - core[lesson.sentence.frame_name]
     groups: Dict[Tuple[str, str, FrozenSet[str]], List[Lesson]] = defaultdict(list)
     for lesson in lessons:
         frame = lesson.sentence.frame_name
@@ -239,6 +241,14 @@ def _units(lessons: Sequence[Lesson]) -> Tuple[LearnedUnit, ...]:
     for unit in units.values():
         _fill(unit, rarer)
     return tuple(sorted(units.values(), key=lambda unit: (unit.frame_name, -len(unit.required))))
+
+
+def _core(name: str, lessons: Sequence[Lesson], frame: Optional[SemanticFrame]) -> FrozenSet[str]:
+    """Return the core elements of a frame: what its file says, or what every sentence fills."""
+    if frame is not None:
+        return frozenset(element.name for element in frame.frame_elements if element.is_core)
+    said = [frozenset(lesson.sentence.elements) for lesson in lessons if lesson.sentence.frame_name == name]
+    return frozenset.intersection(*said)
 
 
 def _rarer(lessons: Sequence[Lesson]) -> FrozenSet[Tuple[str, str, str]]:
@@ -338,6 +348,7 @@ def to_yaml(units: Sequence[LearnedUnit], is_understood: Callable[[Lesson], bool
 def frame_yaml(name: str, lessons: Sequence[Lesson]) -> str:
     """Write the file of a frame that no file describes yet; what every sentence fills is core."""
     names = list(dict.fromkeys(element for lesson in lessons for element in lesson.sentence.elements))
+    core = _core(name, lessons, None)
     verbs = sorted({lesson.verb for lesson in lessons})
     lines = [
         "# Learned. Name the frame of FrameNet in `framenet`, or say in a comment why it has none.",
@@ -346,8 +357,7 @@ def frame_yaml(name: str, lessons: Sequence[Lesson]) -> str:
     ]
     lines += ["frame_elements:"] if names else []
     for element in names:
-        is_core = all(element in lesson.sentence.elements for lesson in lessons)
-        lines += [f"  - name: {element}", f"    is_core: {is_core}"]
+        lines += [f"  - name: {element}", f"    is_core: {element in core}"]
     return "\n".join(lines) + "\n"
 
 
