@@ -45,7 +45,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         type=int,
         default=0,
         metavar="N",
-        help="huric: score each Nth of the commands with units that are learned from the others alone",
+        help="huric, tage: score each Nth of the commands with units that are learned from the others alone",
     )
     parser.add_argument("--json", action="store_true", help="one JSON object")
     parser.add_argument(
