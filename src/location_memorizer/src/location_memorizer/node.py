@@ -8,10 +8,10 @@ from typing import Dict, Optional
 import rospy
 from geometry_msgs.msg import PoseStamped, PoseWithCovarianceStamped
 from rfnserver import RFNServer
-from roboframenet_msgs.msg import FilledSemanticFrame
+from rfnserver.places import location_name
+from roboframenet_msgs.msg import FilledSemanticFrame, Locations
 
-from location_memorizer.locations import Location, LocationFileError, location_name, read_locations, write_locations
-from location_memorizer.msg import Locations
+from location_memorizer.locations import Location, LocationFileError, read_locations, write_locations
 from location_memorizer.srv import GetLocation, GetLocationRequest, GetLocationResponse
 
 
@@ -37,7 +37,7 @@ class LocationMemorizer:
     Subscribes:
         amcl_pose (geometry_msgs/PoseWithCovarianceStamped): where the robot is
     Publishes:
-        locations (location_memorizer/Locations, latched)
+        locations (roboframenet_msgs/Locations, latched)
     Parameters:
         ~places_file (string, default empty): places that are known from the start
         ~memory_file (string, default locations.yaml in the ROS home folder): where remembered places are kept
