@@ -103,7 +103,7 @@ class Iterator(Container):
             self.call_start_cbs()
             outcome = self._iterate()
             if outcome is not None and outcome not in self.get_registered_outcomes():
-                raise InvalidTransitionError(f"The iteration of '{self._label}' ended with '{outcome}', which is not an "
+                raise InvalidTransitionError(f"The iteration of '{self._label}' ended with '{outcome}', which is no "
                                              f"outcome of the iterator: {sorted(self.get_registered_outcomes())}")
             self._copy_output_keys(self.userdata, parent_ud)
             if outcome is not None:
