@@ -144,6 +144,8 @@ class MessageSink:
     def store(self, state: smach.State, userdata: Any, *args: Any) -> Optional[str]:
         """Take a message, the last of `args`, and return the outcome that the callback chose, or None.
 
+        Where no message came (None), the callback is told and nothing is written.
+
         Raises:
             InvalidUserCodeError: the callback raised, or returned no outcome of the state
         """
@@ -153,6 +155,8 @@ class MessageSink:
                 f"The {self._what} callback returned '{outcome}', which is not registered as an outcome: "
                 f"{sorted(state.get_registered_outcomes())}")
         message = args[-1]
+        if message is None:
+            return outcome
         if self._key is not None:
             userdata[self._key] = message
         for field in self._fields:

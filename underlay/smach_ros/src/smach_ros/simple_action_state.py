@@ -32,7 +32,8 @@ class SimpleActionState(smach.State):
         result_key: userdata key under which the whole result is put, after `result_cb`
         result_slots: fields of the result that are put under userdata keys of the same names, after `result_cb`
         result_cb: called with the userdata, the terminal status (actionlib_msgs/GoalStatus) and the result when the
-            goal has ended; returns an outcome, or None to leave it to the state
+            goal has ended, None for a goal that the server forgot; returns an outcome, or None to leave it to the
+            state
         result_cb_args: more positional arguments of `result_cb`
         result_cb_kwargs: more keyword arguments of `result_cb`
         input_keys: userdata that the callbacks read

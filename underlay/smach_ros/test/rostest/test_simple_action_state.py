@@ -202,6 +202,26 @@ class SimpleActionStateTest(unittest.TestCase):
         thread.join(20.0)
         self.assertEqual(outcomes, ["preempted"])
 
+    def test_goal_that_the_server_forgets_has_no_result(self):
+        accepted = threading.Event()
+
+        def accept(goal):
+            goal.set_accepted()
+            accepted.set()
+        server = actionlib.ActionServer("forgetful", TestAction, accept, auto_start=False)
+        server.start()
+        seen = []
+        state = smach_ros.SimpleActionState(
+            "forgetful", TestAction, result_key="whole", result_slots=["result"],
+            result_cb=lambda userdata, status, result: seen.append((status, result)))
+        thread, outcomes = self.start(state)
+        self.assertTrue(accepted.wait(20.0))
+        with server.lock:
+            del server.status_list[:]
+        server.publish_status()
+        thread.join(20.0)
+        self.assertEqual((outcomes, seen), (["aborted"], [(GoalStatus.LOST, None)]))
+
     def test_concurrence_of_goals_is_preempted_from_above(self):
         other = Server("act_beside")
         both = smach.Concurrence(["aborted"], "aborted",
