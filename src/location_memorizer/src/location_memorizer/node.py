@@ -43,13 +43,17 @@ class LocationMemorizer:
         ~memory_file (string, default locations.yaml in the ROS home folder): where remembered places are kept
     """
 
-    def __init__(self) -> None:
+    def __init__(self, parameters: str = "~") -> None:
+        """
+        Args:
+            parameters: what stands before the names of its parameters
+        """
         self._lock = threading.Lock()
         self._here: Optional[Location] = None
         self._memory_file = os.path.expanduser(
-            rospy.get_param("~memory_file", os.path.join(os.environ.get("ROS_HOME", "~/.ros"), "locations.yaml"))
+            rospy.get_param(parameters + "memory_file", os.path.join(os.environ.get("ROS_HOME", "~/.ros"), "locations.yaml"))
         )
-        places_file = rospy.get_param("~places_file", "")
+        places_file = rospy.get_param(parameters + "places_file", "")
         self._places = self._read(places_file) if places_file else {}
         self._remembered = self._read(self._memory_file) if os.path.exists(self._memory_file) else {}
         self._publisher = rospy.Publisher("locations", Locations, queue_size=1, latch=True)

@@ -24,11 +24,15 @@ class NavigationServer:
         ~preempt_timeout_s (float, default 5, seconds): how long move_base may take to stop
     """
 
-    def __init__(self) -> None:
+    def __init__(self, parameters: str = "~") -> None:
+        """
+        Args:
+            parameters: what stands before the names of its parameters
+        """
         deadlines = ForwardingDeadlines(
-            server_s=float(rospy.get_param("~move_base_timeout_s", 5.0)),
-            goal_s=float(rospy.get_param("~goal_timeout_s", 300.0)),
-            preempt_s=float(rospy.get_param("~preempt_timeout_s", 5.0)),
+            server_s=float(rospy.get_param(parameters + "move_base_timeout_s", 5.0)),
+            goal_s=float(rospy.get_param(parameters + "goal_timeout_s", 300.0)),
+            preempt_s=float(rospy.get_param(parameters + "preempt_timeout_s", 5.0)),
         )
         self._places = Places()
         self._forwarder = GoalForwarder("move_base", MoveBaseAction, deadlines)
