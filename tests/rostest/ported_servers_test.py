@@ -122,6 +122,10 @@ class PortedServersTest(unittest.TestCase):
         assert wait_until(lambda: cls.living() >= {"computing_fibonacci_sequence", "averaging"}), "the servers did not register"
 
     @classmethod
+    def tearDownClass(cls) -> None:
+        cls.timer.shutdown()
+
+    @classmethod
     def on_catalogue(cls, catalogue: FrameCatalogue) -> None:
         cls.catalogue = catalogue
 

@@ -1,4 +1,6 @@
 """Action servers that cost nothing while they have no goal."""
+import threading
+import time
 import traceback
 from typing import Any, Callable, Optional
 
@@ -7,6 +9,8 @@ import rospy
 
 #: The waiting thread wakes up so often although nobody notified it, seconds: a guard, not a rhythm.
 WAKE_UP_S = 5.0
+#: Changes of the status within so long go into one message, seconds.
+STATUS_PAUSE_S = 0.02
 
 
 class QuietActionServer(actionlib.ActionServer):
@@ -18,6 +22,9 @@ class QuietActionServer(actionlib.ActionServer):
 
     #: The timer runs while there are goals; None otherwise.
     _goal_timer: Optional[rospy.Timer] = None
+    #: Publishes what changed soon after the last time; None when nothing did.
+    _deferred: Optional[threading.Timer] = None
+    _published_s = float("-inf")
 
     def initialize(self) -> None:
         """Set up the topics, without the status timer."""
@@ -28,16 +35,38 @@ class QuietActionServer(actionlib.ActionServer):
         rospy.on_shutdown(self._end_timer)
 
     def publish_status(self) -> None:
-        """Publish the status of all goals; keep doing so while there are any."""
+        """Publish the status of all goals, now or in an instant; keep doing so while there are any.
+
+        Each message holds every goal of the last seconds: when goals come one upon the other, publishing each change
+        by itself takes longer than carrying them out. Results are not held back.
+        """
+        with self.lock:
+            if self._deferred is not None:
+                return
+            pause_s = self._published_s + STATUS_PAUSE_S - time.monotonic()
+            if pause_s <= 0.0:
+                self._publish_status_now()
+                return
+            self._deferred = threading.Timer(pause_s, self._publish_deferred)
+            self._deferred.daemon = True
+            self._deferred.start()
+
+    def _publish_deferred(self) -> None:
+        with self.lock:
+            self._deferred = None
+            self._publish_status_now()
+
+    def _publish_status_now(self) -> None:
         with self.lock:
             # Publishing to a topic that rospy has closed already prints a traceback for nothing.
             if rospy.is_shutdown() or self.status_pub is None:
                 return
+            self._published_s = time.monotonic()
             super().publish_status()
             if not self.status_list:
                 self._end_timer()
-            elif self._goal_timer is None and self.status_frequency > 0.0:
-                self._goal_timer = rospy.Timer(rospy.Duration(1.0 / self.status_frequency), self.publish_status_async)
+            else:
+                self._begin_timer()
 
     def publish_status_async(self, event: rospy.timer.TimerEvent) -> None:
         """Publish from the timer."""
@@ -46,10 +75,11 @@ class QuietActionServer(actionlib.ActionServer):
                 super().publish_status_async(event)
 
     def internal_goal_callback(self, goal: object) -> None:
-        """Take a goal, and publish what became of it at once."""
+        """Take a goal; what becomes of it is published when it changes, and by the timer."""
         super().internal_goal_callback(goal)
-        if self.started:
-            self.publish_status()
+        with self.lock:
+            if self.started and self.status_list:
+                self._begin_timer()
 
     def stop(self) -> None:
         """Stop the action server; no goal may be running."""
@@ -61,7 +91,13 @@ class QuietActionServer(actionlib.ActionServer):
                     end.unregister()
             self.status_pub = None
 
+    def _begin_timer(self) -> None:
+        if self._goal_timer is None and self.status_frequency > 0.0:
+            self._goal_timer = rospy.Timer(rospy.Duration(1.0 / self.status_frequency), self.publish_status_async)
+
     def _end_timer(self) -> None:
+        if self._deferred is not None and rospy.is_shutdown():
+            self._deferred.cancel()
         if self._goal_timer is not None:
             self._goal_timer.shutdown()
             self._goal_timer = None
