@@ -14,6 +14,7 @@ from typing import Dict, List
 COUNTS = (10, 1000)
 SENTENCES = 40
 LIMIT = 1.2
+ANSWER = "answer:"
 START_TIMEOUT_S = 300.0
 
 
@@ -39,13 +40,13 @@ def measure(count: int) -> None:
     parser = rospy.Publisher("command_text", Command, queue_size=1)  # only to see whether the parser listens by now
     while (text.get_num_connections() < 2 or parser.get_num_connections() < 1) and time.monotonic() < end_s:
         time.sleep(0.05)
-    print("ready", flush=True)
+    print(ANSWER, "ready", flush=True)
     for _ in sys.stdin:
         start_s = time.monotonic()
         text.publish(String(data="Ping."))
         if not goals.acquire(timeout=60.0):
             raise SystemExit("no goal came")
-        print(1000.0 * (time.monotonic() - start_s), flush=True)
+        print(ANSWER, 1000.0 * (time.monotonic() - start_s), flush=True)
 
 
 def write_frames(folder: str) -> None:
@@ -62,15 +63,17 @@ def free_port() -> int:
         return int(probe.getsockname()[1])
 
 
-def line_of(process: "subprocess.Popen[str]") -> str:
-    """Read a line, with a deadline."""
+def answer_of(process: "subprocess.Popen[str]") -> str:
+    """Read the next answer, with a deadline; what rospy logs is passed over."""
     timer = threading.Timer(START_TIMEOUT_S, process.kill)
     timer.start()
-    line = process.stdout.readline()
-    timer.cancel()
-    if not line:
-        raise SystemExit("a measuring process ended")
-    return line.strip()
+    try:
+        for line in process.stdout:
+            if line.startswith(ANSWER):
+                return line[len(ANSWER) :].strip()
+    finally:
+        timer.cancel()
+    raise SystemExit("a measuring process ended")
 
 
 def end(process: subprocess.Popen) -> None:
@@ -106,18 +109,17 @@ def main() -> int:
                 env=environment,
                 stdin=subprocess.PIPE,
                 stdout=subprocess.PIPE,
-                stderr=subprocess.DEVNULL,
                 text=True,
             )
             stack.callback(end, workers[count])
         for count, worker in workers.items():
-            assert line_of(worker) == "ready"
+            assert answer_of(worker) == "ready"
             print(f"a pipeline with {count} registrations is ready", flush=True)
         for number in range(SENTENCES):
             for count in COUNTS if number % 2 else reversed(COUNTS):
                 workers[count].stdin.write("\n")
                 workers[count].stdin.flush()
-                times[count].append(float(line_of(workers[count])))
+                times[count].append(float(answer_of(workers[count])))
     few, many = (statistics.median(times[count]) for count in COUNTS)
     is_held = many <= LIMIT * few
     print(
