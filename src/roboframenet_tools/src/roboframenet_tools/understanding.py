@@ -1,7 +1,7 @@
 """The pipeline without ROS: from a sentence to what would run, with everything that was tried on the way."""
 
 import os
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Callable, Dict, FrozenSet, Iterable, List, Mapping, Optional, Tuple, Union
 
@@ -232,7 +232,8 @@ class Pipeline:
         attempts = []
         for match in match_verbs(sentence, clause, lexicon):
             for unit in lexicon.units_of(match.verb):
-                found = read_clause(sentence, clause, _OneUnit(unit, match.verb), frames)
+                alone = Lexicon.of_units([replace(unit, verbs=(match.verb,))])
+                found = read_clause(sentence, clause, alone, frames)
                 reading = found[0] if found else None
                 filled = {value.name for value in reading.values} if reading else set()
                 needed = {element.name for element in reading.missing} if reading else set()
@@ -257,15 +258,6 @@ class Pipeline:
             [[_registrar_reading(reading) for reading in readings] for readings in clauses],
             max_candidates=self._max_candidates,
         )
-
-
-class _OneUnit(Lexicon):
-    """A lexicon of one unit under one verb: shows what that unit alone makes of a clause."""
-
-    def __init__(self, unit: LexicalUnit, verb: str) -> None:
-        super().__init__()
-        self._by_verb[verb] = [unit]
-        self._by_first_word[verb.split()[0]] = [verb]
 
 
 def _registrar_reading(reading: Reading) -> registrar.Reading:
