@@ -353,7 +353,8 @@ class _Filling:
     def _hangs_on_used(self, index: int, used: Set[int]) -> bool:
         """Whether a word is a part of a name that is used: "living" in "living room"."""
         word = self._sentence.word(index)
-        return word.deprel in ("compound", "flat", "goeswith", "fixed") and word.head in used
+        # A number is no part of a name: "five foot thirteen" must not be five feet.
+        return word.deprel in ("compound", "flat", "goeswith", "fixed") and word.head in used and word.upos != "NUM"
 
 
 def with_value(reading: Reading, value: ElementValue) -> Reading:

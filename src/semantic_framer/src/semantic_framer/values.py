@@ -146,8 +146,8 @@ def unit_value(sentence: Sentence, name: str, amount: Amount) -> ElementValue:
         head=amount.unit,
         phrase=amount.unit,
         unit=amount.unit,
-        positions=amount.positions[-1:],
-        head_position=amount.positions[-1],
+        positions=(amount.unit_position,),
+        head_position=amount.unit_position,
     )
 
 

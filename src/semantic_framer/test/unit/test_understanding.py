@@ -28,6 +28,9 @@ def frames_of(outcome: Any) -> List[Tuple[str, Dict[str, str]]]:
         ("move backwards one metre", "moving", {"direction": "backwards", "distance": "1", "distance_unit": "metre"}),
         ("move forward half a metre", "moving", {"distance": "0.5", "distance_unit": "metre"}),
         ("move forward a couple of metres", "moving", {"distance": "2", "distance_unit": "metres"}),
+        ("move forward 5 feet 6 inches", "moving", {"distance": "5.5", "distance_unit": "feet"}),
+        ("move forward five foot six", "moving", {"distance": "5.5", "distance_unit": "foot"}),
+        ("move two metres fifty forward", "moving", {"distance": "2.5", "distance_unit": "metres"}),
         ("Turn left 1e400 degrees.", "turning", {"angle": "1e400"}),
         ("Go to the office.", "navigating_to_location", {"goal": "the office"}),
         ("Go to Roger's office.", "navigating_to_location", {"goal": "Roger's office"}),
@@ -120,6 +123,8 @@ def test_possessor_is_known(understand: Any) -> None:
         ("Colorless green ideas sleep furiously.", "UNKNOWN_VERB"),
         ("the office", "NO_VERB"),
         ("Ping sideways with the hammer.", "LEFT_OVER_WORDS"),
+        ("move forward five foot thirteen", "LEFT_OVER_WORDS"),
+        ("turn left 5 feet 6 inches", "LEFT_OVER_WORDS"),
     ],
 )
 def test_refusals(understand: Any, text: str, code: str) -> None:
