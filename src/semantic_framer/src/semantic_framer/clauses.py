@@ -1,7 +1,7 @@
 """The clauses of a sentence: each verb that asks for something, with the words that belong to it."""
 
-from dataclasses import dataclass
-from typing import FrozenSet, List, Optional, Set, Tuple
+from dataclasses import dataclass, replace
+from typing import FrozenSet, List, Set, Tuple
 
 from stanford_parser_ros.tree import Word
 
@@ -15,9 +15,10 @@ NEGATIONS = frozenset("not never n't no dont don't neither nor nobody noone none
 #: Who may be told to act, or may ask for something: any other subject makes a statement ("Bob turned left").
 _ADDRESSEES = frozenset(["you", "robot", "u", "we"])
 _REPORTING_AUXILIARIES = frozenset("did was were is are 's 're am has have had been".split())
-#: Subordinators and words that make an action depend on something, or put it off.
+#: Subordinators that make an action depend on something, or put it off.
 CONDITIONS = frozenset("if when until till unless once after before while whenever as".split())
-DELAYS = frozenset("later tomorrow tonight soon".split())
+#: What an action is said to be done with, or to, when it is not to be done: "take no box", "take none of the boxes".
+_NO_THINGS = frozenset("no none nothing nobody noone neither".split())
 
 
 @dataclass(frozen=True)
@@ -29,7 +30,7 @@ class Clause:
         lemma: dictionary form of the verb, lower case
         positions: words of the clause, the verb's included, those of other clauses left out
         is_negated: "don't", "never"
-        condition: words of a condition or a delay ("when I say so"), empty for none
+        condition: words of a condition ("when I say so"), empty for none
         condition_positions: of those words
         subject: index of the subject, 0 for none
         is_report: whether it tells or asks what happens ("I turned left", "did you turn left?"), asking for nothing
@@ -63,7 +64,7 @@ def find_clauses(sentence: Sentence) -> Tuple[Clause, ...]:
                 others |= sentence.subtree(tops[other])
         positions = set(sentence.subtree(tops[index])) - others
         # The words around a wrapped request ("I want you to ...") belong to it.
-        clauses.append(_clause(sentence, index, frozenset(positions), is_negated))
+        clauses.append(_clause(sentence, index, frozenset(positions), is_negated or _is_of_nothing(sentence, index)))
     return tuple(clauses)
 
 
@@ -121,6 +122,23 @@ def _has_negation(sentence: Sentence, word: Word) -> bool:
     )
 
 
+def _is_of_nothing(sentence: Sentence, verb: int) -> bool:
+    """Whether what a verb acts on is none: "take no box", "take none of the boxes"; "say no" says a word."""
+    return any(
+        (child.form.lower() in _NO_THINGS and child.upos != "INTJ")
+        or any(inner.deprel == "det" and inner.form.lower() in _NO_THINGS for inner in sentence.children(child.index))
+        for child in sentence.children(verb)
+        if child.deprel.split(":")[0] in ("obj", "iobj", "obl")
+    )
+
+
+def whole_sentence(sentence: Sentence, verb: int) -> Clause:
+    """Return the clause of a sentence without verbs that begins with a word which the lexicon takes for one."""
+    positions = frozenset(word.index for word in sentence.tree.words)
+    clause = _clause(sentence, verb, positions, any(_has_negation(sentence, word) for word in sentence.tree.words))
+    return replace(clause, lemma=sentence.word(verb).form.lower(), subject=0, is_report=False)
+
+
 def _clause(sentence: Sentence, verb: int, positions: FrozenSet[int], is_negated: bool) -> Clause:
     condition = _condition(sentence, _top(sentence, verb), positions)
     subject = next(
@@ -161,7 +179,7 @@ def _is_report(sentence: Sentence, verb: int, subject: int) -> bool:
 
 
 def _condition(sentence: Sentence, top: int, positions: FrozenSet[int]) -> FrozenSet[int]:
-    """Find a condition or a delay among the words of a clause."""
+    """Find a condition among the words of a clause."""
     for index in sorted(positions):
         word = sentence.word(index)
         if word.deprel.startswith("advcl") or word.deprel == "mark":
@@ -169,32 +187,4 @@ def _condition(sentence: Sentence, top: int, positions: FrozenSet[int]) -> Froze
             marks = [child.form.lower() for child in sentence.children(clause) if child.deprel in ("mark", "advmod")]
             if any(mark in CONDITIONS for mark in marks):
                 return sentence.subtree(clause) if clause != top else frozenset([index])
-        if word.form.lower() in DELAYS and word.deprel in ("advmod", "obl:unmarked", "obl", "discourse"):
-            return frozenset([index])
-        if word.deprel.startswith(("obl", "nmod")) and _is_delay(sentence, word):
-            return sentence.subtree(index)
     return frozenset()
-
-
-def _is_delay(sentence: Sentence, word: Word) -> bool:
-    """Whether a phrase says when: "in five minutes", "after lunch", "at noon"."""
-    case: Optional[str] = next(
-        (child.form.lower() for child in sentence.children(word.index) if child.deprel == "case"), None
-    )
-    lemma = word.lemma.lower()
-    if case in ("in", "after", "within") and lemma in ("second", "minute", "hour", "moment", "while", "day"):
-        return True
-    return case in ("after", "before", "until", "till", "at") and lemma in (
-        "noon",
-        "midnight",
-        "lunch",
-        "dinner",
-        "breakfast",
-        "o'clock",
-        "night",
-        "morning",
-        "evening",
-        "afternoon",
-        "sunset",
-        "tomorrow",
-    )

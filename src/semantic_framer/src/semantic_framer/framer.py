@@ -2,18 +2,19 @@
 
 from dataclasses import dataclass, replace
 from enum import Enum
-from typing import List, Mapping, Optional, Sequence, Tuple, Union
+from typing import FrozenSet, Iterable, List, Mapping, Optional, Sequence, Tuple, Union
 
 from semantic_frames.frame import FrameElement, SemanticFrame
 from semantic_frames.lexical_unit import ArgumentForm
 from stanford_parser_ros.tree import DependencyTree
 
-from semantic_framer.clauses import CONDITIONS, DELAYS, NEGATIONS, WRAPPERS, Clause, find_clauses
+from semantic_framer.clauses import CONDITIONS, NEGATIONS, WRAPPERS, Clause, find_clauses, whole_sentence
 from semantic_framer.dialogue import PLACE_PRONOUNS, PRONOUNS, Context, Pending, is_no, is_yes
 from semantic_framer.lexicon import Lexicon
 from semantic_framer.matching import Reading, VerbMatch, match_verbs, read_clause, with_value
 from semantic_framer.measures import find_amounts
 from semantic_framer.sentence import Sentence
+from semantic_framer.times import find_times
 from semantic_framer.values import ElementValue, amount_value, phrase_value, resolved, unit_value
 
 
@@ -114,6 +115,9 @@ def read(
             is_confirmed = not pending.element
             return _finish(answered, sentence, frames, context, policy, now_s, is_confirmed=is_confirmed)
     clauses = _known_clauses(sentence, lexicon)
+    time = _time_of_a_command(sentence, lexicon)
+    if time and not any(clause.is_negated for clause in clauses):
+        return _not_then(sentence, time), context
     if not clauses:
         return Refusal("NO_VERB", f'I hear no command in "{tree.text.strip()}".'), context
     understood: List[Tuple[Reading, ...]] = []
@@ -172,6 +176,27 @@ def _left_over(sentence: Sentence, positions: Sequence[int]) -> Refusal:
     )
 
 
+def _time_of_a_command(sentence: Sentence, lexicon: Lexicon) -> FrozenSet[int]:
+    """Return the words that say when something is to be done; none where nothing is.
+
+    No element of a frame holds them, and a time hides the verb from the parser ("at five turn left"): so it counts
+    wherever it stands, and whatever became of the clauses.
+    """
+    times = find_times(sentence)
+    inside = frozenset().union(*times)
+    is_command = any(
+        lexicon.verbs_beginning_with(spelling)
+        for word in sentence.tree.words
+        if word.index not in inside
+        for spelling in (word.lemma.lower(), word.form.lower())
+    )
+    return times[0] if times and is_command else frozenset()
+
+
+def _not_then(sentence: Sentence, positions: Iterable[int]) -> Refusal:
+    return Refusal("CONDITION", f'I can only act at once, not "{sentence.text(sorted(positions))}".')
+
+
 def _known_clauses(sentence: Sentence, lexicon: Lexicon) -> Tuple[Clause, ...]:
     """Clauses of the sentence; where the parser saw no verb, a verb of the lexicon at its front ("High five!") makes
     one.
@@ -185,14 +210,7 @@ def _known_clauses(sentence: Sentence, lexicon: Lexicon) -> Tuple[Clause, ...]:
         if word.upos != "PUNCT" and (word.upos != "INTJ" or len(sentence.tree.words) < 3)
     ]
     if words:
-        front = Clause(
-            verb=words[0].index,
-            lemma=words[0].form.lower(),
-            positions=frozenset(word.index for word in sentence.tree.words),
-            is_negated=any(clause.is_negated for clause in clauses),
-            condition="",
-            condition_positions=frozenset(),
-        )
+        front = whole_sentence(sentence, words[0].index)
         if match_verbs(sentence, front, lexicon):
             return (front,)
     return clauses
@@ -227,7 +245,7 @@ def _read_one(
         for reading in readings
         if not reading.missing
     ):
-        return Refusal("CONDITION", f'I can only act at once, not "{clause.condition}".')
+        return _not_then(sentence, clause.condition_positions)
     complete = tuple(reading for reading in readings if not reading.missing)
     if not complete:
         return (readings[0],)
@@ -349,8 +367,10 @@ def _answer(
 def _is_all_said(sentence: Sentence, values: List[ElementValue], policy: Policy) -> bool:
     """Whether values are all that an answer says: no "not", no condition, no delay, no word of another matter."""
     used = frozenset(position for value in values for position in value.positions)
+    if find_times(sentence):
+        return False
     for word in sentence.tree.words:
-        if word.form.lower() in NEGATIONS | CONDITIONS | DELAYS:
+        if word.form.lower() in NEGATIONS | CONDITIONS:
             return False
         if word.index in used or policy.left_over_words is not LeftOverWords.STRICT:
             continue
