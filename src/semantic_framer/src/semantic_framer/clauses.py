@@ -1,10 +1,11 @@
 """The clauses of a sentence: each verb that asks for something, with the words that belong to it."""
 
 from dataclasses import dataclass, replace
-from typing import FrozenSet, List, Set, Tuple
+from typing import FrozenSet, List, Optional, Set, Tuple
 
 from stanford_parser_ros.tree import Word
 
+from semantic_framer.lexicon import Lexicon
 from semantic_framer.sentence import Sentence
 
 #: Verbs that wrap a request: "I want you to ...", "would you mind ...ing", "could you try to ...".
@@ -46,14 +47,16 @@ class Clause:
     is_report: bool = False
 
 
-def find_clauses(sentence: Sentence) -> Tuple[Clause, ...]:
+def find_clauses(sentence: Sentence, lexicon: Optional[Lexicon] = None) -> Tuple[Clause, ...]:
     """Find what a sentence asks for, in the order in which it was said.
+
+    A verb of several words ("let go of") is one verb where a lexicon is given that has it.
 
     A sentence whose root is no verb ("three feet", "the office") has no clause.
     """
     found: List[Tuple[int, bool]] = []
     for root in sentence.children(0):
-        _collect(sentence, root, False, found)
+        _collect(sentence, lexicon or Lexicon(), root, False, found)
     verbs = {index for index, _ in found}
     tops = {index: _top(sentence, index) for index in verbs}
     clauses = []
@@ -74,17 +77,20 @@ def _top(sentence: Sentence, verb: int) -> int:
     return word.head if word.deprel == "cop" else verb
 
 
-def _collect(sentence: Sentence, word: Word, is_negated: bool, found: List[Tuple[int, bool]]) -> None:
+def _collect(sentence: Sentence, lexicon: Lexicon, word: Word, is_negated: bool, found: List[Tuple[int, bool]]) -> None:
     children = sentence.children(word.index)
     is_negated = is_negated or _has_negation(sentence, word)
     copula = next((child for child in children if child.deprel == "cop"), None)
     wrapped = next(
         (child for child in children if child.deprel in ("xcomp", "ccomp") and child.upos in ("VERB", "AUX")), None
     )
+    following = [other.form.lower() for other in sentence.tree.words[word.index :]]
+    if wrapped is not None and lexicon.has_verb_of_words([word.lemma.lower()] + following):
+        wrapped = None
     if wrapped is not None and word.lemma.lower() in WRAPPERS:
-        _collect(sentence, wrapped, is_negated, found)
+        _collect(sentence, lexicon, wrapped, is_negated, found)
     elif wrapped is not None and word.lemma.lower() in _MOTION and wrapped.index == word.index + 1:
-        _collect(sentence, wrapped, is_negated, found)
+        _collect(sentence, lexicon, wrapped, is_negated, found)
     elif copula is not None:
         found.append((copula.index, is_negated))
     elif word.upos in ("VERB", "AUX"):
@@ -110,7 +116,7 @@ def _collect(sentence: Sentence, word: Word, is_negated: bool, found: List[Tuple
             child.upos in ("VERB", "AUX") or any(inner.deprel == "cop" for inner in sentence.children(child.index))
         ):
             # "don't move or speak" negates both; "don't move, just speak" is rare, and not acting is the safe reading.
-            _collect(sentence, child, is_negated and child.deprel == "conj", found)
+            _collect(sentence, lexicon, child, is_negated and child.deprel == "conj", found)
 
 
 def _has_negation(sentence: Sentence, word: Word) -> bool:

@@ -201,7 +201,7 @@ def _known_clauses(sentence: Sentence, lexicon: Lexicon) -> Tuple[Clause, ...]:
     """Clauses of the sentence; where the parser saw no verb, a verb of the lexicon at its front ("High five!") makes
     one.
     """
-    clauses = find_clauses(sentence)
+    clauses = find_clauses(sentence, lexicon)
     if clauses and any(match_verbs(sentence, clause, lexicon) for clause in clauses):
         return clauses
     words = [
@@ -344,7 +344,7 @@ def _answer(
         return None
     if not pending.element:
         return pending.clauses if is_yes(sentence.tree.text) else None
-    clauses = find_clauses(sentence)
+    clauses = find_clauses(sentence, lexicon)
     if any(match_verbs(sentence, clause, lexicon) for clause in clauses):
         return None
     reading = pending.clauses[pending.clause][0]

@@ -2,7 +2,7 @@
 
 import difflib
 from collections import defaultdict
-from typing import Dict, FrozenSet, Iterable, List, Mapping, Set, Tuple
+from typing import Dict, FrozenSet, Iterable, List, Mapping, Sequence, Set, Tuple
 
 from semantic_frames import load_lexical_units
 from semantic_frames.lexical_unit import LexicalUnit
@@ -76,6 +76,13 @@ class Lexicon:
     def verbs_beginning_with(self, word: str) -> Tuple[str, ...]:
         """Verbs whose first word is this one, those of more words first: "pick up" before "pick"."""
         return tuple(sorted(self._by_first_word.get(word, ()), key=lambda verb: (-len(verb.split()), verb)))
+
+    def has_verb_of_words(self, words: Sequence[str]) -> bool:
+        """Whether words, one after the other, begin with a verb of several words: "let", "go", "of", "it"."""
+        return any(
+            len(verb.split()) > 1 and list(words[: len(verb.split())]) == verb.split()
+            for verb in self._by_first_word.get(words[0], ())
+        )
 
     def nearest_verbs(self, word: str, count: int = 3) -> Tuple[str, ...]:
         """Verbs that are spelled like a word, the nearest first; none when nothing is near.

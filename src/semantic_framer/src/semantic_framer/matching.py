@@ -17,6 +17,11 @@ from semantic_framer.values import ElementValue, amount_value, given_value, phra
 #: "bring the mug to the table". The others ("on", "in", "near") do so only for a core element: "put the mug on the
 #: table".
 DIRECTIONAL = frozenset("to into onto towards toward from for with by as through via".split())
+#: A phrase with one of these says where a thing is. If it fills no element of the unit, it belongs to the noun that it
+#: stands behind, even where the parser hung it on the verb: "bring the mug on the table".
+OF_PLACE = frozenset(
+    "on in at near under behind beside by inside over above below beneath between outside against next".split()
+)
 
 
 @dataclass(frozen=True)
@@ -158,8 +163,8 @@ class _Filling:
         self._frame = frame
         self._match = match
         self._amounts = amounts
-        self._taken: Dict[str, FrozenSet[int]] = {}
         self._heads: Dict[str, int] = {}
+        self._listed: Dict[str, FrozenSet[int]] = {}
         self._amount_of: Dict[str, Amount] = {}
 
     def reading(self) -> Optional[Reading]:
@@ -220,11 +225,13 @@ class _Filling:
             for head in heads:
                 if head in self._heads.values() or head in self._match.positions or not self._is_in_clause(head):
                     continue
-                if relation.words and not self._is_one_of(head, relation.words):
+                listed = self._listed_words(head, relation.words)
+                if relation.words and not listed:
                     continue
                 if not relation.words and (self._is_in_a_measure(head) or self._is_only_an_adverb(head, path.steps)):
                     continue
                 self._heads[relation.name] = head
+                self._listed[relation.name] = listed
                 return
 
     def _is_in_a_measure(self, head: int) -> bool:
@@ -240,17 +247,13 @@ class _Filling:
     def _is_in_clause(self, head: int) -> bool:
         return head in self._clause.positions or head == self._clause.subject
 
-    def _is_one_of(self, head: int, words: Tuple[str, ...]) -> bool:
-        word = self._sentence.word(head)
-        compound = " ".join(
-            [
-                child.form.lower()
-                for child in self._sentence.children(head)
-                if child.deprel in ("compound", "amod") and child.index < head
-            ]
-            + [word.form.lower()]
-        )
-        return word.form.lower() in words or word.lemma.lower() in words or compound in words
+    def _listed_words(self, head: int, words: Tuple[str, ...]) -> FrozenSet[int]:
+        """Return the words, up to a head, that a relation lists, the most first ("low five"); none if it lists none."""
+        for length in range(max((len(listed.split()) for listed in words), default=0), 0, -1):
+            positions = range(max(1, head - length + 1), head + 1)
+            if " ".join(self._sentence.word(index).form.lower() for index in positions) in words:
+                return frozenset(positions)
+        return frozenset([head]) if self._sentence.word(head).lemma.lower() in words else frozenset()
 
     def _is_only_an_adverb(self, head: int, steps: Tuple[str, ...]) -> bool:
         """Whether an adverb that says how ("slowly", "forward") would become an argument that says what or where."""
@@ -266,7 +269,10 @@ class _Filling:
 
     def _follow(self, steps: Tuple[str, ...], is_core: bool) -> List[int]:
         """Return the words at the end of a chain of relations that starts at the verb."""
-        governors = [self._clause.verb]
+        # In "let go of the rope" the rope hangs on "go".
+        governors = [self._clause.verb] + [
+            index for index in self._match.positions[1:] if self._sentence.word(index).upos == "VERB"
+        ]
         for number, step in enumerate(steps):
             if step == MEASURE:
                 return []
@@ -318,10 +324,31 @@ class _Filling:
                 ]
                 left_out = verb_words | amount_words | frozenset().union(*others) | self._outside(head)
                 relation = next(relation for relation in self._unit.relations if relation.name == element.name)
-                values.append(phrase_value(self._sentence, element.name, head, relation.argument, left_out))
+                attached = self._listed[element.name] | self._places_behind(head, element, left_out)
+                values.append(phrase_value(self._sentence, element.name, head, relation.argument, left_out, attached))
             elif element.default:
                 values.append(given_value(element.name, element.default))
         return tuple(values)
+
+    def _places_behind(self, head: int, element: FrameElement, left_out: FrozenSet[int]) -> FrozenSet[int]:
+        """Return the phrases of place directly behind a noun that fill nothing: "the mug on the table"."""
+        if self._sentence.word(head).upos != "NOUN" or element.framenet == "Message":
+            return frozenset()
+        noun = self._sentence.subtree(head) - left_out
+        taken = frozenset(self._heads.values())
+        found: FrozenSet[int] = frozenset()
+        for phrase in self._sentence.children(self._clause.verb):
+            positions = self._sentence.subtree(phrase.index)
+            if (
+                min(positions) == max(noun | found) + 1
+                and self._sentence.word(min(positions)).deprel == "case"
+                and self._sentence.word(min(positions)).form.lower() in OF_PLACE
+                and not positions & (taken | left_out)
+                and positions <= self._clause.positions
+                and not self._is_in_a_measure(phrase.index)
+            ):
+                found |= positions
+        return found
 
     def _outside(self, head: int) -> FrozenSet[int]:
         """Words below a head that belong to other clauses or to a condition."""

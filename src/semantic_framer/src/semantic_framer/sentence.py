@@ -1,5 +1,6 @@
 """A parsed sentence with its relations by governor, and the words that carry no content of their own."""
 
+from dataclasses import replace
 from functools import lru_cache
 from typing import Dict, FrozenSet, List, Sequence, Set, Tuple
 
@@ -34,12 +35,12 @@ class Sentence:
     """A dependency tree, looked at from its governors.
 
     Attributes:
-        tree: the tree
+        tree: the tree; a modal that has no verb ("the trash can") is a noun in it
         arcs: every relation under all of its names
     """
 
     def __init__(self, tree: DependencyTree) -> None:
-        self.tree = tree
+        self.tree = tree = _with_modals_as_nouns(tree)
         self.arcs: Tuple[Arc, ...] = arcs(tree)
         self._by_governor: Dict[int, List[Arc]] = {}
         for arc in self.arcs:
@@ -85,3 +86,26 @@ class Sentence:
         if word.deprel in _FUNCTION_RELATIONS or word.upos in ("PUNCT", "INTJ", "SYM", "CCONJ", "PART"):
             return False
         return word.form.lower() not in HARMLESS
+
+
+def _with_modals_as_nouns(tree: DependencyTree) -> DependencyTree:
+    """Make a noun of a modal that helps no verb and stands behind a noun: it is the head of a compound with that noun.
+
+    "If you can" has a subject, "will you" too.
+    """
+    for modal in tree.words:
+        before = tree.words[modal.index - 2] if modal.index > 1 else modal
+        is_noun = (
+            modal.xpos == "MD"
+            and not modal.deprel.startswith("aux")
+            and before.upos in ("NOUN", "PROPN")
+            and modal.head in (before.index, before.head)
+            and not any(child.upos != "PUNCT" for child in tree.children(modal.index))
+        )
+        if is_noun:
+            noun = replace(modal, upos="NOUN", xpos="NN", head=before.head, deprel=before.deprel)
+            words = [replace(word, head=modal.index) if word.head == before.index else word for word in tree.words]
+            words[modal.index - 1] = noun
+            words[before.index - 1] = replace(before, head=modal.index, deprel="compound")
+            tree = replace(tree, words=tuple(words))
+    return tree

@@ -32,7 +32,12 @@ class ElementValue:
 
 
 def phrase_value(
-    sentence: Sentence, name: str, head: int, form: ArgumentForm, left_out: FrozenSet[int]
+    sentence: Sentence,
+    name: str,
+    head: int,
+    form: ArgumentForm,
+    left_out: FrozenSet[int],
+    attached: FrozenSet[int] = frozenset(),
 ) -> ElementValue:
     """Make the value of a phrase.
 
@@ -42,13 +47,14 @@ def phrase_value(
         head: index of the head word
         form: which words become the argument
         left_out: words that belong to something else
+        attached: words that belong to it though they hang elsewhere
     Returns:
         the value; its positions include a preposition at the front, its argument does not
     """
     conjuncts = [
         child for child in sentence.children(head) if child.deprel == "conj" and child.upos not in ("VERB", "AUX")
     ]
-    positions = sorted(sentence.subtree(head) - left_out)
+    positions = sorted((sentence.subtree(head) - left_out) | attached)
     while len(positions) > 1 and sentence.word(positions[-1]).upos == "PUNCT":
         positions.pop()
     while len(positions) > 1 and (
@@ -70,7 +76,7 @@ def phrase_value(
             ),
             "and",
         )
-        items = _items(sentence, head, [conjunct.index for conjunct in conjuncts], left_out | prepositions)
+        items = _items(sentence, head, [conjunct.index for conjunct in conjuncts], left_out | prepositions, attached)
     phrase_argument = sentence.text(bare)
     return ElementValue(
         name=name,
@@ -95,19 +101,21 @@ def _prepositions(sentence: Sentence, head: int) -> FrozenSet[int]:
     return frozenset(found)
 
 
-def _items(sentence: Sentence, head: int, conjuncts: List[int], left_out: FrozenSet[int]) -> Tuple[str, ...]:
+def _items(
+    sentence: Sentence, head: int, conjuncts: List[int], left_out: FrozenSet[int], attached: FrozenSet[int]
+) -> Tuple[str, ...]:
     later = frozenset(index for conjunct in conjuncts for index in sentence.subtree(conjunct))
     groups = [sentence.subtree(head) - later - left_out] + [
         sentence.subtree(conjunct) - left_out for conjunct in conjuncts
     ]
+    groups[-1] |= attached
     items = []
-    for group in groups:
+    for item, group in zip([head] + conjuncts, groups):
+        own = _prepositions(sentence, item)
         words = [
             index
             for index in sorted(group)
-            if sentence.word(index).upos != "PUNCT"
-            and sentence.word(index).deprel not in ("cc", "case")
-            or sentence.word(index).xpos == "POS"
+            if sentence.word(index).upos != "PUNCT" and sentence.word(index).deprel != "cc" and index not in own
         ]
         if words:
             items.append(sentence.text(words))

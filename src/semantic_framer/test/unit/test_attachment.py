@@ -1,0 +1,123 @@
+"""Which words belong to which element, on parses written by hand: no model needed."""
+
+from typing import Dict
+
+import pytest
+from semantic_framer.clauses import find_clauses
+from semantic_framer.framer import Policy, Refusal, Understood, read
+from semantic_framer.lexicon import Lexicon
+from semantic_framer.sentence import Sentence
+from semantic_frames import load_frame
+from stanford_parser_ros.conllu import from_conllu
+
+FRAMES = {
+    frame.name: frame
+    for frame in (
+        load_frame(text, "frame.yaml")
+        for text in (
+            "name: taking\nframe_elements:\n  - {name: theme, is_core: True}\n  - {name: source, is_core: False}\n",
+            "name: saying\nframe_elements:\n  - {name: message, is_core: True, framenet: Message}\n",
+            "name: releasing\nframe_elements:\n  - {name: theme, is_core: True}\n",
+        )
+    )
+}
+UNITS = """
+- frame_name: taking
+  verb: [take, lift]
+  frame_element_grammatical_relations:
+    - {name: theme, relation: dobj, argument: phrase}
+    - {name: source, relation: prep_from, argument: phrase}
+- frame_name: taking
+  verb: [remove]
+  frame_element_grammatical_relations:
+    - {name: theme, relation: dobj, argument: phrase}
+    - {name: source, relation: [prep_from, prep_on], argument: phrase}
+- frame_name: saying
+  verb: say
+  frame_element_grammatical_relations:
+    - {name: message, relation: dobj, argument: phrase}
+- frame_name: releasing
+  verb: let go of
+  frame_element_grammatical_relations:
+    - {name: theme, relation: prep_of, argument: phrase}
+"""
+ROWS = (
+    "1 {verb} {verb} VERB VB _ 0 root _ _\n2 the the DET DT _ 3 det _ _\n3 mug mug NOUN NN _ 1 obj _ _"
+    "\n4 {preposition} {preposition} ADP IN _ 6 case _ _\n5 the the DET DT _ 6 det _ _\n6 table table NOUN NN _ 1 obl _ _"
+)
+
+
+def lexicon() -> Lexicon:
+    made = Lexicon()
+    made.add_file(UNITS, "units.yaml")
+    return made
+
+
+def filled(rows: str) -> Dict[str, str]:
+    outcome, _ = read(from_conllu(rows), lexicon(), FRAMES, policy=Policy())
+    assert isinstance(outcome, Understood), outcome
+    return {value.name: value.argument for value in outcome.clauses[0][0].values}
+
+
+@pytest.mark.parametrize(
+    "verb, preposition, arguments",
+    [
+        ("take", "on", {"theme": "the mug on the table"}),
+        ("take", "from", {"theme": "the mug", "source": "the table"}),
+        ("remove", "on", {"theme": "the mug", "source": "the table"}),
+    ],
+)
+def test_phrase_of_place_that_fills_nothing_belongs_to_the_noun_before_it(
+    verb: str, preposition: str, arguments: Dict[str, str]
+) -> None:
+    assert filled(ROWS.format(verb=verb, preposition=preposition)) == arguments
+
+
+@pytest.mark.parametrize("verb, preposition", [("take", "with"), ("take", "to"), ("say", "on")])
+def test_other_phrases_that_fill_nothing_are_left_over(verb: str, preposition: str) -> None:
+    outcome, _ = read(from_conllu(ROWS.format(verb=verb, preposition=preposition)), lexicon(), FRAMES)
+    assert isinstance(outcome, Refusal) and outcome.code == "LEFT_OVER_WORDS"
+
+
+def test_two_phrases_of_place_one_behind_the_other() -> None:
+    rows = ROWS.format(verb="take", preposition="on") + (
+        "\n7 in in ADP IN _ 9 case _ _\n8 the the DET DT _ 9 det _ _\n9 hall hall NOUN NN _ 1 obl _ _"
+    )
+    assert filled(rows) == {"theme": "the mug on the table in the hall"}
+
+
+def test_place_belongs_to_the_last_of_a_list() -> None:
+    rows = (
+        "1 take take VERB VB _ 0 root _ _\n2 cups cup NOUN NNS _ 1 obj _ _\n3 and and CCONJ CC _ 4 cc _ _"
+        "\n4 plates plate NOUN NNS _ 2 conj _ _\n5 on on ADP IN _ 6 case _ _\n6 shelves shelf NOUN NNS _ 1 obl _ _"
+    )
+    outcome, _ = read(from_conllu(rows), lexicon(), FRAMES)
+    assert isinstance(outcome, Understood)
+    assert outcome.clauses[0][0].values[0].items == ("cups", "plates on shelves")
+
+
+LET_GO = (
+    "1 let let VERB VB _ 0 root _ _\n2 go go VERB VB _ 1 xcomp _ _\n3 of of ADP IN _ 5 case _ _"
+    "\n4 the the DET DT _ 5 det _ _\n5 rope rope NOUN NN _ 2 obl _ _"
+)
+
+
+def test_verb_of_several_words_is_one_verb_where_the_lexicon_has_it() -> None:
+    assert filled(LET_GO) == {"theme": "the rope"}
+    assert [clause.lemma for clause in find_clauses(Sentence(from_conllu(LET_GO)))] == ["go"]
+
+
+def test_modal_without_a_verb_is_a_noun() -> None:
+    rows = (
+        "1 lift lift VERB VB _ 0 root _ _\n2 the the DET DT _ 3 det _ _\n3 trash trash NOUN NN _ 1 obj _ _"
+        "\n4 can can AUX MD _ 1 parataxis _ _"
+    )
+    assert filled(rows) == {"theme": "the trash can"}
+
+
+def test_modal_with_a_subject_is_no_noun() -> None:
+    rows = (
+        "1 lift lift VERB VB _ 0 root _ _\n2 mugs mug NOUN NNS _ 1 obj _ _\n3 can can AUX MD _ 1 parataxis _ _"
+        "\n4 you you PRON PRP _ 3 nsubj _ _"
+    )
+    assert {word.upos for word in Sentence(from_conllu(rows)).tree.words} == {"VERB", "NOUN", "AUX", "PRON"}
