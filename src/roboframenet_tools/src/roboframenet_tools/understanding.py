@@ -188,7 +188,7 @@ class Pipeline:
         except UnparsableText as error:
             return _nothing(text, Reply("REFUSED", "EMPTY_TEXT", f"I heard no words: {error}."))
         sentence = Sentence(tree)
-        attempts = tuple(self._attempts(sentence, clause) for clause in find_clauses(sentence))
+        attempts = tuple(self._attempts(sentence, clause) for clause in find_clauses(sentence, self.knowledge.lexicon))
         outcome, _ = read(tree, self.knowledge.lexicon, self.knowledge.frames)
         if isinstance(outcome, Understood):
             readings = tuple(readings[0] for readings in outcome.clauses)
@@ -222,7 +222,7 @@ class Pipeline:
     def _best(self, sentence: Sentence) -> Tuple[Reading, ...]:
         found = [
             read_clause(sentence, clause, self.knowledge.lexicon, self.knowledge.frames)
-            for clause in find_clauses(sentence)
+            for clause in find_clauses(sentence, self.knowledge.lexicon)
             if not clause.is_negated
         ]
         return tuple(readings[0] for readings in found if readings)
