@@ -113,7 +113,7 @@ def read_clause(
         lexicon: lexical units
         frames: by name; units of frames that are not known are left out
     Returns:
-        readings, the best first: all core elements filled, fewest words left over, most elements filled, longest verb
+        readings, the best first by :func:`rank`
     """
     amounts = find_amounts(sentence, sorted(clause.positions - {clause.verb}))
     readings = []
@@ -132,16 +132,28 @@ def read_clause(
     return tuple(sorted(different.values(), key=rank))
 
 
-def rank(reading: Reading) -> Tuple[bool, int, int, int, int]:
-    """Order readings: the smallest is the best."""
+def rank(reading: Reading) -> Tuple[bool, int, int, int, int, bool, int, int]:
+    """Order readings: the smallest is the best.
+
+    All core elements filled; fewest words left over; most elements filled; fewest missing; longest verb. Of units that
+    are equal so far ("take the box" takes it, and may bring it somewhere) the one is meant that the verb names: the
+    first verb of a unit is what the unit is about. Then the one of which fewest elements stay empty, then the one that
+    lists the verb earlier.
+    """
+    unit = reading.unit
     said = sum(1 for value in reading.values if value.positions)
-    required = sum(1 for relation in reading.unit.relations if relation.is_required)
+    required = sum(1 for relation in unit.relations if relation.is_required)
+    filled = frozenset(value.name for value in reading.values)
+    position = unit.verbs.index(reading.verb) if reading.verb in unit.verbs else len(unit.verbs)
     return (
         bool(reading.missing),
         len(reading.left_over),
         -(said + required),
         len(reading.missing),
         -len(reading.verb.split()),
+        position > 0,
+        sum(1 for relation in unit.relations if relation.name not in filled),
+        position,
     )
 
 

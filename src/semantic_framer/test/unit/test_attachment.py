@@ -1,6 +1,6 @@
 """Which words belong to which element, on parses written by hand: no model needed."""
 
-from typing import Dict
+from typing import Dict, Tuple
 
 import pytest
 from semantic_framer.clauses import find_clauses
@@ -77,6 +77,40 @@ def test_phrase_of_place_that_fills_nothing_belongs_to_the_noun_before_it(
 def test_other_phrases_that_fill_nothing_are_left_over(verb: str, preposition: str) -> None:
     outcome, _ = read(from_conllu(ROWS.format(verb=verb, preposition=preposition)), lexicon(), FRAMES)
     assert isinstance(outcome, Refusal) and outcome.code == "LEFT_OVER_WORDS"
+
+
+@pytest.mark.parametrize(
+    "first, second",
+    [
+        # The verb is what the second unit is about, wherever it stands in the first.
+        (("fetch", "[fetch, take]", ""), ("take", "[take, fetch]", "")),
+        # Neither is about it: fewer elements stay empty.
+        (("bring", "[bring, take]", "{name: source, relation: prep_from}"), ("lift", "[lift, take]", "")),
+        # Neither, and as many stay empty: it is listed earlier.
+        (("bring", "[bring, carry, take]", ""), ("lift", "[lift, take, carry]", "")),
+    ],
+)
+@pytest.mark.parametrize("is_swapped", [False, True])
+def test_unit_that_the_verb_names_comes_first(
+    first: Tuple[str, str, str], second: Tuple[str, str, str], is_swapped: bool
+) -> None:
+    made = Lexicon()
+    for name, verbs, relation in (second, first) if is_swapped else (first, second):
+        relations = "[{name: theme, relation: dobj}" + (f", {relation}]" if relation else "]")
+        made.add_file(
+            f"{{frame_name: {name}, verb: {verbs}, frame_element_grammatical_relations: {relations}}}", f"{name}.yaml"
+        )
+    frames = {
+        name: load_frame(
+            f"name: {name}\nframe_elements:\n  - {{name: theme, is_core: True}}\n  - {{name: source, is_core: False}}\n",
+            "frame.yaml",
+        )
+        for name, _, _ in (first, second)
+    }
+    rows = "1 take take VERB VB _ 0 root _ _\n2 boxes box NOUN NNS _ 1 obj _ _"
+    outcome, _ = read(from_conllu(rows), made, frames)
+    assert isinstance(outcome, Understood)
+    assert [reading.unit.frame_name for reading in outcome.clauses[0]] == [second[0], first[0]]
 
 
 def test_two_phrases_of_place_one_behind_the_other() -> None:
