@@ -2,20 +2,19 @@
 
 from dataclasses import dataclass, replace
 from enum import Enum
-from typing import FrozenSet, Iterable, List, Mapping, Optional, Sequence, Tuple, Union
+from typing import FrozenSet, Iterable, List, Mapping, Sequence, Tuple, Union
 
-from semantic_frames.frame import FrameElement, SemanticFrame
-from semantic_frames.lexical_unit import ArgumentForm
+from semantic_frames.frame import SemanticFrame
 from stanford_parser_ros.tree import DependencyTree
 
-from semantic_framer.clauses import CONDITIONS, NEGATIONS, WRAPPERS, Clause, find_clauses, whole_sentence
-from semantic_framer.dialogue import PLACE_PRONOUNS, PRONOUNS, Context, Pending, is_no, is_yes
+from semantic_framer.answers import answer, question_of
+from semantic_framer.clauses import WRAPPERS, Clause, find_clauses, whole_sentence
+from semantic_framer.dialogue import PLACE_PRONOUNS, PRONOUNS, Context, Pending, is_no
 from semantic_framer.lexicon import Lexicon
-from semantic_framer.matching import Reading, VerbMatch, match_verbs, read_clause, with_value
-from semantic_framer.measures import find_amounts
+from semantic_framer.matching import Reading, VerbMatch, match_verbs, rank, read_clause
 from semantic_framer.sentence import Sentence
 from semantic_framer.times import find_times
-from semantic_framer.values import ElementValue, amount_value, phrase_value, resolved, unit_value
+from semantic_framer.values import resolved
 
 
 class LeftOverWords(Enum):
@@ -109,10 +108,10 @@ def read(
     if pending is not None:
         if is_no(tree.text):
             return Refusal("NEGATED", "As you wish: I do nothing."), context
-        answered = _answer(sentence, pending, lexicon, policy, frames)
+        answered = answer(sentence, pending, lexicon, frames, is_strict=policy.left_over_words is LeftOverWords.STRICT)
         if answered is not None:
             # A yes counts only where it was asked for: "right" may be a direction.
-            is_confirmed = not pending.element
+            is_confirmed = not pending.elements
             return _finish(answered, sentence, frames, context, policy, now_s, is_confirmed=is_confirmed)
     clauses = _known_clauses(sentence, lexicon)
     time = _time_of_a_command(sentence, lexicon)
@@ -248,7 +247,8 @@ def _read_one(
         return _not_then(sentence, clause.condition_positions)
     complete = tuple(reading for reading in readings if not reading.missing)
     if not complete:
-        return (readings[0],)
+        # "Move." asks where to as well as how far: the answer tells which was meant.
+        return tuple(reading for reading in readings if rank(reading)[:4] == rank(readings[0])[:4])
     # Words that one reading accounts for must not be dropped by taking another.
     fewest = len(complete[0].left_over)
     return tuple(
@@ -285,20 +285,19 @@ def _finish(
             resolved_readings.append(outcome)
         best = resolved_readings[0]
         if best.missing:
-            element = best.missing[0]
             pending = Pending(
-                clauses=_waiting(tuple(done) + ((best,),) + clauses[position + 1 :]),
+                clauses=_waiting(tuple(done) + (tuple(resolved_readings),) + clauses[position + 1 :]),
                 clause=position,
-                element=element.name,
+                elements=tuple(reading.asked[0].name for reading in resolved_readings),
                 expires_s=now_s + policy.question_timeout_s,
             )
-            return Question("MISSING_ELEMENT", question_for(element)), replace(context, pending=pending)
+            return Question("MISSING_ELEMENT", question_of(resolved_readings)), replace(context, pending=pending)
         alternative = next((value for value in best.values if value.conjunction == "or"), None)
         if alternative is not None and policy.alternatives is Alternatives.ASK:
             pending = Pending(
                 clauses=_waiting(tuple(done) + ((best,),) + clauses[position + 1 :]),
                 clause=position,
-                element=alternative.name,
+                elements=(alternative.name,),
                 expires_s=now_s + policy.question_timeout_s,
                 choices=alternative.items,
             )
@@ -310,7 +309,7 @@ def _finish(
     confirm = [readings[0] for readings in done if frames[readings[0].unit.frame_name].is_confirmed]
     if confirm and not is_confirmed:
         pending = Pending(
-            clauses=_waiting(tuple(done)), clause=0, element="", expires_s=now_s + policy.question_timeout_s
+            clauses=_waiting(tuple(done)), clause=0, elements=(), expires_s=now_s + policy.question_timeout_s
         )
         asked = ", then ".join(_in_words(readings[0]) for readings in done)
         return Question("CONFIRM", f'Shall I really do this: "{asked}"? Say yes or no.'), replace(
@@ -328,78 +327,6 @@ def _waiting(clauses: Tuple[Tuple[Reading, ...], ...]) -> Tuple[Tuple[Reading, .
 def _in_words(reading: Reading) -> str:
     """Return what a reading does: the verb, and the arguments that were said, in the order of the frame."""
     return " ".join([reading.verb] + [value.argument for value in reading.values if value.positions])
-
-
-def question_for(element: FrameElement) -> str:
-    """Return how to ask a person for an element, with an example of an answer."""
-    question = element.question or f"What is the {element.name.replace('_', ' ')}?"
-    return f'{question} For instance: "{element.answer}".' if element.answer else question
-
-
-def _answer(
-    sentence: Sentence, pending: Pending, lexicon: Lexicon, policy: Policy, frames: Mapping[str, SemanticFrame]
-) -> Optional[Tuple[Tuple[Reading, ...], ...]]:
-    """Take an utterance as the answer to the open question; None when it is none, or says more than an answer."""
-    if any(readings[0].unit.frame_name not in frames for readings in pending.clauses):
-        return None
-    if not pending.element:
-        return pending.clauses if is_yes(sentence.tree.text) else None
-    clauses = find_clauses(sentence, lexicon)
-    if any(match_verbs(sentence, clause, lexicon) for clause in clauses):
-        return None
-    reading = pending.clauses[pending.clause][0]
-    frame = frames.get(reading.unit.frame_name)
-    element = frame.element(pending.element) if frame is not None else None
-    if frame is None or element is None:
-        return None
-    values = _fragment_values(sentence, frame, element)
-    if not values or not _is_all_said(sentence, values, policy):
-        return None
-    if pending.choices and not any(_is_choice(values[0], choice) for choice in pending.choices):
-        return None
-    for value in values:
-        reading = with_value(reading, value)
-    return tuple(
-        (reading,) if position == pending.clause else readings for position, readings in enumerate(pending.clauses)
-    )
-
-
-def _is_all_said(sentence: Sentence, values: List[ElementValue], policy: Policy) -> bool:
-    """Whether values are all that an answer says: no "not", no condition, no delay, no word of another matter."""
-    used = frozenset(position for value in values for position in value.positions)
-    if find_times(sentence):
-        return False
-    for word in sentence.tree.words:
-        if word.form.lower() in NEGATIONS | CONDITIONS:
-            return False
-        if word.index in used or policy.left_over_words is not LeftOverWords.STRICT:
-            continue
-        if sentence.is_content(word.index):
-            return False
-    return True
-
-
-def _is_choice(value: ElementValue, choice: str) -> bool:
-    """Whether an answer names one of the things that were offered: "the plate", "plate"."""
-    answer, offered = value.phrase.lower().split(), choice.lower().split()
-    articles = ("a", "an", "the")
-    return [word for word in answer if word not in articles] == [word for word in offered if word not in articles]
-
-
-def _fragment_values(sentence: Sentence, frame: SemanticFrame, element: FrameElement) -> List[ElementValue]:
-    positions = [word.index for word in sentence.tree.words if word.upos not in ("PUNCT", "INTJ")]
-    if element.quantity is not None:
-        for amount in find_amounts(sentence, positions):
-            values = [amount_value(sentence, element.name, amount, is_whole=not element.unit_element)]
-            if element.unit_element and amount.unit:
-                values.append(unit_value(sentence, element.unit_element, amount))
-            return values
-        return []
-    if not positions:
-        return []
-    heads = [word for word in sentence.children(0)]
-    head = heads[0].index if heads and heads[0].index in positions else positions[0]
-    return [phrase_value(sentence, element.name, head, ArgumentForm.PHRASE, frozenset())]
 
 
 def _resolve(reading: Reading, context: Context) -> Union[Reading, Question]:

@@ -46,6 +46,12 @@ class Reading:
     left_over: Tuple[int, ...]
     coverage: float
 
+    @property
+    def asked(self) -> Tuple[FrameElement, ...]:
+        """Missing elements that a person is asked for: a unit is said together with its amount."""
+        units = frozenset(element.unit_element for element in self.missing)
+        return tuple(element for element in self.missing if element.name not in units)
+
     def value(self, name: str) -> Optional[ElementValue]:
         """Return the value of an element, None for an empty one."""
         return next((value for value in self.values if value.name == name), None)
@@ -149,7 +155,7 @@ def rank(reading: Reading) -> Tuple[bool, int, int, int, int, bool, int, int]:
         bool(reading.missing),
         len(reading.left_over),
         -(said + required),
-        len(reading.missing),
+        len(reading.asked),
         -len(reading.verb.split()),
         position > 0,
         sum(1 for relation in unit.relations if relation.name not in filled),

@@ -195,6 +195,16 @@ def test_question_is_answered_by_a_fragment(understand: Any) -> None:
     assert after.pending is None
 
 
+@pytest.mark.parametrize(
+    "fragment, frame", [("three feet", "moving"), ("the office", "navigating_to_location")]
+)
+def test_move_asks_how_far_and_where_to(understand: Any, fragment: str, frame: str) -> None:
+    outcome, context = understand("Move.")
+    assert isinstance(outcome, Question) and outcome.code == "MISSING_ELEMENT"
+    assert "How far should I move?" in outcome.sentence and "Where should I go?" in outcome.sentence
+    assert [name for name, _ in frames_of(understand(fragment, context)[0])] == [frame]
+
+
 def test_question_expires(understand: Any) -> None:
     _, context = understand("Move forward.", policy=Policy(question_timeout_s=30.0), now_s=0.0)
     assert isinstance(understand("two metres", context, now_s=31.0)[0], Refusal)
