@@ -65,9 +65,11 @@ def find_clauses(sentence: Sentence, lexicon: Optional[Lexicon] = None) -> Tuple
         for other in verbs - {index}:
             if tops[other] in sentence.subtree(tops[index]):
                 others |= sentence.subtree(tops[other])
-        positions = set(sentence.subtree(tops[index])) - others
+        positions = set(sentence.subtree(tops[index])) - others - sentence.abandoned
         # The words around a wrapped request ("I want you to ...") belong to it.
-        clauses.append(_clause(sentence, index, frozenset(positions), is_negated or _is_of_nothing(sentence, index)))
+        clauses.append(
+            _clause(sentence, index, frozenset(positions), is_negated or _is_of_nothing(sentence, frozenset(positions)))
+        )
     return tuple(clauses)
 
 
@@ -128,19 +130,22 @@ def _has_negation(sentence: Sentence, word: Word) -> bool:
     )
 
 
-def _is_of_nothing(sentence: Sentence, verb: int) -> bool:
-    """Whether what a verb acts on is none: "take no box", "take none of the boxes"; "say no" says a word."""
+def _is_of_nothing(sentence: Sentence, positions: FrozenSet[int]) -> bool:
+    """Whether a clause speaks of something that is not there: "take no box", "none of the boxes", "the mug and no plate".
+
+    "Say no" says a word.
+    """
     return any(
-        (child.form.lower() in _NO_THINGS and child.upos != "INTJ")
-        or any(inner.deprel == "det" and inner.form.lower() in _NO_THINGS for inner in sentence.children(child.index))
-        for child in sentence.children(verb)
-        if child.deprel.split(":")[0] in ("obj", "iobj", "obl")
+        word.form.lower() in _NO_THINGS
+        and word.upos != "INTJ"
+        and (word.deprel == "det" or word.deprel.split(":")[0] in ("obj", "iobj", "obl", "nsubj", "conj"))
+        for word in (sentence.word(index) for index in positions)
     )
 
 
 def whole_sentence(sentence: Sentence, verb: int) -> Clause:
     """Return the clause of a sentence without verbs that begins with a word which the lexicon takes for one."""
-    positions = frozenset(word.index for word in sentence.tree.words)
+    positions = frozenset(word.index for word in sentence.tree.words) - sentence.abandoned
     clause = _clause(sentence, verb, positions, any(_has_negation(sentence, word) for word in sentence.tree.words))
     return replace(clause, lemma=sentence.word(verb).form.lower(), subject=0, is_report=False)
 

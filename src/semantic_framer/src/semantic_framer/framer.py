@@ -12,6 +12,7 @@ from semantic_framer.clauses import WRAPPERS, Clause, find_clauses, whole_senten
 from semantic_framer.dialogue import PLACE_PRONOUNS, PRONOUNS, Context, Pending, is_no
 from semantic_framer.lexicon import Lexicon
 from semantic_framer.matching import Reading, VerbMatch, match_verbs, rank, read_clause
+from semantic_framer.repairs import repaired
 from semantic_framer.sentence import Sentence
 from semantic_framer.times import find_times
 from semantic_framer.values import resolved
@@ -102,7 +103,11 @@ def read(
         what came of it, and what is to be remembered
     """
     context = context.at(now_s)
-    sentence = Sentence(tree)
+    corrected = repaired(tree, lexicon)
+    if not isinstance(corrected, DependencyTree):
+        # What was asked before is answered by none of this.
+        return _which(corrected), replace(context, pending=None)
+    sentence = Sentence(corrected)
     pending = context.pending
     context = replace(context, pending=None)
     if pending is not None:
@@ -136,6 +141,16 @@ def read(
         words = " ".join(sentence.word(index).form for index in open_words)
         outcome = replace(outcome, warning=f"{outcome.warning or 'ignored:'} {words}")
     return outcome, context
+
+
+def _which(readings: Sequence[str]) -> Union[Refusal, Question]:
+    """Return what is said to a person whose correction is not certain, or who took everything back."""
+    if not readings:
+        return Refusal("NEGATED", "You took that back, so I do nothing.")
+    if len(readings) == 1:
+        return Question("AMBIGUOUS", f'Do you mean "{readings[0]}"?')
+    quoted = [f'"{reading}"' for reading in readings]
+    return Question("AMBIGUOUS", f"Which do you mean: {' or '.join(quoted)}?")
 
 
 def _outside(sentence: Sentence, clauses: Tuple[Clause, ...]) -> Tuple[int, ...]:
@@ -181,7 +196,7 @@ def _time_of_a_command(sentence: Sentence, lexicon: Lexicon) -> FrozenSet[int]:
     No element of a frame holds them, and a time hides the verb from the parser ("at five turn left"): so it counts
     wherever it stands, and whatever became of the clauses.
     """
-    times = find_times(sentence)
+    times = [time for time in find_times(sentence) if not time & sentence.abandoned]
     inside = frozenset().union(*times)
     is_command = any(
         lexicon.verbs_beginning_with(spelling)

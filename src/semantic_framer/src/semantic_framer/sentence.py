@@ -7,9 +7,11 @@ from typing import Dict, FrozenSet, List, Sequence, Set, Tuple
 from stanford_parser_ros.stanford_dependencies import Arc, arcs
 from stanford_parser_ros.tree import DependencyTree, Word
 
+#: Said while thinking; never a part of what is said.
+FILLERS = frozenset("uh um uhm er erm hm hmm".split())
 #: Said around a command without changing it.
-HARMLESS = frozenset(
-    "please now just kindly then also okay ok so well uh um er hmm hey hi hello robot again next first finally simply actually "
+HARMLESS = FILLERS | frozenset(
+    "please now just kindly then also okay ok so well hey hi hello robot again next first finally simply actually "
     "thanks thank could can would will you i us lets".split()
 )
 _FUNCTION_RELATIONS = {
@@ -49,6 +51,11 @@ class Sentence:
             index: tree.children(index) for index in range(len(tree.words) + 1)
         }
         self.subtree = lru_cache(maxsize=None)(self._subtree)
+        #: Positions of what the speaker corrected, and of the words that said so.
+        self.abandoned: FrozenSet[int] = frozenset().union(
+            *(self._subtree(word.index) for word in tree.words if word.deprel == "reparandum")
+        )
+        self.fillers: FrozenSet[int] = frozenset(word.index for word in tree.words if word.form.lower() in FILLERS)
 
     def word(self, index: int) -> Word:
         """Return a word by its index from 1."""
@@ -73,9 +80,13 @@ class Sentence:
         return frozenset(found)
 
     def text(self, positions: Sequence[int]) -> str:
-        """Return words as they were said, a clitic ("'s") joined to its word."""
+        """Return words in the order in which they were said, a clitic ("'s") joined to its word."""
+        return self.text_in_order(sorted(positions))
+
+    def text_in_order(self, positions: Sequence[int]) -> str:
+        """Return words in the order in which they are given."""
         text = ""
-        for index in sorted(positions):
+        for index in positions:
             form = self.word(index).form
             text += form if not text or form.startswith(("'", "’", "n't")) else " " + form
         return text

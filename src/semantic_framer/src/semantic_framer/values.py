@@ -54,6 +54,7 @@ def phrase_value(
     conjuncts = [
         child for child in sentence.children(head) if child.deprel == "conj" and child.upos not in ("VERB", "AUX")
     ]
+    left_out |= sentence.abandoned | sentence.fillers - {head}
     positions = sorted((sentence.subtree(head) - left_out) | attached)
     while len(positions) > 1 and sentence.word(positions[-1]).upos == "PUNCT":
         positions.pop()
