@@ -15,6 +15,7 @@ from semantic_framer.clauses import Clause, find_clauses
 from semantic_framer.framer import Question, Understood, read
 from semantic_framer.lexicon import Lexicon
 from semantic_framer.matching import Reading, match_verbs, read_clause
+from semantic_framer.repairs import repaired
 from semantic_framer.sentence import Sentence
 from stanford_parser_ros.model import Parser, UnparsableText, shipped_model_dir
 from stanford_parser_ros.tree import DependencyTree
@@ -187,7 +188,8 @@ class Pipeline:
             tree = self.parse(text)
         except UnparsableText as error:
             return _nothing(text, Reply("REFUSED", "EMPTY_TEXT", f"I heard no words: {error}."))
-        sentence = Sentence(tree)
+        corrected = repaired(tree, self.knowledge.lexicon)
+        sentence = Sentence(corrected if isinstance(corrected, DependencyTree) else tree)
         attempts = tuple(self._attempts(sentence, clause) for clause in find_clauses(sentence, self.knowledge.lexicon))
         outcome, _ = read(tree, self.knowledge.lexicon, self.knowledge.frames)
         if isinstance(outcome, Understood):
