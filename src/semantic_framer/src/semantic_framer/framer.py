@@ -254,12 +254,15 @@ def _read_one(
         if not wanted & set(frames):
             return Refusal("UNKNOWN_FRAME", f"No file describes the frame {' or '.join(sorted(wanted))}.")
         return Refusal("NO_READING", f'I know "{matches[0].verb}", but not in this way.')
-    if clause.condition and not any(
-        set(clause.condition_positions) <= {p for value in reading.values for p in value.positions}
-        for reading in readings
-        if not reading.missing
-    ):
-        return _not_then(sentence, clause.condition_positions)
+    if clause.condition:
+        # "Check if the door is open": the words are what the unit asks for, and no condition.
+        readings = tuple(
+            reading
+            for reading in readings
+            if set(clause.condition_positions) <= {p for value in reading.values for p in value.positions}
+        )
+        if not readings:
+            return _not_then(sentence, clause.condition_positions)
     complete = tuple(reading for reading in readings if not reading.missing)
     if not complete:
         # "Move." asks where to as well as how far: the answer tells which was meant.
@@ -350,7 +353,8 @@ def _resolve(reading: Reading, context: Context) -> Union[Reading, Question]:
     for value in reading.values:
         word = value.argument.lower()
         relation = next((relation for relation in reading.unit.relations if relation.name == value.name), None)
-        is_fixed = relation is not None and bool(relation.words)
+        # "This place" is what was said; a unit that lists nothing but pronouns wants what they stand for.
+        is_fixed = relation is not None and bool(set(relation.words) - PRONOUNS)
         if word in PRONOUNS and value.positions and not is_fixed and word not in ("this", "one", "that"):
             if not context.thing:
                 return Question("AMBIGUOUS", f'What do you mean by "{value.argument}"?')

@@ -14,7 +14,7 @@ from stanford_parser_ros.tree import DependencyTree, Word
 from semantic_framer.clauses import NEGATIONS
 from semantic_framer.lexicon import Lexicon
 from semantic_framer.measures import Amount, find_amounts
-from semantic_framer.sentence import FILLERS, Sentence
+from semantic_framer.sentence import Sentence, is_filler
 
 #: Words that take back what was said before them, the longest first.
 EDITING_TERMS: Tuple[Tuple[str, ...], ...] = (
@@ -30,7 +30,7 @@ EDITING_TERMS: Tuple[Tuple[str, ...], ...] = (
 #: They take something back even where nothing follows.
 _WITHDRAWING = frozenset([("no",), ("nope",)])
 #: Said around an editing term.
-_AROUND = FILLERS | frozenset("oh ah well wait actually please".split())
+_AROUND = frozenset("oh ah well wait actually please".split())
 _BEFORE_NO_EDITING_TERM = ("VERB", "AUX", "ADP", "DET", "SCONJ", "CCONJ")
 _IN_NAMES = ("DET", "ADJ", "NUM", "NOUN", "PROPN", "PRON")
 _RELATION_IN_NAMES: Dict[str, str] = {"DET": "det", "ADJ": "amod", "NUM": "nummod", "ADP": "case", "PUNCT": "punct"}
@@ -54,6 +54,7 @@ def repaired(tree: DependencyTree, lexicon: Lexicon) -> Union[DependencyTree, Tu
         the sentence, with the same words in the same places; or, where it is not certain, the readings to choose from,
         none where all was taken back
     """
+    tree = _without_restarts(tree)
     behind = 0
     while True:
         found = _editing_term(tree, lexicon, behind)
@@ -71,6 +72,30 @@ def repaired(tree: DependencyTree, lexicon: Lexicon) -> Union[DependencyTree, Tu
         behind = end
 
 
+def _without_restarts(tree: DependencyTree) -> DependencyTree:
+    """Drop the first of a word that is said twice in a row: "turn turn left", "ninety uh ninety degrees".
+
+    A number that is said twice without a filler is two digits, and "very very" means more.
+    """
+    said = [word for word in tree.words if not is_filler(word.form) and word.upos != "PUNCT"]
+    for first, second in zip(said, said[1:]):
+        is_restart = (
+            first.form.lower() == second.form.lower()
+            and first.upos not in ("ADV", "ADJ", "INTJ")
+            and (first.upos != "NUM" or second.index > first.index + 1)
+        )
+        if not is_restart:
+            continue
+        first, second = tree.word(first.index), tree.word(second.index)
+        words = [replace(word, head=second.index) if word.head == first.index else word for word in tree.words]
+        if second.head == first.index:
+            words[second.index - 1] = replace(second, head=first.head, deprel=first.deprel)
+        words[first.index - 1] = replace(first, head=second.index, deprel="reparandum")
+        changed = replace(tree, words=tuple(words))
+        tree = changed if _is_tree(changed) else tree
+    return tree
+
+
 def _editing_term(tree: DependencyTree, lexicon: Lexicon, behind: int) -> Optional[Tuple[int, int, bool]]:
     """Find the first editing term behind a command: its first and last word with what is around it, and whether it takes
     back even where nothing follows.
@@ -83,7 +108,8 @@ def _editing_term(tree: DependencyTree, lexicon: Lexicon, behind: int) -> Option
         terms: List[Tuple[str, ...]] = []
         while position < len(forms):
             term = next((term for term in EDITING_TERMS if tuple(forms[position : position + len(term)]) == term), None)
-            if term is None and forms[position] not in _AROUND and tree.words[position].upos != "PUNCT":
+            is_around = forms[position] in _AROUND or is_filler(forms[position])
+            if term is None and not is_around and tree.words[position].upos != "PUNCT":
                 break
             terms += [term] if term else []
             position += len(term) if term else 1

@@ -1,5 +1,6 @@
 """A parsed sentence with its relations by governor, and the words that carry no content of their own."""
 
+import re
 from dataclasses import replace
 from functools import lru_cache
 from typing import Dict, FrozenSet, List, Sequence, Set, Tuple
@@ -7,10 +8,10 @@ from typing import Dict, FrozenSet, List, Sequence, Set, Tuple
 from stanford_parser_ros.stanford_dependencies import Arc, arcs
 from stanford_parser_ros.tree import DependencyTree, Word
 
-#: Said while thinking; never a part of what is said.
-FILLERS = frozenset("uh um uhm er erm hm hmm".split())
+#: Said while thinking, as long as it takes ("uhhh"); never a part of what is said.
+_FILLER = re.compile(r"(u+h+m*|u+m+|e+r+m*|e+h+|e+h*m+|h+m+|m{2,})$")
 #: Said around a command without changing it.
-HARMLESS = FILLERS | frozenset(
+HARMLESS = frozenset(
     "please now just kindly then also okay ok so well hey hi hello robot again next first finally simply actually "
     "thanks thank could can would will you i us lets".split()
 )
@@ -55,7 +56,7 @@ class Sentence:
         self.abandoned: FrozenSet[int] = frozenset().union(
             *(self._subtree(word.index) for word in tree.words if word.deprel == "reparandum")
         )
-        self.fillers: FrozenSet[int] = frozenset(word.index for word in tree.words if word.form.lower() in FILLERS)
+        self.fillers: FrozenSet[int] = frozenset(word.index for word in tree.words if is_filler(word.form))
 
     def word(self, index: int) -> Word:
         """Return a word by its index from 1."""
@@ -96,7 +97,12 @@ class Sentence:
         word = self.word(index)
         if word.deprel in _FUNCTION_RELATIONS or word.upos in ("PUNCT", "INTJ", "SYM", "CCONJ", "PART"):
             return False
-        return word.form.lower() not in HARMLESS
+        return word.form.lower() not in HARMLESS and index not in self.fillers
+
+
+def is_filler(form: str) -> bool:
+    """Whether a word is said only while thinking: "um", "uhhh"."""
+    return _FILLER.match(form.lower()) is not None
 
 
 def _with_modals_as_nouns(tree: DependencyTree) -> DependencyTree:

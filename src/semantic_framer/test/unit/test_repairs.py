@@ -109,6 +109,16 @@ def meant(outcome: Any) -> List[Tuple[str, Dict[str, str]]]:
         ),
         ("um go to the kitchen", [("navigating_to_location", {"goal": "the kitchen"})]),
         ("go to the um kitchen", [("navigating_to_location", {"goal": "the kitchen"})]),
+        (
+            "turn left ninety uh ninety degrees",
+            [("turning", {"direction": "left", "angle": "90", "angle_unit": "degrees"})],
+        ),
+        ("turn turn left", [("turning", {"direction": "left"})]),
+        ("go go to the the kitchen", [("navigating_to_location", {"goal": "the kitchen"})]),
+        (
+            "move forward uhhh five feet",
+            [("moving", {"direction": "forward", "distance": "5", "distance_unit": "feet"})],
+        ),
         ("say no", [("saying", {"message": "no"})]),
         ("say sorry to Bob", [("saying", {"message": "sorry", "addressee": "Bob"})]),
     ],
@@ -120,7 +130,10 @@ def test_what_is_meant_is_done(understand: Any, text: str, done: List[Tuple[str,
 @pytest.mark.parametrize(
     "text, readings",
     [
-        ("bring the mug to the kitchen no the office", ("bring the office to the kitchen", "bring the mug to the office")),
+        (
+            "bring the mug to the kitchen no the office",
+            ("bring the office to the kitchen", "bring the mug to the office"),
+        ),
         ("bring the mug on the table no the plate", ("bring the plate on the table", "bring the mug on the plate")),
         ("go to the kitchen and follow Bob no turn left", ("go to the kitchen and turn left", "turn left")),
         ("move forward two metres no three", ("move forward three metres",)),

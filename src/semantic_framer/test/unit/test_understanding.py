@@ -26,6 +26,7 @@ def frames_of(outcome: Any) -> List[Tuple[str, Dict[str, str]]]:
         ("rotate ninety degrees to the left", "turning", {"direction": "left", "angle": "90"}),
         ("Move forward 3 feet.", "moving", {"direction": "forward", "distance": "3", "distance_unit": "feet"}),
         ("move backwards one metre", "moving", {"direction": "backwards", "distance": "1", "distance_unit": "metre"}),
+        ("back up two feet", "moving_backward", {"distance": "2", "distance_unit": "feet"}),
         ("move forward half a metre", "moving", {"distance": "0.5", "distance_unit": "metre"}),
         ("move forward a couple of metres", "moving", {"distance": "2", "distance_unit": "metres"}),
         ("move forward 5 feet 6 inches", "moving", {"distance": "5.5", "distance_unit": "feet"}),
@@ -96,6 +97,16 @@ def test_it_and_there_reach_back_to_the_command_before(understand: Any) -> None:
     _, context = understand("Bring the mug to the kitchen.")
     outcome, _ = understand("Take it.", context)
     assert frames_of(outcome)[0][1]["theme"] == "the mug"
+
+
+def test_pronoun_is_not_told_apart_by_its_place(understand: Any) -> None:
+    _, (frame, brought) = frames_of(understand("take the mug and bring it in the kitchen")[0])
+    assert (frame, brought["theme"], brought["goal"]) == ("bringing", "the mug", "the kitchen")
+
+
+def test_if_that_a_unit_asks_for_is_no_condition(understand: Any) -> None:
+    assert understand("check if the oven is hot")[0].code == "MISSING_ELEMENT"
+    assert understand("check the oven if the door is open")[0].code == "CONDITION"
 
 
 def test_it_without_anything_before_is_asked_for(understand: Any) -> None:
@@ -195,9 +206,7 @@ def test_question_is_answered_by_a_fragment(understand: Any) -> None:
     assert after.pending is None
 
 
-@pytest.mark.parametrize(
-    "fragment, frame", [("three feet", "moving"), ("the office", "navigating_to_location")]
-)
+@pytest.mark.parametrize("fragment, frame", [("three feet", "moving"), ("the office", "navigating_to_location")])
 def test_move_asks_how_far_and_where_to(understand: Any, fragment: str, frame: str) -> None:
     outcome, context = understand("Move.")
     assert isinstance(outcome, Question) and outcome.code == "MISSING_ELEMENT"
