@@ -273,6 +273,8 @@ def _read_one(
         reading
         for reading in complete
         if policy.left_over_words is LeftOverWords.IGNORE or len(reading.left_over) == fewest
+        # "Five" is less than was said where another unit lists "low five".
+        if not any(reading.listed and reading.listed < other.listed for other in complete)
     )
 
 

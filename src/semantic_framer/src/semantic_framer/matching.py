@@ -36,6 +36,7 @@ class Reading:
         missing: core elements that nothing fills
         left_over: content words that nothing accounts for, by position
         coverage: share of the content words that the reading accounts for, 0 to 1
+        listed: words that the unit lists for its elements, by position: "low five"
     """
 
     unit: LexicalUnit
@@ -45,6 +46,7 @@ class Reading:
     missing: Tuple[FrameElement, ...]
     left_over: Tuple[int, ...]
     coverage: float
+    listed: FrozenSet[int] = frozenset()
 
     @property
     def asked(self) -> Tuple[FrameElement, ...]:
@@ -213,6 +215,7 @@ class _Filling:
             missing=missing,
             left_over=left_over,
             coverage=coverage,
+            listed=frozenset().union(*self._listed.values()),
         )
 
     def _take_amounts(self) -> None:
@@ -360,6 +363,7 @@ class _Filling:
             if (
                 min(positions) == max(noun | found) + 1
                 and self._sentence.word(min(positions)).deprel == "case"
+                and phrase.upos in ("NOUN", "PROPN", "PRON")
                 and self._sentence.word(min(positions)).form.lower() in OF_PLACE
                 and not positions & (taken | left_out)
                 and positions <= self._clause.positions

@@ -72,7 +72,7 @@ def _start(sentence: Sentence, forms: List[str], end: int) -> int:
     if is_time and preposition in _PREPOSITIONS:
         return first - 1
     is_chosen = any(form in _CHOOSING for form in forms[first - 1 : end - 1])
-    if is_chosen and (is_time or word in ("time", "times")):
+    if is_chosen and ((is_time and singular not in _MEALS) or word in ("time", "times")):
         return first
     if singular in _WEEKDAYS and preposition not in ("to", "as", "with"):
         return first

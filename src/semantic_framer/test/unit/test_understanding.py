@@ -77,6 +77,11 @@ def test_one_frame(understand: Any, text: str, frame: str, arguments: Dict[str, 
     assert {key: filled.get(key, "") for key in arguments} == arguments
 
 
+def test_words_that_a_unit_lists_exclude_units_that_list_fewer(understand: Any) -> None:
+    outcome, _ = understand("Give me a low five.")
+    assert [reading.unit.frame_name for reading in outcome.clauses[0]] == ["low_fiving", "giving"]
+
+
 def test_statement_about_a_place_names_it_too(understand: Any) -> None:
     outcome, _ = understand("This is the office.")
     (naming,) = [reading for reading in outcome.clauses[0] if reading.unit.frame_name == "naming_location"]
@@ -167,6 +172,8 @@ def test_possessor_is_known(understand: Any) -> None:
         ("the office", "NO_VERB"),
         ("Ping sideways with the hammer.", "LEFT_OVER_WORDS"),
         ("move forward five foot thirteen", "LEFT_OVER_WORDS"),
+        ("put it in the dishwasher at once", "LEFT_OVER_WORDS"),
+        ("tell Alice that dinner is ready", "LEFT_OVER_WORDS"),
         ("turn left 5 feet 6 inches", "LEFT_OVER_WORDS"),
     ],
 )
