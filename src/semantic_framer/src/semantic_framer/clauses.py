@@ -146,7 +146,8 @@ def _is_of_nothing(sentence: Sentence, positions: FrozenSet[int]) -> bool:
 def whole_sentence(sentence: Sentence, verb: int) -> Clause:
     """Return the clause of a sentence without verbs that begins with a word which the lexicon takes for one."""
     positions = frozenset(word.index for word in sentence.tree.words) - sentence.abandoned
-    clause = _clause(sentence, verb, positions, any(_has_negation(sentence, word) for word in sentence.tree.words))
+    is_negated = any(_has_negation(sentence, sentence.word(index)) for index in positions)
+    clause = _clause(sentence, verb, positions, is_negated or _is_of_nothing(sentence, positions))
     return replace(clause, lemma=sentence.word(verb).form.lower(), subject=0, is_report=False)
 
 

@@ -11,10 +11,11 @@ from typing import Dict, List, Optional, Sequence, Set, Tuple, Union
 
 from stanford_parser_ros.tree import DependencyTree, Word
 
-from semantic_framer.clauses import NEGATIONS
+from semantic_framer.clauses import CONDITIONS, NEGATIONS
 from semantic_framer.lexicon import Lexicon
 from semantic_framer.measures import Amount, find_amounts
 from semantic_framer.sentence import Sentence, is_filler
+from semantic_framer.times import find_times
 
 #: Words that take back what was said before them, the longest first.
 EDITING_TERMS: Tuple[Tuple[str, ...], ...] = (
@@ -206,7 +207,17 @@ class _Repair:
             last = self._before.index(verbs[-1])
             raise _Unresolved(self._text(self._before[:last] + self._after), self._text(self._after))
         start = 0 if len(verbs) == 1 else self._before.index(verbs[-1])
+        if self._is_put_off(self._before[start:]):
+            # The condition, or the time, may have been meant for both.
+            raise _Unresolved(self._text(self._before), self._text(self._after))
         return self._rewired(self._before[start:], self._after, old_head=verbs[-1], new_head=new)
+
+    def _is_put_off(self, words: Sequence[Word]) -> bool:
+        """Whether words hold a condition or a time."""
+        positions = frozenset(word.index for word in words)
+        return any(word.form.lower() in CONDITIONS for word in words) or any(
+            time & positions for time in find_times(Sentence(self._tree))
+        )
 
     def _candidates(self) -> Tuple[List[Word], List[List[Word]]]:
         """Return the correction, and what of the same kind was said before it."""

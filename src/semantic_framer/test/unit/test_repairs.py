@@ -149,6 +149,22 @@ def test_correction_that_is_not_certain_is_asked_about(understand: Any, text: st
 @pytest.mark.parametrize(
     "text",
     [
+        "if the door is open turn left no turn right",
+        "turn left when I say so no turn right",
+        "tomorrow turn left no turn right",
+        "turn left tomorrow, no, go to the kitchen",
+        "if the door is open turn left no right",
+        "turn left no right tomorrow",
+        "turn left no right if the door is open",
+    ],
+)
+def test_correction_does_not_lose_a_condition_or_a_time(understand: Any, text: str) -> None:
+    assert not isinstance(understand(text)[0], Understood)
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
         "don't turn left I mean right",
         "take the mug and no plate",
         "bring the mug but no plate",

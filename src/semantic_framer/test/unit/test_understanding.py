@@ -166,6 +166,7 @@ def test_possessor_is_known(understand: Any) -> None:
         ("turn left five minutes from now", "CONDITION"),
         ("high five tomorrow", "CONDITION"),
         ("take no box", "NEGATED"),
+        ("high five no one", "NEGATED"),
         ("take none of the boxes", "NEGATED"),
         ("Fly to the moon.", "UNKNOWN_VERB"),
         ("Colorless green ideas sleep furiously.", "UNKNOWN_VERB"),
