@@ -363,7 +363,7 @@ class _Filling:
             if (
                 min(positions) == max(noun | found) + 1
                 and self._sentence.word(min(positions)).deprel == "case"
-                and phrase.upos in ("NOUN", "PROPN", "PRON")
+                and phrase.upos != "ADV"
                 and self._sentence.word(min(positions)).form.lower() in OF_PLACE
                 and not positions & (taken | left_out)
                 and positions <= self._clause.positions
