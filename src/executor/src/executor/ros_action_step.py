@@ -14,10 +14,12 @@ from arbitrator.state_machine import OUTCOMES
 
 from executor import goal_tracking as tracking
 from executor.goal_tracking import Goal, GoalDeadlines, Outcome
-from executor.ros_action_clients import ActionClients, SentGoal, ServerConnection
+from executor.ros_action_clients import ActionClients
 from executor.ros_reconfigure import SettingsKeeper
 from executor.ros_running_goals import RunningGoals
 from executor.settings import SettingsError
+from rfnserver.ros_action_connection import ActionConnection, SentGoal
+from roboframenet_msgs.msg import FilledSemanticFrameGoal
 
 # The longest that a preemption can go unseen.
 _LONGEST_WAIT_S = 0.1
@@ -124,7 +126,7 @@ class ActionStep(smach.State):
         finally:
             self._context.settings.restore(owner=owner)
 
-    def _send_and_follow(self, connection: ServerConnection) -> Goal:
+    def _send_and_follow(self, connection: ActionConnection) -> Goal:
         inbox: "queue.Queue[object]" = queue.Queue()
 
         def on_sign() -> None:
@@ -137,12 +139,12 @@ class ActionStep(smach.State):
             connection.unlisten(on_sign)
             self._context.running_goals.clear()
 
-    def _follow(self, connection: ServerConnection, inbox: "queue.Queue[object]",
+    def _follow(self, connection: ActionConnection, inbox: "queue.Queue[object]",
                 on_sign: Callable[[], None]) -> Goal:
         goal = tracking.send(self._frame.server, self._context.deadlines, now_s=time.monotonic())
         sent: SentGoal = connection.send(
-            frame_to_message(self._frame), on_transition=lambda handle: inbox.put(_read_transition(handle)),
-            on_feedback=on_sign)
+            FilledSemanticFrameGoal(frame=frame_to_message(self._frame)),
+            on_transition=lambda handle: inbox.put(_read_transition(handle)), on_feedback=lambda _: on_sign())
         self._context.running_goals.note(self._frame.server, sent.goal_id)
         while True:
             if self._is_to_end:

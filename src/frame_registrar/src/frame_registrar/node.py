@@ -75,7 +75,7 @@ class Settings:
         return cls(
             frame_paths=tuple([paths] if isinstance(paths, str) else paths),
             max_candidates=int(rospy.get_param("~max_candidates", 64)),
-            liveness_period_s=float(rospy.get_param("~liveness_period_s", 1.0)),
+            liveness_period_s=float(rospy.get_param("~liveness_period_s", 5.0)),
             liveness_timeout_s=float(rospy.get_param("~liveness_timeout_s", 1.0)),
         )
 

@@ -3,7 +3,7 @@
 import threading
 import xmlrpc.client
 from http.client import HTTPConnection, HTTPException
-from typing import Callable, Dict, FrozenSet, Iterable, Optional, Tuple
+from typing import Callable, Dict, FrozenSet, Iterable, Tuple
 from xml.parsers.expat import ExpatError
 
 import rosgraph
@@ -54,6 +54,8 @@ class LivenessWatch:
         self._on_dead = on_dead
         self._period_s = period_s
         self._timeout_s = timeout_s
+        # By address of the node. Connections are kept: to make one costs the node a thread and more than the answer.
+        self._proxies: Dict[str, xmlrpc.client.ServerProxy] = {}
         self._stop = threading.Event()
         self._thread = threading.Thread(target=self._run, name="liveness", daemon=True)
         self._thread.start()
@@ -82,19 +84,23 @@ class LivenessWatch:
         nodes_of: Dict[str, Tuple[str, ...]] = {topic: tuple(nodes) for topic, nodes in publishers}
         answers: Dict[str, bool] = {}
         dead = set()
+        known = self._proxies
+        self._proxies = {}
         for server in servers:
             nodes = nodes_of.get(rospy.resolve_name(server + "/status"), ())
             for node in nodes:
                 if node not in answers:
-                    answers[node] = node == rospy.get_name() or self._answers(master, node)
+                    answers[node] = node == rospy.get_name() or self._answers(master, node, known)
             if not any(answers[node] for node in nodes):
                 dead.add(server)
         return frozenset(dead)
 
-    def _answers(self, master: rosgraph.Master, node: str) -> bool:
+    def _answers(self, master: rosgraph.Master, node: str, known: Dict[str, xmlrpc.client.ServerProxy]) -> bool:
         try:
-            uri: Optional[str] = master.lookupNode(node)
-            proxy = xmlrpc.client.ServerProxy(uri, transport=_TimeoutTransport(self._timeout_s))
-            return proxy.getPid(rospy.get_name())[0] == 1
+            uri: str = master.lookupNode(node)
+            proxy = known.get(uri) or xmlrpc.client.ServerProxy(uri, transport=_TimeoutTransport(self._timeout_s))
+            is_alive: bool = proxy.getPid(rospy.get_name())[0] == 1
+            self._proxies[uri] = proxy
+            return is_alive
         except _NO_ANSWER:
             return False

@@ -1,16 +1,13 @@
 """Places with names: remembered, kept in a file, and found again."""
 
-import difflib
 import math
 import os
-import re
 import tempfile
 from dataclasses import dataclass
-from typing import Any, Dict, Iterable, Mapping, Tuple
+from typing import Any, Dict, Mapping
 
 import yaml
-
-_DETERMINER = re.compile(r"^(the|a|an|this|that)\s+", re.IGNORECASE)
+from rfnserver.places import location_name
 
 
 @dataclass(frozen=True)
@@ -38,24 +35,6 @@ class Location:
 
 class LocationFileError(ValueError):
     """A file of places cannot be read; the message names the file, the place and what was expected."""
-
-
-def location_name(words: str) -> str:
-    """Return the name under which a place is kept: "The Office" and "office" are the same place.
-
-    Args:
-        words: as they were said
-    Returns:
-        the words without a determiner, in lower case; empty when nothing is left
-    """
-    return _DETERMINER.sub("", " ".join(words.split()).strip(" .,!?")).lower()
-
-
-def nearest_names(words: str, names: Iterable[str], count: int = 3) -> Tuple[str, ...]:
-    """Return the known names most like the words, the best first; all of them are offered when none is alike."""
-    known = sorted(names)
-    alike = difflib.get_close_matches(location_name(words), known, n=count, cutoff=0.5)
-    return tuple(alike or known[:count])
 
 
 def read_locations(path: str) -> Dict[str, Location]:

@@ -8,10 +8,10 @@ from typing import Dict, Optional
 import rospy
 from geometry_msgs.msg import PoseStamped, PoseWithCovarianceStamped
 from rfnserver import RFNServer
-from roboframenet_msgs.msg import FilledSemanticFrame
+from rfnserver.places import location_name
+from roboframenet_msgs.msg import FilledSemanticFrame, Locations
 
-from location_memorizer.locations import Location, LocationFileError, location_name, read_locations, write_locations
-from location_memorizer.msg import Locations
+from location_memorizer.locations import Location, LocationFileError, read_locations, write_locations
 from location_memorizer.srv import GetLocation, GetLocationRequest, GetLocationResponse
 
 
@@ -37,19 +37,23 @@ class LocationMemorizer:
     Subscribes:
         amcl_pose (geometry_msgs/PoseWithCovarianceStamped): where the robot is
     Publishes:
-        locations (location_memorizer/Locations, latched)
+        locations (roboframenet_msgs/Locations, latched)
     Parameters:
         ~places_file (string, default empty): places that are known from the start
         ~memory_file (string, default locations.yaml in the ROS home folder): where remembered places are kept
     """
 
-    def __init__(self) -> None:
+    def __init__(self, parameters: str = "~") -> None:
+        """
+        Args:
+            parameters: what stands before the names of its parameters
+        """
         self._lock = threading.Lock()
         self._here: Optional[Location] = None
         self._memory_file = os.path.expanduser(
-            rospy.get_param("~memory_file", os.path.join(os.environ.get("ROS_HOME", "~/.ros"), "locations.yaml"))
+            rospy.get_param(parameters + "memory_file", os.path.join(os.environ.get("ROS_HOME", "~/.ros"), "locations.yaml"))
         )
-        places_file = rospy.get_param("~places_file", "")
+        places_file = rospy.get_param(parameters + "places_file", "")
         self._places = self._read(places_file) if places_file else {}
         self._remembered = self._read(self._memory_file) if os.path.exists(self._memory_file) else {}
         self._publisher = rospy.Publisher("locations", Locations, queue_size=1, latch=True)

@@ -6,21 +6,11 @@ import pytest
 from location_memorizer.locations import (
     Location,
     LocationFileError,
-    location_name,
-    nearest_names,
     read_locations,
     write_locations,
 )
 
 OFFICE = Location(frame_id="map", x_m=1.0, y_m=-2.5, heading_rad=math.pi / 2)
-
-
-@pytest.mark.parametrize(
-    "words, name",
-    [("The Office", "office"), ("office.", "office"), ("Roger's  office", "roger's office"), ("", ""), ("the", "the")],
-)
-def test_location_name(words: str, name: str) -> None:
-    assert location_name(words) == name
 
 
 def test_written_places_are_read_again(tmp_path) -> None:
@@ -57,11 +47,3 @@ def test_bad_file_is_refused_by_name(text: str, tmp_path) -> None:
 def test_empty_file_has_no_places(tmp_path) -> None:
     (tmp_path / "places.yaml").write_text("", encoding="utf-8")
     assert read_locations(str(tmp_path / "places.yaml")) == {}
-
-
-def test_nearest_names_finds_a_slip_of_the_tongue() -> None:
-    assert nearest_names("the ofice", ["office", "kitchen", "fridge"])[0] == "office"
-
-
-def test_nearest_names_offers_something_always() -> None:
-    assert nearest_names("mars", ["office", "kitchen"]) == ("kitchen", "office")

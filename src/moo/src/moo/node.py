@@ -24,15 +24,18 @@ class MooServer:
         ~timeout_s (float, default 5, seconds): after so long the sound is cut off
     """
 
-    def __init__(self, folder: str) -> None:
+    def __init__(self, parameters: str = "~") -> None:
         """
         Args:
-            folder: where the sound file may be written
+            parameters: what stands before the names of its parameters
         """
-        self._path = os.path.join(folder, "moo.wav")
+        # It goes with the process that made it.
+        self._folder = tempfile.TemporaryDirectory(prefix="moo_")
+        self._path = os.path.join(self._folder.name, "moo.wav")
         write_wave(moo(), self._path)
         self._voice = Voice(
-            is_aloud=rospy.get_param("~aloud", True), timeout_s=float(rospy.get_param("~timeout_s", 5.0))
+            is_aloud=rospy.get_param(parameters + "aloud", True),
+            timeout_s=float(rospy.get_param(parameters + "timeout_s", 5.0)),
         )
         self._server = RFNServer("mooing", self._on_frame)
         self._server.register_with_frame("mooing")
@@ -51,6 +54,5 @@ class MooServer:
 def main() -> None:
     """Run the node."""
     rospy.init_node("moo")
-    with tempfile.TemporaryDirectory() as folder:
-        MooServer(folder)
-        rospy.spin()
+    MooServer()
+    rospy.spin()

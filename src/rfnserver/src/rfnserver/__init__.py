@@ -1,4 +1,4 @@
-"""An action server that registers for semantic frames."""
-from rfnserver.rfnserver import RFNServer
+"""Action servers that register for semantic frames."""
+from rfnserver.rfnserver import RFNActionServer, RFNServer
 
-__all__ = ["RFNServer"]
+__all__ = ["RFNActionServer", "RFNServer"]

@@ -1,10 +1,7 @@
 """``RFNServer``: an action server that registers for semantic frames."""
 
-import traceback
-from typing import Any, Callable, Optional
+from typing import Any, Callable, Iterable, Mapping, Optional
 
-import actionlib
-import rospy
 from roboframenet_msgs.msg import (
     FilledSemanticFrame,
     FilledSemanticFrameAction,
@@ -12,50 +9,23 @@ from roboframenet_msgs.msg import (
     FilledSemanticFrameResult,
 )
 
-from rfnserver.ros_quiet_action_server import QuietActionServer
-from rfnserver.ros_registration import Registration
+from rfnserver.goal_binding import Declaration
+from rfnserver.ros_frame_entrance import FrameEntrance, FrameToGoal
+from rfnserver.ros_goal_messages import is_action_type
+from rfnserver.ros_quiet_action_server import QuietActionServer, QuietSimpleActionServer
+from rfnserver.ros_registration import FrameCheck, Registration
 from rfnserver.wishes import WishKind
-
-#: The waiting thread wakes up so often although nobody notified it, seconds: a guard, not a rhythm.
-WAKE_UP_S = 5.0
 
 FrameCallback = Callable[[FilledSemanticFrame], Any]
 
 
-class RFNServer(actionlib.SimpleActionServer):
-    """A ``SimpleActionServer`` for frames: what it can do, people can ask for.
+class _Registering:
+    """What every server for frames can be asked to do. Files and registrations may be added before and after
+    ``start()``; they are given again by themselves to a registrar or framer that restarts."""
 
-    As in 2012::
-
-        server = RFNServer("waving", wave)          # wave(filled_semantic_frame)
-        server.register_with_frame("waving")
-        server.start()
-
-    The callback gets the filled frame. If it returns without having ended the goal, the goal succeeds (or is preempted,
-    when that
-    was asked for); if it raises, the goal is aborted with the reason. ``set_aborted(text=...)`` tells the person why.
-
-    Files and registrations may be added before and after ``start()``; they are given again by themselves to a registrar
-    or framer
-    that restarts. In contrast to the stock server there is no lost wake-up between two goals, no traceback at shutdown,
-    and nothing to do
-    while there is no goal.
-    """
-
-    def __init__(self, name: str, callback: FrameCallback) -> None:
-        """
-        Args:
-            name: of the action server
-            callback: called with the filled frame, in a thread of its own, one goal at a time
-        """
-        self._frame_callback = callback
-        self._registration = Registration(name)
-        super().__init__(name, FilledSemanticFrameAction, execute_cb=self._execute_frame, auto_start=False)
-        # The one that the base class made was never started: it has no topics yet.
-        self.action_server = QuietActionServer(
-            name, FilledSemanticFrameAction, self.internal_goal_callback, self.internal_preempt_callback, False
-        )
-        rospy.on_shutdown(self._wake_up)
+    _registration: Registration
+    #: Only for servers with an action type of their own.
+    _entrance: Optional[FrameEntrance] = None
 
     @property
     def last_error(self) -> str:
@@ -68,10 +38,10 @@ class RFNServer(actionlib.SimpleActionServer):
         Args:
             frame_name: of a frame, also one whose file is added later
         Returns:
-            True when the registrar agreed; False when it did not or is not there, logged, and tried again when it
-            appears
+            True when the registrar agreed; False when it did not or is not there, or when no goal can be made of that
+            frame, logged, and tried again later
         """
-        return self._registration.want(WishKind.REGISTRATION, frame_name)
+        return self._want(WishKind.REGISTRATION, frame_name)
 
     def add_semantic_frame(self, path: str) -> bool:
         """Add a frame file.
@@ -81,11 +51,96 @@ class RFNServer(actionlib.SimpleActionServer):
         Returns:
             True when it was accepted; False when not, logged, and tried again when a registrar appears
         """
-        return self._registration.want(WishKind.FRAME_FILE, path)
+        return self._want(WishKind.FRAME_FILE, path)
 
     def add_lexical_unit(self, path: str) -> bool:
         """Add a lexical unit file; see :meth:`add_semantic_frame`."""
-        return self._registration.want(WishKind.LEXICAL_UNIT_FILE, path)
+        return self._want(WishKind.LEXICAL_UNIT_FILE, path)
+
+    def _want(self, kind: WishKind, subject: str) -> bool:
+        if self._entrance is not None:
+            return self._entrance.want(kind, subject)
+        return self._registration.want(kind, subject)
+
+
+class RFNServer(_Registering, QuietSimpleActionServer):
+    """A ``SimpleActionServer`` for frames: what it can do, people can ask for.
+
+    As in 2012, for frames alone::
+
+        server = RFNServer("waving", wave)          # wave(filled_semantic_frame)
+        server.register_with_frame("waving")
+        server.start()
+
+    The callback gets the filled frame. If it returns without having ended the goal, the goal succeeds (or is preempted,
+    when that was asked for); if it raises, the goal is aborted with the reason. ``set_aborted(text=...)`` tells the
+    person why.
+
+    Or in place of ``SimpleActionServer``, with the same arguments::
+
+        server = RFNServer("fibonacci", FibonacciAction, execute_cb=execute, auto_start=False)
+        server.register_with_frame("computing_sequence")
+        server.start()
+
+    Such a server does for its old clients what it did, and takes frames under the name "fibonacci/frame": each becomes
+    a goal of its own type, see :mod:`rfnserver.goal_binding`.
+    """
+
+    def __init__(
+        self,
+        name: str,
+        ActionSpec: Any = None,  # the argument's name is that of SimpleActionServer
+        execute_cb: Optional[Callable[[Any], None]] = None,
+        auto_start: bool = True,
+        *,
+        callback: Optional[FrameCallback] = None,
+        check: Optional[FrameCheck] = None,
+        frame_callback: Optional[FrameToGoal] = None,
+        goal_mapping: Optional[Mapping[str, Declaration]] = None,
+        ignored_elements: Iterable[str] = (),
+    ) -> None:
+        """
+        Args:
+            name: of the action server
+            ActionSpec: class of an action; or, in the form of 2012, the callback for filled frames
+            execute_cb: called with each goal, in a thread of its own; without it, ``register_goal_callback`` is used
+            auto_start: start at once, as SimpleActionServer does by default; a server for frames alone never does
+            callback: the form of 2012 by keyword
+            check: for frames alone: says of a frame whether it is known, and why it cannot be carried out
+            frame_callback: with an action type: gets the filled frame and returns a goal, or None when it has carried
+                the frame out itself
+            goal_mapping: with an action type: which element fills which field, where their names differ
+            ignored_elements: with an action type: core elements that need not fill a field
+        Raises:
+            TypeError: neither an action type nor a callback
+        """
+        if is_action_type(ActionSpec):
+            self._entrance = FrameEntrance(
+                name,
+                ActionSpec,
+                frame_callback=frame_callback,
+                mapping=goal_mapping,
+                ignored_elements=ignored_elements,
+            )
+            self._registration = self._entrance.registration
+            super().__init__(name, ActionSpec, execute_cb=execute_cb, auto_start=auto_start)
+            return
+        self._frame_callback = callback or ActionSpec
+        if not callable(self._frame_callback):
+            raise TypeError(
+                f"RFNServer {name}: expected the class of an action or a callback for filled frames, found "
+                f"{self._frame_callback!r}"
+            )
+        if execute_cb is not None or frame_callback is not None or goal_mapping is not None:
+            raise TypeError(f"RFNServer {name}: execute_cb, frame_callback and goal_mapping need the class of an action")
+        self._registration = Registration(name, check=check)
+        super().__init__(name, FilledSemanticFrameAction, execute_cb=self._execute_frame, auto_start=False)
+
+    def start(self) -> None:
+        """Take goals from now on."""
+        super().start()
+        if self._entrance is not None:
+            self._entrance.start()
 
     def _execute_frame(self, goal: FilledSemanticFrameGoal) -> None:
         self._frame_callback(goal.frame)
@@ -96,35 +151,41 @@ class RFNServer(actionlib.SimpleActionServer):
         else:
             self.set_succeeded(FilledSemanticFrameResult(success=True))
 
-    def executeLoop(self) -> None:  # the name is the base class's
-        """Wait for goals and run the callback, until shutdown.
 
-        The stock loop looks for a goal before it takes the lock and then sleeps a tenth of a second: a goal that comes
-            in between
-        waits as long. Here both happen under the lock.
+class RFNActionServer(_Registering, QuietActionServer):
+    """An ``actionlib.ActionServer``, with many goals at a time, that takes frames too: see :class:`RFNServer`."""
+
+    def __init__(
+        self,
+        ns: str,  # the arguments' names are those of ActionServer
+        ActionSpec: Any,
+        goal_cb: Callable[[Any], None],
+        cancel_cb: Optional[Callable[[Any], None]] = None,
+        auto_start: bool = True,
+        *,
+        frame_callback: Optional[FrameToGoal] = None,
+        goal_mapping: Optional[Mapping[str, Declaration]] = None,
+        ignored_elements: Iterable[str] = (),
+    ) -> None:
         """
-        while not rospy.is_shutdown():
-            with self.terminate_mutex:
-                if self.need_to_terminate:
-                    return
-            with self.execute_condition:
-                if not self.is_new_goal_available():
-                    self.execute_condition.wait(WAKE_UP_S)
-            if self.is_new_goal_available() and not rospy.is_shutdown():
-                self._run_callback(self.accept_new_goal())
+        Args:
+            ns: name of the action server
+            ActionSpec: class of an action
+            goal_cb: called with the handle of each goal
+            cancel_cb: called with the handle of each goal that is cancelled
+            auto_start: start at once
+            frame_callback: see :class:`RFNServer`
+            goal_mapping: see :class:`RFNServer`
+            ignored_elements: see :class:`RFNServer`
+        """
+        self._entrance = FrameEntrance(
+            ns, ActionSpec, frame_callback=frame_callback, mapping=goal_mapping, ignored_elements=ignored_elements
+        )
+        self._registration = self._entrance.registration
+        optional = {} if cancel_cb is None else {"cancel_cb": cancel_cb}
+        super().__init__(ns, ActionSpec, goal_cb, auto_start=auto_start, **optional)
 
-    def _run_callback(self, goal: Optional[Any]) -> None:
-        if goal is None:
-            return
-        try:
-            self.execute_callback(goal)
-            if self.is_active():
-                self.set_aborted(None, "No terminal state was set.")
-        except Exception as error:  # boundary: the user's callback may raise anything
-            rospy.logerr("the callback failed: %s\n%s", error, traceback.format_exc())
-            if self.is_active():
-                self.set_aborted(None, f"{type(error).__name__}: {error}")
-
-    def _wake_up(self) -> None:
-        with self.execute_condition:
-            self.execute_condition.notify_all()
+    def start(self) -> None:
+        """Take goals from now on."""
+        super().start()
+        self._entrance.start()

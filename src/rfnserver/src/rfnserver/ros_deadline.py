@@ -1,7 +1,7 @@
 """Service calls that end: rospy's own wait for ever when the other side hangs."""
 import queue
 import threading
-from typing import Any, Tuple
+from typing import Any, Optional, Tuple
 
 import rospy
 
@@ -10,19 +10,30 @@ class ServiceError(RuntimeError):
     """A service was not there, did not answer in time, or failed; the message says which."""
 
 
-def call_service(name: str, service_type: Any, *, timeout_s: float, **request: Any) -> Any:
+def call_service(
+    name: str,
+    service_type: Any,
+    *,
+    timeout_s: float,
+    answer_timeout_s: Optional[float] = None,
+    message: Any = None,
+    **request: Any,
+) -> Any:
     """Call a service with a deadline.
 
     Args:
         name: of the service
         service_type: its class
-        timeout_s: how long to wait for the service to be there, and then again for the answer
-        request: its fields
+        timeout_s: how long to wait for the service to be there
+        answer_timeout_s: how long to wait then for the answer; the same again where it is left out
+        message: the request
+        request: or its fields
     Returns:
         the response
     Raises:
         ServiceError: no service, no answer, or an error of the service
     """
+    answer_timeout_s = timeout_s if answer_timeout_s is None else answer_timeout_s
     try:
         rospy.wait_for_service(name, timeout=timeout_s)
     except rospy.ROSException as error:
@@ -31,16 +42,17 @@ def call_service(name: str, service_type: Any, *, timeout_s: float, **request: A
 
     def call() -> None:
         try:
-            answers.put((True, rospy.ServiceProxy(name, service_type)(**request)))
+            proxy = rospy.ServiceProxy(name, service_type)
+            answers.put((True, proxy(**request) if message is None else proxy(message)))
         except rospy.ServiceException as error:
             answers.put((False, error))
 
     # A daemon: a call that never comes back must not keep the process alive.
     threading.Thread(target=call, name=f"call of {name}", daemon=True).start()
     try:
-        is_answer, answer = answers.get(timeout=timeout_s)
+        is_answer, answer = answers.get(timeout=answer_timeout_s)
     except queue.Empty:
-        raise ServiceError(f"the service {name} did not answer within {timeout_s:g} s") from None
+        raise ServiceError(f"the service {name} did not answer within {answer_timeout_s:g} s") from None
     if not is_answer:
         raise ServiceError(f"the service {name} failed: {answer}")
     return answer

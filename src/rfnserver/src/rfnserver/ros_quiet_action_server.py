@@ -1,8 +1,16 @@
-"""An action server that costs nothing while it has no goal."""
-from typing import Optional
+"""Action servers that cost nothing while they have no goal."""
+import threading
+import time
+import traceback
+from typing import Any, Callable, Optional
 
 import actionlib
 import rospy
+
+#: The waiting thread wakes up so often although nobody notified it, seconds: a guard, not a rhythm.
+WAKE_UP_S = 5.0
+#: Changes of the status within so long go into one message, seconds.
+STATUS_PAUSE_S = 0.02
 
 
 class QuietActionServer(actionlib.ActionServer):
@@ -14,6 +22,9 @@ class QuietActionServer(actionlib.ActionServer):
 
     #: The timer runs while there are goals; None otherwise.
     _goal_timer: Optional[rospy.Timer] = None
+    #: Publishes what changed soon after the last time; None when nothing did.
+    _deferred: Optional[threading.Timer] = None
+    _published_s = float("-inf")
 
     def initialize(self) -> None:
         """Set up the topics, without the status timer."""
@@ -24,16 +35,38 @@ class QuietActionServer(actionlib.ActionServer):
         rospy.on_shutdown(self._end_timer)
 
     def publish_status(self) -> None:
-        """Publish the status of all goals; keep doing so while there are any."""
+        """Publish the status of all goals, now or in an instant; keep doing so while there are any.
+
+        Each message holds every goal of the last seconds: when goals come one upon the other, publishing each change
+        by itself takes longer than carrying them out. Results are not held back.
+        """
+        with self.lock:
+            if self._deferred is not None:
+                return
+            pause_s = self._published_s + STATUS_PAUSE_S - time.monotonic()
+            if pause_s <= 0.0:
+                self._publish_status_now()
+                return
+            self._deferred = threading.Timer(pause_s, self._publish_deferred)
+            self._deferred.daemon = True
+            self._deferred.start()
+
+    def _publish_deferred(self) -> None:
+        with self.lock:
+            self._deferred = None
+            self._publish_status_now()
+
+    def _publish_status_now(self) -> None:
         with self.lock:
             # Publishing to a topic that rospy has closed already prints a traceback for nothing.
             if rospy.is_shutdown() or self.status_pub is None:
                 return
+            self._published_s = time.monotonic()
             super().publish_status()
             if not self.status_list:
                 self._end_timer()
-            elif self._goal_timer is None and self.status_frequency > 0.0:
-                self._goal_timer = rospy.Timer(rospy.Duration(1.0 / self.status_frequency), self.publish_status_async)
+            else:
+                self._begin_timer()
 
     def publish_status_async(self, event: rospy.timer.TimerEvent) -> None:
         """Publish from the timer."""
@@ -42,10 +75,11 @@ class QuietActionServer(actionlib.ActionServer):
                 super().publish_status_async(event)
 
     def internal_goal_callback(self, goal: object) -> None:
-        """Take a goal, and publish what became of it at once."""
+        """Take a goal; what becomes of it is published when it changes, and by the timer."""
         super().internal_goal_callback(goal)
-        if self.started:
-            self.publish_status()
+        with self.lock:
+            if self.started and self.status_list:
+                self._begin_timer()
 
     def stop(self) -> None:
         """Stop the action server; no goal may be running."""
@@ -57,7 +91,70 @@ class QuietActionServer(actionlib.ActionServer):
                     end.unregister()
             self.status_pub = None
 
+    def _begin_timer(self) -> None:
+        if self._goal_timer is None and self.status_frequency > 0.0:
+            self._goal_timer = rospy.Timer(rospy.Duration(1.0 / self.status_frequency), self.publish_status_async)
+
     def _end_timer(self) -> None:
+        if self._deferred is not None and rospy.is_shutdown():
+            self._deferred.cancel()
         if self._goal_timer is not None:
             self._goal_timer.shutdown()
             self._goal_timer = None
+
+
+class QuietSimpleActionServer(actionlib.SimpleActionServer):
+    """``actionlib.SimpleActionServer`` on a :class:`QuietActionServer`.
+
+    In contrast to the stock server there is no lost wake-up between two goals, no traceback at shutdown, and nothing to
+    do while there is no goal.
+    """
+
+    def __init__(
+        self,
+        name: str,
+        ActionSpec: Any,  # the argument's name is the base class's
+        execute_cb: Optional[Callable[[Any], None]] = None,
+        auto_start: bool = True,
+    ) -> None:
+        """See ``actionlib.SimpleActionServer``."""
+        super().__init__(name, ActionSpec, execute_cb=execute_cb, auto_start=False)
+        # The one that the base class made was never started: it has no topics yet.
+        self.action_server = QuietActionServer(
+            name, ActionSpec, self.internal_goal_callback, self.internal_preempt_callback, False
+        )
+        rospy.on_shutdown(self._wake_up)
+        if auto_start:
+            self.start()
+
+    def executeLoop(self) -> None:  # the name is the base class's
+        """Wait for goals and run the callback, until shutdown.
+
+        The stock loop looks for a goal before it takes the lock and then sleeps a tenth of a second: a goal that comes in
+        between waits as long. Here both happen under the lock.
+        """
+        while not rospy.is_shutdown():
+            with self.terminate_mutex:
+                if self.need_to_terminate:
+                    return
+            with self.execute_condition:
+                if not self.is_new_goal_available():
+                    self.execute_condition.wait(WAKE_UP_S)
+            if self.is_new_goal_available() and not rospy.is_shutdown():
+                self._run_callback(self.accept_new_goal())
+
+    def _run_callback(self, goal: Optional[Any]) -> None:
+        if goal is None:
+            return
+        try:
+            self.execute_callback(goal)
+            if self.is_active():
+                self.set_aborted(None, "No terminal state was set.")
+        except Exception as error:  # boundary: the user's callback may raise anything
+            rospy.logerr("the callback failed: %s\n%s", error, traceback.format_exc())
+            if self.is_active():
+                self.set_aborted(None, f"{type(error).__name__}: {error}")
+
+    def _wake_up(self) -> None:
+        with self.execute_condition:
+            self.execute_condition.notify_all()

@@ -1,7 +1,7 @@
 """Keeps a server known to the registrar and the framer, also when they restart."""
 import os
 import threading
-from typing import Any, List, Optional, Tuple
+from typing import Any, Callable, Dict, List, Optional, Set, Tuple
 
 import rospy
 from roboframenet_msgs.msg import FrameCatalogue, Lexicon
@@ -15,6 +15,8 @@ SERVICE_TIMEOUT_S = 5.0
 #: A wish that was refused is not tried again before so long, unless the other side restarts; seconds.
 RETRY_S = 10.0
 
+FrameCheck = Callable[[str], Tuple[bool, str]]
+
 
 class Registration:
     """The wishes of one server, and a thread that sees to them.
@@ -25,16 +27,21 @@ class Registration:
         add_frame, add_lexical_unit, register_with_frame: called
     """
 
-    def __init__(self, server_name: str) -> None:
+    def __init__(self, server_name: str, *, check: Optional[FrameCheck] = None) -> None:
         """
         Args:
             server_name: name of the action server, as it is registered
+            check: says whether a frame is known by now, and why this server cannot carry it out, empty when it can
         """
         self._server_name = server_name
+        self._check = check
+        #: Frames that were registered before their file was there: they are checked when it comes.
+        self._unchecked: Set[str] = set()
         self._condition = threading.Condition()
         self._wishes: List[Wish] = []
         self._registrar: Optional[Knowledge] = None
         self._framer: Optional[Knowledge] = None
+        self._reported: Dict[Wish, str] = {}
         self._is_stale = False
         self._is_closed = False
         self._thread: Optional[threading.Thread] = None
@@ -106,26 +113,49 @@ class Registration:
                     return
                 self._is_stale = False
                 missing = forgotten(self._wishes, registrar=self._registrar, framer=self._framer)
+                unchecked = sorted(self._unchecked)
             for wish in missing:
                 if self._ask(wish):
                     rospy.loginfo("%s: %s %s again", self._server_name, wish.kind.value, wish.subject)
+            for frame_name in unchecked:
+                self._report(Wish(WishKind.REGISTRATION, frame_name), self._find_fault(frame_name))
 
     def _ask(self, wish: Wish) -> bool:
         try:
             error = self._call(wish)
         except ServiceError as failure:
             error = str(failure)
-        self.last_error = error
-        if error:
-            rospy.logerr("%s: %s %s: %s", self._server_name, wish.kind.value, wish.subject, error)
+        self._report(wish, error)
         return not error
+
+    def _report(self, wish: Wish, error: str) -> None:
+        """Remember an error, and log it unless it was the last one about the same wish: it is tried again and again."""
+        self.last_error = error
+        if error and self._reported.get(wish) != error:
+            rospy.logerr("%s: %s %s: %s", self._server_name, wish.kind.value, wish.subject, error)
+        self._reported[wish] = error
 
     def _call(self, wish: Wish) -> str:
         """Make the call; return why it was refused, empty when it was granted."""
         if wish.kind is WishKind.REGISTRATION:
+            fault = self._find_fault(wish.subject)
+            if fault:
+                return fault
             response = call_service("register_with_frame", RegisterWithFrame, timeout_s=SERVICE_TIMEOUT_S,
                                     frame_name=wish.subject, callback_topic=self._server_name)
             return "" if response.success else "; ".join(response.error) or "refused"
         service: Any = AddFrame if wish.kind is WishKind.FRAME_FILE else AddLexicalUnit
         response = call_service(wish.kind.value, service, timeout_s=SERVICE_TIMEOUT_S, absolute_file_path=wish.subject)
         return "" if response.success else "the file was refused; the topic file_problems says why"
+
+    def _find_fault(self, frame_name: str) -> str:
+        """Return why this server cannot carry out a frame; one that is not known yet is looked at again when it is."""
+        if self._check is None:
+            return ""
+        is_known, fault = self._check(frame_name)
+        with self._condition:
+            if is_known:
+                self._unchecked.discard(frame_name)
+            else:
+                self._unchecked.add(frame_name)
+        return fault

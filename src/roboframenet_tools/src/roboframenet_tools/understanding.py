@@ -1,7 +1,7 @@
 """The pipeline without ROS: from a sentence to what would run, with everything that was tried on the way."""
 
 import os
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Callable, Dict, FrozenSet, Iterable, List, Mapping, Optional, Tuple, Union
 
@@ -15,6 +15,7 @@ from semantic_framer.clauses import Clause, find_clauses
 from semantic_framer.framer import Question, Understood, read
 from semantic_framer.lexicon import Lexicon
 from semantic_framer.matching import Reading, match_verbs, read_clause
+from semantic_framer.repairs import repaired
 from semantic_framer.sentence import Sentence
 from stanford_parser_ros.model import Parser, UnparsableText, shipped_model_dir
 from stanford_parser_ros.tree import DependencyTree
@@ -192,8 +193,9 @@ class Pipeline:
             tree = self.parse(text)
         except UnparsableText as error:
             return _nothing(text, Reply("REFUSED", "EMPTY_TEXT", f"I heard no words: {error}."))
-        sentence = Sentence(tree)
-        attempts = tuple(self._attempts(sentence, clause) for clause in find_clauses(sentence))
+        corrected = repaired(tree, self.knowledge.lexicon)
+        sentence = Sentence(corrected if isinstance(corrected, DependencyTree) else tree)
+        attempts = tuple(self._attempts(sentence, clause) for clause in find_clauses(sentence, self.knowledge.lexicon))
         outcome, _ = read(tree, self.knowledge.lexicon, self.knowledge.frames)
         if isinstance(outcome, Understood):
             readings = tuple(readings[0] for readings in outcome.clauses)
@@ -227,7 +229,7 @@ class Pipeline:
     def _best(self, sentence: Sentence) -> Tuple[Reading, ...]:
         found = [
             read_clause(sentence, clause, self.knowledge.lexicon, self.knowledge.frames)
-            for clause in find_clauses(sentence)
+            for clause in find_clauses(sentence, self.knowledge.lexicon)
             if not clause.is_negated
         ]
         return tuple(readings[0] for readings in found if readings)
@@ -237,7 +239,8 @@ class Pipeline:
         attempts = []
         for match in match_verbs(sentence, clause, lexicon):
             for unit in lexicon.units_of(match.verb):
-                found = read_clause(sentence, clause, _OneUnit(unit, match.verb), frames)
+                alone = Lexicon.of_units([replace(unit, verbs=(match.verb,))])
+                found = read_clause(sentence, clause, alone, frames)
                 reading = found[0] if found else None
                 filled = {value.name for value in reading.values} if reading else set()
                 needed = {element.name for element in reading.missing} if reading else set()
@@ -262,15 +265,6 @@ class Pipeline:
             [[_registrar_reading(reading) for reading in readings] for readings in clauses],
             max_candidates=self._max_candidates,
         )
-
-
-class _OneUnit(Lexicon):
-    """A lexicon of one unit under one verb: shows what that unit alone makes of a clause."""
-
-    def __init__(self, unit: LexicalUnit, verb: str) -> None:
-        super().__init__()
-        self._by_verb[verb] = [unit]
-        self._by_first_word[verb.split()[0]] = [verb]
 
 
 def _registrar_reading(reading: Reading) -> registrar.Reading:

@@ -1,11 +1,12 @@
 """Which phrase a prepositional phrase belongs to, where the parser hung it on the verb and no element asks for it."""
 
-from typing import Dict, FrozenSet, Mapping, Tuple
+from typing import FrozenSet
 
 from semantic_framer.sentence import Sentence
 
-#: Prepositions that say where something is, and so may tell which one is meant: "the mug on the table".
-STATIC = frozenset(
+#: A phrase with one of these says where a thing is. If it fills no element of the unit, it belongs to the noun that it
+#: stands behind, even where the parser hung it on the verb: "bring the mug on the table".
+OF_PLACE = frozenset(
     "on in at near under behind beside beneath below above over inside outside between against by next close around "
     "of".split()
 )
@@ -19,49 +20,35 @@ _SIDES = frozenset(["left", "right", "front", "back", "top", "bottom"])
 _OF_A_NUMBER = frozenset("by about almost around roughly approximately nearly exactly precisely another".split())
 
 
-def joined_phrases(
-    sentence: Sentence, verb: int, phrases: Mapping[str, Tuple[int, FrozenSet[int]]], free: FrozenSet[int]
-) -> Dict[str, FrozenSet[int]]:
-    """Find phrases that hang on a verb and tell more of the element in front of them.
+def preposition_of(step: str) -> str:
+    """Return the preposition of a relation ("prep_to", "obl:to", "prep_next_to"); empty for none."""
+    if not step.startswith(("prep_", "obl:")):
+        return ""
+    return step.split("_", 1)[1] if step.startswith("prep_") else step.split(":", 1)[1]
+
+
+def tells_which(sentence: Sentence, index: int, head: int, is_described: bool) -> bool:
+    """Whether a phrase that hangs on a verb tells which thing the noun in front of it is.
 
     Args:
         sentence: the sentence
-        verb: position of the verb
-        phrases: head and positions of each element that may be told more of, prepositions included
-        free: positions that nothing accounts for
-    Returns:
-        positions to add to an element, by its name
+        index: head of the phrase
+        head: the noun
+        is_described: whether the verb is about the noun alone, so that "with" belongs to it: "follow the guy with the
+            hat"; "grab the cup with the tongs" would be done without them
     """
-    ends = {max(positions): name for name, (_, positions) in phrases.items() if positions}
-    found: Dict[str, FrozenSet[int]] = {}
-    for child in sentence.children(verb):
-        subtree = sentence.subtree(child.index)
-        words = frozenset(index for index in subtree if sentence.word(index).upos != "PUNCT")
-        name = ends.get(min(subtree) - 1)
-        if name is None or child.index not in free or child.index not in words or not _is_whole(words):
-            continue
-        head = phrases[name][0]
-        if sentence.word(head).upos in ("NOUN", "PROPN", "NUM") and _tells_which(sentence, child.index, head):
-            found[name] = found.get(name, frozenset()) | words
-            ends[max(words)] = name
-    return found
-
-
-def _is_whole(words: FrozenSet[int]) -> bool:
-    return max(words) - min(words) == len(words) - 1
-
-
-def _tells_which(sentence: Sentence, index: int, head: int) -> bool:
     word = sentence.word(index)
     if word.deprel == "advmod":
         return word.form.lower() in _PLACE_ADVERBS
-    if not word.deprel.startswith(("obl", "nmod")):
-        return False
     prepositions = [child.form.lower() for child in sentence.children(index) if child.deprel == "case"]
-    if not prepositions:
+    if word.upos == "ADV" or not prepositions or min(sentence.subtree(index)) != _first_case(sentence, index):
         return False
     is_thing = word.upos != "PRON" and not any(child.deprel == "case" for child in sentence.children(head))
-    return prepositions[0] in STATIC or (prepositions[0] in _OF_A_THING and is_thing)
+    return prepositions[0] in OF_PLACE or (is_described and is_thing and prepositions[0] in _OF_A_THING)
+
+
+def _first_case(sentence: Sentence, index: int) -> int:
+    return min(child.index for child in sentence.children(index) if child.deprel == "case")
 
 
 def is_side_of_something(sentence: Sentence, index: int) -> bool:

@@ -1,10 +1,11 @@
 """The clauses of a sentence: each verb that asks for something, with the words that belong to it."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import FrozenSet, List, Optional, Set, Tuple
 
 from stanford_parser_ros.tree import Word
 
+from semantic_framer.lexicon import Lexicon
 from semantic_framer.sentence import Sentence
 
 #: Verbs that wrap a request: "I want you to ...", "would you mind ...ing", "could you try to ...".
@@ -15,9 +16,10 @@ NEGATIONS = frozenset("not never n't no dont don't neither nor nobody noone none
 #: Who may be told to act, or may ask for something: any other subject makes a statement ("Bob turned left").
 _ADDRESSEES = frozenset(["you", "robot", "u", "we"])
 _REPORTING_AUXILIARIES = frozenset("did was were is are 's 're am has have had been".split())
-#: Subordinators and words that make an action depend on something, or put it off.
+#: Subordinators that make an action depend on something, or put it off.
 CONDITIONS = frozenset("if when until till unless once after before while whenever as".split())
-DELAYS = frozenset("later tomorrow tonight soon".split())
+#: What an action is said to be done with, or to, when it is not to be done: "take no box", "take none of the boxes".
+_NO_THINGS = frozenset("no none nothing nobody noone neither".split())
 
 
 @dataclass(frozen=True)
@@ -29,7 +31,7 @@ class Clause:
         lemma: dictionary form of the verb, lower case
         positions: words of the clause, the verb's included, those of other clauses left out
         is_negated: "don't", "never"
-        condition: words of a condition or a delay ("when I say so"), empty for none
+        condition: words of a condition ("when I say so"), empty for none
         condition_positions: of those words
         subject: index of the subject, 0 for none
         is_report: whether it tells or asks what happens ("I turned left", "did you turn left?"), asking for nothing
@@ -45,14 +47,16 @@ class Clause:
     is_report: bool = False
 
 
-def find_clauses(sentence: Sentence) -> Tuple[Clause, ...]:
+def find_clauses(sentence: Sentence, lexicon: Optional[Lexicon] = None) -> Tuple[Clause, ...]:
     """Find what a sentence asks for, in the order in which it was said.
+
+    A verb of several words ("let go of") is one verb where a lexicon is given that has it.
 
     A sentence whose root is no verb ("three feet", "the office") has no clause.
     """
     found: List[Tuple[int, bool]] = []
     for root in sentence.children(0):
-        _collect(sentence, root, False, found)
+        _collect(sentence, lexicon or Lexicon(), root, False, found)
     verbs = {index for index, _ in found}
     tops = {index: _top(sentence, index) for index in verbs}
     clauses = []
@@ -61,9 +65,11 @@ def find_clauses(sentence: Sentence) -> Tuple[Clause, ...]:
         for other in verbs - {index}:
             if tops[other] in sentence.subtree(tops[index]):
                 others |= sentence.subtree(tops[other])
-        positions = set(sentence.subtree(tops[index])) - others
+        positions = set(sentence.subtree(tops[index])) - others - sentence.abandoned
         # The words around a wrapped request ("I want you to ...") belong to it.
-        clauses.append(_clause(sentence, index, frozenset(positions), is_negated))
+        clauses.append(
+            _clause(sentence, index, frozenset(positions), is_negated or _is_of_nothing(sentence, frozenset(positions)))
+        )
     return tuple(clauses)
 
 
@@ -73,17 +79,20 @@ def _top(sentence: Sentence, verb: int) -> int:
     return word.head if word.deprel == "cop" else verb
 
 
-def _collect(sentence: Sentence, word: Word, is_negated: bool, found: List[Tuple[int, bool]]) -> None:
+def _collect(sentence: Sentence, lexicon: Lexicon, word: Word, is_negated: bool, found: List[Tuple[int, bool]]) -> None:
     children = sentence.children(word.index)
     is_negated = is_negated or _has_negation(sentence, word)
     copula = next((child for child in children if child.deprel == "cop"), None)
     wrapped = next(
         (child for child in children if child.deprel in ("xcomp", "ccomp") and child.upos in ("VERB", "AUX")), None
     )
+    following = [other.form.lower() for other in sentence.tree.words[word.index :]]
+    if wrapped is not None and lexicon.has_verb_of_words([word.lemma.lower()] + following):
+        wrapped = None
     if wrapped is not None and word.lemma.lower() in WRAPPERS:
-        _collect(sentence, wrapped, is_negated, found)
+        _collect(sentence, lexicon, wrapped, is_negated, found)
     elif wrapped is not None and word.lemma.lower() in _MOTION and wrapped.index == word.index + 1:
-        _collect(sentence, wrapped, is_negated, found)
+        _collect(sentence, lexicon, wrapped, is_negated, found)
     elif copula is not None:
         found.append((copula.index, is_negated))
     elif word.upos in ("VERB", "AUX"):
@@ -109,7 +118,7 @@ def _collect(sentence: Sentence, word: Word, is_negated: bool, found: List[Tuple
             child.upos in ("VERB", "AUX") or any(inner.deprel == "cop" for inner in sentence.children(child.index))
         ):
             # "don't move or speak" negates both; "don't move, just speak" is rare, and not acting is the safe reading.
-            _collect(sentence, child, is_negated and child.deprel == "conj", found)
+            _collect(sentence, lexicon, child, is_negated and child.deprel == "conj", found)
 
 
 def _has_negation(sentence: Sentence, word: Word) -> bool:
@@ -119,6 +128,27 @@ def _has_negation(sentence: Sentence, word: Word) -> bool:
         if child.deprel in ("advmod", "aux", "det", "discourse", "mark", "cc", "cc:preconj", "dep")
         or (child.deprel.startswith("nsubj") and child.form.lower() in NEGATIONS)
     )
+
+
+def _is_of_nothing(sentence: Sentence, positions: FrozenSet[int]) -> bool:
+    """Whether a clause speaks of something that is not there: "take no box", "none of the boxes", "the mug and no plate".
+
+    "Say no" says a word.
+    """
+    return any(
+        word.form.lower() in _NO_THINGS
+        and word.upos != "INTJ"
+        and (word.deprel == "det" or word.deprel.split(":")[0] in ("obj", "iobj", "obl", "nsubj", "conj"))
+        for word in (sentence.word(index) for index in positions)
+    )
+
+
+def whole_sentence(sentence: Sentence, verb: int) -> Clause:
+    """Return the clause of a sentence without verbs that begins with a word which the lexicon takes for one."""
+    positions = frozenset(word.index for word in sentence.tree.words) - sentence.abandoned
+    is_negated = any(_has_negation(sentence, sentence.word(index)) for index in positions)
+    clause = _clause(sentence, verb, positions, is_negated or _is_of_nothing(sentence, positions))
+    return replace(clause, lemma=sentence.word(verb).form.lower(), subject=0, is_report=False)
 
 
 def _clause(sentence: Sentence, verb: int, positions: FrozenSet[int], is_negated: bool) -> Clause:
@@ -136,6 +166,19 @@ def _clause(sentence: Sentence, verb: int, positions: FrozenSet[int], is_negated
         subject=subject,
         is_report=_is_report(sentence, verb, subject),
     )
+
+
+def shared_subject(sentence: Sentence, verb: int) -> int:
+    """Return the subject of the verb that a verb is joined to, 0 for none: "could you go there and take the mug"."""
+    word = sentence.word(verb)
+    seen: Set[int] = set()
+    while word.deprel == "conj" and word.index not in seen:
+        seen.add(word.index)
+        word = sentence.word(word.head)
+        for child in sentence.children(word.index):
+            if child.deprel.startswith("nsubj"):
+                return child.index
+    return 0
 
 
 def _is_report(sentence: Sentence, verb: int, subject: int) -> bool:
@@ -161,7 +204,7 @@ def _is_report(sentence: Sentence, verb: int, subject: int) -> bool:
 
 
 def _condition(sentence: Sentence, top: int, positions: FrozenSet[int]) -> FrozenSet[int]:
-    """Find a condition or a delay among the words of a clause."""
+    """Find a condition among the words of a clause."""
     for index in sorted(positions):
         word = sentence.word(index)
         if word.deprel.startswith("advcl") or word.deprel == "mark":
@@ -169,32 +212,4 @@ def _condition(sentence: Sentence, top: int, positions: FrozenSet[int]) -> Froze
             marks = [child.form.lower() for child in sentence.children(clause) if child.deprel in ("mark", "advmod")]
             if any(mark in CONDITIONS for mark in marks):
                 return sentence.subtree(clause) if clause != top else frozenset([index])
-        if word.form.lower() in DELAYS and word.deprel in ("advmod", "obl:unmarked", "obl", "discourse"):
-            return frozenset([index])
-        if word.deprel.startswith(("obl", "nmod")) and _is_delay(sentence, word):
-            return sentence.subtree(index)
     return frozenset()
-
-
-def _is_delay(sentence: Sentence, word: Word) -> bool:
-    """Whether a phrase says when: "in five minutes", "after lunch", "at noon"."""
-    case: Optional[str] = next(
-        (child.form.lower() for child in sentence.children(word.index) if child.deprel == "case"), None
-    )
-    lemma = word.lemma.lower()
-    if case in ("in", "after", "within") and lemma in ("second", "minute", "hour", "moment", "while", "day"):
-        return True
-    return case in ("after", "before", "until", "till", "at") and lemma in (
-        "noon",
-        "midnight",
-        "lunch",
-        "dinner",
-        "breakfast",
-        "o'clock",
-        "night",
-        "morning",
-        "evening",
-        "afternoon",
-        "sunset",
-        "tomorrow",
-    )

@@ -49,16 +49,16 @@ class Pending:
     """A question that the next utterance may answer.
 
     Attributes:
-        clauses: what was understood so far; the clause that asks holds one reading
+        clauses: what was understood so far; the clause that asks holds the readings that it asks for
         clause: its position among them
-        element: the element that was asked for; empty for a question of yes or no
+        elements: the element that was asked for, of each of these readings; none for a question of yes or no
         choices: the only answers, as they were offered; empty where every answer may be given
         expires_s: on the clock of the caller; later the question is forgotten
     """
 
     clauses: Tuple[Tuple[Reading, ...], ...]
     clause: int
-    element: str
+    elements: Tuple[str, ...]
     expires_s: float
     choices: Tuple[str, ...] = ()
 

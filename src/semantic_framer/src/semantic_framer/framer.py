@@ -2,19 +2,20 @@
 
 from dataclasses import dataclass, replace
 from enum import Enum
-from typing import List, Mapping, Optional, Sequence, Tuple, Union
+from typing import FrozenSet, Iterable, List, Mapping, Sequence, Tuple, Union
 
-from semantic_frames.frame import FrameElement, SemanticFrame
-from semantic_frames.lexical_unit import ArgumentForm
+from semantic_frames.frame import SemanticFrame
 from stanford_parser_ros.tree import DependencyTree
 
-from semantic_framer.clauses import CONDITIONS, DELAYS, NEGATIONS, WRAPPERS, Clause, find_clauses
-from semantic_framer.dialogue import PLACE_PRONOUNS, PRONOUNS, Context, Pending, is_no, is_yes
+from semantic_framer.answers import answer, question_of
+from semantic_framer.clauses import WRAPPERS, Clause, find_clauses, whole_sentence
+from semantic_framer.dialogue import PLACE_PRONOUNS, PRONOUNS, Context, Pending, is_no
 from semantic_framer.lexicon import Lexicon
-from semantic_framer.matching import Reading, VerbMatch, match_verbs, read_clause, with_value
-from semantic_framer.measures import find_amounts
+from semantic_framer.matching import Reading, VerbMatch, match_verbs, rank, read_clause
+from semantic_framer.repairs import repaired
 from semantic_framer.sentence import Sentence
-from semantic_framer.values import ElementValue, amount_value, phrase_value, resolved, unit_value
+from semantic_framer.times import find_times
+from semantic_framer.values import resolved
 
 
 class LeftOverWords(Enum):
@@ -102,18 +103,25 @@ def read(
         what came of it, and what is to be remembered
     """
     context = context.at(now_s)
-    sentence = Sentence(tree)
+    corrected = repaired(tree, lexicon)
+    if not isinstance(corrected, DependencyTree):
+        # What was asked before is answered by none of this.
+        return _which(corrected), replace(context, pending=None)
+    sentence = Sentence(corrected)
     pending = context.pending
     context = replace(context, pending=None)
     if pending is not None:
         if is_no(tree.text):
             return Refusal("NEGATED", "As you wish: I do nothing."), context
-        answered = _answer(sentence, pending, lexicon, policy, frames)
+        answered = answer(sentence, pending, lexicon, frames, is_strict=policy.left_over_words is LeftOverWords.STRICT)
         if answered is not None:
             # A yes counts only where it was asked for: "right" may be a direction.
-            is_confirmed = not pending.element
+            is_confirmed = not pending.elements
             return _finish(answered, sentence, frames, context, policy, now_s, is_confirmed=is_confirmed)
     clauses = _known_clauses(sentence, lexicon)
+    time = _time_of_a_command(sentence, lexicon)
+    if time and not any(clause.is_negated for clause in clauses):
+        return _not_then(sentence, time), context
     if not clauses:
         return Refusal("NO_VERB", f'I hear no command in "{tree.text.strip()}".'), context
     understood: List[Tuple[Reading, ...]] = []
@@ -133,6 +141,16 @@ def read(
         words = " ".join(sentence.word(index).form for index in open_words)
         outcome = replace(outcome, warning=f"{outcome.warning or 'ignored:'} {words}")
     return outcome, context
+
+
+def _which(readings: Sequence[str]) -> Union[Refusal, Question]:
+    """Return what is said to a person whose correction is not certain, or who took everything back."""
+    if not readings:
+        return Refusal("NEGATED", "You took that back, so I do nothing.")
+    if len(readings) == 1:
+        return Question("AMBIGUOUS", f'Do you mean "{readings[0]}"?')
+    quoted = [f'"{reading}"' for reading in readings]
+    return Question("AMBIGUOUS", f"Which do you mean: {' or '.join(quoted)}?")
 
 
 def _outside(sentence: Sentence, clauses: Tuple[Clause, ...]) -> Tuple[int, ...]:
@@ -172,11 +190,32 @@ def _left_over(sentence: Sentence, positions: Sequence[int]) -> Refusal:
     )
 
 
+def _time_of_a_command(sentence: Sentence, lexicon: Lexicon) -> FrozenSet[int]:
+    """Return the words that say when something is to be done; none where nothing is.
+
+    No element of a frame holds them, and a time hides the verb from the parser ("at five turn left"): so it counts
+    wherever it stands, and whatever became of the clauses.
+    """
+    times = [time for time in find_times(sentence) if not time & sentence.abandoned]
+    inside = frozenset().union(*times)
+    is_command = any(
+        lexicon.verbs_beginning_with(spelling)
+        for word in sentence.tree.words
+        if word.index not in inside
+        for spelling in (word.lemma.lower(), word.form.lower())
+    )
+    return times[0] if times and is_command else frozenset()
+
+
+def _not_then(sentence: Sentence, positions: Iterable[int]) -> Refusal:
+    return Refusal("CONDITION", f'I can only act at once, not "{sentence.text(sorted(positions))}".')
+
+
 def _known_clauses(sentence: Sentence, lexicon: Lexicon) -> Tuple[Clause, ...]:
     """Clauses of the sentence; where the parser saw no verb, a verb of the lexicon at its front ("High five!") makes
     one.
     """
-    clauses = find_clauses(sentence)
+    clauses = find_clauses(sentence, lexicon)
     if clauses and any(match_verbs(sentence, clause, lexicon) for clause in clauses):
         return clauses
     words = [
@@ -185,14 +224,7 @@ def _known_clauses(sentence: Sentence, lexicon: Lexicon) -> Tuple[Clause, ...]:
         if word.upos != "PUNCT" and (word.upos != "INTJ" or len(sentence.tree.words) < 3)
     ]
     if words:
-        front = Clause(
-            verb=words[0].index,
-            lemma=words[0].form.lower(),
-            positions=frozenset(word.index for word in sentence.tree.words),
-            is_negated=any(clause.is_negated for clause in clauses),
-            condition="",
-            condition_positions=frozenset(),
-        )
+        front = whole_sentence(sentence, words[0].index)
         if match_verbs(sentence, front, lexicon):
             return (front,)
     return clauses
@@ -222,24 +254,29 @@ def _read_one(
         if not wanted & set(frames):
             return Refusal("UNKNOWN_FRAME", f"No file describes the frame {' or '.join(sorted(wanted))}.")
         return Refusal("NO_READING", f'I know "{matches[0].verb}", but not in this way.')
-    # "Check if the oven is hot": the words of the condition fill an element, "if" itself does not.
-    conditional = {index for index in clause.condition_positions if sentence.word(index).deprel != "mark"}
-    if clause.condition and not any(
-        (conditional or set(clause.condition_positions))
-        <= {position for value in reading.values for position in value.positions}
-        for reading in readings
-        if not reading.missing
-    ):
-        return Refusal("CONDITION", f'I can only act at once, not "{clause.condition}".')
+    if clause.condition:
+        # "Check if the oven is hot": the words fill an element and are no condition; "if" itself fills nothing.
+        conditional = {index for index in clause.condition_positions if sentence.word(index).deprel != "mark"}
+        readings = tuple(
+            reading
+            for reading in readings
+            if (conditional or set(clause.condition_positions))
+            <= {position for value in reading.values for position in value.positions}
+        )
+        if not readings:
+            return _not_then(sentence, clause.condition_positions)
     complete = tuple(reading for reading in readings if not reading.missing)
     if not complete:
-        return (readings[0],)
+        # "Move." asks where to as well as how far: the answer tells which was meant.
+        return tuple(reading for reading in readings if rank(reading)[:4] == rank(readings[0])[:4])
     # Words that one reading accounts for must not be dropped by taking another.
     fewest = len(complete[0].left_over)
     return tuple(
         reading
         for reading in complete
         if policy.left_over_words is LeftOverWords.IGNORE or len(reading.left_over) == fewest
+        # "Five" is less than was said where another unit lists "low five".
+        if not any(reading.listed and reading.listed < other.listed for other in complete)
     )
 
 
@@ -270,20 +307,19 @@ def _finish(
             resolved_readings.append(outcome)
         best = resolved_readings[0]
         if best.missing:
-            element = best.missing[0]
             pending = Pending(
-                clauses=_waiting(tuple(done) + ((best,),) + clauses[position + 1 :]),
+                clauses=_waiting(tuple(done) + (tuple(resolved_readings),) + clauses[position + 1 :]),
                 clause=position,
-                element=element.name,
+                elements=tuple(reading.asked[0].name for reading in resolved_readings),
                 expires_s=now_s + policy.question_timeout_s,
             )
-            return Question("MISSING_ELEMENT", question_for(element)), replace(context, pending=pending)
+            return Question("MISSING_ELEMENT", question_of(resolved_readings)), replace(context, pending=pending)
         alternative = next((value for value in best.values if value.conjunction == "or"), None)
         if alternative is not None and policy.alternatives is Alternatives.ASK:
             pending = Pending(
                 clauses=_waiting(tuple(done) + ((best,),) + clauses[position + 1 :]),
                 clause=position,
-                element=alternative.name,
+                elements=(alternative.name,),
                 expires_s=now_s + policy.question_timeout_s,
                 choices=alternative.items,
             )
@@ -295,7 +331,7 @@ def _finish(
     confirm = [readings[0] for readings in done if frames[readings[0].unit.frame_name].is_confirmed]
     if confirm and not is_confirmed:
         pending = Pending(
-            clauses=_waiting(tuple(done)), clause=0, element="", expires_s=now_s + policy.question_timeout_s
+            clauses=_waiting(tuple(done)), clause=0, elements=(), expires_s=now_s + policy.question_timeout_s
         )
         asked = ", then ".join(_in_words(readings[0]) for readings in done)
         return Question("CONFIRM", f'Shall I really do this: "{asked}"? Say yes or no.'), replace(
@@ -315,83 +351,14 @@ def _in_words(reading: Reading) -> str:
     return " ".join([reading.verb] + [value.argument for value in reading.values if value.positions])
 
 
-def question_for(element: FrameElement) -> str:
-    """Return how to ask a person for an element, with an example of an answer."""
-    question = element.question or f"What is the {element.name.replace('_', ' ')}?"
-    return f'{question} For instance: "{element.answer}".' if element.answer else question
-
-
-def _answer(
-    sentence: Sentence, pending: Pending, lexicon: Lexicon, policy: Policy, frames: Mapping[str, SemanticFrame]
-) -> Optional[Tuple[Tuple[Reading, ...], ...]]:
-    """Take an utterance as the answer to the open question; None when it is none, or says more than an answer."""
-    if any(readings[0].unit.frame_name not in frames for readings in pending.clauses):
-        return None
-    if not pending.element:
-        return pending.clauses if is_yes(sentence.tree.text) else None
-    clauses = find_clauses(sentence)
-    if any(match_verbs(sentence, clause, lexicon) for clause in clauses):
-        return None
-    reading = pending.clauses[pending.clause][0]
-    frame = frames.get(reading.unit.frame_name)
-    element = frame.element(pending.element) if frame is not None else None
-    if frame is None or element is None:
-        return None
-    values = _fragment_values(sentence, frame, element)
-    if not values or not _is_all_said(sentence, values, policy):
-        return None
-    if pending.choices and not any(_is_choice(values[0], choice) for choice in pending.choices):
-        return None
-    for value in values:
-        reading = with_value(reading, value)
-    return tuple(
-        (reading,) if position == pending.clause else readings for position, readings in enumerate(pending.clauses)
-    )
-
-
-def _is_all_said(sentence: Sentence, values: List[ElementValue], policy: Policy) -> bool:
-    """Whether values are all that an answer says: no "not", no condition, no delay, no word of another matter."""
-    used = frozenset(position for value in values for position in value.positions)
-    for word in sentence.tree.words:
-        if word.form.lower() in NEGATIONS | CONDITIONS | DELAYS:
-            return False
-        if word.index in used or policy.left_over_words is not LeftOverWords.STRICT:
-            continue
-        if sentence.is_content(word.index):
-            return False
-    return True
-
-
-def _is_choice(value: ElementValue, choice: str) -> bool:
-    """Whether an answer names one of the things that were offered: "the plate", "plate"."""
-    answer, offered = value.phrase.lower().split(), choice.lower().split()
-    articles = ("a", "an", "the")
-    return [word for word in answer if word not in articles] == [word for word in offered if word not in articles]
-
-
-def _fragment_values(sentence: Sentence, frame: SemanticFrame, element: FrameElement) -> List[ElementValue]:
-    positions = [word.index for word in sentence.tree.words if word.upos not in ("PUNCT", "INTJ")]
-    if element.quantity is not None:
-        for amount in find_amounts(sentence, positions):
-            values = [amount_value(sentence, element.name, amount, is_whole=not element.unit_element)]
-            if element.unit_element and amount.unit:
-                values.append(unit_value(sentence, element.unit_element, amount))
-            return values
-        return []
-    if not positions:
-        return []
-    heads = [word for word in sentence.children(0)]
-    head = heads[0].index if heads and heads[0].index in positions else positions[0]
-    return [phrase_value(sentence, element.name, head, ArgumentForm.PHRASE, frozenset())]
-
-
 def _resolve(reading: Reading, context: Context) -> Union[Reading, Question]:
     """Put what pronouns stand for in their place."""
     values = []
     for value in reading.values:
         word = value.argument.lower()
         relation = next((relation for relation in reading.unit.relations if relation.name == value.name), None)
-        is_fixed = relation is not None and bool(relation.words)
+        # "This place" is what was said; a unit that lists nothing but pronouns wants what they stand for.
+        is_fixed = relation is not None and bool(set(relation.words) - PRONOUNS)
         if word in PRONOUNS and value.positions and not is_fixed and word not in ("this", "one", "that"):
             # "Go near the radio and switch it on": a place is a thing too.
             if not context.thing and not context.place:

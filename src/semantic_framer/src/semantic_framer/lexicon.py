@@ -1,7 +1,8 @@
 """The lexicon: lexical units by verb, as the files of robot programmers define them."""
+
 import difflib
 from collections import defaultdict
-from typing import Dict, FrozenSet, List, Mapping, Set, Tuple
+from typing import Dict, FrozenSet, Iterable, List, Mapping, Sequence, Set, Tuple
 
 from semantic_frames import load_lexical_units
 from semantic_frames.lexical_unit import LexicalUnit
@@ -38,6 +39,17 @@ class Lexicon:
             FileRefused: the file is wrong; what it gave before stays
         """
         units = load_lexical_units(text, path)
+        self._replace(path, text, units)
+        return units
+
+    @classmethod
+    def of_units(cls, units: Iterable[LexicalUnit]) -> "Lexicon":
+        """Make a lexicon of units that are there already; it has no files to tell of."""
+        lexicon = cls()
+        lexicon._index(units)
+        return lexicon
+
+    def _replace(self, path: str, text: str, units: Tuple[LexicalUnit, ...]) -> None:
         for old in self._files.get(path, ("", ()))[1]:
             for verb in old.verbs:
                 self._by_verb[verb].remove(old)
@@ -45,6 +57,9 @@ class Lexicon:
                     del self._by_verb[verb]
                     self._by_first_word[verb.split()[0]].remove(verb)
         self._files[path] = (text, units)
+        self._index(units)
+
+    def _index(self, units: Iterable[LexicalUnit]) -> None:
         for unit in units:
             for verb in dict.fromkeys(unit.verbs):
                 if verb not in self._by_verb:
@@ -53,7 +68,6 @@ class Lexicon:
                     for spelling in _spellings(first):
                         self._by_spelling[spelling].add(first)
                 self._by_verb[verb].append(unit)
-        return units
 
     def units_of(self, verb: str) -> Tuple[LexicalUnit, ...]:
         """Units of a verb, particle included."""
@@ -62,6 +76,13 @@ class Lexicon:
     def verbs_beginning_with(self, word: str) -> Tuple[str, ...]:
         """Verbs whose first word is this one, those of more words first: "pick up" before "pick"."""
         return tuple(sorted(self._by_first_word.get(word, ()), key=lambda verb: (-len(verb.split()), verb)))
+
+    def has_verb_of_words(self, words: Sequence[str]) -> bool:
+        """Whether words, one after the other, begin with a verb of several words: "let", "go", "of", "it"."""
+        return any(
+            len(verb.split()) > 1 and list(words[: len(verb.split())]) == verb.split()
+            for verb in self._by_first_word.get(words[0], ())
+        )
 
     def nearest_verbs(self, word: str, count: int = 3) -> Tuple[str, ...]:
         """Verbs that are spelled like a word, the nearest first; none when nothing is near.

@@ -4,11 +4,18 @@ from dataclasses import dataclass, replace
 from typing import Dict, FrozenSet, List, Mapping, Optional, Sequence, Set, Tuple
 
 from semantic_frames.frame import FrameElement, Quantity, SemanticFrame
-from semantic_frames.lexical_unit import ArgumentForm, ElementRelation, LexicalUnit
+from semantic_frames.lexical_unit import ElementRelation, LexicalUnit
 from semantic_frames.relation_names import MEASURE
 
-from semantic_framer.attachment import STATIC, is_side_of_something, joined_phrases, words_before, words_before_amount
-from semantic_framer.clauses import Clause
+from semantic_framer.attachment import (
+    OF_PLACE,
+    is_side_of_something,
+    preposition_of,
+    tells_which,
+    words_before,
+    words_before_amount,
+)
+from semantic_framer.clauses import Clause, shared_subject
 from semantic_framer.lexicon import Lexicon
 from semantic_framer.measures import Amount, find_amounts
 from semantic_framer.sentence import Sentence
@@ -18,6 +25,8 @@ from semantic_framer.values import ElementValue, amount_value, given_value, phra
 #: "bring the mug to the table". The others ("on", "in", "near") do so only for a core or required element: "put the
 #: mug on the table".
 DIRECTIONAL = frozenset("to into onto towards toward from for with by as through via".split())
+#: Elements that a verb is about, without a tool or company: a phrase with "with" describes them.
+_DESCRIBED = frozenset(["Cotheme", "Category", "Item"])
 
 
 @dataclass(frozen=True)
@@ -32,6 +41,7 @@ class Reading:
         missing: core elements that nothing fills
         left_over: content words that nothing accounts for, by position
         coverage: share of the content words that the reading accounts for, 0 to 1
+        listed: words that the unit lists for its elements, by position: "low five"
     """
 
     unit: LexicalUnit
@@ -41,6 +51,13 @@ class Reading:
     missing: Tuple[FrameElement, ...]
     left_over: Tuple[int, ...]
     coverage: float
+    listed: FrozenSet[int] = frozenset()
+
+    @property
+    def asked(self) -> Tuple[FrameElement, ...]:
+        """Missing elements that a person is asked for: a unit is said together with its amount."""
+        units = frozenset(element.unit_element for element in self.missing)
+        return tuple(element for element in self.missing if element.name not in units)
 
     def value(self, name: str) -> Optional[ElementValue]:
         """Return the value of an element, None for an empty one."""
@@ -109,7 +126,7 @@ def read_clause(
         lexicon: lexical units
         frames: by name; units of frames that are not known are left out
     Returns:
-        readings, the best first: all core elements filled, fewest words left over, most elements filled, longest verb
+        readings, the best first by :func:`rank`
     """
     amounts = find_amounts(sentence, sorted(clause.positions - {clause.verb}))
     readings = []
@@ -128,16 +145,28 @@ def read_clause(
     return tuple(sorted(different.values(), key=rank))
 
 
-def rank(reading: Reading) -> Tuple[bool, int, int, int, int]:
-    """Order readings: the smallest is the best."""
+def rank(reading: Reading) -> Tuple[bool, int, int, int, int, bool, int, int]:
+    """Order readings: the smallest is the best.
+
+    All core elements filled; fewest words left over; most elements filled; fewest missing; longest verb. Of units that
+    are equal so far ("take the box" takes it, and may bring it somewhere) the one is meant that the verb names: the
+    first verb of a unit is what the unit is about. Then the one of which fewest elements stay empty, then the one that
+    lists the verb earlier.
+    """
+    unit = reading.unit
     said = sum(1 for value in reading.values if value.positions)
-    required = sum(1 for relation in reading.unit.relations if relation.is_required)
+    required = sum(1 for relation in unit.relations if relation.is_required)
+    filled = frozenset(value.name for value in reading.values)
+    position = unit.verbs.index(reading.verb) if reading.verb in unit.verbs else len(unit.verbs)
     return (
         bool(reading.missing),
         len(reading.left_over),
         -(said + required),
-        len(reading.missing),
+        len(reading.asked),
         -len(reading.verb.split()),
+        position > 0,
+        sum(1 for relation in unit.relations if relation.name not in filled),
+        position,
     )
 
 
@@ -159,10 +188,10 @@ class _Filling:
         self._frame = frame
         self._match = match
         self._amounts = amounts
-        self._taken: Dict[str, FrozenSet[int]] = {}
         self._heads: Dict[str, int] = {}
+        self._listed: Dict[str, FrozenSet[int]] = {}
         self._amount_of: Dict[str, Amount] = {}
-        self._subject = clause.subject or self._shared_subject()
+        self._subject = clause.subject or shared_subject(sentence, clause.verb)
 
     def reading(self) -> Optional[Reading]:
         """Return the reading; None when a required relation does not match."""
@@ -192,6 +221,7 @@ class _Filling:
             missing=missing,
             left_over=left_over,
             coverage=coverage,
+            listed=frozenset().union(*self._listed.values()),
         )
 
     def _take_amounts(self) -> None:
@@ -219,7 +249,7 @@ class _Filling:
     def _take_phrase(self, relation: ElementRelation) -> None:
         is_wanted = relation.is_required or self._is_core(relation.name)
         # "Put it on the bench in the kitchen": of the places the first is meant, the others tell more of it.
-        static = [path for path in relation.relations if _preposition(path.steps[0]).split("_")[0] in STATIC]
+        static = [path for path in relation.relations if preposition_of(path.steps[0]).split("_")[0] in OF_PLACE]
         places = sorted(head for path in static for head in self._follow(path.steps, is_wanted))
         for path in relation.relations:
             if path in static:
@@ -229,11 +259,13 @@ class _Filling:
             for head in heads:
                 if head in self._heads.values() or head in self._match.positions or not self._is_in_clause(head):
                     continue
-                if relation.words and not self._is_one_of(head, relation.words):
+                listed = self._listed_words(head, relation.words)
+                if relation.words and not listed:
                     continue
                 if not relation.words and (self._is_in_a_measure(head) or self._is_only_an_adverb(head, path.steps)):
                     continue
                 self._heads[relation.name] = head
+                self._listed[relation.name] = listed
                 return
 
     def _is_in_a_measure(self, head: int) -> bool:
@@ -249,31 +281,15 @@ class _Filling:
     def _is_in_clause(self, head: int) -> bool:
         return head in self._clause.positions or head == self._subject
 
-    def _shared_subject(self) -> int:
-        """Return the subject of the verb that this one is joined to: "could you go there and take the mug"."""
-        word = self._sentence.word(self._clause.verb)
-        seen = set()
-        while word.deprel == "conj" and word.index not in seen:
-            seen.add(word.index)
-            word = self._sentence.word(word.head)
-            for child in self._sentence.children(word.index):
-                if child.deprel.startswith("nsubj"):
-                    return child.index
-        return 0
-
-    def _is_one_of(self, head: int, words: Tuple[str, ...]) -> bool:
+    def _listed_words(self, head: int, words: Tuple[str, ...]) -> FrozenSet[int]:
+        """Return the words, up to a head, that a relation lists, the most first ("low five"); none if it lists none."""
         if is_side_of_something(self._sentence, head):
-            return False
-        word = self._sentence.word(head)
-        compound = " ".join(
-            [
-                child.form.lower()
-                for child in self._sentence.children(head)
-                if child.deprel in ("compound", "amod") and child.index < head
-            ]
-            + [word.form.lower()]
-        )
-        return word.form.lower() in words or word.lemma.lower() in words or compound in words
+            return frozenset()
+        for length in range(max((len(listed.split()) for listed in words), default=0), 0, -1):
+            positions = range(max(1, head - length + 1), head + 1)
+            if " ".join(self._sentence.word(index).form.lower() for index in positions) in words:
+                return frozenset(positions)
+        return frozenset([head]) if self._sentence.word(head).lemma.lower() in words else frozenset()
 
     def _is_only_an_adverb(self, head: int, steps: Tuple[str, ...]) -> bool:
         """Whether an adverb that says how ("slowly", "forward") would become an argument that says what or where."""
@@ -289,7 +305,10 @@ class _Filling:
 
     def _follow(self, steps: Tuple[str, ...], is_core: bool) -> List[int]:
         """Return the words at the end of a chain of relations that starts at the verb."""
-        governors = [self._clause.verb]
+        # In "let go of the rope" the rope hangs on "go".
+        governors = [self._clause.verb] + [
+            index for index in self._match.positions[1:] if self._sentence.word(index).upos == "VERB"
+        ]
         for number, step in enumerate(steps):
             if step == MEASURE:
                 return []
@@ -307,7 +326,7 @@ class _Filling:
         """Phrases with a preposition that the parser hung on an object though the unit wants them at the verb."""
         if not step.startswith(("prep_", "obl:")):
             return []
-        preposition = _preposition(step)
+        preposition = preposition_of(step)
         if not (is_core or preposition in DIRECTIONAL):
             return []
         found = []
@@ -330,7 +349,6 @@ class _Filling:
     def _values(self) -> Tuple[ElementValue, ...]:
         verb_words = frozenset(self._match.positions)
         amount_words = frozenset(position for amount in self._amount_of.values() for position in amount.positions)
-        joined = self._joined(verb_words | amount_words)
         values: List[ElementValue] = []
         for element in self._frame.frame_elements:
             if element.name in self._amount_of:
@@ -355,47 +373,37 @@ class _Filling:
                 ]
                 left_out = verb_words | amount_words | frozenset().union(*others) | self._outside(head)
                 relation = next(relation for relation in self._unit.relations if relation.name == element.name)
-                values.append(
-                    phrase_value(
-                        self._sentence,
-                        element.name,
-                        head,
-                        relation.argument,
-                        left_out - joined.get(element.name, frozenset()),
-                        joined.get(element.name, frozenset()),
-                    )
-                )
+                attached = self._listed[element.name] | self._places_behind(head, element, left_out)
+                attached |= self._words_before(head, left_out)
+                values.append(phrase_value(self._sentence, element.name, head, relation.argument, left_out, attached))
             elif element.default:
                 values.append(given_value(element.name, element.default))
         return tuple(values)
 
-    def _joined(self, used: FrozenSet[int]) -> Dict[str, FrozenSet[int]]:
-        """Return the words that belong to an element though they hang on the verb, by its name."""
-        verb = self._clause.verb
-        with_words = {
-            relation.name
-            for relation in self._unit.relations
-            if relation.words and relation.argument is ArgumentForm.HEAD
-        }
-        phrases = {}
-        for name, head in self._heads.items():
-            others = {other for other in self._heads.values() if other != head}
-            subtree = self._sentence.subtree(head)
-            positions = subtree.difference(
-                *(self._sentence.subtree(other) for other in others if head not in self._sentence.subtree(other))
-            )
-            # Of a subject nothing that follows the verb can be a part, but where "there" holds its place.
-            if verb not in subtree and (head > verb or max(subtree) + 1 != verb):
-                phrases[name] = (head, frozenset(positions))
-        taken = used | frozenset().union(*(positions for _, positions in phrases.values()))
-        free = self._clause.positions - taken - self._clause.condition_positions
-        open_phrases = {name: phrase for name, phrase in phrases.items() if name not in with_words}
-        joined = joined_phrases(self._sentence, verb, open_phrases, free)
-        for name, (_, positions) in phrases.items():
-            before = words_before(self._sentence, verb, min(positions), free) if positions else frozenset()
-            if before:
-                joined[name] = joined.get(name, frozenset()) | before
-        return joined
+    def _places_behind(self, head: int, element: FrameElement, left_out: FrozenSet[int]) -> FrozenSet[int]:
+        """Return the phrases of place directly behind a noun that fill nothing: "the mug on the table"."""
+        if self._sentence.word(head).upos != "NOUN" or element.framenet == "Message":
+            return frozenset()
+        noun = self._sentence.subtree(head) - left_out
+        taken = frozenset(self._heads.values())
+        found: FrozenSet[int] = frozenset()
+        for phrase in self._sentence.children(self._clause.verb):
+            positions = self._sentence.subtree(phrase.index)
+            if (
+                min(positions) == max(noun | found) + 1
+                and tells_which(self._sentence, phrase.index, head, element.framenet in _DESCRIBED)
+                and not positions & (taken | left_out)
+                and positions <= self._clause.positions
+                and not self._is_in_a_measure(phrase.index)
+            ):
+                found |= positions
+        return found
+
+    def _words_before(self, head: int, left_out: FrozenSet[int]) -> FrozenSet[int]:
+        """Return the adverb in front of the preposition of a phrase: "close" of "close to the door"."""
+        phrase = self._sentence.subtree(head) - left_out
+        free = self._clause.positions - left_out - frozenset(self._heads.values())
+        return words_before(self._sentence, self._clause.verb, min(phrase), free) if phrase else frozenset()
 
     def _outside(self, head: int) -> FrozenSet[int]:
         """Words below a head that belong to other clauses or to a condition."""
@@ -427,14 +435,8 @@ class _Filling:
     def _hangs_on_used(self, index: int, used: Set[int]) -> bool:
         """Whether a word is a part of a name that is used: "living" in "living room"."""
         word = self._sentence.word(index)
-        return word.deprel in ("compound", "flat", "goeswith", "fixed") and word.head in used
-
-
-def _preposition(step: str) -> str:
-    """Return the preposition of a relation ("prep_to", "obl:to", "prep_next_to"); empty for none."""
-    if not step.startswith(("prep_", "obl:")):
-        return ""
-    return step.split("_", 1)[1] if step.startswith("prep_") else step.split(":", 1)[1]
+        # A number is no part of a name: "five foot thirteen" must not be five feet.
+        return word.deprel in ("compound", "flat", "goeswith", "fixed") and word.head in used and word.upos != "NUM"
 
 
 def with_value(reading: Reading, value: ElementValue) -> Reading:

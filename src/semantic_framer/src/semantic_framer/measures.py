@@ -8,8 +8,8 @@ from spoken_quantities import QuantityError, find_unit, number_words, parse_meas
 
 from semantic_framer.sentence import Sentence
 
-#: No amount has more words ("one hundred and twenty five and a half degrees").
-LONGEST = 9
+#: No amount has more words ("one hundred and twenty five and a half feet and six inches").
+LONGEST = 12
 _NUMBER_WORDS = frozenset(number_words()) | {"a", "an", "and", "of", "-", "point"}
 
 
@@ -24,6 +24,7 @@ class Amount:
         quantity: length, angle, duration or number
         si_amount: metres, radians, seconds or the bare number
         numeral: the number as it was said, "minus two"
+        unit_position: of the unit, 0 for none
     """
 
     positions: Tuple[int, ...]
@@ -32,6 +33,7 @@ class Amount:
     quantity: str
     si_amount: float
     numeral: str
+    unit_position: int = 0
 
     def digits(self) -> str:
         """The number in digits, without needless zeros; as it was said where it is not finite."""
@@ -70,10 +72,8 @@ def _amount(sentence: Sentence, window: Sequence[int]) -> Optional[Amount]:
     forms = [sentence.word(index).form for index in window]
     unit = find_unit(forms[-1]) if len(forms) > 1 else None
     numeral = forms[:-1] if unit else forms
-    if not all(
-        form.lower() in _NUMBER_WORDS or form[0].isdigit() or form in ("-", "+") or form[0] in "+-." for form in numeral
-    ):
-        return None
+    if not all(_is_of_a_number(form) for form in numeral):
+        return _sum(sentence, window, forms)
     if not any(
         form[0].isdigit() or form.lower() in _NUMBER_WORDS - {"a", "an", "and", "of", "-", "point", "plus"}
         for form in numeral
@@ -97,6 +97,31 @@ def _amount(sentence: Sentence, window: Sequence[int]) -> Optional[Amount]:
                 unit.quantity if unit else "number",
                 float("inf"),
                 spoken,
+                window[-1] if unit else 0,
             )
         return None
-    return Amount(tuple(window), measure.amount, forms[-1], measure.quantity, measure.si_amount, spoken)
+    return Amount(tuple(window), measure.amount, forms[-1], measure.quantity, measure.si_amount, spoken, window[-1])
+
+
+def _is_of_a_number(form: str) -> bool:
+    return form.lower() in _NUMBER_WORDS or form[0].isdigit() or form in ("-", "+") or form[0] in "+-."
+
+
+def _sum(sentence: Sentence, window: Sequence[int], forms: List[str]) -> Optional[Amount]:
+    """Return an amount in several units, "5 feet 6 inches", counted in the first of them."""
+    if not all(_is_of_a_number(form) or find_unit(form) for form in forms) or not _is_of_a_number(forms[0]):
+        return None
+    if not find_unit(forms[-1]) and window[-1] < len(sentence.tree.words):
+        # "5 feet 6 times" and "2 metres 90 degrees" are two amounts.
+        following = sentence.word(window[-1] + 1)
+        if find_unit(following.form) or following.upos in ("NOUN", "PROPN", "ADJ", "NUM"):
+            return None
+    said = " ".join(forms)
+    try:
+        measure = parse_measure(said)
+    except QuantityError:
+        return None
+    position = next(index for index, form in enumerate(forms) if find_unit(form) and index)
+    return Amount(
+        tuple(window), measure.amount, forms[position], measure.quantity, measure.si_amount, said, window[position]
+    )

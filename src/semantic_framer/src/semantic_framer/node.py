@@ -20,15 +20,16 @@ from roboframenet_msgs.msg import (
     StageEvent,
 )
 from roboframenet_msgs.srv import AddLexicalUnit, AddLexicalUnitRequest, AddLexicalUnitResponse
-from semantic_frames import FileRefused, Problem, load_frame
+from semantic_frames import FileRefused, load_frame
 from semantic_frames.frame import SemanticFrame
-from semantic_frames.source_files import LEXICAL_UNITS_FOLDER, read_text, replace_problems, yaml_files
+from semantic_frames.source_files import LEXICAL_UNITS_FOLDER, yaml_files
 from stanford_parser_ros.ros_messages import to_tree
 from stanford_parser_ros.tree import DependencyTree
 
 from semantic_framer.dialogue import Context
 from semantic_framer.framer import Alternatives, LeftOverWords, Outcome, Policy, Question, Refusal, Understood, read
 from semantic_framer.lexicon import Lexicon
+from semantic_framer.lexicon_files import LexiconFiles, LexiconState
 from semantic_framer.matching import Reading
 from semantic_framer.ros_messages import to_clauses, to_filled_units
 from semantic_framer.sentence import Sentence
@@ -93,17 +94,16 @@ class SemanticFramer:
         self._frames: Dict[str, SemanticFrame] = {}
         self._frame_of_file: Dict[Tuple[str, str], SemanticFrame] = {}
         self._context = Context()
-        self._problems: Tuple[Problem, ...] = ()
         self._id = uuid.uuid4().hex
         self._units = rospy.Publisher("command_lexical_units", CommandLexicalUnits, queue_size=100)
         self._units_2012 = rospy.Publisher("filled_lexical_units", FilledLexicalUnitList, queue_size=100)
         self._lexicon_publisher = rospy.Publisher("lexicon", LexiconMessage, queue_size=1, latch=True)
         self._file_problems = rospy.Publisher("file_problems", FileProblems, queue_size=5, latch=True)
         self._events = rospy.Publisher("stage_events", StageEvent, queue_size=100)
-        added: List[str] = rospy.get_param(ADDED_LEXICAL_UNITS, [])
-        for path in list(yaml_files(settings.lexical_unit_paths, LEXICAL_UNITS_FOLDER)) + added:
-            self._add_file(path)
-        self._publish_lexicon()
+        self._configured = tuple(yaml_files(settings.lexical_unit_paths, LEXICAL_UNITS_FOLDER))
+        self._added: List[str] = rospy.get_param(ADDED_LEXICAL_UNITS, [])
+        self._files = LexiconFiles(self._lexicon, self._lock, self._announce)
+        state = self._files.add(self._configured + tuple(self._added))
         self._subscribers = [
             rospy.Subscriber("frame_catalogue", FrameCatalogue, self._on_catalogue, queue_size=1),
             rospy.Subscriber("command_parse", CommandParse, self._on_command, queue_size=100),
@@ -113,22 +113,14 @@ class SemanticFramer:
             "ready: %d lexical units, %d verbs, %d problems, %s",
             len(self._lexicon.units),
             len(self._lexicon.verbs),
-            len(self._problems),
+            len(state.problems),
             settings,
         )
 
-    def _add_file(self, path: str) -> bool:
-        """Add one lexical unit file; return whether it was accepted. The problems are logged and published."""
-        problems: Tuple[Problem, ...] = ()
-        try:
-            text = read_text(path)
-            with self._lock:
-                self._lexicon.add_file(text, path)
-        except FileRefused as refused:
-            problems = refused.problems
-            for problem in problems:
-                rospy.logerr("refused: %s", problem)
-        self._problems = replace_problems(self._problems, path, problems)
+    def _announce(self, state: LexiconState) -> None:
+        """Publish what there is now; called by one thread at a time, so that the latched message is the newest."""
+        for problem in state.refused:
+            rospy.logerr("refused: %s", problem)
         self._file_problems.publish(
             FileProblems(
                 problems=[
@@ -141,29 +133,23 @@ class SemanticFramer:
                         expected=problem.expected,
                         hint=problem.hint,
                     )
-                    for problem in self._problems
+                    for problem in state.problems
                 ]
             )
         )
-        return not problems
-
-    def _on_add_lexical_unit(self, request: AddLexicalUnitRequest) -> AddLexicalUnitResponse:
-        path = request.absolute_file_path
-        is_added = self._add_file(path)
-        if is_added:
-            added = rospy.get_param(ADDED_LEXICAL_UNITS, [])
-            if path not in added:
-                rospy.set_param(ADDED_LEXICAL_UNITS, added + [path])
-            self._publish_lexicon()
-        return AddLexicalUnitResponse(success=is_added)
-
-    def _publish_lexicon(self) -> None:
         self._lexicon_publisher.publish(
             LexiconMessage(
                 framer_id=self._id,
-                files=[SourceFile(path=path, text=text) for path, text in self._lexicon.files.items()],
+                files=[SourceFile(path=path, text=text) for path, text in state.files.items()],
             )
         )
+        new = [path for path in state.accepted if path not in self._configured and path not in self._added]
+        if new:
+            self._added += new
+            rospy.set_param(ADDED_LEXICAL_UNITS, self._added)
+
+    def _on_add_lexical_unit(self, request: AddLexicalUnitRequest) -> AddLexicalUnitResponse:
+        return AddLexicalUnitResponse(success=not self._files.add([request.absolute_file_path]).refused)
 
     def _on_catalogue(self, message: FrameCatalogue) -> None:
         known = self._frame_of_file

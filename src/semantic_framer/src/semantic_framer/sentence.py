@@ -1,14 +1,18 @@
 """A parsed sentence with its relations by governor, and the words that carry no content of their own."""
 
+import re
+from dataclasses import replace
 from functools import lru_cache
 from typing import Dict, FrozenSet, List, Sequence, Set, Tuple
 
 from stanford_parser_ros.stanford_dependencies import Arc, arcs
 from stanford_parser_ros.tree import DependencyTree, Word
 
+#: Said while thinking, as long as it takes ("uhhh"); never a part of what is said.
+_FILLER = re.compile(r"(u+h+m*|u+m+|e+r+m*|e+h+|e+h*m+|h+m+|m{2,})$")
 #: Said around a command without changing it.
 HARMLESS = frozenset(
-    "please now just kindly then also okay ok so well uh um er hmm hey hi hello robot again next first finally simply actually "
+    "please now just kindly then also okay ok so well hey hi hello robot again next first finally simply actually "
     "thanks thank could can would will you i us lets".split()
 )
 _FUNCTION_RELATIONS = {
@@ -34,12 +38,12 @@ class Sentence:
     """A dependency tree, looked at from its governors.
 
     Attributes:
-        tree: the tree
+        tree: the tree; a modal that has no verb ("the trash can") is a noun in it
         arcs: every relation under all of its names
     """
 
     def __init__(self, tree: DependencyTree) -> None:
-        self.tree = tree
+        self.tree = tree = _with_modals_as_nouns(tree)
         self.arcs: Tuple[Arc, ...] = arcs(tree)
         self._by_governor: Dict[int, List[Arc]] = {}
         for arc in self.arcs:
@@ -48,6 +52,11 @@ class Sentence:
             index: tree.children(index) for index in range(len(tree.words) + 1)
         }
         self.subtree = lru_cache(maxsize=None)(self._subtree)
+        #: Positions of what the speaker corrected, and of the words that said so.
+        self.abandoned: FrozenSet[int] = frozenset().union(
+            *(self._subtree(word.index) for word in tree.words if word.deprel == "reparandum")
+        )
+        self.fillers: FrozenSet[int] = frozenset(word.index for word in tree.words if is_filler(word.form))
 
     def word(self, index: int) -> Word:
         """Return a word by its index from 1."""
@@ -72,9 +81,13 @@ class Sentence:
         return frozenset(found)
 
     def text(self, positions: Sequence[int]) -> str:
-        """Return words as they were said, a clitic ("'s") joined to its word."""
+        """Return words in the order in which they were said, a clitic ("'s") joined to its word."""
+        return self.text_in_order(sorted(positions))
+
+    def text_in_order(self, positions: Sequence[int]) -> str:
+        """Return words in the order in which they are given."""
         text = ""
-        for index in sorted(positions):
+        for index in positions:
             form = self.word(index).form
             text += form if not text or form.startswith(("'", "’", "n't")) else " " + form
         return text
@@ -84,4 +97,32 @@ class Sentence:
         word = self.word(index)
         if word.deprel in _FUNCTION_RELATIONS or word.upos in ("PUNCT", "INTJ", "SYM", "CCONJ", "PART"):
             return False
-        return word.form.lower() not in HARMLESS
+        return word.form.lower() not in HARMLESS and index not in self.fillers
+
+
+def is_filler(form: str) -> bool:
+    """Whether a word is said only while thinking: "um", "uhhh"."""
+    return _FILLER.match(form.lower()) is not None
+
+
+def _with_modals_as_nouns(tree: DependencyTree) -> DependencyTree:
+    """Make a noun of a modal that helps no verb and stands behind a noun: it is the head of a compound with that noun.
+
+    "If you can" has a subject, "will you" too.
+    """
+    for modal in tree.words:
+        before = tree.words[modal.index - 2] if modal.index > 1 else modal
+        is_noun = (
+            modal.xpos == "MD"
+            and not modal.deprel.startswith("aux")
+            and before.upos in ("NOUN", "PROPN")
+            and modal.head in (before.index, before.head)
+            and not any(child.upos != "PUNCT" for child in tree.children(modal.index))
+        )
+        if is_noun:
+            noun = replace(modal, upos="NOUN", xpos="NN", head=before.head, deprel=before.deprel)
+            words = [replace(word, head=modal.index) if word.head == before.index else word for word in tree.words]
+            words[modal.index - 1] = noun
+            words[before.index - 1] = replace(before, head=modal.index, deprel="compound")
+            tree = replace(tree, words=tuple(words))
+    return tree

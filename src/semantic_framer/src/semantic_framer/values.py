@@ -37,7 +37,7 @@ def phrase_value(
     head: int,
     form: ArgumentForm,
     left_out: FrozenSet[int],
-    joined: FrozenSet[int] = frozenset(),
+    attached: FrozenSet[int] = frozenset(),
 ) -> ElementValue:
     """Make the value of a phrase.
 
@@ -47,14 +47,15 @@ def phrase_value(
         head: index of the head word
         form: which words become the argument
         left_out: words that belong to something else
-        joined: words that belong to the phrase though they hang elsewhere
+        attached: words that belong to it though they hang elsewhere
     Returns:
         the value; its positions include a preposition at the front, its argument does not
     """
     conjuncts = [
         child for child in sentence.children(head) if child.deprel == "conj" and child.upos not in ("VERB", "AUX")
     ]
-    positions = sorted((sentence.subtree(head) - left_out) | joined)
+    left_out |= sentence.abandoned | sentence.fillers - {head}
+    positions = sorted((sentence.subtree(head) - left_out) | attached)
     while len(positions) > 1 and sentence.word(positions[-1]).upos == "PUNCT":
         positions.pop()
     while len(positions) > 1 and (
@@ -63,7 +64,7 @@ def phrase_value(
         positions.pop(0)
     prepositions = _prepositions(sentence, head)
     if prepositions and positions[0] < min(prepositions):
-        prepositions |= frozenset(index for index in joined if index < min(prepositions))
+        prepositions |= frozenset(index for index in attached if index < min(prepositions))
     bare = [index for index in positions if index not in prepositions]
     children = sentence.children(head)
     conjunction = ""
@@ -78,7 +79,7 @@ def phrase_value(
             ),
             "and",
         )
-        items = _items(sentence, head, [conjunct.index for conjunct in conjuncts], left_out | prepositions)
+        items = _items(sentence, head, [conjunct.index for conjunct in conjuncts], left_out | prepositions, attached)
     phrase_argument = sentence.text(bare)
     return ElementValue(
         name=name,
@@ -103,19 +104,21 @@ def _prepositions(sentence: Sentence, head: int) -> FrozenSet[int]:
     return frozenset(found)
 
 
-def _items(sentence: Sentence, head: int, conjuncts: List[int], left_out: FrozenSet[int]) -> Tuple[str, ...]:
+def _items(
+    sentence: Sentence, head: int, conjuncts: List[int], left_out: FrozenSet[int], attached: FrozenSet[int]
+) -> Tuple[str, ...]:
     later = frozenset(index for conjunct in conjuncts for index in sentence.subtree(conjunct))
     groups = [sentence.subtree(head) - later - left_out] + [
         sentence.subtree(conjunct) - left_out for conjunct in conjuncts
     ]
+    groups[-1] |= attached
     items = []
-    for group in groups:
+    for item, group in zip([head] + conjuncts, groups):
+        own = _prepositions(sentence, item)
         words = [
             index
             for index in sorted(group)
-            if sentence.word(index).upos != "PUNCT"
-            and sentence.word(index).deprel not in ("cc", "case")
-            or sentence.word(index).xpos == "POS"
+            if sentence.word(index).upos != "PUNCT" and sentence.word(index).deprel != "cc" and index not in own
         ]
         if words:
             items.append(sentence.text(words))
@@ -131,6 +134,8 @@ def amount_value(sentence: Sentence, name: str, amount: Amount, *, is_whole: boo
         amount: as it was found
         is_whole: whether the argument is the amount with its unit ("5 minutes") or the number alone ("120")
     """
+    # The head of "60 degrees" is the unit; an element that holds the number alone has the number for its head.
+    numeral = [position for position in amount.positions if is_whole or position != amount.unit_position]
     whole = f"{amount.digits()} {amount.unit}".strip()
     return ElementValue(
         name=name,
@@ -142,8 +147,7 @@ def amount_value(sentence: Sentence, name: str, amount: Amount, *, is_whole: boo
         quantity=amount.quantity,
         si_amount=amount.si_amount,
         positions=amount.positions,
-        # The head of "60 degrees" is the unit; an element that holds the number alone has the number for its head.
-        head_position=amount.positions[-1 if is_whole or not amount.unit else -2],
+        head_position=(numeral or list(amount.positions))[-1],
     )
 
 
@@ -155,8 +159,8 @@ def unit_value(sentence: Sentence, name: str, amount: Amount) -> ElementValue:
         head=amount.unit,
         phrase=amount.unit,
         unit=amount.unit,
-        positions=amount.positions[-1:],
-        head_position=amount.positions[-1],
+        positions=(amount.unit_position,),
+        head_position=amount.unit_position,
     )
 
 

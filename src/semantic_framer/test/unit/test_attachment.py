@@ -1,61 +1,157 @@
-"""Phrases that hang on the verb, and tell which thing is meant."""
+"""Which words belong to which element, on parses written by hand: no model needed."""
 
-from semantic_framer.attachment import joined_phrases, words_before, words_before_amount
+from typing import Dict, Tuple
+
+import pytest
+from semantic_framer.clauses import find_clauses
+from semantic_framer.framer import Policy, Refusal, Understood, read
+from semantic_framer.lexicon import Lexicon
 from semantic_framer.sentence import Sentence
+from semantic_frames import load_frame
 from stanford_parser_ros.conllu import from_conllu
 
-
-def sentence(*rows: str) -> Sentence:
-    """Make a sentence from rows "form upos head deprel"."""
-    lines = []
-    for index, row in enumerate(rows, start=1):
-        form, upos, head, deprel = row.split()
-        lines.append("\t".join([str(index), form, form, upos, "_", "_", head, deprel, "_", "_"]))
-    return Sentence(from_conllu("\n".join(lines) + "\n\n"))
-
-
-CLOSE_THE_DOOR_ON_THE_RIGHT = (
-    "close VERB 0 root",
-    "the DET 3 det",
-    "door NOUN 1 obj",
-    "on ADP 6 case",
-    "the DET 6 det",
-    "right NOUN 1 obl",
+FRAMES = {
+    frame.name: frame
+    for frame in (
+        load_frame(text, "frame.yaml")
+        for text in (
+            "name: taking\nframe_elements:\n  - {name: theme, is_core: True}\n  - {name: source, is_core: False}\n",
+            "name: saying\nframe_elements:\n  - {name: message, is_core: True, framenet: Message}\n",
+            "name: releasing\nframe_elements:\n  - {name: theme, is_core: True}\n",
+        )
+    )
+}
+UNITS = """
+- frame_name: taking
+  verb: [take, lift]
+  frame_element_grammatical_relations:
+    - {name: theme, relation: dobj, argument: phrase}
+    - {name: source, relation: prep_from, argument: phrase}
+- frame_name: taking
+  verb: [remove]
+  frame_element_grammatical_relations:
+    - {name: theme, relation: dobj, argument: phrase}
+    - {name: source, relation: [prep_from, prep_on], argument: phrase}
+- frame_name: saying
+  verb: say
+  frame_element_grammatical_relations:
+    - {name: message, relation: dobj, argument: phrase}
+- frame_name: releasing
+  verb: let go of
+  frame_element_grammatical_relations:
+    - {name: theme, relation: prep_of, argument: phrase}
+"""
+ROWS = (
+    "1 {verb} {verb} VERB VB _ 0 root _ _\n2 the the DET DT _ 3 det _ _\n3 mug mug NOUN NN _ 1 obj _ _"
+    "\n4 {preposition} {preposition} ADP IN _ 6 case _ _\n5 the the DET DT _ 6 det _ _\n6 table table NOUN NN _ 1 obl _ _"
 )
 
 
-def test_a_place_behind_a_thing_tells_which_one():
-    joined = joined_phrases(
-        sentence(*CLOSE_THE_DOOR_ON_THE_RIGHT), 1, {"portal": (3, frozenset([2, 3]))}, frozenset([4, 5, 6])
+def lexicon() -> Lexicon:
+    made = Lexicon()
+    made.add_file(UNITS, "units.yaml")
+    return made
+
+
+def filled(rows: str) -> Dict[str, str]:
+    outcome, _ = read(from_conllu(rows), lexicon(), FRAMES, policy=Policy())
+    assert isinstance(outcome, Understood), outcome
+    return {value.name: value.argument for value in outcome.clauses[0][0].values}
+
+
+@pytest.mark.parametrize(
+    "verb, preposition, arguments",
+    [
+        ("take", "on", {"theme": "the mug on the table"}),
+        ("take", "from", {"theme": "the mug", "source": "the table"}),
+        ("remove", "on", {"theme": "the mug", "source": "the table"}),
+    ],
+)
+def test_phrase_of_place_that_fills_nothing_belongs_to_the_noun_before_it(
+    verb: str, preposition: str, arguments: Dict[str, str]
+) -> None:
+    assert filled(ROWS.format(verb=verb, preposition=preposition)) == arguments
+
+
+@pytest.mark.parametrize("verb, preposition", [("take", "with"), ("take", "to"), ("say", "on")])
+def test_other_phrases_that_fill_nothing_are_left_over(verb: str, preposition: str) -> None:
+    outcome, _ = read(from_conllu(ROWS.format(verb=verb, preposition=preposition)), lexicon(), FRAMES)
+    assert isinstance(outcome, Refusal) and outcome.code == "LEFT_OVER_WORDS"
+
+
+@pytest.mark.parametrize(
+    "first, second",
+    [
+        # The verb is what the second unit is about, wherever it stands in the first.
+        (("fetch", "[fetch, take]", ""), ("take", "[take, fetch]", "")),
+        # Neither is about it: fewer elements stay empty.
+        (("bring", "[bring, take]", "{name: source, relation: prep_from}"), ("lift", "[lift, take]", "")),
+        # Neither, and as many stay empty: it is listed earlier.
+        (("bring", "[bring, carry, take]", ""), ("lift", "[lift, take, carry]", "")),
+    ],
+)
+@pytest.mark.parametrize("is_swapped", [False, True])
+def test_unit_that_the_verb_names_comes_first(
+    first: Tuple[str, str, str], second: Tuple[str, str, str], is_swapped: bool
+) -> None:
+    made = Lexicon()
+    for name, verbs, relation in (second, first) if is_swapped else (first, second):
+        relations = "[{name: theme, relation: dobj}" + (f", {relation}]" if relation else "]")
+        made.add_file(
+            f"{{frame_name: {name}, verb: {verbs}, frame_element_grammatical_relations: {relations}}}", f"{name}.yaml"
+        )
+    frames = {
+        name: load_frame(
+            f"name: {name}\nframe_elements:\n  - {{name: theme, is_core: True}}\n  - {{name: source, is_core: False}}\n",
+            "frame.yaml",
+        )
+        for name, _, _ in (first, second)
+    }
+    rows = "1 take take VERB VB _ 0 root _ _\n2 boxes box NOUN NNS _ 1 obj _ _"
+    outcome, _ = read(from_conllu(rows), made, frames)
+    assert isinstance(outcome, Understood)
+    assert [reading.unit.frame_name for reading in outcome.clauses[0]] == [second[0], first[0]]
+
+
+def test_two_phrases_of_place_one_behind_the_other() -> None:
+    rows = ROWS.format(verb="take", preposition="on") + (
+        "\n7 in in ADP IN _ 9 case _ _\n8 the the DET DT _ 9 det _ _\n9 hall hall NOUN NN _ 1 obl _ _"
     )
-    assert joined == {"portal": frozenset([4, 5, 6])}
+    assert filled(rows) == {"theme": "the mug on the table in the hall"}
 
 
-def test_a_place_that_an_element_took_stays_there():
-    joined = joined_phrases(sentence(*CLOSE_THE_DOOR_ON_THE_RIGHT), 1, {"portal": (3, frozenset([2, 3]))}, frozenset())
-    assert joined == {}
-
-
-def test_with_goes_to_a_thing_and_not_to_a_place():
-    to_the_kitchen = sentence(
-        "go VERB 0 root", "to ADP 3 case", "kitchen NOUN 1 obl", "with ADP 5 case", "Bob PROPN 1 obl"
+def test_place_belongs_to_the_last_of_a_list() -> None:
+    rows = (
+        "1 take take VERB VB _ 0 root _ _\n2 cups cup NOUN NNS _ 1 obj _ _\n3 and and CCONJ CC _ 4 cc _ _"
+        "\n4 plates plate NOUN NNS _ 2 conj _ _\n5 on on ADP IN _ 6 case _ _\n6 shelves shelf NOUN NNS _ 1 obl _ _"
     )
-    assert joined_phrases(to_the_kitchen, 1, {"goal": (3, frozenset([2, 3]))}, frozenset([4, 5])) == {}
+    outcome, _ = read(from_conllu(rows), lexicon(), FRAMES)
+    assert isinstance(outcome, Understood)
+    assert outcome.clauses[0][0].values[0].items == ("cups", "plates on shelves")
 
 
-def test_a_pronoun_needs_no_telling():
-    put_it = sentence("put VERB 0 root", "it PRON 1 obj", "on ADP 4 case", "tables NOUN 1 obl")
-    assert joined_phrases(put_it, 1, {"theme": (2, frozenset([2]))}, frozenset([3, 4])) == {}
+LET_GO = (
+    "1 let let VERB VB _ 0 root _ _\n2 go go VERB VB _ 1 xcomp _ _\n3 of of ADP IN _ 5 case _ _"
+    "\n4 the the DET DT _ 5 det _ _\n5 rope rope NOUN NN _ 2 obl _ _"
+)
 
 
-def test_an_adverb_makes_a_preposition_more_precise():
-    close_to = sentence("go VERB 0 root", "close ADV 1 advmod", "to ADP 4 case", "doors NOUN 1 obl")
-    assert words_before(close_to, 1, 3, frozenset([2])) == frozenset([2])
-    assert words_before(close_to, 1, 3, frozenset()) == frozenset()
+def test_verb_of_several_words_is_one_verb_where_the_lexicon_has_it() -> None:
+    assert filled(LET_GO) == {"theme": "the rope"}
+    assert [clause.lemma for clause in find_clauses(Sentence(from_conllu(LET_GO)))] == ["go"]
 
 
-def test_words_in_front_of_a_number_belong_to_it():
-    by_almost = sentence(
-        "turn VERB 0 root", "by ADP 5 case", "almost ADV 4 advmod", "90 NUM 5 nummod", "degrees NOUN 1 obl"
+def test_modal_without_a_verb_is_a_noun() -> None:
+    rows = (
+        "1 lift lift VERB VB _ 0 root _ _\n2 the the DET DT _ 3 det _ _\n3 trash trash NOUN NN _ 1 obj _ _"
+        "\n4 can can AUX MD _ 1 parataxis _ _"
     )
-    assert words_before_amount(by_almost, 4) == frozenset([2, 3])
+    assert filled(rows) == {"theme": "the trash can"}
+
+
+def test_modal_with_a_subject_is_no_noun() -> None:
+    rows = (
+        "1 lift lift VERB VB _ 0 root _ _\n2 mugs mug NOUN NNS _ 1 obj _ _\n3 can can AUX MD _ 1 parataxis _ _"
+        "\n4 you you PRON PRP _ 3 nsubj _ _"
+    )
+    assert {word.upos for word in Sentence(from_conllu(rows)).tree.words} == {"VERB", "NOUN", "AUX", "PRON"}

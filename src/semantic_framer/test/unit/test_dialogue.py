@@ -104,6 +104,47 @@ def test_answer_that_says_more_than_the_answer_is_not_acted_on(answer: str) -> N
     assert isinstance(hear(MOVE, answer)[1], Refusal)
 
 
+TWO_WAYS = """
+- {frame_name: moving, verb: go, frame_element_grammatical_relations: [{name: distance, relation: measure}]}
+- {frame_name: turning, verb: go, frame_element_grammatical_relations: [{name: direction, relation: advmod}]}
+- {frame_name: taking, verb: go, frame_element_grammatical_relations: [{name: theme, relation: dobj}]}
+- {frame_name: taking, verb: go, frame_element_grammatical_relations: [{name: theme, relation: iobj}]}
+"""
+GO = "1 Go go VERB VB _ 0 root _ _"
+
+
+@pytest.mark.parametrize(
+    "reply, done",
+    [
+        (TWO_METRES, [("moving", {"distance": "2", "distance_unit": "metres"})]),
+        ("1 left left ADV RB _ 0 root _ _", [("turning", {"direction": "left"})]),
+        ("1 mugs mug NOUN NNS _ 0 root _ _", [("taking", {"theme": "mugs"})]),
+    ],
+)
+def test_answer_tells_which_of_several_readings_was_meant(reply: str, done: List[Any]) -> None:
+    made = Lexicon()
+    made.add_file(TWO_WAYS, "units.yaml")
+    question, context = read(from_conllu(GO), made, FRAMES)
+    assert isinstance(question, Question) and question.code == "MISSING_ELEMENT"
+    for part in ("How far?", "Left or right?", "What is the theme?"):
+        assert question.sentence.count(part) == 1
+    outcome, _ = read(from_conllu(reply), made, FRAMES, context=context)
+    assert arguments(outcome) == done
+    assert {reading.unit.frame_name for reading in outcome.clauses[0]} == {name for name, _ in done}
+
+
+def test_what_several_readings_have_in_common_is_asked_once() -> None:
+    made = Lexicon()
+    made.add_file("- {frame_name: taking, verb: get}\n- {frame_name: lifting, verb: get}\n", "units.yaml")
+    lifting = replace(FRAMES["taking"], name="lifting")
+    frames = {"taking": FRAMES["taking"], "lifting": lifting}
+    question, context = read(from_conllu("1 Get get VERB VB _ 0 root _ _"), made, frames)
+    assert isinstance(question, Question) and question.sentence == "What is the theme?"
+    outcome, _ = read(from_conllu("1 mugs mug NOUN NNS _ 0 root _ _"), made, frames, context=context)
+    assert isinstance(outcome, Understood)
+    assert {reading.unit.frame_name for reading in outcome.clauses[0]} == {"taking", "lifting"}
+
+
 def test_no_ends_a_question() -> None:
     _, declined, late = hear(MOVE, "1 no no INTJ UH _ 0 root _ _", TWO_METRES)
     assert isinstance(declined, Refusal) and declined.code == "NEGATED"

@@ -18,7 +18,7 @@ def sentence_of(text: str) -> Sentence:
         DependencyTree(
             text=text,
             words=tuple(
-                Word(index, form, form.lower(), "X", "", "", 0 if index == 1 else 1, "dep")
+                Word(index, form, form.lower(), "NOUN" if form == "times" else "X", "", "", 0 if index == 1 else 1, "dep")
                 for index, form in enumerate(forms, start=1)
             ),
         )
@@ -37,6 +37,13 @@ def sentence_of(text: str) -> Sentence:
         ("go two metres and turn ninety degrees", [("2", "metres", "length"), ("90", "degrees", "angle")]),
         ("take a mug", []),
         ("go to the office", []),
+        ("move forward 5 feet 6 inches", [("5.5", "feet", "length")]),
+        ("five foot six", [("5.5", "foot", "length")]),
+        ("two metres fifty forward", [("2.5", "metres", "length")]),
+        ("wait an hour and a half", [("1.5", "hour", "duration")]),
+        ("go two metres 90 degrees", [("2", "metres", "length"), ("90", "degrees", "angle")]),
+        ("go five feet six times", [("5", "feet", "length"), ("6", "", "number")]),
+        ("go two metres and turn", [("2", "metres", "length")]),
         ("turn 1e400 degrees", [("1e400", "degrees", "angle")]),
     ],
 )

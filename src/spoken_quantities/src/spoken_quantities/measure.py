@@ -3,15 +3,26 @@
 import math
 import re
 from dataclasses import dataclass
-from typing import Optional
+from typing import Dict, List, Optional, Tuple
 
 from spoken_quantities.numbers import QuantityError, parse_number
-from spoken_quantities.units import find_unit, units_of
+from spoken_quantities.units import Unit, find_unit, units_of
 
 #: A number written together with its unit: "10cm", "90°", "3ft".
 _JOINED = re.compile(r"^([+-]?[\d.,]+)\s*([^\d\s.,+-].*)$")
 #: Words between the number and its unit that carry nothing: "half a metre", "a couple of metres".
 _FILLERS = ("of a", "of an", "of the", "of", "a", "an")
+#: "5ft 6in", "5'6\"", "1h30": numbers and units may touch.
+_BETWEEN_DIGITS_AND_UNITS = re.compile(r"(?<=\d)(?=[a-z'\"])|(?<=[a-z'\"])(?=\d)")
+#: What a bare number behind a unit counts: so many of it make one, and it is not said of fewer. "Five foot six" is six
+#: inches; "two metres fifty" is fifty centimetres, but "two metres five" may be five centimetres or half a metre.
+_PARTS: Dict[str, Tuple[int, int]] = {
+    "foot": (12, 1),
+    "metre": (100, 10),
+    "kilometre": (1000, 100),
+    "hour": (60, 1),
+    "minute": (60, 1),
+}
 
 
 @dataclass(frozen=True)
@@ -35,7 +46,9 @@ def parse_measure(text: str, *, quantity: Optional[str] = None, default_unit: st
     """Read a measure.
 
     Args:
-        text: "3 feet", "half a metre", "a couple of metres", "minus two degrees", "10cm", "90°", "one eighty"
+        text: "3 feet", "half a metre", "a couple of metres", "minus two degrees", "10cm", "90°", "one eighty"; also one
+            that is said in two units or more, "5 feet 6 inches", "five foot six", "two metres fifty", "an hour and a
+            half", whose amount is counted in the first unit (5.5 feet)
         quantity: length, angle, duration or number, if only that is wanted
         default_unit: unit of a bare number, if it may be left out
     Returns:
@@ -43,6 +56,60 @@ def parse_measure(text: str, *, quantity: Optional[str] = None, default_unit: st
     Raises:
         QuantityError: NOT_A_NUMBER, NOT_FINITE, UNKNOWN_UNIT, MISSING_UNIT, WRONG_QUANTITY
     """
+    try:
+        return _parse_single(text, quantity, default_unit)
+    except QuantityError as error:
+        compound = _parse_compound(text) if error.code in ("NOT_A_NUMBER", "UNKNOWN_UNIT") else None
+        if compound is None:
+            raise
+    if quantity is not None and compound.quantity != quantity:
+        raise QuantityError("WRONG_QUANTITY", f'"{text.strip()}" is no {quantity}.')
+    return compound
+
+
+def _parse_compound(text: str) -> Optional[Measure]:
+    """Read a measure in several units, or None; each unit is smaller than the one before, and filled less than once."""
+    words = _BETWEEN_DIGITS_AND_UNITS.sub(" ", text.lower().replace("°", " ° ")).split()
+    position = next((index for index, word in enumerate(words) if index and find_unit(word)), len(words))
+    unit = find_unit(words[position]) if position < len(words) - 1 else None
+    if unit is None:
+        return None
+    try:
+        first = _parse_single(" ".join(words[: position + 1]), None, "")
+        rest = _amount_behind(words[position + 1 :], unit)
+    except QuantityError:
+        return None
+    if rest is None or not first.amount.is_integer():
+        return None
+    amount = first.amount + math.copysign(rest, first.amount)
+    return Measure(amount=amount, unit=unit.name, quantity=unit.quantity, si_amount=amount * unit.si_factor)
+
+
+def _amount_behind(words: List[str], unit: Unit) -> Optional[float]:
+    """Read what is said behind a unit, as a share of that unit: "6 inches", "six", "and a half"; None for other words.
+
+    Raises:
+        QuantityError: it is no measure
+    """
+    is_joined = words[0] == "and"
+    words = words[1:] if is_joined else words
+    if not words or words[0] in ("minus", "negative", "plus") or words[0][0] in "+-":
+        return None
+    if _is_number(" ".join(words)):
+        number = parse_number(" ".join(words))
+        if is_joined:
+            return number if 0.0 < number < 1.0 else None
+        divisor, least = _PARTS.get(unit.name, (1, 1))
+        return number / divisor if least <= number < divisor and number.is_integer() else None
+    if len(words) < 2:
+        return None
+    rest = parse_measure(" ".join(words), quantity=unit.quantity)
+    share = rest.si_amount / unit.si_factor
+    return share if 0.0 < share < 1.0 and rest.unit != unit.name else None
+
+
+def _parse_single(text: str, quantity: Optional[str], default_unit: str) -> Measure:
+    """Read a measure in one unit; the arguments and errors of :func:`parse_measure`."""
     words = " ".join(text.replace("°", " ° ").split())
     if not words:
         raise QuantityError("NOT_A_NUMBER", "No amount was said.")

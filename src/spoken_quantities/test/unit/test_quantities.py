@@ -162,6 +162,64 @@ def test_parse_measure(text: str, quantity: str, si_amount: float, unit: str) ->
     assert (measure.unit, measure.quantity) == (unit, quantity)
 
 
+@pytest.mark.parametrize(
+    "text, amount, unit, si_amount",
+    [
+        ("5 feet 6 inches", 5.5, "foot", 1.6764),
+        ("five feet and six inches", 5.5, "foot", 1.6764),
+        ("five foot six", 5.5, "foot", 1.6764),
+        ("minus five foot six", -5.5, "foot", -1.6764),
+        ("5'6\"", 5.5, "foot", 1.6764),
+        ("5ft 6in", 5.5, "foot", 1.6764),
+        ("two metres fifty", 2.5, "metre", 2.5),
+        ("2 m 50 cm", 2.5, "metre", 2.5),
+        ("two metres and a half", 2.5, "metre", 2.5),
+        ("two metres and fifty centimetres", 2.5, "metre", 2.5),
+        ("one kilometre five hundred", 1.5, "kilometre", 1500.0),
+        ("a yard two feet six inches", 1 + 2.5 / 3, "yard", 1.6764),
+        ("an hour and a half", 1.5, "hour", 5400.0),
+        ("one hour thirty", 1.5, "hour", 5400.0),
+        ("1 hour 2 minutes 3 seconds", 3723 / 3600, "hour", 3723.0),
+        ("two minutes and ten seconds", 130 / 60, "minute", 130.0),
+        ("three turns and ninety degrees", 3.25, "turn", 6.5 * math.pi),
+    ],
+)
+def test_measure_in_several_units_is_their_sum(text: str, amount: float, unit: str, si_amount: float) -> None:
+    measure = parse_measure(text)
+    assert (measure.amount, measure.si_amount) == (pytest.approx(amount), pytest.approx(si_amount))
+    assert measure.unit == unit
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "5 feet 13 inches",
+        "five foot thirteen",
+        "6 inches 5 feet",
+        "5 feet 6 feet",
+        "5 feet 6 degrees",
+        "two metres five",
+        "2.5 metres 50",
+        "5 feet minus 6 inches",
+        "5 feet -6 inches",
+        "5 feet and six",
+        "1 metre in",
+        "5 degrees 6",
+        "two metres turn ninety degrees",
+        "5 feet 1e400 inches",
+    ],
+)
+def test_measures_that_do_not_add_up_are_refused(text: str) -> None:
+    with pytest.raises(QuantityError):
+        parse_measure(text)
+
+
+def test_sum_is_checked_for_its_quantity() -> None:
+    with pytest.raises(QuantityError) as raised:
+        parse_measure("5 feet 6 inches", quantity="angle")
+    assert raised.value.code == "WRONG_QUANTITY"
+
+
 def test_bare_number_takes_the_default_unit() -> None:
     assert parse_measure("one eighty", quantity="angle", default_unit="degrees").si_amount == pytest.approx(math.pi)
 

@@ -1,8 +1,10 @@
-"""A word at the front of a command that the lexicon knows as a verb is a verb.
+"""What the lexicon knows better than a tagger that learned from text in which commands are rare.
 
-Parsers learn from text in which commands are rare, and take "Scrub the pot" or "Ping" for names. The lexicon knows
-better. The
+A word at the front of a command that the lexicon knows as a verb is a verb, not a name: "Scrub the pot", "Ping". The
 rule looks at one place only: the first word behind an addressee, politeness and fillers.
+
+A word between "to" and a last number that the lexicon does not know as a verb is what the number counts: "compute the
+sequence to order seven", "turn the volume to level three". No command tells the robot to "order seven".
 """
 
 from dataclasses import replace
@@ -33,6 +35,30 @@ def command_verb_position(forms: Sequence[str], verbs: FrozenSet[str]) -> Option
         # "Name is Bob", "Face it": a noun that is followed by a finite verb is no command.
         following = forms[position + 1].lower() if position + 1 < len(forms) else ""
         return None if following in ("is", "are", "was", "were", "'s") else position + 1
+    return None
+
+
+def numbered_noun_position(forms: Sequence[str], tags: Sequence[str], verbs: FrozenSet[str]) -> Optional[int]:
+    """Find a noun that was taken for a verb because "to" stands before it, and a number behind it.
+
+    Args:
+        forms: words of the sentence
+        tags: their universal parts of speech
+        verbs: known verbs in their base form, lower case; without any, nothing is known better
+    Returns:
+        its index from 1; None when there is none
+    """
+    for position in range(2, len(forms) - 1):
+        is_last = position + 2 == len(forms) or tags[position + 2] in ("PUNCT", "CCONJ")
+        if (
+            verbs
+            and forms[position - 1].lower() == "to"
+            and tags[position] == "VERB"
+            and forms[position].lower() not in verbs
+            and tags[position + 1] == "NUM"
+            and is_last
+        ):
+            return position + 1
     return None
 
 

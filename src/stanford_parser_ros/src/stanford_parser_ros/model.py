@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, FrozenSet, List, Optional, Tuple
 
-from stanford_parser_ros.imperative import command_verb_position, rerooted
+from stanford_parser_ros.imperative import command_verb_position, numbered_noun_position, rerooted
 from stanford_parser_ros.spelling import Spelling, rewrite
 from stanford_parser_ros.tree import DependencyTree, Word
 
@@ -154,19 +154,24 @@ class Parser:
     def _parse_spelling(self, text: str, spelling: Spelling, verbs: FrozenSet[str]) -> DependencyTree:
         document = self._pipeline(spelling.text)
         sentence = document.sentences[0]
-        position = command_verb_position([word.text for word in sentence.words], verbs)
-        if position is not None and sentence.words[position - 1].upos != "VERB":
-            word = sentence.words[position - 1]
-            word.upos, word.xpos, word.feats, word.lemma = (
-                "VERB",
-                "VB",
-                "Mood=Imp|Person=2|VerbForm=Fin",
-                word.text.lower(),
-            )
+        forms = [word.text for word in sentence.words]
+        position = command_verb_position(forms, verbs)
+        is_retagged = position is not None and sentence.words[position - 1].upos != "VERB"
+        if is_retagged:
+            _retag(sentence.words[position - 1], "VERB", "VB", "Mood=Imp|Person=2|VerbForm=Fin")
+        noun = numbered_noun_position(forms, [word.upos for word in sentence.words], verbs)
+        if noun is not None:
+            _retag(sentence.words[noun - 2], "ADP", "IN", "")
+            _retag(sentence.words[noun - 1], "NOUN", "NN", "Number=Sing")
+        if is_retagged or noun is not None:
             document = self._pipeline.processors["depparse"].process(document)
             sentence = document.sentences[0]
         tree = _to_tree(text, sentence, spelling)
         return rerooted(tree, position) if position is not None else tree
+
+
+def _retag(word: Any, upos: str, xpos: str, feats: str) -> None:
+    word.upos, word.xpos, word.feats, word.lemma = upos, xpos, feats or None, word.text.lower()
 
 
 def _to_tree(text: str, sentence: Any, spelling: Spelling) -> DependencyTree:

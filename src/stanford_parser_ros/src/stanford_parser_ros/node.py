@@ -85,6 +85,10 @@ class ParserNode:
         self._parses = rospy.Publisher("command_parse", CommandParse, queue_size=100)
         self._parses_2012 = rospy.Publisher("parse", Parse, queue_size=100)
         self._events = rospy.Publisher("stage_events", StageEvent, queue_size=100)
+        # What the lexicon knows is read while the models load, so that it counts for the first command.
+        self._verbs: FrozenSet[str] = frozenset()
+        self._verbs_of_file: Dict[str, FrozenSet[str]] = {}
+        self._lexicon = rospy.Subscriber("lexicon", Lexicon, self._on_lexicon, queue_size=1)
         self._parser = Parser(
             model_dir=settings.model_dir,
             package=settings.package,
@@ -92,16 +96,13 @@ class ParserNode:
             cache_size=settings.cache_size,
         )
         times = self._parser.load_times
-        self._verbs: FrozenSet[str] = frozenset()
-        self._verbs_of_file: Dict[str, FrozenSet[str]] = {}
         self._commands: "queue.Queue[Command]" = queue.Queue(settings.queue_size)
         self._worker = threading.Thread(target=self._run, name="parser", daemon=True)
         self._worker.start()
         rospy.on_shutdown(lambda: self._worker.join(2.0 * WAKE_UP_S))
-        self._subscribers = [
-            rospy.Subscriber("lexicon", Lexicon, self._on_lexicon, queue_size=1),
-            rospy.Subscriber("command_text", Command, self._on_command, queue_size=settings.queue_size),
-        ]
+        self._subscriber = rospy.Subscriber(
+            "command_text", Command, self._on_command, queue_size=settings.queue_size
+        )
         rospy.loginfo(
             "ready after %.1f s (torch %.1f, Stanza %.1f, models %.1f, first parse %.1f): %s",
             times.total_s,

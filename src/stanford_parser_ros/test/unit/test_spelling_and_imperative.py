@@ -4,7 +4,7 @@ from typing import Optional
 
 import pytest
 from stanford_parser_ros.conllu import from_conllu
-from stanford_parser_ros.imperative import command_verb_position, rerooted
+from stanford_parser_ros.imperative import command_verb_position, numbered_noun_position, rerooted
 from stanford_parser_ros.spelling import rewrite
 
 VERBS = frozenset(["scrub", "ping", "name", "turn"])
@@ -71,3 +71,20 @@ def test_rerooted_makes_the_verb_the_root_and_keeps_a_tree() -> None:
 def test_rerooted_leaves_a_right_tree_alone() -> None:
     tree = from_conllu("1 Ping ping VERB VB _ 0 root _ _")
     assert rerooted(tree, 1) is tree
+
+
+@pytest.mark.parametrize(
+    "text, tags, position",
+    [
+        ("compute it to order seven .", "VERB PRON PART VERB NUM PUNCT", 4),
+        ("compute it to order seven", "VERB PRON PART VERB NUM", 4),
+        ("go to fetch seven", "VERB PART VERB NUM", None),  # a verb of the lexicon
+        ("compute it to order seven mugs", "VERB PRON PART VERB NUM NOUN", None),
+        ("compute it to order", "VERB PRON PART VERB", None),
+        ("drive to room seven", "VERB ADP NOUN NUM", None),
+    ],
+)
+def test_numbered_noun(text: str, tags: str, position: Optional[int]) -> None:
+    verbs = frozenset({"compute", "go", "fetch", "drive"})
+    assert numbered_noun_position(text.split(), tags.split(), verbs) == position
+    assert numbered_noun_position(text.split(), tags.split(), frozenset()) is None

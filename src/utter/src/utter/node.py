@@ -28,9 +28,14 @@ class UtterServer:
         ~timeout_s (float, default 30, seconds): after so long a sound is cut off
     """
 
-    def __init__(self) -> None:
+    def __init__(self, parameters: str = "~") -> None:
+        """
+        Args:
+            parameters: what stands before the names of its parameters
+        """
         self._voice = Voice(
-            is_aloud=rospy.get_param("~aloud", True), timeout_s=float(rospy.get_param("~timeout_s", 30.0))
+            is_aloud=rospy.get_param(parameters + "aloud", True),
+            timeout_s=float(rospy.get_param(parameters + "timeout_s", 30.0)),
         )
         self._servers = [
             self._serve(

@@ -3,7 +3,7 @@ from smach.log import logdebug, logerr, loginfo, logwarn, set_loggers
 from smach.exceptions import (
     InvalidConstructionError, InvalidStateError, InvalidTransitionError, InvalidUserCodeError, SmachError)
 from smach.util import CBInterface, cb_interface, has_smach_interface, is_shutdown, set_shutdown_check
-from smach.user_data import Remapper, UserData, get_const
+from smach.user_data import Const, Remapper, UserData, get_const
 from smach.state import CBState, State
 from smach.container import Container
 from smach.state_machine import StateMachine
@@ -12,7 +12,7 @@ from smach.concurrence import Concurrence
 from smach.iterator import Iterator
 
 __all__ = [
-    "CBInterface", "CBState", "Concurrence", "Container", "InvalidConstructionError", "InvalidStateError",
+    "CBInterface", "CBState", "Concurrence", "Const", "Container", "InvalidConstructionError", "InvalidStateError",
     "InvalidTransitionError", "InvalidUserCodeError", "Iterator", "Remapper", "Sequence", "SmachError", "State",
     "StateMachine", "UserData", "cb_interface", "get_const", "has_smach_interface", "is_shutdown", "logdebug",
     "logerr", "loginfo", "logwarn", "set_loggers", "set_shutdown_check"]

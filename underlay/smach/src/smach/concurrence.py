@@ -94,7 +94,7 @@ class Concurrence(Container):
         """Run all states and wait until they have ended.
 
         Returns:
-            the outcome; None when the container is not consistent
+            the outcome; None when the container is not consistent, or the program shuts down and a state says so
 
         Raises:
             InvalidUserCodeError: a state or a callback raised; the other states are preempted and waited for
@@ -121,6 +121,8 @@ class Concurrence(Container):
             if self._errors:
                 reasons = "\n".join(f"State '{label}': {error}" for label, error in self._errors.items())
                 raise ConcurrentStateError(f"A concurrent state failed.\n{reasons}")
+            if None in self._outcomes_by_label.values():
+                return None
             outcome = self._decide()
             loginfo(f"Concurrence ends with '{outcome}': {self._outcomes_by_label}")
             self._copy_output_keys(self.userdata, parent_ud)
@@ -139,7 +141,8 @@ class Concurrence(Container):
         outcome, failure = None, None
         try:
             outcome = state.execute(view)
-            if outcome not in state.get_registered_outcomes():
+            # None is what containers say when the program ends.
+            if outcome not in state.get_registered_outcomes() and not (outcome is None and is_shutdown()):
                 failure = InvalidTransitionError(f"the outcome '{outcome}' is not registered: "
                                                  f"{sorted(state.get_registered_outcomes())}")
         except Exception as error:  # boundary: a state is code of the user

@@ -9,6 +9,9 @@ from smach.state import State
 from smach.user_data import Remapper, UserData
 from smach.util import is_shutdown
 
+# Outcome of an iterator that stops between two items because it was asked to, if it has that outcome.
+_PREEMPTED = "preempted"
+
 Items = Union[Iterable[Any], Callable[[], Iterable[Any]]]
 
 
@@ -84,11 +87,12 @@ class Iterator(Container):
         """Run the state for each item.
 
         Returns:
-            the outcome; None when the iterator is not consistent
+            the outcome; None when the iterator is not consistent or the program shuts down
 
         Raises:
             InvalidUserCodeError: the state or the items raised
-            InvalidTransitionError: the state returned an outcome that it did not register
+            InvalidTransitionError: the state returned an outcome that it did not register, or the iteration ended with
+                one that is not an outcome of the iterator
         """
         if not self._is_consistent():
             return None
@@ -98,9 +102,12 @@ class Iterator(Container):
             self._copy_input_keys(parent_ud, self.userdata)
             self.call_start_cbs()
             outcome = self._iterate()
-            outcome = self._final_outcome_map.get(outcome, outcome)
+            if outcome is not None and outcome not in self.get_registered_outcomes():
+                raise InvalidTransitionError(f"The iteration of '{self._label}' ended with '{outcome}', which is no "
+                                             f"outcome of the iterator: {sorted(self.get_registered_outcomes())}")
             self._copy_output_keys(self.userdata, parent_ud)
-            self.call_termination_cbs([self._label], outcome)
+            if outcome is not None:
+                self.call_termination_cbs([self._label], outcome)
             return outcome
         finally:
             with self._lock:
@@ -114,13 +121,18 @@ class Iterator(Container):
         except Exception as error:  # boundary: the items come from code of the user
             raise InvalidUserCodeError(f"The items of the iterator raised:\n{traceback.format_exc()}") from error
 
-    def _iterate(self) -> str:
+    def _final(self, outcome: str) -> str:
+        """Outcome of the iterator for the outcome that ended the iteration."""
+        return self._final_outcome_map.get(outcome, outcome)
+
+    def _iterate(self) -> Optional[str]:
+        """Outcome of the iterator, or None when the program shuts down."""
         state = self._state
         keys = dict.fromkeys(state.get_registered_input_keys() + (self._items_label,))
         view = Remapper(self.userdata, keys, state.get_registered_output_keys())
         for item in self._next_items():
             if is_shutdown():
-                break
+                return None
             self.userdata[self._items_label] = item
             logdebug(f"Iterator runs '{self._label}' for {item!r}")
             with self._lock:
@@ -129,17 +141,25 @@ class Iterator(Container):
                 if self._preempt_requested:
                     state.request_preempt()
             outcome = self._execute_child(view)
+            if outcome is None:
+                return None
             with self._lock:
-                is_preempted = self._preempt_requested
-                if is_preempted and not state.preempt_requested():
-                    self._preempt_requested = False
+                is_serviced = self._preempt_requested and not state.preempt_requested()
                 state.recall_preempt()
-            if is_preempted or self._ends(outcome):
-                return outcome
+                # The state may leave a request open; an iterator that can say so stops between two items.
+                stops_here = self._preempt_requested and _PREEMPTED in self.get_registered_outcomes()
+                if is_serviced or (stops_here and not self._ends(outcome)):
+                    self._preempt_requested = False
+            if self._ends(outcome):
+                return self._final(outcome)
+            if is_serviced and self._final(outcome) in self.get_registered_outcomes():
+                return self._final(outcome)
+            if is_serviced or stops_here:
+                return _PREEMPTED
             self.call_transition_cbs()
-        return self._exhausted_outcome
+        return self._final(self._exhausted_outcome)
 
-    def _execute_child(self, view: Remapper) -> str:
+    def _execute_child(self, view: Remapper) -> Optional[str]:
         state = self._state
         try:
             outcome = state.execute(view)
@@ -149,13 +169,19 @@ class Iterator(Container):
         except Exception as error:  # boundary: a state is code of the user
             raise InvalidUserCodeError(
                 f"State '{self._label}' of type {type(state).__name__} raised:\n{traceback.format_exc()}") from error
+        if outcome is None and is_shutdown():
+            return None
         if outcome not in state.get_registered_outcomes():
             raise InvalidTransitionError(f"State '{self._label}' ended with the outcome '{outcome}', which is not "
                                          f"registered: {sorted(state.get_registered_outcomes())}")
         return outcome
 
     def request_preempt(self) -> None:
-        """Ask the state to stop; the iteration ends with the outcome that it returns."""
+        """Ask the state to stop; the iteration ends with the outcome with which the state services the request.
+
+        When the state does not service it and its outcome leads to the next item, an iterator with the outcome
+        preempted ends with that; any other asks the state again before the next item.
+        """
         with self._lock:
             self._preempt_requested = True
             if self._is_running and self._state is not None:
@@ -190,8 +216,7 @@ class Iterator(Container):
             return []
         edges = []
         for outcome in self._state.get_registered_outcomes():
-            target = self._final_outcome_map.get(outcome, outcome) if self._ends(outcome) else self._label
+            target = self._final(outcome) if self._ends(outcome) else self._label
             edges.append((outcome, self._label, target))
-        exhausted = self._exhausted_outcome
-        edges.append((exhausted, self._label, self._final_outcome_map.get(exhausted, exhausted)))
+        edges.append((self._exhausted_outcome, self._label, self._final(self._exhausted_outcome)))
         return edges

@@ -146,6 +146,7 @@ class StateMachine(Container):
             return outcome
         finally:
             with self._lock:
+                self._end_preempt()
                 self._current_label = None
                 self._is_running = False
 

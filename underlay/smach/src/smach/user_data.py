@@ -154,21 +154,21 @@ def get_const(obj: Any) -> Any:
     Only objects with attributes of their own (a `__dict__`) are viewed; numbers, texts, lists, dictionaries and ROS
     messages are returned as they are. The view passes for the object in isinstance() and compares like it.
     """
-    if not hasattr(obj, "__dict__") or isinstance(obj, _NEVER_VIEWED) or type(obj) is _Const:
+    if not hasattr(obj, "__dict__") or isinstance(obj, _NEVER_VIEWED) or type(obj) is Const:
         return obj
-    return _Const(obj)
+    return Const(obj)
 
 
 def _forward(name: str) -> Any:
-    def call(self: "_Const", *args: Any) -> Any:
+    def call(self: "Const", *args: Any) -> Any:
         # A viewed operand is compared as what it stands for.
-        plain = [object.__getattribute__(arg, "_obj") if type(arg) is _Const else arg for arg in args]
+        plain = [object.__getattribute__(arg, "_obj") if type(arg) is Const else arg for arg in args]
         return getattr(type(self._obj), name)(self._obj, *plain)
     call.__name__ = name
     return call
 
 
-class _Const:
+class Const:
     """A view of an object that refuses to change it; made by get_const."""
 
     __slots__ = ("_obj",)
@@ -217,5 +217,5 @@ class _Const:
 for _name in ("__eq__", "__ne__", "__lt__", "__le__", "__gt__", "__ge__", "__hash__", "__len__", "__contains__",
               "__str__", "__repr__", "__add__", "__sub__", "__mul__", "__truediv__", "__neg__", "__abs__",
               "__int__", "__float__", "__index__", "__format__"):
-    setattr(_Const, _name, _forward(_name))
+    setattr(Const, _name, _forward(_name))
 del _name

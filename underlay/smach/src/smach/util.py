@@ -1,6 +1,6 @@
 """Callbacks that declare their outcomes and keys, and the check for the end of the program."""
 import functools
-from typing import Any, Callable, Iterable, Tuple
+from typing import Any, Callable, Iterable, Optional, Tuple
 
 
 class _ShutdownCheck:
@@ -34,12 +34,13 @@ class CBInterface:
     Calls go to the callback unchanged. As an attribute of a class it binds to the instance like a method.
     """
 
-    def __init__(self, cb: Callable[..., Any], outcomes: Iterable[str] = (), input_keys: Iterable[str] = (),
-                 output_keys: Iterable[str] = (), io_keys: Iterable[str] = ()) -> None:
+    def __init__(self, cb: Callable[..., Any], outcomes: Optional[Iterable[str]] = None,
+                 input_keys: Optional[Iterable[str]] = None, output_keys: Optional[Iterable[str]] = None,
+                 io_keys: Optional[Iterable[str]] = None) -> None:
         self._cb = cb
-        self._outcomes = tuple(outcomes)
-        self._input_keys = tuple(input_keys) + tuple(io_keys)
-        self._output_keys = tuple(output_keys) + tuple(io_keys)
+        self._outcomes = tuple(outcomes or ())
+        self._input_keys = tuple(input_keys or ()) + tuple(io_keys or ())
+        self._output_keys = tuple(output_keys or ()) + tuple(io_keys or ())
         functools.update_wrapper(self, cb)
 
     def __call__(self, *args: Any, **kwargs: Any) -> Any:
@@ -66,10 +67,10 @@ class CBInterface:
 class cb_interface:  # noqa: N801 (the documented name of the decorator)
     """Decorator that gives a callback its outcomes and keys; see CBInterface."""
 
-    def __init__(self, outcomes: Iterable[str] = (), input_keys: Iterable[str] = (),
-                 output_keys: Iterable[str] = (), io_keys: Iterable[str] = ()) -> None:
-        self._declared = {"outcomes": tuple(outcomes), "input_keys": tuple(input_keys),
-                          "output_keys": tuple(output_keys), "io_keys": tuple(io_keys)}
+    def __init__(self, outcomes: Optional[Iterable[str]] = None, input_keys: Optional[Iterable[str]] = None,
+                 output_keys: Optional[Iterable[str]] = None, io_keys: Optional[Iterable[str]] = None) -> None:
+        self._declared = {"outcomes": tuple(outcomes or ()), "input_keys": tuple(input_keys or ()),
+                          "output_keys": tuple(output_keys or ()), "io_keys": tuple(io_keys or ())}
 
     def __call__(self, cb: Callable[..., Any]) -> CBInterface:
         return CBInterface(cb, **self._declared)

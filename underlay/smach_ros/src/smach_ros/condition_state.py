@@ -38,11 +38,12 @@ class ConditionState(smach.State):
 
     def execute(self, ud: Any) -> str:
         """Check until the condition holds, or the checks, the time or the program end."""
+        # Left set by a request that was recalled, it would make the checks follow each other without a pause.
+        self._asked_to_stop.clear()
         start = rospy.Time.now()
         checks = 0
         while self._max_checks == -1 or checks < self._max_checks:
             if self.preempt_requested():
-                self._asked_to_stop.clear()
                 self.service_preempt()
                 return "preempted"
             if rospy.is_shutdown() or (self._timeout and rospy.Time.now() - start > self._timeout):

@@ -58,7 +58,22 @@ class IntrospectionTest(unittest.TestCase):
         self.assertEqual(self.machine.execute(), "done")
         self.assertTrue(wait_until(lambda: any(
             status.path == "/ROOT" and status.active_states == ["SECOND"] for status in self.statuses)))
-        self.assertEqual(json.loads(self.statuses[-1].local_data or "{}").get("answer", 42), 42)
+        values = self.values_of_root(lambda values: values.get("answer") == 42)
+        self.assertIn("object object", values["thing"], "what JSON cannot say is described")
+        self.machine.userdata.answer = 43
+        self.assertEqual(self.machine.execute(), "done")
+        self.values_of_root(lambda values: values.get("answer") == 43)
+
+    def values_of_root(self, are_right):
+        """Userdata in the first status of the root that is right; fails when none comes."""
+        found = []
+
+        def look():
+            found[:] = [values for values in (json.loads(status.local_data) for status in list(self.statuses)
+                                              if status.path == "/ROOT") if are_right(values)]
+            return bool(found)
+        self.assertTrue(wait_until(look), [status.local_data for status in self.statuses])
+        return found[0]
 
     def test_client_sets_initial_state_and_bad_commands_are_refused(self):
         client = smach_ros.IntrospectionClient()

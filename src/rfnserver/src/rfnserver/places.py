@@ -1,9 +1,10 @@
-"""From the words for a place to one of the places that are known."""
+"""Names of places: from words to one of the places that are known."""
 
-from typing import Iterable
+import difflib
+import re
+from typing import Iterable, Tuple
 
-from location_memorizer.locations import location_name, nearest_names
-
+_DETERMINER = re.compile(r"^(the|a|an|this|that)\s+", re.IGNORECASE)
 #: Words in front of a place that say how, not where.
 PREPOSITIONS = (
     "to",
@@ -25,12 +26,30 @@ class UnknownPlace(ValueError):
     """No place has that name; the message is for a person and offers those that come near."""
 
 
+def location_name(words: str) -> str:
+    """Return the name under which a place is kept: "The Office" and "office" are the same place.
+
+    Args:
+        words: as they were said
+    Returns:
+        the words without a determiner, in lower case; empty when nothing is left
+    """
+    return _DETERMINER.sub("", " ".join(words.split()).strip(" .,!?")).lower()
+
+
+def nearest_names(words: str, names: Iterable[str], count: int = 3) -> Tuple[str, ...]:
+    """Return the known names most like the words, the best first; all of them are offered when none is alike."""
+    known = sorted(names)
+    alike = difflib.get_close_matches(location_name(words), known, n=count, cutoff=0.5)
+    return tuple(alike or known[:count])
+
+
 def destination_name(words: str, known: Iterable[str]) -> str:
     """Find the place that words name.
 
     Args:
         words: "the office", "to Roger's office", "in the kitchen"
-        known: names of places, as :func:`location_memorizer.locations.location_name` makes them
+        known: names of places, as :func:`location_name` makes them
     Returns:
         one of the known names
     Raises:

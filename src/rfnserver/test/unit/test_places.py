@@ -1,6 +1,6 @@
 """From words to places."""
 import pytest
-from move_base_rfn.destination import UnknownPlace, destination_name
+from rfnserver.places import UnknownPlace, destination_name, location_name, nearest_names
 
 KNOWN = ("office", "roger's office", "kitchen", "fridge")
 
@@ -27,3 +27,19 @@ def test_unknown_place_offers_the_nearest() -> None:
 def test_nothing_to_choose_from_is_said(words: str, known: tuple) -> None:
     with pytest.raises(UnknownPlace):
         destination_name(words, known)
+
+
+@pytest.mark.parametrize(
+    "words, name",
+    [("The Office", "office"), ("office.", "office"), ("Roger's  office", "roger's office"), ("", ""), ("the", "the")],
+)
+def test_location_name(words: str, name: str) -> None:
+    assert location_name(words) == name
+
+
+def test_nearest_names_finds_a_slip_of_the_tongue() -> None:
+    assert nearest_names("the ofice", ["office", "kitchen", "fridge"])[0] == "office"
+
+
+def test_nearest_names_offers_something_always() -> None:
+    assert nearest_names("mars", ["office", "kitchen"]) == ("kitchen", "office")

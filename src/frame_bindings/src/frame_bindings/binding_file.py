@@ -1,0 +1,166 @@
+"""Binding files: which frame is carried out by which action server, service or topic."""
+
+from dataclasses import dataclass, field
+from enum import Enum
+from typing import Any, Dict, List, Mapping, Optional, Tuple
+
+import yaml
+from semantic_frames.marked_yaml import Reader, describe
+from semantic_frames.problem import FileRefused
+
+
+class Kind(Enum):
+    """What a frame is bound to."""
+
+    ACTION = "action"
+    SERVICE = "service"
+    TOPIC = "topic"
+
+
+BINDING_KEYS = (
+    "frame",
+    "name",
+    "action",
+    "service",
+    "topic",
+    "type",
+    "fields",
+    "ignored_elements",
+    "success_field",
+    "text_field",
+    "goal_timeout_s",
+    "server_timeout_s",
+    "preempt_timeout_s",
+)
+FIELD_KEYS = ("element", "unit_element", "unit", "default", "value")
+
+
+@dataclass(frozen=True)
+class Binding:
+    """One frame, bound.
+
+    Attributes:
+        frame_name: the frame
+        name: under which the frame is taken; that of the frame when the file gives none
+        kind: what carries it out
+        target: name of the action server, service or topic
+        type_name: "move_base_msgs/MoveBaseAction", "std_srvs/SetBool", "std_msgs/String"
+        fields: by path of a field, see :mod:`rfnserver.goal_binding`
+        ignored_elements: core elements that need not fill a field
+        success_field: of a service's response: whether it worked; empty for none
+        text_field: of a service's response: what to say; empty for none
+        server_timeout_s: how long to wait for the server, the service or a subscriber to be there
+        goal_timeout_s: how long an action or a service call may take
+        preempt_timeout_s: how long an action may take to end on a cancel
+        line: of the file
+    """
+
+    frame_name: str
+    name: str
+    kind: Kind
+    target: str
+    type_name: str
+    fields: Mapping[str, Any] = field(default_factory=dict)
+    ignored_elements: Tuple[str, ...] = ()
+    success_field: str = ""
+    text_field: str = ""
+    server_timeout_s: float = 5.0
+    goal_timeout_s: float = 300.0
+    preempt_timeout_s: float = 5.0
+    line: int = 0
+
+
+def load_bindings(text: str, path: str) -> Tuple[Binding, ...]:
+    """Read a binding file: a mapping with the key ``bindings``, a list.
+
+    Args:
+        text: content of the file
+        path: where it came from, for problems
+    Raises:
+        FileRefused: with every mistake of the file
+    """
+    reader = Reader(path)
+    root = reader.compose(text, "a mapping with bindings")
+    entries = reader.mapping(root, "", ("bindings",), required=("bindings",))
+    bindings: List[Binding] = []
+    for key, item in reader.sequence(entries.get("bindings"), "bindings"):
+        binding = _binding(reader, item, key)
+        if binding is None:
+            continue
+        if binding.name in [other.name for other in bindings]:
+            reader.report("DUPLICATE_NAME", item, f"{key}.name", f"a second '{binding.name}'", "names that differ")
+        bindings.append(binding)
+    reader.refuse_if_wrong()
+    return tuple(bindings)
+
+
+def _binding(reader: Reader, node: yaml.Node, key: str) -> Optional[Binding]:
+    entries = reader.mapping(node, key, BINDING_KEYS, required=("frame", "type"))
+    kinds = [kind for kind in Kind if kind.value in entries]
+    if len(kinds) != 1:
+        found = " and ".join(kind.value for kind in kinds) or "none of them"
+        reader.report("NO_TARGET", node, key, found, "exactly one of action, service, topic")
+        return None
+    kind = kinds[0]
+    type_name = reader.name(entries.get("type"), f"{key}.type")
+    if type_name and type_name.count("/") != 1:
+        reader.report("NOT_A_TYPE", entries["type"], f"{key}.type", f"'{type_name}'", "package/Type")
+    elif kind is Kind.ACTION and not type_name.endswith("Action"):
+        reader.report(
+            "NOT_A_TYPE", entries["type"], f"{key}.type", f"'{type_name}'", "the action's type, such as pkg/MoveAction"
+        )
+    for name in ("success_field", "text_field"):
+        if name in entries and kind is not Kind.SERVICE:
+            reader.report("UNKNOWN_KEY", entries[name], f"{key}.{name}", name, "only beside 'service'")
+    frame_name = reader.name(entries.get("frame"), f"{key}.frame")
+    return Binding(
+        frame_name=frame_name,
+        name=reader.text(entries.get("name"), f"{key}.name", frame_name),
+        kind=kind,
+        target=reader.name(entries.get(kind.value), f"{key}.{kind.value}"),
+        type_name=type_name,
+        fields=_fields(reader, entries.get("fields"), f"{key}.fields"),
+        ignored_elements=reader.texts(entries.get("ignored_elements"), f"{key}.ignored_elements"),
+        success_field=reader.text(entries.get("success_field"), f"{key}.success_field"),
+        text_field=reader.text(entries.get("text_field"), f"{key}.text_field"),
+        line=node.start_mark.line + 1,
+        **{
+            name: _seconds(reader, entries[name], f"{key}.{name}")
+            for name in ("server_timeout_s", "goal_timeout_s", "preempt_timeout_s")
+            if name in entries
+        },
+    )
+
+
+def _fields(reader: Reader, node: Optional[yaml.Node], key: str) -> Dict[str, Any]:
+    if node is None:
+        return {}
+    if not isinstance(node, yaml.MappingNode):
+        reader.report("WRONG_TYPE", node, key, describe(node), "a mapping of fields to elements")
+        return {}
+    fields: Dict[str, Any] = {}
+    for name_node, value in node.value:
+        name = reader.name(name_node, key)
+        if name in fields:
+            reader.report("DUPLICATE_KEY", name_node, f"{key}.{name}", f"a second '{name}'", "each field once")
+        elif isinstance(value, yaml.ScalarNode):
+            fields[name] = reader.name(value, f"{key}.{name}")
+        else:
+            parts = reader.mapping(value, f"{key}.{name}", FIELD_KEYS)
+            fields[name] = {part: reader.text(item, f"{key}.{name}.{part}") for part, item in parts.items()}
+    return fields
+
+
+def _seconds(reader: Reader, node: yaml.Node, key: str) -> float:
+    text = reader.text(node, key)
+    try:
+        seconds = float(text)
+    except ValueError:
+        seconds = float("nan")
+    if not 0.0 < seconds < float("inf"):
+        reader.report("NOT_A_NUMBER", node, key, f"'{text}'", "seconds, more than 0")
+        return 1.0
+    return seconds
+
+
+__all__ = ["Binding", "FileRefused", "Kind", "load_bindings"]

@@ -1,0 +1,166 @@
+"""What a binding's messages go to: action servers, services, topics."""
+
+import queue
+import threading
+import time
+from typing import Any, Callable, Optional
+
+import rosgraph
+import roslib.message
+import rospy
+import rosservice
+from actionlib_msgs.msg import GoalStatus
+from rfnserver.ros_deadline import ServiceError, call_service
+from rfnserver.ros_goal_forwarding import POLL_S, ForwardedEnd, ForwardingDeadlines, GoalForwarder
+from rfnserver.ros_goal_messages import goal_type_of
+
+from frame_bindings.binding_file import Binding, Kind
+
+IsToEnd = Callable[[], bool]
+
+
+class UnknownType(ValueError):
+    """A type is not built in this workspace."""
+
+
+class ActionTarget:
+    """An action server of any type."""
+
+    def __init__(self, binding: Binding) -> None:
+        """
+        Raises:
+            UnknownType: the action's type is not built here
+        """
+        self._binding = binding
+        action_type = _message_class(binding.type_name)
+        self.message_type = goal_type_of(action_type)
+        self._forwarder = GoalForwarder(
+            binding.target,
+            action_type,
+            ForwardingDeadlines(
+                server_s=binding.server_timeout_s, goal_s=binding.goal_timeout_s, preempt_s=binding.preempt_timeout_s
+            ),
+        )
+
+    def live_type(self) -> Optional[str]:
+        """Return the type that the server has now; None while it is not there."""
+        goal_type = _topic_type(self._binding.target + "/goal")
+        return goal_type[: -len("Goal")] if goal_type else None
+
+    def carry_out(self, message: Any, is_to_end: IsToEnd, on_feedback: Callable[[Any], None]) -> ForwardedEnd:
+        """Send the goal and stay with it to its end."""
+        return self._forwarder.carry_out(message, is_to_end=is_to_end, on_feedback=on_feedback)
+
+
+class ServiceTarget:
+    """A service: called once, its answer is the end."""
+
+    def __init__(self, binding: Binding) -> None:
+        """
+        Raises:
+            UnknownType: the service's type is not built here, or its response lacks the fields that the binding names
+        """
+        self._binding = binding
+        self._type = roslib.message.get_service_class(binding.type_name)
+        if self._type is None:
+            raise UnknownType(f"there is no service type {binding.type_name}")
+        self.message_type = self._type._request_class
+        known = self._type._response_class.__slots__
+        for name in filter(None, (binding.success_field, binding.text_field)):
+            if name not in known:
+                raise UnknownType(f"the response of {binding.type_name} has no field '{name}', only {', '.join(known)}")
+
+    def live_type(self) -> Optional[str]:
+        """Return the type that the service has now; None while it is not there."""
+        try:
+            return rosservice.get_service_type(rospy.resolve_name(self._binding.target))
+        except rosservice.ROSServiceException:
+            return None
+
+    def carry_out(self, message: Any, is_to_end: IsToEnd, on_feedback: Callable[[Any], None]) -> ForwardedEnd:
+        """Call the service. A call that is under way cannot be taken back: on a preemption it is left alone."""
+        answers: "queue.Queue[Any]" = queue.Queue()
+
+        def call() -> None:
+            try:
+                answers.put(
+                    call_service(
+                        self._binding.target,
+                        self._type,
+                        timeout_s=self._binding.server_timeout_s,
+                        answer_timeout_s=self._binding.goal_timeout_s,
+                        message=message,
+                    )
+                )
+            except ServiceError as error:
+                answers.put(error)
+
+        # A daemon, as the call may outlast the wish for its answer; it ends by its own deadlines.
+        threading.Thread(target=call, name=f"binding of {self._binding.target}", daemon=True).start()
+        while True:
+            try:
+                response = answers.get(timeout=POLL_S)
+                break
+            except queue.Empty:
+                if is_to_end():
+                    return ForwardedEnd(GoalStatus.PREEMPTED, f"the service {self._binding.target} may still be at it")
+        if isinstance(response, ServiceError):
+            return ForwardedEnd(GoalStatus.ABORTED, str(response))
+        text = str(getattr(response, self._binding.text_field)) if self._binding.text_field else ""
+        is_done = bool(getattr(response, self._binding.success_field)) if self._binding.success_field else True
+        if is_done:
+            return ForwardedEnd(GoalStatus.SUCCEEDED, text)
+        return ForwardedEnd(GoalStatus.ABORTED, text or f"the service {self._binding.target} says that it did not work")
+
+
+class TopicTarget:
+    """A topic: one message is published, and that is all that can be known of it."""
+
+    def __init__(self, binding: Binding) -> None:
+        """
+        Raises:
+            UnknownType: the topic's type is not built here
+        """
+        self._binding = binding
+        self.message_type = _message_class(binding.type_name)
+        self._publisher = rospy.Publisher(binding.target, self.message_type, queue_size=10)
+
+    def live_type(self) -> Optional[str]:
+        """Return the type that others use on the topic; None while there is nobody."""
+        return _topic_type(self._binding.target)
+
+    def carry_out(self, message: Any, is_to_end: IsToEnd, on_feedback: Callable[[Any], None]) -> ForwardedEnd:
+        """Publish, once somebody listens."""
+        end_s = time.monotonic() + self._binding.server_timeout_s
+        while self._publisher.get_num_connections() == 0:
+            if is_to_end():
+                return ForwardedEnd(GoalStatus.PREEMPTED, "")
+            if time.monotonic() >= end_s:
+                return ForwardedEnd(
+                    GoalStatus.ABORTED,
+                    f"nobody listens to {self._binding.target} (waited {self._binding.server_timeout_s:g} s)",
+                )
+            time.sleep(0.01)
+        self._publisher.publish(message)
+        return ForwardedEnd(GoalStatus.SUCCEEDED, "")
+
+
+TARGET_OF_KIND = {Kind.ACTION: ActionTarget, Kind.SERVICE: ServiceTarget, Kind.TOPIC: TopicTarget}
+
+
+def _message_class(type_name: str) -> Any:
+    message_class = roslib.message.get_message_class(type_name)
+    if message_class is None:
+        raise UnknownType(f"there is no message type {type_name}; is its package built and sourced?")
+    return message_class
+
+
+def _topic_type(topic: str) -> Optional[str]:
+    wanted = rospy.resolve_name(topic)
+    published, subscribed, _ = rosgraph.Master(rospy.get_name()).getSystemState()
+    others = {
+        node for name, nodes in published + subscribed if name == wanted for node in nodes if node != rospy.get_name()
+    }
+    if not others:
+        return None
+    return dict(rosgraph.Master(rospy.get_name()).getTopicTypes()).get(wanted)

@@ -1,0 +1,117 @@
+#!/usr/bin/python3
+"""Frames bound to a stock action server, a service and a topic, none of which knows anything of frames."""
+import threading
+import time
+import unittest
+from typing import Any, Callable, List, Tuple
+
+import actionlib
+import rospy
+from actionlib_msgs.msg import GoalStatus
+from actionlib_tutorials.msg import FibonacciAction, FibonacciGoal, FibonacciResult
+from roboframenet_msgs.msg import (
+    FilledFrameElement,
+    FilledSemanticFrame,
+    FilledSemanticFrameAction,
+    FilledSemanticFrameGoal,
+)
+from std_msgs.msg import String
+from std_srvs.srv import SetBool, SetBoolRequest, SetBoolResponse
+
+
+def wait_until(condition: Callable[[], bool], timeout_s: float = 30.0) -> bool:
+    end = time.monotonic() + timeout_s
+    while time.monotonic() < end:
+        if condition():
+            return True
+        time.sleep(0.01)
+    return condition()
+
+
+class FrameBindingsTest(unittest.TestCase):
+    """The node, and what it is bound to."""
+
+    @classmethod
+    def setUpClass(cls) -> None:
+        cls.orders: List[int] = []
+        cls.lights: List[bool] = []
+        cls.go_on = threading.Event()
+        cls.server = actionlib.SimpleActionServer("fibonacci", FibonacciAction, execute_cb=cls.execute, auto_start=False)
+        cls.server.start()
+        cls.service = rospy.Service("set_light", SetBool, cls.switch)
+
+    @classmethod
+    def execute(cls, goal: FibonacciGoal) -> None:
+        cls.orders.append(goal.order)
+        while goal.order > 100 and not rospy.is_shutdown():
+            if cls.server.is_preempt_requested():
+                cls.server.set_preempted(FibonacciResult())
+                return
+            time.sleep(0.01)
+        if goal.order == 0:
+            cls.server.set_aborted(FibonacciResult(), "nothing to compute")
+        else:
+            cls.server.set_succeeded(FibonacciResult(sequence=[goal.order]))
+
+    @classmethod
+    def switch(cls, request: SetBoolRequest) -> SetBoolResponse:
+        cls.lights.append(request.data)
+        return SetBoolResponse(success=request.data, message="as you wish" if request.data else "the switch is broken")
+
+    def send(self, server: str, **arguments: str) -> Any:
+        self.client = actionlib.ActionClient(server, FilledSemanticFrameAction)
+        self.assertTrue(self.client.wait_for_server(rospy.Duration(30.0)), server)
+        elements = [FilledFrameElement(name=name, argument=value) for name, value in arguments.items()]
+        return self.client.send_goal(
+            FilledSemanticFrameGoal(frame=FilledSemanticFrame(name=server, frame_elements=elements))
+        )
+
+    def end(self, handle: Any) -> Tuple[int, str]:
+        self.assertTrue(wait_until(lambda: handle.get_comm_state() == actionlib.CommState.DONE))
+        return handle.get_goal_status(), handle.get_goal_status_text()
+
+    def test_action(self) -> None:
+        self.assertEqual(GoalStatus.SUCCEEDED, self.end(self.send("computing", steps="seven"))[0])
+        self.assertEqual(7, self.orders[-1])
+
+    def test_abort_of_the_action_is_passed_on(self) -> None:
+        self.assertEqual((GoalStatus.ABORTED, "nothing to compute"), self.end(self.send("computing", steps="0")))
+
+    def test_preemption_reaches_the_action(self) -> None:
+        handle = self.send("computing", steps="101")
+        self.assertTrue(wait_until(lambda: self.orders[-1:] == [101]))
+        handle.cancel()
+        self.assertEqual(GoalStatus.PREEMPTED, self.end(handle)[0])
+        self.assertFalse(self.server.is_active())
+
+    def test_words_that_do_not_fit_are_said(self) -> None:
+        status, text = self.end(self.send("computing", steps="many"))
+        self.assertEqual(GoalStatus.ABORTED, status)
+        self.assertIn("steps", text)
+
+    def test_service(self) -> None:
+        self.assertEqual((GoalStatus.SUCCEEDED, "as you wish"), self.end(self.send("switching", state="on")))
+        self.assertEqual((GoalStatus.ABORTED, "the switch is broken"), self.end(self.send("switching", state="off")))
+        self.assertEqual([True, False], self.lights)
+
+    def test_topic(self) -> None:
+        status, text = self.end(self.send("speaking", message="hello"))
+        self.assertEqual(GoalStatus.ABORTED, status)
+        self.assertIn("nobody listens to speech", text)
+        heard: List[str] = []
+        subscriber = rospy.Subscriber("speech", String, lambda message: heard.append(message.data))
+        self.assertTrue(wait_until(lambda: subscriber.get_num_connections() == 1))
+        self.assertEqual(GoalStatus.SUCCEEDED, self.end(self.send("speaking", message="hello"))[0])
+        self.assertTrue(wait_until(lambda: heard == ["hello"]))
+
+    def test_binding_to_another_type_is_refused_with_both(self) -> None:
+        status, text = self.end(self.send("mistaken", steps="3"))
+        self.assertEqual(GoalStatus.ABORTED, status)
+        self.assertIn("is of type actionlib_tutorials/FibonacciAction, not actionlib_tutorials/AveragingAction", text)
+
+
+if __name__ == "__main__":
+    import rostest
+
+    rospy.init_node("frame_bindings_test")
+    rostest.rosrun("frame_bindings", "frame_bindings_test", FrameBindingsTest)

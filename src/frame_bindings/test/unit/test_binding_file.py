@@ -1,0 +1,66 @@
+"""Binding files and what is wrong with them."""
+
+from typing import Tuple
+
+import pytest
+from frame_bindings.binding_file import Kind, load_bindings
+from semantic_frames.problem import FileRefused
+
+GOOD = """bindings:
+  - frame: navigating_to_location
+    name: navigation
+    action: move_base
+    type: move_base_msgs/MoveBaseAction
+    fields:
+      target_pose: goal
+      speed: {element: speed, unit: metre}
+    goal_timeout_s: 60
+  - frame: lighting
+    service: set_light
+    type: std_srvs/SetBool
+    fields: {data: state}
+    success_field: success
+    text_field: message
+  - frame: speaking
+    topic: speech
+    type: std_msgs/String
+    ignored_elements: [manner]
+"""
+
+
+def problems(text: str) -> Tuple[Tuple[str, int], ...]:
+    with pytest.raises(FileRefused) as refused:
+        load_bindings(text, "bindings.yaml")
+    return tuple((problem.code, problem.line) for problem in refused.value.problems)
+
+
+def test_bindings_of_each_kind() -> None:
+    action, service, topic = load_bindings(GOOD, "bindings.yaml")
+    assert (action.kind, action.name, action.target, action.line) == (Kind.ACTION, "navigation", "move_base", 2)
+    assert action.fields == {"target_pose": "goal", "speed": {"element": "speed", "unit": "metre"}}
+    assert (action.goal_timeout_s, action.server_timeout_s) == (60.0, 5.0)
+    assert (service.kind, service.name, service.success_field) == (Kind.SERVICE, "lighting", "success")
+    assert (topic.kind, topic.target, topic.ignored_elements) == (Kind.TOPIC, "speech", ("manner",))
+
+
+@pytest.mark.parametrize(
+    "old, new, expected",
+    [
+        ("action: move_base", "", ("NO_TARGET", 2)),
+        ("action: move_base", "action: move_base\n    topic: move", ("NO_TARGET", 2)),
+        ("move_base_msgs/MoveBaseAction", "MoveBase", ("NOT_A_TYPE", 5)),
+        ("move_base_msgs/MoveBaseAction", "move_base_msgs/MoveBaseGoal", ("NOT_A_TYPE", 5)),
+        ("goal_timeout_s: 60", "goal_timeout_s: soon", ("NOT_A_NUMBER", 9)),
+        ("goal_timeout_s: 60", "goal_timeout_s: -1", ("NOT_A_NUMBER", 9)),
+        ("goal_timeout_s: 60", "goal_timeout_s: .inf", ("NOT_A_NUMBER", 9)),
+        ("goal_timeout_s: 60", "success_field: x", ("UNKNOWN_KEY", 9)),
+        ("unit: metre", "units: metre", ("UNKNOWN_KEY", 8)),
+        ("name: navigation", "name: speaking", ("DUPLICATE_NAME", 16)),
+        ("topic: speech", "topik: speech", ("UNKNOWN_KEY", 17)),
+        ("      target_pose: goal", "      speed: goal", ("DUPLICATE_KEY", 8)),
+        ("fields: {data: state}", "fields: data", ("WRONG_TYPE", 13)),
+    ],
+)
+def test_mistakes_are_found_by_line(old: str, new: str, expected: Tuple[str, int]) -> None:
+    assert old in GOOD
+    assert expected in problems(GOOD.replace(old, new))

@@ -1,0 +1,312 @@
+"""Makes a goal of any type out of a filled frame.
+
+A goal's fields are filled from the frame elements of the same name, or as a mapping declares::
+
+    target_pose: goal                                   # the element "goal"
+    speed: {element: speed, unit: metre}                # counted in this unit
+    angle: {element: angle, unit_element: angle_unit, unit: degree}
+    mode: {element: manner, default: slow}              # words to take when the element is empty
+    planner: {value: navfn}                             # always these words
+
+What does not fit is said when a server registers, by field, and not at the first command.
+"""
+
+import difflib
+from dataclasses import dataclass
+from typing import Any, Callable, Dict, Iterable, List, Mapping, Optional, Sequence, Tuple, Union
+
+from spoken_quantities import QuantityError, find_unit, parse_measure
+
+from rfnserver.arguments import ArgumentError
+from rfnserver.goal_types import Filling, GoalField
+
+SOURCE_KEYS = ("element", "unit_element", "unit", "default", "value")
+_TRUE = ("true", "yes", "on", "open", "enable", "enabled")
+_FALSE = ("false", "no", "off", "closed", "close", "disable", "disabled")
+
+#: What a mapping may say of a field: the name of an element, or :data:`SOURCE_KEYS`.
+Declaration = Union[str, Mapping[str, Any]]
+
+
+class BindingError(ValueError):
+    """A goal cannot be made of a frame; the message names the fields."""
+
+    def __init__(self, problems: Sequence[str]) -> None:
+        super().__init__("; ".join(problems))
+        self.problems: Tuple[str, ...] = tuple(problems)
+
+
+@dataclass(frozen=True)
+class BoundElement:
+    """A frame element, as far as a binding needs it."""
+
+    name: str
+    is_core: bool
+
+
+@dataclass(frozen=True)
+class FieldSource:
+    """Where the words of one field come from.
+
+    Attributes:
+        field: that is filled
+        element: whose argument fills it, empty when ``value`` does
+        unit_element: the element that holds the unit of a number, empty for none
+        unit: in which the field counts; empty for metres, radians and seconds
+        default: words to take when the element has no argument
+        value: words that always fill it
+    """
+
+    field: GoalField
+    element: str = ""
+    unit_element: str = ""
+    unit: str = ""
+    default: str = ""
+    value: str = ""
+
+
+@dataclass(frozen=True)
+class GoalPlan:
+    """How the goals of one server are made of one frame.
+
+    Attributes:
+        sources: of the fields that are filled
+        unfilled: paths of the fields that keep their default
+    """
+
+    sources: Tuple[FieldSource, ...]
+    unfilled: Tuple[str, ...] = ()
+
+    def __str__(self) -> str:
+        filled = ", ".join(f"{source.field.path} <- {source.element or repr(source.value)}" for source in self.sources)
+        text = filled or "no field is filled"
+        return f"{text}; at their default: {', '.join(self.unfilled)}" if self.unfilled else text
+
+
+def plan_goal(
+    fields: Sequence[GoalField],
+    elements: Iterable[BoundElement],
+    *,
+    mapping: Optional[Mapping[str, Declaration]] = None,
+    ignored_elements: Iterable[str] = (),
+) -> GoalPlan:
+    """Decide which element fills which field.
+
+    Args:
+        fields: every field of the goal, those of messages inside it too
+        elements: of the frame
+        mapping: by path of a field; the others are filled from the element of their name
+        ignored_elements: core elements that need not fill a field
+    Raises:
+        BindingError: a declared field or element does not exist, a field cannot be filled from words, a name fits two
+            fields, or a core element fills none: what the person says would be ignored
+    """
+    known = {element.name: element for element in elements}
+    problems: List[str] = []
+    sources: List[FieldSource] = []
+    by_path = {field.path: field for field in fields}
+    for path, declaration in (mapping or {}).items():
+        source = _declared(path, declaration, by_path, problems)
+        if source is None:
+            continue
+        for name in filter(None, (source.element, source.unit_element)):
+            if name not in known:
+                problems.append(f"{path}: the frame has no element '{name}'{_offer(name, known)}")
+        sources.append(source)
+    used = {name for source in sources for name in (source.element, source.unit_element)}
+    taken = {source.field.path for source in sources}
+    for name in known:
+        if name in used:
+            continue
+        fitting = [field for field in fields if field.name == name and field.path not in taken]
+        exact = [field for field in fitting if field.path == name] or fitting
+        if len(exact) > 1:
+            problems.append(f"the element '{name}' fits {' and '.join(field.path for field in exact)}: map one of them")
+        elif exact and exact[0].filling is None:
+            problems.append(f"{exact[0].path}: words cannot fill a {exact[0].type_name}")
+        elif exact:
+            sources.append(FieldSource(field=exact[0], element=name))
+            used.add(name)
+    ignored = set(ignored_elements)
+    problems.extend(f"no element '{name}' to ignore{_offer(name, known)}" for name in ignored if name not in known)
+    for element in known.values():
+        if element.is_core and element.name not in used | ignored and not _mentions(problems, element.name):
+            problems.append(
+                f"the core element '{element.name}' fills no field: map one of "
+                f"{', '.join(by_path) or 'none'} to it, or ignore it"
+            )
+    if problems:
+        raise BindingError(problems)
+    filled = [source.field.path for source in sources]
+    unfilled = tuple(
+        field.path
+        for field in fields
+        if field.filling is not None and not any(_covers(path, field.path) for path in filled)
+    )
+    return GoalPlan(sources=tuple(sources), unfilled=unfilled)
+
+
+def mapped_elements(mapping: Optional[Mapping[str, Declaration]]) -> Tuple[str, ...]:
+    """Return the elements that a mapping names."""
+    names: List[str] = []
+    for declaration in (mapping or {}).values():
+        if isinstance(declaration, str):
+            names.append(declaration)
+        elif isinstance(declaration, Mapping):
+            names.extend(str(declaration[key]) for key in ("element", "unit_element") if declaration.get(key))
+    return tuple(names)
+
+
+def _mentions(problems: Sequence[str], element: str) -> bool:
+    return any(f"'{element}'" in problem or problem.startswith(f"{element}:") for problem in problems)
+
+
+def _covers(path: str, other: str) -> bool:
+    return other == path or other.startswith(path + ".") or path.startswith(other + ".")
+
+
+def _offer(name: str, known: Iterable[str]) -> str:
+    alike = difflib.get_close_matches(name, list(known), n=1)
+    return f"; did you mean '{alike[0]}'?" if alike else f", only {', '.join(known) or 'none'}"
+
+
+def _declared(
+    path: str, declaration: Declaration, by_path: Mapping[str, GoalField], problems: List[str]
+) -> Optional[FieldSource]:
+    field = by_path.get(path)
+    if field is None:
+        problems.append(f"{path}: the goal has no such field{_offer(path, by_path)}")
+        return None
+    if field.filling is None:
+        problems.append(f"{path}: words cannot fill a {field.type_name}")
+        return None
+    if isinstance(declaration, str):
+        return FieldSource(field=field, element=declaration)
+    if not isinstance(declaration, Mapping):
+        problems.append(f"{path}: expected an element or a mapping of {', '.join(SOURCE_KEYS)}, found {declaration!r}")
+        return None
+    unknown = [str(key) for key in declaration if key not in SOURCE_KEYS]
+    if unknown:
+        problems.append(f"{path}: unknown key {', '.join(unknown)}, expected {', '.join(SOURCE_KEYS)}")
+    texts = {key: str(declaration[key]) for key in SOURCE_KEYS if key in declaration}
+    if ("element" in texts) == ("value" in texts):
+        problems.append(f"{path}: needs either 'element' or 'value'")
+        return None
+    source = FieldSource(field=field, **texts)
+    if source.unit and find_unit(source.unit) is None:
+        problems.append(f"{path}: I do not know the unit '{source.unit}'")
+        return None
+    for words in filter(None, (source.value, source.default)):
+        if field.filling is not Filling.PLACE:
+            try:
+                _value(source, words, locate=_no_place)
+            except ArgumentError as error:
+                problems.append(f"{path}: {error}")
+    return source
+
+
+def _no_place(words: str) -> Any:
+    raise ArgumentError(f"no place {words}")
+
+
+def goal_values(
+    plan: GoalPlan, arguments: Mapping[str, str], *, locate: Callable[[str], Any] = _no_place
+) -> Dict[str, Any]:
+    """Return the values of a goal's fields, by path.
+
+    Args:
+        plan: see :func:`plan_goal`
+        arguments: of the filled frame, by name of the element
+        locate: gives the pose of a place by its words; what it gives is the value
+    Raises:
+        ArgumentError: words do not fit their field; the message is for the person who said them
+    """
+    values: Dict[str, Any] = {}
+    for source in plan.sources:
+        words = source.value or arguments.get(source.element, "") or source.default
+        if not words:
+            continue
+        unit = arguments.get(source.unit_element, "") if source.unit_element else ""
+        try:
+            values[source.field.path] = _value(source, f"{words} {unit}".strip(), locate=locate)
+        except ArgumentError as error:
+            named = (source.element or source.field.path).replace("_", " ")
+            raise ArgumentError(f"I cannot use the {named}: {error}") from error
+    return values
+
+
+def _value(source: FieldSource, words: str, *, locate: Callable[[str], Any]) -> Any:
+    if source.field.is_list:
+        items = [item.strip() for part in words.split(",") for item in part.split(" and ")]
+        return [_single(source, item, locate=locate) for item in items if item]
+    return _single(source, words, locate=locate)
+
+
+def _single(source: FieldSource, words: str, *, locate: Callable[[str], Any]) -> Any:
+    field = source.field
+    if field.filling is Filling.PLACE:
+        return locate(words)
+    if field.filling is Filling.STRING:
+        return _constant(field, words, str, words)
+    if field.filling is Filling.BOOLEAN:
+        return _boolean(words)
+    if field.filling is Filling.DURATION:
+        return _quantity(source, words, "duration")
+    if field.filling is Filling.INTEGER:
+        return _integer(source, words)
+    return _quantity(source, words, None)
+
+
+def _integer(source: FieldSource, words: str) -> int:
+    named = _constant(source.field, words, int, None)
+    if named is not None:
+        return int(named)
+    number = _quantity(source, words, None)
+    least, most = source.field.integer_range
+    if number != int(number):
+        raise ArgumentError(f'"{words}" is no whole number.')
+    if not least <= number <= most:
+        raise ArgumentError(f'"{words}" is not between {least} and {most}.')
+    return int(number)
+
+
+def _constant(field: GoalField, words: str, kind: type, otherwise: Any) -> Any:
+    """Return the constant that words name: "fast" is FAST, and SPEED_FAST in a field called speed."""
+    wanted = "_".join(words.upper().replace("-", " ").split())
+    for name in (wanted, f"{field.name.upper()}_{wanted}"):
+        value = field.constants.get(name)
+        if isinstance(value, kind) and not isinstance(value, bool):
+            return value
+    if otherwise is None and not _is_number(words):
+        offered = [name.lower().replace("_", " ") for name, value in field.constants.items() if isinstance(value, kind)]
+        if offered:
+            raise ArgumentError(f'"{words}" is none of {", ".join(offered)}.')
+    return otherwise
+
+
+def _is_number(words: str) -> bool:
+    try:
+        parse_measure(words)
+    except QuantityError:
+        return False
+    return True
+
+
+def _boolean(words: str) -> bool:
+    word = words.strip().lower()
+    if word not in _TRUE + _FALSE:
+        raise ArgumentError(f'"{words}" is neither yes nor no.')
+    return word in _TRUE
+
+
+def _quantity(source: FieldSource, words: str, quantity: Optional[str]) -> float:
+    """Return a number: in the unit of the field when words have one, as it was said when it is bare."""
+    unit = find_unit(source.unit) if source.unit else None
+    try:
+        if unit is None and quantity is None:
+            return parse_measure(words).si_amount
+        wanted = quantity if unit is None else unit.quantity
+        measure = parse_measure(words, quantity=wanted, default_unit=source.unit or "second")
+        return measure.si_amount / (1.0 if unit is None else unit.si_factor)
+    except QuantityError as error:
+        raise ArgumentError(str(error)) from error

@@ -1,0 +1,94 @@
+"""ROS messages as goals: what fields they have, and setting them."""
+
+import math
+from typing import Any, Dict, Iterator, List, Mapping, Tuple
+
+import genpy
+import roslib.message
+from geometry_msgs.msg import PoseStamped
+
+from rfnserver.goal_types import FILLING_OF_TYPE, PLACE_TYPES, Constant, Filling, GoalField
+
+
+class UnknownType(ValueError):
+    """No such type is built in this workspace."""
+
+
+def is_action_type(candidate: Any) -> bool:
+    """Whether something is the class of an action ("FibonacciAction")."""
+    return isinstance(candidate, type) and issubclass(candidate, genpy.Message) and "action_goal" in candidate.__slots__
+
+
+def goal_type_of(action_type: Any) -> Any:
+    """Return the class of the goals of an action type."""
+    return type(action_type().action_goal.goal)
+
+
+def fields_of(message_type: Any) -> Tuple[GoalField, ...]:
+    """Return every field of a message type, with those of the messages inside it."""
+    return tuple(_fields(message_type, "", ()))
+
+
+def _fields(message_type: Any, prefix: str, above: Tuple[Any, ...]) -> Iterator[GoalField]:
+    constants = _constants(message_type)
+    for name, type_name in zip(message_type.__slots__, message_type._slot_types):
+        path = prefix + name
+        yield GoalField(path=path, type_name=type_name, constants=constants)
+        # A header of its own is nobody's to speak about, and a list of messages has no fields by name.
+        if "/" in type_name and "[" not in type_name and type_name not in PLACE_TYPES + ("std_msgs/Header",):
+            inner = roslib.message.get_message_class(type_name)
+            if inner is not None and inner not in above:
+                yield from _fields(inner, path + ".", above + (message_type,))
+
+
+def _constants(message_type: Any) -> Dict[str, Constant]:
+    return {
+        name: value
+        for name, value in vars(message_type).items()
+        if name.isupper() and not name.startswith("_") and isinstance(value, (int, float, str))
+    }
+
+
+def fill(message: Any, values: Mapping[str, Any]) -> Any:
+    """Set fields of a message and return it.
+
+    Args:
+        message: of the type that ``values`` were made for
+        values: by path, from :func:`rfnserver.goal_binding.goal_values`; places as PoseStamped, durations in seconds
+    """
+    for path, value in values.items():
+        *parents, name = path.split(".")
+        holder = message
+        for parent in parents:
+            holder = getattr(holder, parent)
+        type_name = holder._slot_types[holder.__slots__.index(name)]
+        setattr(holder, name, _converted(type_name, value))
+    return message
+
+
+def _converted(type_name: str, value: Any) -> Any:
+    if isinstance(value, List):
+        return [_converted(type_name[:-2], item) for item in value]
+    filling = FILLING_OF_TYPE[type_name]
+    if filling is Filling.DURATION:
+        return genpy.Duration.from_sec(value)
+    if filling is Filling.PLACE:
+        return _place(type_name, value)
+    return value
+
+
+def _place(type_name: str, pose: PoseStamped) -> Any:
+    if type_name == "geometry_msgs/PoseStamped":
+        return pose
+    if type_name == "geometry_msgs/Pose":
+        return pose.pose
+    if type_name == "geometry_msgs/Point":
+        return pose.pose.position
+    message = roslib.message.get_message_class(type_name)()
+    if type_name == "geometry_msgs/PointStamped":
+        message.header, message.point = pose.header, pose.pose.position
+        return message
+    orientation = pose.pose.orientation
+    message.x, message.y = pose.pose.position.x, pose.pose.position.y
+    message.theta = 2.0 * math.atan2(orientation.z, orientation.w)
+    return message

@@ -1,0 +1,123 @@
+"""Goals made of filled frames."""
+
+import math
+from typing import Any, Dict
+
+import pytest
+from rfnserver.arguments import ArgumentError
+from rfnserver.goal_binding import BindingError, BoundElement, goal_values, plan_goal
+from rfnserver.goal_types import FILLING_OF_TYPE, Filling, GoalField
+
+SPEEDS = {"SPEED_SLOW": 0, "SPEED_FAST": 2, "NAVFN": "navfn"}
+FIELDS = (
+    GoalField("order", "int32", {}),
+    GoalField("small", "uint8", {}),
+    GoalField("distance", "float64", {}),
+    GoalField("angle", "float32", {}),
+    GoalField("speed", "uint8", SPEEDS),
+    GoalField("planner", "string", SPEEDS),
+    GoalField("is_loud", "bool", {}),
+    GoalField("pause", "duration", {}),
+    GoalField("names", "string[]", {}),
+    GoalField("target_pose", "geometry_msgs/PoseStamped", {}),
+    GoalField("limits", "robot_msgs/Limits", {}),
+    GoalField("limits.force", "float64", {}),
+    GoalField("picture", "sensor_msgs/Image", {}),
+)
+
+
+def values(mapping: Dict[str, Any], **arguments: str) -> Dict[str, Any]:
+    elements = [BoundElement(name, is_core=False) for name in arguments]
+    return goal_values(plan_goal(FIELDS, elements, mapping=mapping), arguments, locate=lambda words: ("at", words))
+
+
+@pytest.mark.parametrize(
+    "mapping, arguments, expected",
+    [
+        ({}, {"order": "seven"}, {"order": 7}),
+        ({}, {"distance": "three feet"}, {"distance": 3 * 0.3048}),
+        ({}, {"distance": "3"}, {"distance": 3.0}),
+        ({"distance": {"element": "far", "unit_element": "unit"}}, {"far": "2", "unit": "yards"}, {"distance": 1.8288}),
+        ({"angle": {"element": "angle", "unit": "degree"}}, {"angle": "one turn"}, {"angle": 360.0}),
+        ({"angle": {"element": "angle", "unit": "degree"}}, {"angle": "90"}, {"angle": 90.0}),
+        ({}, {"angle": "180 degrees"}, {"angle": math.pi}),
+        ({}, {"speed": "fast"}, {"speed": 2}),
+        ({}, {"speed": "speed slow"}, {"speed": 0}),
+        ({}, {"speed": "1"}, {"speed": 1}),
+        ({}, {"planner": "NavFn"}, {"planner": "navfn"}),
+        ({}, {"planner": "another"}, {"planner": "another"}),
+        ({}, {"is_loud": "yes"}, {"is_loud": True}),
+        ({}, {"is_loud": "off"}, {"is_loud": False}),
+        ({}, {"pause": "two minutes"}, {"pause": 120.0}),
+        ({}, {"names": "ann, bob and carol"}, {"names": ["ann", "bob", "carol"]}),
+        ({"target_pose": "goal"}, {"goal": "the office"}, {"target_pose": ("at", "the office")}),
+        ({}, {"force": "5"}, {"limits.force": 5.0}),
+        ({"order": {"element": "n", "default": "four"}}, {"n": ""}, {"order": 4}),
+        ({"order": {"value": 9}}, {}, {"order": 9}),
+        ({}, {"order": ""}, {}),
+    ],
+)
+def test_values(mapping: Dict[str, Any], arguments: Dict[str, str], expected: Dict[str, Any]) -> None:
+    assert values(mapping, **arguments) == pytest.approx(expected)
+
+
+@pytest.mark.parametrize(
+    "name, words, reason",
+    [
+        ("order", "half", "no whole number"),
+        ("order", "banana", "banana"),
+        ("small", "256", "between 0 and 255"),
+        ("small", "minus one", "between 0 and 255"),
+        ("order", "99999999999", "between"),
+        ("distance", "far", "far"),
+        ("distance", "1e400 metres", ""),
+        ("speed", "furious", "speed slow"),
+        ("is_loud", "perhaps", "neither yes nor no"),
+        ("pause", "three feet", "no duration"),
+    ],
+)
+def test_words_that_do_not_fit_are_refused_by_element(name: str, words: str, reason: str) -> None:
+    with pytest.raises(ArgumentError, match=f"{name.replace('_', ' ')}.*{reason}"):
+        values({}, **{name: words})
+
+
+@pytest.mark.parametrize(
+    "mapping, core, reason",
+    [
+        ({"ordre": "n"}, "n", "did you mean 'order'"),
+        ({"order": "m"}, "n", "no element 'm'"),
+        ({"picture": "n"}, "n", "picture: words cannot fill a sensor_msgs/Image"),
+        ({"order": {"element": "n", "units": "metre"}}, "n", "unknown key units"),
+        ({"order": {}}, "n", "either 'element' or 'value'"),
+        ({"order": {"element": "n", "value": 1}}, "n", "either 'element' or 'value'"),
+        ({"order": {"value": "banana"}}, "distance", "order: .*banana"),
+        ({"order": {"element": "n", "unit": "parsec"}}, "n", "unit 'parsec'"),
+        ({}, "picture", "words cannot fill"),
+        ({}, "manner", "'manner' fills no field"),
+        ({"order": 7}, "order", "found 7"),
+    ],
+)
+def test_what_cannot_be_mapped_is_said_by_field(mapping: Dict[str, Any], core: str, reason: str) -> None:
+    with pytest.raises(BindingError, match=reason):
+        plan_goal(FIELDS, [BoundElement(core, is_core=True)], mapping=mapping)
+
+
+def test_a_name_that_fits_two_fields_has_to_be_mapped() -> None:
+    fields = (GoalField("first.speed", "float64", {}), GoalField("second.speed", "float64", {}))
+    with pytest.raises(BindingError, match="first.speed and second.speed"):
+        plan_goal(fields, [BoundElement("speed", is_core=True)])
+    plan = plan_goal(fields, [BoundElement("speed", is_core=True)], mapping={"second.speed": "speed"})
+    assert [source.field.path for source in plan.sources] == ["second.speed"]
+
+
+def test_core_elements_can_be_ignored_and_others_need_not_be_mapped() -> None:
+    elements = [BoundElement("manner", is_core=True), BoundElement("time", is_core=False)]
+    plan = plan_goal(FIELDS, elements, ignored_elements=["manner"])
+    assert plan.sources == () and "order" in plan.unfilled
+    assert "at their default: order" in str(plan)
+
+
+def test_every_builtin_type_has_a_filling() -> None:
+    assert set(FILLING_OF_TYPE.values()) == set(Filling)
+    assert GoalField("x", "char[]", {}).integer_range == (0, 255)
+    assert GoalField("x", "int64", {}).integer_range == (-(2**63), 2**63 - 1)

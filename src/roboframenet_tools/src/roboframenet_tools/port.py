@@ -1,0 +1,282 @@
+"""``rfn port``: the one-line change that makes an actionlib server an RFNServer."""
+
+import argparse
+import ast
+import difflib
+import io
+import os
+import re
+import shutil
+import sys
+import tempfile
+import tokenize
+from dataclasses import dataclass
+from typing import Dict, Iterator, List, Optional, Tuple
+
+EXAMPLES = """examples:
+  rfn port scripts/fibonacci_server.py
+  rfn port scripts/fibonacci_server.py --apply
+
+It runs nothing of the file, needs no master, and keeps every other character. Exit status: 0 the change is shown (or
+made), or the file has only RFNServers; 1 no server is found or the file cannot be read or written; 2 wrong usage
+"""
+_PORTED_NAMES = {
+    "actionlib.SimpleActionServer": "RFNServer",
+    "actionlib.simple_action_server.SimpleActionServer": "RFNServer",
+    "actionlib.ActionServer": "RFNActionServer",
+    "actionlib.action_server.ActionServer": "RFNActionServer",
+}
+_RFN_NAMES = {
+    f"{module}.{name}" for module in ("rfnserver", "rfnserver.rfnserver") for name in ("RFNServer", "RFNActionServer")
+}
+#: What a line ends with, as Python reads it; ``splitlines`` would also split at form feeds and others.
+_LINE = re.compile(r"[^\r\n]*(?:\r\n|\r|\n)|[^\r\n]+$")
+
+
+class PortError(ValueError):
+    """The file cannot be ported; the text says why, in one sentence."""
+
+
+class AlreadyPorted(PortError):
+    """The file has RFNServers and no other action servers."""
+
+
+@dataclass(frozen=True)
+class Site:
+    """One place that names the class of an action server.
+
+    Attributes:
+        expression: what stands there
+        name: class of rfnserver that has to stand there
+        server: expression under which the program then has the server, empty when that is not seen
+    """
+
+    expression: ast.expr
+    name: str
+    server: str = ""
+
+
+@dataclass(frozen=True)
+class Ported:
+    """A ported source: its text, and what its servers are called in it, each once."""
+
+    text: str
+    servers: Tuple[str, ...]
+
+
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    """Declare the arguments of ``rfn port``."""
+    parser.epilog = EXAMPLES
+    parser.add_argument("path", help="Python file with an actionlib server")
+    parser.add_argument("--apply", action="store_true", help="make the change")
+
+
+def run(arguments: argparse.Namespace) -> int:
+    """Show the change, and make it if asked; return the exit status."""
+    path = arguments.path
+    if not os.path.isfile(path):
+        print(f"rfn port: there is no file {path}", file=sys.stderr)
+        return 2
+    try:
+        with open(path, "rb") as file:
+            source = file.read()
+        text, encoding = _decode(source)
+        ported = port(text)
+        if arguments.apply:
+            _replace(path, ported.text.encode(encoding))
+    except AlreadyPorted as reason:
+        print(f"rfn port: {path}: {reason}")
+        return 0
+    except (PortError, OSError) as error:
+        print(f"rfn port: {path}: {error}", file=sys.stderr)
+        return 1
+    print(difference(text, ported.text, path), end="")
+    print(f"\n{path} is changed." if arguments.apply else "\nNothing is changed yet: --apply does it.")
+    print("Then register each server for what it can do, and name the package in package.xml:")
+    for server in ported.servers:
+        print(f'    {server}.register_with_frame("frame_name")    # after {server}.start()')
+    print("    <exec_depend>rfnserver</exec_depend>")
+    return 0
+
+
+def port(text: str) -> Ported:
+    """Return the source with RFNServers in the place of its action servers.
+
+    Raises:
+        AlreadyPorted: it has only RFNServers
+        PortError: it is no Python 3, has no action server, or uses the name rfnserver for something else
+    """
+    try:
+        tree = ast.parse(text)
+    except SyntaxError as error:
+        raise PortError(f"line {error.lineno}: this is no Python 3 ({error.msg}); nothing is changed") from error
+    except ValueError as error:
+        raise PortError(f"this is no Python source ({error}); nothing is changed") from error
+    names = _imported_names(tree)
+    # Classes inside classes find the same expression more than once.
+    sites = sorted(
+        {site.expression: site for site in _sites(tree, names)}.values(),
+        key=lambda site: (site.expression.lineno, site.expression.col_offset),
+    )
+    if not sites:
+        if any(_resolve(node, names) in _RFN_NAMES for node in ast.walk(tree) if isinstance(node, ast.expr)):
+            raise AlreadyPorted("its servers are RFNServers already; nothing is to be changed")
+        raise PortError("nothing in it makes an action server of actionlib; nothing is to be changed")
+    lines = _LINE.findall(text)
+    module, insert_at = _module_name(tree, sites[0].expression.lineno)
+    for site in reversed(sites):
+        _put(lines, site.expression, f"{module}.{site.name}")
+    if insert_at is not None:
+        ending = re.search(r"[\r\n]*$", lines[max(0, insert_at - 1)]).group() or "\n"
+        lines.insert(insert_at, f"import rfnserver{ending}")
+    servers = tuple(dict.fromkeys(site.server for site in sites if site.server)) or ("server",)
+    return Ported("".join(lines), servers)
+
+
+def difference(before: str, after: str, path: str) -> str:
+    """Return a unified diff that ``patch`` accepts."""
+    lines = difflib.unified_diff(_LINE.findall(before), _LINE.findall(after), path, path)
+    return "".join(line if line.endswith(("\n", "\r")) else f"{line}\n\\ No newline at end of file\n" for line in lines)
+
+
+def _decode(source: bytes) -> Tuple[str, str]:
+    """Text of a source file, with the line ends that it has, and its encoding."""
+    try:
+        encoding, _ = tokenize.detect_encoding(io.BytesIO(source).readline)
+        return source.decode(encoding), encoding
+    except (SyntaxError, UnicodeDecodeError) as error:
+        raise PortError(f"this is no Python source ({error}); nothing is changed") from error
+
+
+def _replace(path: str, content: bytes) -> None:
+    """Write a file in one step, with the mode that it has; a link stays a link."""
+    path = os.path.realpath(path)
+    descriptor, new_path = tempfile.mkstemp(dir=os.path.dirname(path), prefix=".rfn_port_")
+    try:
+        with os.fdopen(descriptor, "wb") as file:
+            file.write(content)
+        shutil.copymode(path, new_path)
+        os.replace(new_path, path)
+    except OSError:
+        os.unlink(new_path)
+        raise
+
+
+def _imported_names(tree: ast.Module) -> Dict[str, str]:
+    """What the names that are imported anywhere in the file stand for, as dotted names."""
+    names: Dict[str, str] = {}
+    for node in ast.walk(tree):
+        if isinstance(node, ast.Import):
+            for alias in node.names:
+                first = alias.name.split(".")[0]
+                names[alias.asname or first] = alias.name if alias.asname else first
+        elif isinstance(node, ast.ImportFrom) and node.level == 0:
+            for alias in node.names:
+                if alias.name != "*":
+                    names[alias.asname or alias.name] = f"{node.module}.{alias.name}"
+                    continue
+                for dotted in list(_PORTED_NAMES) + sorted(_RFN_NAMES):
+                    if dotted.rpartition(".")[0] == node.module:
+                        names[dotted.rpartition(".")[2]] = dotted
+    return names
+
+
+def _dotted(node: Optional[ast.AST]) -> str:
+    """A name with its attributes, as it is written; empty for every other expression."""
+    if isinstance(node, ast.Name):
+        return node.id
+    if isinstance(node, ast.Attribute):
+        value = _dotted(node.value)
+        return f"{value}.{node.attr}" if value else ""
+    return ""
+
+
+def _resolve(node: Optional[ast.AST], names: Dict[str, str]) -> str:
+    """What an expression stands for, as a dotted name; empty when nothing imported."""
+    first, dot, rest = _dotted(node).partition(".")
+    return names[first] + dot + rest if first in names else ""
+
+
+def _sites(tree: ast.Module, names: Dict[str, str]) -> Iterator[Site]:
+    """Every place where an action server of actionlib is made, inherited or given another name."""
+
+    def site(expression: ast.expr, server: str = "") -> Iterator[Site]:
+        name = _PORTED_NAMES.get(_resolve(expression, names))
+        if name is not None:
+            yield Site(expression, name, server)
+
+    servers = {
+        node.value: _dotted(node.target if isinstance(node, ast.AnnAssign) else node.targets[0])
+        for node in ast.walk(tree)
+        if isinstance(node, (ast.Assign, ast.AnnAssign))
+    }
+    for value in servers:
+        yield from site(value)
+    for node in ast.walk(tree):
+        if isinstance(node, ast.Call):
+            yield from site(node.func, servers.get(node, ""))
+        elif isinstance(node, ast.ClassDef):
+            bases = [found for base in node.bases for found in site(base, "self")]
+            yield from bases
+            if not bases:
+                continue
+            # SimpleActionServer.__init__(self, ...) has to be that of the new base.
+            for inner in ast.walk(node):
+                if isinstance(inner, ast.Attribute):
+                    yield from site(inner.value)
+
+
+def _module_name(tree: ast.Module, first_line: int) -> Tuple[str, Optional[int]]:
+    """What the module rfnserver is called in front of a line, and where its import has to go (None when it is there).
+
+    The place is the number of lines that come before it.
+    """
+    place = 0
+    for position, node in enumerate(tree.body):
+        start = min([node.lineno] + [decorator.lineno for decorator in getattr(node, "decorator_list", ())])
+        if start >= first_line:
+            break
+        if isinstance(node, ast.Import):
+            for alias in node.names:
+                if alias.name == "rfnserver" or (alias.name.startswith("rfnserver.") and not alias.asname):
+                    return alias.asname or "rfnserver", None
+        is_docstring = position == 0 and ast.get_docstring(tree) is not None
+        # What shares its line with an import ("import roslib; roslib.load_manifest(...)") belongs to it.
+        if is_docstring or isinstance(node, (ast.Import, ast.ImportFrom)) or (place and node.lineno <= place):
+            place = node.end_lineno
+    _refuse_other_meaning(tree)
+    if place == 0 and tree.body:
+        # Behind the comments at the top: one may be the interpreter, one the encoding.
+        place = min([tree.body[0].lineno] + [d.lineno for d in getattr(tree.body[0], "decorator_list", ())]) - 1
+    return "rfnserver", place
+
+
+def _refuse_other_meaning(tree: ast.Module) -> None:
+    for node in ast.walk(tree):
+        bound: List[str] = []
+        if isinstance(node, ast.Name) and not isinstance(node.ctx, ast.Load):
+            bound = [node.id]
+        elif isinstance(node, ast.arg):
+            bound = [node.arg]
+        elif isinstance(node, (ast.FunctionDef, ast.AsyncFunctionDef, ast.ClassDef)):
+            bound = [node.name]
+        elif isinstance(node, ast.ImportFrom):
+            bound = [alias.asname or alias.name for alias in node.names]
+        elif isinstance(node, ast.Import):
+            bound = [alias.asname or "" for alias in node.names if alias.name != "rfnserver"]
+        if "rfnserver" in bound:
+            raise PortError(f"line {node.lineno}: the name rfnserver stands for something else; nothing is changed")
+
+
+def _put(lines: List[str], expression: ast.expr, text: str) -> None:
+    """Replace an expression in the lines."""
+    first, last = expression.lineno - 1, expression.end_lineno - 1
+    # Columns of ast count bytes of UTF-8.
+    before = lines[first].encode("utf-8")[: expression.col_offset].decode("utf-8")
+    behind = lines[last].encode("utf-8")[expression.end_col_offset :].decode("utf-8")
+    replaced = "".join(lines[first : last + 1])[len(before) :]
+    replaced = replaced[: len(replaced) - len(behind)]
+    if not replaced.startswith(_dotted(expression).split(".")[0]):
+        # Python up to 3.11 does not know the place of what stands inside a formatted string.
+        raise PortError(f"line {expression.lineno}: the server is inside a formatted string; nothing is changed")
+    lines[first : last + 1] = [before + text + behind] + [""] * (last - first)

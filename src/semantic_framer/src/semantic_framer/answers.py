@@ -1,0 +1,127 @@
+"""What is asked for where something is missing, and what of the next utterance answers it."""
+
+from typing import Dict, List, Mapping, Optional, Sequence, Tuple
+
+from semantic_frames.frame import FrameElement, SemanticFrame
+from semantic_frames.lexical_unit import ArgumentForm
+
+from semantic_framer.clauses import CONDITIONS, NEGATIONS, find_clauses
+from semantic_framer.dialogue import Pending, is_yes
+from semantic_framer.lexicon import Lexicon
+from semantic_framer.matching import Reading, match_verbs, with_value
+from semantic_framer.measures import find_amounts
+from semantic_framer.sentence import Sentence
+from semantic_framer.times import find_times
+from semantic_framer.values import ElementValue, amount_value, phrase_value, unit_value
+
+
+def question_for(element: FrameElement) -> str:
+    """Return how to ask a person for an element, with an example of an answer."""
+    question = element.question or f"What is the {element.name.replace('_', ' ')}?"
+    return f'{question} For instance: "{element.answer}".' if element.answer else question
+
+
+def question_of(readings: Sequence[Reading]) -> str:
+    """Return how to ask for what readings miss: once for what they have in common, else for each in turn."""
+    asked = [reading.asked[0] for reading in readings]
+    if len({element.name for element in asked}) == 1:
+        return question_for(asked[0])
+    questions = list(dict.fromkeys(question_for(element) for element in asked))
+    return " Or: ".join(questions)
+
+
+def answer(
+    sentence: Sentence, pending: Pending, lexicon: Lexicon, frames: Mapping[str, SemanticFrame], *, is_strict: bool
+) -> Optional[Tuple[Tuple[Reading, ...], ...]]:
+    """Take an utterance as the answer to the open question.
+
+    Args:
+        sentence: the utterance
+        pending: the question
+        lexicon: lexical units; an utterance with one of their verbs is a command, and no answer
+        frames: by name
+        is_strict: whether every content word must be of the answer
+    Returns:
+        the clauses with what was answered; None when it is no answer, or says more than one
+    """
+    if any(reading.unit.frame_name not in frames for readings in pending.clauses for reading in readings):
+        return None
+    if not pending.elements:
+        return pending.clauses if is_yes(sentence.tree.text) else None
+    if any(match_verbs(sentence, clause, lexicon) for clause in find_clauses(sentence, lexicon)):
+        return None
+    fitting: Dict[bool, List[Reading]] = {True: [], False: []}
+    for reading, name in zip(pending.clauses[pending.clause], pending.elements):
+        frame = frames[reading.unit.frame_name]
+        values = _values(sentence, pending, frame, name, is_strict)
+        element = frame.element(name)
+        for value in values:
+            reading = with_value(reading, value)
+        if values and element is not None:
+            fitting[bool(element.values) or element.quantity is not None].append(reading)
+    # "Left" is a direction where one is asked for, though a thing could be called so too.
+    filled = fitting[True] or fitting[False]
+    if not filled:
+        return None
+    complete = tuple(reading for reading in filled if not reading.missing)
+    return tuple(
+        (complete or tuple(filled)) if position == pending.clause else readings
+        for position, readings in enumerate(pending.clauses)
+    )
+
+
+def _values(
+    sentence: Sentence, pending: Pending, frame: SemanticFrame, name: str, is_strict: bool
+) -> List[ElementValue]:
+    """Return what an utterance fills an element with, and the element of its unit; nothing where it does not fit."""
+    element = frame.element(name)
+    values = _fragment_values(sentence, frame, element) if element is not None else []
+    if element is None or not values or not _is_all_said(sentence, values, is_strict):
+        return []
+    if pending.choices and not any(_is_choice(values[0], choice) for choice in pending.choices):
+        return []
+    # One question is answered as well as it can be; of several, the answer tells which was meant.
+    allowed = [value.lower() for value in element.values]
+    if len(pending.elements) > 1 and allowed and values[0].argument.lower() not in allowed:
+        return []
+    return values
+
+
+def _is_all_said(sentence: Sentence, values: List[ElementValue], is_strict: bool) -> bool:
+    """Whether values are all that an answer says: no "not", no condition, no time, no word of another matter."""
+    used = frozenset(position for value in values for position in value.positions)
+    if find_times(sentence):
+        return False
+    for word in sentence.tree.words:
+        if word.form.lower() in NEGATIONS | CONDITIONS:
+            return False
+        if word.index not in used and is_strict and sentence.is_content(word.index):
+            return False
+    return True
+
+
+def _is_choice(value: ElementValue, choice: str) -> bool:
+    """Whether an answer names one of the things that were offered: "the plate", "plate"."""
+    said, offered = value.phrase.lower().split(), choice.lower().split()
+    articles = ("a", "an", "the")
+    return [word for word in said if word not in articles] == [word for word in offered if word not in articles]
+
+
+def _fragment_values(sentence: Sentence, frame: SemanticFrame, element: FrameElement) -> List[ElementValue]:
+    positions = [word.index for word in sentence.tree.words if word.upos not in ("PUNCT", "INTJ")]
+    amounts = find_amounts(sentence, positions)
+    if element.quantity is not None:
+        for amount in amounts:
+            values = [amount_value(sentence, element.name, amount, is_whole=not element.unit_element)]
+            if element.unit_element and amount.unit:
+                values.append(unit_value(sentence, element.unit_element, amount))
+            return values
+        return []
+    # "Three feet" is no place and no thing.
+    is_measure = any(amount.unit and set(positions) <= set(amount.positions) for amount in amounts)
+    is_unit = any(other.unit_element == element.name for other in frame.frame_elements)
+    if not positions or (is_measure and not is_unit):
+        return []
+    heads = [word for word in sentence.children(0)]
+    head = heads[0].index if heads and heads[0].index in positions else positions[0]
+    return [phrase_value(sentence, element.name, head, ArgumentForm.PHRASE, frozenset())]

@@ -1,0 +1,44 @@
+"""The node ``rfnserver_host``: many RFNServers in one process."""
+
+import importlib
+import inspect
+import traceback
+from typing import Any, List
+
+import rospy
+
+from server_hosting.hosted import Hosted, HostedError, read_hosted
+
+
+def host(hosted: Hosted) -> Any:
+    """Construct a server.
+
+    Raises:
+        Exception: whatever its module or constructor raises
+    """
+    server_class = getattr(importlib.import_module(hosted.module), hosted.class_name)
+    # A server without parameters need not know that it is hosted.
+    takes_parameters = "parameters" in inspect.signature(server_class).parameters
+    return server_class(parameters=hosted.parameters) if takes_parameters else server_class()
+
+
+def main() -> None:
+    """Run the node; a server that cannot be constructed is logged, and the others run."""
+    rospy.init_node("rfnserver_host")
+    try:
+        wanted = read_hosted(rospy.myargv()[1:])
+    except HostedError as error:
+        rospy.logfatal("%s", error)
+        raise SystemExit(2) from error
+    servers: List[Any] = []
+    for hosted in wanted:
+        try:
+            servers.append(host(hosted))
+        except Exception as error:  # boundary: one bad server must not take the others with it
+            rospy.logerr("%s cannot be hosted: %s: %s", hosted.name, type(error).__name__, error)
+            rospy.logdebug("%s", traceback.format_exc())
+    if not servers:
+        rospy.logfatal("no server could be hosted")
+        raise SystemExit(1)
+    rospy.loginfo("hosting %d of %d servers", len(servers), len(wanted))
+    rospy.spin()

@@ -1,0 +1,256 @@
+#!/usr/bin/python3
+"""Action servers ported by one line: what their old clients see is what it was, and people can use them."""
+import os
+import unittest
+from io import BytesIO
+from typing import Any, List, Set, Tuple
+
+import actionlib
+import rospy
+from actionlib.msg import TwoIntsAction, TwoIntsGoal, TwoIntsResult
+from actionlib_msgs.msg import GoalStatus
+from actionlib_tutorials.msg import (
+    AveragingAction,
+    AveragingGoal,
+    FibonacciAction,
+    FibonacciActionResult,
+    FibonacciFeedback,
+    FibonacciGoal,
+    FibonacciResult,
+)
+from roboframenet_msgs.msg import (
+    FilledFrameElement,
+    FilledSemanticFrame,
+    FilledSemanticFrameAction,
+    FilledSemanticFrameGoal,
+    FrameCatalogue,
+    Reply,
+)
+from std_msgs.msg import Float32, String
+
+from pipeline import is_pipeline_complete, wait_until
+from rfnserver import RFNActionServer, RFNServer
+
+#: Steps of the sequence that a server computes before it lets itself be stopped.
+LONG = 1000
+Record = Tuple[int, str, bytes, Tuple[bytes, ...]]
+
+
+def written(message: Any) -> bytes:
+    """A message as it goes over the wire."""
+    buffer = BytesIO()
+    message.serialize(buffer)
+    return buffer.getvalue()
+
+
+def counting(make_server: Any, name: str) -> Any:
+    """A server that counts to the order of its goal, made by a given class."""
+
+    def execute(goal: FibonacciGoal) -> None:
+        feedback = FibonacciFeedback()
+        for number in range(goal.order):
+            if server.is_preempt_requested():
+                server.set_preempted(FibonacciResult(sequence=[-1]), "stopped")
+                return
+            feedback.sequence = [number]
+            if goal.order != LONG:
+                server.publish_feedback(feedback)
+            rospy.sleep(0.01)
+        if goal.order == 0:
+            server.set_aborted(FibonacciResult(), "nothing to count")
+        elif goal.order != 3:  # three: the callback forgets to end the goal
+            server.set_succeeded(FibonacciResult(sequence=[goal.order]), "counted")
+
+    server = make_server(name, FibonacciAction, execute_cb=execute, auto_start=False)
+    server.start()
+    return server
+
+
+class Client:
+    """An old client that keeps what it was sent."""
+
+    def __init__(self, name: str) -> None:
+        self._client = actionlib.ActionClient(name, FibonacciAction)
+        assert self._client.wait_for_server(rospy.Duration(20.0)), f"no server {name}"
+
+    def send(self, order: int) -> Tuple[Any, List[bytes]]:
+        feedback: List[bytes] = []
+        handle = self._client.send_goal(
+            FibonacciGoal(order=order), feedback_cb=lambda _, message: feedback.append(written(message))
+        )
+        return handle, feedback
+
+    @staticmethod
+    def end(sent: Tuple[Any, List[bytes]]) -> Record:
+        handle, feedback = sent
+        assert wait_until(lambda: handle.get_comm_state() == actionlib.CommState.DONE), "the goal does not end"
+        return handle.get_goal_status(), handle.get_goal_status_text(), written(handle.get_result()), tuple(feedback)
+
+
+def story(name: str) -> List[Record]:
+    """What a client of a server goes through: success, abort, a forgotten end, a cancel, a goal that replaces another."""
+    client = Client(name)
+    records = [client.end(client.send(order)) for order in (5, 0, 3)]
+    cancelled = client.send(LONG)
+    assert wait_until(lambda: cancelled[0].get_goal_status() == GoalStatus.ACTIVE)
+    cancelled[0].cancel()
+    records.append(client.end(cancelled))
+    replaced = client.send(LONG)
+    assert wait_until(lambda: replaced[0].get_goal_status() == GoalStatus.ACTIVE)
+    last = client.send(4)
+    return records + [client.end(replaced), client.end(last)]
+
+
+class PortedServersTest(unittest.TestCase):
+    """Servers in the test and beside it."""
+
+    @classmethod
+    def setUpClass(cls) -> None:
+        cls.replies: List[Reply] = []
+        cls.subscriber = rospy.Subscriber("reply", Reply, cls.replies.append, queue_size=100)
+        cls.catalogue = FrameCatalogue()
+        cls.catalogues = rospy.Subscriber("frame_catalogue", FrameCatalogue, cls.on_catalogue)
+        cls.text = rospy.Publisher("text", String, queue_size=10)
+        cls.numbers = rospy.Publisher("random_number", Float32, queue_size=10)
+        cls.timer = rospy.Timer(rospy.Duration(0.02), lambda _: cls.numbers.publish(Float32(data=0.75)))
+        assert wait_until(lambda: cls.text.get_num_connections() >= 2), "nobody listens to 'text'"
+        assert wait_until(is_pipeline_complete, 120.0), "the pipeline did not come up"
+        # A frame for the servers in the test, which must not be asked for by what people say to the others.
+        cls.frames = RFNServer("frames", lambda frame: None)
+        path = os.path.join(os.path.dirname(os.path.abspath(__file__)), "ported", "frames", "counting.yaml")
+        assert cls.frames.add_semantic_frame(path), cls.frames.last_error
+        assert wait_until(lambda: cls.living() >= {"computing_fibonacci_sequence", "averaging"}), "the servers did not register"
+
+    @classmethod
+    def tearDownClass(cls) -> None:
+        cls.timer.shutdown()
+
+    @classmethod
+    def on_catalogue(cls, catalogue: FrameCatalogue) -> None:
+        cls.catalogue = catalogue
+
+    @classmethod
+    def living(cls) -> Set[str]:
+        """Frames that somebody can carry out."""
+        return {callback.frame_name for callback in cls.catalogue.callbacks if callback.is_alive}
+
+    def say(self, text: str) -> None:
+        self.text.publish(String(data=text))
+
+    def reply_to(self, text: str) -> Reply:
+        self.assertTrue(wait_until(lambda: any(reply.command.text == text for reply in self.replies)), text)
+        return next(reply for reply in self.replies if reply.command.text == text)
+
+    def carry_out(self, server: str, name: str, **arguments: str) -> Tuple[int, str]:
+        client = actionlib.ActionClient(server + "/frame", FilledSemanticFrameAction)
+        self.assertTrue(client.wait_for_server(rospy.Duration(20.0)), server)
+        elements = [FilledFrameElement(name=key, argument=value) for key, value in arguments.items()]
+        handle = client.send_goal(
+            FilledSemanticFrameGoal(frame=FilledSemanticFrame(name=name, frame_elements=elements))
+        )
+        self.assertTrue(wait_until(lambda: handle.get_comm_state() == actionlib.CommState.DONE))
+        return handle.get_goal_status(), handle.get_goal_status_text()
+
+    def test_old_clients_see_what_they_saw(self) -> None:
+        servers = [counting(actionlib.SimpleActionServer, "stock"), counting(RFNServer, "ported")]
+        servers[1].register_with_frame("counting")
+        self.assertEqual(story("stock"), story("ported"))
+
+    def test_tutorial_client_of_fibonacci(self) -> None:
+        client = actionlib.SimpleActionClient("fibonacci", FibonacciAction)
+        self.assertTrue(client.wait_for_server(rospy.Duration(20.0)))
+        client.send_goal(FibonacciGoal(order=10))
+        self.assertTrue(client.wait_for_result(rospy.Duration(20.0)))
+        self.assertEqual((0, 1, 1, 2, 3, 5, 8, 13, 21, 34, 55), client.get_result().sequence)
+
+    def test_tutorial_client_of_averaging(self) -> None:
+        client = actionlib.SimpleActionClient("averaging", AveragingAction)
+        self.assertTrue(client.wait_for_server(rospy.Duration(20.0)))
+        client.send_goal(AveragingGoal(samples=10))
+        self.assertTrue(client.wait_for_result(rospy.Duration(20.0)))
+        self.assertEqual(GoalStatus.SUCCEEDED, client.get_state())
+        self.assertAlmostEqual(0.75, client.get_result().mean)
+
+    def test_fibonacci_through_language(self) -> None:
+        results: List[FibonacciActionResult] = []
+        subscriber = rospy.Subscriber("fibonacci/result", FibonacciActionResult, results.append)
+        self.assertTrue(wait_until(lambda: subscriber.get_num_connections() == 1))
+        text = "Compute the Fibonacci sequence to order seven."
+        self.say(text)
+        reply = self.reply_to(text)
+        self.assertEqual(Reply.DONE, reply.outcome, reply.sentence)
+        self.assertTrue(wait_until(lambda: results))
+        self.assertEqual((0, 1, 1, 2, 3, 5, 8, 13), results[-1].result.sequence)
+
+    def test_goal_callbacks_through_language_and_their_preemption(self) -> None:
+        self.say("Average five samples.")
+        self.assertEqual(Reply.DONE, self.reply_to("Average five samples.").outcome)
+        client = actionlib.ActionClient("averaging", AveragingAction)
+        self.assertTrue(client.wait_for_server(rospy.Duration(20.0)))
+
+        def statuses() -> List[int]:
+            return [status.status for status in client.last_status_msg.status_list]
+
+        self.say("Average 999 samples.")
+        self.assertTrue(wait_until(lambda: GoalStatus.ACTIVE in statuses()))
+        self.say("Stop.")
+        self.assertEqual(Reply.SUPERSEDED, self.reply_to("Average 999 samples.").outcome)
+        self.assertTrue(wait_until(lambda: GoalStatus.PREEMPTED in statuses() and GoalStatus.ACTIVE not in statuses()))
+
+    def test_plain_action_server(self) -> None:
+        def on_goal(handle: Any) -> None:
+            handle.set_accepted()
+            goal = handle.get_goal()
+            handle.set_succeeded(TwoIntsResult(sum=goal.a + goal.b), f"{goal.a} and {goal.b}")
+
+        server = RFNActionServer(
+            "adding", TwoIntsAction, on_goal, auto_start=False, goal_mapping={"a": "samples", "b": {"value": 5}}
+        )
+        server.start()
+        self.assertTrue(server.register_with_frame("counting"), server.last_error)
+        self.assertEqual((GoalStatus.SUCCEEDED, "12 and 5"), self.carry_out("adding", "counting", samples="twelve"))
+        client = actionlib.SimpleActionClient("adding", TwoIntsAction)
+        self.assertTrue(client.wait_for_server(rospy.Duration(20.0)))
+        self.assertEqual(GoalStatus.SUCCEEDED, client.send_goal_and_wait(TwoIntsGoal(a=1, b=2), rospy.Duration(20.0)))
+        self.assertEqual(3, client.get_result().sum)
+        status, text = self.carry_out("adding", "counting", samples="half")
+        self.assertEqual(GoalStatus.ABORTED, status)
+        self.assertIn("whole number", text)
+
+    def test_frame_callback_makes_the_goal(self) -> None:
+        server = counting_with_frames()
+        self.assertTrue(server.register_with_frame("counting"), server.last_error)
+        self.assertEqual((GoalStatus.SUCCEEDED, "counted"), self.carry_out("framed", "counting", samples="6"))
+
+    def test_what_cannot_be_mapped_is_said_at_registration(self) -> None:
+        server = RFNServer("unmapped", FibonacciAction, execute_cb=lambda goal: None, auto_start=False)
+        server.start()
+        self.assertFalse(server.register_with_frame("counting"))
+        self.assertIn("'samples' fills no field", server.last_error)
+        self.assertIn("order", server.last_error)
+        wrong = RFNServer("mismapped", FibonacciAction, execute_cb=lambda goal: None, auto_start=False,
+                          goal_mapping={"ordre": "samples"})
+        wrong.start()
+        self.assertFalse(wrong.register_with_frame("counting"))
+        self.assertIn("did you mean 'order'", wrong.last_error)
+
+
+def counting_with_frames() -> RFNServer:
+    """A server whose frame callback makes the goals."""
+
+    def execute(goal: FibonacciGoal) -> None:
+        server.set_succeeded(FibonacciResult(sequence=[goal.order]), "counted")
+
+    server = RFNServer(
+        "framed", FibonacciAction, execute_cb=execute, auto_start=False,
+        frame_callback=lambda frame: FibonacciGoal(order=len(frame.frame_elements)),
+    )
+    server.start()
+    return server
+
+
+if __name__ == "__main__":
+    import rostest
+
+    rospy.init_node("ported_servers_test")
+    rostest.rosrun("roboframenet_tests", "ported_servers", PortedServersTest)
