@@ -119,6 +119,9 @@ def sentences_of(
     for command in commands:
         for annotated in command.frames:
             frame = _our_frame(command, annotated, mapping, frames, units)
+            if not annotated.lexical_unit:
+                unexplained.append(f'{command.name}: no word evokes {annotated.name}: "{command.text}"')
+                continue
             if frame is None:
                 unexplained.append(f'{command.name}: no frame of ours is {annotated.name}: "{command.text}"')
                 continue

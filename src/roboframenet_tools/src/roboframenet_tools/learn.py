@@ -10,7 +10,7 @@ from roboframenet_tools.annotated_sentences import AnnotatedSentence, read_sente
 from roboframenet_tools.corpus import CorpusError
 from roboframenet_tools.corpus_mapping import load_mapping, shipped_mapping
 from roboframenet_tools.huric_corpus import read_huric
-from roboframenet_tools.learning import Lesson, LearnedUnit, frame_yaml, known_or_new, learn, to_yaml
+from roboframenet_tools.learning import Lesson, LearnedUnit, frame_yaml, names_of_new_frames, learn, to_yaml
 from roboframenet_tools.understanding import Knowledge, load_knowledge, load_texts, shipped_domains
 from semantic_frames import FileRefused
 from semantic_frames.frame import SemanticFrame
@@ -91,13 +91,14 @@ def lexicon_files(
     parse: Callable[[str], DependencyTree] = lru_cache(maxsize=None)(lambda text: parser.parse(text, verbs))
     readable, unexplained = _parsable(sentences, parse)
     units, report = learn(readable, parse, known.frames)
+    lessons = [lesson for unit in units for lesson in unit.lessons]
     units = _useful(units, parse, known)
     new = _new_frames(units, known)
     by_frame = _by_frame(units)
     learned = _draft(units, known)
     examples: Set[int] = set()
     wrong: List[str] = []
-    for lesson in [lesson for unit in units for lesson in unit.lessons]:
+    for lesson in lessons:
         found = _understood(lesson, parse, learned.lexicon, learned.frames)
         if found is None:
             wrong.append(
@@ -114,7 +115,7 @@ def lexicon_files(
 def _new_frames(units: Sequence[LearnedUnit], known: Knowledge) -> Dict[str, str]:
     return {
         name: frame_yaml(name, [lesson for unit in units if unit.frame_name == name for lesson in unit.lessons])
-        for name in known_or_new(known.frames, units)
+        for name in names_of_new_frames(known.frames, units)
     }
 
 

@@ -240,7 +240,31 @@ def _units(lessons: Sequence[Lesson], frames: Mapping[str, SemanticFrame]) -> Tu
     rarer = _rarer(lessons) | _same_shape(lessons)
     for unit in units.values():
         _fill(unit, rarer)
+    _share_closed(list(units.values()), lessons)
     return tuple(sorted(units.values(), key=lambda unit: (unit.frame_name, -len(unit.required))))
+
+
+def _share_closed(units: Sequence[LearnedUnit], lessons: Sequence[Lesson]) -> None:
+    """Give each unit what words of a closed class were seen to do in its frame, and all of those words.
+
+    "Slowly" says how, with whatever verb; who is told "you" to grasp may be told to take.
+    """
+    said: Dict[Tuple[str, str], List[str]] = defaultdict(list)
+    of_frame: Dict[str, Set[Tuple[str, str]]] = defaultdict(set)
+    for lesson in lessons:
+        for name in sorted(lesson.closed):
+            key = (name, lesson.relations[name])
+            if lesson.words[name] not in said[key]:
+                said[key].append(lesson.words[name])
+            of_frame[lesson.sentence.frame_name].add(key)
+    for unit in units:
+        for name, relation in sorted(of_frame[unit.frame_name]):
+            if relation in unit.open_relations.get(name, []):
+                continue
+            seen = unit.closed_relations.setdefault(name, [])
+            seen += [relation] if relation not in seen else []
+            words = unit.words.setdefault(name, [])
+            words += [word for word in said[(name, relation)] if word not in words]
 
 
 def _core(name: str, lessons: Sequence[Lesson], frame: Optional[SemanticFrame]) -> FrozenSet[str]:
@@ -272,6 +296,19 @@ def _rarer(lessons: Sequence[Lesson]) -> FrozenSet[Tuple[str, str, str]]:
     )
 
 
+def _shape(lessons: Sequence[Lesson]) -> FrozenSet[str]:
+    """Return what most sentences of a verb and frame have: relations, or the element where its relation varies."""
+    seen: Dict[str, List[str]] = defaultdict(list)
+    for lesson in lessons:
+        for name, relation in lesson.relations.items():
+            seen[name].append(relation)
+    return frozenset(
+        relations[0] if len(set(relations)) == 1 else name
+        for name, relations in seen.items()
+        if 2 * len(relations) > len(lessons) and relations[0] != "nsubj"
+    )
+
+
 def _same_shape(lessons: Sequence[Lesson]) -> FrozenSet[Tuple[str, str, str]]:
     """Return frame, element and relation where a verb evokes another frame by the same relations more often.
 
@@ -280,10 +317,7 @@ def _same_shape(lessons: Sequence[Lesson]) -> FrozenSet[Tuple[str, str, str]]:
     members: Dict[Tuple[str, str], List[Lesson]] = defaultdict(list)
     for lesson in lessons:
         members[(lesson.verb, lesson.sentence.frame_name)].append(lesson)
-    shapes = {
-        key: frozenset.intersection(*(frozenset(lesson.relations.values()) for lesson in some)) - {"nsubj"}
-        for key, some in members.items()
-    }
+    shapes = {key: _shape(some) for key, some in members.items()}
     found: Set[Tuple[str, str, str]] = set()
     for (verb, frame), shape in shapes.items():
         if shape and any(
@@ -297,7 +331,7 @@ def _same_shape(lessons: Sequence[Lesson]) -> FrozenSet[Tuple[str, str, str]]:
                 (frame, name, relation)
                 for lesson in members[(verb, frame)]
                 for name, relation in lesson.relations.items()
-                if relation in shape
+                if relation in shape and relation != "nsubj"
             }
     return frozenset(found)
 
@@ -361,7 +395,7 @@ def frame_yaml(name: str, lessons: Sequence[Lesson]) -> str:
     return "\n".join(lines) + "\n"
 
 
-def known_or_new(frames: Mapping[str, SemanticFrame], units: Sequence[LearnedUnit]) -> Tuple[str, ...]:
+def names_of_new_frames(frames: Mapping[str, SemanticFrame], units: Sequence[LearnedUnit]) -> Tuple[str, ...]:
     """Return the names of frames that units evoke and no file describes."""
     return tuple(sorted({unit.frame_name for unit in units} - set(frames)))
 

@@ -1,7 +1,7 @@
 """Puts commands of a corpus through the pipeline, and its answers into the names and positions of the corpus."""
 
 import time
-from typing import Dict, FrozenSet, Iterable, List, Mapping, Optional, Tuple
+from typing import Dict, FrozenSet, Iterable, List, Tuple
 
 from roboframenet_tools.behaviour_2012 import understand_2012
 from roboframenet_tools.corpus import AnnotatedCommand, AnnotatedElement, AnnotatedFrame, positions_at
@@ -21,12 +21,12 @@ def answer(pipeline: Pipeline, mapping: CorpusMapping, command: AnnotatedCommand
     started = time.monotonic()
     understanding = pipeline.understand_safely(command.text)
     milliseconds = 1000.0 * (time.monotonic() - started)
-    said = to_json(understanding)
+    tree = understanding.tree
     frames: List[AnnotatedFrame] = []
-    for frame in said["frames"] if understanding.tree is not None else ():  # type: ignore[attr-defined]
+    for frame in to_json(understanding)["frames"] if tree is not None else ():  # type: ignore[attr-defined]
         elements = [(element["name"], element["tokens"], element["head_token"]) for element in frame["frame_elements"]]
         known = pipeline.knowledge.frames[frame["name"]]
-        frames.append(_annotated(understanding.tree, command, mapping, known, frame["verb_token"], elements))
+        frames.append(_annotated(tree, command, mapping, known, frame["verb_token"], elements))
     return Answer(tuple(frames), understanding.reply.code == "DONE", milliseconds)
 
 
@@ -47,7 +47,7 @@ def answer_2012(pipeline: Pipeline, mapping: CorpusMapping, command: AnnotatedCo
 
 
 def _annotated(
-    tree: Optional[DependencyTree],
+    tree: DependencyTree,
     command: AnnotatedCommand,
     mapping: CorpusMapping,
     frame: SemanticFrame,
@@ -55,7 +55,6 @@ def _annotated(
     fillings: Iterable[_Filling],
 ) -> AnnotatedFrame:
     """Return a frame of ours in the names and positions of the corpus; elements of one name there become one."""
-    assert tree is not None
     found: Dict[str, Tuple[FrozenSet[int], int]] = {}
     for name, words, head_word in fillings:
         corpus_name = mapping.element_name(frame, name)
@@ -105,8 +104,3 @@ def _characters(tree: DependencyTree, words: Iterable[int]) -> List[Tuple[int, i
     return [
         (tree.word(position).start_character, tree.word(position).end_character) for position in words if position > 0
     ]
-
-
-def replies(pipeline: Pipeline, lines: Iterable[str]) -> Mapping[str, str]:
-    """Return the outcome of each different line, in capitals as in ``roboframenet_msgs/Reply``."""
-    return {line: pipeline.understand_safely(line).reply.outcome for line in lines}
