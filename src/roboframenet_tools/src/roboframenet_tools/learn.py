@@ -33,6 +33,8 @@ a file holds a list of sentences:
 
 exit status: 0 written, 1 nothing was learned or a file is there already, 2 wrong usage
 """
+#: Of "can find" the parser must not take "can" for the verb of a command.
+_MODALS = frozenset("can could may might will would shall should must there".split())
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
@@ -87,7 +89,8 @@ def lexicon_files(
     Returns:
         text by path in the folder of the domain; and one line for each thing that was not explained
     """
-    verbs = frozenset(sentence.text[sentence.verb[0][0] : sentence.verb[0][1]].lower() for sentence in sentences)
+    first_words = {sentence.text[sentence.verb[0][0] : sentence.verb[0][1]].lower() for sentence in sentences}
+    verbs = frozenset(first_words - _MODALS)
     parse: Callable[[str], DependencyTree] = lru_cache(maxsize=None)(lambda text: parser.parse(text, verbs))
     readable, unexplained = _parsable(sentences, parse)
     units, report = learn(readable, parse, known.frames)

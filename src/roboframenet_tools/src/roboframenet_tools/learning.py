@@ -35,6 +35,8 @@ _PREFERRED = (
 _CLOSED_CLASSES = frozenset(["ADV", "ADP", "PART"])
 _DIRECTIONS = frozenset("left right forward forwards backward backwards back up down around".split())
 _LONGEST_PATH = 2
+#: Share of the sentences of a verb and a frame.
+_NEARLY_ALWAYS = 0.8
 #: So many examples stand in a file; more make it hard to read.
 MOST_EXAMPLES = 6
 
@@ -214,27 +216,28 @@ def _argument(sentence: Sentence, positions: Sequence[int], head: int) -> str:
 
 def _units(lessons: Sequence[Lesson], frames: Mapping[str, SemanticFrame]) -> Tuple[LearnedUnit, ...]:
     frames_of: Dict[str, Set[str]] = defaultdict(set)
-    hanging: Dict[Tuple[str, str], Set[str]] = defaultdict(set)
+    groups: Dict[Tuple[str, str, FrozenSet[str]], List[Lesson]] = defaultdict(list)
     core = {name: _core(name, lessons, frames.get(name)) for name in {lesson.sentence.frame_name for lesson in lessons}}
     for lesson in lessons:
-        frames_of[lesson.verb].add(lesson.sentence.frame_name)
-        # A core element is looked for on the object anyway.
-        hanging[(lesson.sentence.frame_name, lesson.verb)] |= lesson.places - core[lesson.sentence.frame_name]
-    groups: Dict[Tuple[str, str, FrozenSet[str]], List[Lesson]] = defaultdict(list)
-    for lesson in lessons:
         frame = lesson.sentence.frame_name
-        groups[(frame, lesson.verb, frozenset(hanging[(frame, lesson.verb)] & set(lesson.relations)))].append(lesson)
-    units: Dict[Tuple[str, FrozenSet[str]], LearnedUnit] = {}
-    for (frame, verb, wanted), members in sorted(groups.items(), key=lambda item: (item[0][0], -len(item[0][2]))):
-        required = set(wanted)
+        frames_of[lesson.verb].add(frame)
+        # A core element is looked for on the object anyway.
+        groups[(frame, lesson.verb, lesson.places - core[frame])].append(lesson)
+    units: Dict[Tuple[str, FrozenSet[str], FrozenSet[str]], LearnedUnit] = {}
+    for (frame, verb, places), members in sorted(groups.items(), key=lambda item: (item[0][0], -len(item[0][2]))):
+        required = set(places)
         if len(frames_of[verb]) > 1:
-            # What tells the frames of one verb apart is what each of them always has; of one sentence what is open.
+            # What tells the frames of one verb apart is what each of them (nearly) always has; of one sentence what is
+            # open.
+            counts = Counter(name for lesson in members for name in lesson.relations)
             required |= {
                 name
-                for name in set.intersection(*(set(lesson.relations) for lesson in members))
-                if members[0].relations[name] != "nsubj" and (len(members) > 1 or name not in members[0].closed)
+                for name, count in counts.items()
+                if count >= _NEARLY_ALWAYS * len(members)
+                and not any(lesson.relations.get(name) == "nsubj" for lesson in members)
+                and (len(members) > 1 or name not in members[0].closed)
             }
-        unit = units.setdefault((frame, frozenset(required)), LearnedUnit(frame, required=required))
+        unit = units.setdefault((frame, frozenset(required), places), LearnedUnit(frame, required=required))
         unit.verbs += [verb] if verb not in unit.verbs else []
         unit.lessons += members
     rarer = _rarer(lessons) | _same_shape(lessons)
