@@ -28,6 +28,12 @@ PREPOSITION_GROUPS: Tuple[Tuple[str, ...], ...] = (
         "above", "over", "close_to",
     ),
 )  # fmt: skip
+#: Words of closed classes that say the same kind of thing; one of a group stands for all of it.
+WORD_GROUPS: Tuple[Tuple[str, ...], ...] = (
+    ("slowly", "quickly", "carefully", "gently", "fast", "quietly", "closely"),
+    ("left", "right"),
+    ("forward", "forwards", "backward", "backwards", "back", "ahead"),
+)
 #: Relations that an argument may have, the most telling first.
 _PREFERRED = (
     "dobj", "iobj", "nsubj", "nsubjpass", "prt", "ccomp", "xcomp", "acomp", "attr", "advcl", "tmod", "advmod", "poss",
@@ -244,6 +250,7 @@ def _units(lessons: Sequence[Lesson], frames: Mapping[str, SemanticFrame]) -> Tu
     for unit in units.values():
         _fill(unit, rarer)
     _share_closed(list(units.values()), lessons)
+    _share_optional(list(units.values()))
     return tuple(sorted(units.values(), key=lambda unit: (unit.frame_name, -len(unit.required))))
 
 
@@ -268,6 +275,27 @@ def _share_closed(units: Sequence[LearnedUnit], lessons: Sequence[Lesson]) -> No
             seen += [relation] if relation not in seen else []
             words = unit.words.setdefault(name, [])
             words += [word for word in said[(name, relation)] if word not in words]
+            for group in WORD_GROUPS:
+                if any(word in group for word in words):
+                    words += [word for word in group if word not in words]
+
+
+def _share_optional(units: Sequence[LearnedUnit]) -> None:
+    """Give each unit the prepositions of what the other units of its frame do without: "from" with whatever verb."""
+    optional: Dict[str, Dict[str, List[str]]] = defaultdict(dict)
+    for unit in units:
+        for name, relations in unit.open_relations.items():
+            if name not in unit.required:
+                said = optional[unit.frame_name].setdefault(name, [])
+                said += [item for item in relations if item.startswith("prep_") and item not in said]
+    for unit in units:
+        for name, relations in optional[unit.frame_name].items():
+            if name in unit.required:
+                continue
+            taken = {item for other, others in unit.open_relations.items() if other != name for item in others}
+            new = [item for item in relations if item not in taken and item not in unit.open_relations.get(name, [])]
+            if new:
+                unit.open_relations.setdefault(name, []).extend(new)
 
 
 def _core(name: str, lessons: Sequence[Lesson], frame: Optional[SemanticFrame]) -> FrozenSet[str]:
