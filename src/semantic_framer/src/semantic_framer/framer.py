@@ -263,6 +263,7 @@ def _read_one(
         )
         if not readings:
             return _not_then(sentence, clause.condition_positions)
+    readings = _without_counted_things(readings)
     complete = tuple(reading for reading in readings if not reading.missing)
     if not complete:
         # "Move." asks where to as well as how far: the answer tells which was meant.
@@ -276,6 +277,24 @@ def _read_one(
         # "Five" is less than was said where another unit lists "low five".
         if not any(reading.listed and reading.listed < other.listed for other in complete)
     )
+
+
+def _without_counted_things(readings: Tuple[Reading, ...]) -> Tuple[Reading, ...]:
+    """Leave out readings that take a bare number for a thing where another unit of the verb measures with it.
+
+    "Turn one eighty" is half a turn, and no device called "one eighty"; "give me 5" stays, as its unit lists the 5.
+    """
+    measuring = {position for reading in readings for position in _measured(reading)}
+    kept = tuple(
+        reading
+        for reading in readings
+        if not any(value.head_position in measuring - _measured(reading) - reading.listed for value in reading.values)
+    )
+    return kept or readings
+
+
+def _measured(reading: Reading) -> FrozenSet[int]:
+    return frozenset(position for value in reading.values if value.quantity for position in value.positions)
 
 
 def _finish(
