@@ -240,7 +240,7 @@ def _read_one(
         near = lexicon.nearest_verbs(clause.lemma)
         hint = f' Do you mean {" or ".join(near)}?' if near else ""
         return Refusal("UNKNOWN_VERB", f'I do not know how to "{clause.lemma}".{hint}')
-    readings = read_clause(sentence, clause, lexicon, frames)
+    readings = readings_of(sentence, clause, lexicon, frames)
     if clause.is_report:
         # Only a unit that asks for the subject is about what happens: "The mug stands on the table."
         readings = tuple(
@@ -263,7 +263,6 @@ def _read_one(
         )
         if not readings:
             return _not_then(sentence, clause.condition_positions)
-    readings = _without_counted_things(readings)
     complete = tuple(reading for reading in readings if not reading.missing)
     if not complete:
         # "Move." asks where to as well as how far: the answer tells which was meant.
@@ -279,11 +278,15 @@ def _read_one(
     )
 
 
-def _without_counted_things(readings: Tuple[Reading, ...]) -> Tuple[Reading, ...]:
-    """Leave out readings that take a bare number for a thing where another unit of the verb measures with it.
+def readings_of(
+    sentence: Sentence, clause: Clause, lexicon: Lexicon, frames: Mapping[str, SemanticFrame]
+) -> Tuple[Reading, ...]:
+    """Return the ways to understand a clause, the best first.
 
-    "Turn one eighty" is half a turn, and no device called "one eighty"; "give me 5" stays, as its unit lists the 5.
+    Those that take a bare number for a thing are left out where another unit of the verb measures with it: "turn one
+    eighty" is half a turn, and no device called "one eighty"; "give me 5" stays, as its unit lists the 5.
     """
+    readings = read_clause(sentence, clause, lexicon, frames)
     measuring = {position for reading in readings for position in _measured(reading)}
     kept = tuple(
         reading

@@ -289,6 +289,6 @@ def test_nothing_negated_or_conditional_is_ever_done(understand: Any) -> None:
 
 
 @pytest.mark.parametrize("text", ["Turn one eighty.", "Turn 180.", "turn five"])
-def test_a_number_is_no_device(text: str) -> None:
+def test_a_number_is_no_device(understand: Any, text: str) -> None:
     outcome = understand(text)[0]
     assert isinstance(outcome, Question) and "left or right" in outcome.sentence
