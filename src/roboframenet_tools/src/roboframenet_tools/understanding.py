@@ -172,6 +172,11 @@ class Pipeline:
         self._max_candidates = max_candidates
         self._verbs = frozenset(verb.split()[0] for verb in knowledge.lexicon.verbs)
 
+    @property
+    def parser(self) -> Parser:
+        """The parser, for another pipeline with other units."""
+        return self._parser
+
     def parse(self, text: str) -> DependencyTree:
         """Parse a sentence with the verbs of the lexicon in mind.
 

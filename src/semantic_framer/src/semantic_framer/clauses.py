@@ -168,6 +168,19 @@ def _clause(sentence: Sentence, verb: int, positions: FrozenSet[int], is_negated
     )
 
 
+def shared_subject(sentence: Sentence, verb: int) -> int:
+    """Return the subject of the verb that a verb is joined to, 0 for none: "could you go there and take the mug"."""
+    word = sentence.word(verb)
+    seen: Set[int] = set()
+    while word.deprel == "conj" and word.index not in seen:
+        seen.add(word.index)
+        word = sentence.word(word.head)
+        for child in sentence.children(word.index):
+            if child.deprel.startswith("nsubj"):
+                return child.index
+    return 0
+
+
 def _is_report(sentence: Sentence, verb: int, subject: int) -> bool:
     """Whether a verb tells or asks what happens; "I need ..." and other wishes ask for something.
 

@@ -255,11 +255,13 @@ def _read_one(
             return Refusal("UNKNOWN_FRAME", f"No file describes the frame {' or '.join(sorted(wanted))}.")
         return Refusal("NO_READING", f'I know "{matches[0].verb}", but not in this way.')
     if clause.condition:
-        # "Check if the door is open": the words are what the unit asks for, and no condition.
+        # "Check if the oven is hot": the words fill an element and are no condition; "if" itself fills nothing.
+        conditional = {index for index in clause.condition_positions if sentence.word(index).deprel != "mark"}
         readings = tuple(
             reading
             for reading in readings
-            if set(clause.condition_positions) <= {p for value in reading.values for p in value.positions}
+            if (conditional or set(clause.condition_positions))
+            <= {position for value in reading.values for position in value.positions}
         )
         if not readings:
             return _not_then(sentence, clause.condition_positions)
@@ -380,9 +382,10 @@ def _resolve(reading: Reading, context: Context) -> Union[Reading, Question]:
         # "This place" is what was said; a unit that lists nothing but pronouns wants what they stand for.
         is_fixed = relation is not None and bool(set(relation.words) - PRONOUNS)
         if word in PRONOUNS and value.positions and not is_fixed and word not in ("this", "one", "that"):
-            if not context.thing:
+            # "Go near the radio and switch it on": a place is a thing too.
+            if not context.thing and not context.place:
                 return Question("AMBIGUOUS", f'What do you mean by "{value.argument}"?')
-            value = resolved(value, context.thing)
+            value = resolved(value, context.thing or context.place)
         elif word in PLACE_PRONOUNS and not is_fixed and context.place:
             value = resolved(value, context.place)
         values.append(value)

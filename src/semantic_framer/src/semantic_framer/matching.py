@@ -7,21 +7,26 @@ from semantic_frames.frame import FrameElement, Quantity, SemanticFrame
 from semantic_frames.lexical_unit import ElementRelation, LexicalUnit
 from semantic_frames.relation_names import MEASURE
 
-from semantic_framer.clauses import Clause
+from semantic_framer.attachment import (
+    OF_PLACE,
+    is_side_of_something,
+    preposition_of,
+    tells_which,
+    words_before,
+    words_before_amount,
+)
+from semantic_framer.clauses import Clause, shared_subject
 from semantic_framer.lexicon import Lexicon
 from semantic_framer.measures import Amount, find_amounts
 from semantic_framer.sentence import Sentence
 from semantic_framer.values import ElementValue, amount_value, given_value, phrase_value, unit_value
 
 #: A phrase with one of these hangs on the verb, if the unit asks for it, even where the parser hung it on the object:
-#: "bring the mug to the table". The others ("on", "in", "near") do so only for a core element: "put the mug on the
-#: table".
+#: "bring the mug to the table". The others ("on", "in", "near") do so only for a core or required element: "put the
+#: mug on the table".
 DIRECTIONAL = frozenset("to into onto towards toward from for with by as through via".split())
-#: A phrase with one of these says where a thing is. If it fills no element of the unit, it belongs to the noun that it
-#: stands behind, even where the parser hung it on the verb: "bring the mug on the table".
-OF_PLACE = frozenset(
-    "on in at near under behind beside by inside over above below beneath between outside against next".split()
-)
+#: Elements that a verb is about, without a tool or company: a phrase with "with" describes them.
+_DESCRIBED = frozenset(["Cotheme", "Category", "Item"])
 
 
 @dataclass(frozen=True)
@@ -186,6 +191,7 @@ class _Filling:
         self._heads: Dict[str, int] = {}
         self._listed: Dict[str, FrozenSet[int]] = {}
         self._amount_of: Dict[str, Amount] = {}
+        self._subject = clause.subject or shared_subject(sentence, clause.verb)
 
     def reading(self) -> Optional[Reading]:
         """Return the reading; None when a required relation does not match."""
@@ -241,8 +247,15 @@ class _Filling:
                 self._amount_of[element.unit_element] = amount
 
     def _take_phrase(self, relation: ElementRelation) -> None:
+        is_wanted = relation.is_required or self._is_core(relation.name)
+        # "Put it on the bench in the kitchen": of the places the first is meant, the others tell more of it.
+        static = [path for path in relation.relations if preposition_of(path.steps[0]).split("_")[0] in OF_PLACE]
+        places = sorted(head for path in static for head in self._follow(path.steps, is_wanted))
         for path in relation.relations:
-            heads = self._follow(path.steps, self._is_core(relation.name))
+            if path in static:
+                heads = places if path == static[0] else []
+            else:
+                heads = self._follow(path.steps, is_wanted)
             for head in heads:
                 if head in self._heads.values() or head in self._match.positions or not self._is_in_clause(head):
                     continue
@@ -266,10 +279,12 @@ class _Filling:
         return element is not None and element.is_core
 
     def _is_in_clause(self, head: int) -> bool:
-        return head in self._clause.positions or head == self._clause.subject
+        return head in self._clause.positions or head == self._subject
 
     def _listed_words(self, head: int, words: Tuple[str, ...]) -> FrozenSet[int]:
         """Return the words, up to a head, that a relation lists, the most first ("low five"); none if it lists none."""
+        if is_side_of_something(self._sentence, head):
+            return frozenset()
         for length in range(max((len(listed.split()) for listed in words), default=0), 0, -1):
             positions = range(max(1, head - length + 1), head + 1)
             if " ".join(self._sentence.word(index).form.lower() for index in positions) in words:
@@ -302,6 +317,8 @@ class _Filling:
                 found += self._sentence.dependents(governor, step)
                 if number == 0:
                     found += self._reattached(step, is_core)
+                    if step == "nsubj" and self._subject and not self._clause.subject:
+                        found.append(self._subject)
             governors = list(dict.fromkeys(found))
         return governors
 
@@ -309,17 +326,25 @@ class _Filling:
         """Phrases with a preposition that the parser hung on an object though the unit wants them at the verb."""
         if not step.startswith(("prep_", "obl:")):
             return []
-        preposition = step.split("_", 1)[1] if step.startswith("prep_") else step.split(":", 1)[1]
+        preposition = preposition_of(step)
         if not (is_core or preposition in DIRECTIONAL):
             return []
         found = []
         for relation in ("dobj", "iobj", "obl", "tmod"):
             for noun in self._sentence.dependents(self._clause.verb, relation):
                 found += self._sentence.dependents(noun, f"prep_{preposition}")
+                # "Bring the plant on the shelf near the window": near the window it shall be brought.
+                for inner in self._sentence.children(noun) if relation == "dobj" else ():
+                    if inner.deprel == "nmod" and inner.index > noun:
+                        found += self._sentence.dependents(inner.index, f"prep_{preposition}")
         particle = [
             index for index in self._match.positions[1:] if self._sentence.word(index).form.lower() == preposition
         ]
-        return [head for head in found if head not in particle]
+        return [
+            head
+            for head in found
+            if head not in particle and not self._sentence.word(head).deprel.startswith("acl")  # "which is on the bed"
+        ]
 
     def _values(self) -> Tuple[ElementValue, ...]:
         verb_words = frozenset(self._match.positions)
@@ -334,6 +359,9 @@ class _Filling:
                     if is_unit
                     else amount_value(self._sentence, element.name, amount, is_whole=not element.unit_element)
                 )
+                before = words_before_amount(self._sentence, min(amount.positions))
+                if not is_unit:
+                    values[-1] = replace(values[-1], positions=tuple(sorted(before)) + values[-1].positions)
             elif element.name in self._heads:
                 head = self._heads[element.name]
                 others = [
@@ -346,6 +374,7 @@ class _Filling:
                 left_out = verb_words | amount_words | frozenset().union(*others) | self._outside(head)
                 relation = next(relation for relation in self._unit.relations if relation.name == element.name)
                 attached = self._listed[element.name] | self._places_behind(head, element, left_out)
+                attached |= self._words_before(head, left_out)
                 values.append(phrase_value(self._sentence, element.name, head, relation.argument, left_out, attached))
             elif element.default:
                 values.append(given_value(element.name, element.default))
@@ -362,9 +391,7 @@ class _Filling:
             positions = self._sentence.subtree(phrase.index)
             if (
                 min(positions) == max(noun | found) + 1
-                and self._sentence.word(min(positions)).deprel == "case"
-                and phrase.upos != "ADV"
-                and self._sentence.word(min(positions)).form.lower() in OF_PLACE
+                and tells_which(self._sentence, phrase.index, head, element.framenet in _DESCRIBED)
                 and not positions & (taken | left_out)
                 and positions <= self._clause.positions
                 and not self._is_in_a_measure(phrase.index)
@@ -372,9 +399,15 @@ class _Filling:
                 found |= positions
         return found
 
+    def _words_before(self, head: int, left_out: FrozenSet[int]) -> FrozenSet[int]:
+        """Return the adverb in front of the preposition of a phrase: "close" of "close to the door"."""
+        phrase = self._sentence.subtree(head) - left_out
+        free = self._clause.positions - left_out - frozenset(self._heads.values())
+        return words_before(self._sentence, self._clause.verb, min(phrase), free) if phrase else frozenset()
+
     def _outside(self, head: int) -> FrozenSet[int]:
         """Words below a head that belong to other clauses or to a condition."""
-        return frozenset(self._sentence.subtree(head) - self._clause.positions) | (
+        return frozenset(self._sentence.subtree(head) - self._clause.positions - {self._subject}) | (
             self._clause.condition_positions if head not in self._clause.condition_positions else frozenset()
         )
 
@@ -395,7 +428,7 @@ class _Filling:
         left_over = tuple(
             index
             for index in content
-            if index not in used and index != self._clause.subject and not self._hangs_on_used(index, used)
+            if index not in used and index != self._subject and not self._hangs_on_used(index, used)
         )
         return left_over, 1.0 - len(left_over) / (len(content) + 1)
 

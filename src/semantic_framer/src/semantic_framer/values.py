@@ -59,10 +59,12 @@ def phrase_value(
     while len(positions) > 1 and sentence.word(positions[-1]).upos == "PUNCT":
         positions.pop()
     while len(positions) > 1 and (
-        sentence.word(positions[0]).upos == "PUNCT" or sentence.word(positions[0]).deprel in ("cc", "discourse")
+        sentence.word(positions[0]).upos == "PUNCT" or sentence.word(positions[0]).deprel in ("cc", "discourse", "mark")
     ):
         positions.pop(0)
     prepositions = _prepositions(sentence, head)
+    if prepositions and positions[0] < min(prepositions):
+        prepositions |= frozenset(index for index in attached if index < min(prepositions))
     bare = [index for index in positions if index not in prepositions]
     children = sentence.children(head)
     conjunction = ""
@@ -132,6 +134,8 @@ def amount_value(sentence: Sentence, name: str, amount: Amount, *, is_whole: boo
         amount: as it was found
         is_whole: whether the argument is the amount with its unit ("5 minutes") or the number alone ("120")
     """
+    # The head of "60 degrees" is the unit; an element that holds the number alone has the number for its head.
+    numeral = [position for position in amount.positions if is_whole or position != amount.unit_position]
     whole = f"{amount.digits()} {amount.unit}".strip()
     return ElementValue(
         name=name,
@@ -143,7 +147,7 @@ def amount_value(sentence: Sentence, name: str, amount: Amount, *, is_whole: boo
         quantity=amount.quantity,
         si_amount=amount.si_amount,
         positions=amount.positions,
-        head_position=amount.positions[-1],
+        head_position=(numeral or list(amount.positions))[-1],
     )
 
 

@@ -110,7 +110,10 @@ def test_pronoun_is_not_told_apart_by_its_place(understand: Any) -> None:
 
 
 def test_if_that_a_unit_asks_for_is_no_condition(understand: Any) -> None:
-    assert understand("check if the oven is hot")[0].code == "MISSING_ELEMENT"
+    outcome, _ = understand("check if the oven is hot")
+    assert isinstance(outcome, Understood)
+    filled = {value.name: value.argument for value in outcome.clauses[0][0].values}
+    assert filled == {"ground": "the oven", "desired_state": "is hot"}
     assert understand("check the oven if the door is open")[0].code == "CONDITION"
 
 

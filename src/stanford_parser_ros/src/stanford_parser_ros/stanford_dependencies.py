@@ -199,7 +199,7 @@ def _arcs_of_copula(tree: DependencyTree, predicate: Word, copula: Word) -> List
         if child.deprel.startswith(("nsubj", "expl")):
             found.append(Arc(copula.index, child.index, _all_names(tree, child)))
     prep = preposition(tree, predicate)
-    names = {"attr", "acomp"} | ({f"prep_{prep}", "prep", f"obl:{prep}", "obl"} if prep else set())
+    names = {f"prep_{prep}", "prep", f"obl:{prep}", "obl"} if prep else {"attr", "acomp"}
     found.append(Arc(copula.index, predicate.index, frozenset(names)))
     return found
 
