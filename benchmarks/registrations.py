@@ -98,7 +98,7 @@ def main() -> int:
             environment = dict(os.environ, ROS_MASTER_URI=f"http://127.0.0.1:{port}")
             pipeline = subprocess.Popen(
                 ["roslaunch", "-p", str(port), "roboframenet_bringup", "pipeline.launch"]
-                + [f"domains:=[{shipped}/domains, {folder}]"],
+                + [f"domains:={shipped}/domains, {folder}"],
                 env=environment,
                 stdout=subprocess.DEVNULL,
                 stderr=subprocess.DEVNULL,

@@ -5,6 +5,7 @@ classes.  Run as a process of its own: ``settling SOURCE TARGET VECTORS DEV STEP
 """
 
 import io
+import shutil
 import sys
 from pathlib import Path
 from typing import Iterator, List, Sequence
@@ -33,7 +34,9 @@ def _score(trainer: object, data: object, gold: Path) -> float:
 
 
 def settle(source: Path, target: Path, vectors: Path, dev: Path, steps: int, seed: int, train: Sequence[Path]) -> None:
-    """Train on from ``source`` over the files of ``train``; the best state on ``dev`` goes to ``target``."""
+    """Train on from ``source`` over the files of ``train``; the best state on ``dev``, be it the source, goes to
+    ``target``.
+    """
     from stanza.models.common import utils
     from stanza.models.common.doc import Document
     from stanza.models.common.pretrain import Pretrain
@@ -62,7 +65,8 @@ def settle(source: Path, target: Path, vectors: Path, dev: Path, steps: int, see
 
     best = _score(trainer, checked, dev)
     print("before: dev_score = %.4f" % best, flush=True)
-    best = 0.0
+    # The first steps cost what the optimizer had learned: where they are not made up for, the source stays the best.
+    shutil.copyfile(str(source), str(target))
     for step, batch in enumerate(batches(), 1):
         loss = trainer.update(batch, eval=False)
         if step % 20 == 0:

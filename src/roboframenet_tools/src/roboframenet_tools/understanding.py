@@ -12,7 +12,7 @@ from semantic_frames.frame import SemanticFrame
 from semantic_frames.lexical_unit import LexicalUnit
 from semantic_frames.source_files import FRAMES_FOLDER, LEXICAL_UNITS_FOLDER, read_text, yaml_files
 from semantic_framer.clauses import Clause, find_clauses
-from semantic_framer.framer import Question, Understood, read
+from semantic_framer.framer import Question, Understood, read, readings_of
 from semantic_framer.lexicon import Lexicon
 from semantic_framer.matching import Reading, match_verbs, read_clause
 from semantic_framer.repairs import repaired
@@ -228,7 +228,7 @@ class Pipeline:
 
     def _best(self, sentence: Sentence) -> Tuple[Reading, ...]:
         found = [
-            read_clause(sentence, clause, self.knowledge.lexicon, self.knowledge.frames)
+            readings_of(sentence, clause, self.knowledge.lexicon, self.knowledge.frames)
             for clause in find_clauses(sentence, self.knowledge.lexicon)
             if not clause.is_negated
         ]

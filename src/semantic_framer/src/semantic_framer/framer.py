@@ -240,7 +240,7 @@ def _read_one(
         near = lexicon.nearest_verbs(clause.lemma)
         hint = f' Do you mean {" or ".join(near)}?' if near else ""
         return Refusal("UNKNOWN_VERB", f'I do not know how to "{clause.lemma}".{hint}')
-    readings = read_clause(sentence, clause, lexicon, frames)
+    readings = readings_of(sentence, clause, lexicon, frames)
     if clause.is_report:
         # Only a unit that asks for the subject is about what happens: "The mug stands on the table."
         readings = tuple(
@@ -278,6 +278,28 @@ def _read_one(
         # "Five" is less than was said where another unit lists "low five".
         if not any(reading.listed and reading.listed < other.listed for other in complete)
     )
+
+
+def readings_of(
+    sentence: Sentence, clause: Clause, lexicon: Lexicon, frames: Mapping[str, SemanticFrame]
+) -> Tuple[Reading, ...]:
+    """Return the ways to understand a clause, the best first.
+
+    Those that take a bare number for a thing are left out where another unit of the verb measures with it: "turn one
+    eighty" is half a turn, and no device called "one eighty"; "give me 5" stays, as its unit lists the 5.
+    """
+    readings = read_clause(sentence, clause, lexicon, frames)
+    measuring = {position for reading in readings for position in _measured(reading)}
+    kept = tuple(
+        reading
+        for reading in readings
+        if not any(value.head_position in measuring - _measured(reading) - reading.listed for value in reading.values)
+    )
+    return kept or readings
+
+
+def _measured(reading: Reading) -> FrozenSet[int]:
+    return frozenset(position for value in reading.values if value.quantity for position in value.positions)
 
 
 def _finish(

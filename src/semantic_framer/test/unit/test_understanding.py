@@ -289,3 +289,9 @@ def test_nothing_negated_or_conditional_is_ever_done(understand: Any) -> None:
     assert len(said) >= 300
     reasons = {text: getattr(understand(text)[0], "code", "DONE") for text in said}
     assert {text: code for text, code in reasons.items() if code not in ("NEGATED", "CONDITION")} == {}
+
+
+@pytest.mark.parametrize("text", ["Turn one eighty.", "Turn 180.", "turn five"])
+def test_a_number_is_no_device(understand: Any, text: str) -> None:
+    outcome = understand(text)[0]
+    assert isinstance(outcome, Question) and "left or right" in outcome.sentence
