@@ -119,7 +119,9 @@ class PortedServersTest(unittest.TestCase):
         cls.frames = RFNServer("frames", lambda frame: None)
         path = os.path.join(os.path.dirname(os.path.abspath(__file__)), "ported", "frames", "counting.yaml")
         assert cls.frames.add_semantic_frame(path), cls.frames.last_error
-        assert wait_until(lambda: cls.living() >= {"computing_fibonacci_sequence", "averaging"}), "the servers did not register"
+        assert wait_until(
+            lambda: cls.living() >= {"computing_fibonacci_sequence", "averaging"}
+        ), "the servers did not register"
 
     @classmethod
     def tearDownClass(cls) -> None:
@@ -228,8 +230,13 @@ class PortedServersTest(unittest.TestCase):
         self.assertFalse(server.register_with_frame("counting"))
         self.assertIn("'samples' fills no field", server.last_error)
         self.assertIn("order", server.last_error)
-        wrong = RFNServer("mismapped", FibonacciAction, execute_cb=lambda goal: None, auto_start=False,
-                          goal_mapping={"ordre": "samples"})
+        wrong = RFNServer(
+            "mismapped",
+            FibonacciAction,
+            execute_cb=lambda goal: None,
+            auto_start=False,
+            goal_mapping={"ordre": "samples"},
+        )
         wrong.start()
         self.assertFalse(wrong.register_with_frame("counting"))
         self.assertIn("did you mean 'order'", wrong.last_error)
@@ -242,7 +249,10 @@ def counting_with_frames() -> RFNServer:
         server.set_succeeded(FibonacciResult(sequence=[goal.order]), "counted")
 
     server = RFNServer(
-        "framed", FibonacciAction, execute_cb=execute, auto_start=False,
+        "framed",
+        FibonacciAction,
+        execute_cb=execute,
+        auto_start=False,
         frame_callback=lambda frame: FibonacciGoal(order=len(frame.frame_elements)),
     )
     server.start()

@@ -125,7 +125,7 @@ def _binding(reader: Reader, node: yaml.Node, key: str) -> Optional[Binding]:
         text_field=reader.text(entries.get("text_field"), f"{key}.text_field"),
         line=node.start_mark.line + 1,
         **{
-            name: _seconds(reader, entries[name], f"{key}.{name}")
+            name: reader.seconds(entries[name], f"{key}.{name}", 1.0)
             for name in ("server_timeout_s", "goal_timeout_s", "preempt_timeout_s")
             if name in entries
         },
@@ -149,18 +149,6 @@ def _fields(reader: Reader, node: Optional[yaml.Node], key: str) -> Dict[str, An
             parts = reader.mapping(value, f"{key}.{name}", FIELD_KEYS)
             fields[name] = {part: reader.text(item, f"{key}.{name}.{part}") for part, item in parts.items()}
     return fields
-
-
-def _seconds(reader: Reader, node: yaml.Node, key: str) -> float:
-    text = reader.text(node, key)
-    try:
-        seconds = float(text)
-    except ValueError:
-        seconds = float("nan")
-    if not 0.0 < seconds < float("inf"):
-        reader.report("NOT_A_NUMBER", node, key, f"'{text}'", "seconds, more than 0")
-        return 1.0
-    return seconds
 
 
 __all__ = ["Binding", "FileRefused", "Kind", "load_bindings"]

@@ -36,7 +36,9 @@ class FrameBindingsTest(unittest.TestCase):
         cls.orders: List[int] = []
         cls.lights: List[bool] = []
         cls.go_on = threading.Event()
-        cls.server = actionlib.SimpleActionServer("fibonacci", FibonacciAction, execute_cb=cls.execute, auto_start=False)
+        cls.server = actionlib.SimpleActionServer(
+            "fibonacci", FibonacciAction, execute_cb=cls.execute, auto_start=False
+        )
         cls.server.start()
         cls.service = rospy.Service("set_light", SetBool, cls.switch)
 

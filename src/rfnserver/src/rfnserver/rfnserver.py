@@ -132,7 +132,9 @@ class RFNServer(_Registering, QuietSimpleActionServer):
                 f"{self._frame_callback!r}"
             )
         if execute_cb is not None or frame_callback is not None or goal_mapping is not None:
-            raise TypeError(f"RFNServer {name}: execute_cb, frame_callback and goal_mapping need the class of an action")
+            raise TypeError(
+                f"RFNServer {name}: execute_cb, frame_callback and goal_mapping need the class of an action"
+            )
         self._registration = Registration(name, check=check)
         super().__init__(name, FilledSemanticFrameAction, execute_cb=self._execute_frame, auto_start=False)
 

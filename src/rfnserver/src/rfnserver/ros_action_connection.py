@@ -1,4 +1,5 @@
 """The client's side of one action server, of any type."""
+
 from typing import Any, Callable, List
 
 import actionlib
@@ -35,7 +36,8 @@ class ActionConnection:
         self._client = actionlib.ActionClient(server, action_type)
         self._listeners: List[Callable[[], None]] = []
         self._status = rospy.Subscriber(
-            rospy.remap_name(server) + "/status", GoalStatusArray, self._tell_listeners, queue_size=10)
+            rospy.remap_name(server) + "/status", GoalStatusArray, self._tell_listeners, queue_size=10
+        )
 
     def close(self) -> None:
         """Disconnect."""
@@ -48,10 +50,12 @@ class ActionConnection:
         if status is None:
             return False
         server_node = status._connection_header["callerid"]
-        return (self._client.pub_goal.impl.has_connection(server_node)
-                and self._client.pub_cancel.impl.has_connection(server_node)
-                and self._hears(self._client.result_sub, server_node)
-                and self._hears(self._client.feedback_sub, server_node))
+        return (
+            self._client.pub_goal.impl.has_connection(server_node)
+            and self._client.pub_cancel.impl.has_connection(server_node)
+            and self._hears(self._client.result_sub, server_node)
+            and self._hears(self._client.feedback_sub, server_node)
+        )
 
     @staticmethod
     def _hears(subscriber: rospy.Subscriber, server_node: str) -> bool:
@@ -88,7 +92,8 @@ class ActionConnection:
             on_feedback: gets each feedback
         """
         handle = self._client.send_goal(
-            goal, transition_cb=on_transition, feedback_cb=lambda _handle, feedback: on_feedback(feedback))
+            goal, transition_cb=on_transition, feedback_cb=lambda _handle, feedback: on_feedback(feedback)
+        )
         return SentGoal(handle, handle.comm_state_machine.action_goal.goal_id.id)
 
     def cancel(self, goal: SentGoal) -> None:

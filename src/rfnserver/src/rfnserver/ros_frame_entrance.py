@@ -15,7 +15,15 @@ from roboframenet_msgs.msg import (
 from roboframenet_msgs.srv import GetEmptyFrame
 
 from rfnserver.arguments import ArgumentError
-from rfnserver.goal_binding import BindingError, BoundElement, Declaration, GoalPlan, goal_values, mapped_elements, plan_goal
+from rfnserver.goal_binding import (
+    BindingError,
+    BoundElement,
+    Declaration,
+    GoalPlan,
+    goal_values,
+    mapped_elements,
+    plan_goal,
+)
 from rfnserver.goal_types import Filling
 from rfnserver.ros_deadline import ServiceError, call_service
 from rfnserver.ros_goal_forwarding import ForwardedEnd, GoalForwarder
@@ -92,7 +100,9 @@ def check_frame(frame_name: str, maker: GoalMaker) -> Tuple[bool, str]:
         whether the frame is known by now, and what is wrong, empty for nothing
     """
     try:
-        frame = call_service("get_empty_frame", GetEmptyFrame, timeout_s=CATALOGUE_TIMEOUT_S, frame_name=frame_name).frame
+        frame = call_service(
+            "get_empty_frame", GetEmptyFrame, timeout_s=CATALOGUE_TIMEOUT_S, frame_name=frame_name
+        ).frame
     except ServiceError:
         return False, ""
     if not frame.name:

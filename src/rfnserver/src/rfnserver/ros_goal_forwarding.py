@@ -123,7 +123,9 @@ class GoalForwarder:
         if status == GoalStatus.SUCCEEDED:
             return ForwardedEnd(status, text, handle.get_result())
         if status in (GoalStatus.PREEMPTED, GoalStatus.RECALLED):
-            return ForwardedEnd(GoalStatus.ABORTED, text or f"somebody else stopped {self._server}", handle.get_result())
+            return ForwardedEnd(
+                GoalStatus.ABORTED, text or f"somebody else stopped {self._server}", handle.get_result()
+            )
         named = actionlib.TerminalState.to_string(status).lower()
         return ForwardedEnd(status, text or f"{self._server} ended the goal as {named}", handle.get_result())
 

@@ -1,4 +1,5 @@
 """Action servers that cost nothing while they have no goal."""
+
 import threading
 import time
 import traceback
@@ -130,8 +131,8 @@ class QuietSimpleActionServer(actionlib.SimpleActionServer):
     def executeLoop(self) -> None:  # the name is the base class's
         """Wait for goals and run the callback, until shutdown.
 
-        The stock loop looks for a goal before it takes the lock and then sleeps a tenth of a second: a goal that comes in
-        between waits as long. Here both happen under the lock.
+        The stock loop looks for a goal before it takes the lock and then sleeps a tenth of a second: a goal that comes
+        in between waits as long. Here both happen under the lock.
         """
         while not rospy.is_shutdown():
             with self.terminate_mutex:

@@ -170,6 +170,20 @@ class Reader:
             return default
         return _BOOLEANS[value]
 
+    def seconds(self, node: Optional[yaml.Node], key: str, default: float) -> float:
+        """Return a duration: a number of seconds, more than 0 and finite."""
+        if node is None:
+            return default
+        text = self.text(node, key)
+        try:
+            seconds = float(text)
+        except ValueError:
+            seconds = float("nan")
+        if not 0.0 < seconds < float("inf"):
+            self.report("NOT_A_NUMBER", node, key, f"'{text}'", "seconds, more than 0")
+            return default
+        return seconds
+
     def texts(self, node: Optional[yaml.Node], key: str) -> Tuple[str, ...]:
         """Return a list of texts; a single text is a list of one."""
         if node is None or is_empty(node):

@@ -114,8 +114,8 @@ def _manifest(reader: Reader, node: yaml.Node, key: str, path: str) -> Manifest:
         frame_names=reader.texts(entries.get("frame", entries.get("frames")), f"{key}.frames"),
         launch=_launch(reader, entries["launch"], f"{key}.launch") if "launch" in entries else None,
         program=_program(reader, entries["run"], f"{key}.run") if "run" in entries else None,
-        start_timeout_s=_seconds(reader, entries.get("start_timeout_s"), f"{key}.start_timeout_s", 30.0),
-        idle_s=_seconds(reader, entries.get("idle_s"), f"{key}.idle_s", 60.0),
+        start_timeout_s=reader.seconds(entries.get("start_timeout_s"), f"{key}.start_timeout_s", 30.0),
+        idle_s=reader.seconds(entries.get("idle_s"), f"{key}.idle_s", 60.0),
         path=path,
         line=line_of(node),
     )
@@ -146,20 +146,6 @@ def _program(reader: Reader, node: yaml.Node, key: str) -> Program:
         name=reader.text(entries.get("name"), f"{key}.name", executable.rpartition(".")[0] or executable),
         arguments=reader.text(entries.get("arguments"), f"{key}.arguments"),
     )
-
-
-def _seconds(reader: Reader, node: Optional[yaml.Node], key: str, default: float) -> float:
-    if node is None:
-        return default
-    text = reader.text(node, key)
-    try:
-        seconds = float(text)
-    except ValueError:
-        seconds = float("nan")
-    if not 0.0 < seconds < float("inf"):
-        reader.report("NOT_A_NUMBER", node, key, f"'{text}'", "seconds, more than 0")
-        return default
-    return seconds
 
 
 def by_frame(manifests: Sequence[Manifest]) -> Tuple[Dict[str, Manifest], Tuple[str, ...]]:

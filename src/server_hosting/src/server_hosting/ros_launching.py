@@ -1,4 +1,4 @@
-"""Starts and ends the processes of a server through roslaunch. Everything here has to be called from the main thread."""
+"""Starts and ends the processes of a server through roslaunch. All of it has to be called from the main thread."""
 
 import os
 from typing import List, Tuple
@@ -26,7 +26,9 @@ class Launched:
         texts: List[str] = []
         try:
             if manifest.launch is not None:
-                files.append((_path_of(manifest), [f"{name}:={value}" for name, value in manifest.launch.arguments.items()]))
+                files.append(
+                    (_path_of(manifest), [f"{name}:={value}" for name, value in manifest.launch.arguments.items()])
+                )
             else:
                 texts.append(manifest.program.as_launch_xml())
             self._parent = roslaunch.parent.ROSLaunchParent(
