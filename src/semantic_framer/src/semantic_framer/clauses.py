@@ -18,6 +18,8 @@ _ADDRESSEES = frozenset(["you", "robot", "u", "we"])
 _REPORTING_AUXILIARIES = frozenset("did was were is are 's 're am has have had been".split())
 #: Subordinators that make an action depend on something, or put it off.
 CONDITIONS = frozenset("if when until till unless once after before while whenever as".split())
+#: "Follow me no more."
+_NO_MORE = (("no", "more"), ("no", "longer"))
 #: What an action is said to be done with, or to, when it is not to be done: "take no box", "take none of the boxes".
 _NO_THINGS = frozenset("no none nothing nobody noone neither".split())
 
@@ -135,11 +137,14 @@ def _is_of_nothing(sentence: Sentence, positions: FrozenSet[int]) -> bool:
 
     "Say no" says a word.
     """
+    words = [sentence.word(index) for index in sorted(positions)]
+    if any((word.form.lower(), after.form.lower()) in _NO_MORE for word, after in zip(words, words[1:])):
+        return True
     return any(
         word.form.lower() in _NO_THINGS
         and word.upos != "INTJ"
         and (word.deprel == "det" or word.deprel.split(":")[0] in ("obj", "iobj", "obl", "nsubj", "conj"))
-        for word in (sentence.word(index) for index in positions)
+        for word in words
     )
 
 

@@ -112,15 +112,17 @@ def _with_modals_as_nouns(tree: DependencyTree) -> DependencyTree:
     """
     for modal in tree.words:
         before = tree.words[modal.index - 2] if modal.index > 1 else modal
-        is_noun = (
-            modal.xpos == "MD"
-            and not modal.deprel.startswith("aux")
-            and before.upos in ("NOUN", "PROPN")
-            and modal.head in (before.index, before.head)
-            and not any(child.upos != "PUNCT" for child in tree.children(modal.index))
+        if modal.xpos != "MD" or before.upos not in ("NOUN", "PROPN"):
+            continue
+        below = [child for child in tree.children(modal.index) if child.upos != "PUNCT"]
+        helps_nothing = not modal.deprel.startswith("aux") and modal.head in (before.index, before.head) and not below
+        # An auxiliary stands before its verb; its verb before it has an object there, taken for a subject perhaps.
+        is_behind_its_verb = (
+            modal.deprel.startswith("aux") and 0 < modal.head < before.index and below in ([], [before])
         )
-        if is_noun:
-            noun = replace(modal, upos="NOUN", xpos="NN", head=before.head, deprel=before.deprel)
+        if helps_nothing or is_behind_its_verb:
+            head, deprel = (modal.head, "obj") if before.head == modal.index else (before.head, before.deprel)
+            noun = replace(modal, upos="NOUN", xpos="NN", head=head, deprel=deprel)
             words = [replace(word, head=modal.index) if word.head == before.index else word for word in tree.words]
             words[modal.index - 1] = noun
             words[before.index - 1] = replace(before, head=modal.index, deprel="compound")
