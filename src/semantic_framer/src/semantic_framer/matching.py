@@ -24,7 +24,7 @@ from semantic_framer.values import ElementValue, amount_value, given_value, phra
 #: A phrase with one of these hangs on the verb, if the unit asks for it, even where the parser hung it on the object:
 #: "bring the mug to the table". The others ("on", "in", "near") do so only for a core or required element: "put the
 #: mug on the table".
-DIRECTIONAL = frozenset("to into onto towards toward from for with by as through via".split())
+DIRECTIONAL = frozenset("to into onto towards toward from for with by as through via out_of off off_of".split())
 #: Elements that a verb is about, without a tool or company: a phrase with "with" describes them.
 _DESCRIBED = frozenset(["Cotheme", "Category", "Item"])
 
