@@ -73,6 +73,7 @@ def prepare_sentences(plan: Plan) -> None:
     # development sentences of the small models: same words, another seed; the evaluation words stay unseen
     others = list(generate.training(300, plan.seed + 1, mined))
     write(data / "commands.conllu", commands)
+    write(data / "commands.quarter.conllu", commands[: len(commands) // 4])
     write(data / "held-out.conllu", generate.evaluation(plan.held_out, plan.seed))
     write(data / "written.dev.conllu", dev)
     write(data / "mixed.train.conllu", written + commands)
@@ -157,6 +158,8 @@ def steps(plan: Plan) -> List[Step]:
                     "written.dev.conllu",
                     "lemma.train.conllu",
                     "held-out.conllu",
+                    "written.train.conllu",
+                    "commands.quarter.conllu",
                 )
             ),
             {"seed": plan.seed, "commands": plan.commands, "held_out": plan.held_out},
@@ -195,8 +198,8 @@ def steps(plan: Plan) -> List[Step]:
             "tagger.pt",
             (
                 models / "tagger-full.pt",
-                data / "mixed.train.conllu",
-                data / "spoken.conllu",
+                data / "written.train.conllu",
+                data / "commands.quarter.conllu",
                 data / "written.dev.conllu",
                 word_vectors,
                 _HERE / "settling.py",
