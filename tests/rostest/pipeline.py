@@ -43,5 +43,9 @@ def is_pipeline_complete() -> bool:
 
 def is_connected(node: str, topic: str) -> bool:
     """Whether a subscriber has a connection from a publisher of the topic."""
-    api = xmlrpc.client.ServerProxy(rosgraph.Master(rospy.get_name()).lookupNode(node))
-    return any(entry[2] == "i" and entry[4] == topic and entry[5] for entry in api.getBusInfo(rospy.get_name())[2])
+    try:
+        api = xmlrpc.client.ServerProxy(rosgraph.Master(rospy.get_name()).lookupNode(node))
+        connections = api.getBusInfo(rospy.get_name())[2]
+    except (rosgraph.MasterException, OSError):
+        return False  # it is about to come, or to go
+    return any(entry[2] == "i" and entry[4] == topic and entry[5] for entry in connections)

@@ -48,8 +48,11 @@ class CommandChainTest(unittest.TestCase):
     @classmethod
     def is_arbitrator_heard(cls):
         """Whether the executor is connected to the arbitrator: what is published before is lost."""
-        api = xmlrpc.client.ServerProxy(rosgraph.Master(rospy.get_name()).lookupNode("/executor"))
-        connections = api.getBusInfo(rospy.get_name())[2]
+        try:
+            api = xmlrpc.client.ServerProxy(rosgraph.Master(rospy.get_name()).lookupNode("/executor"))
+            connections = api.getBusInfo(rospy.get_name())[2]
+        except (rosgraph.MasterException, OSError):
+            return False  # it is not up yet
         topic = rospy.resolve_name("command_procedure")
         return any(entry[2] == "i" and entry[4] == topic and entry[5] for entry in connections)
 
