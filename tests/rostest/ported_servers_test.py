@@ -24,6 +24,7 @@ from roboframenet_msgs.msg import (
     FilledSemanticFrameAction,
     FilledSemanticFrameGoal,
     FrameCatalogue,
+    Lexicon,
     Reply,
 )
 from std_msgs.msg import Float32, String
@@ -108,6 +109,8 @@ class PortedServersTest(unittest.TestCase):
     def setUpClass(cls) -> None:
         cls.replies: List[Reply] = []
         cls.subscriber = rospy.Subscriber("reply", Reply, cls.replies.append, queue_size=100)
+        cls.units: Set[str] = set()
+        cls.lexicons = rospy.Subscriber("lexicon", Lexicon, cls.on_lexicon)
         cls.catalogue = FrameCatalogue()
         cls.catalogues = rospy.Subscriber("frame_catalogue", FrameCatalogue, cls.on_catalogue)
         cls.text = rospy.Publisher("text", String, queue_size=10)
@@ -119,13 +122,20 @@ class PortedServersTest(unittest.TestCase):
         cls.frames = RFNServer("frames", lambda frame: None)
         path = os.path.join(os.path.dirname(os.path.abspath(__file__)), "ported", "frames", "counting.yaml")
         assert cls.frames.add_semantic_frame(path), cls.frames.last_error
-        assert wait_until(
-            lambda: cls.living() >= {"computing_fibonacci_sequence", "averaging"}
-        ), "the servers did not register"
+        expected = {"computing_fibonacci_sequence", "averaging"}
+        assert wait_until(lambda: cls.living() >= expected), "the servers did not register"
+        assert wait_until(lambda: cls.units >= {"compute.yaml", "average.yaml"}), "the units were not added"
+        # The parser reads the lexicon too, and is at it perhaps.
+        cls.text.publish(String(data="Hello."))
+        assert wait_until(lambda: cls.replies), "no reply"
 
     @classmethod
     def tearDownClass(cls) -> None:
         cls.timer.shutdown()
+
+    @classmethod
+    def on_lexicon(cls, lexicon: Lexicon) -> None:
+        cls.units = {os.path.basename(file.path) for file in lexicon.files}
 
     @classmethod
     def on_catalogue(cls, catalogue: FrameCatalogue) -> None:
