@@ -60,7 +60,7 @@ class ServerHostingTest(unittest.TestCase):
         status, first = self.end(self.send("chopping"))
         self.assertEqual(GoalStatus.SUCCEEDED, status, first)
         # Longer than it may be idle, and past the node that started it.
-        self.assertEqual((status, first), self.end(self.send("chopping", server="chopping_server", duration_s="8")))
+        self.assertEqual((status, first), self.end(self.send("chopping", server="chopping_server", duration_s="14")))
 
     def test_launch_file_and_preemption(self) -> None:
         handle = self.send("folding", duration_s="100")
