@@ -10,10 +10,6 @@ from geometry_msgs.msg import PoseStamped
 from rfnserver.goal_types import FILLING_OF_TYPE, PLACE_TYPES, Constant, Filling, GoalField
 
 
-class UnknownType(ValueError):
-    """No such type is built in this workspace."""
-
-
 def is_action_type(candidate: Any) -> bool:
     """Whether something is the class of an action ("FibonacciAction")."""
     return isinstance(candidate, type) and issubclass(candidate, genpy.Message) and "action_goal" in candidate.__slots__

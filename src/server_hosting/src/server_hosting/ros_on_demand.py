@@ -170,6 +170,8 @@ class OnDemand:
             fault = need.answer.get(timeout=manifest.start_timeout_s)
         except queue.Empty:
             fault = f"{manifest.server} was not started within {manifest.start_timeout_s:g} s"
+            # It may be started yet: nobody needs it then.
+            self._inbox.put(_Release(manifest))
         if fault:
             self._server.set_aborted(None, fault)
             return
