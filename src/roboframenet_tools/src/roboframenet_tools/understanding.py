@@ -12,10 +12,9 @@ from semantic_frames.frame import SemanticFrame
 from semantic_frames.lexical_unit import LexicalUnit
 from semantic_frames.source_files import FRAMES_FOLDER, LEXICAL_UNITS_FOLDER, read_text, yaml_files
 from semantic_framer.clauses import Clause, find_clauses
-from semantic_framer.framer import Question, Understood, read, readings_of
+from semantic_framer.framer import Question, Understood, prepared, read, readings_of
 from semantic_framer.lexicon import Lexicon
 from semantic_framer.matching import Reading, match_verbs, read_clause
-from semantic_framer.repairs import repaired
 from semantic_framer.sentence import Sentence
 from stanford_parser_ros.model import Parser, UnparsableText, shipped_model_dir
 from stanford_parser_ros.tree import DependencyTree
@@ -193,8 +192,8 @@ class Pipeline:
             tree = self.parse(text)
         except UnparsableText as error:
             return _nothing(text, Reply("REFUSED", "EMPTY_TEXT", f"I heard no words: {error}."))
-        corrected = repaired(tree, self.knowledge.lexicon)
-        sentence = Sentence(corrected if isinstance(corrected, DependencyTree) else tree)
+        meant = prepared(tree, self.knowledge.lexicon, self.knowledge.frames)
+        sentence = meant if isinstance(meant, Sentence) else Sentence(tree)
         attempts = tuple(self._attempts(sentence, clause) for clause in find_clauses(sentence, self.knowledge.lexicon))
         outcome, _ = read(tree, self.knowledge.lexicon, self.knowledge.frames)
         if isinstance(outcome, Understood):

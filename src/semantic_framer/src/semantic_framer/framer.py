@@ -8,10 +8,12 @@ from semantic_frames.frame import SemanticFrame
 from stanford_parser_ros.tree import DependencyTree
 
 from semantic_framer.answers import answer, question_of
+from semantic_framer.asides import with_asides, with_opening_aside
 from semantic_framer.clauses import WRAPPERS, Clause, find_clauses, whole_sentence
 from semantic_framer.dialogue import PLACE_PRONOUNS, PRONOUNS, Context, Pending, is_no
 from semantic_framer.lexicon import Lexicon
 from semantic_framer.matching import Reading, VerbMatch, match_verbs, rank, read_clause
+from semantic_framer.quotations import with_quotations
 from semantic_framer.repairs import repaired
 from semantic_framer.sentence import Sentence
 from semantic_framer.times import find_times
@@ -103,11 +105,10 @@ def read(
         what came of it, and what is to be remembered
     """
     context = context.at(now_s)
-    corrected = repaired(tree, lexicon)
-    if not isinstance(corrected, DependencyTree):
+    sentence = prepared(tree, lexicon, frames)
+    if not isinstance(sentence, Sentence):
         # What was asked before is answered by none of this.
-        return _which(corrected), replace(context, pending=None)
-    sentence = Sentence(corrected)
+        return _which(sentence), replace(context, pending=None)
     pending = context.pending
     context = replace(context, pending=None)
     if pending is not None:
@@ -141,6 +142,20 @@ def read(
         words = " ".join(sentence.word(index).form for index in open_words)
         outcome = replace(outcome, warning=f"{outcome.warning or 'ignored:'} {words}")
     return outcome, context
+
+
+def prepared(
+    tree: DependencyTree, lexicon: Lexicon, frames: Mapping[str, SemanticFrame]
+) -> Union[Sentence, Tuple[str, ...]]:
+    """Put together what is to be said, and set aside what was corrected or is only said around the command.
+
+    Returns:
+        the sentence; or, where it is not certain what was corrected, the readings to choose from
+    """
+    corrected = repaired(tree, lexicon)
+    if not isinstance(corrected, DependencyTree):
+        return corrected
+    return Sentence(with_asides(with_quotations(with_opening_aside(corrected, lexicon), lexicon, frames), lexicon))
 
 
 def _which(readings: Sequence[str]) -> Union[Refusal, Question]:
@@ -196,7 +211,7 @@ def _time_of_a_command(sentence: Sentence, lexicon: Lexicon) -> FrozenSet[int]:
     No element of a frame holds them, and a time hides the verb from the parser ("at five turn left"): so it counts
     wherever it stands, and whatever became of the clauses.
     """
-    times = [time for time in find_times(sentence) if not time & sentence.abandoned]
+    times = [time for time in find_times(sentence) if not time & (sentence.abandoned | sentence.quoted)]
     inside = frozenset().union(*times)
     is_command = any(
         lexicon.verbs_beginning_with(spelling)

@@ -10,10 +10,18 @@ from stanford_parser_ros.tree import DependencyTree, Word
 
 #: Said while thinking, as long as it takes ("uhhh"); never a part of what is said.
 _FILLER = re.compile(r"(u+h+m*|u+m+|e+r+m*|e+h+|e+h*m+|h+m+|m{2,})$")
+#: Relation of what is only said around a command ("if you don't mind") to its verb.
+ASIDE = "discourse:aside"
+#: Relation of the words of a quotation ("say *don't worry*") to the one that fills the element.
+QUOTED = "flat:quoted"
+HEDGES = frozenset(["maybe", "perhaps", "possibly"])
 #: Said around a command without changing it.
-HARMLESS = frozenset(
-    "please now just kindly then also okay ok so well hey hi hello robot again next first finally simply actually "
-    "thanks thank could can would will you i us lets".split()
+HARMLESS = (
+    frozenset(
+        "please now just kindly then also okay ok so well hey hi hello robot again next first finally simply actually "
+        "thanks thank could can would will you i us lets alright".split()
+    )
+    | HEDGES
 )
 _FUNCTION_RELATIONS = {
     "punct",
@@ -30,6 +38,7 @@ _FUNCTION_RELATIONS = {
     "fixed",
     "expl",
     "reparandum",
+    ASIDE,
     "goeswith",
 }
 
@@ -52,9 +61,13 @@ class Sentence:
             index: tree.children(index) for index in range(len(tree.words) + 1)
         }
         self.subtree = lru_cache(maxsize=None)(self._subtree)
-        #: Positions of what the speaker corrected, and of the words that said so.
+        #: Positions of what the speaker corrected, of the words that said so, and of asides.
         self.abandoned: FrozenSet[int] = frozenset().union(
-            *(self._subtree(word.index) for word in tree.words if word.deprel == "reparandum")
+            *(self._subtree(word.index) for word in tree.words if word.deprel in ("reparandum", ASIDE))
+        )
+        #: Positions of words that are said of nothing here: "say *don't worry*".
+        self.quoted: FrozenSet[int] = frozenset(
+            index for word in tree.words if word.deprel == QUOTED for index in (word.index, word.head)
         )
         self.fillers: FrozenSet[int] = frozenset(word.index for word in tree.words if is_filler(word.form))
 
@@ -81,7 +94,7 @@ class Sentence:
         return frozenset(found)
 
     def text(self, positions: Sequence[int]) -> str:
-        """Return words in the order in which they were said, a clitic ("'s") joined to its word."""
+        """Return words in the order in which they were said, a clitic ("'s") or a comma joined to its word."""
         return self.text_in_order(sorted(positions))
 
     def text_in_order(self, positions: Sequence[int]) -> str:
@@ -89,7 +102,7 @@ class Sentence:
         text = ""
         for index in positions:
             form = self.word(index).form
-            text += form if not text or form.startswith(("'", "’", "n't")) else " " + form
+            text += form if not text or form.startswith(("'", "’", "n't", ",", ";", ":", ".", "!", "?")) else " " + form
         return text
 
     def is_content(self, index: int) -> bool:
@@ -97,7 +110,11 @@ class Sentence:
         word = self.word(index)
         if word.deprel in _FUNCTION_RELATIONS or word.upos in ("PUNCT", "INTJ", "SYM", "CCONJ", "PART"):
             return False
-        return word.form.lower() not in HARMLESS and index not in self.fillers
+        # "Open the door for me": who wants something done wants it for himself.
+        is_wisher = word.form.lower() in ("me", "us") and any(
+            child.deprel == "case" and child.form.lower() == "for" for child in self.children(index)
+        )
+        return word.form.lower() not in HARMLESS and index not in self.fillers and not is_wisher
 
 
 def is_filler(form: str) -> bool:
