@@ -87,7 +87,7 @@ def with_opening_aside(tree: DependencyTree, lexicon: Lexicon) -> DependencyTree
         the sentence, with the same words in the same places
     """
     positions = _opening(tree, lexicon)
-    return _set_aside(tree, positions, lexicon) if positions else tree
+    return set_aside(tree, positions, lexicon, ASIDE) if positions else tree
 
 
 def with_asides(tree: DependencyTree, lexicon: Lexicon) -> DependencyTree:
@@ -98,7 +98,7 @@ def with_asides(tree: DependencyTree, lexicon: Lexicon) -> DependencyTree:
         positions = _around(tree, lexicon)
         if not positions:
             return tree
-        tree = _set_aside(tree, positions, lexicon)
+        tree = set_aside(tree, positions, lexicon, ASIDE)
 
 
 def _open_words(tree: DependencyTree) -> List[Word]:
@@ -166,8 +166,15 @@ def _is_verb(word: Word, lexicon: Lexicon) -> bool:
     return any(lexicon.verbs_beginning_with(spelling) for spelling in (word.form.lower(), word.lemma.lower()))
 
 
-def _set_aside(tree: DependencyTree, positions: AbstractSet[int], lexicon: Lexicon) -> DependencyTree:
-    """Hang words as asides on the rest, and what hung on them where they hung."""
+def set_aside(tree: DependencyTree, positions: AbstractSet[int], lexicon: Lexicon, relation: str) -> DependencyTree:
+    """Hang words on the root of the others, and what hung on them where they hung.
+
+    Args:
+        tree: the sentence
+        positions: of the words; at least one word is left
+        lexicon: one of its verbs becomes the root where the root was one of the words
+        relation: of each of the words to the root
+    """
     heads = {}
     for word in tree.words:
         head = word.head
@@ -182,7 +189,7 @@ def _set_aside(tree: DependencyTree, positions: AbstractSet[int], lexicon: Lexic
         if word.index == root.index:
             words.append(replace(word, head=0, deprel="root"))
         elif word.index in positions:
-            words.append(replace(word, head=root.index, deprel=ASIDE))
+            words.append(replace(word, head=root.index, deprel=relation))
         elif heads[word.index] == 0:
             is_clause = word.upos == "VERB" and word.index > root.index
             words.append(replace(word, head=root.index, deprel="parataxis" if is_clause else word.deprel))
