@@ -1,12 +1,13 @@
 """A parsed sentence with its relations by governor, and the words that carry no content of their own."""
 
 import re
-from dataclasses import replace
 from functools import lru_cache
 from typing import Dict, FrozenSet, List, Sequence, Set, Tuple
 
 from stanford_parser_ros.stanford_dependencies import Arc, arcs
 from stanford_parser_ros.tree import DependencyTree, Word
+
+from semantic_framer.mending import mended
 
 #: Said while thinking, as long as it takes ("uhhh"); never a part of what is said.
 _FILLER = re.compile(r"(u+h+m*|u+m+|e+r+m*|e+h+|e+h*m+|h+m+|m{2,})$")
@@ -47,12 +48,12 @@ class Sentence:
     """A dependency tree, looked at from its governors.
 
     Attributes:
-        tree: the tree; a modal that has no verb ("the trash can") is a noun in it
+        tree: the tree, mended where the parser hung words as no command has them
         arcs: every relation under all of its names
     """
 
     def __init__(self, tree: DependencyTree) -> None:
-        self.tree = tree = _with_modals_as_nouns(tree)
+        self.tree = tree = mended(tree)
         self.arcs: Tuple[Arc, ...] = arcs(tree)
         self._by_governor: Dict[int, List[Arc]] = {}
         for arc in self.arcs:
@@ -120,28 +121,3 @@ class Sentence:
 def is_filler(form: str) -> bool:
     """Whether a word is said only while thinking: "um", "uhhh"."""
     return _FILLER.match(form.lower()) is not None
-
-
-def _with_modals_as_nouns(tree: DependencyTree) -> DependencyTree:
-    """Make a noun of a modal that helps no verb and stands behind a noun: it is the head of a compound with that noun.
-
-    "If you can" has a subject, "will you" too.
-    """
-    for modal in tree.words:
-        before = tree.words[modal.index - 2] if modal.index > 1 else modal
-        if modal.xpos != "MD" or before.upos not in ("NOUN", "PROPN"):
-            continue
-        below = [child for child in tree.children(modal.index) if child.upos != "PUNCT"]
-        helps_nothing = not modal.deprel.startswith("aux") and modal.head in (before.index, before.head) and not below
-        # An auxiliary stands before its verb; its verb before it has an object there, taken for a subject perhaps.
-        is_behind_its_verb = (
-            modal.deprel.startswith("aux") and 0 < modal.head < before.index and below in ([], [before])
-        )
-        if helps_nothing or is_behind_its_verb:
-            head, deprel = (modal.head, "obj") if before.head == modal.index else (before.head, before.deprel)
-            noun = replace(modal, upos="NOUN", xpos="NN", head=head, deprel=deprel)
-            words = [replace(word, head=modal.index) if word.head == before.index else word for word in tree.words]
-            words[modal.index - 1] = noun
-            words[before.index - 1] = replace(before, head=modal.index, deprel="compound")
-            tree = replace(tree, words=tuple(words))
-    return tree
