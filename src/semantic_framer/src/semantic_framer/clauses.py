@@ -70,7 +70,9 @@ def find_clauses(sentence: Sentence, lexicon: Optional[Lexicon] = None) -> Tuple
         positions = set(sentence.subtree(tops[index])) - others - sentence.abandoned
         # The words around a wrapped request ("I want you to ...") belong to it.
         clauses.append(
-            _clause(sentence, index, frozenset(positions), is_negated or _is_of_nothing(sentence, frozenset(positions)))
+            clause_of(
+                sentence, index, frozenset(positions), is_negated or _is_of_nothing(sentence, frozenset(positions))
+            )
         )
     return tuple(clauses)
 
@@ -152,11 +154,12 @@ def whole_sentence(sentence: Sentence, verb: int) -> Clause:
     """Return the clause of a sentence without verbs that begins with a word which the lexicon takes for one."""
     positions = frozenset(word.index for word in sentence.tree.words) - sentence.abandoned
     is_negated = any(_has_negation(sentence, sentence.word(index)) for index in positions)
-    clause = _clause(sentence, verb, positions, is_negated or _is_of_nothing(sentence, positions))
+    clause = clause_of(sentence, verb, positions, is_negated or _is_of_nothing(sentence, positions))
     return replace(clause, lemma=sentence.word(verb).form.lower(), subject=0, is_report=False)
 
 
-def _clause(sentence: Sentence, verb: int, positions: FrozenSet[int], is_negated: bool) -> Clause:
+def clause_of(sentence: Sentence, verb: int, positions: FrozenSet[int], is_negated: bool) -> Clause:
+    """Return the clause of a verb that is made of some words."""
     condition = _condition(sentence, _top(sentence, verb), positions)
     subject = next(
         (child.index for child in sentence.children(_top(sentence, verb)) if child.deprel.startswith("nsubj")), 0

@@ -11,7 +11,8 @@ from semantic_framer.answers import answer, question_of
 from semantic_framer.clauses import WRAPPERS, Clause, find_clauses, whole_sentence
 from semantic_framer.dialogue import PLACE_PRONOUNS, PRONOUNS, Context, Pending, is_no
 from semantic_framer.lexicon import Lexicon
-from semantic_framer.matching import Reading, VerbMatch, match_verbs, rank, read_clause
+from semantic_framer.matching import Reading, rank, read_clause
+from semantic_framer.verb_matching import VerbMatch, match_verbs
 from semantic_framer.repairs import repaired
 from semantic_framer.sentence import Sentence
 from semantic_framer.times import find_times
