@@ -1,0 +1,27 @@
+"""Relations that the arcs around them rule out."""
+
+import pytest
+from stanford_parser_ros.conllu import from_conllu
+from stanford_parser_ros.impossible_relations import mended
+
+CHECK = (
+    "1 check check VERB VB _ 0 root _ _\n2 if if SCONJ IN _ 5 mark _ _\n3 it it PRON PRP _ 5 nsubj _ _\n"
+    "4 is be AUX VBZ _ 5 cop _ _\n5 off off ADP RP _ 1 compound:prt _ _"
+)
+GO_GET = "1 go go VERB VB _ 0 root _ _\n2 get get VERB VB _ 1 compound _ _\n3 it it PRON PRP _ 2 obj _ _"
+PICK_UP = "1 pick pick VERB VB _ 0 root _ _\n2 up up ADP RP _ 1 compound:prt _ _\n3 it it PRON PRP _ 1 obj _ _"
+FIRE_DOOR = "1 fire fire NOUN NN _ 2 compound _ _\n2 door door NOUN NN _ 0 root _ _"
+
+
+@pytest.mark.parametrize("rows, position, relation", [(CHECK, 5, "ccomp"), (GO_GET, 2, "xcomp")])
+def test_is_mended(rows: str, position: int, relation: str) -> None:
+    before = from_conllu(rows)
+    after = mended(before)
+    assert after.word(position).deprel == relation
+    assert [word.head for word in after.words] == [word.head for word in before.words]
+
+
+@pytest.mark.parametrize("rows", [PICK_UP, FIRE_DOOR])
+def test_possible_relations_stay(rows: str) -> None:
+    tree = from_conllu(rows)
+    assert mended(tree) is tree
