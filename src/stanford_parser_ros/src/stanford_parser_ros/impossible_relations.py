@@ -9,7 +9,8 @@ from stanford_parser_ros.tree import DependencyTree, Word
 
 
 def mended(tree: DependencyTree) -> DependencyTree:
-    """Return a tree with the same words and heads, in which impossible relations have become possible ones."""
+    """Return a tree with the same words in which impossible relations have become possible ones."""
+    tree = _with_one_object(tree)
     words = tuple(_mended(word, tree) for word in tree.words)
     return tree if words == tree.words else replace(tree, words=words)
 
@@ -25,3 +26,27 @@ def _mended(word: Word, tree: DependencyTree) -> Word:
     if word.deprel == "compound" and head.upos == word.upos == "VERB" and head.index < word.index:
         return replace(word, deprel="xcomp")
     return word
+
+
+def _with_one_object(tree: DependencyTree) -> DependencyTree:
+    """Return a tree in which a particle between two objects of a verb is the preposition of the second.
+
+    A verb has one object: "pick up the cup off the foot of the bed".
+    """
+    for particle in tree.words:
+        if particle.deprel != "compound:prt":
+            continue
+        objects = [child for child in tree.children(particle.head) if child.deprel == "obj"]
+        behind = [noun for noun in objects if noun.index > particle.index]
+        if len(objects) != 2 or len(behind) != 1 or _first(tree, behind[0]) != particle.index + 1:
+            continue
+        words = list(tree.words)
+        words[particle.index - 1] = replace(particle, upos="ADP", xpos="IN", head=behind[0].index, deprel="case")
+        words[behind[0].index - 1] = replace(behind[0], deprel="obl")
+        return replace(tree, words=tuple(words))
+    return tree
+
+
+def _first(tree: DependencyTree, word: Word) -> int:
+    """Return the position of the first word below a word, itself included."""
+    return min([word.index] + [_first(tree, child) for child in tree.children(word.index)])

@@ -25,3 +25,20 @@ def test_is_mended(rows: str, position: int, relation: str) -> None:
 def test_possible_relations_stay(rows: str) -> None:
     tree = from_conllu(rows)
     assert mended(tree) is tree
+
+
+def test_particle_before_a_second_object_is_its_preposition() -> None:
+    tree = mended(
+        from_conllu(
+            "1 pick pick VERB VB _ 0 root _ _\n2 up up ADP RP _ 1 compound:prt _ _\n3 cups cup NOUN NNS _ 1 obj _ _\n"
+            "4 off off ADP RP _ 1 compound:prt _ _\n5 the the DET DT _ 6 det _ _\n6 bed bed NOUN NN _ 1 obj _ _"
+        )
+    )
+    assert [(word.head, word.deprel) for word in tree.words] == [
+        (0, "root"),
+        (1, "compound:prt"),
+        (1, "obj"),
+        (6, "case"),
+        (6, "det"),
+        (1, "obl"),
+    ]
