@@ -8,6 +8,10 @@ from semantic_framer.lexicon import Lexicon
 from semantic_framer.sentence import Sentence
 
 
+#: Relations of the further words of a verb: "turn the light *on*", "turn left *to* *face* the door".
+_PARTICLES = frozenset(["compound:prt", "advmod", "advcl", "case", "mark", "obl", "obj", "xcomp"])
+
+
 @dataclass(frozen=True)
 class VerbMatch:
     """A verb of the lexicon in a clause: the verb, and the words that it is made of."""
@@ -39,10 +43,7 @@ def _verb_positions(sentence: Sentence, clause: Clause, particles: Sequence[str]
                 for index in sorted(clause.positions)
                 if index > after
                 and sentence.word(index).form.lower() == particle
-                and (
-                    index == after + 1
-                    or sentence.word(index).deprel in ("compound:prt", "advmod", "case", "obl", "obj", "xcomp")
-                )
+                and (index == after + 1 or sentence.word(index).deprel in _PARTICLES)
                 and (index == after + 1 or _is_near(sentence, clause, index))
             ),
             None,

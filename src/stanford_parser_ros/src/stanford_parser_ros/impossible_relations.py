@@ -25,7 +25,16 @@ def _mended(word: Word, tree: DependencyTree) -> Word:
     head = tree.word(word.head)
     if word.deprel == "compound" and head.upos == word.upos == "VERB" and head.index < word.index:
         return replace(word, deprel="xcomp")
+    # "To" joins no conjuncts: "turn left to face the door" says what for.
+    marks = [child.deprel for child in tree.children(word.index) if child.form.lower() == "to"]
+    if word.deprel == "conj" and word.upos == "VERB" and "mark" in marks and not _is_infinitive(tree, head):
+        if all(child.deprel != "cc" for child in tree.children(word.index)):
+            return replace(word, deprel="advcl")
     return word
+
+
+def _is_infinitive(tree: DependencyTree, word: Word) -> bool:
+    return any(child.deprel == "mark" and child.form.lower() == "to" for child in tree.children(word.index))
 
 
 def _with_one_object(tree: DependencyTree) -> DependencyTree:

@@ -9,11 +9,16 @@ CHECK = (
     "4 is be AUX VBZ _ 5 cop _ _\n5 off off ADP RP _ 1 compound:prt _ _"
 )
 GO_GET = "1 go go VERB VB _ 0 root _ _\n2 get get VERB VB _ 1 compound _ _\n3 it it PRON PRP _ 2 obj _ _"
+TO_FACE = "1 turn turn VERB VB _ 0 root _ _\n2 to to PART TO _ 3 mark _ _\n3 face face VERB VB _ 1 conj _ _"
+AND_TO_GO = (
+    "1 to to PART TO _ 2 mark _ _\n2 stop stop VERB VB _ 0 root _ _\n3 to to PART TO _ 4 mark _ _\n"
+    "4 go go VERB VB _ 2 conj _ _"
+)
 PICK_UP = "1 pick pick VERB VB _ 0 root _ _\n2 up up ADP RP _ 1 compound:prt _ _\n3 it it PRON PRP _ 1 obj _ _"
 FIRE_DOOR = "1 fire fire NOUN NN _ 2 compound _ _\n2 door door NOUN NN _ 0 root _ _"
 
 
-@pytest.mark.parametrize("rows, position, relation", [(CHECK, 5, "ccomp"), (GO_GET, 2, "xcomp")])
+@pytest.mark.parametrize("rows, position, relation", [(CHECK, 5, "ccomp"), (GO_GET, 2, "xcomp"), (TO_FACE, 3, "advcl")])
 def test_is_mended(rows: str, position: int, relation: str) -> None:
     before = from_conllu(rows)
     after = mended(before)
@@ -21,7 +26,7 @@ def test_is_mended(rows: str, position: int, relation: str) -> None:
     assert [word.head for word in after.words] == [word.head for word in before.words]
 
 
-@pytest.mark.parametrize("rows", [PICK_UP, FIRE_DOOR])
+@pytest.mark.parametrize("rows", [PICK_UP, FIRE_DOOR, AND_TO_GO])
 def test_possible_relations_stay(rows: str) -> None:
     tree = from_conllu(rows)
     assert mended(tree) is tree
