@@ -2,9 +2,10 @@
 
 import argparse
 import importlib
+import os
+import select
 import sys
 from typing import List, Optional, Sequence
-
 
 #: Subcommand, module that implements it, and the line that ``rfn --help`` shows. A module offers
 #: ``add_arguments(parser)`` and ``run(arguments) -> exit status``; it is imported only when it is asked for, so that
@@ -26,6 +27,8 @@ COMMANDS = (
     ("score", "roboframenet_tools.score", "score the understanding of a public corpus: HuRIC, tagE, SCOUT"),
     ("completion", "roboframenet_tools.completion", "print the completion of rfn for bash"),
 )
+#: Exit status when whoever read the output has gone ("rfn score ... | head"): that of a program ended by SIGPIPE.
+OUTPUT_CLOSED = 128 + 13
 
 
 def main(argv: Optional[Sequence[str]] = None) -> int:
@@ -34,9 +37,29 @@ def main(argv: Optional[Sequence[str]] = None) -> int:
     Args:
         argv: the words behind ``rfn``; None for those of the process
     Returns:
-        exit status: 0 when what was asked for is done, 2 for wrong usage
+        exit status: 0 when what was asked for is done, 2 for wrong usage, ``OUTPUT_CLOSED`` when nobody reads it
     """
-    words: List[str] = list(sys.argv[1:] if argv is None else argv)
+    try:
+        try:
+            return _run(list(sys.argv[1:] if argv is None else argv))
+        finally:
+            sys.stdout.flush()
+    except BrokenPipeError:
+        if not _is_output_closed():
+            raise
+        # What is still to be written goes nowhere, or the interpreter would complain of it when it ends.
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        return OUTPUT_CLOSED
+
+
+def _is_output_closed() -> bool:
+    """Whether nobody reads the standard output any more; another pipe or socket may have broken."""
+    poll = select.poll()
+    poll.register(sys.stdout.fileno(), 0)
+    return any(event & select.POLLERR for _, event in poll.poll(0))
+
+
+def _run(words: List[str]) -> int:
     parser = argparse.ArgumentParser(
         prog="rfn", description="RoboFrameNet from the command line.", epilog="'rfn COMMAND --help' tells more of each."
     )

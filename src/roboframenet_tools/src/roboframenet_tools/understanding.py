@@ -13,10 +13,9 @@ from semantic_frames.lexical_unit import LexicalUnit
 from semantic_frames.source_files import FRAMES_FOLDER, LEXICAL_UNITS_FOLDER, read_text, yaml_files
 from semantic_framer.clauses import Clause, find_clauses
 from semantic_framer.descriptions import descriptions
-from semantic_framer.framer import Question, Understood, read, readings_of
+from semantic_framer.framer import Question, Understood, prepared, read, readings_of
 from semantic_framer.lexicon import Lexicon
 from semantic_framer.matching import Reading, read_clause
-from semantic_framer.repairs import repaired
 from semantic_framer.sentence import Sentence
 from semantic_framer.verb_matching import match_verbs
 from stanford_parser_ros.model import Parser, UnparsableText, shipped_model_dir
@@ -198,8 +197,8 @@ class Pipeline:
         except UnparsableText as error:
             return _nothing(text, Reply("REFUSED", "EMPTY_TEXT", f"I heard no words: {error}."))
         lexicon, frames = self.knowledge.lexicon, self.knowledge.frames
-        corrected = repaired(tree, lexicon)
-        sentence = Sentence(corrected if isinstance(corrected, DependencyTree) else tree)
+        meant = prepared(tree, lexicon, frames)
+        sentence = meant if isinstance(meant, Sentence) else Sentence(tree)
         clauses = find_clauses(sentence, lexicon)
         attempts = tuple(self._attempts(sentence, clause) for clause in clauses)
         outcome, _ = read(tree, lexicon, frames)

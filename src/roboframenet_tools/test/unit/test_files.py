@@ -1,5 +1,6 @@
 """Checking, counting, drawing and making files."""
 import subprocess
+import sys
 from types import SimpleNamespace
 from xml.etree import ElementTree
 
@@ -7,7 +8,7 @@ import pytest
 
 from roboframenet_tools import doctor, new
 from roboframenet_tools.check import find_problems, load_paths
-from roboframenet_tools.cli import COMMANDS, main
+from roboframenet_tools.cli import COMMANDS, OUTPUT_CLOSED, main
 from roboframenet_tools.completion import script
 from roboframenet_tools.graph import dot, layers, svg
 from roboframenet_tools.listing import count, is_grounded, table
@@ -82,3 +83,15 @@ def test_doctor_says_what_to_do(monkeypatch):
     assert "->" in str(doctor.host_name())
     monkeypatch.setattr(doctor, "sys", SimpleNamespace(version_info=(3, 7), version="3.7.0 x", executable="python"))
     assert doctor.interpreter().advice
+
+
+@pytest.mark.parametrize("words", [["list"], ["--help"], ["list", "--help"]])
+def test_output_that_nobody_reads_ends_quietly(words):
+    code = "import sys; from roboframenet_tools.cli import main; sys.exit(main(sys.argv[1:]))"
+    reader = subprocess.Popen([sys.executable, "-c", ""], stdin=subprocess.PIPE)
+    reader.wait(timeout=60)
+    result = subprocess.run(
+        [sys.executable, "-c", code, *words], stdout=reader.stdin, stderr=subprocess.PIPE, text=True, timeout=120
+    )
+    reader.stdin.close()
+    assert (result.returncode, result.stderr) == (OUTPUT_CLOSED, "")

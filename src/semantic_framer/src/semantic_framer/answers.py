@@ -77,7 +77,8 @@ def _values(
     """Return what an utterance fills an element with, and the element of its unit; nothing where it does not fit."""
     element = frame.element(name)
     values = _fragment_values(sentence, frame, element) if element is not None else []
-    if element is None or not values or not _is_all_said(sentence, values, is_strict):
+    is_quoted = element is not None and element.framenet == "Message"
+    if element is None or not values or not (is_quoted or _is_all_said(sentence, values, is_strict)):
         return []
     if pending.choices and not any(_is_choice(values[0], choice) for choice in pending.choices):
         return []

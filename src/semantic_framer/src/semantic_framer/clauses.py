@@ -204,7 +204,7 @@ def _is_of_nothing(sentence: Sentence, positions: FrozenSet[int]) -> bool:
 
     "Say no" says a word.
     """
-    words = [sentence.word(index) for index in sorted(positions)]
+    words = [sentence.word(index) for index in sorted(positions - sentence.quoted)]
     if any((word.form.lower(), after.form.lower()) in _NO_MORE for word, after in zip(words, words[1:])):
         return True
     return any(

@@ -3,6 +3,8 @@
 from dataclasses import dataclass, replace
 from typing import Optional, Tuple
 
+from stanford_parser_ros.tree import DependencyTree
+
 from semantic_framer.matching import Reading
 
 #: Words that stand for something said before.
@@ -45,6 +47,19 @@ NO = frozenset(
 
 
 @dataclass(frozen=True)
+class Choice:
+    """One of several readings of a sentence that a person may choose from.
+
+    Attributes:
+        text: as it is offered
+        tree: the sentence with the words that do not belong to the reading abandoned
+    """
+
+    text: str
+    tree: DependencyTree
+
+
+@dataclass(frozen=True)
 class Pending:
     """A question that the next utterance may answer.
 
@@ -54,6 +69,7 @@ class Pending:
         elements: the element that was asked for, of each of these readings; none for a question of yes or no
         choices: the only answers, as they were offered; empty where every answer may be given
         expires_s: on the clock of the caller; later the question is forgotten
+        readings: those of the sentence that one is to be chosen from; nothing else was understood so far then
     """
 
     clauses: Tuple[Tuple[Reading, ...], ...]
@@ -61,6 +77,7 @@ class Pending:
     elements: Tuple[str, ...]
     expires_s: float
     choices: Tuple[str, ...] = ()
+    readings: Tuple[Choice, ...] = ()
 
 
 @dataclass(frozen=True)

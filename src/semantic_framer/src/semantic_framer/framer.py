@@ -8,15 +8,19 @@ from semantic_frames.frame import SemanticFrame
 from stanford_parser_ros.tree import DependencyTree
 
 from semantic_framer.answers import answer, question_of
+from semantic_framer.asides import with_asides, with_opening_aside
+from semantic_framer.choices import choices_of_clauses, chosen, question_of_choices
 from semantic_framer.clauses import WRAPPERS, Clause, find_clauses, whole_sentence
-from semantic_framer.dialogue import PLACE_PRONOUNS, PRONOUNS, Context, Pending, is_no
+from semantic_framer.dialogue import Choice, Context, Pending, is_no
 from semantic_framer.lexicon import Lexicon
 from semantic_framer.matching import Reading, rank, read_clause
-from semantic_framer.verb_matching import VerbMatch, match_verbs
+from semantic_framer.quotations import with_quotations
+from semantic_framer.references import remember, resolve
 from semantic_framer.repairs import repaired
 from semantic_framer.sentence import Sentence
 from semantic_framer.times import find_times
-from semantic_framer.values import resolved
+from semantic_framer.verb_matching import VerbMatch, match_verbs
+from semantic_framer.values import ElementValue
 
 
 class LeftOverWords(Enum):
@@ -104,27 +108,45 @@ def read(
         what came of it, and what is to be remembered
     """
     context = context.at(now_s)
-    corrected = repaired(tree, lexicon)
-    if not isinstance(corrected, DependencyTree):
+    meant = prepared(tree, lexicon, frames)
+    if not isinstance(meant, Sentence):
         # What was asked before is answered by none of this.
-        return _which(corrected), replace(context, pending=None)
-    sentence = Sentence(corrected)
+        return _offer(meant, replace(context, pending=None), policy, now_s)
     pending = context.pending
     context = replace(context, pending=None)
-    if pending is not None:
-        if is_no(tree.text):
-            return Refusal("NEGATED", "As you wish: I do nothing."), context
-        answered = answer(sentence, pending, lexicon, frames, is_strict=policy.left_over_words is LeftOverWords.STRICT)
-        if answered is not None:
-            # A yes counts only where it was asked for: "right" may be a direction.
-            is_confirmed = not pending.elements
-            return _finish(answered, sentence, frames, context, policy, now_s, is_confirmed=is_confirmed)
+    if pending is None:
+        return _read_sentence(meant, lexicon, frames, context, policy, now_s)
+    if is_no(tree.text):
+        return Refusal("NEGATED", "As you wish: I do nothing."), context
+    if pending.readings:
+        choice = chosen(meant, pending.readings, lexicon)
+        sentence = Sentence(_arranged(choice.tree, lexicon, frames)) if choice else meant
+        outcome, context = _read_sentence(sentence, lexicon, frames, context, policy, now_s)
+        if choice and isinstance(outcome, Understood):
+            outcome = replace(outcome, clauses=_waiting(outcome.clauses))
+        return outcome, context
+    answered = answer(meant, pending, lexicon, frames, is_strict=policy.left_over_words is LeftOverWords.STRICT)
+    if answered is None:
+        return _read_sentence(meant, lexicon, frames, context, policy, now_s)
+    # A yes counts only where it was asked for: "right" may be a direction.
+    return _finish(answered, meant, frames, context, policy, now_s, is_confirmed=not pending.elements)
+
+
+def _read_sentence(
+    sentence: Sentence,
+    lexicon: Lexicon,
+    frames: Mapping[str, SemanticFrame],
+    context: Context,
+    policy: Policy,
+    now_s: float,
+) -> Tuple[Outcome, Context]:
+    """Understand a sentence that answers nothing."""
     clauses = _known_clauses(sentence, lexicon)
     time = _time_of_a_command(sentence, lexicon)
     if time and not any(clause.is_negated for clause in clauses):
         return _not_then(sentence, time), context
     if not clauses:
-        return Refusal("NO_VERB", f'I hear no command in "{tree.text.strip()}".'), context
+        return Refusal("NO_VERB", f'I hear no command in "{sentence.tree.text.strip()}".'), context
     understood: List[Tuple[Reading, ...]] = []
     for clause in clauses:
         outcome = _read_one(sentence, clause, lexicon, frames, policy)
@@ -134,9 +156,9 @@ def read(
     open_words = _outside(sentence, clauses)
     if open_words and policy.left_over_words is LeftOverWords.STRICT:
         return _left_over(sentence, open_words), context
-    either = _either_clause(sentence, clauses)
-    if either:
-        return Question("AMBIGUOUS", f"Which one shall I do: {either}?"), context
+    choices = choices_of_clauses(sentence, clauses, lexicon)
+    if choices:
+        return _offer(choices, context, policy, now_s)
     outcome, context = _finish(tuple(understood), sentence, frames, context, policy, now_s)
     if isinstance(outcome, Understood) and open_words and policy.left_over_words is LeftOverWords.WARN:
         words = " ".join(sentence.word(index).form for index in open_words)
@@ -144,14 +166,33 @@ def read(
     return outcome, context
 
 
-def _which(readings: Sequence[str]) -> Union[Refusal, Question]:
-    """Return what is said to a person whose correction is not certain, or who took everything back."""
-    if not readings:
-        return Refusal("NEGATED", "You took that back, so I do nothing.")
-    if len(readings) == 1:
-        return Question("AMBIGUOUS", f'Do you mean "{readings[0]}"?')
-    quoted = [f'"{reading}"' for reading in readings]
-    return Question("AMBIGUOUS", f"Which do you mean: {' or '.join(quoted)}?")
+def prepared(
+    tree: DependencyTree, lexicon: Lexicon, frames: Mapping[str, SemanticFrame]
+) -> Union[Sentence, Tuple[Choice, ...]]:
+    """Put together what is to be said, and set aside what was corrected or is only said around the command.
+
+    Returns:
+        the sentence; or, where it is not certain what was corrected, the readings to choose from
+    """
+    corrected = repaired(tree, lexicon)
+    if not isinstance(corrected, DependencyTree):
+        return corrected
+    return Sentence(_arranged(corrected, lexicon, frames))
+
+
+def _arranged(tree: DependencyTree, lexicon: Lexicon, frames: Mapping[str, SemanticFrame]) -> DependencyTree:
+    return with_asides(with_quotations(with_opening_aside(tree, lexicon), lexicon, frames), lexicon)
+
+
+def _offer(
+    choices: Tuple[Choice, ...], context: Context, policy: Policy, now_s: float
+) -> Tuple[Union[Refusal, Question], Context]:
+    """Let a person choose between readings, or tell one who took everything back that nothing is done."""
+    if not choices:
+        return Refusal("NEGATED", "You took that back, so I do nothing."), context
+    expires_s = now_s + policy.question_timeout_s
+    pending = Pending(clauses=(), clause=0, elements=(), expires_s=expires_s, readings=choices)
+    return Question("AMBIGUOUS", question_of_choices(choices)), replace(context, pending=pending)
 
 
 def _outside(sentence: Sentence, clauses: Tuple[Clause, ...]) -> Tuple[int, ...]:
@@ -165,21 +206,6 @@ def _outside(sentence: Sentence, clauses: Tuple[Clause, ...]) -> Tuple[int, ...]
         and word.lemma.lower() not in WRAPPERS | _LEADING
         and not (word.deprel.startswith("nsubj") and word.form.lower() in ("i", "you", "we"))
     )
-
-
-def _either_clause(sentence: Sentence, clauses: Tuple[Clause, ...]) -> str:
-    """Return the clauses where a person left the choice between them, "turn left or go back"; empty where not."""
-    verbs = {clause.verb for clause in clauses}
-    is_choice = any(
-        word.form.lower() == "or" and word.deprel == "cc" and word.head in verbs for word in sentence.tree.words
-    )
-    if not is_choice:
-        return ""
-    said = [
-        [index for index in sorted(clause.positions) if sentence.word(index).deprel not in ("punct", "cc")]
-        for clause in clauses
-    ]
-    return " or ".join(f'"{sentence.text(positions)}"' for positions in said)
 
 
 def _left_over(sentence: Sentence, positions: Sequence[int]) -> Refusal:
@@ -197,7 +223,7 @@ def _time_of_a_command(sentence: Sentence, lexicon: Lexicon) -> FrozenSet[int]:
     No element of a frame holds them, and a time hides the verb from the parser ("at five turn left"): so it counts
     wherever it stands, and whatever became of the clauses.
     """
-    times = [time for time in find_times(sentence) if not time & sentence.abandoned]
+    times = [time for time in find_times(sentence) if not time & (sentence.abandoned | sentence.quoted)]
     inside = frozenset().union(*times)
     is_command = any(
         lexicon.verbs_beginning_with(spelling)
@@ -223,6 +249,7 @@ def _known_clauses(sentence: Sentence, lexicon: Lexicon) -> Tuple[Clause, ...]:
         word
         for word in sentence.tree.words
         if word.upos != "PUNCT" and (word.upos != "INTJ" or len(sentence.tree.words) < 3)
+        if word.index not in sentence.abandoned
     ]
     if words:
         front = whole_sentence(sentence, words[0].index)
@@ -322,12 +349,25 @@ def _finish(
     ignored = [sentence.word(index).form for readings in clauses for index in readings[0].left_over]
     done: List[Tuple[Reading, ...]] = []
     for position, readings in enumerate(clauses):
-        resolved_readings = []
+        resolved_readings: List[Reading] = []
+        unresolved: List[Tuple[Reading, ElementValue]] = []
         for reading in readings:
-            outcome = _resolve(reading, context)
-            if isinstance(outcome, Question):
-                return outcome, context
-            resolved_readings.append(outcome)
+            outcome = resolve(reading, context)
+            if isinstance(outcome, ElementValue):
+                unresolved.append((reading, outcome))
+            else:
+                resolved_readings.append(outcome)
+        if unresolved:
+            pending = Pending(
+                clauses=_waiting(
+                    tuple(done) + (tuple(reading for reading, _ in unresolved),) + clauses[position + 1 :]
+                ),
+                clause=position,
+                elements=tuple(value.name for _, value in unresolved),
+                expires_s=now_s + policy.question_timeout_s,
+            )
+            asked = f'What do you mean by "{unresolved[0][1].argument}"?'
+            return Question("AMBIGUOUS", asked), replace(context, pending=pending)
         best = resolved_readings[0]
         if best.missing:
             pending = Pending(
@@ -349,7 +389,7 @@ def _finish(
             return Question("AMBIGUOUS", f"Which one: {' or '.join(alternative.items)}?"), replace(
                 context, pending=pending
             )
-        context = _remember(best, frames, context)
+        context = remember(best, frames, context)
         done.append(tuple(resolved_readings))
     confirm = [readings[0] for readings in done if frames[readings[0].unit.frame_name].is_confirmed]
     if confirm and not is_confirmed:
@@ -372,53 +412,3 @@ def _waiting(clauses: Tuple[Tuple[Reading, ...], ...]) -> Tuple[Tuple[Reading, .
 def _in_words(reading: Reading) -> str:
     """Return what a reading does: the verb, and the arguments that were said, in the order of the frame."""
     return " ".join([reading.verb] + [value.argument for value in reading.values if value.positions])
-
-
-def _resolve(reading: Reading, context: Context) -> Union[Reading, Question]:
-    """Put what pronouns stand for in their place."""
-    values = []
-    for value in reading.values:
-        word = value.argument.lower()
-        relation = next((relation for relation in reading.unit.relations if relation.name == value.name), None)
-        # "This place" is what was said; a unit that lists nothing but pronouns wants what they stand for.
-        is_fixed = relation is not None and bool(set(relation.words) - PRONOUNS)
-        if word in PRONOUNS and value.positions and not is_fixed and word not in ("this", "one", "that"):
-            # "Go near the radio and switch it on": a place is a thing too.
-            if not context.thing and not context.place:
-                return Question("AMBIGUOUS", f'What do you mean by "{value.argument}"?')
-            value = resolved(value, context.thing or context.place)
-        elif word in PLACE_PRONOUNS and not is_fixed and context.place:
-            value = resolved(value, context.place)
-        values.append(value)
-    return replace(reading, values=tuple(values))
-
-
-#: Frame elements that are places, and not things, by FrameNet's names.
-_PLACES = frozenset(["Goal", "Source", "Location", "Ground", "Area", "Place", "Path"])
-_NO_THINGS = frozenset(
-    [
-        "Manner",
-        "Direction",
-        "Distance",
-        "Angle",
-        "Duration",
-        "Recipient",
-        "Beneficiary",
-        "Addressee",
-        "Agent",
-        "Message",
-    ]
-)
-
-
-def _remember(reading: Reading, frames: Mapping[str, SemanticFrame], context: Context) -> Context:
-    frame = frames[reading.unit.frame_name]
-    for value in reading.values:
-        element = frame.element(value.name)
-        if element is None or not value.positions or element.quantity is not None:
-            continue
-        if element.framenet in _PLACES:
-            context = replace(context, place=value.argument)
-        elif element.framenet not in _NO_THINGS and value.argument.lower() not in ("me", "you", "us"):
-            context = replace(context, thing=value.argument)
-    return context

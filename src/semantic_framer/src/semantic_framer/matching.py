@@ -259,9 +259,9 @@ class _Filling:
 
     def _follow(self, steps: Tuple[str, ...], is_core: bool) -> List[int]:
         """Return the words at the end of a chain of relations that starts at the verb."""
-        # In "let go of the rope" the rope hangs on "go", in "make sure it is closed" what shall be on "sure".
+        # In "let go of the rope" the rope hangs on "go".
         governors = [self._clause.verb] + [
-            index for index in self._match.positions[1:] if self._sentence.word(index).upos in ("VERB", "ADJ")
+            index for index in self._match.positions[1:] if self._sentence.word(index).upos == "VERB"
         ]
         for number, step in enumerate(steps):
             if step == MEASURE:

@@ -47,7 +47,8 @@ def find_amounts(sentence: Sentence, positions: Sequence[int]) -> Tuple[Amount, 
         sentence: the sentence
         positions: of the words to look at, in order
     Returns:
-        amounts that do not overlap, the longest first where they could; amounts that are not finite are found too
+        amounts that do not overlap, the longest first where they could; amounts that are not finite are found too.
+        A number that counts things ("two eggs") is none
     """
     found: List[Amount] = []
     start = 0
@@ -65,7 +66,17 @@ def find_amounts(sentence: Sentence, positions: Sequence[int]) -> Tuple[Amount, 
         else:
             found.append(amount)
             start += len(amount.positions)
-    return tuple(found)
+    return tuple(amount for amount in found if not _counts_things(sentence, amount))
+
+
+def _counts_things(sentence: Sentence, amount: Amount) -> bool:
+    """Whether a number stands in front of the noun that it counts."""
+    numeral = sentence.word(amount.positions[-1])
+    noun = sentence.word(numeral.head) if numeral.head else numeral
+    between = [sentence.word(index) for index in range(numeral.index + 1, noun.index)]
+    is_counted = numeral.deprel == "nummod" and noun.index > numeral.index and noun.upos in ("NOUN", "PROPN")
+    is_next = all(word.upos in ("ADJ", "NOUN", "PROPN") for word in between)
+    return is_counted and is_next and not amount.unit and not find_unit(noun.form) and noun.lemma.lower() != "time"
 
 
 def _amount(sentence: Sentence, window: Sequence[int]) -> Optional[Amount]:

@@ -11,7 +11,9 @@ from typing import Dict, List, Optional, Sequence, Set, Tuple, Union
 
 from stanford_parser_ros.tree import DependencyTree, Word
 
+from semantic_framer.asides import set_aside
 from semantic_framer.clauses import CONDITIONS, NEGATIONS
+from semantic_framer.dialogue import Choice
 from semantic_framer.lexicon import Lexicon
 from semantic_framer.measures import Amount, find_amounts
 from semantic_framer.sentence import Sentence, is_filler
@@ -38,14 +40,14 @@ _RELATION_IN_NAMES: Dict[str, str] = {"DET": "det", "ADJ": "amod", "NUM": "nummo
 
 
 class _Unresolved(Exception):
-    """It is not certain what a correction replaces; ``readings`` are what may be meant."""
+    """It is not certain what a correction replaces; ``choices`` are what may be meant."""
 
-    def __init__(self, *readings: str) -> None:
+    def __init__(self, *choices: Choice) -> None:
         super().__init__()
-        self.readings = readings
+        self.choices = choices
 
 
-def repaired(tree: DependencyTree, lexicon: Lexicon) -> Union[DependencyTree, Tuple[str, ...]]:
+def repaired(tree: DependencyTree, lexicon: Lexicon) -> Union[DependencyTree, Tuple[Choice, ...]]:
     """Take what was corrected out of a sentence.
 
     Args:
@@ -69,7 +71,7 @@ def repaired(tree: DependencyTree, lexicon: Lexicon) -> Union[DependencyTree, Tu
         try:
             tree = _Repair(tree, lexicon, start, end).tree()
         except _Unresolved as unresolved:
-            return unresolved.readings
+            return unresolved.choices
         behind = end
 
 
@@ -184,11 +186,23 @@ class _Repair:
             return self._with_another_command()
         correction, spans = self._candidates()
         if not correction or not spans:
-            raise _Unresolved(self._text(self._before), self._text(self._after))
+            raise self._either()
         rest = [word for word in self._after if word not in correction]
         if len(spans) > 1:
-            raise _Unresolved(*(self._text(self._replaced(span, correction) + rest) for span in spans))
+            texts = [self._text(self._replaced(span, correction) + rest) for span in spans]
+            trees = [self._rewired(span, correction) for span in spans]
+            raise _Unresolved(*(Choice(text, tree) for text, tree in zip(texts, trees)))
         return self._rewired(spans[0], correction)
+
+    def _either(self) -> _Unresolved:
+        """Return that what was said before the term may be meant, or what was said behind it."""
+        return _Unresolved(self._alone(self._before), self._alone(self._after))
+
+    def _alone(self, words: Sequence[Word]) -> Choice:
+        """Return the reading that is made of some of the words."""
+        positions = frozenset(word.index for word in words)
+        others = frozenset(word.index for word in self._tree.words) - positions
+        return Choice(self._text(words), set_aside(self._tree, others, self._lexicon, "reparandum"))
 
     def _text(self, words: Sequence[Word]) -> str:
         positions = [word.index for word in words if word.upos != "PUNCT"]
@@ -205,11 +219,11 @@ class _Repair:
         same = [verb for verb in verbs if verb.lemma.lower() == new.lemma.lower()]
         if len(verbs) > 1 and same != [verbs[-1]]:
             last = self._before.index(verbs[-1])
-            raise _Unresolved(self._text(self._before[:last] + self._after), self._text(self._after))
+            raise _Unresolved(self._alone(self._before[:last] + self._after), self._alone(self._after))
         start = 0 if len(verbs) == 1 else self._before.index(verbs[-1])
         if self._is_put_off(self._before[start:]):
             # The condition, or the time, may have been meant for both.
-            raise _Unresolved(self._text(self._before), self._text(self._after))
+            raise self._either()
         return self._rewired(self._before[start:], self._after, old_head=verbs[-1], new_head=new)
 
     def _is_put_off(self, words: Sequence[Word]) -> bool:
@@ -250,10 +264,21 @@ class _Repair:
             if not amount.unit and other.unit:
                 # "Two metres no three": the unit stays, but the number cannot be put before it.
                 number = [position for position in other.positions if position != other.unit_position]
-                raise _Unresolved(self._text(self._replaced(self._words(number), self._words(amount.positions))))
+                text = self._text(self._replaced(self._words(number), self._words(amount.positions)))
+                raise _Unresolved(Choice(text, self._with_number(number, amount)))
             elif other.quantity == amount.quantity or not other.unit:
                 spans.append(self._words(other.positions))
         return spans
+
+    def _with_number(self, old: Sequence[int], amount: Amount) -> DependencyTree:
+        """Return the sentence with a number, in digits, in the place of the first word of another one."""
+        kept = frozenset(word.index for word in self._before) - frozenset(old[1:])
+        others = frozenset(word.index for word in self._tree.words) - kept
+        tree = set_aside(self._tree, others, self._lexicon, "reparandum")
+        words = list(tree.words)
+        digits = amount.digits()
+        words[old[0] - 1] = replace(words[old[0] - 1], form=digits, lemma=digits, upos="NUM", xpos="CD")
+        return replace(tree, words=tuple(words))
 
     def _words(self, positions: Sequence[int]) -> List[Word]:
         return [self._tree.word(position) for position in positions]
@@ -300,7 +325,7 @@ class _Repair:
                 words.append(word)
         tree = replace(self._tree, words=tuple(words))
         if not _is_tree(tree):
-            raise _Unresolved(self._text(self._before), self._text(self._after))
+            raise self._either()
         return tree
 
 

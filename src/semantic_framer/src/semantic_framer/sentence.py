@@ -1,19 +1,28 @@
 """A parsed sentence with its relations by governor, and the words that carry no content of their own."""
 
 import re
-from dataclasses import replace
 from functools import lru_cache
 from typing import Dict, FrozenSet, List, Sequence, Set, Tuple
 
 from stanford_parser_ros.stanford_dependencies import Arc, arcs
 from stanford_parser_ros.tree import DependencyTree, Word
 
+from semantic_framer.mending import mended
+
 #: Said while thinking, as long as it takes ("uhhh"); never a part of what is said.
 _FILLER = re.compile(r"(u+h+m*|u+m+|e+r+m*|e+h+|e+h*m+|h+m+|m{2,})$")
+#: Relation of what is only said around a command ("if you don't mind") to its verb.
+ASIDE = "discourse:aside"
+#: Relation of the words of a quotation ("say *don't worry*") to the one that fills the element.
+QUOTED = "flat:quoted"
+HEDGES = frozenset(["maybe", "perhaps", "possibly"])
 #: Said around a command without changing it.
-HARMLESS = frozenset(
-    "please now just kindly then also okay ok so well hey hi hello robot again next first finally simply actually "
-    "thanks thank could can would will you i us lets".split()
+HARMLESS = (
+    frozenset(
+        "please now just kindly then also okay ok so well hey hi hello robot again next first finally simply actually "
+        "thanks thank could can would will you i us lets alright".split()
+    )
+    | HEDGES
 )
 _FUNCTION_RELATIONS = {
     "punct",
@@ -30,6 +39,7 @@ _FUNCTION_RELATIONS = {
     "fixed",
     "expl",
     "reparandum",
+    ASIDE,
     "goeswith",
 }
 
@@ -38,12 +48,12 @@ class Sentence:
     """A dependency tree, looked at from its governors.
 
     Attributes:
-        tree: the tree; a modal that has no verb ("the trash can") is a noun in it
+        tree: the tree, mended where the parser hung words as no command has them
         arcs: every relation under all of its names
     """
 
     def __init__(self, tree: DependencyTree) -> None:
-        self.tree = tree = _with_modals_as_nouns(tree)
+        self.tree = tree = mended(tree)
         self.arcs: Tuple[Arc, ...] = arcs(tree)
         self._by_governor: Dict[int, List[Arc]] = {}
         for arc in self.arcs:
@@ -52,9 +62,13 @@ class Sentence:
             index: tree.children(index) for index in range(len(tree.words) + 1)
         }
         self.subtree = lru_cache(maxsize=None)(self._subtree)
-        #: Positions of what the speaker corrected, and of the words that said so.
+        #: Positions of what the speaker corrected, of the words that said so, and of asides.
         self.abandoned: FrozenSet[int] = frozenset().union(
-            *(self._subtree(word.index) for word in tree.words if word.deprel == "reparandum")
+            *(self._subtree(word.index) for word in tree.words if word.deprel in ("reparandum", ASIDE))
+        )
+        #: Positions of words that are said of nothing here: "say *don't worry*".
+        self.quoted: FrozenSet[int] = frozenset(
+            index for word in tree.words if word.deprel == QUOTED for index in (word.index, word.head)
         )
         self.fillers: FrozenSet[int] = frozenset(word.index for word in tree.words if is_filler(word.form))
 
@@ -81,7 +95,7 @@ class Sentence:
         return frozenset(found)
 
     def text(self, positions: Sequence[int]) -> str:
-        """Return words in the order in which they were said, a clitic ("'s") joined to its word."""
+        """Return words in the order in which they were said, a clitic ("'s") or a comma joined to its word."""
         return self.text_in_order(sorted(positions))
 
     def text_in_order(self, positions: Sequence[int]) -> str:
@@ -89,7 +103,7 @@ class Sentence:
         text = ""
         for index in positions:
             form = self.word(index).form
-            text += form if not text or form.startswith(("'", "’", "n't")) else " " + form
+            text += form if not text or form.startswith(("'", "’", "n't", ",", ";", ":", ".", "!", "?")) else " " + form
         return text
 
     def is_content(self, index: int) -> bool:
@@ -97,34 +111,13 @@ class Sentence:
         word = self.word(index)
         if word.deprel in _FUNCTION_RELATIONS or word.upos in ("PUNCT", "INTJ", "SYM", "CCONJ", "PART"):
             return False
-        return word.form.lower() not in HARMLESS and index not in self.fillers
+        # "Open the door for me": who wants something done wants it for himself.
+        is_wisher = word.form.lower() in ("me", "us") and any(
+            child.deprel == "case" and child.form.lower() == "for" for child in self.children(index)
+        )
+        return word.form.lower() not in HARMLESS and index not in self.fillers and not is_wisher
 
 
 def is_filler(form: str) -> bool:
     """Whether a word is said only while thinking: "um", "uhhh"."""
     return _FILLER.match(form.lower()) is not None
-
-
-def _with_modals_as_nouns(tree: DependencyTree) -> DependencyTree:
-    """Make a noun of a modal that helps no verb and stands behind a noun: it is the head of a compound with that noun.
-
-    "If you can" has a subject, "will you" too.
-    """
-    for modal in tree.words:
-        before = tree.words[modal.index - 2] if modal.index > 1 else modal
-        if modal.xpos != "MD" or before.upos not in ("NOUN", "PROPN"):
-            continue
-        below = [child for child in tree.children(modal.index) if child.upos != "PUNCT"]
-        helps_nothing = not modal.deprel.startswith("aux") and modal.head in (before.index, before.head) and not below
-        # An auxiliary stands before its verb; its verb before it has an object there, taken for a subject perhaps.
-        is_behind_its_verb = (
-            modal.deprel.startswith("aux") and 0 < modal.head < before.index and below in ([], [before])
-        )
-        if helps_nothing or is_behind_its_verb:
-            head, deprel = (modal.head, "obj") if before.head == modal.index else (before.head, before.deprel)
-            noun = replace(modal, upos="NOUN", xpos="NN", head=head, deprel=deprel)
-            words = [replace(word, head=modal.index) if word.head == before.index else word for word in tree.words]
-            words[modal.index - 1] = noun
-            words[before.index - 1] = replace(before, head=modal.index, deprel="compound")
-            tree = replace(tree, words=tuple(words))
-    return tree

@@ -27,6 +27,7 @@ _MEALS = frozenset("breakfast brunch lunch dinner supper".split())
 _PERIODS = frozenset(
     "second sec moment instant minute min hour day weekend week fortnight month season year while bit meantime".split()
 )
+_SHORT = frozenset("second sec moment instant minute min hour bit while".split())
 _PREPOSITIONS = frozenset(
     "in at on by before after until till during since from within around over throughout past".split()
 )
@@ -68,6 +69,9 @@ def _start(sentence: Sentence, forms: List[str], end: int) -> int:
     while first > 1 and (forms[first - 2] in _ARTICLES | _CHOOSING or _is_number(forms[first - 2])):
         first -= 1
     preposition = forms[first - 2] if first > 1 else ""
+    # "Hold on a second": how long, and not when.
+    if preposition == "on" and singular in _SHORT:
+        return 0
     is_time = singular in _PERIODS | _WEEKDAYS | _TIMES_OF_DAY | _MEALS | _MONTHS | _CLOCK
     if is_time and preposition in _PREPOSITIONS:
         return first - 1

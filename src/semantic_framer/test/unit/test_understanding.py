@@ -117,7 +117,7 @@ def test_clauses_in_order(understand: Any) -> None:
         ("turn right to face the desk", [("facing", {"goal": "the desk", "direction": "right"})]),
         ("Turn to face the desk.", [("facing", {"goal": "the desk"})]),
         ("check if the lights are off", [("inspecting", {"ground": "the lights", "desired_state": "are off"})]),
-        ("make sure that the door is closed", [("inspecting", {"ground": "the door", "desired_state": "is closed"})]),
+        ("find out whether the door is closed", [("inspecting", {"ground": "the door", "desired_state": "is closed"})]),
         (
             "pick up the cup off the foot of the bed",
             [("taking", {"theme": "the cup", "source": "the foot of the bed"})],
@@ -230,8 +230,7 @@ def test_possessor_is_known(understand: Any) -> None:
         ("the office", "NO_VERB"),
         ("Ping sideways with the hammer.", "LEFT_OVER_WORDS"),
         ("move forward five foot thirteen", "LEFT_OVER_WORDS"),
-        ("put it in the dishwasher at once", "LEFT_OVER_WORDS"),
-        ("tell Alice that dinner is ready", "LEFT_OVER_WORDS"),
+        ("put it in the dishwasher sideways", "LEFT_OVER_WORDS"),
         ("turn left 5 feet 6 inches", "LEFT_OVER_WORDS"),
     ],
 )

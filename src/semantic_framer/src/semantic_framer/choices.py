@@ -1,0 +1,68 @@
+"""Readings of a sentence that a person is offered, and which of them the next utterance picks."""
+
+from typing import Iterable, List, Optional, Sequence, Tuple
+
+from semantic_framer.asides import set_aside
+from semantic_framer.clauses import Clause, find_clauses
+from semantic_framer.dialogue import Choice, is_yes
+from semantic_framer.lexicon import Lexicon
+from semantic_framer.verb_matching import match_verbs
+from semantic_framer.sentence import HARMLESS, Sentence
+
+_ORDINALS = {"first": 0, "former": 0, "second": 1, "third": 2, "last": -1, "latter": -1}
+_ARTICLES = frozenset(["a", "an", "the"])
+_OF_CHOICES = frozenset(["one", "option", "reading", "choice"])
+
+
+def question_of_choices(choices: Sequence[Choice]) -> str:
+    """Return how to ask a person which of several readings was meant, or whether the only one was."""
+    quoted = [f'"{choice.text}"' for choice in choices]
+    return f"Do you mean {quoted[0]}?" if len(quoted) == 1 else f"Which do you mean: {' or '.join(quoted)}?"
+
+
+def choices_of_clauses(sentence: Sentence, clauses: Sequence[Clause], lexicon: Lexicon) -> Tuple[Choice, ...]:
+    """Return the clauses where a person left the choice between them, "turn left or go back"; none where not."""
+    verbs = {clause.verb for clause in clauses}
+    if not any(
+        word.form.lower() == "or" and word.deprel == "cc" and word.head in verbs for word in sentence.tree.words
+    ):
+        return ()
+    choices = []
+    for clause in clauses:
+        said = [index for index in sorted(clause.positions) if sentence.word(index).deprel not in ("punct", "cc")]
+        others = frozenset(word.index for word in sentence.tree.words) - frozenset(said)
+        choices.append(Choice(sentence.text(said), set_aside(sentence.tree, others, lexicon, "reparandum")))
+    return tuple(choices)
+
+
+def chosen(sentence: Sentence, choices: Sequence[Choice], lexicon: Lexicon) -> Optional[Choice]:
+    """Find which of the readings that were offered an utterance picks.
+
+    Args:
+        sentence: the utterance: one of the readings or a part of it that the others do not have, "the second one", or
+            "yes" where only one was offered
+        choices: the readings
+        lexicon: an utterance with one of its verbs is a command of its own, and picks a reading only as a whole
+    Returns:
+        the reading; None where it picks none, or more than one
+    """
+    if len(choices) == 1 and is_yes(sentence.tree.text):
+        return choices[0]
+    said = _words(word.form for word in sentence.tree.words if word.upos not in ("PUNCT", "INTJ"))
+    ordinal = [word for word in said if word not in _OF_CHOICES]
+    if len(ordinal) == 1 and ordinal[0] in _ORDINALS and _ORDINALS[ordinal[0]] < len(choices) > 1:
+        return choices[_ORDINALS[ordinal[0]]]
+    whole = [choice for choice in choices if _words(choice.text.split()) == said]
+    if any(match_verbs(sentence, clause, lexicon) for clause in find_clauses(sentence, lexicon)):
+        return whole[0] if whole else None
+    picked = whole or [choice for choice in choices if said and _is_part(said, _words(choice.text.split()))]
+    return picked[0] if len(picked) == 1 else None
+
+
+def _words(forms: Iterable[str]) -> List[str]:
+    lower = [form.lower().strip(".,;:!?") for form in forms]
+    return [form for form in lower if form and form not in _ARTICLES | (HARMLESS - frozenset(_ORDINALS))]
+
+
+def _is_part(said: Sequence[str], of: Sequence[str]) -> bool:
+    return any(list(of[first : first + len(said)]) == list(said) for first in range(len(of)))

@@ -1,0 +1,120 @@
+"""What a command cannot mean though the parser has it so: a verb with two objects, "can" without a verb."""
+
+from dataclasses import replace
+from stanford_parser_ros.tree import DependencyTree, Word
+
+_TO = frozenset(["to", "into", "onto", "towards", "toward"])
+#: What may stand between a verb of motion and "to": "go *up* to the desk".
+_ON_THE_WAY = frozenset("up down over back out along across on off in".split())
+_OF_PLACE = frozenset("in at on near above over under behind beside by inside outside next".split())
+#: "A bit", "a little": how much of what the verb says.
+_DEGREES = frozenset(["bit", "little", "tad"])
+
+
+def mended(tree: DependencyTree) -> DependencyTree:
+    """Rehang words that hang where no command has them; the words stay the same."""
+    for rule in _RULES:
+        tree = rule(tree)
+    return tree
+
+
+def _with_second_objects(tree: DependencyTree) -> DependencyTree:
+    """Make a phrase of an object that stands behind a particle and another object: "take the keys off the hook"."""
+    for particle in tree.words:
+        if particle.deprel != "compound:prt" or particle.index == len(tree.words):
+            continue
+        objects = [child for child in tree.children(particle.head) if child.deprel == "obj"]
+        first = [child for child in objects if child.index < particle.index]
+        second = [child for child in objects if _first(tree, child) == particle.index + 1]
+        if first and second:
+            words = list(tree.words)
+            words[particle.index - 1] = replace(particle, head=second[0].index, deprel="case", upos="ADP", xpos="IN")
+            words[second[0].index - 1] = replace(second[0], deprel="obl")
+            tree = replace(tree, words=tuple(words))
+    return tree
+
+
+def _with_particles_on_the_way(tree: DependencyTree) -> DependencyTree:
+    """Make an adverb of a particle right in front of "to": in "go up to the desk" nothing is gone up."""
+    words = [
+        (
+            replace(word, deprel="advmod")
+            if word.deprel == "compound:prt"
+            and word.form.lower() in _ON_THE_WAY
+            and word.index < len(tree.words)
+            and tree.word(word.index + 1).form.lower() in _TO
+            and tree.word(word.index + 1).deprel == "case"
+            else word
+        )
+        for word in tree.words
+    ]
+    return replace(tree, words=tuple(words)) if tuple(words) != tree.words else tree
+
+
+def _with_places_of_devices(tree: DependencyTree) -> DependencyTree:
+    """Hang a place behind "on" or "off" on the object in front: "turn *the lights* off *in the bedroom*"."""
+    for particle in tree.words:
+        if particle.deprel != "compound:prt" or particle.form.lower() not in ("on", "off"):
+            continue
+        objects = [c for c in tree.children(particle.head) if c.deprel == "obj" and c.index < particle.index]
+        places = [
+            c for c in tree.children(particle.head) if c.deprel == "obl" and _first(tree, c) == particle.index + 1
+        ]
+        if objects and places and tree.word(particle.index + 1).form.lower() in _OF_PLACE:
+            words = list(tree.words)
+            words[places[0].index - 1] = replace(places[0], head=objects[0].index, deprel="nmod")
+            tree = replace(tree, words=tuple(words))
+    return tree
+
+
+def _with_degrees(tree: DependencyTree) -> DependencyTree:
+    """Hang "a bit" and "a little" on the verb, and not on the noun that they stand behind."""
+    for word in tree.words[2:]:
+        before = tree.word(word.index - 1)
+        if word.form.lower() not in _DEGREES or before.form.lower() != "a" or tree.children(word.index) != (before,):
+            continue
+        governor = tree.word(word.head) if word.head else word
+        is_behind = word.head and governor.index < before.index and governor.upos in ("NOUN", "PROPN", "PRON", "ADV")
+        if is_behind and governor.head and tree.word(governor.head).upos == "VERB":
+            words = list(tree.words)
+            words[word.index - 1] = replace(word, head=governor.head, deprel="obl:unmarked")
+            tree = replace(tree, words=tuple(words))
+    return tree
+
+
+def _first(tree: DependencyTree, word: Word) -> int:
+    return tree.subtree(word.index)[0].index
+
+
+def _with_modals_as_nouns(tree: DependencyTree) -> DependencyTree:
+    """Make a noun of a modal that helps no verb and stands behind a noun: it is the head of a compound with that noun.
+
+    "If you can" has a subject, "will you" too.
+    """
+    for modal in tree.words:
+        before = tree.words[modal.index - 2] if modal.index > 1 else modal
+        if modal.xpos != "MD" or before.upos not in ("NOUN", "PROPN"):
+            continue
+        below = [child for child in tree.children(modal.index) if child.upos != "PUNCT"]
+        helps_nothing = not modal.deprel.startswith("aux") and modal.head in (before.index, before.head) and not below
+        # An auxiliary stands before its verb; its verb before it has an object there, taken for a subject perhaps.
+        is_behind_its_verb = (
+            modal.deprel.startswith("aux") and 0 < modal.head < before.index and below in ([], [before])
+        )
+        if helps_nothing or is_behind_its_verb:
+            head, deprel = (modal.head, "obj") if before.head == modal.index else (before.head, before.deprel)
+            noun = replace(modal, upos="NOUN", xpos="NN", head=head, deprel=deprel)
+            words = [replace(word, head=modal.index) if word.head == before.index else word for word in tree.words]
+            words[modal.index - 1] = noun
+            words[before.index - 1] = replace(before, head=modal.index, deprel="compound")
+            tree = replace(tree, words=tuple(words))
+    return tree
+
+
+_RULES = (
+    _with_modals_as_nouns,
+    _with_second_objects,
+    _with_particles_on_the_way,
+    _with_places_of_devices,
+    _with_degrees,
+)

@@ -1,0 +1,244 @@
+"""What is to be said is a quotation: "say don't worry", "tell her I will not come".
+
+Its words negate nothing, make no condition and are no list: they are put together as one argument. What is quoted is
+what the verb of saying governs behind it, but for the person who is spoken to and the next command. A verb of saying is
+one of a lexical unit whose frame has a *Message*, as FrameNet calls it.
+"""
+
+from dataclasses import dataclass, replace
+from typing import Dict, FrozenSet, Iterable, Mapping, Optional, Sequence, Set, Tuple
+
+from semantic_frames.frame import SemanticFrame
+from stanford_parser_ros.tree import DependencyTree, Word
+
+from semantic_framer.attachment import OF_PLACE
+from semantic_framer.clauses import CONDITIONS, NEGATIONS, Clause, find_clauses
+from semantic_framer.lexicon import Lexicon
+from semantic_framer.verb_matching import match_verbs
+from semantic_framer.sentence import HARMLESS, QUOTED, Sentence
+from semantic_framer.times import find_times
+
+MESSAGE = "Message"
+_MARKS = ('"', "“", "”", "«", "»", "``", "''")
+#: Not quoted: what is said is put off by them ("tell me when dinner is ready").
+_PUTTING_OFF = CONDITIONS - {"if"}
+#: "Say nothing", "say no more", "say no word", "tell no one".
+_NOTHING = frozenset("nothing nobody noone none neither".split())
+_NO_THING = frozenset("more longer one word words".split())
+_SOMEBODY = frozenset("me us him her them everybody everyone somebody someone".split())
+_THANKS = frozenset(["thanks", "thank", "hello", "hi", "hey"])
+
+
+@dataclass(frozen=True)
+class _Saying:
+    """A verb of saying: its last word, and whether the person who is told stands right behind it."""
+
+    clause: Clause
+    last: int
+    is_told: bool
+
+
+def with_quotations(tree: DependencyTree, lexicon: Lexicon, frames: Mapping[str, SemanticFrame]) -> DependencyTree:
+    """Put together what is to be said.
+
+    Args:
+        tree: the sentence
+        lexicon: lexical units
+        frames: by name
+    Returns:
+        the sentence, with the same words in the same places; each quotation is one object of its verb
+    """
+    behind = 0
+    while True:
+        sentence = Sentence(tree)
+        clauses = find_clauses(sentence, lexicon)
+        saying = next(
+            (
+                saying
+                for clause in clauses
+                for saying in [_saying(sentence, clause, lexicon, frames)]
+                if saying is not None and clause.verb > behind
+            ),
+            None,
+        )
+        if saying is None:
+            return tree
+        behind = saying.clause.verb
+        tree = _Quotation(sentence, saying, clauses, lexicon).tree()
+
+
+def _saying(
+    sentence: Sentence, clause: Clause, lexicon: Lexicon, frames: Mapping[str, SemanticFrame]
+) -> Optional[_Saying]:
+    for match in match_verbs(sentence, clause, lexicon):
+        for unit in lexicon.units_of(match.verb):
+            frame = frames.get(unit.frame_name)
+            if frame is None or not any(element.framenet == MESSAGE for element in frame.frame_elements):
+                continue
+            told = [element.name for element in frame.frame_elements if element.framenet == "Addressee"]
+            is_told = any(
+                path.steps == ("iobj",)
+                for relation in unit.relations
+                if relation.name in told
+                for path in relation.relations
+            )
+            return _Saying(clause, max(match.positions), is_told)
+    return None
+
+
+class _Quotation:
+    """What one verb of saying governs."""
+
+    def __init__(self, sentence: Sentence, saying: _Saying, clauses: Sequence[Clause], lexicon: Lexicon) -> None:
+        self._sentence = sentence
+        self._verb = saying.clause.verb
+        self._start = saying.last + 1
+        #: Head and relation of words that do not hang where they belong.
+        self._moved: Dict[int, Tuple[int, str]] = {}
+        self._end = self._next_command(clauses, lexicon)
+        if saying.is_told:
+            self._skip_addressee()
+
+    def tree(self) -> DependencyTree:
+        """Return the sentence with the quotation as one object; as it was where nothing is quoted."""
+        tree = self._sentence.tree
+        inside = self._without_addressee(self._between_marks() or self._governed())
+        if not inside or self._is_of_nothing(inside):
+            return tree
+        head = self._head(inside)
+        first = self._sentence.word(min(inside))
+        if first.form.lower() in _PUTTING_OFF and self._has_verb(inside):
+            return replace(tree, words=tuple(replace(w, deprel="advcl") if w == head else w for w in tree.words))
+        is_phrase = inside == self._sentence.subtree(head.index) and head.deprel in ("obj", "ccomp")
+        if is_phrase and not self._moved and not any(self._is_more_than_a_name(index) for index in inside):
+            return tree
+        if first.form.lower() == "that" and first.deprel in ("mark", "det") and self._has_verb(inside):
+            self._moved[first.index] = (head.index, "mark")
+        words = []
+        for word in tree.words:
+            if word.index in self._moved:
+                governor, relation = self._moved[word.index]
+                words.append(replace(word, head=governor, deprel=relation))
+            elif word.index == head.index:
+                upos = "INTJ" if word.form.lower() in NEGATIONS else word.upos
+                words.append(replace(word, head=self._verb, deprel="obj", upos=upos))
+            elif word.index in inside:
+                words.append(replace(word, head=head.index, deprel=QUOTED))
+            else:
+                words.append(replace(word, head=self._verb) if word.head in inside else word)
+        return replace(tree, words=tuple(words))
+
+    def _next_command(self, clauses: Sequence[Clause], lexicon: Lexicon) -> int:
+        """Return the first position behind the quotation where a command follows: "say hello and turn left"."""
+        for clause in clauses:
+            word = self._sentence.word(clause.verb)
+            first = min(self._sentence.subtree(word.index))
+            is_joined = word.head == self._verb and word.deprel in ("conj", "parataxis", "list")
+            before = first
+            while before > self._start and self._is_joint(self._sentence.word(before - 1)):
+                before -= 1
+            is_parted = before < first or self._is_joint(self._sentence.word(first))
+            if is_joined and is_parted and before > self._start and not clause.subject:
+                if match_verbs(self._sentence, clause, lexicon):
+                    return before
+        return len(self._sentence.tree.words) + 1
+
+    @staticmethod
+    def _is_joint(word: Word) -> bool:
+        return word.deprel == "cc" or word.upos == "PUNCT" or word.form.lower() == "then"
+
+    def _skip_addressee(self) -> None:
+        """Find who is told: "tell *Bob* to come", "tell *my wife* dinner is ready"."""
+        children = [child for child in self._sentence.children(self._verb) if child.index >= self._start]
+        is_clause = any(
+            child.deprel in ("ccomp", "xcomp", "parataxis", "advcl") and child.index < self._end for child in children
+        )
+        told: FrozenSet[int] = frozenset()
+        for child in children:
+            is_person = child.deprel == "iobj" or (child.deprel == "obj" and is_clause)
+            if is_person and min(self._sentence.subtree(child.index)) == self._start:
+                told = self._sentence.subtree(child.index)
+                self._moved.update({} if child.deprel == "iobj" else {child.index: (self._verb, "iobj")})
+                break
+        owner = self._sentence.word(self._start) if self._start < self._end - 2 else None
+        person = self._sentence.word(self._start + 1) if owner is not None else None
+        if not told and owner is not None and owner.xpos == "PRP$" and person.deprel == "compound":
+            told = frozenset([owner.index, person.index])
+            self._moved[person.index] = (self._verb, "iobj")
+            self._moved[owner.index] = (person.index, "nmod:poss")
+        self._start = max(told) + 1 if told else self._start
+
+    def _between_marks(self) -> FrozenSet[int]:
+        marks = [word.index for word in self._sentence.tree.words if word.form in _MARKS and word.index >= self._start]
+        return frozenset(range(marks[0] + 1, marks[1])) if len(marks) > 1 else frozenset()
+
+    def _governed(self) -> FrozenSet[int]:
+        """Return the words that the verb governs and that say what is to be said."""
+        inside: Set[int] = set()
+        for child in self._sentence.children(self._verb):
+            positions = {
+                index
+                for index in self._sentence.subtree(child.index) - self._sentence.abandoned
+                if self._start <= index < self._end and index not in self._moved
+            }
+            if positions and not self._is_beside(child, inside):
+                inside |= positions
+        spoken = [index for index in sorted(inside) if self._sentence.word(index).upos != "PUNCT"]
+        return frozenset(index for index in inside if spoken and spoken[0] <= index <= spoken[-1])
+
+    def _is_beside(self, child: Word, inside: Set[int]) -> bool:
+        """Whether a phrase tells how, when or to whom something is said, and is not said itself."""
+        relation = child.deprel.split(":")[0]
+        if child.deprel == "iobj" or relation in ("punct", "cc", "advcl"):
+            return True
+        if child.form.lower() in HARMLESS and relation in ("discourse", "vocative", "advmod"):
+            is_last = child.index == self._end - 1
+            return child.form.lower() not in _THANKS and (bool(inside) or not is_last)
+        if self._case(child.index) == "to":
+            return True
+        if relation in ("obl", "nmod", "advmod"):
+            return child.form.lower() not in NEGATIONS and not self._has_verb(inside)
+        return False
+
+    def _case(self, index: int) -> str:
+        return next((w.form.lower() for w in self._sentence.children(index) if w.deprel == "case"), "")
+
+    def _without_addressee(self, inside: FrozenSet[int]) -> FrozenSet[int]:
+        """Take "to Bob" out of what was said; what stands behind it tells where Bob is."""
+        for index in sorted(inside):
+            word = self._sentence.word(index)
+            phrase = self._sentence.subtree(index)
+            is_end = self._case(index) == "to" and max(phrase & inside) == max(inside) and phrase < inside
+            is_somebody = word.upos == "PROPN" or word.form.lower() in _SOMEBODY
+            has_subject = any(self._sentence.word(i).deprel.startswith("nsubj") for i in inside)
+            if is_end and is_somebody and not has_subject:
+                self._moved[index] = (self._verb, "obl")
+                inside = inside - phrase
+                break
+        tops = [w for w in self._sentence.children(self._verb) if self._case(w.index) and w.index not in inside]
+        for person, place in zip(tops, tops[1:]):
+            is_next = min(self._sentence.subtree(place.index)) == max(self._sentence.subtree(person.index)) + 1
+            if self._case(person.index) == "to" and is_next and self._case(place.index) in OF_PLACE:
+                if not find_times(self._sentence) and inside:
+                    self._moved[place.index] = (person.index, "nmod")
+        return inside
+
+    def _has_verb(self, positions: Iterable[int]) -> bool:
+        return any(self._sentence.word(index).upos in ("VERB", "AUX") for index in positions)
+
+    def _is_of_nothing(self, inside: FrozenSet[int]) -> bool:
+        forms = [self._sentence.word(index).form.lower() for index in sorted(inside)]
+        is_no_thing = forms[0] == "no" and len(forms) > 1 and forms[1] in _NO_THING
+        return not self._has_verb(inside) and (forms[0] in _NOTHING or is_no_thing)
+
+    def _head(self, inside: FrozenSet[int]) -> Word:
+        """Return the word that the others are put below: one that hangs on the verb, an object first."""
+        words = [self._sentence.word(index) for index in sorted(inside)]
+        tops = [word for word in words if word.head not in inside and word.upos != "PUNCT"]
+        ranks = {"obj": 0, "ccomp": 1, "xcomp": 2, "parataxis": 3, "conj": 4}
+        return min(tops or words, key=lambda word: ranks.get(word.deprel, 5))
+
+    def _is_more_than_a_name(self, index: int) -> bool:
+        word = self._sentence.word(index)
+        is_verb = word.upos in ("VERB", "AUX")
+        return is_verb or word.deprel == "conj" or word.form.lower() in NEGATIONS | CONDITIONS
