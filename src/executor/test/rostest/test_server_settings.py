@@ -18,7 +18,7 @@ from std_msgs.msg import String
 BEFORE = {"exposure": 10, "gain": 1.0, "auto_gain": True}
 
 
-def wait_until(condition, timeout_s=40.0):
+def wait_until(condition, timeout_s=60.0):
     end = time.monotonic() + timeout_s
     while time.monotonic() < end:
         if condition():
