@@ -11,7 +11,7 @@ from roboframenet_msgs.msg import (
     StageEvent)
 
 
-def wait_until(condition, timeout_s=20.0):
+def wait_until(condition, timeout_s=60.0):
     end = time.monotonic() + timeout_s
     while time.monotonic() < end:
         if condition():

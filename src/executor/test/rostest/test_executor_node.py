@@ -202,7 +202,7 @@ class ExecutorNodeTest(unittest.TestCase):
 
     def test_server_busy_with_another_client_is_left_alone(self):
         client = actionlib.ActionClient("three", FilledSemanticFrameAction)
-        self.assertTrue(client.wait_for_server(rospy.Duration(30)))
+        self.assertTrue(client.wait_for_server(rospy.Duration(60.0)))
         goal = FilledSemanticFrameAction().action_goal.goal
         goal.frame = frame("run", "three")
         handle = client.send_goal(goal)

@@ -10,7 +10,7 @@ from roboframenet_msgs.msg import Command, Reply, StageEvent
 from stage_events.ros_stage import Stage
 
 
-def wait_until(condition, timeout_s=30.0):
+def wait_until(condition, timeout_s=60.0):
     end = time.monotonic() + timeout_s
     while time.monotonic() < end:
         if condition():

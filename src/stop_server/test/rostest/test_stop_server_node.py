@@ -35,7 +35,7 @@ class Mover:
         self.server.start()
         rospy.on_shutdown(self.server.status_timer.shutdown)
         self.client = actionlib.ActionClient(name, action)
-        assert self.client.wait_for_server(rospy.Duration(30))
+        assert self.client.wait_for_server(rospy.Duration(60.0))
 
     def start_goal(self, goal):
         handle = self.client.send_goal(goal)
