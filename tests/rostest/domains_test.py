@@ -5,6 +5,7 @@ import unittest
 import rospy
 import yaml
 
+from pipeline import can_do, is_pipeline_complete, wait_until
 from roboframenet_demo.node import Demonstration
 from roboframenet_demo.script import read_line
 
@@ -16,7 +17,9 @@ class DomainsTest(unittest.TestCase):
         with open(rospy.get_param("~script"), encoding="utf-8") as file:
             lines = [read_line(entry) for entry in yaml.safe_load(file)]
         demonstration = Demonstration()
-        self.assertTrue(demonstration.wait_until_ready(timeout_s=120.0), "the pipeline did not come up")
+        self.assertTrue(wait_until(is_pipeline_complete, 120.0), "the pipeline did not come up")
+        self.assertTrue(can_do(rospy.get_param("~frames")), "the robot did not register")
+        self.assertTrue(demonstration.wait_until_ready(timeout_s=120.0), "servers come and go")
         for line in lines:
             demonstration.run(line)
         wrong = [f"{row[0]}: {row[-1]}" for row in demonstration.rows if row[-1] != "ok"]

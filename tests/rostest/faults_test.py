@@ -15,7 +15,7 @@ from roboframenet_msgs.msg import FileProblem, FileProblems, Reply
 from roboframenet_msgs.srv import AddFrame, AddLexicalUnit, GetEmptyFrame
 from std_msgs.msg import String
 
-from pipeline import is_pipeline_complete, wait_until
+from pipeline import can_do, is_pipeline_complete, wait_until
 
 NODES = ("frame_registrar", "semantic_framer", "greeting_server")
 ORDERS = 20
@@ -40,8 +40,9 @@ class FaultsTest(unittest.TestCase):
         cls.folder = tempfile.mkdtemp()
         rospy.wait_for_service("add_frame", timeout=60.0)
         rospy.wait_for_service("add_lexical_unit", timeout=60.0)
+        assert can_do(("greeting",), unit_files=("unit.yaml",)), "the server did not register"
 
-    def say(self, text: str, timeout_s: float = 30.0) -> Optional[Reply]:
+    def say(self, text: str, timeout_s: float = 60.0) -> Optional[Reply]:
         """Say a sentence; return its reply."""
         since = len(self.replies)
         self.text.publish(String(data=text))
@@ -115,7 +116,7 @@ class FaultsTest(unittest.TestCase):
                 f"{victims} do not return",
             )
             reply = None
-            end = time.monotonic() + 60.0
+            end = time.monotonic() + 90.0
             while (reply is None or reply.outcome != Reply.DONE) and time.monotonic() < end:
                 reply = self.say("Greet.", timeout_s=3.0) or reply
             self.assertIsNotNone(reply, f"no reply after {victims} (order {number}, seed {seed})")

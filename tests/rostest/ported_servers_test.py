@@ -3,7 +3,7 @@
 import os
 import unittest
 from io import BytesIO
-from typing import Any, List, Set, Tuple
+from typing import Any, List, Tuple
 
 import actionlib
 import rospy
@@ -13,6 +13,7 @@ from actionlib_tutorials.msg import (
     AveragingAction,
     AveragingGoal,
     FibonacciAction,
+    FibonacciActionFeedback,
     FibonacciActionResult,
     FibonacciFeedback,
     FibonacciGoal,
@@ -23,13 +24,11 @@ from roboframenet_msgs.msg import (
     FilledSemanticFrame,
     FilledSemanticFrameAction,
     FilledSemanticFrameGoal,
-    FrameCatalogue,
-    Lexicon,
     Reply,
 )
 from std_msgs.msg import Float32, String
 
-from pipeline import is_pipeline_complete, wait_until
+from pipeline import can_do, is_pipeline_complete, wait_until
 from rfnserver import RFNActionServer, RFNServer
 
 #: Steps of the sequence that a server computes before it lets itself be stopped.
@@ -72,20 +71,25 @@ class Client:
 
     def __init__(self, name: str) -> None:
         self._client = actionlib.ActionClient(name, FibonacciAction)
-        assert self._client.wait_for_server(rospy.Duration(20.0)), f"no server {name}"
+        # actionlib drops feedback that comes, on a connection of its own, after the result.
+        self._heard: List[FibonacciActionFeedback] = []
+        self._feedback = rospy.Subscriber(name + "/feedback", FibonacciActionFeedback, self._heard.append)
+        assert self._client.wait_for_server(rospy.Duration(60.0)), f"no server {name}"
+        assert wait_until(lambda: self._feedback.get_num_connections() == 1)
 
-    def send(self, order: int) -> Tuple[Any, List[bytes]]:
-        feedback: List[bytes] = []
-        handle = self._client.send_goal(
-            FibonacciGoal(order=order), feedback_cb=lambda _, message: feedback.append(written(message))
-        )
-        return handle, feedback
+    def send(self, order: int) -> Any:
+        return self._client.send_goal(FibonacciGoal(order=order))
 
-    @staticmethod
-    def end(sent: Tuple[Any, List[bytes]]) -> Record:
-        handle, feedback = sent
+    def end(self, handle: Any) -> Record:
         assert wait_until(lambda: handle.get_comm_state() == actionlib.CommState.DONE), "the goal does not end"
-        return handle.get_goal_status(), handle.get_goal_status_text(), written(handle.get_result()), tuple(feedback)
+        goal = handle.comm_state_machine.action_goal
+        expected = 0 if goal.goal.order == LONG else goal.goal.order
+        wait_until(lambda: len(self._feedback_of(goal.goal_id.id)) >= expected)
+        feedback = tuple(written(message.feedback) for message in self._feedback_of(goal.goal_id.id))
+        return handle.get_goal_status(), handle.get_goal_status_text(), written(handle.get_result()), feedback
+
+    def _feedback_of(self, goal_id: str) -> List[FibonacciActionFeedback]:
+        return [message for message in list(self._heard) if message.status.goal_id.id == goal_id]
 
 
 def story(name: str) -> List[Record]:
@@ -93,11 +97,11 @@ def story(name: str) -> List[Record]:
     client = Client(name)
     records = [client.end(client.send(order)) for order in (5, 0, 3)]
     cancelled = client.send(LONG)
-    assert wait_until(lambda: cancelled[0].get_goal_status() == GoalStatus.ACTIVE)
-    cancelled[0].cancel()
+    assert wait_until(lambda: cancelled.get_goal_status() == GoalStatus.ACTIVE)
+    cancelled.cancel()
     records.append(client.end(cancelled))
     replaced = client.send(LONG)
-    assert wait_until(lambda: replaced[0].get_goal_status() == GoalStatus.ACTIVE)
+    assert wait_until(lambda: replaced.get_goal_status() == GoalStatus.ACTIVE)
     last = client.send(4)
     return records + [client.end(replaced), client.end(last)]
 
@@ -109,10 +113,6 @@ class PortedServersTest(unittest.TestCase):
     def setUpClass(cls) -> None:
         cls.replies: List[Reply] = []
         cls.subscriber = rospy.Subscriber("reply", Reply, cls.replies.append, queue_size=100)
-        cls.units: Set[str] = set()
-        cls.lexicons = rospy.Subscriber("lexicon", Lexicon, cls.on_lexicon)
-        cls.catalogue = FrameCatalogue()
-        cls.catalogues = rospy.Subscriber("frame_catalogue", FrameCatalogue, cls.on_catalogue)
         cls.text = rospy.Publisher("text", String, queue_size=10)
         cls.numbers = rospy.Publisher("random_number", Float32, queue_size=10)
         cls.timer = rospy.Timer(rospy.Duration(0.02), lambda _: cls.numbers.publish(Float32(data=0.75)))
@@ -122,9 +122,9 @@ class PortedServersTest(unittest.TestCase):
         cls.frames = RFNServer("frames", lambda frame: None)
         path = os.path.join(os.path.dirname(os.path.abspath(__file__)), "ported", "frames", "counting.yaml")
         assert cls.frames.add_semantic_frame(path), cls.frames.last_error
-        expected = {"computing_fibonacci_sequence", "averaging"}
-        assert wait_until(lambda: cls.living() >= expected), "the servers did not register"
-        assert wait_until(lambda: cls.units >= {"compute.yaml", "average.yaml"}), "the units were not added"
+        assert can_do(
+            ("computing_fibonacci_sequence", "averaging"), unit_files=("compute.yaml", "average.yaml")
+        ), "the servers did not register"
         # The parser reads the lexicon too, and is at it perhaps.
         cls.text.publish(String(data="Hello."))
         assert wait_until(lambda: cls.replies), "no reply"
@@ -132,19 +132,6 @@ class PortedServersTest(unittest.TestCase):
     @classmethod
     def tearDownClass(cls) -> None:
         cls.timer.shutdown()
-
-    @classmethod
-    def on_lexicon(cls, lexicon: Lexicon) -> None:
-        cls.units = {os.path.basename(file.path) for file in lexicon.files}
-
-    @classmethod
-    def on_catalogue(cls, catalogue: FrameCatalogue) -> None:
-        cls.catalogue = catalogue
-
-    @classmethod
-    def living(cls) -> Set[str]:
-        """Frames that somebody can carry out."""
-        return {callback.frame_name for callback in cls.catalogue.callbacks if callback.is_alive}
 
     def say(self, text: str) -> None:
         self.text.publish(String(data=text))
@@ -155,7 +142,7 @@ class PortedServersTest(unittest.TestCase):
 
     def carry_out(self, server: str, name: str, **arguments: str) -> Tuple[int, str]:
         client = actionlib.ActionClient(server + "/frame", FilledSemanticFrameAction)
-        self.assertTrue(client.wait_for_server(rospy.Duration(20.0)), server)
+        self.assertTrue(client.wait_for_server(rospy.Duration(60.0)), server)
         elements = [FilledFrameElement(name=key, argument=value) for key, value in arguments.items()]
         handle = client.send_goal(
             FilledSemanticFrameGoal(frame=FilledSemanticFrame(name=name, frame_elements=elements))
@@ -170,16 +157,16 @@ class PortedServersTest(unittest.TestCase):
 
     def test_tutorial_client_of_fibonacci(self) -> None:
         client = actionlib.SimpleActionClient("fibonacci", FibonacciAction)
-        self.assertTrue(client.wait_for_server(rospy.Duration(20.0)))
+        self.assertTrue(client.wait_for_server(rospy.Duration(60.0)))
         client.send_goal(FibonacciGoal(order=10))
-        self.assertTrue(client.wait_for_result(rospy.Duration(20.0)))
+        self.assertTrue(client.wait_for_result(rospy.Duration(60.0)))
         self.assertEqual((0, 1, 1, 2, 3, 5, 8, 13, 21, 34, 55), client.get_result().sequence)
 
     def test_tutorial_client_of_averaging(self) -> None:
         client = actionlib.SimpleActionClient("averaging", AveragingAction)
-        self.assertTrue(client.wait_for_server(rospy.Duration(20.0)))
+        self.assertTrue(client.wait_for_server(rospy.Duration(60.0)))
         client.send_goal(AveragingGoal(samples=10))
-        self.assertTrue(client.wait_for_result(rospy.Duration(20.0)))
+        self.assertTrue(client.wait_for_result(rospy.Duration(60.0)))
         self.assertEqual(GoalStatus.SUCCEEDED, client.get_state())
         self.assertAlmostEqual(0.75, client.get_result().mean)
 
@@ -198,7 +185,7 @@ class PortedServersTest(unittest.TestCase):
         self.say("Average five samples.")
         self.assertEqual(Reply.DONE, self.reply_to("Average five samples.").outcome)
         client = actionlib.ActionClient("averaging", AveragingAction)
-        self.assertTrue(client.wait_for_server(rospy.Duration(20.0)))
+        self.assertTrue(client.wait_for_server(rospy.Duration(60.0)))
 
         def statuses() -> List[int]:
             return [status.status for status in client.last_status_msg.status_list]
@@ -222,8 +209,8 @@ class PortedServersTest(unittest.TestCase):
         self.assertTrue(server.register_with_frame("counting"), server.last_error)
         self.assertEqual((GoalStatus.SUCCEEDED, "12 and 5"), self.carry_out("adding", "counting", samples="twelve"))
         client = actionlib.SimpleActionClient("adding", TwoIntsAction)
-        self.assertTrue(client.wait_for_server(rospy.Duration(20.0)))
-        self.assertEqual(GoalStatus.SUCCEEDED, client.send_goal_and_wait(TwoIntsGoal(a=1, b=2), rospy.Duration(20.0)))
+        self.assertTrue(client.wait_for_server(rospy.Duration(60.0)))
+        self.assertEqual(GoalStatus.SUCCEEDED, client.send_goal_and_wait(TwoIntsGoal(a=1, b=2), rospy.Duration(60.0)))
         self.assertEqual(3, client.get_result().sum)
         status, text = self.carry_out("adding", "counting", samples="half")
         self.assertEqual(GoalStatus.ABORTED, status)

@@ -73,6 +73,7 @@ def test_core_imports_no_ros(path: Path) -> None:
         "frame_registrar.search",
         "arbitrator.state_machine",
         "executor.goal_tracking",
+        "stage_events.recent",
         "command_server.command_book",
     ],
 )

@@ -4,12 +4,12 @@ from dataclasses import dataclass
 from typing import Optional
 
 import rospy
-from roboframenet_msgs.msg import CommandProcedure, CommandSemanticFrames, Procedure, Reply, StageEvent
+from roboframenet_msgs.msg import CommandProcedure, CommandSemanticFrames, Procedure, Reply
+from stage_events.ros_stage import Stage
 
 from arbitrator.policy import Policy, PolicyError, arbitrate, load_policy
 from arbitrator.ros_messages import candidates_from_message, procedure_to_message
 
-STAGE = "arbitrator"
 # An executor that is just starting must not miss a command. Shorter than the time that it may be silent.
 _LISTENER_TIMEOUT_S = 3.0
 
@@ -57,21 +57,21 @@ class ArbitratorNode:
         self._policy = policy
         self._command_procedure = rospy.Publisher("command_procedure", CommandProcedure, queue_size=100)
         self._procedure = rospy.Publisher("procedure", Procedure, queue_size=100)
-        self._events = rospy.Publisher("stage_events", StageEvent, queue_size=100)
+        self._stage = Stage("arbitrator")
         self._subscriber = rospy.Subscriber(
             "command_semantic_frames", CommandSemanticFrames, self._on_candidates, queue_size=100)
 
     def _on_candidates(self, message: CommandSemanticFrames) -> None:
         if not message.candidates.frame_lists:
-            self._end(message, outcome=Reply.REFUSED, code="NO_SERVER",
-                      sentence="Nothing that could carry this out is registered.")
+            self._stage.ends(message.command, outcome=Reply.REFUSED, code="NO_SERVER",
+                             sentence="Nothing that could carry this out is registered.")
             return
         try:
             procedure = arbitrate(candidates_from_message(message), self._policy)
         except (ValueError, PolicyError) as error:
             rospy.logerr("cmd=%s cannot be arbitrated: %s", message.command.id, error)
-            self._end(message, outcome=Reply.FAILED, code="STAGE_ERROR",
-                      sentence=f"The candidates could not be put in order: {error}.")
+            self._stage.ends(message.command, outcome=Reply.FAILED, code="STAGE_ERROR",
+                             sentence=f"The candidates could not be put in order: {error}.")
             return
         answer = procedure_to_message(procedure)
         ways = len(procedure.sequences)
@@ -80,8 +80,7 @@ class ArbitratorNode:
         rospy.loginfo("cmd=%s %s", message.command.id, sentence)
         self._wait_for_executor()
         # The event goes first so that an observer hears the stages in their order.
-        self._events.publish(StageEvent(
-            command=message.command, stage=STAGE, stamp=rospy.Time.now(), sentence=sentence))
+        self._stage.passes_on(message.command, sentence)
         self._command_procedure.publish(CommandProcedure(command=message.command, procedure=answer))
         self._procedure.publish(answer)
 
@@ -91,12 +90,6 @@ class ArbitratorNode:
             if rospy.is_shutdown():
                 return
             time.sleep(0.01)
-
-    def _end(self, message: CommandSemanticFrames, *, outcome: int, code: str, sentence: str) -> None:
-        now = rospy.Time.now()
-        reply = Reply(command=message.command, outcome=outcome, stage=STAGE, code=code, sentence=sentence, stamp=now)
-        self._events.publish(StageEvent(
-            command=message.command, stage=STAGE, stamp=now, sentence=sentence, is_final=True, reply=reply))
 
 
 def main() -> None:

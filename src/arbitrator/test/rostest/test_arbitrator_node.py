@@ -11,7 +11,7 @@ from roboframenet_msgs.msg import (
     StageEvent)
 
 
-def wait_until(condition, timeout_s=20.0):
+def wait_until(condition, timeout_s=60.0):
     end = time.monotonic() + timeout_s
     while time.monotonic() < end:
         if condition():
@@ -50,27 +50,44 @@ class ArbitratorNodeTest(unittest.TestCase):
         message.candidates.frame_lists = candidates
         self._publisher.publish(message)
 
+    def events_of(self, command_ids):
+        # What another test ended a moment ago is told again to each new listener.
+        return [event for event in list(self.events) if event.command.id in command_ids]
+
     def test_order_by_coverage_then_policy(self):
         self.send("one", [candidate("a"), candidate("b"), candidate("c", "d")], [0.5, 1.0, 1.0])
-        self.assertTrue(wait_until(lambda: self.procedures and self.plain and self.events))
+        self.assertTrue(wait_until(lambda: self.procedures and self.plain and self.events_of(["one"])))
         procedure = self.procedures[0]
         self.assertEqual("one", procedure.command.id)
         self.assertEqual(
             [["b"], ["c", "d"], ["a"]],
             [[frame.action_server_topics[0] for frame in entry.frames] for entry in procedure.procedure.frame_lists])
         self.assertEqual(procedure.procedure, self.plain[0])
-        self.assertFalse(self.events[0].is_final)
+        self.assertFalse(self.events_of(["one"])[0].is_final)
+
+    def test_a_listener_that_connects_late_hears_how_a_command_ended(self):
+        events = self._subscribers.pop()
+        events.unregister()
+        self.send("unheard", [], [])
+        self.send("after_it", [candidate("a")], [1.0])
+        # One thread takes both, in their order.
+        self.assertTrue(wait_until(lambda: self.procedures))
+        del self.events[:]
+        self._subscribers.append(rospy.Subscriber("stage_events", StageEvent, self.events.append))
+        self.assertTrue(wait_until(lambda: "unheard" in [event.command.id for event in self.events if event.is_final]))
 
     def test_what_cannot_be_arbitrated_ends_with_one_final_event(self):
         self.send("none", [], [])
         self.send("no_server", [candidate("")], [1.0])
         self.send("no_frames", [candidate()], [1.0])
         self.send("coverage", [candidate("a")], [])
-        self.assertTrue(wait_until(lambda: len(self.events) >= 4))
-        self.assertEqual(["none", "no_server", "no_frames", "coverage"], [event.command.id for event in self.events])
-        self.assertTrue(all(event.is_final and event.reply.sentence for event in self.events))
-        self.assertEqual([Reply.REFUSED] + [Reply.FAILED] * 3, [event.reply.outcome for event in self.events])
-        self.assertEqual(["NO_SERVER"] + ["STAGE_ERROR"] * 3, [event.reply.code for event in self.events])
+        names = ["none", "no_server", "no_frames", "coverage"]
+        self.assertTrue(wait_until(lambda: len(self.events_of(names)) >= 4))
+        events = self.events_of(names)
+        self.assertEqual(names, [event.command.id for event in events])
+        self.assertTrue(all(event.is_final and event.reply.sentence for event in events))
+        self.assertEqual([Reply.REFUSED] + [Reply.FAILED] * 3, [event.reply.outcome for event in events])
+        self.assertEqual(["NO_SERVER"] + ["STAGE_ERROR"] * 3, [event.reply.code for event in events])
         self.assertFalse(self.procedures)
 
 

@@ -29,8 +29,8 @@ from command_server.stop_words import is_stop
 
 _SAVE_TIMEOUT_S = 0.5
 _LONGEST_WAIT_S = 0.2
-# How long replies of the last run wait for listeners that still connect.
-_LISTENER_TIMEOUT_S = 5.0
+# How long replies of the last run wait for listeners that still start and connect.
+_LISTENER_TIMEOUT_S = 10.0
 _JOIN_TIMEOUT_S = 5.0
 
 
@@ -264,13 +264,14 @@ class CommandServerNode:
             self._answer(self._left_over.popleft())
 
     def _has_every_listener(self) -> bool:
+        """Whether everybody whom the master knows to listen is connected; nobody at all has only not come yet."""
         try:
             _, subscriptions, _ = rosgraph.Master(rospy.get_name()).getSystemState()
         except Exception as error:  # boundary: the master may be away in any way that XML-RPC knows
             rospy.logdebug("the listeners of replies are not known: %s", error)
             return False
         listeners = dict(subscriptions).get(self._reply.resolved_name, [])
-        return self._reply.get_num_connections() >= len(listeners)
+        return 0 < len(listeners) <= self._reply.get_num_connections()
 
     def _save(self) -> None:
         commands = tuple(entry.command for entry in self._book.open_commands)

@@ -17,7 +17,7 @@ from roboframenet_msgs.msg import (
 from std_msgs.msg import String
 
 
-def wait_until(condition, timeout_s=30.0):
+def wait_until(condition, timeout_s=60.0):
     end = time.monotonic() + timeout_s
     while time.monotonic() < end:
         if condition():
@@ -37,18 +37,14 @@ class CommandServerNodeTest(unittest.TestCase):
         cls.events = rospy.Publisher("stage_events", StageEvent, queue_size=1000)
         cls.reports = rospy.Publisher("stop_report", StopReport, queue_size=100)
         cls.text = rospy.Publisher("text", String, queue_size=1000)
-        rospy.Subscriber("command_text", Command, cls.on_command)
-        rospy.Subscriber("command_cancel", Command, cls.cancelled.append)
-        rospy.Subscriber("status", CommandStatus, cls.statuses.append)
+        cls.subscribers = [
+            rospy.Subscriber("command_text", Command, cls.on_command),
+            rospy.Subscriber("command_cancel", Command, cls.cancelled.append),
+            rospy.Subscriber("status", CommandStatus, cls.statuses.append)]
         cls.client = actionlib.ActionClient("command", ExecuteCommandAction)
-        cls.wait_for_node()
-
-    @classmethod
-    def wait_for_node(cls):
-        assert wait_until(lambda: all(
-            publisher.get_num_connections() == 1 for publisher in (cls.events, cls.reports, cls.text)))
-        assert wait_until(lambda: cls.reply_subscriber.get_num_connections() == 1)
-        assert cls.client.wait_for_server(rospy.Duration(30))
+        assert wait_until(lambda: all(end.get_num_connections() == 1 for end in cls.subscribers + [
+            cls.events, cls.reports, cls.text, cls.reply_subscriber]))
+        assert cls.client.wait_for_server(rospy.Duration(60))
 
     @classmethod
     def on_command(cls, command):

@@ -11,7 +11,8 @@ from typing import Optional, Union
 import rospy
 from arbitrator.procedure import Procedure
 from arbitrator.ros_messages import procedure_from_message
-from roboframenet_msgs.msg import Command, CommandProcedure, Reply, StageEvent, StopReport
+from roboframenet_msgs.msg import Command, CommandProcedure, StopReport
+from stage_events.ros_stage import Stage
 
 from executor.command_desk import (
     CommandKey, Desk, Order, Preempt, Start, Step, Supersede, command_cancelled, command_ended, order_arrives,
@@ -23,7 +24,6 @@ from executor.ros_command_run import CommandRun, RunResult
 from executor.ros_reconfigure import SettingsKeeper
 from executor.ros_running_goals import RunningGoals
 
-STAGE = "executor"
 # Less than the second that the stage promises, so that a busy machine keeps the promise too.
 _EVENT_PERIOD_S = 0.5
 
@@ -118,7 +118,7 @@ class ExecutorNode:
         self._run: Optional[CommandRun] = None
         self._next_event_s = 0.0
         self._inbox: "queue.Queue[_Event]" = queue.Queue()
-        self._events = rospy.Publisher("stage_events", StageEvent, queue_size=1000)
+        self._stage = Stage("executor")
         self._worker = threading.Thread(target=self._work, name="executor_worker")
 
     def start(self) -> None:
@@ -162,7 +162,7 @@ class ExecutorNode:
             self._follow(command_cancelled(self._desk, event.id))
         elif isinstance(event, _Note):
             if event.run is self._run:
-                self._publish(self._desk.running.job.command, event.sentence)
+                self._stage.passes_on(self._desk.running.job.command, event.sentence)
         elif isinstance(event, _RunEnded):
             self._hear_end(event)
 
@@ -170,7 +170,7 @@ class ExecutorNode:
         try:
             procedure = procedure_from_message(message.procedure)
         except ValueError as error:
-            self._publish_final(message.command, ending_of_malformed(str(error)))
+            self._end(message.command, ending_of_malformed(str(error)))
             return
         key = CommandKey(command_id=message.command.id, stamp_ns=message.command.stamp.to_nsec())
         order = Order(key=key, job=_Job(command=message.command, procedure=procedure))
@@ -182,7 +182,7 @@ class ExecutorNode:
         order, cause = self._desk.running, self._desk.cause
         self._run = None
         ending = ending_of_run(ended.result.outcome, ended.result.goals, cause=cause, error=ended.result.error)
-        self._publish_final(order.job.command, ending)
+        self._end(order.job.command, ending)
         self._follow(command_ended(self._desk))
 
     def _follow(self, step: Step) -> None:
@@ -195,7 +195,7 @@ class ExecutorNode:
                 rospy.loginfo("cmd=%s is preempted: %s", action.order.key.command_id, action.cause.value)
                 self._run.preempt()
             elif isinstance(action, Supersede):
-                self._publish_final(action.order.job.command, ending_of_unstarted(action.cause))
+                self._end(action.order.job.command, ending_of_unstarted(action.cause))
 
     def _start_run(self, order: "Order[_Job]") -> None:
         rospy.loginfo("cmd=%s begins", order.key.command_id)
@@ -213,20 +213,13 @@ class ExecutorNode:
             return
         self._next_event_s = time.monotonic() + _EVENT_PERIOD_S
         if self._run is not None:
-            self._publish(self._desk.running.job.command, self._run.describe())
+            self._stage.passes_on(self._desk.running.job.command, self._run.describe())
         if self._desk.waiting is not None:
-            self._publish(self._desk.waiting.job.command, "Waiting for the end of the command before.")
+            self._stage.passes_on(self._desk.waiting.job.command, "Waiting for the end of the command before.")
 
-    def _publish(self, command: Command, sentence: str) -> None:
-        self._events.publish(StageEvent(command=command, stage=STAGE, stamp=rospy.Time.now(), sentence=sentence))
-
-    def _publish_final(self, command: Command, ending: Ending) -> None:
+    def _end(self, command: Command, ending: Ending) -> None:
         rospy.loginfo("cmd=%s -> %s %s: %s", command.id, ending.outcome.name, ending.code, ending.sentence)
-        now = rospy.Time.now()
-        reply = Reply(command=command, outcome=int(ending.outcome), stage=STAGE, code=ending.code,
-                      sentence=ending.sentence, stamp=now)
-        self._events.publish(StageEvent(
-            command=command, stage=STAGE, stamp=now, sentence=ending.sentence, is_final=True, reply=reply))
+        self._stage.ends(command, outcome=int(ending.outcome), code=ending.code, sentence=ending.sentence)
 
     def _end_all(self) -> None:
         """Cancel what runs before the node goes, so that the robot does not go on alone."""

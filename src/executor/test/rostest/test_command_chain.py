@@ -18,7 +18,7 @@ from std_msgs.msg import String
 STAGES = ("stanford_parser_ros", "semantic_framer", "frame_registrar")
 
 
-def wait_until(condition, timeout_s=40.0):
+def wait_until(condition, timeout_s=60.0):
     end = time.monotonic() + timeout_s
     while time.monotonic() < end:
         if condition():
@@ -43,18 +43,20 @@ class CommandChainTest(unittest.TestCase):
         assert wait_until(lambda: all(entity.get_num_connections() == 1 for entity in subscribers + [
             cls.frames, cls.events]))
         assert wait_until(lambda: replies.get_num_connections() == 2 and cls.text.get_num_connections() == 2)
-        assert wait_until(cls.is_arbitrator_heard)
+        # What is published before its listener has connected is lost.
+        for node, topic in (("/executor", "command_procedure"), ("/executor", "command_cancel"),
+                            ("/executor", "stop_report"), ("/command_server", "stop_report")):
+            assert wait_until(lambda node=node, topic=topic: cls.hears(node, topic)), (node, topic)
 
-    @classmethod
-    def is_arbitrator_heard(cls):
-        """Whether the executor is connected to the arbitrator: what is published before is lost."""
+    @staticmethod
+    def hears(node, topic):
+        """Whether a node is connected to somebody who publishes a topic."""
         try:
-            api = xmlrpc.client.ServerProxy(rosgraph.Master(rospy.get_name()).lookupNode("/executor"))
+            api = xmlrpc.client.ServerProxy(rosgraph.Master(rospy.get_name()).lookupNode(node))
             connections = api.getBusInfo(rospy.get_name())[2]
         except (rosgraph.MasterException, OSError):
             return False  # it is not up yet
-        topic = rospy.resolve_name("command_procedure")
-        return any(entry[2] == "i" and entry[4] == topic and entry[5] for entry in connections)
+        return any(entry[2] == "i" and entry[4] == rospy.resolve_name(topic) and entry[5] for entry in connections)
 
     @classmethod
     def on_command(cls, command):
@@ -88,6 +90,8 @@ class CommandChainTest(unittest.TestCase):
         text = "succeed one, abort two / succeed one, succeed two"
         self.text.publish(text)
         self.assertEqual(Reply.DONE, self.wait_for_replies(text)[0].outcome)
+        # Replies and log come on connections of their own.
+        self.wait_for_log("two ends succeed")
         self.assertEqual(["one", "two", "one", "two"],
                          [line.split()[0] for line in self.log if line.split()[1] == "begins"])
 
@@ -97,6 +101,7 @@ class CommandChainTest(unittest.TestCase):
         self.text.publish("succeed two")
         self.assertEqual("NEW_COMMAND", self.wait_for_replies("run one")[0].code)
         self.assertEqual("DONE", self.wait_for_replies("succeed two")[0].code)
+        self.wait_for_log("two ends succeed")
         self.assertEqual(["one begins run", "one preempted run", "two begins succeed", "two ends succeed"], self.log)
 
     def test_flood_of_texts_gets_one_reply_each(self):
@@ -104,6 +109,7 @@ class CommandChainTest(unittest.TestCase):
             self.text.publish("run one")
         self.text.publish("succeed two")
         self.wait_for_replies("succeed two")
+        self.wait_for_log("two ends succeed")
         self.wait_for_replies("run one", count=50)
         self.assertEqual({"NEW_COMMAND"}, {reply.code for reply in self.replies_to("run one")})
         counts = collections.Counter(reply.command.id for reply in self.replies)
@@ -125,6 +131,7 @@ class CommandChainTest(unittest.TestCase):
         # Nothing that was said before the stop begins after it.
         self.text.publish("succeed two")
         self.assertEqual("DONE", self.wait_for_replies("succeed two")[0].code)
+        self.wait_for_log("two ends succeed")
         self.assertTrue(self.is_nothing_running())
         self.assertEqual({1}, set(collections.Counter(reply.command.id for reply in self.replies).values()))
 

@@ -13,7 +13,7 @@ from roboframenet_msgs.msg import (
 from std_msgs.msg import String
 
 
-def wait_until(condition, timeout_s=40.0):
+def wait_until(condition, timeout_s=60.0):
     end = time.monotonic() + timeout_s
     while time.monotonic() < end:
         if condition():
@@ -197,10 +197,12 @@ class ExecutorNodeTest(unittest.TestCase):
         for _ in range(3):
             command = self.send([[frame("succeed", server) for server in ("one", "two", "three", "one")]])
             self.assert_reply(command, Reply.DONE, "DONE")
+        # The log comes on another connection, and must not run into the next test.
+        self.assertTrue(wait_until(lambda: sum("ends" in line for line in self.log) == 12), self.log)
 
     def test_server_busy_with_another_client_is_left_alone(self):
         client = actionlib.ActionClient("three", FilledSemanticFrameAction)
-        self.assertTrue(client.wait_for_server(rospy.Duration(30)))
+        self.assertTrue(client.wait_for_server(rospy.Duration(60.0)))
         goal = FilledSemanticFrameAction().action_goal.goal
         goal.frame = frame("run", "three")
         handle = client.send_goal(goal)

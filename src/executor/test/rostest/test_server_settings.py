@@ -18,7 +18,7 @@ from std_msgs.msg import String
 BEFORE = {"exposure": 10, "gain": 1.0, "auto_gain": True}
 
 
-def wait_until(condition, timeout_s=40.0):
+def wait_until(condition, timeout_s=60.0):
     end = time.monotonic() + timeout_s
     while time.monotonic() < end:
         if condition():
@@ -41,7 +41,7 @@ class ServerSettingsTest(unittest.TestCase):
         log = rospy.Subscriber("server_log", String, lambda message: cls.log.append(message.data))
         cls.cameras = []
         for camera in ("camera", "other_camera"):
-            rospy.wait_for_service(f"{camera}/set_parameters", timeout=30)
+            rospy.wait_for_service(f"{camera}/set_parameters", timeout=60.0)
             cls.cameras.append(rospy.ServiceProxy(f"{camera}/set_parameters", Reconfigure))
         assert wait_until(lambda: all(entity.get_num_connections() == 1 for entity in (
             cls.procedures, cls.cancels, cls.events)) and log.get_num_connections() == 2)

@@ -19,7 +19,7 @@ from std_msgs.msg import String
 from std_srvs.srv import SetBool, SetBoolRequest, SetBoolResponse
 
 
-def wait_until(condition: Callable[[], bool], timeout_s: float = 30.0) -> bool:
+def wait_until(condition: Callable[[], bool], timeout_s: float = 60.0) -> bool:
     end = time.monotonic() + timeout_s
     while time.monotonic() < end:
         if condition():
@@ -62,7 +62,7 @@ class FrameBindingsTest(unittest.TestCase):
 
     def send(self, server: str, **arguments: str) -> Any:
         self.client = actionlib.ActionClient(server, FilledSemanticFrameAction)
-        self.assertTrue(self.client.wait_for_server(rospy.Duration(30.0)), server)
+        self.assertTrue(self.client.wait_for_server(rospy.Duration(60.0)), server)
         elements = [FilledFrameElement(name=name, argument=value) for name, value in arguments.items()]
         return self.client.send_goal(
             FilledSemanticFrameGoal(frame=FilledSemanticFrame(name=server, frame_elements=elements))

@@ -17,7 +17,6 @@ from roboframenet_msgs.msg import (
     FrameCatalogue,
     Reply,
     SourceFile,
-    StageEvent,
 )
 from roboframenet_msgs.srv import (
     AddFrame,
@@ -33,13 +32,13 @@ from roboframenet_msgs.srv import (
 from semantic_frames import FileRefused, Problem, load_frame
 from semantic_frames.frame import SemanticFrame
 from semantic_frames.source_files import FRAMES_FOLDER, read_text, replace_problems, yaml_files
+from stage_events.ros_stage import Stage
 
 from frame_registrar.graph import FrameGraph
 from frame_registrar.ros_liveness import LivenessWatch
 from frame_registrar.ros_messages import to_clauses, to_empty_frame, to_file_problems, to_frame_lists
 from frame_registrar.search import Candidate, Refusal, search
 
-STAGE = "frame_registrar"
 #: Kept on the master by the node for itself: files that were added while it ran.
 ADDED_FRAMES = "~_added_frames"
 
@@ -105,7 +104,7 @@ class FrameRegistrar:
         self._file_problems = rospy.Publisher("file_problems", FileProblems, queue_size=5, latch=True)
         self._candidates = rospy.Publisher("command_semantic_frames", CommandSemanticFrames, queue_size=100)
         self._candidates_2012 = rospy.Publisher("filled_semantic_frames", FilledSemanticFrameListList, queue_size=100)
-        self._events = rospy.Publisher("stage_events", StageEvent, queue_size=100)
+        self._stage = Stage("frame_registrar")
         self._load_files()
         self._subscriber = rospy.Subscriber(
             "command_lexical_units", CommandLexicalUnits, self._on_command, queue_size=100
@@ -223,31 +222,30 @@ class FrameRegistrar:
                 outcome = search(self._graph, to_clauses(message.clauses), max_candidates=self._settings.max_candidates)
         except Exception as error:  # boundary: whatever fails here, the command gets its reply
             rospy.logerr("cmd=%s failed: %s", message.command.id, error, exc_info=True)
-            self._end(message, Reply.FAILED, "STAGE_ERROR", f"The frame registrar failed: {error}")
+            self._stage.ends(
+                message.command,
+                outcome=Reply.FAILED,
+                code="STAGE_ERROR",
+                sentence=f"The frame registrar failed: {error}",
+            )
             return
         if isinstance(outcome, Refusal):
             rospy.loginfo("cmd=%s refused: %s", message.command.id, outcome.sentence)
             is_question = outcome.code == "MISSING_ELEMENT"
-            self._end(
-                message, Reply.NEEDS_INFORMATION if is_question else Reply.REFUSED, outcome.code, outcome.sentence
+            self._stage.ends(
+                message.command,
+                outcome=Reply.NEEDS_INFORMATION if is_question else Reply.REFUSED,
+                code=outcome.code,
+                sentence=outcome.sentence,
             )
             return
         lists = to_frame_lists(outcome)
-        self._events.publish(
-            StageEvent(command=message.command, stage=STAGE, stamp=rospy.Time.now(), sentence=describe(outcome))
-        )
+        self._stage.passes_on(message.command, describe(outcome))
         self._candidates_2012.publish(lists)
         self._candidates.publish(
             CommandSemanticFrames(
                 command=message.command, candidates=lists, coverage=[candidate.coverage for candidate in outcome]
             )
-        )
-
-    def _end(self, message: CommandLexicalUnits, outcome: int, code: str, sentence: str) -> None:
-        now = rospy.Time.now()
-        reply = Reply(command=message.command, outcome=outcome, stage=STAGE, code=code, sentence=sentence, stamp=now)
-        self._events.publish(
-            StageEvent(command=message.command, stage=STAGE, stamp=now, sentence=sentence, is_final=True, reply=reply)
         )
 
 

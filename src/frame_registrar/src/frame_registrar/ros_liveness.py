@@ -14,6 +14,11 @@ import rospy
 _NO_ANSWER = (OSError, HTTPException, ExpatError, xmlrpc.client.Error, rosgraph.MasterException)
 
 
+#: A server that seems to have gone is looked for once more after this time, seconds: a node may be busy, and a server
+#: that registers before it starts is about to be there.
+_SECOND_LOOK_S = 1.0
+
+
 class _TimeoutTransport(xmlrpc.client.Transport):
     """HTTP with a deadline: a node that hangs must not hang the registrar."""
 
@@ -56,6 +61,7 @@ class LivenessWatch:
         self._timeout_s = timeout_s
         # By address of the node. Connections are kept: to make one costs the node a thread and more than the answer.
         self._proxies: Dict[str, xmlrpc.client.ServerProxy] = {}
+        self._dead: FrozenSet[str] = frozenset()
         self._stop = threading.Event()
         self._thread = threading.Thread(target=self._run, name="liveness", daemon=True)
         self._thread.start()
@@ -72,10 +78,13 @@ class LivenessWatch:
                 continue
             try:
                 dead = self._dead_among(servers)
+                if dead - self._dead and not self._stop.wait(min(_SECOND_LOOK_S, self._period_s)):
+                    dead &= self._dead_among(servers)
             except _NO_ANSWER as error:
                 # A master that is busy or away says nothing about the servers.
                 rospy.logwarn_throttle(30.0, "cannot ask the master who is alive: %s", error)
                 continue
+            self._dead = dead
             self._on_dead(dead)
 
     def _dead_among(self, servers: Tuple[str, ...]) -> FrozenSet[str]:

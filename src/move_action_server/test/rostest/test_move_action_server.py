@@ -154,8 +154,8 @@ class TestMoveActionServer(unittest.TestCase):
         self.assertIn("another motion", text)
         state, text = newer.outcome()
         self.assertEqual(GoalStatus.SUCCEEDED, state, text)
-        self.assertAlmostEqual(1.0, self.turned_rad - before_rad, delta=0.05)
         self.assert_stands()
+        self.assertAlmostEqual(1.0, self.turned_rad - before_rad, delta=0.05)
 
     def test_newer_goal_of_the_same_server_preempts_the_older(self):
         """As in actionlib."""

@@ -15,7 +15,7 @@ from typing import Dict, Iterable, List, Mapping, Optional, Sequence, Tuple
 
 import yaml
 
-from roboframenet_tools.corpus import AnnotatedCommand, AnnotatedFrame
+from roboframenet_tools.corpus import AnnotatedCommand, AnnotatedElement, AnnotatedFrame
 from roboframenet_tools.corpus_mapping import CorpusMapping
 from semantic_frames.frame import SemanticFrame
 from semantic_frames.lexical_unit import LexicalUnit
@@ -163,8 +163,15 @@ def _our_frame(
         if mapping.frame_name(frame) != annotated.name:
             continue
         names = _our_elements(frame, mapping)
+        if not all(_may_be(frame, names.get(element.name), command, element) for element in annotated.elements):
+            continue
         filled = {names[name] for name in wanted if name in names}
-        missing = [element for element in frame.frame_elements if element.is_core and not element.default]
+        units_of_measure = {element.unit_element for element in frame.frame_elements}
+        missing = [
+            element
+            for element in frame.frame_elements
+            if element.is_core and not element.default and element.name not in units_of_measure
+        ]
         has_unit = any(
             unit.frame_name == frame.name and any(verb.split()[0] in words for verb in unit.verbs) for unit in units
         )
@@ -172,3 +179,10 @@ def _our_frame(
         if best is None or rank < best[0]:
             best = (rank, frame)
     return best[1] if best is not None else None
+
+
+def _may_be(frame: SemanticFrame, name: Optional[str], command: AnnotatedCommand, element: AnnotatedElement) -> bool:
+    """Whether words may fill an element: one that lists its values takes none but those."""
+    known = frame.element(name) if name is not None else None
+    words = {command.tokens[at - 1].lower() for at in element.tokens}
+    return known is None or not known.values or bool(words & set(known.values))

@@ -27,6 +27,7 @@ class CorpusMapping:
         transparent_nouns: nouns whose "of" phrase has the head for the corpus, as FrameNet's transparent nouns have: the
             door is the head of "the front of the door"
         is_head_span: whether a span of the corpus ends with its head ("the mug" of "the mug on the table")
+        has_descriptions: whether relative clauses are annotated ("the tv that is on the table" is located)
     """
 
     frames: Mapping[str, str]
@@ -34,6 +35,7 @@ class CorpusMapping:
     words_left_out: FrozenSet[str] = frozenset()
     transparent_nouns: FrozenSet[str] = frozenset()
     is_head_span: bool = False
+    has_descriptions: bool = True
 
     def frame_name(self, frame: SemanticFrame) -> str:
         """Return the name of a frame in the corpus."""
@@ -61,7 +63,7 @@ def load_mapping(path: str) -> CorpusMapping:
     reader = Reader(path)
     root = reader.compose(read_text(path), "a mapping with frames and frame_elements")
     entries = reader.mapping(
-        root, "", ("frames", "frame_elements", "words_left_out", "transparent_nouns", "head_spans")
+        root, "", ("frames", "frame_elements", "words_left_out", "transparent_nouns", "head_spans", "descriptions")
     )
     elements = {
         name: _names(reader, node, f"frame_elements.{name}")
@@ -73,6 +75,7 @@ def load_mapping(path: str) -> CorpusMapping:
         words_left_out=frozenset(reader.texts(entries.get("words_left_out"), "words_left_out")),
         transparent_nouns=frozenset(reader.texts(entries.get("transparent_nouns"), "transparent_nouns")),
         is_head_span=reader.boolean(entries.get("head_spans"), "head_spans"),
+        has_descriptions=reader.boolean(entries.get("descriptions"), "descriptions", default=True),
     )
     reader.refuse_if_wrong()
     return mapping

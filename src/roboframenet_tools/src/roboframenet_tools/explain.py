@@ -113,6 +113,9 @@ def describe(understanding: Understanding) -> str:
                 lines.append(f"             left over: {' '.join(left)}")
     if understanding.readings:
         lines.append("frames reached: " + ", then ".join(reading.unit.frame_name for reading in understanding.readings))
+    for reading in understanding.descriptions:
+        elements = ", ".join(f"{value.name}={value.argument}" for value in reading.values)
+        lines.append(f"said on the way: {reading.unit.frame_name}({elements})")
     for number, candidate in enumerate(understanding.candidates, start=1):
         steps = ", then ".join(
             f"{frame.name}({', '.join(f'{name}={text}' for name, text in frame.arguments)}) on {frame.server}"

@@ -10,7 +10,9 @@ from roboframenet_tools.annotated_sentences import AnnotatedSentence, read_sente
 from roboframenet_tools.corpus import CorpusError
 from roboframenet_tools.corpus_mapping import load_mapping, shipped_mapping
 from roboframenet_tools.huric_corpus import read_huric
-from roboframenet_tools.learning import Lesson, LearnedUnit, frame_yaml, names_of_new_frames, learn, to_yaml
+from roboframenet_tools.learned_files import frame_yaml, names_of_new_frames, to_yaml
+from roboframenet_tools.learning import LearnedUnit, learn
+from roboframenet_tools.lessons import Lesson
 from roboframenet_tools.understanding import Knowledge, load_knowledge, load_texts, shipped_domains
 from semantic_frames import FileRefused
 from semantic_frames.frame import SemanticFrame

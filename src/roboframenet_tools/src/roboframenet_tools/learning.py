@@ -11,10 +11,10 @@ from typing import Callable
 from typing import Counter as CounterType
 from typing import Dict, FrozenSet, Iterable, List, Mapping, Optional, Sequence, Set, Tuple
 
-from roboframenet_tools.annotated_sentences import AnnotatedSentence, Span
+from roboframenet_tools.annotated_sentences import AnnotatedSentence
+from roboframenet_tools.lessons import PORTALS, Lesson, lesson_of
 from semantic_frames.frame import SemanticFrame
 from semantic_frames.relation_names import MEASURE
-from semantic_framer.matching import DIRECTIONAL
 from semantic_framer.sentence import Sentence
 from stanford_parser_ros.tree import DependencyTree
 
@@ -28,51 +28,22 @@ PREPOSITION_GROUPS: Tuple[Tuple[str, ...], ...] = (
         "above", "over", "close_to",
     ),
 )  # fmt: skip
+#: Prepositions that mean the same whatever the frame is.
+_OF_PERIPHERAL = frozenset(f"prep_{preposition}" for group in PREPOSITION_GROUPS[1:3] for preposition in group)
 #: Words of closed classes that say the same kind of thing; one of a group stands for all of it.
 WORD_GROUPS: Tuple[Tuple[str, ...], ...] = (
     ("slowly", "quickly", "carefully", "gently", "fast", "quietly", "closely"),
     ("left", "right"),
     ("forward", "forwards", "backward", "backwards", "back", "ahead"),
+    PORTALS,
 )
-#: Relations that an argument may have, the most telling first.
-_PREFERRED = (
-    "dobj", "iobj", "nsubj", "nsubjpass", "prt", "ccomp", "xcomp", "acomp", "attr", "advcl", "tmod", "advmod", "poss",
-)  # fmt: skip
-_CLOSED_CLASSES = frozenset(["ADV", "ADP", "PART"])
-_DIRECTIONS = frozenset("left right forward forwards backward backwards back up down around".split())
-_LONGEST_PATH = 2
 #: Share of the sentences of a verb and a frame.
 _NEARLY_ALWAYS = 0.8
-#: So many examples stand in a file; more make it hard to read.
-MOST_EXAMPLES = 6
-
-
-@dataclass(frozen=True)
-class Lesson:
-    """What one sentence shows.
-
-    Attributes:
-        sentence: the sentence
-        verb: lemma, with its particle
-        relations: path of relations from the verb by element
-        words: lemma of the head by element
-        closed: elements that a word of a closed class fills ("slowly", "left", "you")
-        places: elements with a preposition that says where, behind an object: a parser may hang them on the object
-        arguments: by element, as the framer would give them
-    """
-
-    sentence: AnnotatedSentence
-    verb: str
-    relations: Mapping[str, str]
-    words: Mapping[str, str]
-    closed: FrozenSet[str]
-    places: FrozenSet[str]
-    arguments: Mapping[str, str]
 
 
 @dataclass
 class LearnedUnit:
-    """A unit that is being put together; written by :func:`to_yaml`.
+    """A unit that is being put together; written by :func:`.learned_files.to_yaml`.
 
     Attributes:
         frame_name: the frame that it evokes
@@ -81,6 +52,7 @@ class LearnedUnit:
         closed_relations: relations by element for the words alone that were seen
         words: those words, by element
         required: elements without which the unit does not count
+        after_place: elements that count only behind another phrase of place, with its preposition
         lessons: what it was learned from
     """
 
@@ -90,6 +62,7 @@ class LearnedUnit:
     closed_relations: Dict[str, List[str]] = field(default_factory=dict)
     words: Dict[str, List[str]] = field(default_factory=dict)
     required: Set[str] = field(default_factory=set)
+    after_place: Dict[str, str] = field(default_factory=dict)
     lessons: List[Lesson] = field(default_factory=list)
 
 
@@ -110,148 +83,65 @@ def learn(
     lessons: List[Lesson] = []
     unexplained: List[str] = []
     for sentence in sentences:
-        lesson = _lesson(sentence, Sentence(parse(sentence.text)), frames.get(sentence.frame_name), unexplained)
+        lesson = lesson_of(sentence, Sentence(parse(sentence.text)), frames.get(sentence.frame_name), unexplained)
         if lesson is not None:
             lessons.append(lesson)
     return _units(lessons, frames), tuple(unexplained)
 
 
-def _lesson(
-    annotated: AnnotatedSentence, sentence: Sentence, frame: Optional[SemanticFrame], unexplained: List[str]
-) -> Optional[Lesson]:
-    verb_words = _positions(sentence, annotated.verb)
-    if not verb_words:
-        unexplained.append(f'{annotated.place}: the parser has no word for the verb in "{annotated.text}"')
-        return None
-    ranked = [word for upos in ("VERB", "AUX") for word in verb_words if sentence.word(word).upos == upos]
-    verb = (ranked or list(verb_words))[0]
-    particles = [
-        sentence.word(word).form.lower()
-        for word in verb_words
-        if word > verb and sentence.word(word).upos in _CLOSED_CLASSES
-    ]
-    relations: Dict[str, str] = {}
-    words: Dict[str, str] = {}
-    arguments: Dict[str, str] = {}
-    closed: Set[str] = set()
-    places: Set[str] = set()
-    for name, spans in annotated.elements.items():
-        positions = _positions(sentence, spans)
-        element = frame.element(name) if frame is not None else None
-        if element is not None and element.quantity is not None:
-            relations.update({measured: MEASURE for measured in (name, element.unit_element) if measured})
-            continue
-        head = _head(sentence, positions)
-        path = _path(sentence, verb, head) if head else None
-        if path is None:
-            unexplained.append(f'{annotated.place}: nothing leads from the verb to {name} in "{annotated.text}"')
-            continue
-        if len(path) == 2 and path[0] in ("dobj", "iobj", "nsubj", "tmod") and path[1].startswith("prep_"):
-            path = path[1:]
-        if path[0].startswith("prep_") and path[0][len("prep_") :] not in DIRECTIONAL:
-            places.add(name)
-        relations[name] = "/".join(path)
-        word = sentence.word(head)
-        words[name] = word.form.lower()
-        if (
-            word.upos in _CLOSED_CLASSES
-            or word.form.lower() in _DIRECTIONS
-            or (path[-1] == "nsubj" and word.form.lower() in ("you", "u"))
-        ):
-            closed.add(name)
-        arguments[name] = _argument(sentence, positions, head)
-    return Lesson(
-        sentence=annotated,
-        verb=" ".join([sentence.word(verb).lemma.lower()] + particles),
-        relations=relations,
-        words=words,
-        closed=frozenset(closed),
-        places=frozenset(places) if "dobj" in relations.values() else frozenset(),
-        arguments=arguments,
-    )
-
-
-def _positions(sentence: Sentence, spans: Sequence[Span]) -> Tuple[int, ...]:
-    return tuple(
-        word.index
-        for word in sentence.tree.words
-        if any(word.start_character < end and start < word.end_character for start, end in spans)
-    )
-
-
-def _head(sentence: Sentence, positions: Sequence[int]) -> int:
-    """Return the word of a phrase that hangs outside of it; of several the first noun or pronoun; 0 for none."""
-    tops = [index for index in positions if sentence.word(index).head not in positions]
-    nouns = [index for index in tops if sentence.word(index).upos in ("NOUN", "PROPN", "PRON", "NUM", "ADJ", "VERB")]
-    return (nouns or tops or [0])[0]
-
-
-def _path(sentence: Sentence, verb: int, head: int) -> Optional[Tuple[str, ...]]:
-    """Return the shortest chain of relations from a verb to a word, collapsed names of prepositions first."""
-    reached: Dict[int, Tuple[str, ...]] = {verb: ()}
-    for _ in range(_LONGEST_PATH):
-        for arc in sentence.arcs:
-            before = reached.get(arc.governor)
-            if before is not None and len(before) < _LONGEST_PATH and arc.dependent not in reached:
-                name = _name(arc.relations)
-                if name:
-                    reached[arc.dependent] = before + (name,)
-        if head in reached:
-            return reached[head] or None
-    return None
-
-
-def _name(relations: FrozenSet[str]) -> str:
-    prepositions = sorted(name for name in relations if name.startswith("prep_"))
-    if prepositions:
-        return prepositions[0]
-    return next((name for name in _PREFERRED if name in relations), "")
-
-
-def _argument(sentence: Sentence, positions: Sequence[int], head: int) -> str:
-    """Return the words of an element without a preposition at its front."""
-    cases = {
-        inner
-        for child in sentence.children(head)
-        if child.deprel in ("case", "mark")
-        for inner in sentence.subtree(child.index)
-        if inner < head
-    }
-    return sentence.text([index for index in positions if index not in cases])
-
-
 def _units(lessons: Sequence[Lesson], frames: Mapping[str, SemanticFrame]) -> Tuple[LearnedUnit, ...]:
     frames_of: Dict[str, Set[str]] = defaultdict(set)
-    groups: Dict[Tuple[str, str, FrozenSet[str]], List[Lesson]] = defaultdict(list)
-    core = {name: _core(name, lessons, frames.get(name)) for name in {lesson.sentence.frame_name for lesson in lessons}}
+    groups: Dict[Tuple[str, str, FrozenSet[str], FrozenSet[Tuple[str, str]]], List[Lesson]] = defaultdict(list)
+    core = {
+        name: core_elements(name, lessons, frames.get(name))
+        for name in {lesson.sentence.frame_name for lesson in lessons}
+    }
     for lesson in lessons:
         frame = lesson.sentence.frame_name
         frames_of[lesson.verb].add(frame)
         # A core element is looked for on the object anyway.
-        groups[(frame, lesson.verb, lesson.places - core[frame])].append(lesson)
-    units: Dict[Tuple[str, FrozenSet[str], FrozenSet[str]], LearnedUnit] = {}
-    for (frame, verb, places), members in sorted(groups.items(), key=lambda item: (item[0][0], -len(item[0][2]))):
-        required = set(places)
+        places = lesson.places - core[frame]
+        after_place = frozenset((name, preposition) for name, preposition in lesson.after_place if name in places)
+        groups[(frame, lesson.verb, places, after_place)].append(lesson)
+    units: Dict[Tuple[str, FrozenSet[str], FrozenSet[str], FrozenSet[Tuple[str, str]]], LearnedUnit] = {}
+    for (frame, verb, places, after_place), members in sorted(
+        groups.items(), key=lambda item: (item[0][0], -len(item[0][2]))
+    ):
+        pieces = [(places, members)]
         if len(frames_of[verb]) > 1:
-            # What tells the frames of one verb apart is what each of them (nearly) always has; of one sentence what is
-            # open.
-            counts = Counter(name for lesson in members for name in lesson.relations)
-            required |= {
-                name
-                for name, count in counts.items()
-                if count >= _NEARLY_ALWAYS * len(members)
-                and not any(lesson.relations.get(name) == "nsubj" for lesson in members)
-                and (len(members) > 1 or name not in members[0].closed)
-            }
-        unit = units.setdefault((frame, frozenset(required), places), LearnedUnit(frame, required=required))
-        unit.verbs += [verb] if verb not in unit.verbs else []
-        unit.lessons += members
+            # What tells the frames of one verb apart is what each of them (nearly) always has: "move to the kitchen"
+            # has a goal; "move to your left" has none, and is a unit of its own.
+            telling = _telling(members)
+            others = [lesson for lesson in members if not telling <= set(lesson.relations)]
+            pieces = [(places | telling, [lesson for lesson in members if lesson not in others])]
+            pieces += [(places | _telling(others), others)] if others else []
+        for required, piece in pieces:
+            empty = LearnedUnit(frame, required=set(required), after_place=dict(after_place))
+            unit = units.setdefault((frame, required, places, after_place), empty)
+            unit.verbs += [verb] if verb not in unit.verbs else []
+            unit.lessons += piece
     rarer = _rarer(lessons) | _same_shape(lessons)
     for unit in units.values():
         _fill(unit, rarer)
     _share_closed(list(units.values()), lessons)
     _share_optional(list(units.values()))
+    _share_between_frames(list(units.values()), lessons, frames)
     return tuple(sorted(units.values(), key=lambda unit: (unit.frame_name, -len(unit.required))))
+
+
+def _telling(lessons: Sequence[Lesson]) -> FrozenSet[str]:
+    """Return the elements that sentences of a verb and frame nearly always have.
+
+    Of one sentence those count that are open, or all where none is.
+    """
+    counts = Counter(name for lesson in lessons for name in lesson.relations)
+    return frozenset(
+        name
+        for name, count in counts.items()
+        if count >= _NEARLY_ALWAYS * len(lessons)
+        and not any(lesson.relations.get(name) == "nsubj" for lesson in lessons)
+        and (len(lessons) > 1 or name not in lessons[0].closed or lessons[0].closed == set(lessons[0].relations))
+    )
 
 
 def _share_closed(units: Sequence[LearnedUnit], lessons: Sequence[Lesson]) -> None:
@@ -271,13 +161,56 @@ def _share_closed(units: Sequence[LearnedUnit], lessons: Sequence[Lesson]) -> No
         for name, relation in sorted(of_frame[unit.frame_name]):
             if relation in unit.open_relations.get(name, []):
                 continue
-            seen = unit.closed_relations.setdefault(name, [])
-            seen += [relation] if relation not in seen else []
-            words = unit.words.setdefault(name, [])
-            words += [word for word in said[(name, relation)] if word not in words]
-            for group in WORD_GROUPS:
-                if any(word in group for word in words):
-                    words += [word for word in group if word not in words]
+            _fill_closed(unit, name, relation, said[(name, relation)])
+
+
+def _fill_closed(unit: LearnedUnit, name: str, relation: str, said: Sequence[str]) -> None:
+    """Let words of a closed class, and those of their group, fill an element."""
+    seen = unit.closed_relations.setdefault(name, [])
+    seen += [relation] if relation not in seen else []
+    words = unit.words.setdefault(name, [])
+    words += [word for word in said if word not in words]
+    for group in WORD_GROUPS:
+        if any(word in group for word in words):
+            words += [word for word in group if word not in words]
+
+
+def _share_between_frames(
+    units: Sequence[LearnedUnit], lessons: Sequence[Lesson], frames: Mapping[str, SemanticFrame]
+) -> None:
+    """Give each unit what says how, along what or from where in other frames.
+
+    An element that is core in neither frame and has one name in FrameNet (Manner, Speed, Path, Source) is said in the
+    same way in both: "go through the main door", "enter through the main door".
+    """
+    words: Dict[Tuple[str, str], List[str]] = defaultdict(list)
+    for lesson in lessons:
+        names = _peripheral(frames.get(lesson.sentence.frame_name))
+        for name in sorted(lesson.closed & set(names)):
+            words[(names[name], lesson.relations[name])].append(lesson.words[name])
+    prepositions: Dict[str, List[str]] = defaultdict(list)
+    for unit in units:
+        for name, shared in _peripheral(frames.get(unit.frame_name)).items():
+            prepositions[shared] += [
+                relation for relation in unit.open_relations.get(name, []) if relation in _OF_PERIPHERAL
+            ]
+    for unit in units:
+        for name, shared in _peripheral(frames.get(unit.frame_name)).items():
+            if name in unit.required:
+                continue
+            for (other, relation), said in sorted(words.items()):
+                if other == shared and name not in unit.open_relations:
+                    _fill_closed(unit, name, relation, said)
+            taken = {relation for relations in unit.open_relations.values() for relation in relations}
+            new = [relation for relation in dict.fromkeys(prepositions[shared]) if relation not in taken]
+            if new and name not in unit.closed_relations:
+                unit.open_relations.setdefault(name, []).extend(new)
+
+
+def _peripheral(frame: Optional[SemanticFrame]) -> Mapping[str, str]:
+    """Return the elements of a frame that are not core, with their names in FrameNet."""
+    elements = frame.frame_elements if frame is not None else ()
+    return {element.name: element.framenet for element in elements if element.framenet and not element.is_core}
 
 
 def _share_optional(units: Sequence[LearnedUnit]) -> None:
@@ -298,7 +231,7 @@ def _share_optional(units: Sequence[LearnedUnit]) -> None:
                 unit.open_relations.setdefault(name, []).extend(new)
 
 
-def _core(name: str, lessons: Sequence[Lesson], frame: Optional[SemanticFrame]) -> FrozenSet[str]:
+def core_elements(name: str, lessons: Sequence[Lesson], frame: Optional[SemanticFrame]) -> FrozenSet[str]:
     """Return the core elements of a frame: what its file says, or what every sentence fills."""
     if frame is not None:
         return frozenset(element.name for element in frame.frame_elements if element.is_core)
@@ -347,7 +280,9 @@ def _same_shape(lessons: Sequence[Lesson]) -> FrozenSet[Tuple[str, str, str]]:
     """
     members: Dict[Tuple[str, str], List[Lesson]] = defaultdict(list)
     for lesson in lessons:
-        members[(lesson.verb, lesson.sentence.frame_name)].append(lesson)
+        # Words of a closed class tell a frame apart by themselves.
+        if set(lesson.relations) != lesson.closed:
+            members[(lesson.verb, lesson.sentence.frame_name)].append(lesson)
     shapes = {key: _shape(some) for key, some in members.items()}
     found: Set[Tuple[str, str, str]] = set()
     for (verb, frame), shape in shapes.items():
@@ -381,55 +316,3 @@ def _fill(unit: LearnedUnit, rarer: FrozenSet[Tuple[str, str, str]]) -> None:
             said = [f"prep_{preposition}" for preposition in group]
             if any(relation in said for relation in relations):
                 relations += [relation for relation in said if relation not in relations and relation not in taken]
-
-
-def to_yaml(units: Sequence[LearnedUnit], is_understood: Callable[[Lesson], bool]) -> str:
-    """Write the units of one frame as a lexical unit file.
-
-    Args:
-        units: of one frame
-        is_understood: whether a sentence may stand as an example
-    """
-    lines: List[str] = []
-    for unit in units:
-        lines += [f"- frame_name: {unit.frame_name}", f"  verb: [{', '.join(unit.verbs)}]"]
-        if unit.open_relations or unit.closed_relations:
-            lines.append("  frame_element_grammatical_relations:")
-        for name, relations in list(unit.closed_relations.items()) + list(unit.open_relations.items()):
-            is_closed = unit.closed_relations.get(name) is relations
-            lines += [f"    - name: {name}", f"      relation: [{', '.join(relations)}]", "      argument: phrase"]
-            lines += [f"      words: [{', '.join(map(_quoted, unit.words[name]))}]"] if is_closed else []
-            lines += ["      required: True"] if name in unit.required else []
-        examples = [lesson for lesson in unit.lessons if is_understood(lesson)][:MOST_EXAMPLES]
-        if examples:
-            lines.append("  examples:")
-        for lesson in examples:
-            filled = ", ".join(f"{name}: {_quoted(words)}" for name, words in lesson.arguments.items())
-            lines.append(f"    - text: {_quoted(lesson.sentence.text)}")
-            lines += [f"      frame_elements: {{{filled}}}"] if filled else []
-    return "\n".join(lines) + "\n"
-
-
-def frame_yaml(name: str, lessons: Sequence[Lesson]) -> str:
-    """Write the file of a frame that no file describes yet; what every sentence fills is core."""
-    names = list(dict.fromkeys(element for lesson in lessons for element in lesson.sentence.elements))
-    core = _core(name, lessons, None)
-    verbs = sorted({lesson.verb for lesson in lessons})
-    lines = [
-        "# Learned. Name the frame of FrameNet in `framenet`, or say in a comment why it has none.",
-        f"name: {name}",
-        f"description: The robot does what {' or '.join(_quoted(verb) for verb in verbs)} means.",
-    ]
-    lines += ["frame_elements:"] if names else []
-    for element in names:
-        lines += [f"  - name: {element}", f"    is_core: {element in core}"]
-    return "\n".join(lines) + "\n"
-
-
-def names_of_new_frames(frames: Mapping[str, SemanticFrame], units: Sequence[LearnedUnit]) -> Tuple[str, ...]:
-    """Return the names of frames that units evoke and no file describes."""
-    return tuple(sorted({unit.frame_name for unit in units} - set(frames)))
-
-
-def _quoted(text: str) -> str:
-    return '"' + text.replace("\\", "\\\\").replace('"', '\\"') + '"'

@@ -25,6 +25,8 @@ def answer(pipeline: Pipeline, mapping: CorpusMapping, command: AnnotatedCommand
     frames: List[AnnotatedFrame] = []
     for frame in to_json(understanding)["frames"] if tree is not None else ():  # type: ignore[attr-defined]
         elements = [(element["name"], element["tokens"], element["head_token"]) for element in frame["frame_elements"]]
+        if frame["is_description"] and not mapping.has_descriptions:
+            continue
         known = pipeline.knowledge.frames[frame["name"]]
         frames.append(_annotated(tree, command, mapping, known, frame["verb_token"], elements))
     return Answer(tuple(frames), understanding.reply.code == "DONE", milliseconds)

@@ -12,11 +12,13 @@ from semantic_frames.frame import SemanticFrame
 from semantic_frames.lexical_unit import LexicalUnit
 from semantic_frames.source_files import FRAMES_FOLDER, LEXICAL_UNITS_FOLDER, read_text, yaml_files
 from semantic_framer.clauses import Clause, find_clauses
+from semantic_framer.descriptions import descriptions
 from semantic_framer.framer import Question, Understood, prepared, read
 from semantic_framer.lexicon import Lexicon
-from semantic_framer.matching import Reading, match_verbs, read_clause
+from semantic_framer.matching import Reading, read_clause
 from semantic_framer.readings import readings_of
 from semantic_framer.sentence import Sentence
+from semantic_framer.verb_matching import match_verbs
 from stanford_parser_ros.model import Parser, UnparsableText, shipped_model_dir
 from stanford_parser_ros.tree import DependencyTree
 
@@ -59,6 +61,7 @@ class Understanding:
         tree: its parse; None where there are no words
         attempts: units tried, by clause
         readings: the best reading of each clause that has one
+        descriptions: what is said of things on the way, and is no step
         candidates: sequences of frames that would be tried, the first first
         reply: what the person would hear
     """
@@ -69,6 +72,7 @@ class Understanding:
     readings: Tuple[Reading, ...]
     candidates: Tuple[registrar.Candidate, ...]
     reply: Reply
+    descriptions: Tuple[Reading, ...] = ()
 
 
 @dataclass(frozen=True)
@@ -193,31 +197,26 @@ class Pipeline:
             tree = self.parse(text)
         except UnparsableText as error:
             return _nothing(text, Reply("REFUSED", "EMPTY_TEXT", f"I heard no words: {error}."))
-        meant = prepared(tree, self.knowledge.lexicon, self.knowledge.frames)
+        lexicon, frames = self.knowledge.lexicon, self.knowledge.frames
+        meant = prepared(tree, lexicon, frames)
         sentence = meant if isinstance(meant, Sentence) else Sentence(tree)
-        attempts = tuple(self._attempts(sentence, clause) for clause in find_clauses(sentence, self.knowledge.lexicon))
-        outcome, _ = read(tree, self.knowledge.lexicon, self.knowledge.frames)
-        if isinstance(outcome, Understood):
-            readings = tuple(readings[0] for readings in outcome.clauses)
-            found = self._search(outcome.clauses)
-            if isinstance(found, registrar.Refusal):
-                return Understanding(
-                    text,
-                    tree,
-                    attempts,
-                    readings,
-                    (),
-                    Reply(
-                        "NEEDS_INFORMATION" if found.code == "MISSING_ELEMENT" else "REFUSED",
-                        found.code,
-                        found.sentence,
-                    ),
-                )
-            first = ", then ".join(f"{frame.name} on {frame.server}" for frame in found[0].frames)
-            return Understanding(text, tree, attempts, readings, found, Reply("DONE", "DONE", f"I would do {first}."))
-        readings = () if outcome.code in _NOTHING_MEANT else self._best(sentence)
-        kind = "NEEDS_INFORMATION" if isinstance(outcome, Question) else "REFUSED"
-        return Understanding(text, tree, attempts, readings, (), Reply(kind, outcome.code, outcome.sentence))
+        clauses = find_clauses(sentence, lexicon)
+        attempts = tuple(self._attempts(sentence, clause) for clause in clauses)
+        outcome, _ = read(tree, lexicon, frames)
+        if not isinstance(outcome, Understood) and outcome.code in _NOTHING_MEANT:
+            return Understanding(text, tree, attempts, (), (), Reply("REFUSED", outcome.code, outcome.sentence))
+        said = descriptions(sentence, clauses, lexicon, frames)
+        if not isinstance(outcome, Understood):
+            kind = "NEEDS_INFORMATION" if isinstance(outcome, Question) else "REFUSED"
+            reply = Reply(kind, outcome.code, outcome.sentence)
+            return Understanding(text, tree, attempts, self._best(sentence), (), reply, said)
+        readings = tuple(readings[0] for readings in outcome.clauses)
+        found = self._search(outcome.clauses)
+        if isinstance(found, registrar.Refusal):
+            kind = "NEEDS_INFORMATION" if found.code == "MISSING_ELEMENT" else "REFUSED"
+            return Understanding(text, tree, attempts, readings, (), Reply(kind, found.code, found.sentence), said)
+        first = ", then ".join(f"{frame.name} on {frame.server}" for frame in found[0].frames)
+        return Understanding(text, tree, attempts, readings, found, Reply("DONE", "DONE", f"I would do {first}."), said)
 
     def understand_safely(self, text: str) -> Understanding:
         """Understand one sentence of many: an error of ours becomes a reply, and the others still get theirs."""
@@ -289,26 +288,29 @@ def to_json(understanding: Understanding) -> Dict[str, object]:
     return {
         "text": understanding.text,
         "tokens": [word.form for word in words],
-        "frames": [
-            {
-                "name": reading.unit.frame_name,
-                "verb_token": reading.verb_positions[0],
-                "frame_elements": [
-                    {
-                        "name": value.name,
-                        "argument": value.argument,
-                        "tokens": list(value.positions),
-                        "head_token": value.head_position,
-                    }
-                    for value in reading.values
-                ],
-            }
-            for reading in understanding.readings
-        ],
+        "frames": [_frame_to_json(reading, is_description=False) for reading in understanding.readings]
+        + [_frame_to_json(reading, is_description=True) for reading in understanding.descriptions],
         "left_over": [words[index - 1].form for index in left],
         "reply": {
             "outcome": understanding.reply.outcome,
             "code": understanding.reply.code,
             "sentence": understanding.reply.sentence,
         },
+    }
+
+
+def _frame_to_json(reading: Reading, *, is_description: bool) -> Dict[str, object]:
+    return {
+        "name": reading.unit.frame_name,
+        "verb_token": reading.verb_positions[0],
+        "frame_elements": [
+            {
+                "name": value.name,
+                "argument": value.argument,
+                "tokens": list(value.positions),
+                "head_token": value.head_position,
+            }
+            for value in reading.values
+        ],
+        "is_description": is_description,
     }

@@ -33,6 +33,20 @@ def test_json_of_a_command(pipeline):
     assert result["reply"]["outcome"] == "DONE"
 
 
+def test_what_is_said_on_the_way_is_no_step(pipeline):
+    understanding = pipeline.understand("Bring me the towel that is in the bathroom.")
+    frames = to_json(understanding)["frames"]
+    assert [(frame["name"], frame["is_description"]) for frame in frames] == [
+        ("bringing", False),
+        ("being_located", True),
+    ]
+    assert {step.name for candidate in understanding.candidates for step in candidate.frames}.isdisjoint(
+        {"being_located"}
+    )
+    assert "said on the way: being_located(theme=that, location=the bathroom)" in describe(understanding)
+    assert to_json(pipeline.understand("Don't bring me the towel that is in the bathroom."))["frames"] == []
+
+
 def test_negated_command_reaches_no_frame(pipeline):
     result = to_json(pipeline.understand("Don't move."))
     assert result["frames"] == []

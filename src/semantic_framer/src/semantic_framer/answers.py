@@ -8,11 +8,12 @@ from semantic_frames.lexical_unit import ArgumentForm
 from semantic_framer.clauses import CONDITIONS, NEGATIONS, find_clauses
 from semantic_framer.dialogue import Pending, is_yes
 from semantic_framer.lexicon import Lexicon
-from semantic_framer.matching import Reading, match_verbs, with_value
+from semantic_framer.matching import Reading, with_value
 from semantic_framer.measures import find_amounts
 from semantic_framer.sentence import Sentence
 from semantic_framer.times import find_times
 from semantic_framer.values import ElementValue, amount_value, phrase_value, unit_value
+from semantic_framer.verb_matching import match_verbs
 
 
 def question_for(element: FrameElement) -> str:

@@ -1,6 +1,6 @@
 """Which phrase a prepositional phrase belongs to, where the parser hung it on the verb and no element asks for it."""
 
-from typing import FrozenSet
+from typing import FrozenSet, Tuple
 
 from semantic_framer.sentence import Sentence
 
@@ -57,6 +57,19 @@ def is_side_of_something(sentence: Sentence, index: int) -> bool:
         child.deprel.startswith("nmod")
         and any(inner.deprel == "case" and inner.form.lower() == "of" for inner in sentence.children(child.index))
         for child in sentence.children(index)
+    )
+
+
+def places_before(sentence: Sentence, head: int) -> Tuple[str, ...]:
+    """Return the prepositions of the phrases of place that stand before a phrase, the nearest first: "on" of the couch
+    in "the box on the table on the couch".
+    """
+    own = [child.index for child in sentence.children(head) if child.deprel == "case"]
+    before = sentence.tree.words[: own[0] - 1] if own else ()
+    return tuple(
+        word.form.lower()
+        for word in reversed(before)
+        if word.deprel == "case" and word.form.lower() in OF_PLACE and word.head < own[0]
     )
 
 

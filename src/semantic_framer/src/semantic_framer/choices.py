@@ -6,7 +6,7 @@ from semantic_framer.asides import set_aside
 from semantic_framer.clauses import Clause, find_clauses
 from semantic_framer.dialogue import Choice, is_yes
 from semantic_framer.lexicon import Lexicon
-from semantic_framer.matching import match_verbs
+from semantic_framer.verb_matching import match_verbs
 from semantic_framer.sentence import HARMLESS, Sentence
 
 _ORDINALS = {"first": 0, "former": 0, "second": 1, "third": 2, "last": -1, "latter": -1}

@@ -40,6 +40,7 @@ class Clause:
         subject: index of the subject, 0 for none
         is_report: whether it tells or asks what happens ("I turned left", "did you turn left?"), asking for nothing
         is_question: whether it asks how something is ("where are my keys?", "is the door open?")
+        sentence: its relations where they are not those of the parse: the verb is said once for two clauses
     """
 
     verb: int
@@ -51,6 +52,7 @@ class Clause:
     subject: int = 0
     is_report: bool = False
     is_question: bool = False
+    sentence: Optional[Sentence] = None
 
 
 def find_clauses(sentence: Sentence, lexicon: Optional[Lexicon] = None) -> Tuple[Clause, ...]:
@@ -74,9 +76,52 @@ def find_clauses(sentence: Sentence, lexicon: Optional[Lexicon] = None) -> Tuple
         positions = set(sentence.subtree(tops[index])) - others - sentence.abandoned
         # The words around a wrapped request ("I want you to ...") belong to it.
         clauses.append(
-            _clause(sentence, index, frozenset(positions), is_negated or _is_of_nothing(sentence, frozenset(positions)))
+            clause_of(
+                sentence, index, frozenset(positions), is_negated or _is_of_nothing(sentence, frozenset(positions))
+            )
         )
-    return tuple(clauses)
+    return tuple(piece for clause in clauses for piece in _ungapped(sentence, clause))
+
+
+def _ungapped(sentence: Sentence, clause: Clause) -> Tuple[Clause, ...]:
+    """Return a clause, and one more for each phrase that shares its verb: "go to the office and then to the kitchen"."""
+    remnants = [word for word in sentence.children(clause.verb) if _is_remnant(sentence, word)]
+    if not remnants:
+        return (clause,)
+    left_out = frozenset().union(*(sentence.subtree(word.index) for word in remnants))
+    shared = frozenset([clause.verb]).union(
+        *(sentence.subtree(word.index) for word in sentence.children(clause.verb) if word.deprel == "obj")
+    )
+    found = [replace(clause, positions=clause.positions - left_out)]
+    for word in remnants:
+        is_phrase = _has_case(sentence, word)
+        moved = replace(word, deprel="obl") if is_phrase else replace(word, upos="ADV", deprel="advmod")
+        words = tuple(moved if other.index == word.index else other for other in sentence.tree.words)
+        joining = {child.index for child in sentence.children(word.index) if child.deprel == "cc" or _is_then(child)}
+        positions = (sentence.subtree(word.index) - joining | shared) & clause.positions
+        found.append(replace(clause, positions=positions, sentence=Sentence(replace(sentence.tree, words=words))))
+    return tuple(found)
+
+
+def _is_remnant(sentence: Sentence, word: Word) -> bool:
+    """Whether a word is joined to a verb and is none: "to the kitchen", and "left" of "turn right and then left"."""
+    children = sentence.children(word.index)
+    if any(child.deprel == "cc" and child.form.lower() != "and" for child in children):
+        return False
+    is_joined = word.deprel == "conj" or (word.deprel == "advmod" and any(_is_then(child) for child in children))
+    is_direction = word.form.lower() in ("left", "right") and all(
+        child.deprel in ("cc", "advmod", "punct", "discourse") for child in children
+    )
+    is_phrase = word.deprel == "conj" and word.upos not in ("VERB", "AUX") and _has_case(sentence, word)
+    return is_phrase or (is_joined and is_direction)
+
+
+def _is_then(word: Word) -> bool:
+    return word.deprel == "advmod" and word.form.lower() == "then"
+
+
+def _has_case(sentence: Sentence, word: Word) -> bool:
+    return any(child.deprel == "case" and child.index < word.index for child in sentence.children(word.index))
 
 
 def _top(sentence: Sentence, verb: int) -> int:
@@ -86,15 +131,15 @@ def _top(sentence: Sentence, verb: int) -> int:
 
 
 def _collect(sentence: Sentence, lexicon: Lexicon, word: Word, is_negated: bool, found: List[Tuple[int, bool]]) -> None:
-    children = sentence.children(word.index)
+    following = [other.form.lower() for other in sentence.tree.words[word.index :]]
+    last = word.index + max(1, lexicon.length_of_verb([word.lemma.lower()] + following)) - 1
+    # "Go" of "let go of" and "face" of "turn to face" are words of the verb, and no verbs of their own.
+    children = tuple(child for child in sentence.children(word.index) if not word.index < child.index <= last)
     is_negated = is_negated or _has_negation(sentence, word)
     copula = next((child for child in children if child.deprel == "cop"), None)
     wrapped = next(
         (child for child in children if child.deprel in ("xcomp", "ccomp") and child.upos in ("VERB", "AUX")), None
     )
-    following = [other.form.lower() for other in sentence.tree.words[word.index :]]
-    if wrapped is not None and lexicon.has_verb_of_words([word.lemma.lower()] + following):
-        wrapped = None
     if wrapped is not None and word.lemma.lower() in WRAPPERS:
         _collect(sentence, lexicon, wrapped, is_negated, found)
     elif wrapped is not None and word.lemma.lower() in _MOTION and wrapped.index == word.index + 1:
@@ -120,11 +165,33 @@ def _collect(sentence: Sentence, lexicon: Lexicon, word: Word, is_negated: bool,
         if serial is None:
             found.append((word.index, is_negated))
     for child in children:
+        if _is_purpose(sentence, lexicon, word, child):
+            _collect(sentence, lexicon, child, is_negated, found)
+        if _is_remnant(sentence, child):
+            continue
         if child.deprel in ("conj", "parataxis", "list") and (
             child.upos in ("VERB", "AUX") or any(inner.deprel == "cop" for inner in sentence.children(child.index))
         ):
             # "don't move or speak" negates both; "don't move, just speak" is rare, and not acting is the safe reading.
             _collect(sentence, lexicon, child, is_negated and child.deprel == "conj", found)
+
+
+def _is_purpose(sentence: Sentence, lexicon: Lexicon, verb: Word, child: Word) -> bool:
+    """Whether a verb says what shall be done in the end: "go to the kitchen to get the mug".
+
+    What a thing is wanted for is no task of the robot: "bring me a cloth to clean the table". In "turn left to face the
+    door" it is a part of the verb, where the lexicon has "turn to face".
+    """
+    has_object = any(other.deprel in ("obj", "iobj") for other in sentence.children(verb.index))
+    return (
+        child.deprel == "advcl"
+        and child.index > verb.index
+        and not has_object
+        and verb.lemma.lower() not in WRAPPERS
+        and any(mark.deprel == "mark" and mark.form.lower() == "to" for mark in sentence.children(child.index))
+        and bool(lexicon.verbs_beginning_with(child.lemma.lower()))
+        and f"{verb.lemma} to {child.lemma}".lower() not in lexicon.verbs_beginning_with(verb.lemma.lower())
+    )
 
 
 def _has_negation(sentence: Sentence, word: Word) -> bool:
@@ -156,11 +223,12 @@ def whole_sentence(sentence: Sentence, verb: int) -> Clause:
     """Return the clause of a sentence without verbs that begins with a word which the lexicon takes for one."""
     positions = frozenset(word.index for word in sentence.tree.words) - sentence.abandoned
     is_negated = any(_has_negation(sentence, sentence.word(index)) for index in positions)
-    clause = _clause(sentence, verb, positions, is_negated or _is_of_nothing(sentence, positions))
+    clause = clause_of(sentence, verb, positions, is_negated or _is_of_nothing(sentence, positions))
     return replace(clause, lemma=sentence.word(verb).form.lower(), subject=0, is_report=False)
 
 
-def _clause(sentence: Sentence, verb: int, positions: FrozenSet[int], is_negated: bool) -> Clause:
+def clause_of(sentence: Sentence, verb: int, positions: FrozenSet[int], is_negated: bool) -> Clause:
+    """Return the clause of a verb that is made of some words."""
     condition = _condition(sentence, _top(sentence, verb), positions)
     subject = next(
         (child.index for child in sentence.children(_top(sentence, verb)) if child.deprel.startswith("nsubj")), 0

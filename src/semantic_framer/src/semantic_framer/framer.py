@@ -13,7 +13,7 @@ from semantic_framer.choices import choices_of_clauses, chosen, question_of_choi
 from semantic_framer.clauses import WRAPPERS, Clause, find_clauses, whole_sentence
 from semantic_framer.dialogue import Choice, Context, Pending, is_no
 from semantic_framer.lexicon import Lexicon
-from semantic_framer.matching import Reading, VerbMatch, match_verbs, rank
+from semantic_framer.matching import Reading, rank
 from semantic_framer.plain_verbs import with_plain_verbs
 from semantic_framer.quotations import with_quotations
 from semantic_framer.readings import readings_of
@@ -21,6 +21,7 @@ from semantic_framer.references import remember, resolve
 from semantic_framer.repairs import repaired
 from semantic_framer.sentence import Sentence
 from semantic_framer.times import find_times
+from semantic_framer.verb_matching import VerbMatch, match_verbs
 from semantic_framer.values import ElementValue
 
 

@@ -77,12 +77,10 @@ class Lexicon:
         """Verbs whose first word is this one, those of more words first: "pick up" before "pick"."""
         return tuple(sorted(self._by_first_word.get(word, ()), key=lambda verb: (-len(verb.split()), verb)))
 
-    def has_verb_of_words(self, words: Sequence[str]) -> bool:
-        """Whether words, one after the other, begin with a verb of several words: "let", "go", "of", "it"."""
-        return any(
-            len(verb.split()) > 1 and list(words[: len(verb.split())]) == verb.split()
-            for verb in self._by_first_word.get(words[0], ())
-        )
+    def length_of_verb(self, words: Sequence[str]) -> int:
+        """Return of how many words the longest verb is that some words begin with: 3 for "let", "go", "of", "it"."""
+        verbs = [verb.split() for verb in self._by_first_word.get(words[0], ())]
+        return max((len(verb) for verb in verbs if list(words[: len(verb)]) == verb), default=0)
 
     def nearest_verbs(self, word: str, count: int = 3) -> Tuple[str, ...]:
         """Verbs that are spelled like a word, the nearest first; none when nothing is near.

@@ -1,7 +1,7 @@
 """Matches lexical units against a clause: which words fill which frame element."""
 
 from dataclasses import dataclass, replace
-from typing import Dict, FrozenSet, List, Mapping, Optional, Sequence, Set, Tuple
+from typing import Dict, FrozenSet, List, Mapping, Optional, Set, Tuple
 
 from semantic_frames.frame import FrameElement, Quantity, SemanticFrame
 from semantic_frames.lexical_unit import ElementRelation, LexicalUnit
@@ -10,6 +10,7 @@ from semantic_frames.relation_names import MEASURE
 from semantic_framer.attachment import (
     OF_PLACE,
     is_side_of_something,
+    places_before,
     preposition_of,
     tells_which,
     words_before,
@@ -19,6 +20,7 @@ from semantic_framer.clauses import Clause, shared_subject
 from semantic_framer.lexicon import Lexicon
 from semantic_framer.measures import Amount, find_amounts
 from semantic_framer.sentence import Sentence
+from semantic_framer.verb_matching import VerbMatch, match_verbs
 from semantic_framer.values import ElementValue, amount_value, given_value, phrase_value, unit_value
 
 #: A phrase with one of these hangs on the verb, if the unit asks for it, even where the parser hung it on the object:
@@ -64,57 +66,6 @@ class Reading:
         return next((value for value in self.values if value.name == name), None)
 
 
-@dataclass(frozen=True)
-class VerbMatch:
-    """A verb of the lexicon in a clause: the verb, and the words that it is made of."""
-
-    verb: str
-    positions: Tuple[int, ...]
-
-
-def match_verbs(sentence: Sentence, clause: Clause, lexicon: Lexicon) -> Tuple[VerbMatch, ...]:
-    """Find the verbs of the lexicon that a clause uses, those with a particle first."""
-    word = sentence.word(clause.verb)
-    found: List[VerbMatch] = []
-    for base in dict.fromkeys((word.lemma.lower(), word.form.lower())):
-        for verb in lexicon.verbs_beginning_with(base):
-            positions = _verb_positions(sentence, clause, verb.split()[1:])
-            if positions is not None and all(verb != match.verb for match in found):
-                found.append(VerbMatch(verb, (clause.verb,) + positions))
-    return tuple(sorted(found, key=lambda match: -len(match.verb.split())))
-
-
-def _verb_positions(sentence: Sentence, clause: Clause, particles: Sequence[str]) -> Optional[Tuple[int, ...]]:
-    """Find the particles of a verb: beside it, behind its object ("pick it up"), or as a preposition ("look for")."""
-    found: List[int] = []
-    after = clause.verb
-    for particle in particles:
-        position = next(
-            (
-                index
-                for index in sorted(clause.positions)
-                if index > after
-                and sentence.word(index).form.lower() == particle
-                and (
-                    index == after + 1
-                    or sentence.word(index).deprel in ("compound:prt", "advmod", "case", "obl", "obj", "xcomp")
-                )
-                and (index == after + 1 or _is_near(sentence, clause, index))
-            ),
-            None,
-        )
-        if position is None:
-            return None
-        found.append(position)
-        after = position
-    return tuple(found)
-
-
-def _is_near(sentence: Sentence, clause: Clause, index: int) -> bool:
-    head = sentence.word(index).head
-    return head == clause.verb or (head != 0 and sentence.word(head).head == clause.verb)
-
-
 def read_clause(
     sentence: Sentence, clause: Clause, lexicon: Lexicon, frames: Mapping[str, SemanticFrame]
 ) -> Tuple[Reading, ...]:
@@ -128,6 +79,7 @@ def read_clause(
     Returns:
         readings, the best first by :func:`rank`
     """
+    sentence = clause.sentence or sentence
     amounts = find_amounts(sentence, sorted(clause.positions - {clause.verb}))
     readings = []
     for match in match_verbs(sentence, clause, lexicon):
@@ -251,6 +203,8 @@ class _Filling:
         # "Put it on the bench in the kitchen": of the places the first is meant, the others tell more of it.
         static = [path for path in relation.relations if preposition_of(path.steps[0]).split("_")[0] in OF_PLACE]
         places = sorted(head for path in static for head in self._follow(path.steps, is_wanted))
+        if relation.after_place:
+            places = [head for head in places if set(places_before(self._sentence, head)) & set(relation.after_place)]
         for path in relation.relations:
             if path in static:
                 heads = places if path == static[0] else []
@@ -388,7 +342,8 @@ class _Filling:
         taken = frozenset(self._heads.values())
         found: FrozenSet[int] = frozenset()
         for phrase in self._sentence.children(self._clause.verb):
-            positions = self._sentence.subtree(phrase.index)
+            inner = [other for other in taken if other in self._sentence.subtree(phrase.index) - {phrase.index}]
+            positions = self._sentence.subtree(phrase.index).difference(*map(self._sentence.subtree, inner))
             if (
                 min(positions) == max(noun | found) + 1
                 and tells_which(self._sentence, phrase.index, head, element.framenet in _DESCRIBED)

@@ -8,6 +8,7 @@ from typing import Dict, List, Tuple
 
 import rospy
 from roboframenet_msgs.msg import (
+    Command,
     CommandLexicalUnits,
     CommandParse,
     FileProblem,
@@ -17,12 +18,12 @@ from roboframenet_msgs.msg import (
     Lexicon as LexiconMessage,
     Reply,
     SourceFile,
-    StageEvent,
 )
 from roboframenet_msgs.srv import AddLexicalUnit, AddLexicalUnitRequest, AddLexicalUnitResponse
 from semantic_frames import FileRefused, load_frame
 from semantic_frames.frame import SemanticFrame
 from semantic_frames.source_files import LEXICAL_UNITS_FOLDER, yaml_files
+from stage_events.ros_stage import Stage
 from stanford_parser_ros.ros_messages import to_tree
 from stanford_parser_ros.tree import DependencyTree
 
@@ -34,7 +35,6 @@ from semantic_framer.matching import Reading
 from semantic_framer.ros_messages import to_clauses, to_filled_units
 from semantic_framer.sentence import Sentence
 
-STAGE = "semantic_framer"
 #: Kept on the master by the node for itself: files that were added while it ran.
 ADDED_LEXICAL_UNITS = "~_added_lexical_units"
 #: A frame that was added together with its lexical unit may be on its way still, seconds.
@@ -99,7 +99,7 @@ class SemanticFramer:
         self._units_2012 = rospy.Publisher("filled_lexical_units", FilledLexicalUnitList, queue_size=100)
         self._lexicon_publisher = rospy.Publisher("lexicon", LexiconMessage, queue_size=1, latch=True)
         self._file_problems = rospy.Publisher("file_problems", FileProblems, queue_size=5, latch=True)
-        self._events = rospy.Publisher("stage_events", StageEvent, queue_size=100)
+        self._stage = Stage("semantic_framer")
         self._configured = tuple(yaml_files(settings.lexical_unit_paths, LEXICAL_UNITS_FOLDER))
         self._added: List[str] = rospy.get_param(ADDED_LEXICAL_UNITS, [])
         self._files = LexiconFiles(self._lexicon, self._lock, self._announce)
@@ -172,13 +172,16 @@ class SemanticFramer:
         except Exception as error:  # boundary: whatever fails here, the command gets its reply
             rospy.logerr("cmd=%s failed", message.command.id, exc_info=True)
             self._end(
-                message, Reply.FAILED, "STAGE_ERROR", f"The semantic framer failed: {type(error).__name__}: {error}"
+                message.command,
+                outcome=Reply.FAILED,
+                code="STAGE_ERROR",
+                sentence=f"The semantic framer failed: {type(error).__name__}: {error}",
             )
             return
         if isinstance(outcome, Refusal):
-            self._end(message, Reply.REFUSED, outcome.code, outcome.sentence)
+            self._end(message.command, outcome=Reply.REFUSED, code=outcome.code, sentence=outcome.sentence)
         elif isinstance(outcome, Question):
-            self._end(message, Reply.NEEDS_INFORMATION, outcome.code, outcome.sentence)
+            self._end(message.command, outcome=Reply.NEEDS_INFORMATION, code=outcome.code, sentence=outcome.sentence)
         else:
             self._pass_on(message, outcome, Sentence(tree))
 
@@ -209,36 +212,18 @@ class SemanticFramer:
         described = "; then ".join(
             " or ".join(describe(reading) for reading in readings[:3]) for readings in understood.clauses
         )
-        self._events.publish(
-            StageEvent(
-                command=message.command,
-                stage=STAGE,
-                stamp=rospy.Time.now(),
-                sentence=" ".join(
-                    part for part in (described, understood.warning and f"({understood.warning})") if part
-                ),
-            )
+        self._stage.passes_on(
+            message.command,
+            " ".join(part for part in (described, understood.warning and f"({understood.warning})") if part),
         )
         self._units_2012.publish(to_filled_units(understood.clauses))
         self._units.publish(
             CommandLexicalUnits(command=message.command, clauses=to_clauses(understood.clauses, sentence))
         )
 
-    def _end(self, message: CommandParse, outcome: int, code: str, sentence: str) -> None:
-        rospy.loginfo("cmd=%s ends here: %s", message.command.id, sentence)
-        now = rospy.Time.now()
-        self._events.publish(
-            StageEvent(
-                command=message.command,
-                stage=STAGE,
-                stamp=now,
-                sentence=sentence,
-                is_final=True,
-                reply=Reply(
-                    command=message.command, outcome=outcome, stage=STAGE, code=code, sentence=sentence, stamp=now
-                ),
-            )
-        )
+    def _end(self, command: Command, *, outcome: int, code: str, sentence: str) -> None:
+        rospy.loginfo("cmd=%s ends here: %s", command.id, sentence)
+        self._stage.ends(command, outcome=outcome, code=code, sentence=sentence)
 
 
 def describe(reading: Reading) -> str:

@@ -14,7 +14,7 @@ from stanford_parser_ros.tree import DependencyTree, Word
 from semantic_framer.attachment import OF_PLACE
 from semantic_framer.clauses import CONDITIONS, NEGATIONS, Clause, find_clauses
 from semantic_framer.lexicon import Lexicon
-from semantic_framer.matching import match_verbs
+from semantic_framer.verb_matching import match_verbs
 from semantic_framer.sentence import HARMLESS, QUOTED, Sentence
 from semantic_framer.times import find_times
 

@@ -28,6 +28,7 @@ def readings_of(
     unit of the verb measures with ("turn one eighty" is half a turn, and no device called "one eighty"), and a noun
     that is part of another unit's verb ("take a look").
     """
+    sentence = clause.sentence or sentence
     readings = tuple(
         _with_phrases_left_over(sentence, reading) for reading in read_clause(sentence, clause, lexicon, frames)
     )

@@ -9,6 +9,11 @@ from semantic_frames.lexical_unit import ArgumentForm
 from semantic_framer.measures import Amount
 from semantic_framer.sentence import Sentence
 
+#: Relations of words that stand at the front of a phrase and are no part of it.
+_BEFORE_A_PHRASE = frozenset(["cc", "discourse", "mark"])
+#: Prepositions that a verb may have.
+_OF_VERBS = frozenset(["by"])
+
 
 @dataclass(frozen=True)
 class ElementValue:
@@ -56,13 +61,15 @@ def phrase_value(
     ]
     left_out |= sentence.abandoned | sentence.fillers - {head}
     positions = sorted((sentence.subtree(head) - left_out) | attached)
+    prepositions = _prepositions(sentence, head)
     while len(positions) > 1 and sentence.word(positions[-1]).upos == "PUNCT":
         positions.pop()
-    while len(positions) > 1 and (
-        sentence.word(positions[0]).upos == "PUNCT" or sentence.word(positions[0]).deprel in ("cc", "discourse", "mark")
+    while (
+        len(positions) > 1
+        and positions[0] not in prepositions
+        and (sentence.word(positions[0]).upos == "PUNCT" or sentence.word(positions[0]).deprel in _BEFORE_A_PHRASE)
     ):
         positions.pop(0)
-    prepositions = _prepositions(sentence, head)
     if prepositions and positions[0] < min(prepositions):
         prepositions |= frozenset(index for index in attached if index < min(prepositions))
     bare = [index for index in positions if index not in prepositions]
@@ -99,7 +106,9 @@ def phrase_value(
 def _prepositions(sentence: Sentence, head: int) -> FrozenSet[int]:
     found: List[int] = []
     for child in sentence.children(head):
-        if child.deprel == "case" and child.index < head:
+        # "By crossing the hall": a preposition of a verb is a mark.
+        is_preposition = child.deprel == "case" or (child.deprel == "mark" and child.form.lower() in _OF_VERBS)
+        if is_preposition and child.index < head:
             found += sentence.subtree(child.index)
     return frozenset(found)
 

@@ -31,7 +31,7 @@ UNIT = (
 )
 
 
-def wait_until(condition, timeout_s=20.0):
+def wait_until(condition, timeout_s=60.0):
     end = time.monotonic() + timeout_s
     while time.monotonic() < end:
         if condition():
@@ -55,7 +55,7 @@ class SemanticFramerNodeTest(unittest.TestCase):
         ]
         cls.parses = rospy.Publisher("command_parse", CommandParse, queue_size=10)
         cls.catalogue = rospy.Publisher("frame_catalogue", FrameCatalogue, queue_size=1, latch=True)
-        rospy.wait_for_service("add_lexical_unit", timeout=20.0)
+        rospy.wait_for_service("add_lexical_unit", timeout=60.0)
         cls.add = rospy.ServiceProxy("add_lexical_unit", AddLexicalUnit)
         connected = [cls.parses, cls.catalogue] + cls.subscribers
         assert wait_until(lambda: all(end.get_num_connections() for end in connected))

@@ -4,6 +4,7 @@ from typing import Dict, Tuple
 
 import pytest
 from semantic_framer.clauses import find_clauses
+from semantic_framer.descriptions import descriptions
 from semantic_framer.framer import Policy, Refusal, Understood, read
 from semantic_framer.lexicon import Lexicon
 from semantic_framer.sentence import Sentence
@@ -17,6 +18,8 @@ FRAMES = {
         for text in (
             "name: taking\nframe_elements:\n  - {name: theme, is_core: True}\n  - {name: source, is_core: False}\n",
             "name: saying\nframe_elements:\n  - {name: message, is_core: True, framenet: Message}\n",
+            "name: bringing\nframe_elements:\n  - {name: theme, is_core: True}\n  - {name: goal, is_core: False}\n",
+            "name: being_located\nframe_elements:\n  - {name: theme, is_core: True}\n  - {name: location, is_core: True}\n",
             "name: releasing\nframe_elements:\n  - {name: theme, is_core: True}\n",
         )
     )
@@ -32,6 +35,16 @@ UNITS = """
   frame_element_grammatical_relations:
     - {name: theme, relation: dobj, argument: phrase}
     - {name: source, relation: [prep_from, prep_on], argument: phrase}
+- frame_name: bringing
+  verb: take
+  frame_element_grammatical_relations:
+    - {name: theme, relation: dobj, argument: phrase, required: True}
+    - {name: goal, relation: [prep_on, prep_near], argument: phrase, required: True, after_place: [on]}
+- frame_name: being_located
+  verb: [be, stand]
+  frame_element_grammatical_relations:
+    - {name: theme, relation: nsubj, argument: phrase, required: True}
+    - {name: location, relation: prep_on, argument: phrase, required: True}
 - frame_name: saying
   verb: say
   frame_element_grammatical_relations:
@@ -118,6 +131,53 @@ def test_two_phrases_of_place_one_behind_the_other() -> None:
         "\n7 in in ADP IN _ 9 case _ _\n8 the the DET DT _ 9 det _ _\n9 hall hall NOUN NN _ 1 obl _ _"
     )
     assert filled(rows) == {"theme": "the mug on the table in the hall"}
+
+
+@pytest.mark.parametrize("head, relation", [(1, "obl"), (6, "nmod")])
+@pytest.mark.parametrize(
+    "first, second, arguments",
+    [
+        ("on", "on", {"theme": "the mug on the table", "goal": "the shelf"}),
+        ("on", "near", {"theme": "the mug on the table", "goal": "the shelf"}),
+        ("near", "on", {"theme": "the mug near the table on the shelf"}),
+    ],
+)
+def test_second_place_is_where_it_shall_be(
+    head: int, relation: str, first: str, second: str, arguments: Dict[str, str]
+) -> None:
+    rows = ROWS.format(verb="take", preposition=first) + (
+        f"\n7 {second} {second} ADP IN _ 9 case _ _\n8 the the DET DT _ 9 det _ _\n9 shelf shelf NOUN NN _ {head} {relation} _ _"
+    )
+    assert filled(rows) == arguments
+
+
+def described(relative: str) -> Tuple[Dict[str, str], ...]:
+    """Arguments of what is said of the mug in "take the mug that RELATIVE"."""
+    rows = (
+        "1 take take VERB VB _ 0 root _ _\n2 the the DET DT _ 3 det _ _\n3 mug mug NOUN NN _ 1 obj _ _\n"
+        "4 that that PRON WDT _ {predicate} nsubj _ _\n" + relative
+    )
+    predicate = next(line.split()[0] for line in relative.splitlines() if "acl:relcl" in line)
+    sentence = Sentence(from_conllu(rows.format(predicate=predicate)))
+    found = descriptions(sentence, find_clauses(sentence), lexicon(), FRAMES)
+    return tuple({value.name: value.argument for value in reading.values} for reading in found)
+
+
+def test_relative_clause_says_where_a_thing_is() -> None:
+    place = "5 is be AUX VBZ _ 8 cop _ _\n6 on on ADP IN _ 8 case _ _\n7 the the DET DT _ 8 det _ _"
+    assert described(place + "\n8 table table NOUN NN _ 3 acl:relcl _ _") == (
+        {"theme": "that", "location": "the table"},
+    )
+
+
+def test_relative_clause_with_the_verb_of_a_command_asks_for_nothing() -> None:
+    assert described("5 takes take VERB VBZ _ 3 acl:relcl _ _\n6 milk milk NOUN NN _ 5 obj _ _") == ()
+
+
+def test_relative_clause_that_is_not_wholly_understood_says_nothing() -> None:
+    place = "5 stands stand VERB VBZ _ 3 acl:relcl _ _\n6 on on ADP IN _ 7 case _ _\n7 fire fire NOUN NN _ 5 obl _ _"
+    assert described(place) == ({"theme": "that", "location": "fire"},)
+    assert described(place + "\n8 since since ADP IN _ 9 case _ _\n9 Monday Monday PROPN NNP _ 5 obl _ _") == ()
 
 
 def test_place_belongs_to_the_last_of_a_list() -> None:

@@ -93,6 +93,60 @@ def test_clauses_in_order(understand: Any) -> None:
     assert [name for name, _ in found] == ["navigating_to_location", "turning", "saying"]
 
 
+@pytest.mark.parametrize(
+    "text, expected",
+    [
+        (
+            "Go to the office and then to the kitchen.",
+            [("navigating_to_location", {"goal": "the office"}), ("navigating_to_location", {"goal": "the kitchen"})],
+        ),
+        (
+            "take the mug to the kitchen and then to the office",
+            [
+                ("bringing", {"theme": "the mug", "goal": "the kitchen"}),
+                ("bringing", {"theme": "the mug", "goal": "the office"}),
+            ],
+        ),
+        ("turn right and then left", [("turning", {"direction": "right"}), ("turning", {"direction": "left"})]),
+        ("turn left then right", [("turning", {"direction": "left"}), ("turning", {"direction": "right"})]),
+        (
+            "go to the kitchen to get the mug",
+            [("navigating_to_location", {"goal": "the kitchen"}), ("taking", {"theme": "the mug"})],
+        ),
+        ("go get the mug", [("taking", {"theme": "the mug"})]),
+        ("turn right to face the desk", [("facing", {"goal": "the desk", "direction": "right"})]),
+        ("Turn to face the desk.", [("facing", {"goal": "the desk"})]),
+        ("check if the lights are off", [("inspecting", {"ground": "the lights", "desired_state": "are off"})]),
+        ("find out whether the door is closed", [("inspecting", {"ground": "the door", "desired_state": "is closed"})]),
+        (
+            "pick up the cup off the foot of the bed",
+            [("taking", {"theme": "the cup", "source": "the foot of the bed"})],
+        ),
+        ("pick up the cup from behind the sink", [("taking", {"theme": "the cup", "source": "the sink"})]),
+    ],
+)
+def test_verbs_that_share_words(understand: Any, text: str, expected: List[Tuple[str, Dict[str, str]]]) -> None:
+    outcome, _ = understand(text)
+    found = frames_of(outcome)
+    assert [name for name, _ in found] == [name for name, _ in expected]
+    for (_, arguments), (_, wanted) in zip(found, expected):
+        assert {name: arguments.get(name) for name in wanted} == wanted
+
+
+@pytest.mark.parametrize(
+    "text, code",
+    [
+        ("don't go to the kitchen to get the mug", "NEGATED"),
+        ("don't go to the office and then to the kitchen", "NEGATED"),
+        # What the cloth is for is the speaker's task.
+        ("bring me a cloth to clean the table", "LEFT_OVER_WORDS"),
+    ],
+)
+def test_verbs_that_share_words_and_are_not_to_be_done(understand: Any, text: str, code: str) -> None:
+    outcome, _ = understand(text)
+    assert isinstance(outcome, Refusal) and outcome.code == code
+
+
 def test_it_is_what_was_spoken_of_before(understand: Any) -> None:
     (_, taken), (_, placed) = frames_of(understand("take the box and put it on the table")[0])
     assert (taken["theme"], placed["theme"], placed["goal"]) == ("the box", "the box", "the table")

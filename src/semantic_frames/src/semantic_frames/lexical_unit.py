@@ -37,6 +37,8 @@ class ElementRelation:
         words: the only head words (lemmas or forms, lower case) that may fill it; empty for any
         is_required: whether the unit counts only when this relation matches, also where the element is not core or
             has a default ("Give me 5" is a high five because of the 5)
+        after_place: prepositions; a phrase of place counts only behind another one with one of these: of "the box on
+            the table on the couch" the couch; empty for wherever it stands
         line: where the file says so, from 1
     """
 
@@ -45,6 +47,7 @@ class ElementRelation:
     argument: ArgumentForm = ArgumentForm.HEAD
     words: Tuple[str, ...] = ()
     is_required: bool = False
+    after_place: Tuple[str, ...] = ()
     line: int = 0
 
 

@@ -11,7 +11,7 @@ from semantic_frames.problem import Problem
 from semantic_frames.relation_names import MEASURE, STANFORD, UNIVERSAL, is_relation_name
 
 UNIT_KEYS = ("frame_name", "verb", "frame_element_grammatical_relations", "examples")
-RELATION_KEYS = ("name", "relation", "argument", "words", "required")
+RELATION_KEYS = ("name", "relation", "argument", "words", "required", "after_place")
 EXAMPLE_KEYS = ("text", "frame_elements")
 
 
@@ -83,6 +83,7 @@ def _relation(reader: Reader, node: yaml.Node, key: str) -> ElementRelation:
         ),
         words=tuple(word.lower() for word in reader.texts(entries.get("words"), f"{key}.words")),
         is_required=reader.boolean(entries.get("required"), f"{key}.required"),
+        after_place=tuple(word.lower() for word in reader.texts(entries.get("after_place"), f"{key}.after_place")),
         line=line_of(node),
     )
 

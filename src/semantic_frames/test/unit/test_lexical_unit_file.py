@@ -29,6 +29,7 @@ def test_list_of_units_chains_and_alternatives() -> None:
     units = load_lexical_units(
         "- frame_name: a\n  verb: [go, Walk  up]\n  frame_element_grammatical_relations:\n"
         "    - name: x\n      relation: [dobj/poss, prep_of]\n      argument: phrase\n      words: [On]\n      required: True\n"
+        "      after_place: [On, in]\n"
         "  examples:\n    - text: Go.\n      frame_elements: {x: y}\n- frame_name: b\n  verb: come\n",
         "u.yaml",
     )
@@ -36,6 +37,7 @@ def test_list_of_units_chains_and_alternatives() -> None:
     relation = units[0].relations[0]
     assert [path.steps for path in relation.relations] == [("dobj", "poss"), ("prep_of",)]
     assert (relation.argument, relation.words, relation.is_required) == (ArgumentForm.PHRASE, ("on",), True)
+    assert relation.after_place == ("on", "in")
     assert units[0].examples[0].frame_elements == {"x": "y"}
 
 

@@ -42,9 +42,12 @@ class Launched:
             raise LaunchError(f"{manifest.server} cannot be started: no process came up")
 
     def is_running(self) -> bool:
-        """Whether one of the processes has not ended."""
+        """Whether one of the processes has not ended, or is about to be started again."""
         monitor = self._parent.pm
-        return monitor is not None and not monitor.is_shutdown and bool(monitor.get_active_names())
+        if monitor is None or monitor.is_shutdown:
+            return False
+        # The processes themselves are asked: the monitor learns of a death some tenths of a second after it.
+        return any(process.respawn or process.is_alive() for process in tuple(monitor.procs))
 
     def end(self) -> None:
         """End the processes; returns when they have ended, after some seconds at most."""

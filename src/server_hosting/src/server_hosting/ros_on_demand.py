@@ -79,6 +79,10 @@ class _Server:
         Raises:
             LaunchError: it cannot be started
         """
+        if self.launched is not None and not self.launched.is_running():
+            # A goal that comes just after its death must not wait for what is dead.
+            rospy.logwarn("%s has ended", self.manifest.server)
+            self.end()
         if self.launched is None:
             rospy.loginfo("starting %s", self.manifest.server)
             self.launched = Launched(self.manifest)

@@ -8,6 +8,7 @@ from pathlib import Path
 from typing import Any, FrozenSet, List, Optional, Tuple
 
 from stanford_parser_ros.imperative import command_verb_position, numbered_noun_position, rerooted
+from stanford_parser_ros.impossible_relations import mended
 from stanford_parser_ros.spelling import Spelling, rewrite
 from stanford_parser_ros.tree import DependencyTree, Word
 
@@ -166,7 +167,7 @@ class Parser:
         if is_retagged or noun is not None:
             document = self._pipeline.processors["depparse"].process(document)
             sentence = document.sentences[0]
-        tree = _to_tree(text, sentence, spelling)
+        tree = mended(_to_tree(text, sentence, spelling))
         return rerooted(tree, position) if position is not None else tree
 
 

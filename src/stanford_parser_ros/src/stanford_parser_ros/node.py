@@ -8,8 +8,9 @@ from typing import Dict, FrozenSet
 
 import rospkg
 import rospy
-from roboframenet_msgs.msg import Command, CommandParse, Lexicon, Reply, StageEvent
+from roboframenet_msgs.msg import Command, CommandParse, Lexicon, Reply
 from semantic_frames import FileRefused, load_lexical_units
+from stage_events.ros_stage import Stage
 from stanford_parser_msgs.msg import Parse
 
 from stanford_parser_ros.model import ModelError, Parser, UnparsableText, shipped_model_dir
@@ -17,7 +18,6 @@ from stanford_parser_ros.ros_messages import to_command_parse
 from stanford_parser_ros.stanford_dependencies import collapsed
 from stanford_parser_ros.tree import DependencyTree
 
-STAGE = "stanford_parser_ros"
 #: How often the worker looks whether it has to end, seconds.
 WAKE_UP_S = 1.0
 
@@ -84,7 +84,7 @@ class ParserNode:
         # Whoever listens connects while the models load: the first parse must not find nobody.
         self._parses = rospy.Publisher("command_parse", CommandParse, queue_size=100)
         self._parses_2012 = rospy.Publisher("parse", Parse, queue_size=100)
-        self._events = rospy.Publisher("stage_events", StageEvent, queue_size=100)
+        self._stage = Stage("stanford_parser_ros")
         # What the lexicon knows is read while the models load, so that it counts for the first command.
         self._verbs: FrozenSet[str] = frozenset()
         self._verbs_of_file: Dict[str, FrozenSet[str]] = {}
@@ -133,7 +133,12 @@ class ParserNode:
         try:
             self._commands.put_nowait(command)
         except queue.Full:
-            self._end(command, Reply.FAILED, "STAGE_ERROR", "Too many commands are waiting to be parsed.")
+            self._stage.ends(
+                command,
+                outcome=Reply.FAILED,
+                code="STAGE_ERROR",
+                sentence="Too many commands are waiting to be parsed.",
+            )
 
     def _run(self) -> None:
         while not rospy.is_shutdown():
@@ -148,28 +153,22 @@ class ParserNode:
             tree = self._parser.parse(command.text, self._verbs)
             message = to_command_parse(command, tree)
         except UnparsableText as reason:
-            self._end(command, Reply.REFUSED, "EMPTY_TEXT", f"I cannot read that: {reason}.")
+            self._stage.ends(
+                command, outcome=Reply.REFUSED, code="EMPTY_TEXT", sentence=f"I cannot read that: {reason}."
+            )
             return
         except Exception as error:  # boundary: whatever Stanza does with a text, the command gets its reply
             rospy.logerr("cmd=%s cannot be parsed", command.id, exc_info=True)
-            self._end(command, Reply.FAILED, "STAGE_ERROR", f"The parser failed: {type(error).__name__}: {error}")
+            self._stage.ends(
+                command,
+                outcome=Reply.FAILED,
+                code="STAGE_ERROR",
+                sentence=f"The parser failed: {type(error).__name__}: {error}",
+            )
             return
-        self._events.publish(StageEvent(command=command, stage=STAGE, stamp=rospy.Time.now(), sentence=describe(tree)))
+        self._stage.passes_on(command, describe(tree))
         self._parses_2012.publish(message.parse)
         self._parses.publish(message)
-
-    def _end(self, command: Command, outcome: int, code: str, sentence: str) -> None:
-        now = rospy.Time.now()
-        self._events.publish(
-            StageEvent(
-                command=command,
-                stage=STAGE,
-                stamp=now,
-                sentence=sentence,
-                is_final=True,
-                reply=Reply(command=command, outcome=outcome, stage=STAGE, code=code, sentence=sentence, stamp=now),
-            )
-        )
 
 
 def describe(tree: DependencyTree) -> str:

@@ -178,6 +178,9 @@ def _all_names(tree: DependencyTree, word: Word) -> FrozenSet[str]:
     prep = preposition(tree, word)
     if prep:
         names.add(f"{base}:{prep}")
+        # "From behind the sink" is from there, as "from the sink" is.
+        if prep.startswith("from_"):
+            names |= {f"{base}:from", "prep_from"}
     return frozenset(names)
 
 

@@ -2,6 +2,7 @@
 """Following a simulated person, as the executor asks for it."""
 import math
 import sys
+import threading
 import time
 import unittest
 
@@ -43,11 +44,13 @@ class TestTurtlebotFollower(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
         """Connect to the robot, the person and the follower."""
+        cls.lock = threading.Lock()
         cls.robot, cls.speed, cls.person, cls.last_command = None, None, None, None
         cls.gaps_m, cls.path_m = [], 0.0
+        cls.robot_at, cls.person_at = {}, {}
         cls.subscribers = [
-            rospy.Subscriber("odom", Odometry, cls.on_odometry, queue_size=1),
-            rospy.Subscriber("person/pose", PoseStamped, cls.on_person, queue_size=1),
+            rospy.Subscriber("odom", Odometry, cls.on_odometry, queue_size=1000),
+            rospy.Subscriber("person/pose", PoseStamped, cls.on_person, queue_size=1000),
             rospy.Subscriber("cmd_vel", Twist, cls.on_command, queue_size=100),
         ]
         cls.act = rospy.Publisher("person/act", String, queue_size=10)
@@ -62,14 +65,25 @@ class TestTurtlebotFollower(unittest.TestCase):
         if cls.robot is not None:
             cls.path_m += math.hypot(place[0] - cls.robot[0], place[1] - cls.robot[1])
         cls.robot = place
+        cls.robot_at[message.header.stamp.to_nsec()] = place
+        cls.measure_gap(message.header.stamp.to_nsec())
         cls.speed = max(abs(message.twist.twist.linear.x), abs(message.twist.twist.angular.z))
 
     @classmethod
     def on_person(cls, message):
-        """Take the place of the person, and measure the gap."""
+        """Take the place of the person."""
         cls.person = message.pose.position.x, message.pose.position.y
-        if cls.robot is not None:
-            cls.gaps_m.append(math.hypot(cls.person[0] - cls.robot[0], cls.person[1] - cls.robot[1]) - BODY_RADIUS_M)
+        cls.person_at[message.header.stamp.to_nsec()] = cls.person
+        cls.measure_gap(message.header.stamp.to_nsec())
+
+    @classmethod
+    def measure_gap(cls, stamp_ns):
+        """Measure once both places of the same moment are known: they come on connections of their own."""
+        with cls.lock:
+            if stamp_ns not in cls.robot_at or stamp_ns not in cls.person_at:
+                return
+            robot, person = cls.robot_at.pop(stamp_ns), cls.person_at.pop(stamp_ns)
+        cls.gaps_m.append(math.hypot(person[0] - robot[0], person[1] - robot[1]) - BODY_RADIUS_M)
 
     @classmethod
     def on_command(cls, message):

@@ -1,0 +1,60 @@
+"""Finds the verbs of the lexicon that a clause uses, particles included."""
+
+from dataclasses import dataclass
+from typing import List, Optional, Sequence, Tuple
+
+from semantic_framer.clauses import Clause
+from semantic_framer.lexicon import Lexicon
+from semantic_framer.sentence import Sentence
+
+
+#: Relations of the further words of a verb: "turn the light *on*", "turn left *to* *face* the door".
+_PARTICLES = frozenset(["compound:prt", "advmod", "advcl", "case", "mark", "obl", "obj", "xcomp"])
+
+
+@dataclass(frozen=True)
+class VerbMatch:
+    """A verb of the lexicon in a clause: the verb, and the words that it is made of."""
+
+    verb: str
+    positions: Tuple[int, ...]
+
+
+def match_verbs(sentence: Sentence, clause: Clause, lexicon: Lexicon) -> Tuple[VerbMatch, ...]:
+    """Find the verbs of the lexicon that a clause uses, those with a particle first."""
+    word = sentence.word(clause.verb)
+    found: List[VerbMatch] = []
+    for base in dict.fromkeys((word.lemma.lower(), word.form.lower())):
+        for verb in lexicon.verbs_beginning_with(base):
+            positions = _verb_positions(sentence, clause, verb.split()[1:])
+            if positions is not None and all(verb != match.verb for match in found):
+                found.append(VerbMatch(verb, (clause.verb,) + positions))
+    return tuple(sorted(found, key=lambda match: -len(match.verb.split())))
+
+
+def _verb_positions(sentence: Sentence, clause: Clause, particles: Sequence[str]) -> Optional[Tuple[int, ...]]:
+    """Find the particles of a verb: beside it, behind its object ("pick it up"), or as a preposition ("look for")."""
+    found: List[int] = []
+    after = clause.verb
+    for particle in particles:
+        position = next(
+            (
+                index
+                for index in sorted(clause.positions)
+                if index > after
+                and sentence.word(index).form.lower() == particle
+                and (index == after + 1 or sentence.word(index).deprel in _PARTICLES)
+                and (index == after + 1 or _is_near(sentence, clause, index))
+            ),
+            None,
+        )
+        if position is None:
+            return None
+        found.append(position)
+        after = position
+    return tuple(found)
+
+
+def _is_near(sentence: Sentence, clause: Clause, index: int) -> bool:
+    head = sentence.word(index).head
+    return head == clause.verb or (head != 0 and sentence.word(head).head == clause.verb)
