@@ -71,7 +71,7 @@ def _is_no_thing(sentence: Sentence, reading: Reading, value: ElementValue, fram
     if name in PLACES and word.upos == "NUM":
         return any(names.get(other.name) == "Theme" and len(other.positions) > 0 for other in reading.values)
     is_side = word.form.lower() in ("left", "right") and not is_side_of_something(sentence, word.index)
-    return is_side and name not in PLACES | NO_THINGS
+    return is_side and word.deprel == "obj" and name not in PLACES | NO_THINGS
 
 
 def _with_phrases_left_over(sentence: Sentence, reading: Reading) -> Reading:
