@@ -282,15 +282,16 @@ def _is_report(sentence: Sentence, verb: int, subject: int) -> bool:
 
 
 def _is_question(sentence: Sentence, verb: int, positions: FrozenSet[int]) -> bool:
-    """Whether a clause with "be" begins with a form of it, or with a word that asks; "be careful" and "here is the
+    """Whether a clause with "be" begins with a form of it, a modal, or a word that asks; "be careful" and "here is the
     kitchen" ask nothing.
     """
     word = sentence.word(verb)
     said = (sentence.word(index) for index in sorted(positions))
     spoken = (other for other in said if other.upos not in ("PUNCT", "INTJ", "CCONJ"))
     first = next((other for other in spoken if other.form.lower() not in LEAD_IN), word)
-    is_asking = first.index == verb or first.form.lower() in _ASKING
-    return is_asking and word.lemma.lower() == "be" and word.form.lower() != "be"
+    is_first = first.index == verb and word.form.lower() != "be"
+    is_inverted = is_first or (first.deprel == "aux" and first.head in (verb, word.head))
+    return word.lemma.lower() == "be" and (is_inverted or first.form.lower() in _ASKING)
 
 
 def _condition(sentence: Sentence, top: int, positions: FrozenSet[int]) -> FrozenSet[int]:

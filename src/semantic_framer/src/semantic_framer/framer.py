@@ -269,6 +269,8 @@ def _read_one(
         return Refusal("NEGATED", f'You said not to: "{sentence.text(sorted(clause.positions))}". I do nothing.')
     if clause.is_question:
         return Refusal("NO_READING", f'"{_said(sentence, clause)}" is a question, and no command.')
+    if not matches and clause.condition:
+        return _not_then(sentence, clause.condition_positions)
     if not matches:
         near = lexicon.nearest_verbs(clause.lemma)
         hint = f' Do you mean {" or ".join(near)}?' if near else ""

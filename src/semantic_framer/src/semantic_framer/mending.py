@@ -7,6 +7,9 @@ _TO = frozenset(["to", "into", "onto", "towards", "toward"])
 #: What may stand between a verb of motion and "to": "go *up* to the desk".
 _ON_THE_WAY = frozenset("up down over back out along across on off in".split())
 _OF_PLACE = frozenset("in at on near above over under behind beside by inside outside next".split())
+_ALL = frozenset("everything everyone everybody something someone somebody anything all".split())
+_ONE_DIRECTION = frozenset([("straight", "ahead"), ("straight", "forward"), ("straight", "back"), ("right", "ahead")])
+_FRACTIONS = frozenset(["quarter", "half", "third", "full"])
 #: "A bit", "a little": how much of what the verb says.
 _DEGREES = frozenset(["bit", "little", "tad"])
 
@@ -71,7 +74,8 @@ def _with_degrees(tree: DependencyTree) -> DependencyTree:
     """Hang "a bit" and "a little" on the verb, and not on the noun that they stand behind."""
     for word in tree.words[2:]:
         before = tree.word(word.index - 1)
-        if word.form.lower() not in _DEGREES or before.form.lower() != "a" or tree.children(word.index) != (before,):
+        modifiers = {child.form.lower() for child in tree.children(word.index)}
+        if word.form.lower() not in _DEGREES or not {"a"} <= modifiers <= {"a", "little", "tiny"}:
             continue
         governor = tree.word(word.head) if word.head else word
         is_behind = word.head and governor.index < before.index and governor.upos in ("NOUN", "PROPN", "PRON", "ADV")
@@ -111,10 +115,52 @@ def _with_modals_as_nouns(tree: DependencyTree) -> DependencyTree:
     return tree
 
 
+def _with_places_of_all(tree: DependencyTree) -> DependencyTree:
+    """Hang a place on "everything" and the like in front of it: it tells which things, as behind a noun."""
+    for pronoun in tree.words:
+        if pronoun.form.lower() not in _ALL or pronoun.deprel != "obj":
+            continue
+        places = [c for c in tree.children(pronoun.head) if c.deprel == "obl" and _first(tree, c) == pronoun.index + 1]
+        if places and tree.word(pronoun.index + 1).form.lower() in _OF_PLACE:
+            words = list(tree.words)
+            words[places[0].index - 1] = replace(places[0], head=pronoun.index, deprel="nmod")
+            tree = replace(tree, words=tuple(words))
+    return tree
+
+
+def _with_straight_ahead(tree: DependencyTree) -> DependencyTree:
+    """Make one direction of two adverbs: "straight ahead"."""
+    words = list(tree.words)
+    for first, second in zip(tree.words, tree.words[1:]):
+        if (first.form.lower(), second.form.lower()) in _ONE_DIRECTION and first.head == second.head:
+            words[first.index - 1] = replace(first, head=second.index)
+    return replace(tree, words=tuple(words)) if tuple(words) != tree.words else tree
+
+
+def _with_part_turns(tree: DependencyTree) -> DependencyTree:
+    """Make a noun of "turn" behind a fraction, which the parser takes for another command: "turn a quarter turn left"."""
+    for turn in tree.words[2:]:
+        fraction = tree.word(turn.index - 1)
+        verb = tree.word(turn.head) if turn.head else turn
+        is_part = fraction.form.lower() in _FRACTIONS and fraction.head == verb.index and turn.upos == "VERB"
+        if turn.form.lower() not in ("turn", "circle") or not is_part or verb.upos != "VERB":
+            continue
+        words = [replace(word, head=verb.index) if word.head == turn.index else word for word in tree.words]
+        words[turn.index - 1] = replace(turn, upos="NOUN", xpos="NN", head=fraction.head, deprel=fraction.deprel)
+        words[fraction.index - 1] = replace(fraction, head=turn.index, deprel="amod")
+        for child in tree.children(fraction.index):
+            words[child.index - 1] = replace(child, head=turn.index)
+        tree = replace(tree, words=tuple(words))
+    return tree
+
+
 _RULES = (
     _with_modals_as_nouns,
     _with_second_objects,
     _with_particles_on_the_way,
     _with_places_of_devices,
+    _with_places_of_all,
+    _with_straight_ahead,
+    _with_part_turns,
     _with_degrees,
 )

@@ -39,7 +39,7 @@ def readings_of(
         for position in reading.verb_positions
         if sentence.word(position).upos in ("NOUN", "PROPN", "NUM")
     )
-    kept = (
+    kept = tuple(
         reading
         for reading in readings
         if not any(
@@ -50,7 +50,18 @@ def readings_of(
             if value.head_position and value.head_position not in reading.listed
         )
     )
-    return tuple(sorted(kept, key=rank))
+    listed = frozenset().union(*(reading.listed for reading in kept))
+    return tuple(sorted((_with_coverage(sentence, clause, reading, listed) for reading in kept), key=rank))
+
+
+def _with_coverage(sentence: Sentence, clause: Clause, reading: Reading, listed: FrozenSet[int]) -> Reading:
+    """Count words as accounted for by half that a reading takes for any thing where another one lists them: a high five
+    can be given like a mug, but is not meant so.
+    """
+    heads = frozenset(value.head_position for value in reading.values)
+    halves = heads & (listed - reading.listed)
+    content = sum(1 for index in clause.positions - {clause.verb} if sentence.is_content(index))
+    return replace(reading, coverage=reading.coverage - 0.5 * len(halves) / (content + 1)) if halves else reading
 
 
 def _measured(reading: Reading) -> FrozenSet[int]:

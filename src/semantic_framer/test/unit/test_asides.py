@@ -27,6 +27,8 @@ OPENINGS = (
     "um could you maybe {}",
     "could you please possibly {}",
     "help me {}",
+    "robot, would you be able to {}",
+    "quick, {}",
 )
 ENDINGS = (
     "{} if you don't mind",

@@ -64,6 +64,16 @@ def test_word_is_rehung(rows: str, index: int, head: int, deprel: str) -> None:
         ("put the box down on the table", {"theme": "the box", "goal": "the table"}),
         ("fry two eggs in the small pan", {"food": "two eggs", "container": "the small pan"}),
         ("boil three large eggs for 5 minutes", {"food": "three large eggs", "duration": "5 minutes"}),
+        ("switch off everything in the kitchen", {"device": "everything in the kitchen", "operational_state": "off"}),
+        ("put everything in the box", {"theme": "everything", "goal": "the box"}),
+        (
+            "turn a quarter turn to the right",
+            {"direction": "right", "angle": "0.25", "angle_unit": "turn"},
+        ),
+        (
+            "go straight ahead for five metres",
+            {"direction": "ahead", "distance": "5", "distance_unit": "metres"},
+        ),
         ("hold on a second", {"duration": "1 second"}),
     ],
 )

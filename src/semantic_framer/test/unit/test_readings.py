@@ -47,6 +47,8 @@ def test_only_reading(understand: Any, text: str, frame: str, arguments: Dict[st
         ("are you there", "NO_READING"),
         ("is the door open", "NO_READING"),
         ("what is on the table", "NO_READING"),
+        ("would you be happy", "NO_READING"),
+        ("if it rains close the windows", "CONDITION"),
         ("I like the mug", "UNKNOWN_VERB"),
         ("I have the mug", "UNKNOWN_VERB"),
         ("do the mug", "UNKNOWN_VERB"),
@@ -72,3 +74,25 @@ def test_how_far_a_bit_is_is_asked_for(understand: Any) -> None:
     assert isinstance(question, Question) and question.code == "MISSING_ELEMENT"
     ((frame, arguments),) = meant(understand("two feet", context)[0])
     assert (frame, arguments["direction"], arguments["distance"]) == ("moving", "back", "2")
+
+
+@pytest.mark.parametrize(
+    "text, names",
+    [
+        ("give me a high five", ["high_fiving", "giving"]),
+        ("clean the jacket", ["washing_clothes", "cleaning"]),
+        ("open the box", ["opening_container", "opening"]),
+    ],
+)
+def test_unit_that_lists_a_word_covers_more_than_one_that_takes_any(
+    understand: Any, text: str, names: List[str]
+) -> None:
+    outcome, _ = understand(text)
+    (readings,) = outcome.clauses
+    assert [reading.unit.frame_name for reading in readings] == names
+    assert readings[0].coverage == 1.0 > readings[1].coverage > 0.5
+
+
+def test_taking_is_only_taking(understand: Any) -> None:
+    outcome, _ = understand("take the box")
+    assert [reading.unit.frame_name for reading in outcome.clauses[0]] == ["taking"]
