@@ -1,6 +1,6 @@
 """Which phrase a prepositional phrase belongs to, where the parser hung it on the verb and no element asks for it."""
 
-from typing import FrozenSet, Tuple
+from typing import AbstractSet, FrozenSet, Tuple
 
 from semantic_framer.sentence import Sentence
 
@@ -14,9 +14,14 @@ OF_PLACE = frozenset(
 _OF_A_THING = frozenset(["with", "without"])
 _PLACE_ADVERBS = frozenset(["here", "there", "upstairs", "downstairs", "outside", "inside"])
 #: Adverbs in front of a preposition that make it more precise: "close to the door", "over to the sofa".
-_OF_A_PREPOSITION = frozenset("close over right straight directly back up down out along all just near next".split())
+_OF_A_PREPOSITION = frozenset(
+    "close closer nearer over right straight directly back up down out along all just near next".split()
+)
 #: Sides of a thing where "of" follows, and directions where it does not: "to the left", "to the left of the table".
 _SIDES = frozenset(["left", "right", "front", "back", "top", "bottom"])
+#: "Straight ahead", "directly forward" are one direction.
+_STRAIGHT = frozenset(["straight", "directly", "right"])
+_ONWARD = frozenset(["ahead", "forward", "forwards", "on", "onward"])
 _OF_A_NUMBER = frozenset("by about almost around roughly approximately nearly exactly precisely another".split())
 
 
@@ -43,6 +48,8 @@ def tells_which(sentence: Sentence, index: int, head: int, is_described: bool) -
     prepositions = [child.form.lower() for child in sentence.children(index) if child.deprel == "case"]
     if word.upos == "ADV" or not prepositions or min(sentence.subtree(index)) != _first_case(sentence, index):
         return False
+    if prepositions[0] == "to" and word.form.lower() in ("left", "right"):
+        return True  # "the door to your left"
     is_thing = word.upos != "PRON" and not any(child.deprel == "case" for child in sentence.children(head))
     return prepositions[0] in OF_PLACE or (is_described and is_thing and prepositions[0] in _OF_A_THING)
 
@@ -91,3 +98,12 @@ def words_before_amount(sentence: Sentence, first: int) -> FrozenSet[int]:
         found.append(position)
         position -= 1
     return frozenset(found)
+
+
+def is_of_one_direction(sentence: Sentence, index: int, used: AbstractSet[int]) -> bool:
+    """Whether a word says with a used word beside it where ahead is: "straight ahead"."""
+    beside = {index - 1: (_STRAIGHT, _ONWARD), index + 1: (_ONWARD, _STRAIGHT)}
+    return any(
+        other in used and sentence.word(other).form.lower() in its and sentence.word(index).form.lower() in own
+        for other, (its, own) in beside.items()
+    )

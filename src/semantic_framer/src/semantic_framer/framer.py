@@ -305,12 +305,14 @@ def _read_one(
         return tuple(reading for reading in readings if rank(reading)[:4] == rank(readings[0])[:4])
     # Words that one reading accounts for must not be dropped by taking another.
     fewest = len(complete[0].left_over)
-    return tuple(
+    full = tuple(
         reading
         for reading in complete
         if policy.left_over_words is LeftOverWords.IGNORE or len(reading.left_over) == fewest
-        # "Five" is less than was said where another unit lists "low five".
-        if not any(reading.listed and reading.listed < other.listed for other in complete)
+    )
+    # "Five" is less than was said where another unit lists "low five".
+    return tuple(
+        reading for reading in full if not any(reading.listed and reading.listed < other.listed for other in full)
     )
 
 

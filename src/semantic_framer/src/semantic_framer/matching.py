@@ -9,6 +9,7 @@ from semantic_frames.relation_names import MEASURE
 
 from semantic_framer.attachment import (
     OF_PLACE,
+    is_of_one_direction,
     is_side_of_something,
     places_before,
     preposition_of,
@@ -392,7 +393,10 @@ class _Filling:
         left_over = tuple(
             index
             for index in content
-            if index not in used and index != self._subject and not self._hangs_on_used(index, used)
+            if index not in used
+            and index != self._subject
+            and not self._hangs_on_used(index, used)
+            and not is_of_one_direction(self._sentence, index, used)
         )
         return left_over, 1.0 - len(left_over) / (len(content) + 1)
 

@@ -8,10 +8,9 @@ _TO = frozenset(["to", "into", "onto", "towards", "toward"])
 _ON_THE_WAY = frozenset("up down over back out along across on off in".split())
 _OF_PLACE = frozenset("in at on near above over under behind beside by inside outside next".split())
 _ALL = frozenset("everything everyone everybody something someone somebody anything all".split())
-_ONE_DIRECTION = frozenset([("straight", "ahead"), ("straight", "forward"), ("straight", "back"), ("right", "ahead")])
 _FRACTIONS = frozenset(["quarter", "half", "third", "full"])
 #: "A bit", "a little": how much of what the verb says.
-_DEGREES = frozenset(["bit", "little", "tad"])
+DEGREES = frozenset(["bit", "little", "tad"])
 
 
 def mended(tree: DependencyTree) -> DependencyTree:
@@ -75,7 +74,7 @@ def _with_degrees(tree: DependencyTree) -> DependencyTree:
     for word in tree.words[2:]:
         before = tree.word(word.index - 1)
         modifiers = {child.form.lower() for child in tree.children(word.index)}
-        if word.form.lower() not in _DEGREES or not {"a"} <= modifiers <= {"a", "little", "tiny"}:
+        if word.form.lower() not in DEGREES or not {"a"} <= modifiers <= {"a", "little", "tiny"}:
             continue
         governor = tree.word(word.head) if word.head else word
         is_behind = word.head and governor.index < before.index and governor.upos in ("NOUN", "PROPN", "PRON", "ADV")
@@ -128,15 +127,6 @@ def _with_places_of_all(tree: DependencyTree) -> DependencyTree:
     return tree
 
 
-def _with_straight_ahead(tree: DependencyTree) -> DependencyTree:
-    """Make one direction of two adverbs: "straight ahead"."""
-    words = list(tree.words)
-    for first, second in zip(tree.words, tree.words[1:]):
-        if (first.form.lower(), second.form.lower()) in _ONE_DIRECTION and first.head == second.head:
-            words[first.index - 1] = replace(first, head=second.index)
-    return replace(tree, words=tuple(words)) if tuple(words) != tree.words else tree
-
-
 def _with_part_turns(tree: DependencyTree) -> DependencyTree:
     """Make a noun of "turn" behind a fraction, which the parser takes for another command: "turn a quarter turn left"."""
     for turn in tree.words[2:]:
@@ -160,7 +150,6 @@ _RULES = (
     _with_particles_on_the_way,
     _with_places_of_devices,
     _with_places_of_all,
-    _with_straight_ahead,
     _with_part_turns,
     _with_degrees,
 )

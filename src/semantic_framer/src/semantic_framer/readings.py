@@ -10,6 +10,7 @@ from semantic_framer.attachment import is_side_of_something
 from semantic_framer.clauses import Clause
 from semantic_framer.lexicon import Lexicon
 from semantic_framer.matching import Reading, rank, read_clause
+from semantic_framer.mending import DEGREES
 from semantic_framer.references import NO_THINGS, PLACES
 from semantic_framer.sentence import Sentence
 from semantic_framer.values import ElementValue
@@ -24,7 +25,8 @@ def readings_of(
     """Return the ways to understand a clause, the best first.
 
     Those that take words for things which are none are left out, unless their unit lists them ("give me 5"): a number
-    for the place of something ("set the thermostat to 20"), a side for a thing ("take a right"), a number that another
+    for the place of something ("set the thermostat to 20"), a side for a thing ("take a right"), a degree for a thing
+    ("move a bit"), a number that another
     unit of the verb measures with ("turn one eighty" is half a turn, and no device called "one eighty"), and a noun
     that is part of another unit's verb ("take a look").
     """
@@ -81,6 +83,8 @@ def _is_no_thing(sentence: Sentence, reading: Reading, value: ElementValue, fram
         return False
     if name in PLACES and word.upos == "NUM":
         return any(names.get(other.name) == "Theme" and len(other.positions) > 0 for other in reading.values)
+    if word.form.lower() in DEGREES and not any(child.deprel == "nmod" for child in sentence.children(word.index)):
+        return True
     is_side = word.form.lower() in ("left", "right") and not is_side_of_something(sentence, word.index)
     return is_side and word.deprel == "obj" and name not in PLACES | NO_THINGS
 

@@ -70,10 +70,6 @@ def test_word_is_rehung(rows: str, index: int, head: int, deprel: str) -> None:
             "turn a quarter turn to the right",
             {"direction": "right", "angle": "0.25", "angle_unit": "turn"},
         ),
-        (
-            "go straight ahead for five metres",
-            {"direction": "ahead", "distance": "5", "distance_unit": "metres"},
-        ),
         ("hold on a second", {"duration": "1 second"}),
     ],
 )
