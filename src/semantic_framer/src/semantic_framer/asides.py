@@ -40,6 +40,7 @@ _OPENINGS = re.compile(
             "(would you |could you )?(please )?(make|be) sure (to|and|that you|you)",
             f"(please )?do {_NOT} forget to",
             "(are|would|will|might) you (be )?able to",
+            "(is there )?any chance (that )?you (could|can)",
             "go ahead and",
             "quick",
             "hurry( up)?( and)?",

@@ -64,6 +64,11 @@ def with_quotations(tree: DependencyTree, lexicon: Lexicon, frames: Mapping[str,
         if saying is None:
             return tree
         behind = saying.clause.verb
+        stray = _stray_clause(sentence, saying)
+        if stray:
+            words = [replace(w, head=behind, deprel="ccomp") if w.index == stray else w for w in tree.words]
+            sentence = Sentence(replace(tree, words=tuple(words)))
+            clauses = find_clauses(sentence, lexicon)
         tree = _Quotation(sentence, saying, clauses, lexicon).tree()
 
 
@@ -84,6 +89,21 @@ def _saying(
             )
             return _Saying(clause, max(match.positions), is_told)
     return None
+
+
+def _stray_clause(sentence: Sentence, saying: _Saying) -> int:
+    """Return the verb of a clause right behind the verb of saying that hangs elsewhere: "find Bob and tell her *lunch is
+    ready*"; 0 for none.
+    """
+    behind = (word for word in sentence.tree.words if word.index > saying.last and word.head < saying.last)
+    strays = (
+        word.index
+        for word in behind
+        if word.deprel in ("parataxis", "conj", "ccomp")
+        and word.head not in (0, saying.clause.verb)
+        and min(sentence.subtree(word.index)) == saying.last + 1
+    )
+    return next(strays, 0)
 
 
 class _Quotation:
@@ -166,6 +186,14 @@ class _Quotation:
             told = frozenset([owner.index, person.index])
             self._moved[person.index] = (self._verb, "iobj")
             self._moved[owner.index] = (person.index, "nmod:poss")
+        if (
+            not told
+            and owner is not None
+            and owner.form.lower() == "her"
+            and self._has_verb(range(self._start, self._end))
+        ):
+            told = frozenset([owner.index])
+            self._moved[owner.index] = (self._verb, "iobj")
         self._start = max(told) + 1 if told else self._start
 
     def _between_marks(self) -> FrozenSet[int]:

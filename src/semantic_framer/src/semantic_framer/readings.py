@@ -17,6 +17,9 @@ from semantic_framer.values import ElementValue
 
 #: Phrases of their own below a noun: "a left *at the door*".
 _PHRASES = frozenset(["nmod", "obl", "acl", "advcl", "appos"])
+#: Which of several is meant: "the *second* left".
+_CHOOSING = frozenset(["amod", "nummod"])
+_SIDES = frozenset(["left", "right"])
 
 
 def readings_of(
@@ -25,10 +28,9 @@ def readings_of(
     """Return the ways to understand a clause, the best first.
 
     Those that take words for things which are none are left out, unless their unit lists them ("give me 5"): a number
-    for the place of something ("set the thermostat to 20"), a side for a thing ("take a right"), a degree for a thing
-    ("move a bit"), a number that another
-    unit of the verb measures with ("turn one eighty" is half a turn, and no device called "one eighty"), and a noun
-    that is part of another unit's verb ("take a look").
+    for the place of something ("set the thermostat to 20"), a side or a degree for a thing ("take a right", "move a
+    bit"), a number that another unit of the verb measures with ("turn one eighty" is half a turn, and no device called
+    "one eighty"), and a noun that is part of another unit's verb ("take a look").
     """
     sentence = clause.sentence or sentence
     readings = tuple(
@@ -85,7 +87,7 @@ def _is_no_thing(sentence: Sentence, reading: Reading, value: ElementValue, fram
         return any(names.get(other.name) == "Theme" and len(other.positions) > 0 for other in reading.values)
     if word.form.lower() in DEGREES and not any(child.deprel == "nmod" for child in sentence.children(word.index)):
         return True
-    is_side = word.form.lower() in ("left", "right") and not is_side_of_something(sentence, word.index)
+    is_side = word.form.lower() in _SIDES and not is_side_of_something(sentence, word.index)
     return is_side and word.deprel == "obj" and name not in PLACES | NO_THINGS
 
 
@@ -96,11 +98,13 @@ def _with_phrases_left_over(sentence: Sentence, reading: Reading) -> Reading:
         relation = next((relation for relation in reading.unit.relations if relation.name == value.name), None)
         if relation is None or not relation.words or relation.argument is not ArgumentForm.HEAD:
             continue
+        is_side = value.head.lower() in _SIDES
         whole = sentence.subtree(value.head_position)
         phrases = [
             sentence.subtree(child.index)
             for child in sentence.children(value.head_position)
-            if child.deprel.split(":")[0] in _PHRASES and child.deprel != "nmod:poss"
+            if child.deprel.split(":")[0] in (_PHRASES | _CHOOSING if is_side else _PHRASES)
+            and child.deprel != "nmod:poss"
         ]
         behind = frozenset(position for position in value.positions if position > max(whole))
         elsewhere = frozenset(

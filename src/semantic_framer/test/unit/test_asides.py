@@ -29,6 +29,7 @@ OPENINGS = (
     "help me {}",
     "robot, would you be able to {}",
     "quick, {}",
+    "any chance you could {}",
 )
 ENDINGS = (
     "{} if you don't mind",
