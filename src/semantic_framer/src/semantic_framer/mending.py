@@ -1,6 +1,7 @@
 """What a command cannot mean though the parser has it so: a verb with two objects, "can" without a verb."""
 
 from dataclasses import replace
+
 from stanford_parser_ros.tree import DependencyTree, Word
 
 _TO = frozenset(["to", "into", "onto", "towards", "toward"])

@@ -123,7 +123,7 @@ class _Quotation:
         """Return the sentence with the quotation as one object; as it was where nothing is quoted."""
         tree = self._sentence.tree
         inside = self._without_addressee(self._between_marks() or self._governed())
-        if not inside or self._is_of_nothing(inside):
+        if not inside or not inside <= self._sentence.subtree(self._verb) or self._is_of_nothing(inside):
             return tree
         head = self._head(inside)
         first = self._sentence.word(min(inside))
