@@ -13,9 +13,10 @@ from semantic_frames.lexical_unit import LexicalUnit
 from semantic_frames.source_files import FRAMES_FOLDER, LEXICAL_UNITS_FOLDER, read_text, yaml_files
 from semantic_framer.clauses import Clause, find_clauses
 from semantic_framer.descriptions import descriptions
-from semantic_framer.framer import Question, Understood, prepared, read, readings_of
+from semantic_framer.framer import Question, Understood, prepared, read
 from semantic_framer.lexicon import Lexicon
 from semantic_framer.matching import Reading, read_clause
+from semantic_framer.readings import readings_of
 from semantic_framer.sentence import Sentence
 from semantic_framer.verb_matching import match_verbs
 from stanford_parser_ros.model import Parser, UnparsableText, shipped_model_dir
@@ -228,7 +229,7 @@ class Pipeline:
         found = [
             readings_of(sentence, clause, self.knowledge.lexicon, self.knowledge.frames)
             for clause in find_clauses(sentence, self.knowledge.lexicon)
-            if not clause.is_negated
+            if not clause.is_negated and not clause.is_question
         ]
         return tuple(readings[0] for readings in found if readings)
 

@@ -193,7 +193,7 @@ def test_answer_is_in_names_and_positions_of_the_corpus(pipeline):
 
 def test_in_2012_an_argument_was_one_word(pipeline):
     given = answer_2012(
-        pipeline, load_mapping(shipped_mapping("huric")), command_of("1", "grab the lid", "grab the lid".split(), ())
+        pipeline, load_mapping(shipped_mapping("huric")), command_of("1", "lift the lid", "lift the lid".split(), ())
     )
     assert given.frames == (frame("Taking", ("Theme", (3,), 3)),)
 

@@ -3,6 +3,7 @@
 from dataclasses import dataclass, replace
 from typing import FrozenSet, List, Optional, Set, Tuple
 
+from stanford_parser_ros.imperative import LEAD_IN
 from stanford_parser_ros.tree import Word
 
 from semantic_framer.lexicon import Lexicon
@@ -16,6 +17,7 @@ NEGATIONS = frozenset("not never n't no dont don't neither nor nobody noone none
 #: Who may be told to act, or may ask for something: any other subject makes a statement ("Bob turned left").
 _ADDRESSEES = frozenset(["you", "robot", "u", "we"])
 _REPORTING_AUXILIARIES = frozenset("did was were is are 's 're am has have had been".split())
+_ASKING = frozenset("where what who whose which how why when".split())
 #: Subordinators that make an action depend on something, or put it off.
 CONDITIONS = frozenset("if when until till unless once after before while whenever as".split())
 #: "Follow me no more."
@@ -37,6 +39,7 @@ class Clause:
         condition_positions: of those words
         subject: index of the subject, 0 for none
         is_report: whether it tells or asks what happens ("I turned left", "did you turn left?"), asking for nothing
+        is_question: whether it asks how something is ("where are my keys?", "is the door open?")
         sentence: its relations where they are not those of the parse: the verb is said once for two clauses
     """
 
@@ -48,6 +51,7 @@ class Clause:
     condition_positions: FrozenSet[int]
     subject: int = 0
     is_report: bool = False
+    is_question: bool = False
     sentence: Optional[Sentence] = None
 
 
@@ -102,7 +106,8 @@ def _ungapped(sentence: Sentence, clause: Clause) -> Tuple[Clause, ...]:
 def _is_remnant(sentence: Sentence, word: Word) -> bool:
     """Whether a word is joined to a verb and is none: "to the kitchen", and "left" of "turn right and then left"."""
     children = sentence.children(word.index)
-    if any(child.deprel == "cc" and child.form.lower() != "and" for child in children):
+    is_choice = any(child.deprel == "cc" and child.form.lower() != "and" for child in children)
+    if is_choice or any(child.deprel == "cop" or child.deprel.startswith("nsubj") for child in children):
         return False
     is_joined = word.deprel == "conj" or (word.deprel == "advmod" and any(_is_then(child) for child in children))
     is_direction = word.form.lower() in ("left", "right") and all(
@@ -238,6 +243,7 @@ def clause_of(sentence: Sentence, verb: int, positions: FrozenSet[int], is_negat
         condition_positions=condition,
         subject=subject,
         is_report=_is_report(sentence, verb, subject),
+        is_question=_is_question(sentence, verb, positions),
     )
 
 
@@ -274,6 +280,18 @@ def _is_report(sentence: Sentence, verb: int, subject: int) -> bool:
     if said == "i" and word.lemma.lower() in WRAPPERS:
         return False
     return word.xpos == "VBD" or said not in _ADDRESSEES
+
+
+def _is_question(sentence: Sentence, verb: int, positions: FrozenSet[int]) -> bool:
+    """Whether a clause with "be" begins with a form of it, or with a word that asks; "be careful" and "here is the
+    kitchen" ask nothing.
+    """
+    word = sentence.word(verb)
+    said = (sentence.word(index) for index in sorted(positions))
+    spoken = (other for other in said if other.upos not in ("PUNCT", "INTJ", "CCONJ"))
+    first = next((other for other in spoken if other.form.lower() not in LEAD_IN), word)
+    is_asking = first.index == verb or first.form.lower() in _ASKING
+    return is_asking and word.lemma.lower() == "be" and word.form.lower() != "be"
 
 
 def _condition(sentence: Sentence, top: int, positions: FrozenSet[int]) -> FrozenSet[int]:

@@ -13,8 +13,10 @@ from semantic_framer.choices import choices_of_clauses, chosen, question_of_choi
 from semantic_framer.clauses import WRAPPERS, Clause, find_clauses, whole_sentence
 from semantic_framer.dialogue import Choice, Context, Pending, is_no
 from semantic_framer.lexicon import Lexicon
-from semantic_framer.matching import Reading, rank, read_clause
+from semantic_framer.matching import Reading, rank
+from semantic_framer.plain_verbs import with_plain_verbs
 from semantic_framer.quotations import with_quotations
+from semantic_framer.readings import readings_of
 from semantic_framer.references import remember, resolve
 from semantic_framer.repairs import repaired
 from semantic_framer.sentence import Sentence
@@ -181,7 +183,8 @@ def prepared(
 
 
 def _arranged(tree: DependencyTree, lexicon: Lexicon, frames: Mapping[str, SemanticFrame]) -> DependencyTree:
-    return with_asides(with_quotations(with_opening_aside(tree, lexicon), lexicon, frames), lexicon)
+    tree = with_plain_verbs(with_opening_aside(tree, lexicon), lexicon)
+    return with_asides(with_quotations(tree, lexicon, frames), lexicon)
 
 
 def _offer(
@@ -264,6 +267,8 @@ def _read_one(
     matches: Tuple[VerbMatch, ...] = match_verbs(sentence, clause, lexicon)
     if clause.is_negated:
         return Refusal("NEGATED", f'You said not to: "{sentence.text(sorted(clause.positions))}". I do nothing.')
+    if clause.is_question:
+        return Refusal("NO_READING", f'"{_said(sentence, clause)}" is a question, and no command.')
     if not matches:
         near = lexicon.nearest_verbs(clause.lemma)
         hint = f' Do you mean {" or ".join(near)}?' if near else ""
@@ -275,8 +280,7 @@ def _read_one(
             reading for reading in readings if any(clause.subject in value.positions for value in reading.values)
         )
         if matches and not readings:
-            said = sentence.text([index for index in sorted(clause.positions) if sentence.word(index).upos != "PUNCT"])
-            return Refusal("NO_READING", f'"{said}" does not ask me to do anything.')
+            return Refusal("NO_READING", f'"{_said(sentence, clause)}" does not ask me to do anything.')
     if not readings:
         wanted = {unit.frame_name for match in matches for unit in lexicon.units_of(match.verb)}
         if not wanted & set(frames):
@@ -310,26 +314,8 @@ def _read_one(
     )
 
 
-def readings_of(
-    sentence: Sentence, clause: Clause, lexicon: Lexicon, frames: Mapping[str, SemanticFrame]
-) -> Tuple[Reading, ...]:
-    """Return the ways to understand a clause, the best first.
-
-    Those that take a bare number for a thing are left out where another unit of the verb measures with it: "turn one
-    eighty" is half a turn, and no device called "one eighty"; "give me 5" stays, as its unit lists the 5.
-    """
-    readings = read_clause(sentence, clause, lexicon, frames)
-    measuring = {position for reading in readings for position in _measured(reading)}
-    kept = tuple(
-        reading
-        for reading in readings
-        if not any(value.head_position in measuring - _measured(reading) - reading.listed for value in reading.values)
-    )
-    return kept or readings
-
-
-def _measured(reading: Reading) -> FrozenSet[int]:
-    return frozenset(position for value in reading.values if value.quantity for position in value.positions)
+def _said(sentence: Sentence, clause: Clause) -> str:
+    return sentence.text([index for index in sorted(clause.positions) if sentence.word(index).upos != "PUNCT"])
 
 
 def _finish(

@@ -4,7 +4,7 @@ from dataclasses import dataclass, replace
 from typing import Dict, FrozenSet, List, Mapping, Optional, Set, Tuple
 
 from semantic_frames.frame import FrameElement, Quantity, SemanticFrame
-from semantic_frames.lexical_unit import ElementRelation, LexicalUnit
+from semantic_frames.lexical_unit import ArgumentForm, ElementRelation, LexicalUnit
 from semantic_frames.relation_names import MEASURE
 
 from semantic_framer.attachment import (
@@ -30,6 +30,8 @@ from semantic_framer.values import ElementValue, amount_value, given_value, phra
 DIRECTIONAL = frozenset("to into onto towards toward from for with by as through via out_of off off_of".split())
 #: Elements that a verb is about, without a tool or company: a phrase with "with" describes them.
 _DESCRIBED = frozenset(["Cotheme", "Category", "Item"])
+
+_MEASURES_OF_2012 = frozenset(["num", "number", "nummod", "tmod", "npadvmod"])
 
 
 @dataclass(frozen=True)
@@ -145,6 +147,12 @@ class _Filling:
         self._listed: Dict[str, FrozenSet[int]] = {}
         self._amount_of: Dict[str, Amount] = {}
         self._subject = clause.subject or shared_subject(sentence, clause.verb)
+        #: In 2012 a unit asked for the number and for what it counts by their relations.
+        self._is_measuring_of_2012 = any(
+            path.steps[-1] in _MEASURES_OF_2012 and not relation.words
+            for relation in unit.relations
+            for path in relation.relations
+        )
 
     def reading(self) -> Optional[Reading]:
         """Return the reading; None when a required relation does not match."""
@@ -217,7 +225,8 @@ class _Filling:
                 listed = self._listed_words(head, relation.words)
                 if relation.words and not listed:
                     continue
-                if not relation.words and (self._is_in_a_measure(head) or self._is_only_an_adverb(head, path.steps)):
+                is_adverb = relation.argument is ArgumentForm.PHRASE and self._is_only_an_adverb(head, path.steps)
+                if not relation.words and (self._is_in_a_measure(head) or is_adverb):
                     continue
                 self._heads[relation.name] = head
                 self._listed[relation.name] = listed
@@ -226,7 +235,7 @@ class _Filling:
     def _is_in_a_measure(self, head: int) -> bool:
         """Whether a word measures ("two degrees"), and so is no thing; a bare number may be one ("give me 5")."""
         return any(head in amount.positions for amount in self._amount_of.values()) or any(
-            head in amount.positions and amount.unit for amount in self._amounts
+            head in amount.positions and amount.unit for amount in self._amounts if not self._is_measuring_of_2012
         )
 
     def _is_core(self, name: str) -> bool:

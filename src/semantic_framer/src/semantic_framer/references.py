@@ -10,8 +10,9 @@ from semantic_framer.matching import Reading
 from semantic_framer.values import ElementValue, resolved
 
 #: Frame elements that are places, and not things, by FrameNet's names.
-_PLACES = frozenset(["Goal", "Source", "Location", "Ground", "Area", "Place", "Path"])
-_NO_THINGS = frozenset(
+PLACES = frozenset(["Goal", "Source", "Location", "Ground", "Area", "Place", "Path"])
+#: Frame elements that are neither things nor places.
+NO_THINGS = frozenset(
     [
         "Manner",
         "Direction",
@@ -53,8 +54,8 @@ def remember(reading: Reading, frames: Mapping[str, SemanticFrame], context: Con
         element = frame.element(value.name)
         if element is None or not value.positions or element.quantity is not None:
             continue
-        if element.framenet in _PLACES:
+        if element.framenet in PLACES:
             context = replace(context, place=value.argument)
-        elif element.framenet not in _NO_THINGS and value.argument.lower() not in ("me", "you", "us"):
+        elif element.framenet not in NO_THINGS and value.argument.lower() not in ("me", "you", "us"):
             context = replace(context, thing=value.argument)
     return context

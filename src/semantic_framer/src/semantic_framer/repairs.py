@@ -236,13 +236,18 @@ class _Repair:
     def _candidates(self) -> Tuple[List[Word], List[List[Word]]]:
         """Return the correction, and what of the same kind was said before it."""
         first = self._after[0]
-        listed = [word for word in self._before if _are_alternatives(word, first, self._before, self._lexicon)]
+        is_preposition = first.upos == "ADP"
+        listed = [
+            word
+            for word in ([] if is_preposition else self._before)
+            if _are_alternatives(word, first, self._before, self._lexicon)
+        ]
         if listed:
             return [first], [[word] for word in listed]
         amounts = self._amounts(self._after)
         if amounts and amounts[0].positions[0] == first.index:
             return self._words(amounts[0].positions), self._amount_spans(amounts[0])
-        if first.upos == "ADP":
+        if is_preposition:
             name = _name_at(self._after[1:])
             phrases = [
                 [word] + _name_at(self._before[index + 1 :])

@@ -24,6 +24,12 @@ HARMLESS = (
     )
     | HEDGES
 )
+#: Relations that only a noun governs, under their names in both schemes.
+_OF_NOUNS = frozenset(
+    "num number nummod poss nmod:poss possessive nn compound amod det predet preconj appos abbrev rcmod vmod partmod "
+    "infmod acl".split()
+)
+_ARGUMENTS = frozenset(["nsubj", "obj", "iobj", "obl", "xcomp"])
 _FUNCTION_RELATIONS = {
     "punct",
     "det",
@@ -81,8 +87,16 @@ class Sentence:
         return self._children.get(index, ())
 
     def dependents(self, governor: int, relation: str) -> List[int]:
-        """Return the words that are in a relation, of either scheme, to a governor, in order of the sentence."""
-        return sorted({arc.dependent for arc in self._by_governor.get(governor, ()) if relation in arc.relations})
+        """Return the words that are in a relation, of either scheme, to a governor, in order of the sentence.
+
+        Relations that only a noun governs ("num", "poss") are looked for below what a verb governs: units of 2012 name
+        them alone.
+        """
+        found = {arc.dependent for arc in self._by_governor.get(governor, ()) if relation in arc.relations}
+        if not found and relation in _OF_NOUNS and governor and self.word(governor).upos in ("VERB", "AUX"):
+            nouns = [child.index for child in self.children(governor) if child.deprel.split(":")[0] in _ARGUMENTS]
+            found.update(position for noun in nouns for position in self.dependents(noun, relation))
+        return sorted(found)
 
     def _subtree(self, index: int) -> FrozenSet[int]:
         found: Set[int] = {index}

@@ -1,0 +1,74 @@
+"""Readings that no speaker means are left out; verbs that stand for others are read as those."""
+
+from typing import Any, Dict, List, Tuple
+
+import pytest
+from semantic_framer.framer import Question, Refusal, Understood
+
+
+def meant(outcome: Any) -> List[Tuple[str, Dict[str, str]]]:
+    assert isinstance(outcome, Understood), outcome
+    return [
+        (readings[0].unit.frame_name, {value.name: value.argument for value in readings[0].values if value.positions})
+        for readings in outcome.clauses
+    ]
+
+
+@pytest.mark.parametrize(
+    "text, frame, arguments",
+    [
+        ("take a right", "turning", {"direction": "right"}),
+        ("hang a left", "turning", {"direction": "left"}),
+        ("make a left turn", "turning", {"direction": "left"}),
+        ("do a 180", "turning_around", {}),
+        ("do a u-turn", "turning_around", {}),
+        ("make a u-turn", "turning_around", {}),
+        ("take a look at the clock", "perceiving", {"phenomenon": "the clock"}),
+        ("set the thermostat to 20", "switching_device", {"device": "the thermostat", "operational_state": "20"}),
+        ("can I have the remote please", "bringing", {"theme": "the remote"}),
+        ("I'd love a cup of coffee", "bringing", {"theme": "a cup of coffee"}),
+        ("get over here", "arriving", {"goal": "here"}),
+        ("go to 221", "navigating_to_location", {"goal": "221"}),
+    ],
+)
+def test_only_reading(understand: Any, text: str, frame: str, arguments: Dict[str, str]) -> None:
+    outcome, _ = understand(text)
+    assert meant(outcome) == [(frame, arguments)]
+    assert {reading.unit.frame_name for reading in outcome.clauses[0]} == {frame}
+
+
+@pytest.mark.parametrize(
+    "text, code",
+    [
+        ("set the projector to 20", "NO_READING"),
+        ("take a left at the door", "LEFT_OVER_WORDS"),
+        ("make a right at the end of the corridor", "LEFT_OVER_WORDS"),
+        ("where are my keys", "NO_READING"),
+        ("are you there", "NO_READING"),
+        ("is the door open", "NO_READING"),
+        ("what is on the table", "NO_READING"),
+        ("I like the mug", "UNKNOWN_VERB"),
+        ("I have the mug", "UNKNOWN_VERB"),
+        ("do the mug", "UNKNOWN_VERB"),
+    ],
+)
+def test_refusals(understand: Any, text: str, code: str) -> None:
+    outcome, _ = understand(text)
+    assert isinstance(outcome, Refusal) and outcome.code == code
+
+
+@pytest.mark.parametrize("text", ["Don't turn left.", "do not turn left", "don't do a u-turn"])
+def test_do_is_no_command(understand: Any, text: str) -> None:
+    assert understand(text)[0].code == "NEGATED"
+
+
+@pytest.mark.parametrize("text", ["here is the kitchen", "there is a lamp on the desk", "The door is open."])
+def test_statement_is_no_question(understand: Any, text: str) -> None:
+    assert isinstance(understand(text)[0], Understood)
+
+
+def test_how_far_a_bit_is_is_asked_for(understand: Any) -> None:
+    question, context = understand("scoot back a little")
+    assert isinstance(question, Question) and question.code == "MISSING_ELEMENT"
+    ((frame, arguments),) = meant(understand("two feet", context)[0])
+    assert (frame, arguments["direction"], arguments["distance"]) == ("moving", "back", "2")
