@@ -43,7 +43,7 @@ def is_pipeline_complete() -> bool:
             return False
         stages |= found
     return all(
-        graph.hears(node, topic, speaker) or not graph.is_alive(speaker)
+        graph.is_heard(speaker, topic, node) or not graph.is_alive(speaker)
         for topic in map(rospy.resolve_name, STAGE_TOPICS + OTHER_TOPICS)
         for node in stages.intersection(listeners.get(topic, ()))
         for speaker in speakers.get(topic, ())
@@ -64,27 +64,26 @@ class _Graph:
 
     def __init__(self) -> None:
         self.master = rosgraph.Master(rospy.get_name())
-        self._addresses: Dict[str, str] = {}
-        self._heard: Dict[str, Optional[Set[Tuple[str, str]]]] = {}
+        self._listeners: Dict[str, Optional[Set[Tuple[str, str]]]] = {}
 
     def is_alive(self, node: str) -> bool:
         """Whether a node answers."""
-        return self._connections(node) is not None
+        return self._listeners_of(node) is not None
 
-    def hears(self, node: str, topic: str, speaker: str) -> bool:
-        """Whether a node is connected to somebody who publishes a topic."""
-        connections = self._connections(node)
-        self._connections(speaker)
-        return connections is not None and (topic, self._addresses.get(speaker, "")) in connections
+    def is_heard(self, speaker: str, topic: str, listener: str) -> bool:
+        """Whether a node that publishes a topic is connected to one that listens."""
+        return (topic, listener) in (self._listeners_of(speaker) or ())
 
-    def _connections(self, node: str) -> Optional[Set[Tuple[str, str]]]:
-        """Topics that a node hears, each with the address of the publisher; None for a node that does not answer."""
-        if node not in self._heard:
+    def _listeners_of(self, node: str) -> Optional[Set[Tuple[str, str]]]:
+        """Topics that a node publishes, each with a node that listens; None for a node that does not answer.
+
+        The publisher is asked: the listener counts a connection a moment before the publisher sends on it.
+        """
+        if node not in self._listeners:
             try:
-                self._addresses[node] = self.master.lookupNode(node)
-                api = xmlrpc.client.ServerProxy(self._addresses[node], transport=_TimedTransport())
+                api = xmlrpc.client.ServerProxy(self.master.lookupNode(node), transport=_TimedTransport())
                 bus = api.getBusInfo(rospy.get_name())[2]
-                self._heard[node] = {(entry[4], entry[1]) for entry in bus if entry[2] == "i" and entry[5]}
+                self._listeners[node] = {(entry[4], entry[1]) for entry in bus if entry[2] == "o" and entry[5]}
             except _NO_ANSWER:
-                self._heard[node] = None
-        return self._heard[node]
+                self._listeners[node] = None
+        return self._listeners[node]
