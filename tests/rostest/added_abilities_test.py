@@ -7,8 +7,9 @@ import rospy
 from roboframenet_msgs.msg import Reply
 from std_msgs.msg import String
 
-from pipeline import is_pipeline_complete, wait_until
+from pipeline import wait_until
 from rfnserver import RFNServer
+from roboframenet_demo.ros_pipeline import is_pipeline_complete
 
 SENTENCES = (
     ("Chop the cucumber.", "chopping", {"item": "the cucumber"}),

@@ -5,8 +5,9 @@ import unittest
 import rospy
 import yaml
 
-from pipeline import can_do, is_pipeline_complete, wait_until
+from pipeline import can_do, wait_until
 from roboframenet_demo.node import Demonstration
+from roboframenet_demo.ros_pipeline import is_pipeline_complete
 from roboframenet_demo.script import read_line
 
 

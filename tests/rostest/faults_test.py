@@ -15,7 +15,8 @@ from roboframenet_msgs.msg import FileProblem, FileProblems, Reply
 from roboframenet_msgs.srv import AddFrame, AddLexicalUnit, GetEmptyFrame
 from std_msgs.msg import String
 
-from pipeline import can_do, is_pipeline_complete, wait_until
+from pipeline import can_do, wait_until
+from roboframenet_demo.ros_pipeline import is_pipeline_complete
 
 NODES = ("frame_registrar", "semantic_framer", "greeting_server")
 ORDERS = 20

@@ -15,8 +15,9 @@ from actionlib_msgs.msg import GoalStatus, GoalStatusArray
 from nav_msgs.msg import Odometry
 from std_msgs.msg import String
 
-from pipeline import can_do, is_pipeline_complete, wait_until
+from pipeline import can_do, wait_until
 from rfnserver import RFNServer
+from roboframenet_demo.ros_pipeline import is_pipeline_complete
 from roboframenet_msgs.msg import Reply
 
 PIPELINE = ("stanford_parser_ros", "semantic_framer", "frame_registrar", "arbitrator", "executor")

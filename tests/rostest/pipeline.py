@@ -2,24 +2,10 @@
 
 import os
 import time
-import xmlrpc.client
-from typing import Callable, Iterable, Set, Tuple
+from typing import Callable, Iterable, Set
 
-import rosgraph
 import rospy
 from roboframenet_msgs.msg import FrameCatalogue, Lexicon
-
-#: What each stage of the pipeline listens to; the parser does only when its models are loaded.
-STAGE_TOPICS = (
-    "text",
-    "command_text",
-    "command_parse",
-    "command_lexical_units",
-    "command_semantic_frames",
-    "command_procedure",
-)
-#: What goes past the pipeline, or back.
-OTHER_TOPICS = ("command_cancel", "stop_report", "stage_events", "reply", "lexicon", "frame_catalogue")
 
 
 def wait_until(condition: Callable[[], bool], timeout_s: float = 60.0) -> bool:
@@ -60,38 +46,3 @@ def can_do(frames: Iterable[str], *, unit_files: Iterable[str] = (), timeout_s: 
     finally:
         for subscriber in subscribers:
             subscriber.unregister()
-
-
-def is_pipeline_complete() -> bool:
-    """Whether every stage listens, and it and this test are connected to all who speak to them: what is said before
-    is lost."""
-    master = rosgraph.Master(rospy.get_name())
-    publishers, subscribers, _ = master.getSystemState()
-    speakers, listeners = dict(publishers), dict(subscribers)
-    stages = {rospy.get_name()}
-    for topic in map(rospy.resolve_name, STAGE_TOPICS):
-        heard_by = set(listeners.get(topic, ())) - {rospy.get_name()}
-        if not heard_by:
-            return False
-        stages |= heard_by
-    try:
-        for node in stages:
-            heard = heard_publishers(master.lookupNode(node))
-            for topic in map(rospy.resolve_name, STAGE_TOPICS + OTHER_TOPICS):
-                if node in listeners.get(topic, ()) and not all(
-                    (topic, master.lookupNode(speaker)) in heard for speaker in speakers.get(topic, ())
-                ):
-                    return False
-    except (rosgraph.MasterException, OSError):
-        return False  # a node is about to come, or to go
-    return True
-
-
-def heard_publishers(uri: str) -> Set[Tuple[str, str]]:
-    """Topics that a node is connected to, each with the address of the publisher.
-
-    Raises:
-        OSError: the node is not there
-    """
-    connections = xmlrpc.client.ServerProxy(uri).getBusInfo(rospy.get_name())[2]
-    return {(entry[4], entry[1]) for entry in connections if entry[2] == "i" and entry[5]}

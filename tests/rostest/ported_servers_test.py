@@ -28,8 +28,9 @@ from roboframenet_msgs.msg import (
 )
 from std_msgs.msg import Float32, String
 
-from pipeline import can_do, is_pipeline_complete, wait_until
+from pipeline import can_do, wait_until
 from rfnserver import RFNActionServer, RFNServer
+from roboframenet_demo.ros_pipeline import is_pipeline_complete
 
 #: Steps of the sequence that a server computes before it lets itself be stopped.
 LONG = 1000

@@ -44,19 +44,22 @@ class CommandChainTest(unittest.TestCase):
             cls.frames, cls.events]))
         assert wait_until(lambda: replies.get_num_connections() == 2 and cls.text.get_num_connections() == 2)
         # What is published before its listener has connected is lost.
-        for node, topic in (("/executor", "command_procedure"), ("/executor", "command_cancel"),
-                            ("/executor", "stop_report"), ("/command_server", "stop_report")):
-            assert wait_until(lambda node=node, topic=topic: cls.hears(node, topic)), (node, topic)
+        for connection in (("/arbitrator", "command_procedure", "/executor"),
+                           ("/command_server", "command_cancel", "/executor"),
+                           ("/stop_server", "stop_report", "/executor"),
+                           ("/stop_server", "stop_report", "/command_server")):
+            assert wait_until(lambda connection=connection: cls.is_heard(*connection)), connection
 
     @staticmethod
-    def hears(node, topic):
-        """Whether a node is connected to somebody who publishes a topic."""
+    def is_heard(speaker, topic, listener):
+        """Whether a node that publishes a topic is connected to one that listens."""
         try:
-            api = xmlrpc.client.ServerProxy(rosgraph.Master(rospy.get_name()).lookupNode(node))
+            api = xmlrpc.client.ServerProxy(rosgraph.Master(rospy.get_name()).lookupNode(speaker))
             connections = api.getBusInfo(rospy.get_name())[2]
         except (rosgraph.MasterException, OSError):
             return False  # it is not up yet
-        return any(entry[2] == "i" and entry[4] == rospy.resolve_name(topic) and entry[5] for entry in connections)
+        wanted = [listener, "o", rospy.resolve_name(topic)]
+        return any([entry[1], entry[2], entry[4]] == wanted and entry[5] for entry in connections)
 
     @classmethod
     def on_command(cls, command):

@@ -10,9 +10,10 @@ import yaml
 
 from roboframenet_demo.ros_conversation import Conversation
 from roboframenet_demo.ros_observer import RobotObserver
+from roboframenet_demo.ros_pipeline import is_pipeline_complete
 from roboframenet_demo.script import Line, judge, read_line
 from roboframenet_demo.table import format_table
-from roboframenet_msgs.msg import Reply, StageEvent
+from roboframenet_msgs.msg import FilledSemanticFrameActionFeedback, Reply, StageEvent
 from std_msgs.msg import String
 
 OUTCOME_NAMES = {
@@ -37,10 +38,13 @@ class Demonstration:
 
     def __init__(self) -> None:
         self._print_lock = threading.Lock()
-        self._begun = threading.Event()
+        self._following = threading.Event()
         self._conversation = Conversation(on_event=self._show_event)
         self._observer = RobotObserver()
         self._person = rospy.Publisher("person/act", String, queue_size=1)
+        self._feedback = rospy.Subscriber(
+            "following/feedback", FilledSemanticFrameActionFeedback, self._on_following, queue_size=1
+        )
         self.rows: List[Sequence[str]] = []
         self.failures = 0
 
@@ -50,7 +54,7 @@ class Demonstration:
         if not self._conversation.wait_until_heard(2, timeout_s):
             return False
         while time.monotonic() < end and not rospy.is_shutdown():
-            if self._conversation.is_pipeline_complete() and self._conversation.quiet_s() > SETTLED_S:
+            if is_pipeline_complete() and self._conversation.quiet_s() > SETTLED_S:
                 return True
             time.sleep(0.2)
         return False
@@ -59,11 +63,12 @@ class Demonstration:
         """Say one sentence, watch, judge, remember the row of the table."""
         self._show(f'\n>>> "{line.text}"')
         self._observer.begin()
-        self._begun.clear()
+        self._following.clear()
         self._conversation.say(line.text)
         texts = [line.text]
         if line.person:
-            self._begun.wait(line.timeout_s)
+            # Who walks away before the robot has seen anybody is not followed.
+            self._following.wait(line.timeout_s)
             self._person.publish(String(data=line.person))
         if line.interruption is not None:
             self._wait_for_motion(line.timeout_s)
@@ -129,12 +134,14 @@ class Demonstration:
         while not self._observer.observe().is_still and time.monotonic() < end and not rospy.is_shutdown():
             time.sleep(0.02)
 
+    def _on_following(self, message: FilledSemanticFrameActionFeedback) -> None:
+        if message.feedback.is_succeeding:
+            self._following.set()
+
     def _show_event(self, event: StageEvent) -> None:
         # The executor says every second that it is still running.
         if event.sentence.startswith("Running:"):
             return
-        if event.stage == "executor":
-            self._begun.set()
         self._show(f"    {event.stage:<20} {event.sentence}")
 
     def _show(self, text: str) -> None:

@@ -4,21 +4,10 @@ import queue
 import time
 from typing import Callable, Dict, List, Optional
 
-import rosgraph
 import rospy
 from std_msgs.msg import String
 
 from roboframenet_msgs.msg import CommandLexicalUnits, CommandProcedure, FrameCatalogue, Reply, StageEvent
-
-
-#: What each stage of the pipeline listens to.
-STAGE_TOPICS = (
-    "command_text",
-    "command_parse",
-    "command_lexical_units",
-    "command_semantic_frames",
-    "command_procedure",
-)
 
 
 class Conversation:
@@ -56,15 +45,6 @@ class Conversation:
                 return True
             time.sleep(0.1)
         return False
-
-    def is_pipeline_complete(self) -> bool:
-        """Whether every stage listens: the parser does only when its models are loaded."""
-        try:
-            _, subscribers, _ = rosgraph.Master(rospy.get_name()).getSystemState()
-        except (OSError, rosgraph.MasterException):
-            return False
-        heard = {topic for topic, nodes in subscribers if set(nodes) - {rospy.get_name()}}
-        return all(rospy.resolve_name(topic) in heard for topic in STAGE_TOPICS)
 
     def quiet_s(self) -> float:
         """Seconds since a server registered last; 0 before the first."""

@@ -106,7 +106,8 @@ def _ungapped(sentence: Sentence, clause: Clause) -> Tuple[Clause, ...]:
 def _is_remnant(sentence: Sentence, word: Word) -> bool:
     """Whether a word is joined to a verb and is none: "to the kitchen", and "left" of "turn right and then left"."""
     children = sentence.children(word.index)
-    if any(child.deprel == "cc" and child.form.lower() != "and" for child in children):
+    is_choice = any(child.deprel == "cc" and child.form.lower() != "and" for child in children)
+    if is_choice or any(child.deprel == "cop" or child.deprel.startswith("nsubj") for child in children):
         return False
     is_joined = word.deprel == "conj" or (word.deprel == "advmod" and any(_is_then(child) for child in children))
     is_direction = word.form.lower() in ("left", "right") and all(

@@ -61,7 +61,9 @@ def phrase_value(
     ]
     left_out |= sentence.abandoned | sentence.fillers - {head}
     positions = sorted((sentence.subtree(head) - left_out) | attached)
-    prepositions = _prepositions(sentence, head)
+    # In "whether it is on the table" the preposition is what is asked about.
+    is_clause = any(child.deprel == "cop" and child.index in positions for child in sentence.children(head))
+    prepositions = frozenset() if is_clause else _prepositions(sentence, head)
     while len(positions) > 1 and sentence.word(positions[-1]).upos == "PUNCT":
         positions.pop()
     while (

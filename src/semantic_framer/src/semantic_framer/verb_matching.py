@@ -56,5 +56,9 @@ def _verb_positions(sentence: Sentence, clause: Clause, particles: Sequence[str]
 
 
 def _is_near(sentence: Sentence, clause: Clause, index: int) -> bool:
-    head = sentence.word(index).head
-    return head == clause.verb or (head != 0 and sentence.word(head).head == clause.verb)
+    """Whether a word hangs on the verb, or on a phrase of the verb: no "check on" is in "check whether it is on"."""
+    head = sentence.word(sentence.word(index).head) if sentence.word(index).head else None
+    if head is None or head.index == clause.verb:
+        return head is not None
+    is_of_a_clause = sentence.word(index).deprel == "case" and head.deprel in ("ccomp", "xcomp", "advcl")
+    return head.head == clause.verb and not is_of_a_clause

@@ -123,6 +123,14 @@ def test_clauses_in_order(understand: Any) -> None:
         ("go get the mug", [("taking", {"theme": "the mug"})]),
         ("turn right to face the desk", [("facing", {"goal": "the desk", "direction": "right"})]),
         ("Turn to face the desk.", [("facing", {"goal": "the desk"})]),
+        (
+            "you are in the bedroom and the bed is between two lamps",
+            [
+                ("being_located", {"theme": "you", "location": "the bedroom"}),
+                ("being_located", {"theme": "the bed", "location": "two lamps"}),
+            ],
+        ),
+        ("check whether the tv is on the table", [("inspecting", {"desired_state": "is on the table"})]),
         ("check if the lights are off", [("inspecting", {"ground": "the lights", "desired_state": "are off"})]),
         ("find out whether the door is closed", [("inspecting", {"ground": "the door", "desired_state": "is closed"})]),
         (
