@@ -1,4 +1,4 @@
-"""What a command cannot mean though the parser has it so: a verb with two objects, "can" without a verb."""
+"""What a command cannot mean though the parser has it so: "go up" before "to", "can" without a verb."""
 
 from dataclasses import replace
 
@@ -18,22 +18,6 @@ def mended(tree: DependencyTree) -> DependencyTree:
     """Rehang words that hang where no command has them; the words stay the same."""
     for rule in _RULES:
         tree = rule(tree)
-    return tree
-
-
-def _with_second_objects(tree: DependencyTree) -> DependencyTree:
-    """Make a phrase of an object that stands behind a particle and another object: "take the keys off the hook"."""
-    for particle in tree.words:
-        if particle.deprel != "compound:prt" or particle.index == len(tree.words):
-            continue
-        objects = [child for child in tree.children(particle.head) if child.deprel == "obj"]
-        first = [child for child in objects if child.index < particle.index]
-        second = [child for child in objects if _first(tree, child) == particle.index + 1]
-        if first and second:
-            words = list(tree.words)
-            words[particle.index - 1] = replace(particle, head=second[0].index, deprel="case", upos="ADP", xpos="IN")
-            words[second[0].index - 1] = replace(second[0], deprel="obl")
-            tree = replace(tree, words=tuple(words))
     return tree
 
 
@@ -147,7 +131,6 @@ def _with_part_turns(tree: DependencyTree) -> DependencyTree:
 
 _RULES = (
     _with_modals_as_nouns,
-    _with_second_objects,
     _with_particles_on_the_way,
     _with_places_of_devices,
     _with_places_of_all,

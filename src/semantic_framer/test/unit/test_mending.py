@@ -11,14 +11,6 @@ from stanford_parser_ros.conllu import from_conllu
 @pytest.mark.parametrize(
     "rows, index, head, deprel",
     [
-        # "take keys off hooks"
-        (
-            "1 take take VERB VB _ 0 root _ _\n2 keys key NOUN NNS _ 1 obj _ _\n3 off off ADP RP _ 1 compound:prt _ _"
-            "\n4 hooks hook NOUN NNS _ 1 obj _ _",
-            4,
-            1,
-            "obl",
-        ),
         # "go up to Bob"
         (
             "1 go go VERB VB _ 0 root _ _\n2 up up ADP RP _ 1 compound:prt _ _\n3 to to ADP IN _ 4 case _ _"

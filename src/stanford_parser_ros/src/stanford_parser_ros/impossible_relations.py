@@ -46,16 +46,11 @@ def _with_one_object(tree: DependencyTree) -> DependencyTree:
         if particle.deprel != "compound:prt":
             continue
         objects = [child for child in tree.children(particle.head) if child.deprel == "obj"]
-        behind = [noun for noun in objects if noun.index > particle.index]
-        if len(objects) != 2 or len(behind) != 1 or _first(tree, behind[0]) != particle.index + 1:
-            continue
-        words = list(tree.words)
-        words[particle.index - 1] = replace(particle, upos="ADP", xpos="IN", head=behind[0].index, deprel="case")
-        words[behind[0].index - 1] = replace(behind[0], deprel="obl")
-        return replace(tree, words=tuple(words))
+        first = [child for child in objects if child.index < particle.index]
+        second = [child for child in objects if tree.subtree(child.index)[0].index == particle.index + 1]
+        if first and second:
+            words = list(tree.words)
+            words[particle.index - 1] = replace(particle, upos="ADP", xpos="IN", head=second[0].index, deprel="case")
+            words[second[0].index - 1] = replace(second[0], deprel="obl")
+            tree = replace(tree, words=tuple(words))
     return tree
-
-
-def _first(tree: DependencyTree, word: Word) -> int:
-    """Return the position of the first word below a word, itself included."""
-    return min([word.index] + [_first(tree, child) for child in tree.children(word.index)])
