@@ -10,7 +10,7 @@ from stanford_parser_ros.tree import DependencyTree
 from semantic_framer.answers import answer, question_of
 from semantic_framer.asides import with_asides, with_opening_aside
 from semantic_framer.choices import choices_of_clauses, chosen, question_of_choices
-from semantic_framer.clauses import WRAPPERS, Clause, find_clauses, whole_sentence
+from semantic_framer.clauses import CONDITIONS, WRAPPERS, Clause, find_clauses, whole_sentence
 from semantic_framer.dialogue import Choice, Context, Pending, is_no
 from semantic_framer.lexicon import Lexicon
 from semantic_framer.matching import Reading, rank
@@ -237,6 +237,16 @@ def _time_of_a_command(sentence: Sentence, lexicon: Lexicon) -> FrozenSet[int]:
     return times[0] if times and is_command else frozenset()
 
 
+def _inner_condition(sentence: Sentence, positions: FrozenSet[int]) -> FrozenSet[int]:
+    """Return the words of a condition inside of what is to be found out: "see if it is hot when I say so"."""
+    for index in sorted(positions):
+        word = sentence.word(index)
+        marks = {child.form.lower() for child in sentence.children(index) if child.deprel in ("mark", "advmod")}
+        if word.deprel.startswith("advcl") and word.head in positions and marks & (CONDITIONS - {"if"}):
+            return sentence.subtree(index)
+    return frozenset()
+
+
 def _not_then(sentence: Sentence, positions: Iterable[int]) -> Refusal:
     return Refusal("CONDITION", f'I can only act at once, not "{sentence.text(sorted(positions))}".')
 
@@ -297,8 +307,10 @@ def _read_one(
             if (conditional or set(clause.condition_positions))
             <= {position for value in reading.values for position in value.positions}
         )
-        if not readings:
-            return _not_then(sentence, clause.condition_positions)
+        # "... when I say so" behind it is one, whatever the words fill.
+        inner = _inner_condition(sentence, clause.condition_positions)
+        if not readings or inner:
+            return _not_then(sentence, inner or clause.condition_positions)
     complete = tuple(reading for reading in readings if not reading.missing)
     if not complete:
         # "Move." asks where to as well as how far: the answer tells which was meant.

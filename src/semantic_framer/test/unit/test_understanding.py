@@ -153,6 +153,8 @@ def test_verbs_that_share_words(understand: Any, text: str, expected: List[Tuple
     [
         ("don't go to the kitchen to get the mug", "NEGATED"),
         ("don't go to the office and then to the kitchen", "NEGATED"),
+        ("see if the oven is hot when I say so", "CONDITION"),
+        ("look if the window is closed when I say so", "CONDITION"),
         # What the cloth is for is the speaker's task.
         ("bring me a cloth to clean the table", "LEFT_OVER_WORDS"),
     ],
