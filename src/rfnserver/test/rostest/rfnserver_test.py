@@ -55,6 +55,16 @@ class Registrar:
         self._service = rospy.Service("register_with_frame", RegisterWithFrame, self._on_register)
         self._publish()
 
+    def restart(self, registrar_id: str) -> None:
+        """Forget everything, as a new process has.
+
+        The publisher stays: rospy may connect to one of its own process while that is replaced, and not try again.
+        A registrar that is really killed is among the tests of the whole.
+        """
+        self._id = registrar_id
+        self.requests = []
+        self._publish()
+
     def _publish(self) -> None:
         self._publisher.publish(
             FrameCatalogue(
@@ -73,14 +83,13 @@ class Registrar:
         self._publish()
         return RegisterWithFrameResponse(success=True)
 
-    def close(self) -> None:
-        """Be gone."""
-        self._service.shutdown("test")
-        self._publisher.unregister()
-
 
 class RFNServerTest(unittest.TestCase):
     """One behaviour in each method."""
+
+    @classmethod
+    def setUpClass(cls) -> None:
+        cls.registrar = Registrar("first")
 
     def serve(self, name: str, callback: Callable[[Any], Any]) -> RFNServer:
         server = RFNServer(name, callback)
@@ -137,25 +146,18 @@ class RFNServerTest(unittest.TestCase):
 
     def test_registers_again_with_a_registrar_that_restarted(self) -> None:
         server = RFNServer("returning", lambda _frame: None)
-        first = Registrar("first")
         self.assertTrue(server.register_with_frame("coming_back"))
         # Twice, where the catalogue of before the registration arrives after it; that does no harm.
-        self.assertEqual({request.callback_topic for request in first.requests}, {"returning"})
-        first.close()
-        second = Registrar("second")
-        try:
-            self.assertTrue(wait_until(lambda: {request.frame_name for request in second.requests} == {"coming_back"}))
-        finally:
-            second.close()
+        self.assertEqual({request.callback_topic for request in self.registrar.requests}, {"returning"})
+        self.registrar.restart("second")
+        self.assertTrue(
+            wait_until(lambda: {request.frame_name for request in self.registrar.requests} == {"coming_back"})
+        )
 
     def test_refusal_is_false_with_the_reason(self) -> None:
-        registrar = Registrar("third")
-        try:
-            server = RFNServer("intruding", lambda _frame: None)
-            self.assertFalse(server.register_with_frame("forbidden"))
-            self.assertEqual(server.last_error, "not this one")
-        finally:
-            registrar.close()
+        server = RFNServer("intruding", lambda _frame: None)
+        self.assertFalse(server.register_with_frame("forbidden"))
+        self.assertEqual(server.last_error, "not this one")
 
 
 if __name__ == "__main__":
