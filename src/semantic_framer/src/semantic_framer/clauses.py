@@ -205,12 +205,15 @@ def _has_negation(sentence: Sentence, word: Word) -> bool:
 
 
 def _is_of_nothing(sentence: Sentence, positions: FrozenSet[int]) -> bool:
-    """Whether a clause speaks of something that is not there: "take no box", "none of the boxes", "the mug and no plate".
+    """Whether a clause speaks of what is not there or not meant: "take no box", "none of the boxes", "not the plate".
 
     "Say no" says a word.
     """
     words = [sentence.word(index) for index in sorted(positions - sentence.quoted)]
     if any((word.form.lower(), after.form.lower()) in _NO_MORE for word, after in zip(words, words[1:])):
+        return True
+    # "Go to the office and not to the kitchen", "turn right then not left": what is not to be done is said as well.
+    if any((word.deprel == "conj" or _is_remnant(sentence, word)) and _has_negation(sentence, word) for word in words):
         return True
     return any(
         word.form.lower() in _NO_THINGS

@@ -153,6 +153,9 @@ def test_verbs_that_share_words(understand: Any, text: str, expected: List[Tuple
     [
         ("don't go to the kitchen to get the mug", "NEGATED"),
         ("don't go to the office and then to the kitchen", "NEGATED"),
+        ("go to the office and not to the kitchen", "NEGATED"),
+        ("turn right then not left", "NEGATED"),
+        ("bring the mug and not the plate", "NEGATED"),
         ("see if the oven is hot when I say so", "CONDITION"),
         ("look if the window is closed when I say so", "CONDITION"),
         # What the cloth is for is the speaker's task.
