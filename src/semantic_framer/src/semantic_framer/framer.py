@@ -350,7 +350,15 @@ def _finish(
                 return _left_over(sentence, readings[0].left_over), context
     ignored = [sentence.word(index).form for readings in clauses for index in readings[0].left_over]
     done: List[Tuple[Reading, ...]] = []
-    for position, readings in enumerate(clauses):
+
+    def asked(readings: Tuple[Reading, ...], elements: Tuple[str, ...], choices: Tuple[str, ...] = ()) -> Context:
+        """Return what is remembered while a question about the next clause is open."""
+        waiting = _waiting(tuple(done) + (readings,) + clauses[len(done) + 1 :])
+        expires_s = now_s + policy.question_timeout_s
+        pending = Pending(clauses=waiting, clause=len(done), elements=elements, expires_s=expires_s, choices=choices)
+        return replace(context, pending=pending)
+
+    for readings in clauses:
         resolved_readings: List[Reading] = []
         unresolved: List[Tuple[Reading, ElementValue]] = []
         for reading in readings:
@@ -360,37 +368,18 @@ def _finish(
             else:
                 resolved_readings.append(outcome)
         if unresolved:
-            pending = Pending(
-                clauses=_waiting(
-                    tuple(done) + (tuple(reading for reading, _ in unresolved),) + clauses[position + 1 :]
-                ),
-                clause=position,
-                elements=tuple(value.name for _, value in unresolved),
-                expires_s=now_s + policy.question_timeout_s,
-            )
-            asked = f'What do you mean by "{unresolved[0][1].argument}"?'
-            return Question("AMBIGUOUS", asked), replace(context, pending=pending)
+            question = Question("AMBIGUOUS", f'What do you mean by "{unresolved[0][1].argument}"?')
+            elements = tuple(value.name for _, value in unresolved)
+            return question, asked(tuple(reading for reading, _ in unresolved), elements)
         best = resolved_readings[0]
         if best.missing:
-            pending = Pending(
-                clauses=_waiting(tuple(done) + (tuple(resolved_readings),) + clauses[position + 1 :]),
-                clause=position,
-                elements=tuple(reading.asked[0].name for reading in resolved_readings),
-                expires_s=now_s + policy.question_timeout_s,
-            )
-            return Question("MISSING_ELEMENT", question_of(resolved_readings)), replace(context, pending=pending)
+            elements = tuple(reading.asked[0].name for reading in resolved_readings)
+            question = Question("MISSING_ELEMENT", question_of(resolved_readings))
+            return question, asked(tuple(resolved_readings), elements)
         alternative = next((value for value in best.values if value.conjunction == "or"), None)
         if alternative is not None and policy.alternatives is Alternatives.ASK:
-            pending = Pending(
-                clauses=_waiting(tuple(done) + ((best,),) + clauses[position + 1 :]),
-                clause=position,
-                elements=(alternative.name,),
-                expires_s=now_s + policy.question_timeout_s,
-                choices=alternative.items,
-            )
-            return Question("AMBIGUOUS", f"Which one: {' or '.join(alternative.items)}?"), replace(
-                context, pending=pending
-            )
+            question = Question("AMBIGUOUS", f"Which one: {' or '.join(alternative.items)}?")
+            return question, asked((best,), (alternative.name,), alternative.items)
         context = remember(best, frames, context)
         done.append(tuple(resolved_readings))
     confirm = [readings[0] for readings in done if frames[readings[0].unit.frame_name].is_confirmed]
@@ -398,8 +387,8 @@ def _finish(
         pending = Pending(
             clauses=_waiting(tuple(done)), clause=0, elements=(), expires_s=now_s + policy.question_timeout_s
         )
-        asked = ", then ".join(_in_words(readings[0]) for readings in done)
-        return Question("CONFIRM", f'Shall I really do this: "{asked}"? Say yes or no.'), replace(
+        acts = ", then ".join(_in_words(readings[0]) for readings in done)
+        return Question("CONFIRM", f'Shall I really do this: "{acts}"? Say yes or no.'), replace(
             context, pending=pending
         )
     warning = f'ignored: {" ".join(ignored)}' if ignored and policy.left_over_words is LeftOverWords.WARN else ""
