@@ -1,5 +1,5 @@
 """Plans between messages and values."""
-from typing import Iterable
+from typing import Iterable, List
 
 from roboframenet_msgs import msg
 
@@ -74,5 +74,5 @@ def procedure_to_message(plan: Plan) -> msg.Procedure:
         msg.FilledSemanticFrameList(frames=_frames_to_messages(frames)) for frames in as_procedure(plan)])
 
 
-def _frames_to_messages(frames: Iterable[FilledFrame]) -> list:
+def _frames_to_messages(frames: Iterable[FilledFrame]) -> List[msg.FilledSemanticFrame]:
     return [frame_to_message(frame) for frame in frames]
