@@ -1,0 +1,98 @@
+"""Nobody who logs waits for whoever writes."""
+import logging
+import threading
+
+from roboframenet_ros.log_thread import LogThread, put_thread_before
+
+
+class Collecting(logging.Handler):
+    def __init__(self, *, level=logging.NOTSET):
+        super().__init__(level)
+        self.lines = []
+        self.is_free = threading.Event()
+        self.is_free.set()
+        self.begun = threading.Event()
+
+    def emit(self, record):
+        self.begun.set()
+        assert self.is_free.wait(60.0)
+        self.lines.append(record.getMessage())
+
+
+def logger_of_its_own(name):
+    logger = logging.getLogger(name)
+    logger.handlers, logger.propagate = [], True
+    logger.setLevel(logging.DEBUG)
+    return logger
+
+
+def test_records_come_in_order_to_handlers_of_the_logger_and_above():
+    parent, logger = logger_of_its_own("family"), logger_of_its_own("family.child")
+    parent.propagate = False
+    own, above = Collecting(), Collecting(level=logging.WARNING)
+    logger.addHandler(own)
+    parent.addHandler(above)
+    thread = put_thread_before(logger)
+    logger.info("%s and %s", "one", "two")
+    logger.warning("three")
+    assert thread.wait_until_written(timeout_s=60.0)
+    assert own.lines == ["one and two", "three"]
+    assert above.lines == ["three"]
+
+
+def test_thread_is_put_there_once():
+    logger = logger_of_its_own("once")
+    logger.propagate = False
+    own = Collecting()
+    logger.addHandler(own)
+    assert put_thread_before(logger) is put_thread_before(logger)
+    logger.info("line")
+    assert put_thread_before(logger).wait_until_written(timeout_s=60.0)
+    assert own.lines == ["line"]
+
+
+def test_caller_does_not_wait_and_what_is_too_much_is_counted():
+    slow = Collecting()
+    slow.is_free.clear()
+    thread = LogThread([slow], max_waiting=2)
+    logger = logger_of_its_own("slow")
+    logger.propagate = False
+    logger.addHandler(thread)
+    logger.info("first")
+    assert slow.begun.wait(60.0)  # it is with the handler, and does not count as waiting
+    for index in range(5):
+        logger.info("line %d", index)
+    assert not thread.wait_until_written(timeout_s=0.0)
+    slow.is_free.set()
+    assert thread.wait_until_written(timeout_s=60.0)
+    assert slow.lines == ["first", "3 log records were dropped", "line 0", "line 1"]
+
+
+def test_arguments_are_read_when_they_are_logged():
+    own = Collecting()
+    own.is_free.clear()
+    thread = LogThread([own])
+    logger = logger_of_its_own("mutable")
+    logger.propagate = False
+    logger.addHandler(thread)
+    names = ["a"]
+    logger.info("%s", names)
+    names.append("b")
+    own.is_free.set()
+    assert thread.wait_until_written(timeout_s=60.0)
+    assert own.lines == ["['a']"]
+
+
+def test_handler_that_fails_costs_its_record_alone(capsys):
+    class Failing(logging.Handler):
+        def emit(self, record):
+            raise OSError("no space left")
+
+    own = Collecting()
+    thread = LogThread([Failing(), own])
+    logger = logger_of_its_own("failing")
+    logger.propagate = False
+    logger.addHandler(thread)
+    logger.info("lost")
+    assert thread.wait_until_written(timeout_s=60.0)
+    assert "no space left" in capsys.readouterr().err
