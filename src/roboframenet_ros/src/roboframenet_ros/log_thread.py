@@ -38,6 +38,10 @@ class LogThread(logging.Handler):
         except queue.Full:
             self._dropped += 1
 
+    def add(self, handlers: Sequence[logging.Handler]) -> None:
+        """Write to further handlers too."""
+        self._handlers += tuple(handlers)
+
     def wait_until_written(self, *, timeout_s: float) -> bool:
         """Wait for what was logged so far; returns whether it is written."""
         end_s = time.monotonic() + timeout_s
@@ -73,10 +77,15 @@ class LogThread(logging.Handler):
 
 
 def put_thread_before(logger: logging.Logger) -> LogThread:
-    """Have a thread write what a logger takes, also for the loggers above it; once, however often it is called."""
-    for handler in logger.handlers:
-        if isinstance(handler, LogThread):
-            return handler
+    """Have a thread write what a logger takes, also for the loggers above it.
+
+    Called again, it hands handlers that were added meanwhile to the same thread.
+    """
+    thread = next((handler for handler in logger.handlers if isinstance(handler, LogThread)), None)
+    if thread is not None:
+        thread.add([handler for handler in logger.handlers if handler is not thread])
+        logger.handlers = [thread]
+        return thread
     handlers: List[logging.Handler] = []
     above: Optional[logging.Logger] = logger
     while above is not None:

@@ -51,6 +51,21 @@ def test_thread_is_put_there_once():
     assert own.lines == ["line"]
 
 
+def test_handler_that_was_added_later_is_behind_the_thread_too():
+    logger = logger_of_its_own("late")
+    logger.propagate = False
+    thread = put_thread_before(logger)
+    late = Collecting()
+    late.is_free.clear()
+    logger.addHandler(late)
+    assert put_thread_before(logger) is thread
+    logger.info("line")
+    late.is_free.set()
+    assert thread.wait_until_written(timeout_s=60.0)
+    assert late.lines == ["line"]
+    assert logger.handlers == [thread]
+
+
 def test_caller_does_not_wait_and_what_is_too_much_is_counted():
     slow = Collecting()
     slow.is_free.clear()
