@@ -203,14 +203,13 @@ class CommandBook:
         """Close a command.
 
         Returns:
-            the ending with the command as it was opened; None when the command is not open: the ending is a later one.
-            A command that is being cancelled ends by its verdict, unless it was done before
+            the ending with the command as it was opened; None when the command is not open: the ending is a later one;
+            also None while it is being cancelled, which `finish_condemned` ends, unless it was done before
         """
-        entry = self._open.pop(ending.command.command_id, None)
-        if entry is None:
+        entry = self._open.get(ending.command.command_id)
+        if entry is None or (entry.verdict is not None and ending.outcome is not Outcome.DONE):
             return None
-        if entry.verdict is not None and ending.outcome is not Outcome.DONE:
-            return _ending_of(entry, entry.verdict, f"{ending.stage} says: {ending.sentence}")
+        del self._open[ending.command.command_id]
         return replace(ending, command=entry.command)
 
     def condemn_silent(self, *, timeout_s: float) -> List[OpenCommand]:

@@ -150,7 +150,7 @@ class CommandServerNode:
                     rospy.logerr("command_server could not handle a %s: %s: %s",
                                  type(event).__name__, type(error).__name__, error)
             self._cancel_silent()
-            self._stop_unconfirmed()
+            self._stop_in_place()
             if self._left_over.take_brake(is_executor_connected=self._cancels.is_heard):
                 self._brake.stop(StopOrder(key=_RESTART_KEY, stamp_ns=self._start_ns, is_for_frames_only=True))
             for ending in self._left_over.take_answers():
@@ -310,9 +310,9 @@ class CommandServerNode:
         for command_id in self._book.overdue_condemned():
             self._answer_condemned(command_id, "Whether the robot still moves is not known.")
 
-    def _stop_unconfirmed(self) -> None:
+    def _stop_in_place(self) -> None:
         """Carry out the stops that the stop server does not."""
-        for stop in self._stops.take_unconfirmed():
+        for stop in self._stops.take_silent(brake_s=self._brake_answer_s):
             self._brakings[stop.command_id] = _Braking()
             self._brake.stop(StopOrder(key=stop.command_id, stamp_ns=stop.stamp_ns))
             rospy.logerr("cmd=%s %s does not answer: this node stops the robot", stop.command_id, STOP_STAGE)

@@ -13,7 +13,7 @@ _LISTENER_TIMEOUT_S = 10.0
 _MASTER_TIMEOUT_S = 1.0
 # How long the executor may take to connect, and then to end what it runs, before the robot is stopped without it.
 _EXECUTOR_CONNECT_S = 1.5
-_EXECUTOR_CANCEL_S = 0.5
+_EXECUTOR_CANCEL_S = 0.3
 #: Together.
 EXECUTOR_TIMEOUT_S = _EXECUTOR_CONNECT_S + _EXECUTOR_CANCEL_S
 
@@ -40,7 +40,7 @@ class LeftOver:
         return tuple(ending.command for ending in self._held)
 
     def take_brake(self, *, is_executor_connected: bool) -> bool:
-        """Whether the executor has had its time, and what they have started must be cancelled without it; once."""
+        """Whether the executor has had its time, and the robot is to be stopped as well; once."""
         now_s = time.monotonic()
         if is_executor_connected and self._brake_s != float("inf"):
             self._brake_s = min(self._brake_s, now_s + _EXECUTOR_CANCEL_S)

@@ -23,7 +23,8 @@ class StopHeard:
         is_action: it came as a goal, so the stop server knows the same id; for texts it has an id of its own
         heard_s: when it was heard, monotonic seconds
         deadline_s: when the stop server counts as silent, monotonic seconds
-        is_confirmed: the stop server has carried it out, or somebody was told to
+        is_confirmed: the stop server has carried it out
+        is_taken: it is carried out here
     """
 
     command_id: str
@@ -33,6 +34,14 @@ class StopHeard:
     heard_s: float
     deadline_s: float
     is_confirmed: bool = False
+    is_taken: bool = False
+
+    @property
+    def taking_s(self) -> float:
+        """When it is to be carried out here, monotonic seconds."""
+        if self.is_taken:
+            return float("inf")
+        return self.deadline_s if self.is_confirmed else min(self.deadline_s, self.heard_s + CONFIRMATION_S)
 
 
 @dataclass(frozen=True)
@@ -90,7 +99,7 @@ class StopBook:
         return None
 
     def hear_report(self, command_id: str, text: str) -> Optional[StopHeard]:
-        """The stop server has carried a stop out, and will reply.
+        """The stop server has carried a stop out, sees to it, and will reply.
 
         Returns:
             the stop, None when it is still to come
@@ -100,7 +109,8 @@ class StopBook:
         if stop is None:
             self._early.append(_Early(command_id, text, self._now(), is_reply=False))
             return None
-        self._replace(stop, replace(stop, is_confirmed=True, deadline_s=self._now() + self._timeout_s))
+        self._replace(stop, replace(
+            stop, is_confirmed=True, is_taken=False, deadline_s=self._now() + self._timeout_s))
         return stop
 
     def hear_reply(self, command_id: str, text: str) -> Optional[StopHeard]:
@@ -121,22 +131,26 @@ class StopBook:
             self._early.append(_Early(command_id, text, self._now(), is_reply=True))
         return None
 
-    def take_unconfirmed(self) -> List[StopHeard]:
-        """The stops of which the stop server has said nothing in time; each is found once."""
+    def take_silent(self, *, brake_s: float) -> List[StopHeard]:
+        """The stops to be carried out here: the stop server has said nothing, or no reply has followed; each once.
+
+        Args:
+            brake_s: how long that takes; they are not overdue before
+        """
         now_s = self._now()
-        found = [stop for stop in self._stops if not stop.is_confirmed and now_s >= stop.heard_s + CONFIRMATION_S]
+        found = [stop for stop in self._stops if now_s >= stop.taking_s]
         for stop in found:
-            self._replace(stop, replace(stop, is_confirmed=True))
+            self._replace(stop, replace(stop, is_taken=True, deadline_s=max(stop.deadline_s, now_s + brake_s)))
         return found
 
     def take_overdue(self) -> List[StopHeard]:
-        """Take out the stops that the stop server has not answered in time; forget what is old."""
+        """Take out the stops that were carried out here and not answered meanwhile; forget what is old."""
         now_s = self._now()
         while self._early and now_s - self._early[0].heard_s > max(_SKEW_S, self._timeout_s):
             self._early.popleft()
         while self._overdue and now_s - self._overdue[0].deadline_s > _REMEMBER_S:
             self._overdue.popleft()
-        overdue = [stop for stop in self._stops if stop.deadline_s <= now_s]
+        overdue = [stop for stop in self._stops if stop.is_taken and stop.deadline_s <= now_s]
         for stop in overdue:
             self._stops.remove(stop)
             self._overdue.append(stop)
@@ -149,9 +163,8 @@ class StopBook:
              for stop in self._stops), maxlen=self._stops.maxlen)
 
     def next_deadline_s(self) -> Optional[float]:
-        """When a stop may be unconfirmed or overdue, monotonic seconds; None when none waits."""
-        return min((stop.deadline_s if stop.is_confirmed else min(stop.deadline_s, stop.heard_s + CONFIRMATION_S)
-                    for stop in self._stops), default=None)
+        """When a stop may be silent or overdue, monotonic seconds; None when none waits."""
+        return min((min(stop.taking_s, stop.deadline_s) for stop in self._stops), default=None)
 
     @staticmethod
     def _meant_by(command_id: str, text: str, stops: List[StopHeard]) -> Optional[StopHeard]:

@@ -25,11 +25,17 @@ def say(book, command_id="mine", *, is_action=False, heard_s=None):
     return book.hear_stop(command_id, "stop", stamp_ns=7, is_action=is_action, heard_s=heard_s)
 
 
+def overdue(book):
+    """Carry out what is silent, and see what is overdue."""
+    book.take_silent(brake_s=0.0)
+    return [stop.command_id for stop in book.take_overdue()]
+
+
 def test_reply_answers_the_stop_that_came_before(book, clock):
     assert say(book) is None
     assert book.hear_reply("theirs", "stop").command_id == "mine"
     clock.now_s += 5.0
-    assert not book.take_overdue()
+    assert not overdue(book)
 
 
 def test_reply_may_come_first(book):
@@ -48,8 +54,8 @@ def test_each_of_many_stops_takes_one_reply(book, clock):
     for index in range(49):
         assert book.hear_reply(f"theirs{index}", "stop") is not None
     clock.now_s += 2.0
-    assert [stop.command_id for stop in book.take_overdue()] == ["mine49"]
-    assert not book.take_overdue()
+    assert overdue(book) == ["mine49"]
+    assert not overdue(book)
 
 
 def test_old_reply_does_not_answer_a_new_stop(book, clock):
@@ -67,31 +73,38 @@ def test_reply_is_early_by_the_time_at_which_the_stop_was_heard(book, clock):
 def test_late_reply_to_a_stop_that_was_answered_here_does_not_answer_the_next_one(book, clock):
     say(book, "first")
     clock.now_s += 1.0
-    assert [stop.command_id for stop in book.take_overdue()] == ["first"]
+    assert overdue(book) == ["first"]
     assert book.hear_reply("late", "stop") is None
     assert say(book, "second") is None
     clock.now_s += 1.0
-    assert [stop.command_id for stop in book.take_overdue()] == ["second"]
+    assert overdue(book) == ["second"]
 
 
 def test_late_reply_while_the_next_stop_waits_answers_one_of_them(book, clock):
     say(book, "first")
     clock.now_s += 1.0
-    book.take_overdue()
+    assert overdue(book) == ["first"]
     say(book, "second")
     assert book.hear_reply("late", "stop").command_id == "second"
     assert book.hear_reply("later", "stop") is None  # the two stops have had three answers: none is kept
     assert say(book, "third") is None
 
 
-def test_stop_without_a_report_is_unconfirmed_once(book, clock):
+def silent(book, *, brake_s=0.5):
+    return [stop.command_id for stop in book.take_silent(brake_s=brake_s)]
+
+
+def test_stop_without_a_report_is_carried_out_here_once(book, clock):
     say(book)
-    assert not book.take_unconfirmed()
+    assert not silent(book)
     assert book.next_deadline_s() == pytest.approx(100.15)
     clock.now_s += 0.2
-    assert [(stop.command_id, stop.stamp_ns) for stop in book.take_unconfirmed()] == [("mine", 7)]
-    assert not book.take_unconfirmed()
+    (stop,) = book.take_silent(brake_s=0.5)
+    assert (stop.command_id, stop.stamp_ns) == ("mine", 7)
+    assert not silent(book)
     assert book.next_deadline_s() == pytest.approx(101.0)
+    clock.now_s += 0.9
+    assert overdue(book) == ["mine"]
 
 
 @pytest.mark.parametrize("is_early", [True, False])
@@ -104,17 +117,30 @@ def test_report_confirms_and_gives_time_for_the_reply(book, clock, is_early):
         clock.now_s += 0.1
         assert book.hear_report("theirs", "stop").command_id == "mine"
     clock.now_s += 0.95
-    assert not book.take_unconfirmed()
+    assert not silent(book)
     assert not book.take_overdue()
-    clock.now_s += 0.1
-    assert len(book.take_overdue()) == 1
+
+
+def test_report_without_a_reply_is_carried_out_here_before_it_is_answered(book, clock):
+    say(book)
+    book.hear_report("theirs", "stop")
+    clock.now_s += 1.0
+    assert silent(book, brake_s=0.5) == ["mine"]
+    clock.now_s += 0.4
+    assert not book.take_overdue()
+    clock.now_s += 0.2
+    assert [stop.command_id for stop in book.take_overdue()] == ["mine"]
 
 
 def test_report_of_a_stop_that_is_carried_out_here_names_it(book, clock):
     say(book)
     clock.now_s += 0.2
-    book.take_unconfirmed()
+    assert silent(book) == ["mine"]
     assert book.hear_report("theirs", "stop").command_id == "mine"
+    clock.now_s += 0.9
+    assert not overdue(book)
+    clock.now_s += 0.2
+    assert silent(book) == ["mine"]  # the stop server has died meanwhile
 
 
 def test_reports_confirm_one_stop_each(book, clock):
@@ -122,15 +148,14 @@ def test_reports_confirm_one_stop_each(book, clock):
     say(book, "second")
     book.hear_report("theirs", "stop")
     clock.now_s += 0.2
-    assert [stop.command_id for stop in book.take_unconfirmed()] == ["second"]
+    assert silent(book) == ["second"]
 
 
 def test_stop_server_is_not_blamed_while_this_process_does_not_run(book, clock):
     say(book)
     clock.now_s += 60.0
     book.postpone(60.0)
-    assert not book.take_unconfirmed()
-    assert not book.take_overdue()
+    assert not overdue(book)
 
 
 def test_goal_without_an_id_of_its_own_is_matched_by_its_words(book):

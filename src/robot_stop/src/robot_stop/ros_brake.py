@@ -28,11 +28,13 @@ class Braked:
         order: the stop
         cancelled: names of the servers that heard the cancel
         took_s: how long it took
+        is_just_awake: this process was suspended shortly before, so that the stop may be an old one
     """
 
     order: StopOrder
     cancelled: Tuple[str, ...]
     took_s: float
+    is_just_awake: bool
 
 
 @dataclass(frozen=True)
@@ -125,10 +127,11 @@ class Brake:
         is_for_all = not order.is_for_frames_only and not order.except_server
         cancelled = self.servers.cancel(GoalID() if is_for_all else self._up_to(order), order)
         took_s = time.monotonic() - began_s
-        self._braking.begin(
-            order, self._evidence(), is_just_awake=self._suspension.is_just_awake(within_s=_JUST_AWAKE_S))
+        is_just_awake = self._suspension.is_just_awake(within_s=_JUST_AWAKE_S)
+        self._braking.begin(order, self._evidence(), is_just_awake=is_just_awake)
         self.servers.refresh_soon()
-        self._on_braked(Braked(order=order, cancelled=tuple(cancelled), took_s=took_s))
+        self._on_braked(Braked(
+            order=order, cancelled=tuple(cancelled), took_s=took_s, is_just_awake=is_just_awake))
 
     def _look(self) -> None:
         look = self._braking.look(self._evidence())

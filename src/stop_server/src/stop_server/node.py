@@ -4,7 +4,6 @@ Callbacks only enqueue; the thread of the brake stops the robot and answers.
 """
 import queue
 import threading
-import time
 import uuid
 from dataclasses import dataclass
 from typing import Dict, Optional
@@ -34,7 +33,6 @@ class _StopHeard:
 
     text: str
     stamp: rospy.Time
-    heard_s: float
     command_id: str = ""
     findings: "Optional[queue.Queue[Finding]]" = None
 
@@ -88,8 +86,7 @@ class StopServerNode:
 
     def _hear(self, text: str, command_id: str) -> None:
         if is_stop(text):
-            self._stop(_StopHeard(
-                text=text, stamp=rospy.Time.now(), heard_s=time.monotonic(), command_id=command_id))
+            self._stop(_StopHeard(text=text, stamp=rospy.Time.now(), command_id=command_id))
 
     def _stop(self, heard: _StopHeard, *, except_server: str = "") -> None:
         with self._lock:
@@ -101,7 +98,7 @@ class StopServerNode:
     def _hear_reply(self, reply: Reply) -> None:
         if reply.stage == STAGE and reply._connection_header["callerid"] != rospy.get_name():
             with self._lock:
-                self._others.note(reply.command.id, reply.command.text)
+                self._others.note(reply.command.id, reply.command.text, stamp_ns=reply.command.stamp.to_nsec())
 
     def _hear_catalogue(self, catalogue: FrameCatalogue) -> None:
         self._brake.servers.set_registered(frozenset(
@@ -110,8 +107,7 @@ class StopServerNode:
     def _stop_for_frame(self) -> str:
         """Stop what the executor has not preempted; returns why the robot may still move, empty when it stands."""
         findings: "queue.Queue[Finding]" = queue.Queue()
-        self._stop(_StopHeard(text="", stamp=rospy.Time.now(), heard_s=time.monotonic(), findings=findings),
-                   except_server=self._own_server)
+        self._stop(_StopHeard(text="", stamp=rospy.Time.now(), findings=findings), except_server=self._own_server)
         try:
             finding = findings.get(timeout=self._settings.confirmation_timeout_s + _JOIN_TIMEOUT_S)
         except queue.Empty:
@@ -140,7 +136,7 @@ class StopServerNode:
         if told.heard.findings is not None:
             if finding.is_first:
                 told.heard.findings.put(finding)
-        elif not finding.is_first or not self._is_answered(told.heard):
+        elif not finding.is_first or not self._is_answered(told):
             report = self._report_of(told, finding=finding, sentence=sentence)
             if finding.is_first:
                 report.reply = Reply(
@@ -161,10 +157,11 @@ class StopServerNode:
     def _sentence_of(self, finding: Finding, *, server_count: int) -> str:
         return sentence_of(finding, server_count=server_count, limit_s=self._settings.zero_velocity_limit_s)
 
-    def _is_answered(self, heard: _StopHeard) -> bool:
+    def _is_answered(self, told: _Told) -> bool:
         """Whether the command server, to which this node seemed silent, has replied already."""
         with self._lock:
-            return self._others.take(heard.command_id, heard.text, heard_s=heard.heard_s)
+            return self._others.take(told.heard.command_id, told.heard.text, stamp_ns=told.heard.stamp.to_nsec(),
+                                     is_just_awake=told.braked.is_just_awake)
 
 
 def read_settings() -> BrakeSettings:

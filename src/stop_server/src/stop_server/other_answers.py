@@ -4,8 +4,8 @@ from collections import deque
 from dataclasses import dataclass
 from typing import Callable, Deque
 
-# Utterance and answer come on connections of their own: of two that came together either may be first.
-_SKEW_S = 0.25
+# Two nodes hear one utterance at nearly the same time.
+_SKEW_NS = 500_000_000
 _FORGET_S = 30.0
 _MOST_KEPT = 1000
 
@@ -14,7 +14,8 @@ _MOST_KEPT = 1000
 class _Answer:
     command_id: str
     text: str
-    heard_s: float
+    stamp_ns: int
+    noted_s: float
 
 
 class OtherAnswers:
@@ -29,23 +30,24 @@ class OtherAnswers:
         self._now = now
         self._answers: Deque[_Answer] = deque(maxlen=_MOST_KEPT)
 
-    def note(self, command_id: str, text: str) -> None:
-        """Somebody else answered a stop."""
-        self._answers.append(_Answer(command_id, text, self._now()))
+    def note(self, command_id: str, text: str, *, stamp_ns: int) -> None:
+        """Somebody else answered a stop that was said at `stamp_ns`, nanoseconds of ROS time."""
+        self._answers.append(_Answer(command_id, text, stamp_ns, self._now()))
 
-    def take(self, command_id: str, text: str, *, heard_s: float) -> bool:
+    def take(self, command_id: str, text: str, *, stamp_ns: int, is_just_awake: bool) -> bool:
         """Whether a stop has been answered; each answer counts for one stop.
 
         Args:
             command_id: of a stop that came as a goal; empty for one that came as text
             text: as it was said
-            heard_s: when it was heard, monotonic seconds; an answer from before it belongs to another stop
+            stamp_ns: when it was heard here, nanoseconds of ROS time
+            is_just_awake: this process was suspended, so that it may have been said long before
         """
-        while self._answers and self._answers[0].heard_s < self._now() - _FORGET_S:
+        while self._answers and self._answers[0].noted_s < self._now() - _FORGET_S:
             self._answers.popleft()
         for answer in self._answers:
-            is_meant = answer.command_id == command_id if command_id else answer.text == text
-            if is_meant and answer.heard_s >= heard_s - _SKEW_S:
+            is_same_time = is_just_awake or abs(answer.stamp_ns - stamp_ns) <= _SKEW_NS
+            if (answer.command_id == command_id) if command_id else (answer.text == text and is_same_time):
                 self._answers.remove(answer)
                 return True
         return False

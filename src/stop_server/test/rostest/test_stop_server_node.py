@@ -72,7 +72,7 @@ class StopServerNodeTest(unittest.TestCase):
         """Wait for reply and report to what was just said: those to the stop of another test may come late."""
         def answers():
             return ([reply for reply in list(self.replies) if reply.command.text == text],
-                    [report for report in list(self.reports) if report.command.text == text])
+                    [report for report in list(self.reports) if report.reply.command.text == text])
 
         self.assertTrue(wait_until(lambda: all(answers())), answers())
         replies, reports = answers()

@@ -22,27 +22,37 @@ def others(clock):
     return OtherAnswers(now=clock)
 
 
-def test_each_answer_counts_for_one_stop_with_its_words(clock, others):
-    others.note("text-1", "Stop.")
-    assert not others.take("", "Halt!", heard_s=clock.now_s)
-    assert others.take("", "Stop.", heard_s=clock.now_s)
-    assert not others.take("", "Stop.", heard_s=clock.now_s)
+SECOND_NS = 1_000_000_000
+SAID_NS = 50 * SECOND_NS
 
 
-def test_stop_that_came_as_a_goal_is_known_by_its_id(clock, others):
-    others.note("goal-1", "Stop.")
-    assert not others.take("goal-2", "Stop.", heard_s=clock.now_s)
-    assert others.take("goal-1", "Stop.", heard_s=clock.now_s)
+def take(others, command_id="", text="Stop.", *, after_ns=0, is_just_awake=False):
+    return others.take(command_id, text, stamp_ns=SAID_NS + after_ns, is_just_awake=is_just_awake)
 
 
-@pytest.mark.parametrize("after_s, is_meant", [(-2.0, True), (0.2, True), (0.3, False)])
-def test_answer_from_before_the_stop_is_for_another_one(clock, others, after_s, is_meant):
-    others.note("text-1", "Stop.")
-    assert others.take("", "Stop.", heard_s=clock.now_s + after_s) == is_meant
+def test_each_answer_counts_for_one_stop_with_its_words(others):
+    others.note("text-1", "Stop.", stamp_ns=SAID_NS)
+    assert not take(others, text="Halt!")
+    assert take(others)
+    assert not take(others)
+
+
+def test_stop_that_came_as_a_goal_is_known_by_its_id(others):
+    others.note("goal-1", "Stop.", stamp_ns=SAID_NS)
+    assert not take(others, "goal-2")
+    assert take(others, "goal-1", after_ns=9 * SECOND_NS)
+
+
+@pytest.mark.parametrize("after_ns, is_just_awake, is_meant", [
+    (SECOND_NS // 3, False, True), (-SECOND_NS // 3, False, True), (2 * SECOND_NS, False, False),
+    (2 * SECOND_NS, True, True)])
+def test_answer_to_another_utterance_counts_only_for_a_server_that_was_suspended(
+        others, after_ns, is_just_awake, is_meant):
+    others.note("text-1", "Stop.", stamp_ns=SAID_NS)
+    assert take(others, after_ns=after_ns, is_just_awake=is_just_awake) == is_meant
 
 
 def test_answers_are_forgotten(clock, others):
-    others.note("text-1", "Stop.")
-    heard_s = clock.now_s
+    others.note("text-1", "Stop.", stamp_ns=SAID_NS)
     clock.now_s += 31.0
-    assert not others.take("", "Stop.", heard_s=heard_s)
+    assert not take(others)
