@@ -13,7 +13,7 @@ from typing import Deque, Dict, List, Optional, Tuple, Union
 import actionlib
 import rospy
 from roboframenet_msgs.msg import Command, CommandStatus, Reply, StageEvent, StopReport
-from roboframenet_ros.ros_log import log_from_a_thread
+from roboframenet_ros.ros_log import log_from_threads
 from roboframenet_ros.suspension import SuspensionWatch
 from robot_stop.braking import Finding, StopOrder
 from robot_stop.ros_brake import Brake, Braked
@@ -336,7 +336,7 @@ class CommandServerNode:
         if not finding.is_first:
             self._note("The robot stands now." if is_stopped else may_still_move(finding.obedience))
             return
-        remark = ("What it had started was stopped: zero velocity, and no goal goes on." if is_stopped
+        remark = ("What the command had started is stopped: zero velocity, and no goal goes on." if is_stopped
                   else may_still_move(finding.obedience))
         for entry in self._book.open_commands:
             if key in (entry.command.command_id, _RESTART_KEY) and entry.command.stamp_ns <= finding.order.stamp_ns:
@@ -410,7 +410,7 @@ def _now_ns() -> int:
 def main() -> None:
     """Run the node until ROS shuts down; exits with a sentence when a parameter is wrong."""
     rospy.init_node("command_server")
-    log_from_a_thread()
+    log_from_threads()
     try:
         settings, brake_settings = read_settings(), read_brake_settings()
     except ValueError as error:

@@ -12,7 +12,7 @@ import rospy
 from arbitrator.procedure import Procedure
 from arbitrator.ros_messages import procedure_from_message
 from roboframenet_msgs.msg import Command, CommandProcedure, StopReport
-from roboframenet_ros.ros_log import log_from_a_thread
+from roboframenet_ros.ros_log import log_from_threads
 from roboframenet_ros.suspension import SuspensionWatch
 from stage_events.ros_stage import Stage
 
@@ -270,7 +270,7 @@ def read_settings() -> Settings:
 def main() -> None:
     """Run the node until ROS shuts down; exits with a sentence when a parameter is wrong."""
     rospy.init_node("executor")
-    log_from_a_thread()
+    log_from_threads()
     try:
         settings = read_settings()
     except ValueError as error:

@@ -7,7 +7,7 @@ from typing import Any, Callable, Optional
 
 import actionlib
 import rospy
-from roboframenet_ros.ros_log import log_from_a_thread
+from roboframenet_ros.ros_log import log_from_threads
 
 #: The waiting thread wakes up so often although nobody notified it, seconds: a guard, not a rhythm.
 WAKE_UP_S = 5.0
@@ -30,7 +30,7 @@ class QuietActionServer(actionlib.ActionServer):
 
     def initialize(self) -> None:
         """Set up the topics, without the status timer, and a log that holds no goal up."""
-        log_from_a_thread()
+        log_from_threads()
         super().initialize()
         if self.status_timer is not None:
             self.status_timer.shutdown()

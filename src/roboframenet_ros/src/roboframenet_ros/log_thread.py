@@ -4,25 +4,25 @@ import queue
 import sys
 import threading
 import time
-from typing import List, Optional, Sequence
+from typing import List, Optional
 
 
 class LogThread(logging.Handler):
-    """Hands each record to other handlers, in a thread of its own.
+    """Hands each record to another handler, in a thread of its own.
 
     Handlers may wait: for a disk, for a terminal that is halted, for a master that hangs. The caller of a log function
     must not wait with them. When too many records wait, further ones are dropped and counted.
     """
 
-    def __init__(self, handlers: Sequence[logging.Handler], *, max_waiting: int = 10_000) -> None:
+    def __init__(self, handler: logging.Handler, *, max_waiting: int = 10_000) -> None:
         """Start the thread.
 
         Args:
-            handlers: what writes the records, each at its own level
+            handler: what writes the records
             max_waiting: how many records may wait
         """
-        super().__init__()
-        self._handlers = tuple(handlers)
+        super().__init__(handler.level)
+        self._handler = handler
         self._records: "queue.Queue[logging.LogRecord]" = queue.Queue(max_waiting)
         self._dropped = 0
         # A daemon: a handler that hangs must not keep the process alive.
@@ -37,10 +37,6 @@ class LogThread(logging.Handler):
             self._records.put_nowait(record)
         except queue.Full:
             self._dropped += 1
-
-    def add(self, handlers: Sequence[logging.Handler]) -> None:
-        """Write to further handlers too."""
-        self._handlers += tuple(handlers)
 
     def wait_until_written(self, *, timeout_s: float) -> bool:
         """Wait for what was logged so far; returns whether it is written."""
@@ -57,41 +53,29 @@ class LogThread(logging.Handler):
         while True:
             record = self._records.get()
             try:
-                self._write(record)
+                dropped, self._dropped = self._dropped, 0
+                if dropped:
+                    self._handler.handle(logging.LogRecord(
+                        record.name, logging.WARNING, __file__, 0, f"{dropped} log records were dropped", None, None))
+                self._handler.handle(record)
             except Exception as error:  # boundary: a handler may fail in any way, and logging that would not end
                 sys.stderr.write(f"a log record is lost: {type(error).__name__}: {error}\n")
             finally:
                 self._records.task_done()
 
-    def _write(self, record: logging.LogRecord) -> None:
-        dropped, self._dropped = self._dropped, 0
-        if dropped:
-            self._pass_on(logging.LogRecord(
-                record.name, logging.WARNING, __file__, 0, f"{dropped} log records were dropped", None, None))
-        self._pass_on(record)
 
-    def _pass_on(self, record: logging.LogRecord) -> None:
-        for handler in self._handlers:
-            if record.levelno >= handler.level:
-                handler.handle(record)
+def put_threads_before(logger: logging.Logger) -> List[LogThread]:
+    """Have threads write what a logger takes, one for each handler, also for those of the loggers above it.
 
-
-def put_thread_before(logger: logging.Logger) -> LogThread:
-    """Have a thread write what a logger takes, also for the loggers above it.
-
-    Called again, it hands handlers that were added meanwhile to the same thread.
+    One for each, so that what is shown does not wait for the handler that asks the master. Called again, it only sees to
+    handlers that were added meanwhile.
     """
-    thread = next((handler for handler in logger.handlers if isinstance(handler, LogThread)), None)
-    if thread is not None:
-        thread.add([handler for handler in logger.handlers if handler is not thread])
-        logger.handlers = [thread]
-        return thread
     handlers: List[logging.Handler] = []
     above: Optional[logging.Logger] = logger
     while above is not None:
         handlers += above.handlers
         above = above.parent if above.propagate else None
-    thread = LogThread(handlers)
-    logger.handlers = [thread]
+    threads = [handler if isinstance(handler, LogThread) else LogThread(handler) for handler in handlers]
+    logger.handlers = list(threads)
     logger.propagate = False
-    return thread
+    return threads

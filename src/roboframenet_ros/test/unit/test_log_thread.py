@@ -2,7 +2,7 @@
 import logging
 import threading
 
-from roboframenet_ros.log_thread import LogThread, put_thread_before
+from roboframenet_ros.log_thread import LogThread, put_threads_before
 
 
 class Collecting(logging.Handler):
@@ -26,50 +26,68 @@ def logger_of_its_own(name):
     return logger
 
 
+def is_written(logger):
+    return all(thread.wait_until_written(timeout_s=60.0) for thread in logger.handlers)
+
+
 def test_records_come_in_order_to_handlers_of_the_logger_and_above():
     parent, logger = logger_of_its_own("family"), logger_of_its_own("family.child")
     parent.propagate = False
     own, above = Collecting(), Collecting(level=logging.WARNING)
     logger.addHandler(own)
     parent.addHandler(above)
-    thread = put_thread_before(logger)
+    put_threads_before(logger)
     logger.info("%s and %s", "one", "two")
     logger.warning("three")
-    assert thread.wait_until_written(timeout_s=60.0)
+    assert is_written(logger)
     assert own.lines == ["one and two", "three"]
     assert above.lines == ["three"]
 
 
-def test_thread_is_put_there_once():
+def test_threads_are_put_there_once():
     logger = logger_of_its_own("once")
     logger.propagate = False
     own = Collecting()
     logger.addHandler(own)
-    assert put_thread_before(logger) is put_thread_before(logger)
+    assert put_threads_before(logger) == put_threads_before(logger)
     logger.info("line")
-    assert put_thread_before(logger).wait_until_written(timeout_s=60.0)
+    assert is_written(logger)
     assert own.lines == ["line"]
 
 
-def test_handler_that_was_added_later_is_behind_the_thread_too():
+def test_handler_that_was_added_later_gets_a_thread_too():
     logger = logger_of_its_own("late")
     logger.propagate = False
-    thread = put_thread_before(logger)
+    logger.addHandler(Collecting())
+    (thread,) = put_threads_before(logger)
     late = Collecting()
     late.is_free.clear()
     logger.addHandler(late)
-    assert put_thread_before(logger) is thread
+    assert put_threads_before(logger)[0] is thread
     logger.info("line")
     late.is_free.set()
-    assert thread.wait_until_written(timeout_s=60.0)
+    assert is_written(logger)
     assert late.lines == ["line"]
-    assert logger.handlers == [thread]
+
+
+def test_handler_that_hangs_does_not_hold_up_the_others():
+    logger = logger_of_its_own("hung")
+    logger.propagate = False
+    hung, own = Collecting(), Collecting()
+    hung.is_free.clear()
+    logger.addHandler(hung)
+    logger.addHandler(own)
+    threads = put_threads_before(logger)
+    logger.info("line")
+    assert threads[1].wait_until_written(timeout_s=60.0)
+    assert (hung.lines, own.lines) == ([], ["line"])
+    hung.is_free.set()
 
 
 def test_caller_does_not_wait_and_what_is_too_much_is_counted():
     slow = Collecting()
     slow.is_free.clear()
-    thread = LogThread([slow], max_waiting=2)
+    thread = LogThread(slow, max_waiting=2)
     logger = logger_of_its_own("slow")
     logger.propagate = False
     logger.addHandler(thread)
@@ -86,7 +104,7 @@ def test_caller_does_not_wait_and_what_is_too_much_is_counted():
 def test_arguments_are_read_when_they_are_logged():
     own = Collecting()
     own.is_free.clear()
-    thread = LogThread([own])
+    thread = LogThread(own)
     logger = logger_of_its_own("mutable")
     logger.propagate = False
     logger.addHandler(thread)
@@ -103,8 +121,7 @@ def test_handler_that_fails_costs_its_record_alone(capsys):
         def emit(self, record):
             raise OSError("no space left")
 
-    own = Collecting()
-    thread = LogThread([Failing(), own])
+    thread = LogThread(Failing())
     logger = logger_of_its_own("failing")
     logger.propagate = False
     logger.addHandler(thread)

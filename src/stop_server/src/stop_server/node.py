@@ -11,7 +11,7 @@ from typing import Dict, Optional
 import rospy
 from command_server.stop_words import is_stop
 from roboframenet_msgs.msg import Command, ExecuteCommandActionGoal, FrameCatalogue, Reply, StopReport
-from roboframenet_ros.ros_log import log_from_a_thread
+from roboframenet_ros.ros_log import log_from_threads
 from robot_stop.braking import Finding, StopOrder
 from robot_stop.ros_brake import Brake, Braked
 from robot_stop.sentences import sentence_of
@@ -185,7 +185,7 @@ def read_settings() -> BrakeSettings:
 def main() -> None:
     """Run the node until ROS shuts down; exits with a sentence when a parameter is wrong."""
     rospy.init_node("stop_server")
-    log_from_a_thread()
+    log_from_threads()
     try:
         settings = read_settings()
     except ValueError as error:
