@@ -6,7 +6,6 @@ from typing import Callable, Dict, List, Optional, Tuple
 
 import rospy
 import smach
-import smach_ros
 from arbitrator.plan import FilledFrame, Plan, clauses
 from arbitrator.state_machine import build_state_machine, plan_label
 
@@ -14,8 +13,10 @@ from executor.goal_tracking import Goal, GoalDeadlines, as_sentence
 from executor.replies import ClauseRun
 from executor.ros_action_clients import ActionClients
 from executor.ros_action_step import ActionStep, StepContext
+from executor.ros_introspection import Introspection
 from executor.ros_reconfigure import SettingsKeeper
 from executor.ros_running_goals import RunningGoals
+from roboframenet_ros.suspension import SuspensionWatch
 
 #: Introspection has a thread for each machine, and each candidate is one.
 _MOST_SHOWN = 256
@@ -41,7 +42,8 @@ class CommandRun:
 
     def __init__(self, plan: Plan, *, clients: ActionClients, settings: SettingsKeeper,
                  running_goals: RunningGoals, deadlines: GoalDeadlines, on_note: Callable[[str], None],
-                 on_end: Callable[["CommandRun", RunResult], None], is_introspected: bool) -> None:
+                 on_end: Callable[["CommandRun", RunResult], None], introspection: Introspection,
+                 suspension: SuspensionWatch) -> None:
         """Prepare; `start` begins.
 
         Args:
@@ -52,12 +54,13 @@ class CommandRun:
             deadlines: of each goal
             on_note: is told, from the thread of the run, what happens, as a sentence
             on_end: is told, as the last thing in the thread of the run, how it ended
-            is_introspected: publish the topics of smach_viewer
+            introspection: shows the machine
+            suspension: says whether this process has just woken
         """
         self._plan = plan
         self._on_note = on_note
         self._on_end = on_end
-        self._is_introspected = is_introspected
+        self._introspection = introspection
         self._goals: Dict[int, List[Goal]] = {}
         self._outcomes: Dict[int, str] = {}
         self._step = "about to begin"
@@ -66,7 +69,7 @@ class CommandRun:
         self._machine: Optional[smach.StateMachine] = None
         self._context = StepContext(
             clients=clients, settings=settings, running_goals=running_goals, deadlines=deadlines,
-            is_preempt_asked=self._is_preempt_asked,
+            is_preempt_asked=self._is_preempt_asked, suspension=suspension,
             on_begin=self._begin_step, on_end=self._end_step)
         self._thread = threading.Thread(target=self._run, name="command_run", daemon=True)
 
@@ -103,20 +106,18 @@ class CommandRun:
 
     def _run(self) -> None:
         outcome, error = "", ""
-        viewer = None
         try:
             self._machine = build_state_machine(
                 self._plan, lambda frame, clause: ActionStep(frame, clause, self._context),
                 on_clause_end=self._outcomes.__setitem__)
-            viewer = self._show()
+            self._show(self._machine)
             outcome = self._machine.execute()
         except Exception as fault:  # boundary: whatever breaks the machine, the command must be answered
             rospy.logerr("the machine broke: %s: %s", type(fault).__name__, fault)
             error = f"{type(fault).__name__}: {fault}"
         finally:
             self._on_end(self, RunResult(outcome=outcome, clauses=self._clause_runs(), error=error))
-            if viewer is not None:
-                viewer.stop()
+            self._introspection.hide()
 
     def _clause_runs(self) -> Tuple[ClauseRun, ...]:
         return tuple(
@@ -124,18 +125,10 @@ class CommandRun:
                       goals=tuple(self._goals.get(number, ())))
             for number, clause in enumerate(clauses(self._plan)))
 
-    def _show(self) -> Optional[smach_ros.IntrospectionServer]:
-        if not self._is_introspected:
-            return None
+    def _show(self, machine: smach.StateMachine) -> None:
         parts = clauses(self._plan)
         machines = 1 + len(parts) + sum(len(part.candidates) for part in parts)
         if machines > _MOST_SHOWN:
             rospy.loginfo("introspection is off for a plan of %d machines", machines)
-            return None
-        try:
-            viewer = smach_ros.IntrospectionServer("executor", self._machine, f"/{plan_label(self._plan)}")
-            viewer.start()
-        except Exception as fault:  # boundary: nothing that only looks on may keep a command from running
-            rospy.logwarn("smach_viewer will see nothing: %s: %s", type(fault).__name__, fault)
-            return None
-        return viewer
+            return
+        self._introspection.show(machine, label=plan_label(self._plan))
