@@ -1,7 +1,7 @@
 """The words of an utterance in plain spelling, however a person, a keyboard or a speech recogniser wrote them."""
 import re
 import unicodedata
-from typing import List, Mapping, NamedTuple, Tuple
+from typing import List, Mapping, NamedTuple, Sequence, Tuple
 
 # A person says no more than this at a stroke; what stands behind is not looked at.
 _MOST_CHARACTERS = 4000
@@ -15,7 +15,8 @@ class Token(NamedTuple):
     end: int
 
 
-_TOKEN = re.compile(r"\d+(?:[.:,]\d+)*|[^\W_]+(?:'[^\W_]+)*|\.\.+|[.!?;\n]+|[,:()\u2026\u2013\u2014]+|(?<!\w)-+|-+(?!\w)")
+_TOKEN = re.compile(
+    r"\d+(?:[.:,]\d+)*|[^\W_]+(?:'[^\W_]+)*|\.\.+|[.!?;\n]+|[,:()\u2026\u2013\u2014]+|(?<!\w)-+|-+(?!\w)")
 _QUOTED = re.compile(r"\"[^\"]*\"|(?<!\w)'[^']*'(?!\w)")
 _LENGTHENED = re.compile(r"([^\W\d_])\1{2,}")
 _CONTRACTIONS: Mapping[str, str] = {
@@ -28,9 +29,8 @@ _CONTRACTIONS: Mapping[str, str] = {
 _IS = frozenset("it that there what where he she who here".split())
 
 
-def _spelled_out(word: str) -> List[str]:
-    """Return the words of a word: "don't" are two; "stooop" is "stop"."""
-    word = _LENGTHENED.sub(r"\1", word)
+def _spelled_out(word: str) -> Sequence[str]:
+    """Return the words of a word: "don't" are two."""
     if word in _CONTRACTIONS:
         return _CONTRACTIONS[word].split()
     if "'" not in word:
@@ -56,16 +56,24 @@ def plain_text(text: str) -> Tuple[str, str]:
 def tokens_of(plain: str) -> List[Token]:
     """Return the words and pauses of a text."""
     found: List[Token] = []
+    last = before_last = ""
+    # "Stooop" is "stop".
+    lengthened = _LENGTHENED.search(plain) is not None
     for match in _TOKEN.finditer(plain):
-        said = match.group().lower()
-        if said[0].isalnum():
-            words = _spelled_out(said)
+        said, (start, end) = match.group().lower(), match.span()
+        if lengthened:
+            said = _LENGTHENED.sub(r"\1", said)
+        if not said[0].isalnum():
+            said = "." if said[0] in ".!?;\n" and (end - start == 1 or said[1] != ".") else ","
+            if said == "." and last in ("", "."):
+                continue
+            found.append(Token(said, start, end))
+        elif said in _CONTRACTIONS or "'" in said:
+            found.extend(Token(word, start, end) for word in _spelled_out(said))
         else:
-            words = ["." if said[0] in ".!?;\n" and not said.startswith("..") else ","]
-        if words == ["."] and (not found or found[-1].word == "."):
-            continue
-        # "No! No!" is one cry.
-        if words == ["no"] and len(found) > 1 and found[-1].word == "." and found[-2].word == "no":
-            found.pop()
-        found.extend(Token(word, match.start(), match.end()) for word in words)
+            if said == before_last == "no" and last == ".":
+                # "No! No!" is one cry.
+                found.pop()
+            found.append(Token(said, start, end))
+        before_last, last = last, found[-1].word
     return found

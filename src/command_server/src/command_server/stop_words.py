@@ -27,7 +27,8 @@ class Tail(enum.Enum):
     """What may follow a cry besides fillers, a pause in speech, or the next cry."""
 
     ANYTHING = "anything"  # but a place, a distance, a time or a condition, which belong to a command
-    LASTING = "lasting"  # a clause of its own, or how long: "don't move until I say so"
+    LASTING = "lasting"  # a clause of its own, or how long: "don't move for a minute"
+    UNTIL = "until"  # a clause of its own, or until when: "stay there until I come back"
     CLAUSE = "clause"  # a clause of its own: "hold on you're too close"
     OBJECT = "object"  # a clause, or what was asked for: "cancel that", "cancel the last command"
     NEEDS_OBJECT = "needs_object"  # what was asked for, and no less: "forget that"
@@ -41,11 +42,11 @@ class Cry:
 
     Attributes:
         kind: what it is for
-        command: the command behind it ("come back" of "stop and come back"), empty for none
+        rest: what was said behind it
     """
 
     kind: Kind
-    command: str = ""
+    rest: str = ""
 
 
 #: The table of cries, in plain words: contractions are spelled out before it is asked ("dont", "don't": "do not").
@@ -55,31 +56,40 @@ CRIES: Tuple[Tuple[Kind, Tail, str], ...] = (
      "do you mind stopping; how about stopping; come to a stop; come to a halt; come to a standstill; "
      "come to a full stop; come to a complete stop; come to a complete halt; enough of"),
     (Kind.STOP, Tail.LASTING,
-     "freeze; stand still; keep still; hold still; be still; sit still; stay still; remain where you are; do not move; "
-     "do not you move; do not you dare move; do not anybody move; nobody move; stand down"),
+     "freeze; stand still; keep still; hold still; be still; sit still; stay still; remain where you are; do not "
+     "move; do not you move; do not you dare move; do not anybody move; nobody move; stand down; stay back; keep "
+     "back"),
     (Kind.STOP, Tail.CLAUSE,
-     "no more; no more of that; no more of this; no further; no closer; go no further; come no closer; "
-     "not another step; not one more step; not another inch; do not come any closer; do not go any further; "
-     "do not go any closer; that is far enough; that is close enough; far enough; close enough; that will do; "
-     "that is quite enough; that is more than enough; i have had enough; i have had enough of this; "
-     "i have had enough of that; enough is enough; cut it out; cut that out; knock it off; knock that off; "
-     "pack it in; give it a rest; desist; watch out; look out; brake; brakes; hit the brake; hit the brakes; "
-     "apply the brakes; put the brakes on; kill the engine; kill the engines; kill the motor; kill the motors; "
-     "kill the power; cut the engine; cut the engines; cut the motor; cut the motors; cut the power; time out; timeout"),
-    (Kind.STOP, Tail.ACTIVITY, "quit; enough; that is enough"),
-    (Kind.STOP, Tail.NOTHING, "full stop; all stop; dead stop; hard stop; complete stop; emergency"),
-    (Kind.PAUSE, Tail.LASTING, "stay; stay put; stay where you are; stay right where you are"),
+     "no more of that; no more of this; no further; no closer; go no further; come no closer; not another step; "
+     "not one more step; not another inch; do not come any closer; do not go any further; do not go any closer; do "
+     "not take another step; do not take one more step; not one more inch; that is far enough; that is close "
+     "enough; far enough; close enough; that will do; that is quite enough; that is more than enough; that will be "
+     "enough; that would be enough; i have had enough; i have had enough of this; i have had enough of that; "
+     "enough is enough; cut it out; cut that out; knock it off; knock that off; pack it in; give it a rest; "
+     "desist; lay off; watch out; look out; brake; brakes; hit the brake; hit the brakes; apply the brakes; put "
+     "the brakes on; kill the engine; kill the engines; kill the motor; kill the motors; kill the power; hit the "
+     "emergency stop; press the emergency stop; push the emergency stop; cut the engine; cut the engines; cut the "
+     "motor; cut the motors; cut the power; time out; timeout"),
+    (Kind.STOP, Tail.ACTIVITY, "quit; enough; that is enough; no more"),
+    (Kind.STOP, Tail.NOTHING,
+     "full stop; all stop; dead stop; hard stop; complete stop; emergency; do not; do not do that; do not do it; "
+     "do not do this; do not you dare; stay away; stay away from me; keep away; keep away from me; "
+     "leave me alone; shut down; shutdown; shut it down; power down; power off; kill switch; break"),
+    (Kind.PAUSE, Tail.UNTIL,
+     "stay; stay put; stay here; stay there; stay right here; stay right there; stay where you are; stay right "
+     "where you are; wait here; wait there; wait right here; wait right there"),
     (Kind.PAUSE, Tail.CLAUSE,
-     "wait; wait up; hold on; hold it; hold up; hold everything; hold your horses; hold position; hold your position; "
-     "hang on; one moment; just a moment; just a second; just a sec; just a minute; give me a moment; "
+     "wait; wait up; hold on; hold it; hold up; hold everything; hold your horses; hold position; hold your "
+     "position; hang on; one moment; just a moment; just a second; just a sec; just a minute; give me a moment; "
      "give me a second; give me a sec; give me a minute"),
-    (Kind.PAUSE, Tail.OBJECT, "pause"),
+    (Kind.PAUSE, Tail.OBJECT, "pause; suspend; interrupt"),
     (Kind.PAUSE, Tail.NOTHING, "hold; stand by"),
-    (Kind.TAKE_BACK, Tail.OBJECT, "cancel; terminate; disregard; never mind; nevermind"),
-    (Kind.TAKE_BACK, Tail.NEEDS_OBJECT, "scratch; scrap; strike; ignore; belay; call off; end"),
+    (Kind.TAKE_BACK, Tail.OBJECT, "cancel; terminate; discontinue; disregard; never mind; nevermind"),
+    (Kind.TAKE_BACK, Tail.NEEDS_OBJECT,
+     "scratch; scrap; strike; ignore; belay; call off; end; abandon; revoke; withdraw"),
     (Kind.TAKE_BACK, Tail.CLAUSE,
      "call it off; call that off; i take that back; i take it back; i changed my mind; i have changed my mind"),
-    (Kind.TAKE_BACK, Tail.NOTHING, "no no; skip it; skip that"),
+    (Kind.TAKE_BACK, Tail.NOTHING, "no no; skip it; skip that; on second thought; on second thoughts"),
     (Kind.FORGET, Tail.NEEDS_OBJECT, "forget; forget about"),
     (Kind.FORGET, Tail.CLAUSE, "forget i said anything; forget i said that; forget i said it"),
 )
@@ -87,17 +97,20 @@ CRIES: Tuple[Tuple[Kind, Tail, str], ...] = (
 #: Cries that may also stand behind a name or a warning without a pause in speech: "Rosie stop".
 STRONG: FrozenSet[str] = frozenset("stop halt estop whoa woah freeze wait".split())
 
+#: Words that are passed over wherever they stand.
+SOFT: FrozenSet[str] = frozenset("please kindly really maybe simply just".split())
 #: Words that change nothing, before or behind a cry.
 FILLERS: FrozenSet[str] = frozenset((
-    "please kindly robot turtlebot computer machine now right immediately instantly quickly quick hey hi yo oh ah uh "
-    "uhh um umm er erm eh hm ok okay alright well so no nope yes yeah yep just at once you there here already really "
-    "maybe simply god gosh jesus christ damn dammit goddamn hell shit fuck ouch ow sorry listen look sir mister mr dear "
+    "robot turtlebot computer machine now right immediately instantly quickly quick hey hi yo oh ah uh "
+    "uhh um umm er erm eh hm ok okay alright well so no nope yes yeah yep just at once you there here already "
+    "god gosh jesus christ damn dammit goddamn hell shit fuck ouch ow sorry listen look sir mister mr dear "
     "buddy guys boy everybody everyone somebody someone anybody actually again dead do stupid thanks all "
     "both straightaway").split())
 FILLER_PHRASES: Tuple[str, ...] = (
     "thank you", "come on", "my god", "my dear", "for god s sake", "for gods sake", "for heaven s sake",
     "for heavens sake", "for christ s sake", "for pete s sake", "for goodness sake", "for crying out loud",
-    "excuse me", "good robot", "all right", "damn it", "god damn it", "at once", "be careful", "no matter what")
+    "for the love of god", "excuse me", "that is it", "one second", "good robot", "all right", "damn it",
+    "god damn it", "at once", "be careful", "no matter what")
 
 #: "And stop" is a cry of its own, but not behind "Go to the kitchen."
 OPENINGS: Tuple[str, ...] = ("and", "then", "and then", "but")
@@ -105,13 +118,17 @@ OPENINGS: Tuple[str, ...] = ("and", "then", "and then", "but")
 LEADS: Tuple[str, ...] = (
     "can you", "could you", "will you", "would you", "can not you", "will not you", "why do not you",
     "why will not you", "why can not you", "i want you to", "i need you to", "i would like you to", "i say", "i said",
-    "i told you to", "i asked you to", "i am telling you to", "i am asking you to", "i order you to",
+    "i repeat", "i told you to", "i asked you to", "i am telling you to", "i am asking you to", "i order you to",
     "i command you to", "i beg you", "i beg you to", "i am begging you", "i am begging you to", "you have to",
     "you need to", "you must", "you should", "you can", "you may", "you better", "you had better", "you would better",
     "you ought to", "we need to", "we have to", "we must", "we should", "we better", "let us", "time to",
-    "it is time to", "make it", "make him", "make her", "make the robot", "get it to", "try to", "go ahead and",
-    "be so kind and", "i think you should", "i think we should", "i want to", "i would like to", "what the hell",
-    "what are you doing", "where are you going")
+    "it is time to", "make it", "make the robot", "get it to", "try to", "go ahead and", "be so kind and",
+    "would you be so kind and", "would you be so kind as to", "do me a favor and", "do me a favour and", "i want to",
+    "i would like to", "i need to", "i think", "i am going to need you to", "i will need you to", "i must ask you to",
+    "i have to ask you to", "could i ask you to", "i wish you would", "can we", "could we", "can someone",
+    "can somebody", "could someone", "could somebody", "will someone", "will somebody", "would someone",
+    "would somebody", "how about you", "you are to", "you might want to", "what the hell", "what are you doing",
+    "where are you going")
 
 #: What may stand behind any cry.
 TRAILS: Tuple[str, ...] = (
@@ -119,20 +136,21 @@ TRAILS: Tuple[str, ...] = (
     "for a moment", "for a second", "for a sec", "for a bit", "for now", "for today", "at all", "a muscle", "an inch",
     "any further", "any farther", "any closer", "any more", "anymore", "another inch", "yet", "right away",
     "straight away", "will you", "would you", "if you please", "in place", "just a minute", "just a second",
-    "just a moment", "a mo", "this instant", "this minute", "this second", "robot stop")
+    "just a moment", "a mo", "a tick", "this instant", "this minute", "this second")
 
 #: What was asked for, as "cancel" and its like may name it.
 OBJECTS: FrozenSet[str] = frozenset((
-    "it this that them everything all the my your last previous current whole what i just said asked told you are "
-    "doing were of command commands order orders request requests instruction instructions task tasks mission goal "
-    "goals action actions movement motion navigation operation plan job thing things robot about").split())
+    "it this that them everything all the my your last previous current whole what i just said asked told "
+    "you are doing were of program command commands order orders request requests instruction instructions "
+    "task tasks mission goal goals action actions movement motion navigation operation plan job thing "
+    "things robot about").split())
 _WEAK_OBJECTS: FrozenSet[str] = frozenset("the my your last previous current whole of i you are were about".split())
 
 #: Behind "stop": a place, a distance or a time, which make a command of it that goes the long way.
 PLACES: FrozenSet[str] = frozenset((
-    "at by in near next beside behind on onto under underneath below above outside inside between opposite close before "
-    "after past across within beyond against around along over short halfway midway towards toward during every later "
-    "tomorrow tonight as where wherever").split())
+    "at by in near next beside behind on onto under underneath below above outside inside between opposite "
+    "close before after past across within beyond against around along over short halfway midway towards "
+    "toward during every later tomorrow tonight as where wherever").split())
 #: ... unless the words go on like this.
 NO_PLACES: Tuple[str, ...] = (
     "at once", "at this", "at last", "in your tracks", "in the name", "in place", "on the spot", "on the double",
@@ -141,7 +159,7 @@ NO_PLACES: Tuple[str, ...] = (
     "before he", "before she", "before they", "before someone", "before somebody", "before something", "around here")
 _BEFORE_PLACES: FrozenSet[str] = frozenset(
     "right just exactly directly immediately only shortly somewhere about".split())
-CONDITIONS: FrozenSet[str] = frozenset("when whenever if once unless".split())
+CONDITIONS: FrozenSet[str] = frozenset("when whenever if once".split())
 NO_CONDITIONS: Tuple[str, ...] = (
     "once and", "if you please", "if you can", "if you could", "if you would", "if you hear", "if you do not mind",
     "if possible")
@@ -155,46 +173,43 @@ _AMOUNTS: FrozenSet[str] = frozenset((
 _COMPOUNDS: FrozenSet[str] = frozenset("sign signs button".split())
 
 #: Begin a clause of its own behind a cry: "wait you are going the wrong way".
-_CLAUSES: FrozenSet[str] = frozenset("you i he she we they no not and then or but let do because somebody".split())
+_CLAUSES: FrozenSet[str] = frozenset(
+    "you i he she we they no not and then or but let do because somebody what why how could can would".split())
 _IMPERSONAL: FrozenSet[str] = frozenset("it that there this".split())
-_LASTS: FrozenSet[str] = frozenset("until till while unless before for because or".split())
+_SUBJECTS: FrozenSet[str] = frozenset("i you".split())
+_VERBS_OF_IT: FrozenSet[str] = frozenset("is was will might could can does has looks".split())
+_LASTS: FrozenSet[str] = frozenset("until till while unless before or".split())
+_TAIL_WORDS: Mapping[Tail, FrozenSet[str]] = {Tail.UNTIL: _LASTS, Tail.LASTING: _LASTS | {"for"}}
 
 #: Words that take a cry as what is said, not as a cry.
 SAYING: FrozenSet[str] = frozenset((
-    "say says saying said tell tells telling told ask asks asked shout shouts shouted yell yells cry call write writes "
-    "spell read repeat translate announce whisper answer reply mean means word").split())
+    "say says saying said tell tells telling told ask asks asked shout shouts shouted yell yells cry call "
+    "write writes spell read repeat translate announce whisper answer reply mean means word add type print "
+    "display draw sing").split())
 #: Before "stop": a name ends with none of these.
 _NO_NAMES: FrozenSet[str] = frozenset((
-    "a an the this that these those my your his her its our their two next last first second final only nice good "
-    "short long quick brief bus tram train taxi truck pit door coach metro subway rest full non toilet coffee deep press "
-    "push click never not to and or then who what when where why how which if once until till unless whenever after "
-    "before always often usually sometimes i we he she it they do did does will would can could shall should may "
-    "might must am is are was were be been has have had at by in on near about into from of for with no").split())
+    "a an the this that these those my your his her its our their two next last first second final only "
+    "nice good short long quick brief bus tram train taxi truck pit door coach metro subway rest full non "
+    "toilet coffee deep press push click never not to and or then who what when where why how which if "
+    "once until till unless whenever after before always often hardly barely usually sometimes i we he she "
+    "it they do did does will would can could shall should may might must am is are was were be been has "
+    "have had at by in on near about into from of for with no").split())
 #: A warning before a cry begins with one of these: "you're going to hit the wall stop", "too far stop".
 WARNINGS: FrozenSet[str] = frozenset((
-    "you your that it its there not wrong too watch look mind careful be ouch ow oh no nope hey god help").split())
+    "you your i we that it its there not wrong too watch look mind careful be ouch ow oh no nope hey god "
+    "help").split())
 _BLOCKING: FrozenSet[str] = SAYING | {"until", "till", "when", "whenever", "if", "once", "never", "unless"}
 #: Said just before a cry they set it off: "a bit further okay stop".
 _SET_OFF: FrozenSet[str] = frozenset("ok okay no nope oh hey whoa wait alright ouch enough".split())
 
-#: Verbs of commands: what stands behind "stop," is one only where it begins like one.
+#: Verbs of commands.
 COMMAND_VERBS: FrozenSet[str] = frozenset((
-    "accompany approach back bring carry check clean clear climb close come cross deliver describe dock drive drop "
-    "enter escort exit face fetch find fly follow get give go grab grasp greet guide hand head help hold "
-    "inspect introduce lead leave lift lock look lower make march memorize meet move navigate open park pass pick place "
-    "play point position pour proceed pull push put raise reach release remember remove repeat return reverse ride "
-    "roll rotate run say search send serve set show sit speak spin start step switch take tell throw travel turn "
-    "unlock vacuum visit walk wash wipe withdraw").split())
-#: Nothing that begins so is a command: "stop and you will be fine".
-_NO_COMMANDS: FrozenSet[str] = frozenset((
-    "you i he she it we they there that this these those the a an my your his her our their is are was were will what "
-    "who where when why how or so because all both not").split())
-_REQUESTS: FrozenSet[str] = frozenset("can could will would".split())
-_REQUESTING: FrozenSet[str] = frozenset("please you now robot kindly then".split())
-#: What a cry goes on to say behind these is no command.
-_NO_OBJECTS: FrozenSet[str] = frozenset(
-    "you i we they he she because or so but until till when whenever if once unless while before is are".split())
-
+    "accompany approach back bring carry check clean clear climb close come cross deliver describe dock "
+    "drive drop enter escort exit face fetch find fly follow get give go grab grasp greet guide hand head "
+    "help hold inspect introduce lead leave lift lock look lower make march memorize meet move navigate "
+    "open park pass pick place play point position pour proceed pull push put raise reach release remember "
+    "remove repeat return reverse ride roll rotate run say search send serve set show sit speak spin start "
+    "step switch take tell throw travel turn unlock vacuum visit walk wash wipe withdraw").split())
 #: Words that are mistyped, and the English words that a slip of them would give.
 _TYPED: Mapping[str, Kind] = {"stop": Kind.STOP, "halt": Kind.STOP, "abort": Kind.STOP, "freeze": Kind.STOP,
                               "cancel": Kind.TAKE_BACK, "wait": Kind.PAUSE}
@@ -213,7 +228,12 @@ def _by_first_word(phrases: Iterable[str]) -> Mapping[str, Tuple[Phrase, ...]]:
 #: No name of the robot begins so, nor does a warning: "at the door, stop", "turn left, stop".
 _NO_ADDRESS: FrozenSet[str] = (PLACES | CONDITIONS | _BLOCKING | COMMAND_VERBS | (_AMOUNTS - {"a", "and"})
                                | {"first", "next", "last", "to", "from", "with"})
+_NOT_FIRST = _NO_NAMES | SAYING | COMMAND_VERBS | {"one"}
+# Words; who says more fillers than that has cried before them.
+_LONGEST_WARNING = 12
+_LONGEST_TRAIL = 24
 _PAUSES = frozenset(",.")
+_ADDRESSING = (FILLERS - WARNINGS) | {","}
 _AUXILIARIES = frozenset("do does did will would can could should must may might need".split())
 _ENTRIES: Mapping[Phrase, Tuple[Kind, Tail]] = {
     tuple(phrase.split()): (kind, tail) for kind, tail, phrases in CRIES for phrase in phrases.split(";")}
@@ -250,22 +270,22 @@ class _Sentence:
     """A sentence in plain words, with "," for pauses."""
 
     def __init__(self, words: Sequence[str], *, is_first: bool) -> None:
-        self._words = words
+        self._words = list(words)
         self._openings = _OPENINGS if is_first else _LEADS
         self._fronts = self._find_fronts()
         self._first_block = next((at for at, word in enumerate(words) if word in _BLOCKING), len(words))
-        first = next((word for word in words if word not in FILLERS - WARNINGS), "")
-        self._is_warning = first in WARNINGS
+        # Where the sentence begins behind "hey robot,".
+        self._start = next((at for at, word in enumerate(words) if word not in _ADDRESSING), len(words))
+        self._is_warning = self._start < len(words) and words[self._start] in WARNINGS
 
     def cry(self) -> Optional[Tuple[Kind, int]]:
         """Return the kind of the first cry and the position behind it."""
         for position in range(len(self._words)):
             for phrase in _CRIES.get(self._words[position], ()):
                 end = position + len(phrase)
-                if tuple(self._words[position:end]) != phrase:
-                    continue
                 kind, tail = _ENTRIES[phrase]
-                if self._may_begin(position, is_strong=phrase[0] in STRONG) and self._may_end(end, tail):
+                if (tuple(self._words[position:end]) == phrase and self._may_begin(position, phrase)
+                        and self._may_end(end, tail, phrase)):
                     return kind, end
         return None
 
@@ -278,122 +298,108 @@ class _Sentence:
             word = self._words[position]
             length = _phrase_at(self._words, position, self._openings)
             if not length and word not in FILLERS and word != ",":
-                if has_name or has_lead or not word.isalpha() or word in _NO_NAMES | SAYING | COMMAND_VERBS:
+                if has_name or has_lead or not word.isalpha() or word in _NOT_FIRST:
                     break
                 has_name = True
-            has_lead = has_lead or (length > 0)
+            has_lead = has_lead or length > 0
             position += max(length, 1)
         return fronts
 
-    def _may_begin(self, position: int, *, is_strong: bool) -> bool:
-        before = self._words[:position]
+    def _may_begin(self, position: int, phrase: Phrase) -> bool:
+        is_strong = phrase[0] in STRONG
         has_name = self._fronts.get(position)
-        if has_name is not None and (is_strong or not has_name):
-            return True
-        if not before or position > self._first_block:
+        if has_name is not None:
+            # "Rosie stop" and "Rosie hold on", but not "warm enough".
+            return is_strong or not has_name or (len(phrase) > 1 and phrase[0] != "no" and phrase != ("do", "not"))
+        if not self._start < position <= min(self._first_block, self._start + _LONGEST_WARNING):
             return False
-        spoken = [word for word in before[-2:] if word != ","]
-        last = spoken[-1] if spoken else ""
+        before = self._words[self._start:position]
+        last = next((word for word in reversed(before) if word != ","), "")
         if before[-1] == "," and last not in ("not", "never", "to", "and", "or"):
             # "My dear robot, stop"; "the lamp, stop": but not "at the door, stop".
-            return self._is_warning or (position <= 4 and before[0] not in _NO_ADDRESS)
-        if not is_strong or any(word == "not" and at and before[at - 1] in _AUXILIARIES
-                                for at, word in enumerate(before) if at >= position - 3):
-            return False
-        is_repeated = list(self._words[position:position + 2]) == [self._words[position]] * 2
-        is_guiding = any(before == before[:length] * (position // length) for length in (1, 2, 3)
-                         if 2 * length <= position <= 12 and position % length == 0)
-        is_free = last not in _NO_NAMES and (self._is_warning or is_repeated)
-        return last in _SET_OFF or is_free or is_guiding
+            return self._is_warning or (len(before) <= 4 and before[0] not in _NO_ADDRESS)
+        return is_strong and not self._is_negated(position) and (
+            self._is_set_off(before) or self._is_guided(before)
+            or (last not in _NO_NAMES and (self._is_warning or self._words[position + 1:position + 2] == [phrase[0]])))
 
-    def _may_end(self, end: int, tail: Tail) -> bool:
+    def _is_negated(self, position: int) -> bool:
+        """Whether it is said not to: "don't ever stop"."""
+        return any(self._words[at] == "not" and self._words[at - 1] in _AUXILIARIES
+                   for at in range(max(1, position - 3), position))
+
+    @staticmethod
+    def _is_set_off(before: Sequence[str]) -> bool:
+        """Whether an interjection stands before a cry; "no" is none in "there is no stop here"."""
+        is_determiner = before[-1] == "no" and before[-2:-1] and before[-2] in ("is", "are", "have", "has", "see")
+        return before[-1] in _SET_OFF and not is_determiner
+
+    @staticmethod
+    def _is_guided(before: Sequence[str]) -> bool:
+        """Whether a robot is guided by words that are said again and again: "back back back stop"."""
+        return any(len(before) % length == 0 and list(before) == list(before[:length]) * (len(before) // length)
+                   for length in (1, 2, 3) if 2 * length <= len(before))
+
+    def _may_end(self, end: int, tail: Tail, phrase: Phrase) -> bool:
         if tail is Tail.ANYTHING:
             return not self._goes_on_as_command(end)
-        words = self._words
         if tail in (Tail.OBJECT, Tail.NEEDS_OBJECT):
-            behind = end
-            while behind < len(words) and words[behind] in OBJECTS:
-                behind += 1
-            if all(word in _WEAK_OBJECTS for word in words[end:behind]):
-                if tail is Tail.NEEDS_OBJECT:
-                    return False
-                behind = end
+            behind = self._behind_object(end)
+            if tail is Tail.NEEDS_OBJECT and behind == end:
+                return False
             end = behind
         position = end
-        while position < len(words):
-            word = words[position]
-            if _phrase_at(words, position, _CRIES):
+        while position < min(len(self._words), end + _LONGEST_TRAIL):
+            word = self._words[position]
+            if tail is not Tail.NOTHING and (
+                    _phrase_at(self._words, position, _CRIES) or self._is_clause(position)
+                    or word in _TAIL_WORDS.get(tail, ())):
                 return True
-            if tail is not Tail.NOTHING:
-                following = words[position + 1] if position + 1 < len(words) else ""
-                is_clause = word in _CLAUSES or (word in _IMPERSONAL and following in ("is", "was", "will"))
-                is_activity = tail is Tail.ACTIVITY and position == end and (
-                    (word.endswith("ing") and len(word) > 4) or word in ("it", "that", "this"))
-                if word == "," or is_clause or is_activity or (tail is Tail.LASTING and word in _LASTS):
-                    return True
-            length = _phrase_at(words, position, _TRAILS)
+            if tail is Tail.ACTIVITY and position == end and (
+                    (word.endswith("ing") and len(word) > 4) or word in ("it", "that", "this")):
+                return True
+            is_again = tuple(self._words[position:position + len(phrase)]) == phrase
+            length = len(phrase) if is_again else _phrase_at(self._words, position, _TRAILS)
             if not length and word not in FILLERS and word != ",":
                 return False
             position += max(length, 1)
         return True
+
+    def _is_clause(self, position: int) -> bool:
+        """Whether something else is said from here on: "wait, I see", "wait it's hot"."""
+        word = self._words[position]
+        is_impersonal = word in _IMPERSONAL and self._words[position + 1:position + 2]
+        return word == "," or word in _CLAUSES or bool(
+            is_impersonal and self._words[position + 1] in _VERBS_OF_IT)
+
+    def _behind_object(self, position: int) -> int:
+        """Return the position behind what was asked for ("the last command", "what I said"), the same for none."""
+        end = position
+        while end < len(self._words) and self._words[end] in OBJECTS and (
+                self._words[end] not in _SUBJECTS or "what" in self._words[position:end]):
+            end += 1
+        return position if set(self._words[position:end]) <= _WEAK_OBJECTS else end
 
     def _goes_on_as_command(self, position: int) -> bool:
         """Whether a place, a distance, a time or a condition follows: "stop at the door", "stop when you see me"."""
         words = self._words
         if position < len(words) and words[position] in _COMPOUNDS:
             return True
-        while position < len(words) and (words[position] in _BEFORE_PLACES or words[position] == "please"):
+        while position < len(words) and words[position] in _BEFORE_PLACES:
             position += 1
-        if position < len(words) and words[position] in PLACES | CONDITIONS:
+        if position < len(words) and words[position] in PLACES:
             return not _phrase_at(words, position, _NO_PLACES)
-        amount = position
-        while amount < len(words) and (words[amount] in _AMOUNTS or words[amount][0].isdigit()):
-            amount += 1
-        if position < amount < len(words) and words[amount] in _LENGTHS:
+        behind = position
+        while behind < len(words) and (words[behind] in _AMOUNTS or words[behind][0].isdigit()):
+            behind += 1
+        if position < behind < len(words) and words[behind] in _LENGTHS:
             return True
-        for later in range(position, len(words)):
-            following = words[later + 1] if later + 1 < len(words) else ""
-            if words[later] in _CLAUSES or words[later] == "," or (words[later] == "it" and following == "is"):
+        for word, following, at in zip(words[position:], words[position + 1:], range(position, len(words))):
+            if word in _CLAUSES or word == "," or (word, following) == ("it", "is"):
                 return False
-            if words[later] in CONDITIONS or (words[later] == "after" and following in _AMOUNTS):
-                return not _phrase_at(words, later, _NO_PLACES)
+            is_after = word == "after" and (following in _AMOUNTS or following.isdigit())
+            if is_after or (word in CONDITIONS and at + 2 < len(words)):
+                return not _phrase_at(words, at, _NO_PLACES)
         return False
-
-
-def _command_behind(text: str, tokens: Sequence[Token], position: int) -> str:
-    """Return the command that stands behind a cry, as it was said; empty where there is none for certain.
-
-    It stands behind "and" or "then", or begins like a command behind a pause: "stop, turn left".
-    """
-    words = [token.word for token in tokens]
-    is_pause = False
-    end = position
-    while position < len(words):
-        word = words[position]
-        if word in _NO_OBJECTS:
-            return ""
-        if word in ("and", "then"):
-            position += 1
-            while position < len(words) and words[position] in ("and", "then", ","):
-                position += 1
-            is_certain = word == "then" or all(other in FILLERS or other in _PAUSES or other.endswith("ing")
-                                               for other in words[end:position] if other not in ("and", "then"))
-            if position < len(words) and (is_certain or words[position] in COMMAND_VERBS):
-                return _command_at(text, tokens, position)
-            continue
-        if is_pause and word in COMMAND_VERBS:
-            return _command_at(text, tokens, position)
-        is_pause = word in _PAUSES or (is_pause and (word in FILLERS or word in _REQUESTS))
-        position += 1
-    return ""
-
-
-def _command_at(text: str, tokens: Sequence[Token], position: int) -> str:
-    words = [token.word for token in tokens[position:] if token.word not in FILLERS - {"do"}]
-    if not words or words[0] in _NO_COMMANDS or (words[0].endswith("ing") and words[0] not in COMMAND_VERBS):
-        return ""
-    command = text[tokens[position].start:].strip()
-    return "" if is_stop(command) else command
 
 
 def find_cry(text: str) -> Optional[Cry]:
@@ -404,20 +410,25 @@ def find_cry(text: str) -> Optional[Cry]:
     Returns:
         the cry; None where the utterance goes the long way
     """
-    said_text, unquoted = plain_text(text)
-    tokens = tokens_of(unquoted)
+    said, unquoted = plain_text(text)
+    spoken = tokens_of(unquoted)
+    # "Just a moment" is a cry of its own.
+    tokens = [token for token, following in zip(spoken, spoken[1:] + spoken[:1])
+              if token.word not in SOFT or (token.word == "just" and following.word == "a")]
+    different = {token.word for token in tokens} - _PAUSES
+    if len(different) == 1 and different <= _SLIPS.keys():
+        return Cry(_SLIPS[different.pop()])
+    if different.isdisjoint(_CRIES):
+        return None
     words = [token.word for token in tokens]
-    said = {word for word in words if word not in ",."}
-    if len(said) == 1 and next(iter(said)) in _SLIPS:
-        return Cry(_SLIPS[said.pop()])
-    first = 0
-    while first < len(words):
-        last = words.index(".", first) if "." in words[first:] else len(words)
+    ends = [at for at, word in enumerate(words) if word == "."] + [len(words)]
+    for first, last in zip([0] + [end + 1 for end in ends], ends):
+        if _CRIES.keys().isdisjoint(words[first:last]):
+            continue
         found = _Sentence(words[first:last], is_first=first == 0).cry()
         if found is not None:
             kind, end = found
-            return Cry(kind, _command_behind(said_text, tokens, first + end))
-        first = last + 1
+            return Cry(kind, said[tokens[first + end - 1].end:])
     return None
 
 
