@@ -102,7 +102,7 @@ SOFT: FrozenSet[str] = frozenset("please kindly really maybe simply just".split(
 #: Words that change nothing, before or behind a cry.
 FILLERS: FrozenSet[str] = frozenset((
     "robot turtlebot computer machine now right immediately instantly quickly quick hey hi yo oh ah uh "
-    "uhh um umm er erm eh hm ok okay alright well so no nope yes yeah yep just at once you there here already "
+    "uhh um umm er erm eh hm ok okay alright well so no nope yes yeah yep you there here already "
     "god gosh jesus christ damn dammit goddamn hell shit fuck ouch ow sorry listen look sir mister mr dear "
     "buddy guys boy everybody everyone somebody someone anybody actually again dead do stupid thanks all "
     "both straightaway").split())
