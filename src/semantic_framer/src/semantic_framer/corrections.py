@@ -57,10 +57,10 @@ _TALK = re.compile(
 #: Not to do these is to go on.
 _ENDING = "(stop|halt|pause|wait|hesitate|worry|forget|hurry|rush|panic|mind|freeze|quit|cancel|abort|bother|hold on)"
 _GOING_ON = re.compile(
-    f"(({_AROUND}|and|but|so|ok|okay|just|now|{_OBJECTION}) )*((you )?(must|should|can|may|need) (not|n't)|do (not|n't)|dont|never)"
+    f"(({_AROUND}|and|but|so|ok|okay|just|now|{_OBJECTION}) )*((you )?(must|should|can|may|need) (not|n't)|do (not|n't)|never)"
     f"( you| ever| just| please| even)* {_ENDING}( .*)?"
 )
-_FORBIDDING = re.compile("(^| )(not|n't|dont|never)( |$)")
+_FORBIDDING = re.compile("(^| )(not|n't|never)( |$)")
 _NO_DOING = re.compile(r"no( more)? \w+ing( |$)")
 _ASKING = re.compile(
     "(is|are|am|was|were|do|does|did|have|has|had) (?!not |n't )|(what|where|who|how|when|which) |why (?!do n't|not )"
@@ -122,7 +122,8 @@ def is_objection(tree: DependencyTree) -> bool:
 
 
 def _plain(word: Word) -> str:
-    return "," if word.upos == "PUNCT" else word.form.lower().replace("\u2019", "'")
+    form = word.form.lower().replace("\u2019", "'")
+    return "," if word.upos == "PUNCT" else "n't" if form == "nt" else form
 
 
 def _begins_command(tree: DependencyTree, position: int, lexicon: Lexicon) -> bool:
@@ -137,7 +138,7 @@ def _is_statement(tree: DependencyTree) -> bool:
     root = next(word for word in tree.words if word.head == 0)
     forms = [_plain(word) for word in tree.words]
     subject = next((word for word in tree.children(root.index) if word.deprel.startswith("nsubj")), None)
-    if subject is None or _plain(subject) == "dont":
+    if subject is None:
         return False
     behind: FrozenSet[str] = frozenset(forms[subject.index :])
     if _plain(subject) in ("you", "u", "robot"):
