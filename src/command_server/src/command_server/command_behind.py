@@ -13,7 +13,7 @@ from command_server.stop_words import COMMAND_VERBS, FILLERS, SOFT, is_stop
 _NO_COMMANDS: FrozenSet[str] = frozenset((
     "you i he she it we they there that this these those the a an my your his her our their is are was were what who "
     "where when why how or so because all both not if else").split())
-_REQUESTS: FrozenSet[str] = frozenset("can could will would you".split())
+_REQUESTS: FrozenSet[str] = frozenset("can could will would".split())
 #: What a cry goes on to say behind these is no command.
 _NO_OBJECTS: FrozenSet[str] = frozenset(
     "you i we they he she because or so but until till when whenever if once unless while before is are".split())
@@ -48,10 +48,12 @@ def command_behind(rest: str) -> str:
             continue
         if is_pause and word in COMMAND_VERBS:
             return _command_at(text, tokens, position)
-        is_request = is_pause and word in _REQUESTS and _is_request(words, position)
-        if word in _NO_OBJECTS and not is_request:
+        if is_pause and word in _REQUESTS and words[position + 1:position + 2] == ["you"]:
+            position += 2
+            continue
+        if word in _NO_OBJECTS:
             return ""
-        is_pause = word in _PAUSES or (is_pause and (word in FILLERS or word in SOFT or is_request))
+        is_pause = word in _PAUSES or (is_pause and (word in FILLERS or word in SOFT))
         position += 1
     return ""
 
@@ -68,16 +70,9 @@ def _is_cry_alone(words: Sequence[str]) -> bool:
                for word in words)
 
 
-def _is_request(words: Sequence[str], position: int) -> bool:
-    """Whether "can you", "could you" stand here."""
-    return words[position + 1:position + 2] == ["you"] or (words[position] == "you" and words[position - 1] in _REQUESTS)
-
-
 def _command_at(text: str, tokens: Sequence[Token], position: int) -> str:
     words = [token.word for token in tokens[position:] if token.word not in (FILLERS | SOFT) - _NO_COMMANDS]
-    is_request = tokens[position].word in _REQUESTS and words[:1] == [tokens[position].word]
-    if not words or (words[0] in _NO_COMMANDS and not is_request) or (
-            words[0].endswith("ing") and words[0] not in _IN_ING):
+    if not words or words[0] in _NO_COMMANDS or (words[0].endswith("ing") and words[0] not in _IN_ING):
         return ""
     command = text[tokens[position].start:].strip()
     return "" if is_stop(command) else command
