@@ -74,6 +74,11 @@ def test_core_imports_no_ros(path: Path) -> None:
         "arbitrator.state_machine",
         "executor.goal_tracking",
         "stage_events.recent",
+        "robot_stop.braking",
+        "robot_stop.servers",
+        "roboframenet_ros.log_thread",
+        "roboframenet_ros.suspension",
+        "stop_server.other_answers",
         "command_server.command_book",
     ],
 )

@@ -5,6 +5,7 @@ from typing import Optional
 
 import rospy
 from roboframenet_msgs.msg import CommandProcedure, CommandSemanticFrames, Procedure, Reply
+from roboframenet_ros.ros_log import log_from_threads
 from stage_events.ros_stage import Stage
 
 from arbitrator.policy import Policy, PolicyError, arbitrate, load_policy
@@ -95,6 +96,7 @@ class ArbitratorNode:
 def main() -> None:
     """Run the node until ROS shuts down; exits with a sentence when a parameter is wrong."""
     rospy.init_node("arbitrator")
+    log_from_threads()
     try:
         settings = read_settings()
         policy = load_policy(settings.policy, seed=settings.policy_seed)

@@ -12,6 +12,8 @@ import rospy
 from arbitrator.procedure import Procedure
 from arbitrator.ros_messages import procedure_from_message
 from roboframenet_msgs.msg import Command, CommandProcedure, StopReport
+from roboframenet_ros.ros_log import log_from_threads
+from roboframenet_ros.suspension import SuspensionWatch
 from stage_events.ros_stage import Stage
 
 from executor.command_desk import (
@@ -21,11 +23,14 @@ from executor.goal_tracking import GoalDeadlines
 from executor.replies import Ending, ending_of_malformed, ending_of_run, ending_of_unstarted
 from executor.ros_action_clients import ActionClients
 from executor.ros_command_run import CommandRun, RunResult
+from executor.ros_introspection import Introspection
 from executor.ros_reconfigure import SettingsKeeper
 from executor.ros_running_goals import RunningGoals
 
 # Less than the second that the stage promises, so that a busy machine keeps the promise too.
 _EVENT_PERIOD_S = 0.5
+# A turn of the worker that takes longer means that the process did not run.
+_LONGEST_TURN_S = 1.0
 
 
 @dataclass(frozen=True)
@@ -114,6 +119,8 @@ class ExecutorNode:
         self._clients = ActionClients(max_kept=settings.max_clients)
         self._server_settings = SettingsKeeper(timeout_s=settings.settings_timeout_s)
         self._running_goals = RunningGoals()
+        self._introspection = Introspection(is_enabled=settings.introspection)
+        self._suspension = SuspensionWatch(longest_turn_s=_LONGEST_TURN_S)
         self._desk: Desk[_Job] = Desk()
         self._run: Optional[CommandRun] = None
         self._next_event_s = 0.0
@@ -141,11 +148,13 @@ class ExecutorNode:
             try:
                 event = self._inbox.get(timeout=_EVENT_PERIOD_S / 2.0)
             except queue.Empty:
+                self._suspension.turn()
                 self._tell_that_it_runs()
                 continue
             if event is None:
                 self._end_all()
                 return
+            self._suspension.turn()
             try:
                 self._handle(event)
             except Exception as error:  # boundary: one message must not end the work on all others
@@ -204,7 +213,7 @@ class ExecutorNode:
             running_goals=self._running_goals, deadlines=self._settings.deadlines,
             on_note=lambda sentence: self._inbox.put(_Note(run, sentence)),
             on_end=lambda ended, result: self._inbox.put(_RunEnded(ended, result)),
-            is_introspected=self._settings.introspection)
+            introspection=self._introspection, suspension=self._suspension)
         run = self._run
         run.start()
 
@@ -261,6 +270,7 @@ def read_settings() -> Settings:
 def main() -> None:
     """Run the node until ROS shuts down; exits with a sentence when a parameter is wrong."""
     rospy.init_node("executor")
+    log_from_threads()
     try:
         settings = read_settings()
     except ValueError as error:

@@ -6,15 +6,16 @@ from typing import Callable, List, Optional, Tuple
 
 import rospy
 import smach
-import smach_ros
 from arbitrator.procedure import FilledFrame, Procedure
 from arbitrator.state_machine import build_state_machine
 
 from executor.goal_tracking import Goal, GoalDeadlines, as_sentence
 from executor.ros_action_clients import ActionClients
 from executor.ros_action_step import ActionStep, StepContext
+from executor.ros_introspection import Introspection
 from executor.ros_reconfigure import SettingsKeeper
 from executor.ros_running_goals import RunningGoals
+from roboframenet_ros.suspension import SuspensionWatch
 
 
 @dataclass(frozen=True)
@@ -37,7 +38,8 @@ class CommandRun:
 
     def __init__(self, procedure: Procedure, *, clients: ActionClients, settings: SettingsKeeper,
                  running_goals: RunningGoals, deadlines: GoalDeadlines, on_note: Callable[[str], None],
-                 on_end: Callable[["CommandRun", RunResult], None], is_introspected: bool) -> None:
+                 on_end: Callable[["CommandRun", RunResult], None], introspection: Introspection,
+                 suspension: SuspensionWatch) -> None:
         """Prepare; `start` begins.
 
         Args:
@@ -48,12 +50,13 @@ class CommandRun:
             deadlines: of each goal
             on_note: is told, from the thread of the run, what happens, as a sentence
             on_end: is told, as the last thing in the thread of the run, how it ended
-            is_introspected: publish the topics of smach_viewer
+            introspection: shows the machine
+            suspension: says whether this process has just woken
         """
         self._procedure = procedure
         self._on_note = on_note
         self._on_end = on_end
-        self._is_introspected = is_introspected
+        self._introspection = introspection
         self._goals: List[Goal] = []
         self._step = "about to begin"
         self._step_since_s = time.monotonic()
@@ -61,7 +64,7 @@ class CommandRun:
         self._machine: Optional[smach.StateMachine] = None
         self._context = StepContext(
             clients=clients, settings=settings, running_goals=running_goals, deadlines=deadlines,
-            is_preempt_asked=self._is_preempt_asked,
+            is_preempt_asked=self._is_preempt_asked, suspension=suspension,
             on_begin=self._begin_step, on_end=self._end_step)
         self._thread = threading.Thread(target=self._run, name="command_run", daemon=True)
 
@@ -98,26 +101,13 @@ class CommandRun:
 
     def _run(self) -> None:
         outcome, error = "", ""
-        viewer = None
         try:
             self._machine = build_state_machine(self._procedure, lambda frame: ActionStep(frame, self._context))
-            viewer = self._show()
+            self._introspection.show(self._machine)
             outcome = self._machine.execute()
         except Exception as fault:  # boundary: whatever breaks the machine, the command must be answered
             rospy.logerr("the machine broke: %s: %s", type(fault).__name__, fault)
             error = f"{type(fault).__name__}: {fault}"
         finally:
             self._on_end(self, RunResult(outcome=outcome, goals=tuple(self._goals), error=error))
-            if viewer is not None:
-                viewer.stop()
-
-    def _show(self) -> Optional[smach_ros.IntrospectionServer]:
-        if not self._is_introspected:
-            return None
-        try:
-            viewer = smach_ros.IntrospectionServer("executor", self._machine, "/PROCEDURE")
-            viewer.start()
-        except Exception as fault:  # boundary: nothing that only looks on may keep a command from running
-            rospy.logwarn("smach_viewer will see nothing: %s: %s", type(fault).__name__, fault)
-            return None
-        return viewer
+            self._introspection.hide()

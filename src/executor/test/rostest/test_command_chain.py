@@ -37,12 +37,14 @@ class CommandChainTest(unittest.TestCase):
         cls.text = rospy.Publisher("text", String, queue_size=1000)
         subscribers = [
             rospy.Subscriber("command_text", Command, cls.on_command),
-            rospy.Subscriber("server_log", String, lambda message: cls.log.append(message.data)),
-            rospy.Subscriber("cmd_vel", Twist, cls.velocities.append)]
+            rospy.Subscriber("server_log", String, lambda message: cls.log.append(message.data))]
+        velocities = rospy.Subscriber("cmd_vel", Twist, cls.velocities.append)
         replies = rospy.Subscriber("reply", Reply, cls.replies.append)
         assert wait_until(lambda: all(entity.get_num_connections() == 1 for entity in subscribers + [
             cls.frames, cls.events]))
-        assert wait_until(lambda: replies.get_num_connections() == 2 and cls.text.get_num_connections() == 2)
+        # The command server and the stop server.
+        assert wait_until(lambda: all(
+            entity.get_num_connections() == 2 for entity in (velocities, replies, cls.text)))
         # What is published before its listener has connected is lost.
         for connection in (("/arbitrator", "command_procedure", "/executor"),
                            ("/command_server", "command_cancel", "/executor"),

@@ -29,6 +29,7 @@ from roboframenet_msgs.srv import (
     RegisterWithFrameRequest,
     RegisterWithFrameResponse,
 )
+from roboframenet_ros.ros_log import log_from_threads
 from semantic_frames import FileRefused, Problem, load_frame
 from semantic_frames.frame import SemanticFrame
 from semantic_frames.source_files import FRAMES_FOLDER, read_text, replace_problems, yaml_files
@@ -261,6 +262,7 @@ def describe(candidates: Tuple[Candidate, ...]) -> str:
 def main() -> None:
     """Run the node."""
     rospy.init_node("frame_registrar")
+    log_from_threads()
     try:
         FrameRegistrar(Settings.from_parameters())
     except ValueError as error:

@@ -7,6 +7,7 @@ from typing import Any, Callable, Optional
 
 import actionlib
 import rospy
+from roboframenet_ros.ros_log import log_from_threads
 
 #: The waiting thread wakes up so often although nobody notified it, seconds: a guard, not a rhythm.
 WAKE_UP_S = 5.0
@@ -28,7 +29,8 @@ class QuietActionServer(actionlib.ActionServer):
     _published_s = float("-inf")
 
     def initialize(self) -> None:
-        """Set up the topics, without the status timer."""
+        """Set up the topics, without the status timer, and a log that holds no goal up."""
+        log_from_threads()
         super().initialize()
         if self.status_timer is not None:
             self.status_timer.shutdown()

@@ -21,6 +21,7 @@ from roboframenet_msgs.msg import (
     StopReport,
 )
 from roboframenet_msgs.srv import AddLexicalUnit, AddLexicalUnitRequest, AddLexicalUnitResponse
+from roboframenet_ros.ros_log import log_from_threads
 from semantic_frames import FileRefused, load_frame
 from semantic_frames.frame import SemanticFrame
 from semantic_frames.source_files import LEXICAL_UNITS_FOLDER, yaml_files
@@ -247,6 +248,7 @@ def describe(reading: Reading) -> str:
 def main() -> None:
     """Run the node."""
     rospy.init_node("semantic_framer")
+    log_from_threads()
     try:
         SemanticFramer(Settings.from_parameters())
     except ValueError as error:

@@ -9,6 +9,7 @@ from typing import Dict, FrozenSet
 import rospkg
 import rospy
 from roboframenet_msgs.msg import Command, CommandParse, Lexicon, Reply
+from roboframenet_ros.ros_log import log_from_threads
 from semantic_frames import FileRefused, load_lexical_units
 from stage_events.ros_stage import Stage
 from stanford_parser_msgs.msg import Parse
@@ -184,6 +185,7 @@ def describe(tree: DependencyTree) -> str:
 def main() -> None:
     """Run the node."""
     rospy.init_node("stanford_parser_ros")
+    log_from_threads()
     try:
         ParserNode(Settings.from_parameters())
     except (ModelError, ValueError) as error:
