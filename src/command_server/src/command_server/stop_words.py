@@ -9,7 +9,7 @@ import enum
 from dataclasses import dataclass
 from typing import Dict, FrozenSet, Iterable, List, Mapping, Optional, Sequence, Tuple
 
-from command_server.spoken_words import Token, plain_text, tokens_of
+from command_server.spoken_words import plain_text, tokens_of
 
 Phrase = Tuple[str, ...]
 

@@ -47,6 +47,10 @@ class Withdrawals:
         self._open[ending.command.command_id] = _Withdrawal(
             ending, self._now() + self._timeout_s, {command.command_id: command for command in running})
 
+    def is_waiting(self, command_id: str) -> bool:
+        """Whether this is one of them."""
+        return command_id in self._open
+
     def hear_end(self, ending: Ending) -> List[Ending]:
         """A command has ended.
 
