@@ -23,7 +23,7 @@ from stanford_parser_ros.model import Parser, UnparsableText, shipped_model_dir
 from stanford_parser_ros.tree import DependencyTree
 
 #: Refusals after which no frame is reported: the person said not to do it, or not at once.
-_NOTHING_MEANT = frozenset(["NEGATED", "CONDITION"])
+_NOTHING_MEANT = frozenset(["NEGATED", "CORRECTION", "DECLINED", "CONDITION"])
 
 
 @dataclass(frozen=True)
