@@ -12,7 +12,7 @@ from semantic_framer.lexicon import Lexicon
 from semantic_frames.frame import SemanticFrame
 from semantic_frames.lexical_unit import LexicalUnit
 from stanford_parser_ros.model import Parser, shipped_model_dir
-from stanford_parser_ros.tree import DependencyTree
+from utterance_passes.tree import DependencyTree
 
 COUNTS = (50, 10000)
 ROUNDS = 40

@@ -20,7 +20,7 @@ from semantic_frames.source_files import FRAMES_FOLDER, LEXICAL_UNITS_FOLDER, re
 from semantic_framer.framer import Understood, read
 from semantic_framer.lexicon import Lexicon
 from stanford_parser_ros.model import ModelError, Parser, UnparsableText, shipped_model_dir
-from stanford_parser_ros.tree import DependencyTree
+from utterance_passes.tree import DependencyTree
 
 EXAMPLES = """examples:
   rfn learn garden_sentences.yaml --out gardening

@@ -11,16 +11,16 @@ from semantic_frames import FileRefused, Problem, load_frame
 from semantic_frames.frame import SemanticFrame
 from semantic_frames.lexical_unit import LexicalUnit
 from semantic_frames.source_files import FRAMES_FOLDER, LEXICAL_UNITS_FOLDER, read_text, yaml_files
-from semantic_framer.clauses import Clause, find_clauses
 from semantic_framer.descriptions import descriptions
 from semantic_framer.framer import Question, Understood, prepared, read
 from semantic_framer.lexicon import Lexicon
 from semantic_framer.matching import Reading, read_clause
 from semantic_framer.readings import readings_of
 from semantic_framer.sentence import Sentence
-from semantic_framer.verb_matching import match_verbs
 from stanford_parser_ros.model import Parser, UnparsableText, shipped_model_dir
-from stanford_parser_ros.tree import DependencyTree
+from utterance_passes.clauses import Clause, find_clauses
+from utterance_passes.tree import DependencyTree
+from utterance_passes.verb_matching import match_verbs
 
 #: Refusals after which no frame is reported: the person said not to do it, or not at once.
 _NOTHING_MEANT = frozenset(["NEGATED", "CONDITION"])
@@ -200,7 +200,7 @@ class Pipeline:
         lexicon, frames = self.knowledge.lexicon, self.knowledge.frames
         meant = prepared(tree, lexicon, frames)
         sentence = meant if isinstance(meant, Sentence) else Sentence(tree)
-        clauses = find_clauses(sentence, lexicon)
+        clauses = find_clauses(sentence.tree, lexicon)
         attempts = tuple(self._attempts(sentence, clause) for clause in clauses)
         outcome, _ = read(tree, lexicon, frames)
         if not isinstance(outcome, Understood) and outcome.code in _NOTHING_MEANT:
@@ -228,7 +228,7 @@ class Pipeline:
     def _best(self, sentence: Sentence) -> Tuple[Reading, ...]:
         found = [
             readings_of(sentence, clause, self.knowledge.lexicon, self.knowledge.frames)
-            for clause in find_clauses(sentence, self.knowledge.lexicon)
+            for clause in find_clauses(sentence.tree, self.knowledge.lexicon)
             if not clause.is_negated and not clause.is_question
         ]
         return tuple(readings[0] for readings in found if readings)
@@ -236,7 +236,7 @@ class Pipeline:
     def _attempts(self, sentence: Sentence, clause: Clause) -> Tuple[Attempt, ...]:
         lexicon, frames = self.knowledge.lexicon, self.knowledge.frames
         attempts = []
-        for match in match_verbs(sentence, clause, lexicon):
+        for match in match_verbs(sentence.tree, clause, lexicon):
             for unit in lexicon.units_of(match.verb):
                 alone = Lexicon.of_units([replace(unit, verbs=(match.verb,))])
                 found = read_clause(sentence, clause, alone, frames)

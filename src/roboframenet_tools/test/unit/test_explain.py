@@ -8,7 +8,7 @@ from roboframenet_tools import explain
 from roboframenet_tools.drawing import draw_arcs, svg_arcs
 from roboframenet_tools.explain import describe
 from roboframenet_tools.understanding import Pipeline, load_knowledge, pretend_servers, shipped_domains, to_json
-from stanford_parser_ros.tree import DependencyTree, Word
+from utterance_passes.tree import DependencyTree, Word
 
 TREE = DependencyTree(
     "Take it", (Word(1, "Take", "take", "VERB", "VB", "", 0, "root"), Word(2, "it", "it", "PRON", "PRP", "", 1, "obj"))

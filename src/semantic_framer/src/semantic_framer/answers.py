@@ -4,16 +4,17 @@ from typing import Dict, List, Mapping, Optional, Sequence, Tuple
 
 from semantic_frames.frame import FrameElement, SemanticFrame
 from semantic_frames.lexical_unit import ArgumentForm
+from utterance_passes.clauses import find_clauses
+from utterance_passes.measures import find_amounts
+from utterance_passes.verb_matching import match_verbs
+from utterance_passes.word_classes import CONDITIONS, NEGATIONS
 
-from semantic_framer.clauses import CONDITIONS, NEGATIONS, find_clauses
 from semantic_framer.dialogue import Pending, is_yes
+from semantic_framer.frame_roles import MESSAGE
 from semantic_framer.lexicon import Lexicon
 from semantic_framer.matching import Reading, with_value
-from semantic_framer.measures import find_amounts
 from semantic_framer.sentence import Sentence
-from semantic_framer.times import find_times
 from semantic_framer.values import ElementValue, amount_value, phrase_value, unit_value
-from semantic_framer.verb_matching import match_verbs
 
 
 def question_for(element: FrameElement) -> str:
@@ -49,7 +50,7 @@ def answer(
         return None
     if not pending.elements:
         return pending.clauses if is_yes(sentence.tree.text) else None
-    if any(match_verbs(sentence, clause, lexicon) for clause in find_clauses(sentence, lexicon)):
+    if any(match_verbs(sentence.tree, clause, lexicon) for clause in find_clauses(sentence.tree, lexicon)):
         return None
     fitting: Dict[bool, List[Reading]] = {True: [], False: []}
     for reading, name in zip(pending.clauses[pending.clause], pending.elements):
@@ -77,7 +78,7 @@ def _values(
     """Return what an utterance fills an element with, and the element of its unit; nothing where it does not fit."""
     element = frame.element(name)
     values = _fragment_values(sentence, frame, element) if element is not None else []
-    is_quoted = element is not None and element.framenet == "Message"
+    is_quoted = element is not None and element.framenet == MESSAGE
     if element is None or not values or not (is_quoted or _is_all_said(sentence, values, is_strict)):
         return []
     if pending.choices and not any(_is_choice(values[0], choice) for choice in pending.choices):
@@ -92,7 +93,7 @@ def _values(
 def _is_all_said(sentence: Sentence, values: List[ElementValue], is_strict: bool) -> bool:
     """Whether values are all that an answer says: no "not", no condition, no time, no word of another matter."""
     used = frozenset(position for value in values for position in value.positions)
-    if find_times(sentence):
+    if sentence.tree.times:
         return False
     for word in sentence.tree.words:
         if word.form.lower() in NEGATIONS | CONDITIONS:
@@ -111,7 +112,7 @@ def _is_choice(value: ElementValue, choice: str) -> bool:
 
 def _fragment_values(sentence: Sentence, frame: SemanticFrame, element: FrameElement) -> List[ElementValue]:
     positions = [word.index for word in sentence.tree.words if word.upos not in ("PUNCT", "INTJ")]
-    amounts = find_amounts(sentence, positions)
+    amounts = find_amounts(sentence.tree, positions)
     if element.quantity is not None:
         for amount in amounts:
             values = [amount_value(sentence, element.name, amount, is_whole=not element.unit_element)]

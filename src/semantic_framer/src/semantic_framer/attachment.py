@@ -2,14 +2,10 @@
 
 from typing import AbstractSet, FrozenSet, Tuple
 
+from utterance_passes.word_classes import OF_PLACE
+
 from semantic_framer.sentence import Sentence
 
-#: A phrase with one of these says where a thing is. If it fills no element of the unit, it belongs to the noun that it
-#: stands behind, even where the parser hung it on the verb: "bring the mug on the table".
-OF_PLACE = frozenset(
-    "on in at near under behind beside beneath below above over inside outside between against by next close around "
-    "of".split()
-)
 #: Prepositions that tell which thing or person is meant only right behind its name: "the guy with the blue jacket".
 _OF_A_THING = frozenset(["with", "without"])
 _PLACE_ADVERBS = frozenset(["here", "there", "upstairs", "downstairs", "outside", "inside"])

@@ -3,8 +3,8 @@
 from typing import List, Mapping, Sequence, Tuple
 
 from semantic_frames.frame import SemanticFrame
+from utterance_passes.clauses import Clause, clause_of
 
-from semantic_framer.clauses import Clause, clause_of
 from semantic_framer.lexicon import Lexicon
 from semantic_framer.matching import Reading, read_clause
 from semantic_framer.sentence import Sentence
@@ -34,7 +34,7 @@ def relative_clauses(sentence: Sentence, clauses: Sequence[Clause]) -> Tuple[Cla
                 for index in sentence.subtree(word.index)
                 if sentence.word(index).form.lower() not in _RELATIVE_ADVERBS
             )
-            found.append(clause_of(sentence, verb.index, positions, False))
+            found.append(clause_of(sentence.tree, verb.index, positions, False))
     return tuple(clause for clause in found if clause.subject)
 
 

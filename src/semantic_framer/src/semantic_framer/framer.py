@@ -5,23 +5,23 @@ from enum import Enum
 from typing import FrozenSet, Iterable, List, Mapping, Sequence, Tuple, Union
 
 from semantic_frames.frame import SemanticFrame
-from stanford_parser_ros.tree import DependencyTree
+from utterance_passes.clauses import Clause, find_clauses, whole_sentence
+from utterance_passes.running import run_tree_passes
+from utterance_passes.table import FRAMER_TREE_PASSES, REPHRASING_PASSES
+from utterance_passes.tree import DependencyTree
+from utterance_passes.utterance_pass import Choice, Uncertain
+from utterance_passes.verb_matching import VerbMatch, match_verbs
+from utterance_passes.word_classes import CONDITIONS, WRAPPERS
 
 from semantic_framer.answers import answer, question_of
-from semantic_framer.asides import with_asides, with_opening_aside
 from semantic_framer.choices import choices_of_clauses, chosen, question_of_choices
-from semantic_framer.clauses import CONDITIONS, WRAPPERS, Clause, find_clauses, whole_sentence
-from semantic_framer.dialogue import Choice, Context, Pending, is_no
+from semantic_framer.dialogue import Context, Pending, is_no
+from semantic_framer.framed_lexicon import FramedLexicon
 from semantic_framer.lexicon import Lexicon
 from semantic_framer.matching import Reading, rank
-from semantic_framer.plain_verbs import with_plain_verbs
-from semantic_framer.quotations import with_quotations
 from semantic_framer.readings import readings_of
 from semantic_framer.references import remember, resolve
-from semantic_framer.repairs import repaired
 from semantic_framer.sentence import Sentence
-from semantic_framer.times import find_times
-from semantic_framer.verb_matching import VerbMatch, match_verbs
 from semantic_framer.values import ElementValue
 
 
@@ -96,6 +96,7 @@ def read(
     context: Context = Context(),
     policy: Policy = Policy(),
     now_s: float = 0.0,
+    without: FrozenSet[str] = frozenset(),
 ) -> Tuple[Outcome, Context]:
     """Understand an utterance.
 
@@ -106,11 +107,12 @@ def read(
         context: what is remembered of the utterances before
         policy: how careful to be
         now_s: the caller's clock, seconds; questions expire on it
+        without: names of passes that are switched off, for those who look for what a pass does
     Returns:
         what came of it, and what is to be remembered
     """
     context = context.at(now_s)
-    meant = prepared(tree, lexicon, frames)
+    meant = prepared(tree, lexicon, frames, without)
     if not isinstance(meant, Sentence):
         # What was asked before is answered by none of this.
         return _offer(meant, replace(context, pending=None), policy, now_s)
@@ -122,7 +124,10 @@ def read(
         return Refusal("NEGATED", "As you wish: I do nothing."), context
     if pending.readings:
         choice = chosen(meant, pending.readings, lexicon)
-        sentence = Sentence(_arranged(choice.tree, lexicon, frames)) if choice else meant
+        sentence = meant
+        if choice:
+            vocabulary = FramedLexicon(lexicon, frames)
+            sentence = Sentence(run_tree_passes(choice.tree, vocabulary, REPHRASING_PASSES, without=without))
         outcome, context = _read_sentence(sentence, lexicon, frames, context, policy, now_s)
         if choice and isinstance(outcome, Understood):
             outcome = replace(outcome, clauses=_waiting(outcome.clauses))
@@ -169,22 +174,21 @@ def _read_sentence(
 
 
 def prepared(
-    tree: DependencyTree, lexicon: Lexicon, frames: Mapping[str, SemanticFrame]
+    tree: DependencyTree,
+    lexicon: Lexicon,
+    frames: Mapping[str, SemanticFrame],
+    without: FrozenSet[str] = frozenset(),
 ) -> Union[Sentence, Tuple[Choice, ...]]:
     """Put together what is to be said, and set aside what was corrected or is only said around the command.
 
     Returns:
         the sentence; or, where it is not certain what was corrected, the readings to choose from
     """
-    corrected = repaired(tree, lexicon)
-    if not isinstance(corrected, DependencyTree):
-        return corrected
-    return Sentence(_arranged(corrected, lexicon, frames))
-
-
-def _arranged(tree: DependencyTree, lexicon: Lexicon, frames: Mapping[str, SemanticFrame]) -> DependencyTree:
-    tree = with_plain_verbs(with_opening_aside(tree, lexicon), lexicon)
-    return with_asides(with_quotations(tree, lexicon, frames), lexicon)
+    try:
+        vocabulary = FramedLexicon(lexicon, frames)
+        return Sentence(run_tree_passes(tree, vocabulary, FRAMER_TREE_PASSES, without=without))
+    except Uncertain as uncertain:
+        return uncertain.choices
 
 
 def _offer(
@@ -226,7 +230,7 @@ def _time_of_a_command(sentence: Sentence, lexicon: Lexicon) -> FrozenSet[int]:
     No element of a frame holds them, and a time hides the verb from the parser ("at five turn left"): so it counts
     wherever it stands, and whatever became of the clauses.
     """
-    times = [time for time in find_times(sentence) if not time & (sentence.abandoned | sentence.quoted)]
+    times = [time for time in sentence.tree.times if not time & (sentence.abandoned | sentence.tree.quoted)]
     inside = frozenset().union(*times)
     is_command = any(
         lexicon.verbs_beginning_with(spelling)
@@ -255,8 +259,8 @@ def _known_clauses(sentence: Sentence, lexicon: Lexicon) -> Tuple[Clause, ...]:
     """Clauses of the sentence; where the parser saw no verb, a verb of the lexicon at its front ("High five!") makes
     one.
     """
-    clauses = find_clauses(sentence, lexicon)
-    if clauses and any(match_verbs(sentence, clause, lexicon) for clause in clauses):
+    clauses = find_clauses(sentence.tree, lexicon)
+    if clauses and any(match_verbs(sentence.tree, clause, lexicon) for clause in clauses):
         return clauses
     words = [
         word
@@ -265,8 +269,8 @@ def _known_clauses(sentence: Sentence, lexicon: Lexicon) -> Tuple[Clause, ...]:
         if word.index not in sentence.abandoned
     ]
     if words:
-        front = whole_sentence(sentence, words[0].index)
-        if match_verbs(sentence, front, lexicon):
+        front = whole_sentence(sentence.tree, words[0].index)
+        if match_verbs(sentence.tree, front, lexicon):
             return (front,)
     return clauses
 
@@ -274,7 +278,7 @@ def _known_clauses(sentence: Sentence, lexicon: Lexicon) -> Tuple[Clause, ...]:
 def _read_one(
     sentence: Sentence, clause: Clause, lexicon: Lexicon, frames: Mapping[str, SemanticFrame], policy: Policy
 ) -> Union[Tuple[Reading, ...], Refusal]:
-    matches: Tuple[VerbMatch, ...] = match_verbs(sentence, clause, lexicon)
+    matches: Tuple[VerbMatch, ...] = match_verbs(sentence.tree, clause, lexicon)
     if clause.is_negated:
         return Refusal("NEGATED", f'You said not to: "{sentence.text(sorted(clause.positions))}". I do nothing.')
     if clause.is_question:

@@ -6,9 +6,12 @@ from typing import Dict, FrozenSet, List, Mapping, Optional, Set, Tuple
 from semantic_frames.frame import FrameElement, Quantity, SemanticFrame
 from semantic_frames.lexical_unit import ArgumentForm, ElementRelation, LexicalUnit
 from semantic_frames.relation_names import MEASURE
+from utterance_passes.clauses import Clause, shared_subject
+from utterance_passes.measures import Amount, find_amounts
+from utterance_passes.verb_matching import VerbMatch, match_verbs
+from utterance_passes.word_classes import OF_PLACE
 
 from semantic_framer.attachment import (
-    OF_PLACE,
     is_of_one_direction,
     is_side_of_something,
     places_before,
@@ -17,20 +20,15 @@ from semantic_framer.attachment import (
     words_before,
     words_before_amount,
 )
-from semantic_framer.clauses import Clause, shared_subject
+from semantic_framer.frame_roles import DESCRIBED, MESSAGE
 from semantic_framer.lexicon import Lexicon
-from semantic_framer.measures import Amount, find_amounts
 from semantic_framer.sentence import Sentence
-from semantic_framer.verb_matching import VerbMatch, match_verbs
 from semantic_framer.values import ElementValue, amount_value, given_value, phrase_value, unit_value
 
 #: A phrase with one of these hangs on the verb, if the unit asks for it, even where the parser hung it on the object:
 #: "bring the mug to the table". The others ("on", "in", "near") do so only for a core or required element: "put the
 #: mug on the table".
 DIRECTIONAL = frozenset("to into onto towards toward from for with by as through via out_of off off_of".split())
-#: Elements that a verb is about, without a tool or company: a phrase with "with" describes them.
-_DESCRIBED = frozenset(["Cotheme", "Category", "Item"])
-
 _MEASURES_OF_2012 = frozenset(["num", "number", "nummod", "tmod", "npadvmod"])
 
 
@@ -82,10 +80,9 @@ def read_clause(
     Returns:
         readings, the best first by :func:`rank`
     """
-    sentence = clause.sentence or sentence
-    amounts = find_amounts(sentence, sorted(clause.positions - {clause.verb}))
+    amounts = find_amounts(sentence.tree, sorted(clause.positions - {clause.verb}))
     readings = []
-    for match in match_verbs(sentence, clause, lexicon):
+    for match in match_verbs(sentence.tree, clause, lexicon):
         for unit in lexicon.units_of(match.verb):
             frame = frames.get(unit.frame_name)
             if frame is None:
@@ -146,7 +143,7 @@ class _Filling:
         self._heads: Dict[str, int] = {}
         self._listed: Dict[str, FrozenSet[int]] = {}
         self._amount_of: Dict[str, Amount] = {}
-        self._subject = clause.subject or shared_subject(sentence, clause.verb)
+        self._subject = clause.subject or shared_subject(sentence.tree, clause.verb)
         #: In 2012 a unit asked for the number and for what it counts by their relations.
         self._is_measuring_of_2012 = any(
             path.steps[-1] in _MEASURES_OF_2012 and not relation.words
@@ -346,7 +343,7 @@ class _Filling:
 
     def _places_behind(self, head: int, element: FrameElement, left_out: FrozenSet[int]) -> FrozenSet[int]:
         """Return the phrases of place directly behind a noun that fill nothing: "the mug on the table"."""
-        if self._sentence.word(head).upos != "NOUN" or element.framenet == "Message":
+        if self._sentence.word(head).upos != "NOUN" or element.framenet == MESSAGE:
             return frozenset()
         noun = self._sentence.subtree(head) - left_out
         taken = frozenset(self._heads.values())
@@ -356,7 +353,7 @@ class _Filling:
             positions = self._sentence.subtree(phrase.index).difference(*map(self._sentence.subtree, inner))
             if (
                 min(positions) == max(noun | found) + 1
-                and tells_which(self._sentence, phrase.index, head, element.framenet in _DESCRIBED)
+                and tells_which(self._sentence, phrase.index, head, element.framenet in DESCRIBED)
                 and not positions & (taken | left_out)
                 and positions <= self._clause.positions
                 and not self._is_in_a_measure(phrase.index)

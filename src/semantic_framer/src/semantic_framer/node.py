@@ -25,7 +25,7 @@ from semantic_frames.frame import SemanticFrame
 from semantic_frames.source_files import LEXICAL_UNITS_FOLDER, yaml_files
 from stage_events.ros_stage import Stage
 from stanford_parser_ros.ros_messages import to_tree
-from stanford_parser_ros.tree import DependencyTree
+from utterance_passes.tree import DependencyTree
 
 from semantic_framer.dialogue import Context
 from semantic_framer.framer import Alternatives, LeftOverWords, Outcome, Policy, Question, Refusal, Understood, read
@@ -33,7 +33,6 @@ from semantic_framer.lexicon import Lexicon
 from semantic_framer.lexicon_files import LexiconFiles, LexiconState
 from semantic_framer.matching import Reading
 from semantic_framer.ros_messages import to_clauses, to_filled_units
-from semantic_framer.sentence import Sentence
 
 #: Kept on the master by the node for itself: files that were added while it ran.
 ADDED_LEXICAL_UNITS = "~_added_lexical_units"
@@ -183,7 +182,7 @@ class SemanticFramer:
         elif isinstance(outcome, Question):
             self._end(message.command, outcome=Reply.NEEDS_INFORMATION, code=outcome.code, sentence=outcome.sentence)
         else:
-            self._pass_on(message, outcome, Sentence(tree))
+            self._pass_on(message, outcome, tree)
 
     def _read(self, tree: DependencyTree) -> Outcome:
         end = time.monotonic() + CATALOGUE_DELAY_S
@@ -208,7 +207,7 @@ class SemanticFramer:
                     self._context = context
                     return outcome
 
-    def _pass_on(self, message: CommandParse, understood: Understood, sentence: Sentence) -> None:
+    def _pass_on(self, message: CommandParse, understood: Understood, tree: DependencyTree) -> None:
         described = "; then ".join(
             " or ".join(describe(reading) for reading in readings[:3]) for readings in understood.clauses
         )
@@ -218,7 +217,7 @@ class SemanticFramer:
         )
         self._units_2012.publish(to_filled_units(understood.clauses))
         self._units.publish(
-            CommandLexicalUnits(command=message.command, clauses=to_clauses(understood.clauses, sentence))
+            CommandLexicalUnits(command=message.command, clauses=to_clauses(understood.clauses, tree))
         )
 
     def _end(self, command: Command, *, outcome: int, code: str, sentence: str) -> None:

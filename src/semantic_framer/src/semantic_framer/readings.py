@@ -5,13 +5,13 @@ from typing import FrozenSet, Mapping, Tuple
 
 from semantic_frames.frame import SemanticFrame
 from semantic_frames.lexical_unit import ArgumentForm
+from utterance_passes.clauses import Clause
+from utterance_passes.word_classes import DEGREES
 
 from semantic_framer.attachment import is_side_of_something
-from semantic_framer.clauses import Clause
+from semantic_framer.frame_roles import NO_THINGS, PLACES, THEME
 from semantic_framer.lexicon import Lexicon
 from semantic_framer.matching import Reading, rank, read_clause
-from semantic_framer.mending import DEGREES
-from semantic_framer.references import NO_THINGS, PLACES
 from semantic_framer.sentence import Sentence
 from semantic_framer.values import ElementValue
 
@@ -32,7 +32,6 @@ def readings_of(
     bit"), a number that another unit of the verb measures with ("turn one eighty" is half a turn, and no device called
     "one eighty"), and a noun that is part of another unit's verb ("take a look").
     """
-    sentence = clause.sentence or sentence
     readings = tuple(
         _with_phrases_left_over(sentence, reading) for reading in read_clause(sentence, clause, lexicon, frames)
     )
@@ -84,7 +83,7 @@ def _is_no_thing(sentence: Sentence, reading: Reading, value: ElementValue, fram
     if name is None or value.quantity:
         return False
     if name in PLACES and word.upos == "NUM":
-        return any(names.get(other.name) == "Theme" and len(other.positions) > 0 for other in reading.values)
+        return any(names.get(other.name) == THEME and len(other.positions) > 0 for other in reading.values)
     if word.form.lower() in DEGREES and not any(child.deprel == "nmod" for child in sentence.children(word.index)):
         return True
     is_side = word.form.lower() in _SIDES and not is_side_of_something(sentence, word.index)

@@ -5,8 +5,8 @@ from dataclasses import dataclass, replace
 from typing import FrozenSet, List, Tuple
 
 from semantic_frames.lexical_unit import ArgumentForm
+from utterance_passes.measures import Amount
 
-from semantic_framer.measures import Amount
 from semantic_framer.sentence import Sentence
 
 #: Relations of words that stand at the front of a phrase and are no part of it.

@@ -9,7 +9,7 @@ from semantic_framer.framer import Alternatives, LeftOverWords, Policy, Question
 from semantic_framer.lexicon import Lexicon
 from semantic_frames import load_frame
 from semantic_frames.frame import SemanticFrame
-from stanford_parser_ros.conllu import from_conllu
+from utterance_passes.conllu import from_conllu
 
 FRAMES = {
     frame.name: frame

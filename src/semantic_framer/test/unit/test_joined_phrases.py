@@ -2,7 +2,7 @@
 
 from semantic_framer.attachment import is_side_of_something, tells_which, words_before, words_before_amount
 from semantic_framer.sentence import Sentence
-from stanford_parser_ros.conllu import from_conllu
+from utterance_passes.conllu import from_conllu
 
 
 def sentence(*rows: str) -> Sentence:

@@ -16,7 +16,7 @@ from stanford_parser_msgs.msg import Parse
 from stanford_parser_ros.model import ModelError, Parser, UnparsableText, shipped_model_dir
 from stanford_parser_ros.ros_messages import to_command_parse
 from stanford_parser_ros.stanford_dependencies import collapsed
-from stanford_parser_ros.tree import DependencyTree
+from utterance_passes.tree import DependencyTree
 
 #: How often the worker looks whether it has to end, seconds.
 WAKE_UP_S = 1.0

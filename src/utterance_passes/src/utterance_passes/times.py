@@ -6,7 +6,9 @@ from typing import FrozenSet, List, Tuple
 
 from spoken_quantities import QuantityError, parse_number
 
-from semantic_framer.sentence import Sentence
+from utterance_passes.tree import DependencyTree
+from utterance_passes.tree_edits import mark_times
+from utterance_passes.vocabulary import Vocabulary
 
 #: Words that say when on their own.
 ADVERBS = frozenset(
@@ -37,12 +39,17 @@ _CHOOSING = frozenset("this next last following coming every each any some anoth
 _ARTICLES = frozenset("a an the same very early late whole first end of few couple".split())
 
 
-def find_times(sentence: Sentence) -> Tuple[FrozenSet[int], ...]:
+def with_times(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
+    """Mark the phrases that say when."""
+    return mark_times(tree, find_times(tree))
+
+
+def find_times(tree: DependencyTree) -> Tuple[FrozenSet[int], ...]:
     """Find the phrases of a sentence that say when, in order, each with its preposition; phrases that touch are one."""
-    forms = [word.form.lower() for word in sentence.tree.words]
+    forms = [word.form.lower() for word in tree.words]
     found: List[Tuple[int, int]] = []
     for end in range(1, len(forms) + 1):
-        start = _start(sentence, forms, end)
+        start = _start(tree, forms, end)
         if not start and found and found[-1][1] == end - 1 and forms[end - 1] in _TIMES_OF_DAY | _CLOCK:
             start = end
         if not start:
@@ -53,7 +60,7 @@ def find_times(sentence: Sentence) -> Tuple[FrozenSet[int], ...]:
     return tuple(frozenset(range(start, end + 1)) for start, end in found)
 
 
-def _start(sentence: Sentence, forms: List[str], end: int) -> int:
+def _start(tree: DependencyTree, forms: List[str], end: int) -> int:
     """Return where the phrase that says when and ends at a word begins; 0 where none ends there."""
     word = forms[end - 1]
     if word in ADVERBS:
@@ -61,7 +68,7 @@ def _start(sentence: Sentence, forms: List[str], end: int) -> int:
         return end - 1 if before in _PREPOSITIONS else end
     if word == "now" and end > 1 and forms[end - 2] in ("from", "after", "until", "till", "before"):
         return end - 1
-    if _continues(sentence, forms, end):
+    if _continues(tree, forms, end):
         return 0
     word = "o'clock" if word == "o’clock" else word
     singular = word[:-1] if word.endswith("s") and word[:-1] in _PERIODS | _WEEKDAYS | _TIMES_OF_DAY else word
@@ -87,14 +94,14 @@ def _start(sentence: Sentence, forms: List[str], end: int) -> int:
     return 0
 
 
-def _continues(sentence: Sentence, forms: List[str], end: int) -> bool:
+def _continues(tree: DependencyTree, forms: List[str], end: int) -> bool:
     """Whether a word is the first part of a name or of an amount: "morning paper", "day's work", "5 degrees"."""
     if end == len(forms):
         return False
-    following = sentence.word(end + 1)
+    following = tree.word(end + 1)
     if following.form.lower() in _TIMES_OF_DAY | _CLOCK | ADVERBS:
         return False
-    if following.form.lower() in ("'s", "’s") or sentence.word(end).deprel in ("compound", "nmod:poss", "amod"):
+    if following.form.lower() in ("'s", "’s") or tree.word(end).deprel in ("compound", "nmod:poss", "amod"):
         return True
     # At the front of a command the parser takes the verb behind a time for a noun: "at five turn left".
     if end == 2 and forms[0] == "at":

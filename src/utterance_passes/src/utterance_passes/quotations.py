@@ -5,20 +5,17 @@ what the verb of saying governs behind it, but for the person who is spoken to a
 one of a lexical unit whose frame has a *Message*, as FrameNet calls it.
 """
 
-from dataclasses import dataclass, replace
-from typing import Dict, FrozenSet, Iterable, Mapping, Optional, Sequence, Set, Tuple
+from dataclasses import dataclass
+from typing import Dict, FrozenSet, Iterable, Optional, Sequence, Set, Tuple
 
-from semantic_frames.frame import SemanticFrame
-from stanford_parser_ros.tree import DependencyTree, Word
+from utterance_passes.clauses import Clause, find_clauses
+from utterance_passes.times import find_times
+from utterance_passes.tree import QUOTED, DependencyTree, Word
+from utterance_passes.tree_edits import TreeEdit
+from utterance_passes.verb_matching import match_verbs
+from utterance_passes.vocabulary import Speech, Vocabulary
+from utterance_passes.word_classes import CONDITIONS, HARMLESS, NEGATIONS, OF_PLACE
 
-from semantic_framer.attachment import OF_PLACE
-from semantic_framer.clauses import CONDITIONS, NEGATIONS, Clause, find_clauses
-from semantic_framer.lexicon import Lexicon
-from semantic_framer.verb_matching import match_verbs
-from semantic_framer.sentence import HARMLESS, QUOTED, Sentence
-from semantic_framer.times import find_times
-
-MESSAGE = "Message"
 _MARKS = ('"', "“", "”", "«", "»", "``", "''")
 #: Not quoted: what is said is put off by them ("tell me when dinner is ready").
 _PUTTING_OFF = CONDITIONS - {"if"}
@@ -38,25 +35,16 @@ class _Saying:
     is_told: bool
 
 
-def with_quotations(tree: DependencyTree, lexicon: Lexicon, frames: Mapping[str, SemanticFrame]) -> DependencyTree:
-    """Put together what is to be said.
-
-    Args:
-        tree: the sentence
-        lexicon: lexical units
-        frames: by name
-    Returns:
-        the sentence, with the same words in the same places; each quotation is one object of its verb
-    """
+def with_quotations(tree: DependencyTree, vocabulary: Vocabulary) -> DependencyTree:
+    """Put together what is to be said: each quotation is one object of its verb."""
     behind = 0
     while True:
-        sentence = Sentence(tree)
-        clauses = find_clauses(sentence, lexicon)
+        clauses = find_clauses(tree, vocabulary)
         saying = next(
             (
                 saying
                 for clause in clauses
-                for saying in [_saying(sentence, clause, lexicon, frames)]
+                for saying in [_saying(tree, clause, vocabulary)]
                 if saying is not None and clause.verb > behind
             ),
             None,
@@ -64,44 +52,34 @@ def with_quotations(tree: DependencyTree, lexicon: Lexicon, frames: Mapping[str,
         if saying is None:
             return tree
         behind = saying.clause.verb
-        stray = _stray_clause(sentence, saying)
+        stray = _stray_clause(tree, saying)
         if stray:
-            words = [replace(w, head=behind, deprel="ccomp") if w.index == stray else w for w in tree.words]
-            sentence = Sentence(replace(tree, words=tuple(words)))
-            clauses = find_clauses(sentence, lexicon)
-        tree = _Quotation(sentence, saying, clauses, lexicon).tree()
+            edit = TreeEdit(tree)
+            edit.rehang(stray, behind, "ccomp")
+            tree = edit.tree()
+            clauses = find_clauses(tree, vocabulary)
+        tree = _Quotation(tree, saying, clauses, vocabulary).tree()
 
 
-def _saying(
-    sentence: Sentence, clause: Clause, lexicon: Lexicon, frames: Mapping[str, SemanticFrame]
-) -> Optional[_Saying]:
-    for match in match_verbs(sentence, clause, lexicon):
-        for unit in lexicon.units_of(match.verb):
-            frame = frames.get(unit.frame_name)
-            if frame is None or not any(element.framenet == MESSAGE for element in frame.frame_elements):
-                continue
-            told = [element.name for element in frame.frame_elements if element.framenet == "Addressee"]
-            is_told = any(
-                path.steps == ("iobj",)
-                for relation in unit.relations
-                if relation.name in told
-                for path in relation.relations
-            )
-            return _Saying(clause, max(match.positions), is_told)
+def _saying(tree: DependencyTree, clause: Clause, vocabulary: Vocabulary) -> Optional[_Saying]:
+    for match in match_verbs(tree, clause, vocabulary):
+        speech = vocabulary.speech_of(match.verb)
+        if speech is not None:
+            return _Saying(clause, max(match.positions), speech is Speech.TOLD)
     return None
 
 
-def _stray_clause(sentence: Sentence, saying: _Saying) -> int:
+def _stray_clause(tree: DependencyTree, saying: _Saying) -> int:
     """Return the verb of a clause right behind the verb of saying that hangs elsewhere: "find Bob and tell her *lunch is
     ready*"; 0 for none.
     """
-    behind = (word for word in sentence.tree.words if word.index > saying.last and word.head < saying.last)
+    behind = (word for word in tree.words if word.index > saying.last and word.head < saying.last)
     strays = (
         word.index
         for word in behind
         if word.deprel in ("parataxis", "conj", "ccomp")
         and word.head not in (0, saying.clause.verb)
-        and min(sentence.subtree(word.index)) == saying.last + 1
+        and min(tree.subtree(word.index)) == saying.last + 1
     )
     return next(strays, 0)
 
@@ -109,59 +87,61 @@ def _stray_clause(sentence: Sentence, saying: _Saying) -> int:
 class _Quotation:
     """What one verb of saying governs."""
 
-    def __init__(self, sentence: Sentence, saying: _Saying, clauses: Sequence[Clause], lexicon: Lexicon) -> None:
-        self._sentence = sentence
+    def __init__(self, tree: DependencyTree, saying: _Saying, clauses: Sequence[Clause], vocabulary: Vocabulary) -> None:
+        self._tree = tree
         self._verb = saying.clause.verb
         self._start = saying.last + 1
         #: Head and relation of words that do not hang where they belong.
         self._moved: Dict[int, Tuple[int, str]] = {}
-        self._end = self._next_command(clauses, lexicon)
+        self._end = self._next_command(clauses, vocabulary)
         if saying.is_told:
             self._skip_addressee()
 
     def tree(self) -> DependencyTree:
         """Return the sentence with the quotation as one object; as it was where nothing is quoted."""
-        tree = self._sentence.tree
+        tree = self._tree
         inside = self._without_addressee(self._between_marks() or self._governed())
-        if not inside or not inside <= self._sentence.subtree(self._verb) or self._is_of_nothing(inside):
+        if not inside or not inside <= self._tree.subtree(self._verb) or self._is_of_nothing(inside):
             return tree
+        edit = TreeEdit(tree)
         head = self._head(inside)
-        first = self._sentence.word(min(inside))
+        first = self._tree.word(min(inside))
         if first.form.lower() in _PUTTING_OFF and self._has_verb(inside):
-            return replace(tree, words=tuple(replace(w, deprel="advcl") if w == head else w for w in tree.words))
-        is_phrase = inside == self._sentence.subtree(head.index) and head.deprel in ("obj", "ccomp")
+            edit.relabel(head.index, "advcl")
+            return edit.tree()
+        is_phrase = inside == self._tree.subtree(head.index) and head.deprel in ("obj", "ccomp")
         if is_phrase and not self._moved and not any(self._is_more_than_a_name(index) for index in inside):
             return tree
         if first.form.lower() == "that" and first.deprel in ("mark", "det") and self._has_verb(inside):
             self._moved[first.index] = (head.index, "mark")
-        words = []
         for word in tree.words:
             if word.index in self._moved:
                 governor, relation = self._moved[word.index]
-                words.append(replace(word, head=governor, deprel=relation))
+                edit.rehang(word.index, governor, relation)
             elif word.index == head.index:
-                upos = "INTJ" if word.form.lower() in NEGATIONS else word.upos
-                words.append(replace(word, head=self._verb, deprel="obj", upos=upos))
+                edit.rehang(word.index, self._verb, "obj")
+                if word.form.lower() in NEGATIONS:
+                    edit.retag(word.index, "INTJ")
             elif word.index in inside:
-                words.append(replace(word, head=head.index, deprel=QUOTED))
-            else:
-                words.append(replace(word, head=self._verb) if word.head in inside else word)
-        return replace(tree, words=tuple(words))
+                edit.rehang(word.index, head.index, QUOTED)
+            elif word.head in inside:
+                edit.rehang(word.index, self._verb)
+        return edit.tree()
 
-    def _next_command(self, clauses: Sequence[Clause], lexicon: Lexicon) -> int:
+    def _next_command(self, clauses: Sequence[Clause], vocabulary: Vocabulary) -> int:
         """Return the first position behind the quotation where a command follows: "say hello and turn left"."""
         for clause in clauses:
-            word = self._sentence.word(clause.verb)
-            first = min(self._sentence.subtree(word.index))
+            word = self._tree.word(clause.verb)
+            first = min(self._tree.subtree(word.index))
             is_joined = word.head == self._verb and word.deprel in ("conj", "parataxis", "list")
             before = first
-            while before > self._start and self._is_joint(self._sentence.word(before - 1)):
+            while before > self._start and self._is_joint(self._tree.word(before - 1)):
                 before -= 1
-            is_parted = before < first or self._is_joint(self._sentence.word(first))
+            is_parted = before < first or self._is_joint(self._tree.word(first))
             if is_joined and is_parted and before > self._start and not clause.subject:
-                if match_verbs(self._sentence, clause, lexicon):
+                if match_verbs(self._tree, clause, vocabulary):
                     return before
-        return len(self._sentence.tree.words) + 1
+        return len(self._tree.words) + 1
 
     @staticmethod
     def _is_joint(word: Word) -> bool:
@@ -169,19 +149,19 @@ class _Quotation:
 
     def _skip_addressee(self) -> None:
         """Find who is told: "tell *Bob* to come", "tell *my wife* dinner is ready"."""
-        children = [child for child in self._sentence.children(self._verb) if child.index >= self._start]
+        children = [child for child in self._tree.children(self._verb) if child.index >= self._start]
         is_clause = any(
             child.deprel in ("ccomp", "xcomp", "parataxis", "advcl") and child.index < self._end for child in children
         )
         told: FrozenSet[int] = frozenset()
         for child in children:
             is_person = child.deprel == "iobj" or (child.deprel == "obj" and is_clause)
-            if is_person and min(self._sentence.subtree(child.index)) == self._start:
-                told = self._sentence.subtree(child.index)
+            if is_person and min(self._tree.subtree(child.index)) == self._start:
+                told = self._tree.subtree(child.index)
                 self._moved.update({} if child.deprel == "iobj" else {child.index: (self._verb, "iobj")})
                 break
-        owner = self._sentence.word(self._start) if self._start < self._end - 2 else None
-        person = self._sentence.word(self._start + 1) if owner is not None else None
+        owner = self._tree.word(self._start) if self._start < self._end - 2 else None
+        person = self._tree.word(self._start + 1) if owner is not None else None
         if not told and owner is not None and owner.xpos == "PRP$" and person.deprel == "compound":
             told = frozenset([owner.index, person.index])
             self._moved[person.index] = (self._verb, "iobj")
@@ -197,21 +177,21 @@ class _Quotation:
         self._start = max(told) + 1 if told else self._start
 
     def _between_marks(self) -> FrozenSet[int]:
-        marks = [word.index for word in self._sentence.tree.words if word.form in _MARKS and word.index >= self._start]
+        marks = [word.index for word in self._tree.words if word.form in _MARKS and word.index >= self._start]
         return frozenset(range(marks[0] + 1, marks[1])) if len(marks) > 1 else frozenset()
 
     def _governed(self) -> FrozenSet[int]:
         """Return the words that the verb governs and that say what is to be said."""
         inside: Set[int] = set()
-        for child in self._sentence.children(self._verb):
+        for child in self._tree.children(self._verb):
             positions = {
                 index
-                for index in self._sentence.subtree(child.index) - self._sentence.abandoned
+                for index in self._tree.subtree(child.index) - self._tree.abandoned
                 if self._start <= index < self._end and index not in self._moved
             }
             if positions and not self._is_beside(child, inside):
                 inside |= positions
-        spoken = [index for index in sorted(inside) if self._sentence.word(index).upos != "PUNCT"]
+        spoken = [index for index in sorted(inside) if self._tree.word(index).upos != "PUNCT"]
         return frozenset(index for index in inside if spoken and spoken[0] <= index <= spoken[-1])
 
     def _is_beside(self, child: Word, inside: Set[int]) -> bool:
@@ -229,44 +209,44 @@ class _Quotation:
         return False
 
     def _case(self, index: int) -> str:
-        return next((w.form.lower() for w in self._sentence.children(index) if w.deprel == "case"), "")
+        return next((w.form.lower() for w in self._tree.children(index) if w.deprel == "case"), "")
 
     def _without_addressee(self, inside: FrozenSet[int]) -> FrozenSet[int]:
         """Take "to Bob" out of what was said; what stands behind it tells where Bob is."""
         for index in sorted(inside):
-            word = self._sentence.word(index)
-            phrase = self._sentence.subtree(index)
+            word = self._tree.word(index)
+            phrase = self._tree.subtree(index)
             is_end = self._case(index) == "to" and max(phrase & inside) == max(inside) and phrase < inside
             is_somebody = word.upos == "PROPN" or word.form.lower() in _SOMEBODY
-            has_subject = any(self._sentence.word(i).deprel.startswith("nsubj") for i in inside)
+            has_subject = any(self._tree.word(i).deprel.startswith("nsubj") for i in inside)
             if is_end and is_somebody and not has_subject:
                 self._moved[index] = (self._verb, "obl")
                 inside = inside - phrase
                 break
-        tops = [w for w in self._sentence.children(self._verb) if self._case(w.index) and w.index not in inside]
+        tops = [w for w in self._tree.children(self._verb) if self._case(w.index) and w.index not in inside]
         for person, place in zip(tops, tops[1:]):
-            is_next = min(self._sentence.subtree(place.index)) == max(self._sentence.subtree(person.index)) + 1
+            is_next = min(self._tree.subtree(place.index)) == max(self._tree.subtree(person.index)) + 1
             if self._case(person.index) == "to" and is_next and self._case(place.index) in OF_PLACE:
-                if not find_times(self._sentence) and inside:
+                if not find_times(self._tree) and inside:
                     self._moved[place.index] = (person.index, "nmod")
         return inside
 
     def _has_verb(self, positions: Iterable[int]) -> bool:
-        return any(self._sentence.word(index).upos in ("VERB", "AUX") for index in positions)
+        return any(self._tree.word(index).upos in ("VERB", "AUX") for index in positions)
 
     def _is_of_nothing(self, inside: FrozenSet[int]) -> bool:
-        forms = [self._sentence.word(index).form.lower() for index in sorted(inside)]
+        forms = [self._tree.word(index).form.lower() for index in sorted(inside)]
         is_no_thing = forms[0] == "no" and len(forms) > 1 and forms[1] in _NO_THING
         return not self._has_verb(inside) and (forms[0] in _NOTHING or is_no_thing)
 
     def _head(self, inside: FrozenSet[int]) -> Word:
         """Return the word that the others are put below: one that hangs on the verb, an object first."""
-        words = [self._sentence.word(index) for index in sorted(inside)]
+        words = [self._tree.word(index) for index in sorted(inside)]
         tops = [word for word in words if word.head not in inside and word.upos != "PUNCT"]
         ranks = {"obj": 0, "ccomp": 1, "xcomp": 2, "parataxis": 3, "conj": 4}
         return min(tops or words, key=lambda word: ranks.get(word.deprel, 5))
 
     def _is_more_than_a_name(self, index: int) -> bool:
-        word = self._sentence.word(index)
+        word = self._tree.word(index)
         is_verb = word.upos in ("VERB", "AUX")
         return is_verb or word.deprel == "conj" or word.form.lower() in NEGATIONS | CONDITIONS

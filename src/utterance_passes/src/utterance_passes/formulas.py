@@ -5,15 +5,12 @@ nothing that is read later looks at.
 """
 
 import re
-from dataclasses import replace
-from typing import AbstractSet, FrozenSet, List
+from typing import FrozenSet, Sequence
 
-from stanford_parser_ros.imperative import LEAD_IN
-from stanford_parser_ros.tree import DependencyTree, Word
-
-from semantic_framer.clauses import NEGATIONS
-from semantic_framer.lexicon import Lexicon
-from semantic_framer.sentence import ASIDE, HEDGES, QUOTED
+from utterance_passes.tree import ASIDE, DependencyTree, Word
+from utterance_passes.tree_edits import set_aside
+from utterance_passes.vocabulary import Vocabulary, is_verb
+from utterance_passes.word_classes import HEDGES, LEAD_IN, NEGATIONS
 
 _NOT = "(n't|not|nt)"
 _COULD = "(could|can|would|will|might)"
@@ -80,37 +77,25 @@ _LONGEST = 12
 _LEADING = LEAD_IN | HEDGES
 
 
-def with_opening_aside(tree: DependencyTree, lexicon: Lexicon) -> DependencyTree:
-    """Set the formula aside that a command is opened with: "I was wondering if you could ...".
-
-    Args:
-        tree: the sentence
-        lexicon: its verbs tell where the command begins
-    Returns:
-        the sentence, with the same words in the same places
-    """
-    positions = _opening(tree, lexicon)
-    return set_aside(tree, positions, lexicon, ASIDE) if positions else tree
+def without_opening(tree: DependencyTree, vocabulary: Vocabulary) -> DependencyTree:
+    """Set the formula aside that a command is opened with: "I was wondering if you could ..."."""
+    positions = _opening(tree, vocabulary)
+    return set_aside(tree, positions, ASIDE, lambda word: is_verb(vocabulary, word)) if positions else tree
 
 
-def with_asides(tree: DependencyTree, lexicon: Lexicon) -> DependencyTree:
+def without_formulas(tree: DependencyTree, vocabulary: Vocabulary) -> DependencyTree:
     """Set the formulas aside that a command is surrounded with: "... right away, if you don't mind"; those in a
     quotation belong to it.
     """
     while True:
-        positions = _around(tree, lexicon)
+        positions = _around(tree, vocabulary)
         if not positions:
             return tree
-        tree = set_aside(tree, positions, lexicon, ASIDE)
+        tree = set_aside(tree, positions, ASIDE, lambda word: is_verb(vocabulary, word))
 
 
-def _open_words(tree: DependencyTree) -> List[Word]:
-    """Words that are no asides yet, nor corrected, nor quoted."""
-    return [word for word in tree.words if word.deprel not in (ASIDE, QUOTED, "reparandum")]
-
-
-def _opening(tree: DependencyTree, lexicon: Lexicon) -> FrozenSet[int]:
-    words = _open_words(tree)
+def _opening(tree: DependencyTree, vocabulary: Vocabulary) -> FrozenSet[int]:
+    words = tree.open_words
     first = _behind_lead_in(words, 0)
     for behind in range(min(len(words) - 1, first + _LONGEST), first, -1):
         said = words[first:behind]
@@ -119,12 +104,12 @@ def _opening(tree: DependencyTree, lexicon: Lexicon) -> FrozenSet[int]:
         following = _behind_lead_in(words, behind)
         # "... if you could not turn left" negates as ever.
         following += following < len(words) - 1 and words[following].form.lower() in NEGATIONS
-        if following < len(words) and _is_verb(words[following], lexicon):
+        if following < len(words) and is_verb(vocabulary, words[following]):
             return frozenset(word.index for word in said)
     return frozenset()
 
 
-def _behind_lead_in(words: List[Word], position: int) -> int:
+def _behind_lead_in(words: Sequence[Word], position: int) -> int:
     while position < len(words) and (
         words[position].upos in ("PUNCT", "INTJ") or words[position].form.lower() in _LEADING
     ):
@@ -132,8 +117,8 @@ def _behind_lead_in(words: List[Word], position: int) -> int:
     return position
 
 
-def _around(tree: DependencyTree, lexicon: Lexicon) -> FrozenSet[int]:
-    words = _open_words(tree)
+def _around(tree: DependencyTree, vocabulary: Vocabulary) -> FrozenSet[int]:
+    words = tree.open_words
     spoken = [word for word in words if word.upos != "PUNCT"]
     for first, word in enumerate(words):
         for behind in range(min(len(words), first + _LONGEST), first, -1):
@@ -146,56 +131,19 @@ def _around(tree: DependencyTree, lexicon: Lexicon) -> FrozenSet[int]:
             if (
                 (is_apart and _APART.fullmatch(text))
                 or (is_apart and not is_front and _ENDINGS.fullmatch(text))
-                or ((is_apart or is_front and _is_verb(words[behind], lexicon)) and _ANYWHERE.fullmatch(text))
-            ) and not (first and _belongs_to(words[first - 1], word, lexicon)):
+                or ((is_apart or is_front and is_verb(vocabulary, words[behind])) and _ANYWHERE.fullmatch(text))
+            ) and not (first and _belongs_to(words[first - 1], word, vocabulary)):
                 return frozenset(word.index for word in said)
     return frozenset()
 
 
-def _belongs_to(before: Word, word: Word, lexicon: Lexicon) -> bool:
+def _belongs_to(before: Word, word: Word, vocabulary: Vocabulary) -> bool:
     """Whether a word belongs to the one in front of it: "to the right now", "turn right now"."""
-    verbs = lexicon.verbs_beginning_with(before.lemma.lower()) if before.upos == "VERB" else ()
-    units = [unit for verb in verbs for unit in lexicon.units_of(verb)]
+    verbs = vocabulary.verbs_beginning_with(before.lemma.lower()) if before.upos == "VERB" else ()
     return before.upos in ("ADP", "DET", "SCONJ") or any(
-        word.form.lower() in relation.words for unit in units for relation in unit.relations
+        word.form.lower() in listed for verb in verbs for listed in vocabulary.lists_of(verb)
     )
 
 
-def _text(words: List[Word]) -> str:
+def _text(words: Sequence[Word]) -> str:
     return " ".join(word.form.lower().replace("’", "'") for word in words)
-
-
-def _is_verb(word: Word, lexicon: Lexicon) -> bool:
-    return any(lexicon.verbs_beginning_with(spelling) for spelling in (word.form.lower(), word.lemma.lower()))
-
-
-def set_aside(tree: DependencyTree, positions: AbstractSet[int], lexicon: Lexicon, relation: str) -> DependencyTree:
-    """Hang words on the root of the others, and what hung on them where they hung.
-
-    Args:
-        tree: the sentence
-        positions: of the words; at least one word is left
-        lexicon: one of its verbs becomes the root where the root was one of the words
-        relation: of each of the words to the root
-    """
-    heads = {}
-    for word in tree.words:
-        head = word.head
-        while head in positions:
-            head = tree.word(head).head
-        heads[word.index] = head
-    tops = [word for word in _open_words(tree) if word.index not in positions and heads[word.index] == 0]
-    spoken = [word for word in tops if word.upos != "PUNCT"]
-    root = ([word for word in spoken if _is_verb(word, lexicon)] or spoken or tops)[0]
-    words = []
-    for word in tree.words:
-        if word.index == root.index:
-            words.append(replace(word, head=0, deprel="root"))
-        elif word.index in positions:
-            words.append(replace(word, head=root.index, deprel=relation))
-        elif heads[word.index] == 0:
-            is_clause = word.upos == "VERB" and word.index > root.index
-            words.append(replace(word, head=root.index, deprel="parataxis" if is_clause else word.deprel))
-        else:
-            words.append(replace(word, head=heads[word.index]))
-    return replace(tree, words=tuple(words))

@@ -6,7 +6,7 @@ from typing import List, Optional, Sequence, Tuple
 
 from spoken_quantities import QuantityError, find_unit, number_words, parse_measure, parse_number
 
-from semantic_framer.sentence import Sentence
+from utterance_passes.tree import DependencyTree
 
 #: No amount has more words ("one hundred and twenty five and a half feet and six inches").
 LONGEST = 12
@@ -40,11 +40,11 @@ class Amount:
         return f"{self.amount:.12g}" if math.isfinite(self.amount) else self.numeral
 
 
-def find_amounts(sentence: Sentence, positions: Sequence[int]) -> Tuple[Amount, ...]:
+def find_amounts(tree: DependencyTree, positions: Sequence[int]) -> Tuple[Amount, ...]:
     """Find the amounts among some words.
 
     Args:
-        sentence: the sentence
+        tree: the sentence
         positions: of the words to look at, in order
     Returns:
         amounts that do not overlap, the longest first where they could; amounts that are not finite are found too.
@@ -58,7 +58,7 @@ def find_amounts(sentence: Sentence, positions: Sequence[int]) -> Tuple[Amount, 
         for length in range(min(LONGEST, len(ordered) - start), 0, -1):
             window = ordered[start : start + length]
             if window[-1] - window[0] == length - 1:
-                amount = _amount(sentence, window)
+                amount = _amount(tree, window)
             if amount is not None:
                 break
         if amount is None:
@@ -66,25 +66,25 @@ def find_amounts(sentence: Sentence, positions: Sequence[int]) -> Tuple[Amount, 
         else:
             found.append(amount)
             start += len(amount.positions)
-    return tuple(amount for amount in found if not _counts_things(sentence, amount))
+    return tuple(amount for amount in found if not _counts_things(tree, amount))
 
 
-def _counts_things(sentence: Sentence, amount: Amount) -> bool:
+def _counts_things(tree: DependencyTree, amount: Amount) -> bool:
     """Whether a number stands in front of the noun that it counts."""
-    numeral = sentence.word(amount.positions[-1])
-    noun = sentence.word(numeral.head) if numeral.head else numeral
-    between = [sentence.word(index) for index in range(numeral.index + 1, noun.index)]
+    numeral = tree.word(amount.positions[-1])
+    noun = tree.word(numeral.head) if numeral.head else numeral
+    between = [tree.word(index) for index in range(numeral.index + 1, noun.index)]
     is_counted = numeral.deprel == "nummod" and noun.index > numeral.index and noun.upos in ("NOUN", "PROPN")
     is_next = all(word.upos in ("ADJ", "NOUN", "PROPN") for word in between)
     return is_counted and is_next and not amount.unit and not find_unit(noun.form) and noun.lemma.lower() != "time"
 
 
-def _amount(sentence: Sentence, window: Sequence[int]) -> Optional[Amount]:
-    forms = [sentence.word(index).form for index in window]
+def _amount(tree: DependencyTree, window: Sequence[int]) -> Optional[Amount]:
+    forms = [tree.word(index).form for index in window]
     unit = find_unit(forms[-1]) if len(forms) > 1 else None
     numeral = forms[:-1] if unit else forms
     if not all(_is_of_a_number(form) for form in numeral):
-        return _sum(sentence, window, forms)
+        return _sum(tree, window, forms)
     if not any(
         form[0].isdigit() or form.lower() in _NUMBER_WORDS - {"a", "an", "and", "of", "-", "point", "plus"}
         for form in numeral
@@ -118,13 +118,13 @@ def _is_of_a_number(form: str) -> bool:
     return form.lower() in _NUMBER_WORDS or form[0].isdigit() or form in ("-", "+") or form[0] in "+-."
 
 
-def _sum(sentence: Sentence, window: Sequence[int], forms: List[str]) -> Optional[Amount]:
+def _sum(tree: DependencyTree, window: Sequence[int], forms: List[str]) -> Optional[Amount]:
     """Return an amount in several units, "5 feet 6 inches", counted in the first of them."""
     if not all(_is_of_a_number(form) or find_unit(form) for form in forms) or not _is_of_a_number(forms[0]):
         return None
-    if not find_unit(forms[-1]) and window[-1] < len(sentence.tree.words):
+    if not find_unit(forms[-1]) and window[-1] < len(tree.words):
         # "5 feet 6 times" and "2 metres 90 degrees" are two amounts.
-        following = sentence.word(window[-1] + 1)
+        following = tree.word(window[-1] + 1)
         if find_unit(following.form) or following.upos in ("NOUN", "PROPN", "ADJ", "NUM"):
             return None
     said = " ".join(forms)

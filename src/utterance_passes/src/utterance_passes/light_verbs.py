@@ -1,11 +1,8 @@
 """Verbs that stand for another one: "can I have the mug" wishes for it, and who does a u-turn makes one."""
 
-from dataclasses import replace
-from typing import FrozenSet
-
-from stanford_parser_ros.tree import DependencyTree, Word
-
-from semantic_framer.lexicon import Lexicon
+from utterance_passes.tree import DependencyTree, Word
+from utterance_passes.tree_edits import TreeEdit
+from utterance_passes.vocabulary import Vocabulary
 
 _WISH = "want"
 #: "Can I have ...", "could we get ...".
@@ -17,32 +14,24 @@ _WOULD = frozenset(["would", "'d", "’d"])
 _SPEAKERS = frozenset(["i", "we"])
 
 
-def with_plain_verbs(tree: DependencyTree, lexicon: Lexicon) -> DependencyTree:
-    """Give verbs that stand for another one the dictionary form of that one.
+def replace_light_verbs(tree: DependencyTree, vocabulary: Vocabulary) -> DependencyTree:
+    """Replace verbs that stand for another one by that one, where the lexicon has it.
 
     "Do" itself is no verb of a lexicon, since the parser would take that of "don't" for the command.
-
-    Args:
-        tree: the sentence
-        lexicon: where it has no such verb the word stays as it is
     """
-    words = []
+    edit = TreeEdit(tree)
     for word in tree.words:
         lemma = word.lemma.lower()
-        plain = lemma
-        if lemma == "do" and word.upos == "VERB" and _is_made(tree, word, lexicon):
-            plain = "make"
-        elif lemma in _ASKED_FOR | _WISHED and lexicon.units_of(_WISH) and _is_wish(tree, word):
-            plain = _WISH
-        words.append(word if plain == lemma else replace(word, lemma=plain, form=plain))
-    return replace(tree, words=tuple(words)) if tuple(words) != tree.words else tree
+        if lemma == "do" and word.upos == "VERB" and _is_made(tree, word, vocabulary):
+            edit.respell(word.index, "make")
+        elif lemma in _ASKED_FOR | _WISHED and _WISH in vocabulary.verbs_beginning_with(_WISH) and _is_wish(tree, word):
+            edit.respell(word.index, _WISH)
+    return edit.tree()
 
 
-def _is_made(tree: DependencyTree, word: Word, lexicon: Lexicon) -> bool:
-    made: FrozenSet[str] = frozenset(
-        verb.partition(" ")[2] for verb in lexicon.verbs_beginning_with("make")
-    ) | frozenset(
-        listed for unit in lexicon.units_of("make") for relation in unit.relations for listed in relation.words
+def _is_made(tree: DependencyTree, word: Word, vocabulary: Vocabulary) -> bool:
+    made = frozenset(verb.partition(" ")[2] for verb in vocabulary.verbs_beginning_with("make")).union(
+        *vocabulary.lists_of("make")
     )
     return any(child.deprel == "obj" and child.form.lower() in made for child in tree.children(word.index))
 

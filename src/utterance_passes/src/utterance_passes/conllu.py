@@ -2,7 +2,7 @@
 
 from typing import List
 
-from stanford_parser_ros.tree import DependencyTree, Word
+from utterance_passes.tree import DependencyTree, Word
 
 
 def from_conllu(text: str) -> DependencyTree:
@@ -10,8 +10,7 @@ def from_conllu(text: str) -> DependencyTree:
 
     Args:
         text: lines of ten columns divided by tabs (or by blanks, for tests written by hand); comments, ranges ("1-2")
-            and
-            empty nodes are skipped
+            and empty nodes are skipped
     Returns:
         the tree; its text is the words joined by blanks unless a comment ``# text = `` gives it
     Raises:
@@ -66,3 +65,17 @@ def to_conllu(tree: DependencyTree) -> str:
             )
         )
     return "\n".join(lines) + "\n"
+
+
+def from_short(text: str) -> DependencyTree:
+    """Read a sentence from one line, as the examples of the passes have it.
+
+    Args:
+        text: words divided by blanks, each ``form|part of speech|head|relation``; a dictionary form that is not the
+            form in lower case, and a Penn tag, may follow: ``left|VERB|0|root|leave|VBD``
+    """
+    words = []
+    for index, item in enumerate(text.split(), start=1):
+        form, upos, head, deprel, lemma, xpos, *_ = item.split("|") + ["", ""]
+        words.append(Word(index, form, lemma or form.lower(), upos, xpos, "", int(head), deprel))
+    return DependencyTree(text=" ".join(word.form for word in words), words=tuple(words))

@@ -6,18 +6,15 @@ returned so that a person can be asked. Between the two stands an editing term (
 speech disfluencies*, 1994).
 """
 
-from dataclasses import replace
-from typing import Dict, List, Optional, Sequence, Set, Tuple, Union
+from typing import Dict, FrozenSet, List, Optional, Sequence, Tuple
 
-from stanford_parser_ros.tree import DependencyTree, Word
-
-from semantic_framer.asides import set_aside
-from semantic_framer.clauses import CONDITIONS, NEGATIONS
-from semantic_framer.dialogue import Choice
-from semantic_framer.lexicon import Lexicon
-from semantic_framer.measures import Amount, find_amounts
-from semantic_framer.sentence import Sentence, is_filler
-from semantic_framer.times import find_times
+from utterance_passes.measures import Amount, find_amounts
+from utterance_passes.times import find_times
+from utterance_passes.tree import ABANDONED, DependencyTree, Word
+from utterance_passes.tree_edits import NotATree, TreeEdit, set_aside
+from utterance_passes.utterance_pass import Choice, Uncertain
+from utterance_passes.vocabulary import Vocabulary, is_verb
+from utterance_passes.word_classes import CONDITIONS, NEGATIONS, is_filler
 
 #: Words that take back what was said before them, the longest first.
 EDITING_TERMS: Tuple[Tuple[str, ...], ...] = (
@@ -39,43 +36,27 @@ _IN_NAMES = ("DET", "ADJ", "NUM", "NOUN", "PROPN", "PRON")
 _RELATION_IN_NAMES: Dict[str, str] = {"DET": "det", "ADJ": "amod", "NUM": "nummod", "ADP": "case", "PUNCT": "punct"}
 
 
-class _Unresolved(Exception):
-    """It is not certain what a correction replaces; ``choices`` are what may be meant."""
+def without_corrected(tree: DependencyTree, vocabulary: Vocabulary) -> DependencyTree:
+    """Take what was corrected out of a sentence; the words stay in their places.
 
-    def __init__(self, *choices: Choice) -> None:
-        super().__init__()
-        self.choices = choices
-
-
-def repaired(tree: DependencyTree, lexicon: Lexicon) -> Union[DependencyTree, Tuple[Choice, ...]]:
-    """Take what was corrected out of a sentence.
-
-    Args:
-        tree: the sentence
-        lexicon: its verbs tell what is a command, and which words stand for each other ("left", "right")
-    Returns:
-        the sentence, with the same words in the same places; or, where it is not certain, the readings to choose from,
-        none where all was taken back
+    Raises:
+        Uncertain: what the correction replaces, with the readings to choose from, none where all was taken back
     """
-    tree = _without_restarts(tree)
     behind = 0
     while True:
-        found = _editing_term(tree, lexicon, behind)
+        found = _editing_term(tree, vocabulary, behind)
         if found is None:
             return tree
         start, end, is_withdrawing = found
         if end == len(tree.words) or all(word.upos == "PUNCT" for word in tree.words[end:]):
             if is_withdrawing:
-                return ()
+                raise Uncertain()
             return tree
-        try:
-            tree = _Repair(tree, lexicon, start, end).tree()
-        except _Unresolved as unresolved:
-            return unresolved.choices
+        tree = _Repair(tree, vocabulary, start, end).tree()
         behind = end
 
 
-def _without_restarts(tree: DependencyTree) -> DependencyTree:
+def without_restarts(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
     """Drop the first of a word that is said twice in a row: "turn turn left", "ninety uh ninety degrees".
 
     A number that is said twice without a filler is two digits, and "very very" means more.
@@ -90,16 +71,19 @@ def _without_restarts(tree: DependencyTree) -> DependencyTree:
         if not is_restart:
             continue
         first, second = tree.word(first.index), tree.word(second.index)
-        words = [replace(word, head=second.index) if word.head == first.index else word for word in tree.words]
+        edit = TreeEdit(tree)
+        edit.rehang_children(first.index, second.index)
         if second.head == first.index:
-            words[second.index - 1] = replace(second, head=first.head, deprel=first.deprel)
-        words[first.index - 1] = replace(first, head=second.index, deprel="reparandum")
-        changed = replace(tree, words=tuple(words))
-        tree = changed if _is_tree(changed) else tree
+            edit.rehang(second.index, first.head, first.deprel)
+        edit.rehang(first.index, second.index, ABANDONED)
+        try:
+            tree = edit.tree()
+        except NotATree:
+            continue
     return tree
 
 
-def _editing_term(tree: DependencyTree, lexicon: Lexicon, behind: int) -> Optional[Tuple[int, int, bool]]:
+def _editing_term(tree: DependencyTree, vocabulary: Vocabulary, behind: int) -> Optional[Tuple[int, int, bool]]:
     """Find the first editing term behind a command: its first and last word with what is around it, and whether it takes
     back even where nothing follows.
     """
@@ -116,18 +100,18 @@ def _editing_term(tree: DependencyTree, lexicon: Lexicon, behind: int) -> Option
                 break
             terms += [term] if term else []
             position += len(term) if term else 1
-        if terms and first >= behind and has_verb and _takes_back(tree, lexicon, first, position, terms):
+        if terms and first >= behind and has_verb and _takes_back(tree, vocabulary, first, position, terms):
             return first + 1, position, any(term in _WITHDRAWING for term in terms)
         if forms[first] in NEGATIONS and not terms:
             # "Don't turn left, I mean right" is left as it is: not to act is the safe reading.
             return None
-        has_verb = has_verb or _is_verb(tree.words[first], lexicon)
+        has_verb = has_verb or _is_verb(tree.words[first], vocabulary)
         position = max(position, first + 1)
     return None
 
 
 def _takes_back(
-    tree: DependencyTree, lexicon: Lexicon, first: int, behind: int, terms: Sequence[Tuple[str, ...]]
+    tree: DependencyTree, vocabulary: Vocabulary, first: int, behind: int, terms: Sequence[Tuple[str, ...]]
 ) -> bool:
     """Whether a term stands between a command and a correction: "say no", "there is no chair" and "with no lid" do not
     take anything back, and in "bring Bob no mug" the word belongs to what follows.
@@ -140,38 +124,34 @@ def _takes_back(
     is_determiner = following.upos in ("NOUN", "ADJ") or following.form.lower() in ("one", "body")
     if tree.words[behind - 1].form.lower() == "no" and is_determiner:
         before = tree.words[:first]
-        return any(_are_alternatives(word, following, before, lexicon) for word in before)
+        return any(_are_alternatives(word, following, before, vocabulary) for word in before)
     return True
 
 
-def _is_verb(word: Word, lexicon: Lexicon) -> bool:
-    return word.upos == "VERB" and any(
-        lexicon.verbs_beginning_with(spelling) for spelling in (word.lemma.lower(), word.form.lower())
-    )
+def _is_verb(word: Word, vocabulary: Vocabulary) -> bool:
+    return word.upos == "VERB" and is_verb(vocabulary, word)
 
 
-def _are_alternatives(said: Word, corrected: Word, before: Sequence[Word], lexicon: Lexicon) -> bool:
+def _are_alternatives(said: Word, corrected: Word, before: Sequence[Word], vocabulary: Vocabulary) -> bool:
     """Whether a unit of a verb that was said lists both words for the same element."""
     pair = {said.form.lower(), corrected.form.lower()}
     return any(
-        pair <= set(relation.words)
+        pair <= set(listed)
         for verb in before
-        if _is_verb(verb, lexicon)
-        for name in lexicon.verbs_beginning_with(verb.lemma.lower())
-        for unit in lexicon.units_of(name)
-        for relation in unit.relations
-        if relation.words
+        if _is_verb(verb, vocabulary)
+        for name in vocabulary.verbs_beginning_with(verb.lemma.lower())
+        for listed in vocabulary.lists_of(name)
     )
 
 
 class _Repair:
     """Puts one correction in the place of what it corrects."""
 
-    def __init__(self, tree: DependencyTree, lexicon: Lexicon, start: int, end: int) -> None:
+    def __init__(self, tree: DependencyTree, vocabulary: Vocabulary, start: int, end: int) -> None:
         self._tree = tree
-        self._lexicon = lexicon
+        self._vocabulary = vocabulary
         self._term = frozenset(range(start, end + 1))
-        gone = frozenset(word.index for word in tree.words if word.deprel == "reparandum")
+        gone = frozenset(word.index for word in tree.words if word.deprel == ABANDONED)
         self._before = [word for word in tree.words[: start - 1] if word.index not in gone]
         self._after = list(tree.words[end:])
         self._gone = gone
@@ -180,9 +160,9 @@ class _Repair:
         """Return the corrected sentence.
 
         Raises:
-            _Unresolved: it is not certain what is corrected
+            Uncertain: it is not certain what is corrected
         """
-        if _is_verb(self._after[0], self._lexicon):
+        if _is_verb(self._after[0], self._vocabulary):
             return self._with_another_command()
         correction, spans = self._candidates()
         if not correction or not spans:
@@ -191,22 +171,25 @@ class _Repair:
         if len(spans) > 1:
             texts = [self._text(self._replaced(span, correction) + rest) for span in spans]
             trees = [self._rewired(span, correction) for span in spans]
-            raise _Unresolved(*(Choice(text, tree) for text, tree in zip(texts, trees)))
+            raise Uncertain(*(Choice(text, tree) for text, tree in zip(texts, trees)))
         return self._rewired(spans[0], correction)
 
-    def _either(self) -> _Unresolved:
+    def _either(self) -> Uncertain:
         """Return that what was said before the term may be meant, or what was said behind it."""
-        return _Unresolved(self._alone(self._before), self._alone(self._after))
+        return Uncertain(self._alone(self._before), self._alone(self._after))
 
     def _alone(self, words: Sequence[Word]) -> Choice:
         """Return the reading that is made of some of the words."""
         positions = frozenset(word.index for word in words)
         others = frozenset(word.index for word in self._tree.words) - positions
-        return Choice(self._text(words), set_aside(self._tree, others, self._lexicon, "reparandum"))
+        return Choice(self._text(words), self._without(others))
+
+    def _without(self, positions: FrozenSet[int]) -> DependencyTree:
+        return set_aside(self._tree, positions, ABANDONED, lambda word: is_verb(self._vocabulary, word))
 
     def _text(self, words: Sequence[Word]) -> str:
         positions = [word.index for word in words if word.upos != "PUNCT"]
-        return Sentence(self._tree).text_in_order(positions)
+        return self._tree.text_in_order(positions)
 
     def _replaced(self, span: Sequence[Word], correction: Sequence[Word]) -> List[Word]:
         at = self._before.index(span[0])
@@ -214,12 +197,12 @@ class _Repair:
 
     def _with_another_command(self) -> DependencyTree:
         """Replace the last command by another one: "turn left no turn right"."""
-        verbs = [word for word in self._before if _is_verb(word, self._lexicon)]
+        verbs = [word for word in self._before if _is_verb(word, self._vocabulary)]
         new = self._after[0]
         same = [verb for verb in verbs if verb.lemma.lower() == new.lemma.lower()]
         if len(verbs) > 1 and same != [verbs[-1]]:
             last = self._before.index(verbs[-1])
-            raise _Unresolved(self._alone(self._before[:last] + self._after), self._alone(self._after))
+            raise Uncertain(self._alone(self._before[:last] + self._after), self._alone(self._after))
         start = 0 if len(verbs) == 1 else self._before.index(verbs[-1])
         if self._is_put_off(self._before[start:]):
             # The condition, or the time, may have been meant for both.
@@ -230,7 +213,7 @@ class _Repair:
         """Whether words hold a condition or a time."""
         positions = frozenset(word.index for word in words)
         return any(word.form.lower() in CONDITIONS for word in words) or any(
-            time & positions for time in find_times(Sentence(self._tree))
+            time & positions for time in find_times(self._tree)
         )
 
     def _candidates(self) -> Tuple[List[Word], List[List[Word]]]:
@@ -240,7 +223,7 @@ class _Repair:
         listed = [
             word
             for word in ([] if is_preposition else self._before)
-            if _are_alternatives(word, first, self._before, self._lexicon)
+            if _are_alternatives(word, first, self._before, self._vocabulary)
         ]
         if listed:
             return [first], [[word] for word in listed]
@@ -261,7 +244,7 @@ class _Repair:
         return name, [other for other in names if name and _is_person(other) == _is_person(name)]
 
     def _amounts(self, words: Sequence[Word]) -> Tuple[Amount, ...]:
-        return find_amounts(Sentence(self._tree), [word.index for word in words])
+        return find_amounts(self._tree, [word.index for word in words])
 
     def _amount_spans(self, amount: Amount) -> List[List[Word]]:
         spans = []
@@ -270,7 +253,7 @@ class _Repair:
                 # "Two metres no three": the unit stays, but the number cannot be put before it.
                 number = [position for position in other.positions if position != other.unit_position]
                 text = self._text(self._replaced(self._words(number), self._words(amount.positions)))
-                raise _Unresolved(Choice(text, self._with_number(number, amount)))
+                raise Uncertain(Choice(text, self._with_number(number, amount)))
             elif other.quantity == amount.quantity or not other.unit:
                 spans.append(self._words(other.positions))
         return spans
@@ -279,11 +262,10 @@ class _Repair:
         """Return the sentence with a number, in digits, in the place of the first word of another one."""
         kept = frozenset(word.index for word in self._before) - frozenset(old[1:])
         others = frozenset(word.index for word in self._tree.words) - kept
-        tree = set_aside(self._tree, others, self._lexicon, "reparandum")
-        words = list(tree.words)
-        digits = amount.digits()
-        words[old[0] - 1] = replace(words[old[0] - 1], form=digits, lemma=digits, upos="NUM", xpos="CD")
-        return replace(tree, words=tuple(words))
+        edit = TreeEdit(self._without(others))
+        edit.respell(old[0], amount.digits())
+        edit.retag(old[0], "NUM", "CD")
+        return edit.tree()
 
     def _words(self, positions: Sequence[int]) -> List[Word]:
         return [self._tree.word(position) for position in positions]
@@ -298,7 +280,7 @@ class _Repair:
         """Hang a correction where its span hung, and the span and the term on the correction.
 
         Raises:
-            _Unresolved: no tree comes of it
+            Uncertain: no tree comes of it
         """
         old, new = old_head or _head(span), new_head or _head(correction)
         dropped = {word.index for word in span} | self._term | self._gone
@@ -306,37 +288,35 @@ class _Repair:
         top = old
         while top.head in dropped | inside:
             top = self._tree.word(top.head)
-        verb = next((word for word in self._before if _is_verb(word, self._lexicon) and word not in span), new)
+        verb = next((word for word in self._before if _is_verb(word, self._vocabulary) and word not in span), new)
         root = next(word for word in self._tree.words if word.head == 0)
         is_root_lost = top.head and (root.index in dropped or root in self._after)
-        words = []
+        edit = TreeEdit(self._tree)
         for word in self._tree.words:
             if word.index == new.index:
-                is_adverb = old.upos == "ADV" and len(correction) == 1
-                word = replace(word, upos="ADV", xpos=old.xpos) if is_adverb else word
-                words.append(replace(word, head=top.head, deprel=top.deprel))
+                if old.upos == "ADV" and len(correction) == 1:
+                    edit.retag(word.index, "ADV", old.xpos)
+                edit.rehang(word.index, top.head, top.deprel)
             elif word.index in dropped:
-                words.append(replace(word, head=new.index, deprel="reparandum"))
+                edit.rehang(word.index, new.index, ABANDONED)
             elif is_root_lost and word.index == verb.index:
-                words.append(replace(word, head=0, deprel="root"))
+                edit.rehang(word.index, 0, "root")
             elif word.index in inside and word.head not in inside:
                 relation = word.deprel if old_head else _RELATION_IN_NAMES.get(word.upos, "compound")
-                words.append(_below(word, new, relation))
+                edit.rehang(word.index, new.index, _relation_below(word, relation))
             elif word.head in self._term or (is_root_lost and word.head == 0):
-                words.append(_below(word, verb, word.deprel))
+                edit.rehang(word.index, verb.index, _relation_below(word, word.deprel))
             elif word.head in dropped:
-                words.append(replace(word, head=new.index))
-            else:
-                words.append(word)
-        tree = replace(self._tree, words=tuple(words))
-        if not _is_tree(tree):
-            raise self._either()
-        return tree
+                edit.rehang(word.index, new.index)
+        try:
+            return edit.tree()
+        except NotATree as error:
+            raise self._either() from error
 
 
-def _below(word: Word, governor: Word, deprel: str) -> Word:
+def _relation_below(word: Word, deprel: str) -> str:
     is_clause = word.upos == "VERB" and deprel not in ("xcomp", "ccomp", "advcl", "acl")
-    return replace(word, head=governor.index, deprel="conj" if is_clause else "dep" if deprel == "root" else deprel)
+    return "conj" if is_clause else "dep" if deprel == "root" else deprel
 
 
 def _head(words: Sequence[Word]) -> Word:
@@ -380,17 +360,3 @@ def _names(words: Sequence[Word]) -> List[List[Word]]:
 
 def _is_person(name: Sequence[Word]) -> bool:
     return name[-1].upos in ("PROPN", "PRON")
-
-
-def _is_tree(tree: DependencyTree) -> bool:
-    """Whether every word hangs on the one root."""
-    if sum(1 for word in tree.words if word.head == 0) != 1:
-        return False
-    for word in tree.words:
-        seen: Set[int] = set()
-        while word.head:
-            if word.index in seen:
-                return False
-            seen.add(word.index)
-            word = tree.word(word.head)
-    return True

@@ -3,11 +3,18 @@
 from typing import Optional
 
 import pytest
-from stanford_parser_ros.conllu import from_conllu
-from stanford_parser_ros.imperative import command_verb_position, numbered_noun_position, rerooted
-from stanford_parser_ros.spelling import rewrite
+from utterance_passes.conllu import from_conllu
+from utterance_passes.running import run_text_passes
+from utterance_passes.spelling import Spelling
+from utterance_passes.table import TEXT_PASSES
+from utterance_passes.tagging import command_verb_position, numbered_noun_position, rerooted
+from utterance_passes.vocabulary import Verbs
 
-VERBS = frozenset(["scrub", "ping", "name", "turn"])
+VERBS = Verbs(frozenset(["scrub", "ping", "name", "turn"]))
+
+
+def rewrite(said: str) -> Spelling:
+    return run_text_passes(said, TEXT_PASSES)
 
 
 @pytest.mark.parametrize(
@@ -60,7 +67,7 @@ def test_rerooted_makes_the_verb_the_root_and_keeps_a_tree() -> None:
     tree = from_conllu(
         "1 Scrub scrub PROPN NNP _ 3 compound _ _\n2 the the DET DT _ 3 det _ _\n3 pot pot NOUN NN _ 0 root _ _\n4 . . PUNCT . _ 3 punct _ _"
     )
-    assert [(word.head, word.deprel) for word in rerooted(tree, 1).words] == [
+    assert [(word.head, word.deprel) for word in rerooted(tree, VERBS).words] == [
         (0, "root"),
         (3, "det"),
         (1, "obj"),
@@ -70,7 +77,7 @@ def test_rerooted_makes_the_verb_the_root_and_keeps_a_tree() -> None:
 
 def test_rerooted_leaves_a_right_tree_alone() -> None:
     tree = from_conllu("1 Ping ping VERB VB _ 0 root _ _")
-    assert rerooted(tree, 1) is tree
+    assert rerooted(tree, VERBS) is tree
 
 
 @pytest.mark.parametrize(
@@ -85,6 +92,5 @@ def test_rerooted_leaves_a_right_tree_alone() -> None:
     ],
 )
 def test_numbered_noun(text: str, tags: str, position: Optional[int]) -> None:
-    verbs = frozenset({"compute", "go", "fetch", "drive"})
+    verbs = Verbs(frozenset({"compute", "go", "fetch", "drive"}))
     assert numbered_noun_position(text.split(), tags.split(), verbs) == position
-    assert numbered_noun_position(text.split(), tags.split(), frozenset()) is None

@@ -4,8 +4,10 @@ from typing import Any, Dict
 
 import pytest
 from semantic_framer.framer import Refusal, Understood
-from semantic_framer.mending import mended
-from stanford_parser_ros.conllu import from_conllu
+from utterance_passes.conllu import from_conllu
+from utterance_passes.running import run_tree_passes
+from utterance_passes.table import PARSE_CORRECTING_PASSES
+from utterance_passes.vocabulary import Verbs
 
 
 @pytest.mark.parametrize(
@@ -38,7 +40,7 @@ from stanford_parser_ros.conllu import from_conllu
     ],
 )
 def test_word_is_rehung(rows: str, index: int, head: int, deprel: str) -> None:
-    word = mended(from_conllu(rows)).word(index)
+    word = run_tree_passes(from_conllu(rows), Verbs(), PARSE_CORRECTING_PASSES).word(index)
     assert (word.head, word.deprel) == (head, deprel)
 
 
