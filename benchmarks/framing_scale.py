@@ -6,7 +6,7 @@ import sys
 import time
 from typing import Dict, List, Mapping, Tuple
 
-from roboframenet_tools.understanding import load_knowledge, shipped_domains
+from offline_pipeline.knowledge import load_knowledge, shipped_domains
 from semantic_framer.framer import read
 from semantic_framer.lexicon import Lexicon
 from semantic_frames.frame import SemanticFrame

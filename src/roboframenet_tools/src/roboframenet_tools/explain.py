@@ -6,15 +6,8 @@ import sys
 from typing import List
 
 from roboframenet_tools.drawing import draw_arcs, svg_arcs
-from roboframenet_tools.understanding import (
-    Knowledge,
-    Pipeline,
-    Understanding,
-    load_knowledge,
-    pretend_servers,
-    shipped_domains,
-    to_json,
-)
+from offline_pipeline.knowledge import Knowledge, load_knowledge, pretend_servers, shipped_domains
+from offline_pipeline.pipeline import Pipeline, Understanding, to_json
 from stanford_parser_ros.model import ModelError
 
 EXAMPLES = """examples:

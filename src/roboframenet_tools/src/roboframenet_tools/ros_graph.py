@@ -5,7 +5,7 @@ import rosgraph
 import rospy
 
 from roboframenet_msgs.msg import FrameCatalogue, Lexicon
-from roboframenet_tools.understanding import Knowledge, load_texts
+from offline_pipeline.knowledge import Knowledge, load_texts
 
 
 def is_master_up() -> bool:

@@ -7,7 +7,8 @@ import pytest
 from roboframenet_tools import explain
 from roboframenet_tools.drawing import draw_arcs, svg_arcs
 from roboframenet_tools.explain import describe
-from roboframenet_tools.understanding import Pipeline, load_knowledge, pretend_servers, shipped_domains, to_json
+from offline_pipeline.knowledge import load_knowledge, pretend_servers, shipped_domains
+from offline_pipeline.pipeline import Pipeline, to_json
 from utterance_passes.tree import DependencyTree, Word
 
 TREE = DependencyTree(

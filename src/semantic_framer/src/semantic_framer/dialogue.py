@@ -5,7 +5,7 @@ from typing import Optional, Tuple
 
 from utterance_passes.utterance_pass import Choice
 
-from semantic_framer.matching import Reading
+from semantic_framer.reading import Reading
 
 #: Words that stand for something said before.
 PRONOUNS = frozenset(["it", "them", "that", "this", "those", "these", "one", "ones"])

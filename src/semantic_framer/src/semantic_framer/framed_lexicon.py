@@ -12,7 +12,7 @@ from semantic_framer.lexicon import Lexicon
 
 @dataclass(frozen=True)
 class FramedLexicon:
-    """A vocabulary for the passes.
+    """What the framer knows; a vocabulary for the passes.
 
     Attributes:
         lexicon: lexical units

@@ -31,7 +31,7 @@ from semantic_framer.dialogue import Context
 from semantic_framer.framer import Alternatives, LeftOverWords, Outcome, Policy, Question, Refusal, Understood, read
 from semantic_framer.lexicon import Lexicon
 from semantic_framer.lexicon_files import LexiconFiles, LexiconState
-from semantic_framer.matching import Reading
+from semantic_framer.reading import Reading
 from semantic_framer.ros_messages import to_clauses, to_filled_units
 
 #: Kept on the master by the node for itself: files that were added while it ran.

@@ -7,8 +7,8 @@ from semantic_frames.frame import SemanticFrame
 
 from semantic_framer.dialogue import PLACE_PRONOUNS, PRONOUNS, Context
 from semantic_framer.frame_roles import NO_THINGS, PLACES
-from semantic_framer.matching import Reading
-from semantic_framer.values import ElementValue, resolved
+from semantic_framer.reading import ElementValue, Reading
+from semantic_framer.values import resolved
 
 
 def resolve(reading: Reading, context: Context) -> Union[Reading, ElementValue]:

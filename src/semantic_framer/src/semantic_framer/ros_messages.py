@@ -13,8 +13,7 @@ from roboframenet_msgs.msg import (
 
 from utterance_passes.tree import DependencyTree
 
-from semantic_framer.matching import Reading
-from semantic_framer.values import ElementValue
+from semantic_framer.reading import ElementValue, Reading
 
 
 def to_clauses(clauses: Sequence[Tuple[Reading, ...]], tree: DependencyTree) -> Sequence[Clause]:

@@ -4,7 +4,7 @@ from typing import Dict, FrozenSet, List, Sequence, Tuple
 
 from stanford_parser_ros.stanford_dependencies import Arc, arcs
 from utterance_passes.tree import ABANDONED, ASIDE, DependencyTree, Word
-from utterance_passes.word_classes import HARMLESS, is_filler
+from utterance_passes.word_classes import HARMLESS
 
 #: Relations that only a noun governs, under their names in both schemes.
 _OF_NOUNS = frozenset(
@@ -46,7 +46,6 @@ class Sentence:
         self._by_governor: Dict[int, List[Arc]] = {}
         for arc in self.arcs:
             self._by_governor.setdefault(arc.governor, []).append(arc)
-        self.fillers: FrozenSet[int] = frozenset(word.index for word in tree.words if is_filler(word.form))
 
     def word(self, index: int) -> Word:
         """Return a word by its index from 1."""
@@ -90,4 +89,4 @@ class Sentence:
         is_wisher = word.form.lower() in ("me", "us") and any(
             child.deprel == "case" and child.form.lower() == "for" for child in self.children(index)
         )
-        return word.form.lower() not in HARMLESS and index not in self.fillers and not is_wisher
+        return word.form.lower() not in HARMLESS and index not in self.tree.fillers and not is_wisher

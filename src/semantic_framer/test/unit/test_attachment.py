@@ -5,6 +5,7 @@ from typing import Dict, Tuple
 import pytest
 from utterance_passes.clauses import find_clauses
 from semantic_framer.descriptions import descriptions
+from semantic_framer.framed_lexicon import FramedLexicon
 from semantic_framer.framer import Policy, Refusal, Understood, read
 from semantic_framer.lexicon import Lexicon
 from semantic_framer.sentence import Sentence
@@ -162,7 +163,7 @@ def described(relative: str) -> Tuple[Dict[str, str], ...]:
     )
     predicate = next(line.split()[0] for line in relative.splitlines() if "acl:relcl" in line)
     sentence = Sentence(from_conllu(rows.format(predicate=predicate)))
-    found = descriptions(sentence, find_clauses(sentence.tree), lexicon(), FRAMES)
+    found = descriptions(sentence, find_clauses(sentence.tree), FramedLexicon(lexicon(), FRAMES))
     return tuple({value.name: value.argument for value in reading.values} for reading in found)
 
 

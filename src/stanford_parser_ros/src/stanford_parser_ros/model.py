@@ -28,6 +28,11 @@ class ModelError(RuntimeError):
 class UnparsableText(ValueError):
     """The text holds no words."""
 
+    @property
+    def refusal(self) -> Tuple[str, str]:
+        """Code and sentence of the reply."""
+        return "EMPTY_TEXT", f"I cannot read that: {self}."
+
 
 @dataclass(frozen=True)
 class LoadTimes:

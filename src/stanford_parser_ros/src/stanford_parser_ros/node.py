@@ -153,9 +153,8 @@ class ParserNode:
             tree = self._parser.parse(command.text, self._verbs)
             message = to_command_parse(command, tree)
         except UnparsableText as reason:
-            self._stage.ends(
-                command, outcome=Reply.REFUSED, code="EMPTY_TEXT", sentence=f"I cannot read that: {reason}."
-            )
+            code, sentence = reason.refusal
+            self._stage.ends(command, outcome=Reply.REFUSED, code=code, sentence=sentence)
             return
         except Exception as error:  # boundary: whatever Stanza does with a text, the command gets its reply
             rospy.logerr("cmd=%s cannot be parsed", command.id, exc_info=True)

@@ -4,6 +4,8 @@ from dataclasses import dataclass
 from functools import cached_property
 from typing import Dict, FrozenSet, Iterable, List, Set, Tuple
 
+from utterance_passes.word_classes import is_filler
+
 #: Relation of what is only said around a command ("if you don't mind") to its verb.
 ASIDE = "discourse:aside"
 #: Relation of the words of a quotation ("say *don't worry*") to the one that fills the element.
@@ -111,6 +113,11 @@ class DependencyTree:
         return frozenset(
             index for word in self.words if word.deprel == QUOTED for index in (word.index, word.head)
         )
+
+    @cached_property
+    def fillers(self) -> FrozenSet[int]:
+        """Positions of words that are said only while thinking: "um"."""
+        return frozenset(word.index for word in self.words if is_filler(word.form))
 
     @property
     def open_words(self) -> Tuple[Word, ...]:
