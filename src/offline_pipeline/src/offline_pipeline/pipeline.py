@@ -124,8 +124,9 @@ class Pipeline:
             context: what is remembered of the sentences before
         """
         if is_stop(text):
-            line = TraceLine("stop_words", (), "", "", "stops at once, and goes no further")
-            return Understanding(text, Reply("DONE", "DONE", "Stopped."), trace=(line,), context=context)
+            stops = (TraceLine("stop_words", (), "", "", "stops at once, and goes no further"),)
+            trace_of_stop = stops if self._is_traced else ()
+            return Understanding(text, Reply("DONE", "DONE", "Stopped."), trace=trace_of_stop, context=context)
         refusal = refusal_of_text(text, max_length=self._parameters.max_text_length)
         if refusal is not None:
             return Understanding(text, Reply("REFUSED", *refusal), context=context)

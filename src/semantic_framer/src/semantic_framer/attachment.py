@@ -27,7 +27,7 @@ def preposition_of(step: str) -> str:
     return step.split("_", 1)[1] if step.startswith("prep_") else step.split(":", 1)[1]
 
 
-def tells_which(tree: DependencyTree, index: int, head: int, is_described: bool) -> bool:
+def is_postmodifier_of(tree: DependencyTree, index: int, head: int, is_described: bool) -> bool:
     """Whether a phrase that hangs on a verb tells which thing the noun in front of it is.
 
     Args:

@@ -192,7 +192,7 @@ class _Hearing:
             refusal = verdict.refuse(case)
             if refusal is not None:
                 if self._trace is not None:
-                    self._trace.add(verdict.name, after=f"refused: {verdict.reason}")
+                    self._trace.add(verdict.name, after=f"refused. {verdict.reason}")
                 return refusal
         return None
 

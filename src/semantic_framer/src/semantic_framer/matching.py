@@ -17,7 +17,7 @@ from semantic_framer.attachment import (
     is_side_of_something,
     places_before,
     preposition_of,
-    tells_which,
+    is_postmodifier_of,
     words_before,
     words_before_amount,
 )
@@ -333,7 +333,7 @@ class _Filling:
             positions = self._sentence.subtree(phrase.index).difference(*map(self._sentence.subtree, inner))
             if (
                 min(positions) == max(noun | found) + 1
-                and tells_which(self._sentence.tree, phrase.index, head, element.framenet in DESCRIBED)
+                and is_postmodifier_of(self._sentence.tree, phrase.index, head, element.framenet in DESCRIBED)
                 and not positions & (taken | left_out)
                 and positions <= self._clause.positions
                 and not self._is_in_a_measure(phrase.index)

@@ -97,7 +97,8 @@ class Rank(NamedTuple):
         return self[: self._fields.index("verb")]
 
     def __str__(self) -> str:
-        return ", ".join(f"{name} {int(value)}" for name, value in zip(self._fields, self))
+        """Return the fields that are not 0."""
+        return ", ".join(f"{name} {int(value)}" for name, value in zip(self._fields, self) if value) or "all 0"
 
 
 def rank(reading: Reading) -> Rank:

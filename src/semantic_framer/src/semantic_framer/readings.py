@@ -1,7 +1,7 @@
 """The readings of a clause that may be meant, and what a person hears where there are none."""
 
 from dataclasses import dataclass, replace
-from typing import FrozenSet, Optional, Tuple
+from typing import FrozenSet, Optional, Tuple, Union
 
 from semantic_frames.lexical_unit import ArgumentForm
 from utterance_passes.clauses import Clause
@@ -12,7 +12,16 @@ from semantic_framer.matching import read_clause
 from semantic_framer.reading import Reading, rank
 from semantic_framer.outcome import Refusal
 from semantic_framer.sentence import Sentence
-from semantic_framer.verdicts import CLAUSE_VERDICTS, PLAUSIBILITY, READING_VERDICTS, Case, ClauseCase, drop
+from semantic_framer.verdicts import (
+    CLAUSE_VERDICTS,
+    PLAUSIBILITY,
+    READING_VERDICTS,
+    Case,
+    ClauseCase,
+    ClauseVerdict,
+    ReadingVerdict,
+    drop,
+)
 
 #: Phrases of their own below a noun: "a left *at the door*".
 _PHRASES = frozenset(["nmod", "obl", "acl", "advcl", "appos"])
@@ -52,24 +61,28 @@ def readings_of_clause(of: Case, clause: Clause, trace: Optional[Trace] = None) 
     for verdict in CLAUSE_VERDICTS:
         refusal = verdict.refuse(case)
         if refusal is not None:
-            return _refused(case, (), verdict.name, refusal, trace)
+            return _refused(case, (), verdict, refusal, trace)
     plausible = kept = plausible_readings(case, trace)
     for reading_verdict in READING_VERDICTS:
         kept = drop([reading_verdict], case, kept, kept, trace)
         refusal = None if kept else reading_verdict.refuse(case)
         if refusal is not None:
-            return _refused(case, plausible, reading_verdict.name, refusal, trace)
+            return _refused(case, plausible, reading_verdict, refusal, trace)
     if trace is not None:
         for number, reading in enumerate(kept, start=1):
-            trace.add("rank", str(reading), after=f"{number}. ({rank(reading)})", positions=reading.verb_positions)
+            trace.add("rank", str(reading), after=f"{number}. of {len(kept)} ({rank(reading)})", positions=reading.verb_positions)
     return ClauseReadings(clause, plausible, kept)
 
 
 def _refused(
-    case: ClauseCase, plausible: Tuple[Reading, ...], name: str, refusal: Refusal, trace: Optional[Trace]
+    case: ClauseCase,
+    plausible: Tuple[Reading, ...],
+    verdict: Union[ClauseVerdict, ReadingVerdict],
+    refusal: Refusal,
+    trace: Optional[Trace],
 ) -> ClauseReadings:
     if trace is not None:
-        trace.add(name, case.clause.lemma, after=f"refused: {refusal.code}", positions=case.clause.positions)
+        trace.add(verdict.name, case.clause.lemma, after=f"refused. {verdict.reason}", positions=case.clause.positions)
     return ClauseReadings(case.clause, plausible, (), refusal)
 
 

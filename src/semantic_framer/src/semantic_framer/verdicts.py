@@ -406,5 +406,5 @@ def drop(
         if verdict is None:
             kept.append(reading)
         elif trace is not None:
-            trace.add(verdict.name, str(reading), "kept", f"dropped: {verdict.reason}", reading.verb_positions)
+            trace.add(verdict.name, str(reading), "", f"dropped. {verdict.reason}", reading.verb_positions)
     return tuple(kept)

@@ -32,6 +32,7 @@ class Settings:
         threads: of torch
         cache_size: so many parses are kept
         queue_size: so many commands may wait; one more is refused
+        trace: whether what the passes did goes with each command
     """
 
     model_dir: Path
@@ -39,6 +40,7 @@ class Settings:
     threads: int
     cache_size: int
     queue_size: int
+    trace: bool
 
     def __post_init__(self) -> None:
         for name, value, largest in (
@@ -63,6 +65,7 @@ class Settings:
             threads=int(rospy.get_param("~threads", 1)),
             cache_size=int(rospy.get_param("~cache_size", 256)),
             queue_size=int(rospy.get_param("~queue_size", 100)),
+            trace=bool(rospy.get_param("~trace", True)),
         )
 
 
@@ -81,6 +84,7 @@ class ParserNode:
         Raises:
             ModelError: the models cannot be loaded
         """
+        self._settings = settings
         # Whoever listens connects while the models load: the first parse must not find nobody.
         self._parses = rospy.Publisher("command_parse", CommandParse, queue_size=100)
         self._parses_2012 = rospy.Publisher("parse", Parse, queue_size=100)
@@ -150,8 +154,8 @@ class ParserNode:
 
     def _parse(self, command: Command) -> None:
         try:
-            tree = self._parser.parse(command.text, self._verbs)
-            message = to_command_parse(command, tree)
+            parse = self._parser.traced(command.text, self._verbs)
+            message = to_command_parse(command, parse.tree)
         except UnparsableText as reason:
             code, sentence = reason.refusal
             self._stage.ends(command, outcome=Reply.REFUSED, code=code, sentence=sentence)
@@ -165,7 +169,8 @@ class ParserNode:
                 sentence=f"The parser failed: {type(error).__name__}: {error}",
             )
             return
-        self._stage.passes_on(command, describe(tree))
+        trace = "\n".join(map(str, parse.trace)) if self._settings.trace else ""
+        self._stage.passes_on(command, describe(parse.tree), trace=trace)
         self._parses_2012.publish(message.parse)
         self._parses.publish(message)
 

@@ -24,9 +24,14 @@ class TraceLine:
     before: str
     after: str
 
-    def __str__(self) -> str:
+    @property
+    def what(self) -> str:
+        """The line without the name of the rule."""
         change = f"{self.before} -> {self.after}" if self.before else self.after
-        return f"{self.rule}: {self.about}: {change}" if self.about else f"{self.rule}: {change}"
+        return f"{self.about}: {change}" if self.about else change
+
+    def __str__(self) -> str:
+        return f"{self.rule}: {self.what}"
 
 
 class Trace:
@@ -49,6 +54,9 @@ class Trace:
     def add_changes(self, rule: str, before: DependencyTree, after: DependencyTree) -> None:
         """Write a line for each word that differs, and for each mark that was set."""
         self._lines += changes(rule, before, after)
+
+    def __str__(self) -> str:
+        return "\n".join(map(str, self._lines))
 
     @property
     def rules(self) -> FrozenSet[str]:
