@@ -1,7 +1,7 @@
 """Matches lexical units against a clause: which words fill which frame element."""
 
 from dataclasses import dataclass, replace
-from typing import Dict, FrozenSet, List, Optional, Set, Tuple
+from typing import Dict, FrozenSet, List, Optional, Sequence, Set, Tuple
 
 from semantic_frames.frame import FrameElement, Quantity, SemanticFrame
 from semantic_frames.lexical_unit import ArgumentForm, ElementRelation, LexicalUnit
@@ -31,6 +31,8 @@ from semantic_framer.values import amount_value, given_value, phrase_value, unit
 #: "bring the mug to the table". The others ("on", "in", "near") do so only for a core or required element: "put the
 #: mug on the table".
 DIRECTIONAL = frozenset("to into onto towards toward from for with by as through via out_of off off_of".split())
+#: So many relations or words that were looked for in vain are written down.
+_SHOWN = 8
 _MEASURES_OF_2012 = frozenset(["num", "number", "nummod", "tmod", "npadvmod"])
 
 
@@ -78,8 +80,8 @@ def _write(
     """Write that a unit was tried, and why it does not fit."""
     missing = frozenset(element.name for element in reading.missing) if reading else frozenset()
     looked_for = [
-        f"no {' or '.join(map(str, relation.relations))}"
-        + (f" ({', '.join(relation.words)})" if relation.words else "")
+        f"no {_some(' or ', list(map(str, relation.relations)))}"
+        + (f" ({_some(', ', relation.words)})" if relation.words else "")
         + f" for {relation.name}"
         for relation in unfilled
         if (reading is None and relation.is_required) or relation.name in missing
@@ -92,6 +94,11 @@ def _write(
         "unit", f"{match.verb} -> {reading or unit.frame_name}", after="; ".join(parts) + f" [{place}]",
         positions=match.positions,
     )
+
+
+def _some(separator: str, texts: Sequence[str]) -> str:
+    """Return the first of some texts, and that there are more."""
+    return separator.join(texts[:_SHOWN]) + (f"{separator}..." if len(texts) > _SHOWN else "")
 
 
 class _Filling:
