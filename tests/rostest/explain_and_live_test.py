@@ -90,6 +90,9 @@ class ExplainAndLiveTest(unittest.TestCase):
         different = []
         for sentence in said:
             understanding = pipeline.understand(sentence, context)
+            if any(reading.unit.frame_name == "waiting" for reading in understanding.readings):
+                # The stop server does it, and takes the minute that is said.
+                continue
             context = understanding.context
             count = len(ears.replies)
             text.publish(sentence)

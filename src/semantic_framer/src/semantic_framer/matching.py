@@ -23,7 +23,7 @@ from semantic_framer.attachment import (
 )
 from semantic_framer.frame_roles import DESCRIBED, MESSAGE
 from semantic_framer.framed_lexicon import FramedLexicon
-from semantic_framer.reading import ElementValue, Reading, rank
+from semantic_framer.reading import ElementValue, Reading
 from semantic_framer.sentence import Sentence
 from semantic_framer.values import amount_value, given_value, phrase_value, unit_value
 
@@ -47,7 +47,7 @@ def read_clause(
         known: lexical units; those of frames that are not known are left out
         trace: where each unit is written, and what it looked for in vain; None for nowhere
     Returns:
-        readings, the best first by :func:`rank`
+        readings in the order of the lexicon
     """
     amounts = find_amounts(sentence.tree, sorted(clause.positions - {clause.verb}))
     readings = []
@@ -62,11 +62,7 @@ def read_clause(
                 _write(trace, sentence, match, unit, reading, filling.unfilled())
             if reading is not None:
                 readings.append(reading)
-    different = {
-        (reading.unit.frame_name, frozenset((value.name, value.argument) for value in reading.values)): reading
-        for reading in sorted(readings, key=rank, reverse=True)
-    }
-    return tuple(sorted(different.values(), key=rank))
+    return tuple(readings)
 
 
 def _write(

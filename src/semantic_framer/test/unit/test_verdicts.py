@@ -4,6 +4,7 @@ from pathlib import Path
 
 from semantic_framer.verdicts import (
     CLAUSE_VERDICTS,
+    DOMINATED,
     PLAUSIBILITY,
     READING_VERDICTS,
     REST_VERDICTS,
@@ -14,7 +15,7 @@ README = Path(__file__).resolve().parents[2] / "README.md"
 IN_ORDER = (
     [(verdict, "sentence") for verdict in SENTENCE_VERDICTS]
     + [(verdict, "clause") for verdict in CLAUSE_VERDICTS]
-    + [(verdict, "reading") for verdict in PLAUSIBILITY + READING_VERDICTS]
+    + [(verdict, "reading") for verdict in PLAUSIBILITY + DOMINATED + READING_VERDICTS]
     + [(verdict, "sentence") for verdict in REST_VERDICTS]
 )
 
@@ -22,7 +23,7 @@ IN_ORDER = (
 def test_order() -> None:
     assert [verdict.name for verdict, _ in IN_ORDER] == (
         "another_time no_verb negated question condition_without_verb unknown_verb "
-        "noun_of_another_verb measured_elsewhere number_is_no_place degree_is_no_thing side_is_no_thing "
+        "noun_of_another_verb measured_elsewhere number_is_no_place degree_is_no_thing side_is_no_thing says_less "
         "report nothing_fits condition incomplete less_likely_asked leaves_more_over lists_less words_outside"
     ).split()
 
