@@ -6,13 +6,13 @@ import sys
 import time
 from typing import Dict, List, Mapping, Tuple
 
-from roboframenet_tools.understanding import load_knowledge, shipped_domains
+from offline_pipeline.knowledge import load_knowledge, shipped_domains
 from semantic_framer.framer import read
 from semantic_framer.lexicon import Lexicon
 from semantic_frames.frame import SemanticFrame
 from semantic_frames.lexical_unit import LexicalUnit
 from stanford_parser_ros.model import Parser, shipped_model_dir
-from stanford_parser_ros.tree import DependencyTree
+from utterance_passes.tree import DependencyTree
 
 COUNTS = (50, 10000)
 ROUNDS = 40

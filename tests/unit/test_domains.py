@@ -13,12 +13,12 @@ from arbitrator.ros_messages import plan_from_message
 from frame_registrar.graph import FrameGraph
 from frame_registrar.ros_messages import to_clauses, to_plan
 from frame_registrar.search import Refusal, search
+from offline_pipeline.knowledge import pretend_servers
+from offline_pipeline.pipeline import Pipeline
 from roboframenet_msgs.msg import Clause
 from roboframenet_tools.check import Examples, find_problems, load_paths
-from roboframenet_tools.understanding import Pipeline, pretend_servers
 from semantic_framer import ros_messages as framer_messages
 from semantic_framer.framer import Understood, read
-from semantic_framer.sentence import Sentence
 
 DOMAINS = Path(os.path.realpath(__file__)).parents[2] / "src" / "roboframenet_domains" / "domains"
 #: Examples that people say and that are not understood yet, with the reason. One that is understood must leave the
@@ -84,7 +84,7 @@ def understood(pipeline: Pipeline, text: str) -> Sequence[Clause]:
     tree = pipeline.parse(text)
     outcome, _ = read(tree, pipeline.knowledge.lexicon, pipeline.knowledge.frames)
     assert isinstance(outcome, Understood), text
-    return framer_messages.to_clauses(outcome.clauses, Sentence(tree))
+    return framer_messages.to_clauses(outcome.clauses, tree)
 
 
 def first_of(clauses: Sequence[Clause], graph: FrameGraph, seeds: Sequence[int]) -> List[Tuple[FilledFrame, ...]]:

@@ -4,7 +4,7 @@ import ast
 import subprocess
 import sys
 from pathlib import Path
-from typing import Iterator, Set
+from typing import Dict, Iterator, Set
 
 import pytest
 
@@ -68,7 +68,9 @@ def test_core_imports_no_ros(path: Path) -> None:
     [
         "spoken_quantities",
         "semantic_frames",
-        "semantic_framer.framer",
+        "utterance_passes.table",
+    "semantic_framer.framer",
+    "offline_pipeline.pipeline",
         "frame_registrar.graph",
         "frame_registrar.search",
         "arbitrator.state_machine",
@@ -96,3 +98,44 @@ def test_the_check_itself_finds_an_import_of_rospy(tmp_path: Path) -> None:
 @pytest.mark.parametrize("path", product_modules(), ids=lambda path: str(path.relative_to(REPOSITORY / "src")))
 def test_module_fits_in_one_room(path: Path) -> None:
     assert len(path.read_text(encoding="utf-8").splitlines()) <= LONGEST_MODULE
+
+
+def internal_imports(package: Path) -> Dict[str, Set[str]]:
+    """Which modules of a package each of its modules imports."""
+    modules = {path.stem: path for path in package.glob("*.py") if path.name != "__init__.py"}
+    found: Dict[str, Set[str]] = {}
+    for name, path in modules.items():
+        names: Set[str] = set()
+        for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"), str(path))):
+            if isinstance(node, ast.ImportFrom) and node.module == package.name:
+                names.update(alias.name for alias in node.names)
+            elif isinstance(node, ast.ImportFrom) and (node.module or "").startswith(f"{package.name}."):
+                names.add(node.module.split(".")[1])
+        found[name] = names & set(modules)
+    return found
+
+
+def levels(imports: Dict[str, Set[str]]) -> Dict[str, int]:
+    """The level of each module: 1 for one that imports no other.
+
+    Raises:
+        ValueError: modules import each other in a circle
+    """
+    found: Dict[str, int] = {}
+    while len(found) < len(imports):
+        next_ones = [name for name in imports if name not in found and imports[name] <= set(found)]
+        if not next_ones:
+            raise ValueError(f"a circle among {sorted(set(imports) - set(found))}")
+        found.update({name: 1 + max((found[other] for other in imports[name]), default=0) for name in next_ones})
+    return found
+
+
+@pytest.mark.parametrize("name, most", [("semantic_framer", 6), ("utterance_passes", 7), ("offline_pipeline", 2)])
+def test_rooms_have_few_floors(name: str, most: int) -> None:
+    floors = levels(internal_imports(REPOSITORY / "src" / name / "src" / name))
+    assert max(floors.values()) <= most, sorted(floors.items(), key=lambda item: item[1])
+
+
+def test_the_check_itself_finds_a_circle() -> None:
+    with pytest.raises(ValueError, match="circle"):
+        levels({"one": {"other"}, "other": {"one"}, "alone": set()})

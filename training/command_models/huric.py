@@ -140,14 +140,15 @@ def our_arguments(sentence: Sentence) -> Dict[Tuple[int, int], Set[str]]:
 
 
 def runtime_arguments(source: Path) -> "Reader":
-    """The same by the rule table that robots run: ``source`` is the folder that holds ``stanford_parser_ros``.
+    """The same by the rule table that robots run: ``source`` is the folder that holds ``stanford_parser_ros``, in the
+    source tree; the package ``utterance_passes`` lies beside that one.
 
     Raises TrainingError when there is no such package in it.
     """
     if not (source / "stanford_parser_ros" / "stanford_dependencies.py").is_file():
         raise TrainingError("%s: no stanford_parser_ros/stanford_dependencies.py below" % source)
-    sys.path.insert(0, str(source.resolve()))
-    conllu = importlib.import_module("stanford_parser_ros.conllu")
+    sys.path[:0] = [str(source.resolve()), str(source.resolve().parents[1] / "utterance_passes" / "src")]
+    conllu = importlib.import_module("utterance_passes.conllu")
     rules = importlib.import_module("stanford_parser_ros.stanford_dependencies")
 
     def read(sentence: Sentence) -> Dict[Tuple[int, int], Set[str]]:

@@ -40,7 +40,7 @@ from stage_events.ros_stage import Stage
 from frame_registrar.graph import FrameGraph
 from frame_registrar.ros_liveness import LivenessWatch
 from frame_registrar.ros_messages import to_clauses, to_empty_frame, to_file_problems, to_frame_lists, to_plan
-from frame_registrar.search import Refusal, combinations, search
+from frame_registrar.search import Refusal, combinations, reply_outcome, search
 
 #: Kept on the master by the node for itself: files that were added while it ran.
 ADDED_FRAMES = "~_added_frames"
@@ -234,10 +234,9 @@ class FrameRegistrar:
             return
         if isinstance(outcome, Refusal):
             rospy.loginfo("cmd=%s refused: %s", message.command.id, outcome.sentence)
-            is_question = outcome.code == "MISSING_ELEMENT"
             self._stage.ends(
                 message.command,
-                outcome=Reply.NEEDS_INFORMATION if is_question else Reply.REFUSED,
+                outcome=getattr(Reply, reply_outcome(outcome)),
                 code=outcome.code,
                 sentence=outcome.sentence,
             )

@@ -10,7 +10,7 @@ from frame_registrar.filling import Unfillable, fill, words
 from frame_registrar.graph import FrameGraph
 from frame_registrar.realisation import Frames, Realiser, Refusal
 
-__all__ = ["Argument", "Candidate", "Reading", "Refusal", "combinations", "search"]
+__all__ = ["Argument", "Candidate", "Reading", "Refusal", "combinations", "reply_outcome", "search"]
 
 
 @dataclass(frozen=True)
@@ -67,6 +67,11 @@ _REASONS = ("LIMIT", "VALUE_NOT_ALLOWED", "MISSING_ELEMENT", "NO_SERVER", "UNKNO
 #: Several roads through the graph may lead to the same frames, which count once.
 _MOST_EXAMINED = 100_000
 _NOTHING_UNDERSTOOD = Refusal("NO_READING", "I understood nothing that I could do.")
+
+
+def reply_outcome(refusal: Refusal) -> str:
+    """Return the outcome that a command ends with in the registrar: the name of a constant of ``Reply``."""
+    return "NEEDS_INFORMATION" if refusal.code == "MISSING_ELEMENT" else "REFUSED"
 
 
 def search(

@@ -13,7 +13,10 @@ from semantic_frames.lexical_unit import ElementRelation, LexicalUnit
 from semantic_frames.relation_names import MEASURE
 from semantic_framer.lexicon import Lexicon
 from semantic_framer.sentence import Sentence
-from stanford_parser_ros.tree import DependencyTree
+from utterance_passes.running import run_tree_passes
+from utterance_passes.table import PARSE_CORRECTING_PASSES
+from utterance_passes.tree import DependencyTree
+from utterance_passes.vocabulary import Verbs
 
 #: A frame with the position of its verb, and the position of the word that fills each element.
 Filled = Tuple[SemanticFrame, int, Tuple[Tuple[str, int], ...]]
@@ -32,7 +35,7 @@ def understand_2012(
     Returns:
         for each verb the units that fill the most elements, one for each frame of the corpus
     """
-    sentence = Sentence(tree)
+    sentence = Sentence(run_tree_passes(tree, Verbs(), PARSE_CORRECTING_PASSES))
     filled: List[Filled] = []
     for word in tree.words:
         if word.upos not in ("VERB", "AUX"):

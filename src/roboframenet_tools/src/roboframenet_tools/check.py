@@ -5,7 +5,8 @@ import os
 import sys
 from typing import Iterable, List, Optional, Tuple
 
-from roboframenet_tools.understanding import Knowledge, Pipeline, load_files, pretend_servers
+from offline_pipeline.knowledge import Knowledge, load_files, pretend_servers
+from offline_pipeline.pipeline import Pipeline
 from semantic_frames import Problem, check_lexical_unit
 from semantic_frames.lexical_unit import Example, LexicalUnit
 from semantic_frames.source_files import FRAMES_FOLDER, LEXICAL_UNITS_FOLDER, yaml_files

@@ -13,6 +13,7 @@ from typing import List, Optional, Sequence
 COMMANDS = (
     ("say", "roboframenet_tools.ros_say", "say a sentence to the robot and see what comes of it"),
     ("explain", "roboframenet_tools.explain", "show how a sentence is understood, without running it"),
+    ("passes", "roboframenet_tools.passes", "list the rules that rewrite a sentence, and what each does to a corpus"),
     ("check", "roboframenet_tools.check", "check frame and lexical unit files"),
     (
         "list",

@@ -7,7 +7,7 @@ from typing import Dict, FrozenSet, Mapping, Optional
 
 import yaml
 
-from roboframenet_tools.understanding import shipped_domains
+from offline_pipeline.knowledge import shipped_domains
 from semantic_frames.frame import SemanticFrame
 from semantic_frames.marked_yaml import Reader
 from semantic_frames.source_files import read_text

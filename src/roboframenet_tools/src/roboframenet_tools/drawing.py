@@ -3,7 +3,7 @@
 from typing import List, Tuple
 from xml.sax.saxutils import escape
 
-from stanford_parser_ros.tree import DependencyTree, Word
+from utterance_passes.tree import DependencyTree, Word
 
 
 def _levels(tree: DependencyTree) -> List[Tuple[Word, int]]:

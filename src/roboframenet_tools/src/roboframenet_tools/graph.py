@@ -6,7 +6,7 @@ from typing import Dict, List, Mapping
 from xml.sax.saxutils import escape
 
 from frame_registrar.graph import FrameGraph
-from roboframenet_tools.understanding import load_knowledge, shipped_domains
+from offline_pipeline.knowledge import load_knowledge, shipped_domains
 
 EXAMPLES = """examples:
   rfn graph --svg frames.svg

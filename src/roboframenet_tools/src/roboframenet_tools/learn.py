@@ -13,14 +13,14 @@ from roboframenet_tools.huric_corpus import read_huric
 from roboframenet_tools.learned_files import frame_yaml, names_of_new_frames, to_yaml
 from roboframenet_tools.learning import LearnedUnit, learn
 from roboframenet_tools.lessons import Lesson
-from roboframenet_tools.understanding import Knowledge, load_knowledge, load_texts, shipped_domains
+from offline_pipeline.knowledge import Knowledge, load_knowledge, load_texts, shipped_domains
 from semantic_frames import FileRefused
 from semantic_frames.frame import SemanticFrame
 from semantic_frames.source_files import FRAMES_FOLDER, LEXICAL_UNITS_FOLDER, read_text
 from semantic_framer.framer import Understood, read
 from semantic_framer.lexicon import Lexicon
 from stanford_parser_ros.model import ModelError, Parser, UnparsableText, shipped_model_dir
-from stanford_parser_ros.tree import DependencyTree
+from utterance_passes.tree import DependencyTree
 
 EXAMPLES = """examples:
   rfn learn garden_sentences.yaml --out gardening

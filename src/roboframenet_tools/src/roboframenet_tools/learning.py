@@ -16,7 +16,10 @@ from roboframenet_tools.lessons import PORTALS, Lesson, lesson_of
 from semantic_frames.frame import SemanticFrame
 from semantic_frames.relation_names import MEASURE
 from semantic_framer.sentence import Sentence
-from stanford_parser_ros.tree import DependencyTree
+from utterance_passes.running import run_tree_passes
+from utterance_passes.table import PARSE_CORRECTING_PASSES
+from utterance_passes.tree import DependencyTree
+from utterance_passes.vocabulary import Verbs
 
 #: Prepositions that say the same of a frame element; one of a group stands for all of it.
 PREPOSITION_GROUPS: Tuple[Tuple[str, ...], ...] = (
@@ -83,7 +86,8 @@ def learn(
     lessons: List[Lesson] = []
     unexplained: List[str] = []
     for sentence in sentences:
-        lesson = lesson_of(sentence, Sentence(parse(sentence.text)), frames.get(sentence.frame_name), unexplained)
+        tree = run_tree_passes(parse(sentence.text), Verbs(), PARSE_CORRECTING_PASSES)
+        lesson = lesson_of(sentence, Sentence(tree), frames.get(sentence.frame_name), unexplained)
         if lesson is not None:
             lessons.append(lesson)
     return _units(lessons, frames), tuple(unexplained)

@@ -85,13 +85,13 @@ def lesson_of(
             continue
         if path[0].startswith("prep_") and path[0][len("prep_") :] not in DIRECTIONAL:
             places.add(name)
-            after_place |= {(name, preposition) for preposition in places_before(sentence, head)[:1]}
+            after_place |= {(name, preposition) for preposition in places_before(sentence.tree, head)[:1]}
         relations[name] = "/".join(path)
         word = sentence.word(head)
         words[name] = word.form.lower()
         if (
             word.upos in _CLOSED_CLASSES
-            or (word.form.lower() in _DIRECTIONS and not is_side_of_something(sentence, head))
+            or (word.form.lower() in _DIRECTIONS and not is_side_of_something(sentence.tree, head))
             or (path == ("dobj",) and word.form.lower() in PORTALS)
             or (path[-1] == "nsubj" and word.form.lower() in ("you", "u"))
         ):

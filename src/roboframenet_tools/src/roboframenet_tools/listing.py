@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from typing import List, Optional, Sequence, Tuple
 
 from frame_registrar.graph import FrameGraph
-from roboframenet_tools.understanding import Knowledge, load_knowledge, shipped_domains
+from offline_pipeline.knowledge import Knowledge, load_knowledge, shipped_domains
 
 EXAMPLES = """examples:
   rfn list

@@ -16,7 +16,8 @@ from roboframenet_tools.metrics import Answer, Score, is_exact, score
 from roboframenet_tools.scoring import answer, answer_2012
 from roboframenet_tools.scout_corpus import read_scout, without_remarks
 from roboframenet_tools.tage_corpus import read_tage
-from roboframenet_tools.understanding import Pipeline, load_knowledge, pretend_servers, shipped_domains
+from offline_pipeline.knowledge import load_knowledge, pretend_servers, shipped_domains
+from offline_pipeline.pipeline import Pipeline
 from semantic_frames import FileRefused
 from semantic_frames.source_files import LEXICAL_UNITS_FOLDER
 from stanford_parser_ros.model import ModelError

@@ -7,10 +7,10 @@ from roboframenet_tools.behaviour_2012 import understand_2012
 from roboframenet_tools.corpus import AnnotatedCommand, AnnotatedElement, AnnotatedFrame, positions_at
 from roboframenet_tools.corpus_mapping import CorpusMapping
 from roboframenet_tools.metrics import Answer
-from roboframenet_tools.understanding import Pipeline, to_json
+from offline_pipeline.pipeline import Pipeline, to_json
 from semantic_frames.frame import SemanticFrame
 from stanford_parser_ros.model import UnparsableText
-from stanford_parser_ros.tree import DependencyTree
+from utterance_passes.tree import DependencyTree
 
 #: Name of an element, positions of its words in our parse, position of its head there.
 _Filling = Tuple[str, Iterable[int], int]

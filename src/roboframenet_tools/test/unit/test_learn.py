@@ -9,7 +9,8 @@ from roboframenet_tools.annotated_sentences import read_sentences, sentences_of
 from roboframenet_tools.check import Examples, example_problems, find_problems, load_paths
 from roboframenet_tools.corpus import AnnotatedElement, AnnotatedFrame, command_of
 from roboframenet_tools.corpus_mapping import load_mapping, shipped_mapping
-from roboframenet_tools.understanding import Pipeline, load_knowledge, pretend_servers, shipped_domains
+from offline_pipeline.knowledge import load_knowledge, pretend_servers, shipped_domains
+from offline_pipeline.pipeline import Pipeline
 from semantic_frames import FileRefused
 from semantic_frames.source_files import LEXICAL_UNITS_FOLDER
 from stanford_parser_ros.model import Parser, shipped_model_dir

@@ -13,7 +13,8 @@ from roboframenet_tools.score import to_json
 from roboframenet_tools.scoring import answer, answer_2012
 from roboframenet_tools.scout_corpus import read_scout, without_remarks
 from roboframenet_tools.tage_corpus import read_tage
-from roboframenet_tools.understanding import Pipeline, load_knowledge, pretend_servers, shipped_domains
+from offline_pipeline.knowledge import load_knowledge, pretend_servers, shipped_domains
+from offline_pipeline.pipeline import Pipeline
 from semantic_frames import FileRefused
 
 HURIC = """<?xml version="1.0"?>

@@ -2,14 +2,9 @@
 
 from typing import AbstractSet, FrozenSet, Tuple
 
-from semantic_framer.sentence import Sentence
+from utterance_passes.tree import DependencyTree
+from utterance_passes.word_classes import OF_PLACE
 
-#: A phrase with one of these says where a thing is. If it fills no element of the unit, it belongs to the noun that it
-#: stands behind, even where the parser hung it on the verb: "bring the mug on the table".
-OF_PLACE = frozenset(
-    "on in at near under behind beside beneath below above over inside outside between against by next close around "
-    "of".split()
-)
 #: Prepositions that tell which thing or person is meant only right behind its name: "the guy with the blue jacket".
 _OF_A_THING = frozenset(["with", "without"])
 _PLACE_ADVERBS = frozenset(["here", "there", "upstairs", "downstairs", "outside", "inside"])
@@ -32,47 +27,47 @@ def preposition_of(step: str) -> str:
     return step.split("_", 1)[1] if step.startswith("prep_") else step.split(":", 1)[1]
 
 
-def tells_which(sentence: Sentence, index: int, head: int, is_described: bool) -> bool:
+def is_postmodifier_of(tree: DependencyTree, index: int, head: int, is_described: bool) -> bool:
     """Whether a phrase that hangs on a verb tells which thing the noun in front of it is.
 
     Args:
-        sentence: the sentence
+        tree: the sentence
         index: head of the phrase
         head: the noun
         is_described: whether the verb is about the noun alone, so that "with" belongs to it: "follow the guy with the
             hat"; "grab the cup with the tongs" would be done without them
     """
-    word = sentence.word(index)
+    word = tree.word(index)
     if word.deprel == "advmod":
         return word.form.lower() in _PLACE_ADVERBS
-    prepositions = [child.form.lower() for child in sentence.children(index) if child.deprel == "case"]
-    if word.upos == "ADV" or not prepositions or min(sentence.subtree(index)) != _first_case(sentence, index):
+    prepositions = [child.form.lower() for child in tree.children(index) if child.deprel == "case"]
+    if word.upos == "ADV" or not prepositions or min(tree.subtree(index)) != _first_case(tree, index):
         return False
     if prepositions[0] == "to" and word.form.lower() in ("left", "right"):
         return True  # "the door to your left"
-    is_thing = word.upos != "PRON" and not any(child.deprel == "case" for child in sentence.children(head))
+    is_thing = word.upos != "PRON" and not any(child.deprel == "case" for child in tree.children(head))
     return prepositions[0] in OF_PLACE or (is_described and is_thing and prepositions[0] in _OF_A_THING)
 
 
-def _first_case(sentence: Sentence, index: int) -> int:
-    return min(child.index for child in sentence.children(index) if child.deprel == "case")
+def _first_case(tree: DependencyTree, index: int) -> int:
+    return min(child.index for child in tree.children(index) if child.deprel == "case")
 
 
-def is_side_of_something(sentence: Sentence, index: int) -> bool:
+def is_side_of_something(tree: DependencyTree, index: int) -> bool:
     """Whether a word is a side of a thing, and no direction: "the left of the table"."""
-    return sentence.word(index).form.lower() in _SIDES and any(
+    return tree.word(index).form.lower() in _SIDES and any(
         child.deprel.startswith("nmod")
-        and any(inner.deprel == "case" and inner.form.lower() == "of" for inner in sentence.children(child.index))
-        for child in sentence.children(index)
+        and any(inner.deprel == "case" and inner.form.lower() == "of" for inner in tree.children(child.index))
+        for child in tree.children(index)
     )
 
 
-def places_before(sentence: Sentence, head: int) -> Tuple[str, ...]:
+def places_before(tree: DependencyTree, head: int) -> Tuple[str, ...]:
     """Return the prepositions of the phrases of place that stand before a phrase, the nearest first: "on" of the couch
     in "the box on the table on the couch".
     """
-    own = [child.index for child in sentence.children(head) if child.deprel == "case"]
-    before = sentence.tree.words[: own[0] - 1] if own else ()
+    own = [child.index for child in tree.children(head) if child.deprel == "case"]
+    before = tree.words[: own[0] - 1] if own else ()
     return tuple(
         word.form.lower()
         for word in reversed(before)
@@ -80,30 +75,30 @@ def places_before(sentence: Sentence, head: int) -> Tuple[str, ...]:
     )
 
 
-def words_before(sentence: Sentence, verb: int, first: int, free: FrozenSet[int]) -> FrozenSet[int]:
+def words_before(tree: DependencyTree, verb: int, first: int, free: FrozenSet[int]) -> FrozenSet[int]:
     """Return the adverb right in front of a preposition that makes it more precise: "close" of "close to the door"."""
     before = first - 1
-    if before <= verb or before not in free or sentence.word(first).deprel != "case":
+    if before <= verb or before not in free or tree.word(first).deprel != "case":
         return frozenset()
-    word = sentence.word(before)
+    word = tree.word(before)
     is_precise = word.deprel == "advmod" and word.form.lower() in _OF_A_PREPOSITION
     return frozenset([before]) if is_precise else frozenset()
 
 
-def words_before_amount(sentence: Sentence, first: int) -> FrozenSet[int]:
+def words_before_amount(tree: DependencyTree, first: int) -> FrozenSet[int]:
     """Return the words in front of a number that belong to it: "by almost" of "by almost 90 degrees"."""
     found = []
     position = first - 1
-    while position > 0 and sentence.word(position).form.lower() in _OF_A_NUMBER:
+    while position > 0 and tree.word(position).form.lower() in _OF_A_NUMBER:
         found.append(position)
         position -= 1
     return frozenset(found)
 
 
-def is_of_one_direction(sentence: Sentence, index: int, used: AbstractSet[int]) -> bool:
+def is_of_one_direction(tree: DependencyTree, index: int, used: AbstractSet[int]) -> bool:
     """Whether a word says with a used word beside it where ahead is: "straight ahead"."""
     beside = {index - 1: (_STRAIGHT, _ONWARD), index + 1: (_ONWARD, _STRAIGHT)}
     return any(
-        other in used and sentence.word(other).form.lower() in its and sentence.word(index).form.lower() in own
+        other in used and tree.word(other).form.lower() in its and tree.word(index).form.lower() in own
         for other, (its, own) in beside.items()
     )

@@ -2,12 +2,16 @@
 
 from typing import Iterable, List, Optional, Sequence, Tuple
 
-from semantic_framer.asides import set_aside
-from semantic_framer.clauses import Clause, find_clauses
-from semantic_framer.dialogue import Choice, is_yes
-from semantic_framer.lexicon import Lexicon
-from semantic_framer.verb_matching import match_verbs
-from semantic_framer.sentence import HARMLESS, Sentence
+from utterance_passes.clauses import Clause, find_clauses
+from utterance_passes.tree import ABANDONED
+from utterance_passes.tree_edits import set_aside
+from utterance_passes.utterance_pass import Choice
+from utterance_passes.verb_matching import match_verbs
+from utterance_passes.vocabulary import Vocabulary, is_verb
+from utterance_passes.word_classes import HARMLESS
+
+from semantic_framer.dialogue import is_yes
+from semantic_framer.sentence import Sentence
 
 _ORDINALS = {"first": 0, "former": 0, "second": 1, "third": 2, "last": -1, "latter": -1}
 _ARTICLES = frozenset(["a", "an", "the"])
@@ -20,7 +24,7 @@ def question_of_choices(choices: Sequence[Choice]) -> str:
     return f"Do you mean {quoted[0]}?" if len(quoted) == 1 else f"Which do you mean: {' or '.join(quoted)}?"
 
 
-def choices_of_clauses(sentence: Sentence, clauses: Sequence[Clause], lexicon: Lexicon) -> Tuple[Choice, ...]:
+def choices_of_clauses(sentence: Sentence, clauses: Sequence[Clause], vocabulary: Vocabulary) -> Tuple[Choice, ...]:
     """Return the clauses where a person left the choice between them, "turn left or go back"; none where not."""
     verbs = {clause.verb for clause in clauses}
     if not any(
@@ -31,18 +35,19 @@ def choices_of_clauses(sentence: Sentence, clauses: Sequence[Clause], lexicon: L
     for clause in clauses:
         said = [index for index in sorted(clause.positions) if sentence.word(index).deprel not in ("punct", "cc")]
         others = frozenset(word.index for word in sentence.tree.words) - frozenset(said)
-        choices.append(Choice(sentence.text(said), set_aside(sentence.tree, others, lexicon, "reparandum")))
+        tree = set_aside(sentence.tree, others, ABANDONED, lambda word: is_verb(vocabulary, word))
+        choices.append(Choice(sentence.text(said), tree))
     return tuple(choices)
 
 
-def chosen(sentence: Sentence, choices: Sequence[Choice], lexicon: Lexicon) -> Optional[Choice]:
+def chosen(sentence: Sentence, choices: Sequence[Choice], vocabulary: Vocabulary) -> Optional[Choice]:
     """Find which of the readings that were offered an utterance picks.
 
     Args:
         sentence: the utterance: one of the readings or a part of it that the others do not have, "the second one", or
             "yes" where only one was offered
         choices: the readings
-        lexicon: an utterance with one of its verbs is a command of its own, and picks a reading only as a whole
+        vocabulary: an utterance with one of its verbs is a command of its own, and picks a reading only as a whole
     Returns:
         the reading; None where it picks none, or more than one
     """
@@ -53,7 +58,7 @@ def chosen(sentence: Sentence, choices: Sequence[Choice], lexicon: Lexicon) -> O
     if len(ordinal) == 1 and ordinal[0] in _ORDINALS and _ORDINALS[ordinal[0]] < len(choices) > 1:
         return choices[_ORDINALS[ordinal[0]]]
     whole = [choice for choice in choices if _words(choice.text.split()) == said]
-    if any(match_verbs(sentence, clause, lexicon) for clause in find_clauses(sentence, lexicon)):
+    if any(match_verbs(sentence.tree, clause, vocabulary) for clause in find_clauses(sentence.tree, vocabulary)):
         return whole[0] if whole else None
     picked = whole or [choice for choice in choices if said and _is_part(said, _words(choice.text.split()))]
     return picked[0] if len(picked) == 1 else None

@@ -3,9 +3,9 @@
 from dataclasses import dataclass, replace
 from typing import Optional, Tuple
 
-from stanford_parser_ros.tree import DependencyTree
+from utterance_passes.utterance_pass import Choice
 
-from semantic_framer.matching import Reading
+from semantic_framer.reading import Reading
 
 #: Words that stand for something said before.
 PRONOUNS = frozenset(["it", "them", "that", "this", "those", "these", "one", "ones"])
@@ -44,19 +44,6 @@ NO = frozenset(
         "forget it",
     ]
 )
-
-
-@dataclass(frozen=True)
-class Choice:
-    """One of several readings of a sentence that a person may choose from.
-
-    Attributes:
-        text: as it is offered
-        tree: the sentence with the words that do not belong to the reading abandoned
-    """
-
-    text: str
-    tree: DependencyTree
 
 
 @dataclass(frozen=True)

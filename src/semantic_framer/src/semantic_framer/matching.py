@@ -1,108 +1,100 @@
 """Matches lexical units against a clause: which words fill which frame element."""
 
-from dataclasses import dataclass, replace
-from typing import Dict, FrozenSet, List, Mapping, Optional, Set, Tuple
+from dataclasses import replace
+from typing import Dict, FrozenSet, List, Optional, Sequence, Set, Tuple
 
 from semantic_frames.frame import FrameElement, Quantity, SemanticFrame
 from semantic_frames.lexical_unit import ArgumentForm, ElementRelation, LexicalUnit
 from semantic_frames.relation_names import MEASURE
+from utterance_passes.clauses import Clause, shared_subject
+from utterance_passes.measures import Amount, find_amounts
+from utterance_passes.trace import Trace
+from utterance_passes.verb_matching import VerbMatch, match_verbs
+from utterance_passes.word_classes import OF_PLACE
 
 from semantic_framer.attachment import (
-    OF_PLACE,
     is_of_one_direction,
     is_side_of_something,
     places_before,
     preposition_of,
-    tells_which,
+    is_postmodifier_of,
     words_before,
     words_before_amount,
 )
-from semantic_framer.clauses import Clause, shared_subject
-from semantic_framer.lexicon import Lexicon
-from semantic_framer.measures import Amount, find_amounts
+from semantic_framer.frame_roles import DESCRIBED, MESSAGE
+from semantic_framer.framed_lexicon import FramedLexicon
+from semantic_framer.reading import ElementValue, Reading
 from semantic_framer.sentence import Sentence
-from semantic_framer.verb_matching import VerbMatch, match_verbs
-from semantic_framer.values import ElementValue, amount_value, given_value, phrase_value, unit_value
+from semantic_framer.values import amount_value, given_value, phrase_value, unit_value
 
 #: A phrase with one of these hangs on the verb, if the unit asks for it, even where the parser hung it on the object:
 #: "bring the mug to the table". The others ("on", "in", "near") do so only for a core or required element: "put the
 #: mug on the table".
 DIRECTIONAL = frozenset("to into onto towards toward from for with by as through via out_of off off_of".split())
-#: Elements that a verb is about, without a tool or company: a phrase with "with" describes them.
-_DESCRIBED = frozenset(["Cotheme", "Category", "Item"])
-
+#: So many relations or words that were looked for in vain are written down.
+_SHOWN = 8
 _MEASURES_OF_2012 = frozenset(["num", "number", "nummod", "tmod", "npadvmod"])
 
 
-@dataclass(frozen=True)
-class Reading:
-    """One way to understand a clause.
-
-    Attributes:
-        unit: the lexical unit
-        verb: as the unit has it, "pick up"
-        verb_positions: words of the verb in the sentence
-        values: of the elements, in the order of the frame
-        missing: core elements that nothing fills
-        left_over: content words that nothing accounts for, by position
-        coverage: share of the content words that the reading accounts for, 0 to 1
-        listed: words that the unit lists for its elements, by position: "low five"
-        unlikely: how many words fill an element that they are hardly meant for
-        words: of the clause, as they were said
-    """
-
-    unit: LexicalUnit
-    verb: str
-    verb_positions: Tuple[int, ...]
-    values: Tuple[ElementValue, ...]
-    missing: Tuple[FrameElement, ...]
-    left_over: Tuple[int, ...]
-    coverage: float
-    listed: FrozenSet[int] = frozenset()
-    unlikely: int = 0
-    words: str = ""
-
-    @property
-    def said(self) -> FrozenSet[Tuple[str, str]]:
-        """Names and arguments of the elements that words of the sentence fill."""
-        return frozenset((value.name, value.argument) for value in self.values if value.positions)
-
-    @property
-    def asked(self) -> Tuple[FrameElement, ...]:
-        """Missing elements that a person is asked for: a unit is said together with its amount."""
-        units = frozenset(element.unit_element for element in self.missing)
-        return tuple(element for element in self.missing if element.name not in units)
-
-    def value(self, name: str) -> Optional[ElementValue]:
-        """Return the value of an element, None for an empty one."""
-        return next((value for value in self.values if value.name == name), None)
-
-
 def read_clause(
-    sentence: Sentence, clause: Clause, lexicon: Lexicon, frames: Mapping[str, SemanticFrame]
+    sentence: Sentence, clause: Clause, known: FramedLexicon, trace: Optional[Trace] = None
 ) -> Tuple[Reading, ...]:
     """Try every lexical unit of a clause's verb.
 
     Args:
         sentence: the sentence
         clause: one of its clauses
-        lexicon: lexical units
-        frames: by name; units of frames that are not known are left out
+        known: lexical units; those of frames that are not known are left out
+        trace: where each unit is written, and what it looked for in vain; None for nowhere
     Returns:
         readings in the order of the lexicon
     """
-    sentence = clause.sentence or sentence
-    amounts = find_amounts(sentence, sorted(clause.positions - {clause.verb}))
+    amounts = find_amounts(sentence.tree, sorted(clause.positions - {clause.verb}))
     readings = []
-    for match in match_verbs(sentence, clause, lexicon):
-        for unit in lexicon.units_of(match.verb):
-            frame = frames.get(unit.frame_name)
+    for match in match_verbs(sentence.tree, clause, known):
+        for unit in known.lexicon.units_of(match.verb):
+            frame = known.frames.get(unit.frame_name)
             if frame is None:
                 continue
-            reading = _Filling(sentence, clause, unit, frame, match, amounts).reading()
+            filling = _Filling(sentence, clause, unit, frame, match, amounts)
+            reading = filling.reading()
+            if trace is not None:
+                _write(trace, sentence, match, unit, reading, filling.unfilled())
             if reading is not None:
                 readings.append(reading)
     return tuple(readings)
+
+
+def _write(
+    trace: Trace,
+    sentence: Sentence,
+    match: VerbMatch,
+    unit: LexicalUnit,
+    reading: Optional[Reading],
+    unfilled: Tuple[ElementRelation, ...],
+) -> None:
+    """Write that a unit was tried, and why it does not fit."""
+    missing = frozenset(element.name for element in reading.missing) if reading else frozenset()
+    looked_for = [
+        f"no {_some(' or ', list(map(str, relation.relations)))}"
+        + (f" ({_some(', ', relation.words)})" if relation.words else "")
+        + f" for {relation.name}"
+        for relation in unfilled
+        if (reading is None and relation.is_required) or relation.name in missing
+    ]
+    verdict = "no" if reading is None else "incomplete" if looked_for or missing else "fits"
+    left_over = sentence.text(reading.left_over) if reading else ""
+    parts = [verdict] + looked_for + ([f"left over: {left_over}"] if left_over else [])
+    place = f"{unit.path.rsplit('/', 1)[-1]}:{unit.line}"
+    trace.add(
+        "unit", f"{match.verb} -> {reading or unit.frame_name}", after="; ".join(parts) + f" [{place}]",
+        positions=match.positions,
+    )
+
+
+def _some(separator: str, texts: Sequence[str]) -> str:
+    """Return the first of some texts, and that there are more."""
+    return separator.join(texts[:_SHOWN]) + (f"{separator}..." if len(texts) > _SHOWN else "")
 
 
 class _Filling:
@@ -126,7 +118,7 @@ class _Filling:
         self._heads: Dict[str, int] = {}
         self._listed: Dict[str, FrozenSet[int]] = {}
         self._amount_of: Dict[str, Amount] = {}
-        self._subject = clause.subject or shared_subject(sentence, clause.verb)
+        self._subject = clause.subject or shared_subject(sentence.tree, clause.verb)
         #: In 2012 a unit asked for the number and for what it counts by their relations.
         self._is_measuring_of_2012 = any(
             path.steps[-1] in _MEASURES_OF_2012 and not relation.words
@@ -165,6 +157,14 @@ class _Filling:
             listed=frozenset().union(*self._listed.values()),
         )
 
+    def unfilled(self) -> Tuple[ElementRelation, ...]:
+        """Return the relations that found nothing."""
+        return tuple(
+            relation
+            for relation in self._unit.relations
+            if relation.name not in self._heads and relation.name not in self._amount_of
+        )
+
     def _take_amounts(self) -> None:
         """Give each amount to the first element that measures it and asks for a measure."""
         free = list(self._amounts)
@@ -193,7 +193,7 @@ class _Filling:
         static = [path for path in relation.relations if preposition_of(path.steps[0]).split("_")[0] in OF_PLACE]
         places = sorted(head for path in static for head in self._follow(path.steps, is_wanted))
         if relation.after_place:
-            places = [head for head in places if set(places_before(self._sentence, head)) & set(relation.after_place)]
+            places = [head for head in places if set(places_before(self._sentence.tree, head)) & set(relation.after_place)]
         for path in relation.relations:
             if path in static:
                 heads = places if path == static[0] else []
@@ -227,7 +227,7 @@ class _Filling:
 
     def _listed_words(self, head: int, words: Tuple[str, ...]) -> FrozenSet[int]:
         """Return the words, up to a head, that a relation lists, the most first ("low five"); none if it lists none."""
-        if is_side_of_something(self._sentence, head):
+        if is_side_of_something(self._sentence.tree, head):
             return frozenset()
         for length in range(max((len(listed.split()) for listed in words), default=0), 0, -1):
             positions = range(max(1, head - length + 1), head + 1)
@@ -299,11 +299,11 @@ class _Filling:
                 amount = self._amount_of[element.name]
                 is_unit = any(other.unit_element == element.name for other in self._frame.frame_elements)
                 values.append(
-                    unit_value(self._sentence, element.name, amount)
+                    unit_value(self._sentence.tree, element.name, amount)
                     if is_unit
-                    else amount_value(self._sentence, element.name, amount, is_whole=not element.unit_element)
+                    else amount_value(self._sentence.tree, element.name, amount, is_whole=not element.unit_element)
                 )
-                before = words_before_amount(self._sentence, min(amount.positions))
+                before = words_before_amount(self._sentence.tree, min(amount.positions))
                 if not is_unit:
                     values[-1] = replace(values[-1], positions=tuple(sorted(before)) + values[-1].positions)
             elif element.name in self._heads:
@@ -319,14 +319,14 @@ class _Filling:
                 relation = next(relation for relation in self._unit.relations if relation.name == element.name)
                 attached = self._listed[element.name] | self._places_behind(head, element, left_out)
                 attached |= self._words_before(head, left_out)
-                values.append(phrase_value(self._sentence, element.name, head, relation.argument, left_out, attached))
+                values.append(phrase_value(self._sentence.tree, element.name, head, relation.argument, left_out, attached))
             elif element.default:
                 values.append(given_value(element.name, element.default))
         return tuple(values)
 
     def _places_behind(self, head: int, element: FrameElement, left_out: FrozenSet[int]) -> FrozenSet[int]:
         """Return the phrases of place directly behind a noun that fill nothing: "the mug on the table"."""
-        if self._sentence.word(head).upos != "NOUN" or element.framenet == "Message":
+        if self._sentence.word(head).upos != "NOUN" or element.framenet == MESSAGE:
             return frozenset()
         noun = self._sentence.subtree(head) - left_out
         taken = frozenset(self._heads.values())
@@ -336,7 +336,7 @@ class _Filling:
             positions = self._sentence.subtree(phrase.index).difference(*map(self._sentence.subtree, inner))
             if (
                 min(positions) == max(noun | found) + 1
-                and tells_which(self._sentence, phrase.index, head, element.framenet in _DESCRIBED)
+                and is_postmodifier_of(self._sentence.tree, phrase.index, head, element.framenet in DESCRIBED)
                 and not positions & (taken | left_out)
                 and positions <= self._clause.positions
                 and not self._is_in_a_measure(phrase.index)
@@ -348,7 +348,7 @@ class _Filling:
         """Return the adverb in front of the preposition of a phrase: "close" of "close to the door"."""
         phrase = self._sentence.subtree(head) - left_out
         free = self._clause.positions - left_out - frozenset(self._heads.values())
-        return words_before(self._sentence, self._clause.verb, min(phrase), free) if phrase else frozenset()
+        return words_before(self._sentence.tree, self._clause.verb, min(phrase), free) if phrase else frozenset()
 
     def _outside(self, head: int) -> FrozenSet[int]:
         """Words below a head that belong to other clauses or to a condition."""
@@ -376,7 +376,7 @@ class _Filling:
             if index not in used
             and index != self._subject
             and not self._hangs_on_used(index, used)
-            and not is_of_one_direction(self._sentence, index, used)
+            and not is_of_one_direction(self._sentence.tree, index, used)
         )
         return left_over, 1.0 - len(left_over) / (len(content) + 1)
 
@@ -385,13 +385,3 @@ class _Filling:
         word = self._sentence.word(index)
         # A number is no part of a name: "five foot thirteen" must not be five feet.
         return word.deprel in ("compound", "flat", "goeswith", "fixed") and word.head in used and word.upos != "NUM"
-
-
-def with_value(reading: Reading, value: ElementValue) -> Reading:
-    """Fill an element of a reading that nothing filled, or replace what filled it."""
-    kept = tuple(other for other in reading.values if other.name != value.name)
-    return replace(
-        reading,
-        values=kept + (value,),
-        missing=tuple(element for element in reading.missing if element.name != value.name),
-    )

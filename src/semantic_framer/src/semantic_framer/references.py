@@ -6,26 +6,9 @@ from typing import Mapping, Union
 from semantic_frames.frame import SemanticFrame
 
 from semantic_framer.dialogue import PLACE_PRONOUNS, PRONOUNS, Context
-from semantic_framer.matching import Reading
-from semantic_framer.values import ElementValue, resolved
-
-#: Frame elements that are places, and not things, by FrameNet's names.
-PLACES = frozenset(["Goal", "Source", "Location", "Ground", "Area", "Place", "Path"])
-#: Frame elements that are neither things nor places.
-NO_THINGS = frozenset(
-    [
-        "Manner",
-        "Direction",
-        "Distance",
-        "Angle",
-        "Duration",
-        "Recipient",
-        "Beneficiary",
-        "Addressee",
-        "Agent",
-        "Message",
-    ]
-)
+from semantic_framer.frame_roles import NO_THINGS, PLACES
+from semantic_framer.reading import ElementValue, Reading
+from semantic_framer.values import resolved
 
 
 def resolve(reading: Reading, context: Context) -> Union[Reading, ElementValue]:

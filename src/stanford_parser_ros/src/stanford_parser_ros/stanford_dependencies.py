@@ -1,14 +1,13 @@
 """From Universal Dependencies (v2) to the typed dependencies of the Stanford Dependencies manual.
 
 Sources: M.-C. de Marneffe and C. Manning, *Stanford typed dependencies manual* (2008, revised 2013) for the names and
-    for
-collapsing; universaldependencies.org/u/dep and /en/dep for the relations that come in.
+for collapsing; universaldependencies.org/u/dep and /en/dep for the relations that come in.
 """
 
 from dataclasses import dataclass
 from typing import Dict, FrozenSet, List, Optional, Set, Tuple
 
-from stanford_parser_ros.tree import DependencyTree, Word
+from utterance_passes.tree import DependencyTree, Word
 
 #: Universal relation -> Stanford names. The first is the name that is written into ``Parse``; a lexical unit may use
 #: any.

@@ -1,0 +1,114 @@
+"""What a command cannot mean though the parser has it so: "go up" before "to", "can" without a verb."""
+
+from typing import Iterable, List
+
+from utterance_passes.tree import DependencyTree, Word
+from utterance_passes.tree_edits import TreeEdit
+from utterance_passes.vocabulary import Vocabulary
+from utterance_passes.word_classes import DEGREES
+
+_TO = frozenset(["to", "into", "onto", "towards", "toward"])
+#: What may stand between a verb of motion and "to": "go *up* to the desk".
+_ON_THE_WAY = frozenset("up down over back out along across on off in".split())
+_OF_PLACE = frozenset("in at on near above over under behind beside by inside outside next".split())
+_ALL = frozenset("everything everyone everybody something someone somebody anything all".split())
+_FRACTIONS = frozenset(["quarter", "half", "third", "full"])
+
+
+def with_modals_as_nouns(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
+    """Make a noun of a modal that helps no verb and stands behind a noun: it is the head of a compound with that noun.
+
+    "If you can" has a subject, "will you" too.
+    """
+    for modal in tree.words:
+        before = tree.words[modal.index - 2] if modal.index > 1 else modal
+        if modal.xpos != "MD" or before.upos not in ("NOUN", "PROPN"):
+            continue
+        below = [child for child in tree.children(modal.index) if child.upos != "PUNCT"]
+        helps_nothing = not modal.deprel.startswith("aux") and modal.head in (before.index, before.head) and not below
+        # An auxiliary stands before its verb; its verb before it has an object there, taken for a subject perhaps.
+        is_behind_its_verb = (
+            modal.deprel.startswith("aux") and 0 < modal.head < before.index and below in ([], [before])
+        )
+        if helps_nothing or is_behind_its_verb:
+            edit = TreeEdit(tree)
+            edit.rehang_children(before.index, modal.index)
+            head, deprel = (modal.head, "obj") if before.head == modal.index else (before.head, before.deprel)
+            edit.retag(modal.index, "NOUN", "NN")
+            edit.rehang(modal.index, head, deprel)
+            edit.rehang(before.index, modal.index, "compound")
+            tree = edit.tree()
+    return tree
+
+
+def with_particles_on_the_way(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
+    """Make an adverb of a particle right in front of "to": in "go up to the desk" nothing is gone up."""
+    edit = TreeEdit(tree)
+    for word, following in zip(tree.words, tree.words[1:]):
+        is_to = following.form.lower() in _TO and following.deprel == "case"
+        if word.deprel == "compound:prt" and word.form.lower() in _ON_THE_WAY and is_to:
+            edit.relabel(word.index, "advmod")
+    return edit.tree()
+
+
+def with_places_of_devices(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
+    """Hang a place behind "on" or "off" on the object in front: "turn *the lights* off *in the bedroom*"."""
+    edit = TreeEdit(tree)
+    for particle in tree.words:
+        if particle.deprel != "compound:prt" or particle.form.lower() not in ("on", "off"):
+            continue
+        objects = [c for c in tree.children(particle.head) if c.deprel == "obj" and c.index < particle.index]
+        places = _places_at(tree, tree.children(particle.head), particle.index + 1)
+        for place in places[:1] if objects else ():
+            edit.rehang(place.index, objects[0].index, "nmod")
+    return edit.tree()
+
+
+def with_places_of_all(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
+    """Hang a place on "everything" and the like in front of it: it tells which things, as behind a noun."""
+    edit = TreeEdit(tree)
+    for pronoun in tree.words:
+        if pronoun.form.lower() in _ALL and pronoun.deprel == "obj":
+            for place in _places_at(tree, tree.children(pronoun.head), pronoun.index + 1)[:1]:
+                edit.rehang(place.index, pronoun.index, "nmod")
+    return edit.tree()
+
+
+def _places_at(tree: DependencyTree, words: Iterable[Word], position: int) -> List[Word]:
+    """Return those of some words that head a phrase of place which begins at a position."""
+    if position > len(tree.words) or tree.word(position).form.lower() not in _OF_PLACE:
+        return []
+    return [word for word in words if word.deprel == "obl" and min(tree.subtree(word.index)) == position]
+
+
+def with_part_turns(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
+    """Make a noun of "turn" behind a fraction, which the parser takes for another command: "turn a quarter turn left"."""
+    for turn in tree.words[2:]:
+        fraction = tree.word(turn.index - 1)
+        verb = tree.word(turn.head) if turn.head else turn
+        is_part = fraction.form.lower() in _FRACTIONS and fraction.head == verb.index and turn.upos == "VERB"
+        if turn.form.lower() not in ("turn", "circle") or not is_part or verb.upos != "VERB":
+            continue
+        edit = TreeEdit(tree)
+        edit.rehang_children(turn.index, verb.index)
+        edit.retag(turn.index, "NOUN", "NN")
+        edit.rehang(turn.index, fraction.head, fraction.deprel)
+        edit.rehang_children(fraction.index, turn.index)
+        edit.rehang(fraction.index, turn.index, "amod")
+        tree = edit.tree()
+    return tree
+
+
+def with_degrees(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
+    """Hang "a bit" and "a little" on the verb, and not on the noun that they stand behind."""
+    edit = TreeEdit(tree)
+    for word in tree.words[2:]:
+        before = tree.word(word.index - 1)
+        modifiers = {child.form.lower() for child in tree.children(word.index)}
+        if word.form.lower() not in DEGREES or not {"a"} <= modifiers <= {"a", "little", "tiny"}:
+            continue
+        governor = tree.word(word.head) if word.head else word
+        is_behind = word.head and governor.index < before.index and governor.upos in ("NOUN", "PROPN", "PRON", "ADV")
+        if is_behind and governor.head and tree.word(governor.head).upos == "VERB":
+            edit.rehang(word.index, governor.head, "obl:unmarked")
+    return edit.tree()
