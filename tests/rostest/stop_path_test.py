@@ -47,7 +47,7 @@ DRIVE = "moving_forward distance=15,distance_unit=metres"
 #: Publishers of velocities: the stop server, the command server, the motion, the patrol and the test.
 VELOCITY_PUBLISHERS = 5
 LISTENERS = (
-    ("/arbitrator", "command_procedure", "/executor"),
+    ("/arbitrator", "command_plan", "/executor"),
     ("/command_server", "command_cancel", "/executor"),
     ("/executor", "stage_events", "/command_server"),
     ("/stop_server", "stop_report", "/executor"),

@@ -8,12 +8,12 @@ from typing import Dict, List, Sequence, Tuple
 import pytest
 
 from arbitrator.policy import RandomPolicy, arbitrate
-from arbitrator.procedure import FilledFrame
-from arbitrator.ros_messages import candidates_from_message
+from arbitrator.plan import FilledFrame, as_procedure
+from arbitrator.ros_messages import plan_from_message
 from frame_registrar.graph import FrameGraph
-from frame_registrar.ros_messages import to_clauses, to_frame_lists
+from frame_registrar.ros_messages import to_clauses, to_plan
 from frame_registrar.search import Refusal, search
-from roboframenet_msgs.msg import Clause, CommandSemanticFrames
+from roboframenet_msgs.msg import Clause
 from roboframenet_tools.check import Examples, find_problems, load_paths
 from roboframenet_tools.understanding import Pipeline, pretend_servers
 from semantic_framer import ros_messages as framer_messages
@@ -91,13 +91,8 @@ def first_of(clauses: Sequence[Clause], graph: FrameGraph, seeds: Sequence[int])
     """What the executor would begin with, for each seed of the random policy."""
     found = search(graph, to_clauses(clauses), max_candidates=64)
     assert not isinstance(found, Refusal), found
-    message = CommandSemanticFrames(
-        candidates=to_frame_lists(found),
-        coverage=[candidate.coverage for candidate in found],
-        preference=[candidate.preference for candidate in found],
-    )
-    candidates = candidates_from_message(message)
-    return [arbitrate(candidates, RandomPolicy(seed=seed)).sequences[0].frames for seed in seeds]
+    plan = plan_from_message(to_plan(clauses, "", found))
+    return [as_procedure(arbitrate(plan, RandomPolicy(seed=seed)))[0] for seed in seeds]
 
 
 def test_lots_never_change_what_an_example_means(loaded, pipeline):
@@ -111,6 +106,6 @@ def test_lots_never_change_what_an_example_means(loaded, pipeline):
         clauses = understood(pipeline, text)
         assert len(set(first_of(clauses, childless, range(50)))) == 1, text
         # Children are ways to do it, so lots are drawn; but only between the ways to do what was meant.
-        best = [Clause(readings=clause.readings[:1]) for clause in clauses]
+        best = [Clause(words=clause.words, readings=clause.readings[:1]) for clause in clauses]
         ways = set(first_of(best, pipeline.knowledge.graph, range(50)))
         assert set(first_of(clauses, pipeline.knowledge.graph, range(50))) <= ways, text

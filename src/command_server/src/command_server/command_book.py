@@ -2,7 +2,7 @@
 import enum
 import time
 from dataclasses import dataclass, replace
-from typing import Callable, Dict, List, Mapping, Optional, Tuple
+from typing import AbstractSet, Callable, Dict, List, Mapping, Optional, Tuple
 
 # In the order in which a command passes them.
 STAGES: Tuple[str, ...] = ("stanford_parser_ros", "semantic_framer", "frame_registrar", "arbitrator", "executor")
@@ -254,11 +254,26 @@ class CommandBook:
         for command_id, entry in self._open.items():
             self._open[command_id] = replace(entry, deadline_s=entry.deadline_s + duration_s)
 
-    def finish_stopped(self, stop_stamp_ns: int, *, stage: str = STOP_STAGE) -> List[Ending]:
-        """Close every command that was said at or before a stop."""
+    def begin(self, command: CommandText) -> None:
+        """A command that waited here is sent now: it has a new stamp, and its first stage must speak from now on."""
+        entry = self._open.get(command.command_id)
+        if entry is not None:
+            self._open[command.command_id] = replace(
+                entry, command=command, deadline_s=self._now() + self._timeouts_s[STAGES[0]])
+
+    def extend(self, command_id: str, *, timeout_s: float) -> None:
+        """Blame no stage for a command before that time: it waits for something else."""
+        entry = self._open.get(command_id)
+        if entry is not None:
+            self._open[command_id] = replace(entry, deadline_s=self._now() + timeout_s)
+
+    def finish_stopped(self, stop_stamp_ns: int, *, stage: str = STOP_STAGE,
+                       spared: AbstractSet[str] = frozenset()) -> List[Ending]:
+        """Close every command that was said at or before a stop, except those with the ids in `spared`."""
         return [
             self._close(entry, Outcome.SUPERSEDED, stage=stage, code="STOPPED", sentence="A stop ended it.")
-            for entry in self.open_commands if entry.command.stamp_ns <= stop_stamp_ns]
+            for entry in self.open_commands
+            if entry.command.stamp_ns <= stop_stamp_ns and entry.command.command_id not in spared]
 
     def next_deadline_s(self) -> Optional[float]:
         """When a command may be overdue, monotonic seconds; None when nothing is open."""

@@ -2,13 +2,12 @@
 
 Callbacks only enqueue; one worker thread owns the commands.
 """
-import queue
 import threading
 import time
 import uuid
 from collections import deque
-from dataclasses import dataclass, field
-from typing import Deque, Dict, List, Optional, Tuple, Union
+from dataclasses import dataclass, field, replace
+from typing import Deque, Dict, Optional, Tuple, Union
 
 import actionlib
 import rospy
@@ -21,24 +20,29 @@ from robot_stop.sentences import may_still_move, sentence_of
 from robot_stop.settings import BrakeSettings
 from std_msgs.msg import String
 
+from command_server.command_behind import command_behind
 from command_server.command_book import (
-    CommandBook, CommandText, EXECUTOR_STAGE, Ending, OWN_STAGE, Outcome, STOP_STAGE, refusal_of_text, stamp_after)
+    CommandBook, CommandText, Ending, OWN_STAGE, Outcome, STOP_STAGE, refusal_of_text, stamp_after)
+from command_server.follow_ups import FollowUps
+from command_server.inbox import Inbox
 from command_server.ros_action_door import ActionDoor
 from command_server.ros_cancel_topic import CancelTopic
 from command_server.ros_left_over import EXECUTOR_TIMEOUT_S, LeftOver
-from command_server.ros_messages import (
-    command_from_message, command_to_message, ending_from_message, ending_to_message)
+from command_server.ros_messages import command_to_message, ending_of_event, ending_to_message, reply_of_stopped
 from command_server.ros_open_commands import OpenCommandStore
 from command_server.ros_settings import read_brake_settings, read_settings
 from command_server.settings import Settings
 from command_server.stop_book import StopBook
-from command_server.stop_words import is_stop
+from command_server.stop_words import find_cry
+from command_server.withdrawals import WITHDRAWING, Withdrawals
 
 _SAVE_TIMEOUT_S = 0.5
 _LONGEST_WAIT_S = 0.2
 _JOIN_TIMEOUT_S = 5.0
 # A turn of the worker that takes longer means that the process did not run.
 _LONGEST_TURN_S = 2.0
+# A stop is answered within so many of its time-outs: one for its report, one for its reply.
+_WAIT_FOR_STOP = 3.0
 # How long a brake may take to say who obeys, on top of its own time-out.
 _BRAKE_SLACK_S = 1.0
 # Time for what was published last to leave the process.
@@ -87,6 +91,9 @@ class CommandServerNode:
         self._brake_settings = brake_settings
         self._book = CommandBook(settings.stage_timeouts_s)
         self._stops = StopBook(timeout_s=settings.stop_timeout_s)
+        self._last_stop_ns = 0
+        self._follow_ups = FollowUps(pause_s=settings.pause_after_stop_s)
+        self._withdrawals = Withdrawals(timeout_s=settings.cancel_timeout_s)
         self._store = OpenCommandStore()
         self._saved: Tuple[CommandText, ...] = ()
         self._is_saving_late = False
@@ -97,7 +104,7 @@ class CommandServerNode:
         self._sentence = "Ready."
         self._last_reply = Reply()
         self._is_status_due = True
-        self._events: "queue.Queue[_Event]" = queue.Queue()
+        self._events: Inbox[_Event] = Inbox()
         self._suspension = SuspensionWatch(longest_turn_s=_LONGEST_TURN_S)
         self._worker = threading.Thread(target=self._work, name="command_server_worker")
 
@@ -138,7 +145,9 @@ class CommandServerNode:
 
     def _work(self) -> None:
         while True:
-            events = self._take_events()
+            events = self._events.take(longest_wait_s=_LONGEST_WAIT_S, deadlines_s=(
+                self._book.next_deadline_s(), self._stops.next_deadline_s(), self._follow_ups.next_due_s(),
+                self._withdrawals.next_deadline_s()))
             self._excuse_suspension()
             for event in events:
                 if event is None:
@@ -151,6 +160,11 @@ class CommandServerNode:
                                  type(event).__name__, type(error).__name__, error)
             self._cancel_silent()
             self._stop_in_place()
+            for command in self._follow_ups.take_due():
+                self._book.begin(command)
+                self._unsent.append(command)
+            for ending in self._withdrawals.take_overdue():
+                self._conclude(ending)
             if self._left_over.take_brake(is_executor_connected=self._cancels.is_heard):
                 self._brake.stop(StopOrder(key=_RESTART_KEY, stamp_ns=self._start_ns, is_for_frames_only=True))
             for ending in self._left_over.take_answers():
@@ -159,27 +173,11 @@ class CommandServerNode:
             self._send()
             self._publish_status()
 
-    def _take_events(self) -> List[_Event]:
-        wait_s = _LONGEST_WAIT_S
-        for deadline_s in (self._book.next_deadline_s(), self._stops.next_deadline_s()):
-            if deadline_s is not None:
-                wait_s = min(wait_s, max(0.001, deadline_s - time.monotonic()))
-        try:
-            events = [self._events.get(timeout=wait_s)]
-        except queue.Empty:
-            return []
-        while len(events) < 1000:
-            try:
-                events.append(self._events.get_nowait())
-            except queue.Empty:
-                break
-        return events
-
     def _handle(self, event: _Event) -> None:
         if isinstance(event, _Said):
             self._hear(event)
         elif isinstance(event, _GoalCancelled):
-            self._cancel(event.command_id)
+            self._cancel(self._door.command_of(event.command_id))
         elif isinstance(event, StageEvent):
             self._hear_stage(event)
         elif isinstance(event, StopReport):
@@ -202,8 +200,11 @@ class CommandServerNode:
         command = CommandText(command_id=command_id, stamp_ns=self._last_stamp_ns,
                               text=said.text[:self._settings.max_text_length])
         rospy.loginfo("cmd=%s heard %r", command_id, command.text)
-        if is_stop(said.text):
-            self._hear_stop(command, is_action=said.handle is not None, heard_s=said.arrival_s)
+        cry = find_cry(said.text)
+        if cry is not None:
+            # What is cut off must not become another command.
+            self._hear_stop(command, behind="" if command.text != said.text else command_behind(cry.rest),
+                            is_action=said.handle is not None, heard_s=said.arrival_s)
         elif refusal is not None:
             self._answer_at_once(command, Outcome.REFUSED, code=refusal[0], sentence=refusal[1])
         elif len(self._book.open_commands) >= self._settings.max_open_commands:
@@ -214,32 +215,44 @@ class CommandServerNode:
             self._unsent.append(command)
             self._note(f"Heard {command.text!r}.")
 
-    def _hear_stop(self, command: CommandText, *, is_action: bool, heard_s: float) -> None:
+    def _hear_stop(self, command: CommandText, *, behind: str, is_action: bool, heard_s: float) -> None:
         # The stop server and the executor have heard it as well; but a command that was said just before the stop may
         # have reached this node after the stop server's report, so every open one is cancelled by name.
         for entry in self._book.open_commands:
             self._cancels.cancel(entry.command)
         for ending in self._book.finish_stopped(command.stamp_ns):
             self._answer(ending)
-        if self._stops.hear_stop(command.command_id, command.text, stamp_ns=command.stamp_ns, is_action=is_action,
-                                 heard_s=heard_s) is not None and is_action:
-            self._door.finish(self._last_reply_to(command.command_id), command_id=command.command_id)
+        self._note(f"Stopping; then {behind!r}." if behind else "Stopping.")
+        if behind:
+            follow_up = self._follow_ups.add(behind, stop=command, stop_stamp_ns=self._last_stop_ns)
+            self._book.open(follow_up)
+            self._book.extend(follow_up.command_id, timeout_s=_WAIT_FOR_STOP * self._settings.stop_timeout_s
+                              + self._brake_answer_s + self._settings.pause_after_stop_s)
+            if is_action:
+                self._door.hand_over(command.command_id, command_id=follow_up.command_id)
+        early = self._stops.hear_stop(command.command_id, command.text, stamp_ns=command.stamp_ns,
+                                      is_action=is_action, heard_s=heard_s)
+        if early is not None:
+            is_last = self._last_reply.command.id == early
+            self._pass_on_answer(command.command_id, self._last_reply if is_last else reply_of_stopped(early))
 
-    def _last_reply_to(self, command_id: str) -> Reply:
-        """The reply of the report that came before its goal."""
-        if self._last_reply.command.id == command_id:
-            return self._last_reply
-        return Reply(command=Command(id=command_id), outcome=Reply.DONE, stage=STOP_STAGE, code="DONE",
-                     sentence="Stopped.", stamp=rospy.Time.now())
+    def _pass_on_answer(self, stop_id: str, reply: Reply) -> None:
+        """The stop server has replied to a stop: its goal ends, and the command behind it begins."""
+        self._door.finish(reply, command_id=stop_id)
+        for ending in self._follow_ups.hear_answer(
+                stop_id, is_stopped=reply.outcome == Reply.DONE, reason=reply.sentence):
+            self._conclude(ending)
 
     def _hear_stop_report(self, report: StopReport) -> None:
-        for ending in self._book.finish_stopped(report.stop_stamp.to_nsec()):
+        self._last_stop_ns = report.stop_stamp.to_nsec()
+        spared = self._follow_ups.spared_by(report.command.text, self._last_stop_ns)
+        for ending in self._book.finish_stopped(self._last_stop_ns, spared=spared):
             self._answer(ending)
         stop = None
         if report.reply.command.id:
             stop = self._stops.hear_reply(report.reply.command.id, report.reply.command.text)
-            if stop is not None and stop.is_action:
-                self._door.finish(report.reply, command_id=stop.command_id)
+            if stop is not None:
+                self._pass_on_answer(stop.command_id, report.reply)
             self._last_reply = report.reply
             self._note(report.reply.sentence)
         elif report.sentence:
@@ -256,7 +269,7 @@ class CommandServerNode:
         if entry is None:
             return
         self._cancels.cancel(entry.command)
-        if entry.is_with_executor:
+        if entry.may_have_started:
             # The executor ends it when the robot has stopped; its silence is watched as ever.
             return
         self._conclude(Ending(command=entry.command, outcome=Outcome.SUPERSEDED, stage=OWN_STAGE, code="STOPPED",
@@ -271,14 +284,23 @@ class CommandServerNode:
             self._book.progress(event.command.id, event.stage)
             self._note(event.sentence)
             return
-        try:
-            ending = ending_from_message(event.reply)
-        except ValueError as error:
-            ending = Ending(command=command_from_message(event.command), outcome=Outcome.FAILED, stage=event.stage,
-                            code="STAGE_ERROR", sentence=f"{event.stage} ended it with a malformed reply: {error}.")
-        # The event says which command it is about; a reply that was filled in carelessly must not end another.
-        self._conclude(Ending(command=command_from_message(event.command), outcome=ending.outcome, stage=ending.stage,
-                              code=ending.code, sentence=ending.sentence))
+        ending = ending_of_event(event)
+        if ending.code not in WITHDRAWING or not self._withdraw(ending):
+            self._conclude(ending)
+
+    def _withdraw(self, ending: Ending) -> bool:
+        """End what a prohibition or a correction is against; returns whether its reply must wait for that."""
+        entry = self._book.get(ending.command.command_id)
+        if entry is None or self._withdrawals.is_waiting(entry.command.command_id):
+            return True
+        older = [other.command for other in self._book.open_commands if other.command.stamp_ns < entry.command.stamp_ns
+                 and not self._withdrawals.is_waiting(other.command.command_id)]
+        if older:
+            self._withdrawals.begin(replace(ending, command=entry.command), older)
+            self._book.extend(entry.command.command_id, timeout_s=2.0 * self._settings.cancel_timeout_s)
+        for command in older:
+            self._cancel(command.command_id)
+        return bool(older)
 
     def _conclude(self, ending: Ending) -> None:
         """Close an open command and answer it; nothing when it is closed already."""
@@ -327,6 +349,7 @@ class CommandServerNode:
                 outcome=Outcome.FAILED, stage=STOP_STAGE, code="STAGE_SILENT",
                 sentence=f"{STOP_STAGE} did not answer within {self._settings.stop_timeout_s:g} s; {OWN_STAGE} took "
                          f"its place. {standing}"))
+            self._pass_on_answer(stop.command_id, self._last_reply)
 
     def _hear_finding(self, finding: Finding) -> None:
         """The brake says who obeys."""
@@ -349,8 +372,13 @@ class CommandServerNode:
 
     def _answer(self, ending: Ending) -> None:
         """Give the one reply to a command that is closed, or was never opened."""
-        if self._left_over.hold(ending):
-            return
+        self._follow_ups.forget(ending.command.command_id)
+        if not self._left_over.hold(ending):
+            self._publish_reply(ending)
+        for held in self._withdrawals.hear_end(ending):
+            self._conclude(held)
+
+    def _publish_reply(self, ending: Ending) -> None:
         self._unsent = deque(command for command in self._unsent if command != ending.command)
         reply = ending_to_message(ending)
         rospy.loginfo("cmd=%s -> %s %s (%s) %s", ending.command.command_id, ending.outcome.name, ending.code,

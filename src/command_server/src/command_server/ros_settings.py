@@ -16,6 +16,8 @@ def read_settings() -> Settings:
         stage_timeout_s=rospy.get_param("~stage_timeout_s", Settings.stage_timeout_s),
         executor_timeout_s=rospy.get_param("~executor_timeout_s", Settings.executor_timeout_s),
         stop_timeout_s=rospy.get_param("~stop_timeout_s", Settings.stop_timeout_s),
+        cancel_timeout_s=rospy.get_param("~cancel_timeout_s", Settings.cancel_timeout_s),
+        pause_after_stop_s=rospy.get_param("~pause_after_stop_s", Settings.pause_after_stop_s),
         max_text_length=rospy.get_param("~max_text_length", Settings.max_text_length),
         max_open_commands=rospy.get_param("~max_open_commands", Settings.max_open_commands))
 

@@ -8,7 +8,7 @@ from typing import Callable, Optional
 import actionlib
 import rospy
 import smach
-from arbitrator.procedure import FilledFrame
+from arbitrator.plan import FilledFrame
 from arbitrator.ros_messages import frame_to_message
 from arbitrator.state_machine import OUTCOMES
 
@@ -48,7 +48,7 @@ class StepContext:
         is_preempt_asked: set when the run is to end
         suspension: says whether this process has just woken
         on_begin: is told the frame of each step that begins
-        on_end: is told each goal that has ended
+        on_end: is told each goal that has ended, with its frame and the number of its clause
     """
 
     clients: ActionClients
@@ -58,7 +58,7 @@ class StepContext:
     is_preempt_asked: threading.Event
     suspension: SuspensionWatch
     on_begin: Callable[[FilledFrame], None]
-    on_end: Callable[[FilledFrame, Goal], None]
+    on_end: Callable[[FilledFrame, int, Goal], None]
 
 
 @dataclass(frozen=True)
@@ -81,16 +81,17 @@ class ActionStep(smach.State):
     Callbacks only enqueue; the thread that executes the state owns everything else and waits with deadlines.
     """
 
-    def __init__(self, frame: FilledFrame, context: StepContext) -> None:
+    def __init__(self, frame: FilledFrame, clause: int, context: StepContext) -> None:
         super().__init__(outcomes=list(OUTCOMES))
         self._frame = frame
+        self._clause = clause
         self._context = context
 
     def execute(self, userdata: smach.UserData) -> str:
         """Carry the frame out; returns succeeded, aborted or preempted."""
         self._context.on_begin(self._frame)
         goal = self._carry_out()
-        self._context.on_end(self._frame, goal)
+        self._context.on_end(self._frame, self._clause, goal)
         outcome = SMACH_OUTCOME_OF[goal.outcome]
         if outcome == "preempted" and self.preempt_requested():
             self.service_preempt()

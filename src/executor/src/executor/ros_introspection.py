@@ -17,6 +17,7 @@ class _Wish:
     """What is to be seen: a machine, or nothing."""
 
     machine: Optional[smach.StateMachine]
+    label: str = ""
     is_done: threading.Event = field(default_factory=threading.Event)
 
 
@@ -36,9 +37,9 @@ class Introspection:
             # A daemon: a master that hangs must not keep the process alive.
             threading.Thread(target=self._work, name="introspection", daemon=True).start()
 
-    def show(self, machine: smach.StateMachine) -> None:
-        """Show a machine; returns when it is seen, or when that takes too long."""
-        if not self._want(_Wish(machine)).is_done.wait(_SHOW_TIMEOUT_S):
+    def show(self, machine: smach.StateMachine, *, label: str) -> None:
+        """Show a machine under a label; returns when it is seen, or when that takes too long."""
+        if not self._want(_Wish(machine, label)).is_done.wait(_SHOW_TIMEOUT_S):
             rospy.logwarn_throttle(30.0, "smach_viewer sees nothing: the master does not answer")
 
     def hide(self) -> None:
@@ -63,7 +64,7 @@ class Introspection:
                     viewer = None
                 # What was wanted before, while the master hung, has ended.
                 if wish.machine is not None and wish is self._last:
-                    viewer = smach_ros.IntrospectionServer("executor", wish.machine, "/PROCEDURE")
+                    viewer = smach_ros.IntrospectionServer("executor", wish.machine, f"/{wish.label}")
                     viewer.start()
             except Exception as fault:  # boundary: nothing that only looks on may keep a command from running
                 rospy.logwarn("smach_viewer will see nothing: %s: %s", type(fault).__name__, fault)

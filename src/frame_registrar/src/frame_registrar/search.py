@@ -10,7 +10,7 @@ from frame_registrar.filling import Unfillable, fill, words
 from frame_registrar.graph import FrameGraph
 from frame_registrar.realisation import Frames, Realiser, Refusal
 
-__all__ = ["Argument", "Candidate", "Reading", "Refusal", "search"]
+__all__ = ["Argument", "Candidate", "Reading", "Refusal", "combinations", "search"]
 
 
 @dataclass(frozen=True)
@@ -49,12 +49,12 @@ class Reading:
 
 @dataclass(frozen=True)
 class Candidate:
-    """Frames that, carried out in this order, do what was said; each names its server.
+    """Frames that, carried out in this order, do what a clause says; each names its server.
 
     Attributes:
         frames: at least one
-        coverage: smallest coverage of the readings that it comes from
-        preference: how the sentence was read; every candidate of 0 is to be tried before those of 1
+        coverage: of the reading that it comes from
+        preference: of that reading; every candidate of 0 is to be tried before those of 1
     """
 
     frames: Frames
@@ -71,46 +71,39 @@ _NOTHING_UNDERSTOOD = Refusal("NO_READING", "I understood nothing that I could d
 
 def search(
     graph: FrameGraph, clauses: Sequence[Sequence[Reading]], *, max_candidates: int
-) -> Union[Tuple[Candidate, ...], Refusal]:
-    """Find every way to carry out the clauses of a sentence, one after the other.
+) -> Union[Tuple[Tuple[Candidate, ...], ...], Refusal]:
+    """Find every way to carry out each clause of a sentence.
 
     Args:
         graph: frames and servers
         clauses: in the order in which they are to be done; the readings of each are alternatives
-        max_candidates: the search ends when so many are found
+        max_candidates: the search for a clause ends when so many are found
     Returns:
-        candidates, those of the likeliest reading first; a refusal when there is none
+        candidates of each clause, those of the likeliest reading first; a refusal when a clause has none
     """
     realiser = Realiser(graph)
-    by_clause: List[List[Candidate]] = []
+    by_clause: List[Tuple[Candidate, ...]] = []
     for readings in clauses:
         found = _of_clause(realiser, readings, max_candidates)
         if isinstance(found, Refusal):
             return found
         by_clause.append(found)
-    combinations = list(islice(product(*by_clause), max_candidates)) if by_clause else []
-    if not combinations:
-        return _NOTHING_UNDERSTOOD
-    read_as = [tuple(candidate.preference for candidate in combination) for combination in combinations]
-    preferences = {preferences: number for number, preferences in enumerate(sorted(set(read_as)))}
-    candidates = [
-        Candidate(
-            frames=tuple(frame for candidate in combination for frame in candidate.frames),
-            coverage=min(candidate.coverage for candidate in combination),
-            preference=preferences[preference],
-        )
-        for combination, preference in zip(combinations, read_as)
-    ]
-    return tuple(sorted(candidates, key=_order))
+    return tuple(by_clause) or _NOTHING_UNDERSTOOD
 
 
-def _order(of: Union[Reading, Candidate]) -> Tuple[int, float]:
-    return of.preference, -of.coverage
+def combinations(by_clause: Sequence[Sequence[Candidate]], most: int) -> Tuple[Frames, ...]:
+    """Return what 2012 published: sequences of frames that do all clauses, so many at most."""
+    products = islice(product(*by_clause), most)
+    return tuple(tuple(frame for candidate in found for frame in candidate.frames) for found in products)
+
+
+def _order(reading: Reading) -> Tuple[int, float]:
+    return reading.preference, -reading.coverage
 
 
 def _of_clause(
     realiser: Realiser, readings: Sequence[Reading], max_candidates: int
-) -> Union[List[Candidate], Refusal]:
+) -> Union[Tuple[Candidate, ...], Refusal]:
     """Find the ways to carry out one clause, the likeliest reading first, none of them twice."""
     found: Dict[Frames, Candidate] = {}
     refusals: List[Refusal] = []
@@ -133,11 +126,11 @@ def _of_clause(
                 is_realised = True
                 found.setdefault(frames, Candidate(frames, reading.coverage, reading.preference))
                 if len(found) >= max_candidates:
-                    return list(found.values())
+                    return tuple(found.values())
             if not is_realised:
                 refusals += realiser.why_not(filled)
     if found:
-        return list(found.values())
+        return tuple(found.values())
     if realiser.is_cut:
         return Refusal("TOO_MANY_CANDIDATES", "There are more ways to do that than I can look at, and none works so far.")
     # min() keeps the first of equals: the likeliest reading.

@@ -5,6 +5,7 @@ import json
 import sys
 from typing import List
 
+from frame_registrar.search import Candidate
 from roboframenet_tools.drawing import draw_arcs, svg_arcs
 from roboframenet_tools.understanding import (
     Knowledge,
@@ -90,6 +91,13 @@ def _knowledge(arguments: argparse.Namespace) -> Knowledge:
     return knowledge
 
 
+def _steps(candidate: Candidate) -> str:
+    return ", then ".join(
+        f"{frame.name}({', '.join(f'{name}={text}' for name, text in frame.arguments)}) on {frame.server}"
+        for frame in candidate.frames
+    )
+
+
 def describe(understanding: Understanding) -> str:
     """Return the explanation for a person."""
     lines = [understanding.text.strip(), ""]
@@ -116,12 +124,13 @@ def describe(understanding: Understanding) -> str:
     for reading in understanding.descriptions:
         elements = ", ".join(f"{value.name}={value.argument}" for value in reading.values)
         lines.append(f"said on the way: {reading.unit.frame_name}({elements})")
-    for number, candidate in enumerate(understanding.candidates, start=1):
-        steps = ", then ".join(
-            f"{frame.name}({', '.join(f'{name}={text}' for name, text in frame.arguments)}) on {frame.server}"
-            for frame in candidate.frames
-        )
-        lines.append(f"{'would run' if number == 1 else 'otherwise'}: {steps}")
+    for number, (reading, candidates) in enumerate(zip(understanding.readings, understanding.candidates), start=1):
+        if len(understanding.candidates) > 1:
+            lines.append(f'clause {number}, "{reading.words}"')
+        lines += [
+            f"{'otherwise' if is_behind else 'would run'}: {_steps(candidate)}"
+            for is_behind, candidate in enumerate(candidates)
+        ]
     reply = understanding.reply
     lines.append(f"reply: {reply.outcome.lower().replace('_', ' ')} [{reply.code}] {reply.sentence}")
     return "\n".join(lines)

@@ -23,7 +23,7 @@ from stanford_parser_ros.model import Parser, UnparsableText, shipped_model_dir
 from stanford_parser_ros.tree import DependencyTree
 
 #: Refusals after which no frame is reported: the person said not to do it, or not at once.
-_NOTHING_MEANT = frozenset(["NEGATED", "CONDITION"])
+_NOTHING_MEANT = frozenset(["NEGATED", "CORRECTION", "DECLINED", "CONDITION"])
 
 
 @dataclass(frozen=True)
@@ -62,7 +62,7 @@ class Understanding:
         attempts: units tried, by clause
         readings: the best reading of each clause that has one
         descriptions: what is said of things on the way, and is no step
-        candidates: sequences of frames that would be tried, the first first
+        candidates: of each clause, sequences of frames that would be tried, the first first
         reply: what the person would hear
     """
 
@@ -70,7 +70,7 @@ class Understanding:
     tree: Optional[DependencyTree]
     attempts: Tuple[Tuple[Attempt, ...], ...]
     readings: Tuple[Reading, ...]
-    candidates: Tuple[registrar.Candidate, ...]
+    candidates: Tuple[Tuple[registrar.Candidate, ...], ...]
     reply: Reply
     descriptions: Tuple[Reading, ...] = ()
 
@@ -167,7 +167,7 @@ class Pipeline:
         Args:
             knowledge: frames (with their servers) and units
             parser: None for the models that are shipped
-            max_candidates: so many sequences are looked for
+            max_candidates: so many sequences are looked for in each clause
         Raises:
             ModelError: the models cannot be loaded
         """
@@ -215,7 +215,7 @@ class Pipeline:
         if isinstance(found, registrar.Refusal):
             kind = "NEEDS_INFORMATION" if found.code == "MISSING_ELEMENT" else "REFUSED"
             return Understanding(text, tree, attempts, readings, (), Reply(kind, found.code, found.sentence), said)
-        first = ", then ".join(f"{frame.name} on {frame.server}" for frame in found[0].frames)
+        first = ", then ".join(f"{frame.name} on {frame.server}" for ways in found for frame in ways[0].frames)
         return Understanding(text, tree, attempts, readings, found, Reply("DONE", "DONE", f"I would do {first}."), said)
 
     def understand_safely(self, text: str) -> Understanding:
@@ -258,7 +258,7 @@ class Pipeline:
 
     def _search(
         self, clauses: Tuple[Tuple[Reading, ...], ...]
-    ) -> Union[Tuple[registrar.Candidate, ...], registrar.Refusal]:
+    ) -> Union[Tuple[Tuple[registrar.Candidate, ...], ...], registrar.Refusal]:
         return registrar.search(
             self.knowledge.graph,
             [

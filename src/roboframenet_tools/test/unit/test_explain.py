@@ -40,11 +40,20 @@ def test_what_is_said_on_the_way_is_no_step(pipeline):
         ("bringing", False),
         ("being_located", True),
     ]
-    assert {step.name for candidate in understanding.candidates for step in candidate.frames}.isdisjoint(
-        {"being_located"}
-    )
+    steps = [step for candidates in understanding.candidates for candidate in candidates for step in candidate.frames]
+    assert "being_located" not in [step.name for step in steps]
     assert "said on the way: being_located(theme=that, location=the bathroom)" in describe(understanding)
     assert to_json(pipeline.understand("Don't bring me the towel that is in the bathroom."))["frames"] == []
+
+
+def test_each_clause_has_its_own_candidates(pipeline):
+    understanding = pipeline.understand("Take the mug, then go to the kitchen.")
+    assert [[step.name for step in candidates[0].frames] for candidates in understanding.candidates] == [
+        ["taking"], ["navigating_to_location"]
+    ]
+    explanation = describe(understanding)
+    assert 'clause 1, "Take the mug"\nwould run: taking(theme=the mug) on taking\notherwise: grasping' in explanation
+    assert 'clause 2, "go to the kitchen"\nwould run: navigating_to_location(goal=the kitchen)' in explanation
 
 
 def test_negated_command_reaches_no_frame(pipeline):

@@ -11,6 +11,7 @@ from semantic_framer.answers import answer, question_of
 from semantic_framer.asides import with_asides, with_opening_aside
 from semantic_framer.choices import choices_of_clauses, chosen, question_of_choices
 from semantic_framer.clauses import CONDITIONS, WRAPPERS, Clause, find_clauses, whole_sentence
+from semantic_framer.corrections import CORRECTION, DECLINED, PROHIBITION, code_of, is_objection, without_objection
 from semantic_framer.dialogue import Choice, Context, Pending, is_no
 from semantic_framer.lexicon import Lexicon
 from semantic_framer.matching import Reading
@@ -110,7 +111,34 @@ def read(
     Returns:
         what came of it, and what is to be remembered
     """
-    context = context.at(now_s)
+    outcome, after = _read(without_objection(tree, lexicon), lexicon, frames, context.at(now_s), policy, now_s)
+    return _against_what_runs(outcome, tree), after
+
+
+def _against_what_runs(outcome: Outcome, tree: DependencyTree) -> Outcome:
+    """Mark what was said against something that runs."""
+    if isinstance(outcome, Question):
+        return replace(outcome, code=CORRECTION) if is_objection(tree) else outcome
+    code = code_of(tree, outcome.code if isinstance(outcome, Refusal) else "")
+    if code == CORRECTION and isinstance(outcome, Refusal) and outcome.code not in ("NO_VERB", PROHIBITION):
+        return replace(outcome, code=CORRECTION)
+    if code == CORRECTION:
+        return Refusal(CORRECTION, "I do not know what you want instead. Say it in a whole sentence.")
+    if code == PROHIBITION and outcome.code != PROHIBITION:
+        return Refusal(PROHIBITION, f'I am not doing that. You said not to: "{tree.text.strip()}".')
+    if code == "NO_READING":
+        return Refusal("NO_READING", f'"{tree.text.strip()}" does not ask me to do anything.')
+    return outcome
+
+
+def _read(
+    tree: DependencyTree,
+    lexicon: Lexicon,
+    frames: Mapping[str, SemanticFrame],
+    context: Context,
+    policy: Policy,
+    now_s: float,
+) -> Tuple[Outcome, Context]:
     meant = prepared(tree, lexicon, frames)
     if not isinstance(meant, Sentence):
         # What was asked before is answered by none of this.
@@ -120,7 +148,7 @@ def read(
     if pending is None:
         return _read_sentence(meant, lexicon, frames, context, policy, now_s)
     if is_no(tree.text):
-        return Refusal("NEGATED", "As you wish: I do nothing."), context
+        return Refusal(DECLINED, "As you wish: I do nothing."), context
     if pending.readings:
         choice = chosen(meant, pending.readings, lexicon)
         sentence = Sentence(_arranged(choice.tree, lexicon, frames)) if choice else meant
@@ -193,7 +221,7 @@ def _offer(
 ) -> Tuple[Union[Refusal, Question], Context]:
     """Let a person choose between readings, or tell one who took everything back that nothing is done."""
     if not choices:
-        return Refusal("NEGATED", "You took that back, so I do nothing."), context
+        return Refusal(DECLINED, "You took that back, so I do nothing."), context
     expires_s = now_s + policy.question_timeout_s
     pending = Pending(clauses=(), clause=0, elements=(), expires_s=expires_s, readings=choices)
     return Question("AMBIGUOUS", question_of_choices(choices)), replace(context, pending=pending)
@@ -277,7 +305,7 @@ def _read_one(
 ) -> Union[Tuple[Reading, ...], Refusal]:
     matches: Tuple[VerbMatch, ...] = match_verbs(sentence, clause, lexicon)
     if clause.is_negated:
-        return Refusal("NEGATED", f'You said not to: "{sentence.text(sorted(clause.positions))}". I do nothing.')
+        return Refusal("NEGATED", f'I am not doing that. You said not to: "{_said(sentence, clause)}".')
     if clause.is_question:
         return Refusal("NO_READING", f'"{_said(sentence, clause)}" is a question, and no command.')
     if not matches and clause.condition:

@@ -3,7 +3,7 @@
 import threading
 import time
 import uuid
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Dict, List, Tuple
 
 import rospy
@@ -18,6 +18,7 @@ from roboframenet_msgs.msg import (
     Lexicon as LexiconMessage,
     Reply,
     SourceFile,
+    StopReport,
 )
 from roboframenet_msgs.srv import AddLexicalUnit, AddLexicalUnitRequest, AddLexicalUnitResponse
 from roboframenet_ros.ros_log import log_from_threads
@@ -79,7 +80,7 @@ class SemanticFramer:
     """Understands one command after the other.
 
     Subscribes:
-        command_parse (CommandParse), frame_catalogue (FrameCatalogue, latched)
+        command_parse (CommandParse), frame_catalogue (FrameCatalogue, latched), stop_report (StopReport)
     Publishes:
         command_lexical_units (CommandLexicalUnits), filled_lexical_units (FilledLexicalUnitList), lexicon (Lexicon, latched),
         file_problems (FileProblems, latched), stage_events (StageEvent)
@@ -95,6 +96,7 @@ class SemanticFramer:
         self._frames: Dict[str, SemanticFrame] = {}
         self._frame_of_file: Dict[Tuple[str, str], SemanticFrame] = {}
         self._context = Context()
+        self._context_stamp = self._stop_stamp = rospy.Time()
         self._id = uuid.uuid4().hex
         self._units = rospy.Publisher("command_lexical_units", CommandLexicalUnits, queue_size=100)
         self._units_2012 = rospy.Publisher("filled_lexical_units", FilledLexicalUnitList, queue_size=100)
@@ -108,6 +110,7 @@ class SemanticFramer:
         self._subscribers = [
             rospy.Subscriber("frame_catalogue", FrameCatalogue, self._on_catalogue, queue_size=1),
             rospy.Subscriber("command_parse", CommandParse, self._on_command, queue_size=100),
+            rospy.Subscriber("stop_report", StopReport, self._on_stop, queue_size=100),
         ]
         self._service = rospy.Service("add_lexical_unit", AddLexicalUnit, self._on_add_lexical_unit)
         rospy.loginfo(
@@ -166,10 +169,17 @@ class SemanticFramer:
             self._frames = {frame.name: frame for frame in of_file.values()}
             self._lock.notify_all()
 
+    def _on_stop(self, report: StopReport) -> None:
+        """A question that was open when somebody said stop is not answered by what is said later."""
+        with self._lock:
+            self._stop_stamp = report.stop_stamp
+            if self._context_stamp <= report.stop_stamp:
+                self._context = replace(self._context, pending=None)
+
     def _on_command(self, message: CommandParse) -> None:
         try:
             tree = to_tree(message.command.text, message.words)
-            outcome = self._read(tree)
+            outcome = self._read(tree, message.command.stamp)
         except Exception as error:  # boundary: whatever fails here, the command gets its reply
             rospy.logerr("cmd=%s failed", message.command.id, exc_info=True)
             self._end(
@@ -186,7 +196,7 @@ class SemanticFramer:
         else:
             self._pass_on(message, outcome, Sentence(tree))
 
-    def _read(self, tree: DependencyTree) -> Outcome:
+    def _read(self, tree: DependencyTree, stamp: rospy.Time) -> Outcome:
         end = time.monotonic() + CATALOGUE_DELAY_S
         with self._lock:
             while True:
@@ -206,7 +216,10 @@ class SemanticFramer:
                         lambda: self._frames is not frames, timeout=max(0.0, end - time.monotonic())
                     )
                 ):
-                    self._context = context
+                    # A clock that was set back makes all stamps early; a command that is stopped already asks nothing.
+                    is_stopped = stamp <= self._stop_stamp <= rospy.Time.now() and not self._stop_stamp.is_zero()
+                    self._context = replace(context, pending=None) if is_stopped else context
+                    self._context_stamp = stamp
                     return outcome
 
     def _pass_on(self, message: CommandParse, understood: Understood, sentence: Sentence) -> None:

@@ -13,7 +13,7 @@ from semantic_framer.matching import Reading, read_clause
 from semantic_framer.mending import DEGREES
 from semantic_framer.ranking import rank, without_dominated, without_duplicates
 from semantic_framer.references import NO_THINGS, PLACES
-from semantic_framer.sentence import Sentence
+from semantic_framer.sentence import HARMLESS, Sentence
 from semantic_framer.values import ElementValue
 
 #: Phrases of their own below a noun: "a left *at the door*".
@@ -21,6 +21,8 @@ _PHRASES = frozenset(["nmod", "obl", "acl", "advcl", "appos"])
 #: Which of several is meant: "the *second* left".
 _CHOOSING = frozenset(["amod", "nummod"])
 _SIDES = frozenset(["left", "right"])
+#: Join a clause to the one before it: "go to the kitchen *to* get the mug".
+_JOINING = frozenset(["and", "to"])
 INDEFINITE_ARTICLES = frozenset(["a", "an", "some"])
 
 
@@ -58,11 +60,26 @@ def readings_of(
         )
     )
     listed = frozenset().union(*(reading.listed for reading in kept))
+    words = _words(sentence, clause)
     judged = (
-        replace(reading, unlikely=_unlikely(sentence, reading, listed, frames[reading.unit.frame_name]))
+        replace(reading, unlikely=_unlikely(sentence, reading, listed, frames[reading.unit.frame_name]), words=words)
         for reading in without_dominated(kept)
     )
     return tuple(sorted(judged, key=rank))
+
+
+def _words(sentence: Sentence, clause: Clause) -> str:
+    """Return the words of a clause, without what joins it to the one before and what is said around it."""
+    around = sentence.abandoned | sentence.fillers
+    said = [
+        index
+        for index in sorted(clause.positions)
+        if index in sentence.quoted
+        or (index not in around and sentence.word(index).deprel not in ("punct", "cc", "discourse", "vocative"))
+    ]
+    while said and said[0] != clause.verb and sentence.word(said[0]).form.lower() in HARMLESS | _JOINING:
+        del said[0]
+    return sentence.text(said)
 
 
 def _unlikely(sentence: Sentence, reading: Reading, listed: FrozenSet[int], frame: SemanticFrame) -> int:

@@ -19,7 +19,10 @@ from semantic_framer.values import ElementValue
 def to_clauses(clauses: Sequence[Tuple[Reading, ...]], sentence: Sentence) -> Sequence[Clause]:
     """Return readings as messages."""
     return [
-        Clause(readings=[_reading(reading, sentence, preference) for preference, reading in enumerate(readings)])
+        Clause(
+            words=readings[0].words,
+            readings=[_reading(reading, sentence, preference) for preference, reading in enumerate(readings)],
+        )
         for readings in clauses
     ]
 

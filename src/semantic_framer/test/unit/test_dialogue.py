@@ -147,7 +147,7 @@ def test_what_several_readings_have_in_common_is_asked_once() -> None:
 
 def test_no_ends_a_question() -> None:
     _, declined, late = hear(MOVE, "1 no no INTJ UH _ 0 root _ _", TWO_METRES)
-    assert isinstance(declined, Refusal) and declined.code == "NEGATED"
+    assert isinstance(declined, Refusal) and declined.code == "DECLINED"
     assert isinstance(late, Refusal)
 
 

@@ -133,3 +133,27 @@ def test_order_does_not_depend_on_the_order_of_the_files(parser: Any, lexicon: L
 def test_taking_is_only_taking(understand: Any) -> None:
     outcome, _ = understand("take the box")
     assert [reading.unit.frame_name for reading in outcome.clauses[0]] == ["taking"]
+
+
+@pytest.mark.parametrize(
+    "text, words",
+    [
+        ("Turn left 120 degrees.", ["Turn left 120 degrees"]),
+        ("Go to the kitchen, then turn left and say hello.", ["Go to the kitchen", "turn left", "say hello"]),
+        ("go to the office and then to the kitchen", ["go to the office", "go to the kitchen"]),
+        ("Could you please take the mug and bring it to me?", ["take the mug", "bring it to me"]),
+        ("uh turn left no right", ["turn right"]),
+        ("go to the kitchen to get the mug", ["go to the kitchen", "get the mug"]),
+        ("robot, go near the tv and switch it off please", ["go near the tv", "switch it off"]),
+    ],
+)
+def test_words_of_each_clause(understand: Any, text: str, words: List[str]) -> None:
+    outcome, _ = understand(text)
+    assert isinstance(outcome, Understood), outcome
+    assert [readings[0].words for readings in outcome.clauses] == words
+
+
+def test_clause_that_was_asked_about_keeps_its_words(understand: Any) -> None:
+    _, context = understand("Go to the kitchen and move forward.")
+    outcome, _ = understand("two feet", context)
+    assert [readings[0].words for readings in outcome.clauses] == ["Go to the kitchen", "move forward"]
