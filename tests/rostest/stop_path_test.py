@@ -151,6 +151,7 @@ class StopPathTest(unittest.TestCase):
             message.candidates.frame_lists.append(FilledSemanticFrameList(frames=[
                 FilledSemanticFrame(name=server, action_server_topics=[server], frame_elements=elements)]))
             message.coverage.append(1.0)
+            message.preference.append(0)
         cls.frames.publish(message)
 
     def setUp(self) -> None:
