@@ -133,7 +133,7 @@ def describe(understanding: Understanding) -> str:
     lines += [f"said on the way: {reading}" for reading in understanding.descriptions]
     for number, (reading, candidates) in enumerate(zip(understanding.readings, understanding.candidates), start=1):
         if len(understanding.candidates) > 1:
-            lines.append(f'clause {number}, "{reading.words}"')
+            lines.append(f'clause {number}, "{reading.clause_text}"')
         lines += [
             f"{'otherwise' if is_behind else 'would run'}: {_steps(candidate)}"
             for is_behind, candidate in enumerate(candidates)

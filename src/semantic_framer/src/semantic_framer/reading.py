@@ -43,7 +43,7 @@ class Reading:
         coverage: share of the content words that the reading accounts for, 0 to 1
         listed: words that the unit lists for its elements, by position: "low five"
         unlikely: how many words fill an element that they are hardly meant for
-        words: of the clause, as they were said
+        clause_text: the words of the clause, as they were said
     """
 
     unit: LexicalUnit
@@ -55,7 +55,7 @@ class Reading:
     coverage: float
     listed: FrozenSet[int] = frozenset()
     unlikely: int = 0
-    words: str = ""
+    clause_text: str = ""
 
     @property
     def said(self) -> FrozenSet[Tuple[str, str]]:

@@ -101,15 +101,15 @@ def plausible_readings(case: ClauseCase, trace: Optional[Trace] = None) -> Tuple
     )
     plausible = drop(PLAUSIBILITY, case, readings, readings, trace)
     listed = frozenset().union(*(reading.listed for reading in plausible))
-    words = _words(case.sentence.tree, case.clause)
+    text = _clause_text(case.sentence.tree, case.clause)
     judged = (
-        replace(reading, unlikely=_unlikely(case, reading, listed), words=words)
+        replace(reading, unlikely=_unlikely(case, reading, listed), clause_text=text)
         for reading in drop(DOMINATED, case, plausible, plausible, trace)
     )
     return tuple(sorted(judged, key=rank))
 
 
-def _words(tree: DependencyTree, clause: Clause) -> str:
+def _clause_text(tree: DependencyTree, clause: Clause) -> str:
     """Return the words of a clause, without what joins it to the one before and what is said around it."""
     around = tree.abandoned | tree.fillers
     said = [

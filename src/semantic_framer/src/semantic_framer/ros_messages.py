@@ -20,7 +20,7 @@ def to_clauses(clauses: Sequence[Tuple[Reading, ...]], tree: DependencyTree) -> 
     """Return readings as messages."""
     return [
         Clause(
-            words=readings[0].words,
+            words=readings[0].clause_text,
             readings=[_reading(reading, tree, preference) for preference, reading in enumerate(readings)],
         )
         for readings in clauses

@@ -150,10 +150,10 @@ def test_taking_is_only_taking(understand: Any) -> None:
 def test_words_of_each_clause(understand: Any, text: str, words: List[str]) -> None:
     outcome, _ = understand(text)
     assert isinstance(outcome, Understood), outcome
-    assert [readings[0].words for readings in outcome.clauses] == words
+    assert [readings[0].clause_text for readings in outcome.clauses] == words
 
 
 def test_clause_that_was_asked_about_keeps_its_words(understand: Any) -> None:
     _, context = understand("Go to the kitchen and move forward.")
     outcome, _ = understand("two feet", context)
-    assert [readings[0].words for readings in outcome.clauses] == ["Go to the kitchen", "move forward"]
+    assert [readings[0].clause_text for readings in outcome.clauses] == ["Go to the kitchen", "move forward"]
