@@ -1,0 +1,64 @@
+"""What the launch files say of their arguments is what there is."""
+
+import os
+import re
+import subprocess
+from pathlib import Path
+from typing import Dict, Set
+from xml.etree import ElementTree
+
+from arbitrator.policy import POLICIES
+
+REPOSITORY = Path(os.path.realpath(__file__)).parents[2]
+BRINGUP = REPOSITORY / "src" / "roboframenet_bringup"
+ROBOTS = {path.stem for path in (BRINGUP / "launch" / "robots").glob("*.launch")}
+
+
+def meanings(launch_file: str) -> Dict[str, str]:
+    """Return what a launch file says of each of its arguments."""
+    root = ElementTree.parse(str(BRINGUP / "launch" / launch_file)).getroot()
+    return {argument.attrib["name"]: argument.attrib.get("doc", "") for argument in root.findall("arg")}
+
+
+def readme_meanings() -> Dict[str, str]:
+    """Return what the README says of each argument of robot.launch."""
+    rows = re.findall(r"^\| `(\w+)` \|.*\| ([^|]+) \|$", (BRINGUP / "README.md").read_text(encoding="utf-8"), re.MULTILINE)
+    return dict(rows)
+
+
+def listed(text: str) -> Set[str]:
+    """Return the names behind the colon: "which robot: pr2 or turtlebot"."""
+    return set(re.split(r", | or ", text.split(": ", 1)[1]))
+
+
+def run_robot(name: str) -> "subprocess.CompletedProcess[str]":
+    """Start a robot as ``make run`` does."""
+    return subprocess.run(
+        [str(REPOSITORY / "scripts" / "run"), f"robot:={name}"],
+        stdout=subprocess.PIPE,
+        stderr=subprocess.PIPE,
+        universal_newlines=True,
+        timeout=60,
+        check=False,
+    )
+
+
+def test_every_policy_is_listed_and_none_that_is_gone() -> None:
+    known = set(POLICIES) | {"package.module:ClassName"}
+    assert listed(meanings("robot.launch")["policy"]) == listed(readme_meanings()["policy"]) == known
+
+
+def test_every_robot_is_listed() -> None:
+    assert ROBOTS
+    assert listed(meanings("robot.launch")["robot"]) == listed(readme_meanings()["robot"]) == ROBOTS
+
+
+def test_readme_lists_the_arguments_of_the_launch_file() -> None:
+    assert readme_meanings() == meanings("robot.launch")
+
+
+def test_an_unknown_robot_is_refused_with_the_names_of_those_there_are() -> None:
+    ended = run_robot("pepper")
+    assert ended.returncode == 2
+    assert "no robot 'pepper'" in ended.stderr
+    assert all(robot in ended.stderr for robot in ROBOTS)
