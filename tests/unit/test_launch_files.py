@@ -22,7 +22,9 @@ def meanings(launch_file: str) -> Dict[str, str]:
 
 def readme_meanings() -> Dict[str, str]:
     """Return what the README says of each argument of robot.launch."""
-    rows = re.findall(r"^\| `(\w+)` \|.*\| ([^|]+) \|$", (BRINGUP / "README.md").read_text(encoding="utf-8"), re.MULTILINE)
+    rows = re.findall(
+        r"^\| `(\w+)` \|.*\| ([^|]+) \|$", (BRINGUP / "README.md").read_text(encoding="utf-8"), re.MULTILINE
+    )
     return dict(rows)
 
 

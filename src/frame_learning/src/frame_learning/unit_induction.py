@@ -7,15 +7,14 @@ kind (to: into, towards; from: out of, off), so that ten sentences say something
 
 from collections import Counter, defaultdict
 from dataclasses import dataclass, field
-from typing import Callable
+from typing import Callable, Dict, FrozenSet, Iterable, List, Mapping, Optional, Sequence, Set, Tuple
 from typing import Counter as CounterType
-from typing import Dict, FrozenSet, Iterable, List, Mapping, Optional, Sequence, Set, Tuple
 
-from roboframenet_tools.annotated_sentences import AnnotatedSentence
-from roboframenet_tools.lessons import PORTALS, Lesson, lesson_of
+from frame_learning.annotated_sentences import AnnotatedSentence
+from frame_learning.evidence import PORTALS, Lesson, lesson_of
+from semantic_framer.sentence import Sentence
 from semantic_frames.frame import SemanticFrame
 from semantic_frames.relation_names import MEASURE
-from semantic_framer.sentence import Sentence
 from stanford_parser_ros.tree import DependencyTree
 
 #: Prepositions that say the same of a frame element; one of a group stands for all of it.
@@ -43,7 +42,7 @@ _NEARLY_ALWAYS = 0.8
 
 @dataclass
 class LearnedUnit:
-    """A unit that is being put together; written by :func:`.learned_files.to_yaml`.
+    """A unit that is being put together; written by :func:`.unit_files.to_yaml`.
 
     Attributes:
         frame_name: the frame that it evokes

@@ -4,15 +4,15 @@ import json
 
 import pytest
 
-from roboframenet_tools import score as score_command
-from roboframenet_tools.corpus import AnnotatedElement, AnnotatedFrame, CorpusError, command_of, positions_at
-from roboframenet_tools.corpus_mapping import CorpusMapping, load_mapping, shipped_mapping
-from roboframenet_tools.huric_corpus import read_huric
-from roboframenet_tools.metrics import Answer, score
-from roboframenet_tools.score import to_json
-from roboframenet_tools.scoring import answer, answer_2012
-from roboframenet_tools.scout_corpus import read_scout, without_remarks
-from roboframenet_tools.tage_corpus import read_tage
+from frame_learning import score_command
+from frame_learning.annotated_commands import AnnotatedElement, AnnotatedFrame, CorpusError, command_of, positions_at
+from frame_learning.corpus_answers import answer, answer_2012
+from frame_learning.corpus_mapping import CorpusMapping, load_mapping, shipped_mapping
+from frame_learning.huric_corpus import read_huric
+from frame_learning.metrics import Answer, score
+from frame_learning.score_command import to_json
+from frame_learning.scout_corpus import read_scout, without_remarks
+from frame_learning.tage_corpus import read_tage
 from roboframenet_tools.understanding import Pipeline, load_knowledge, pretend_servers, shipped_domains
 from semantic_frames import FileRefused
 

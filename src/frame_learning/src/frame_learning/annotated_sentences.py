@@ -15,8 +15,8 @@ from typing import Dict, Iterable, List, Mapping, Optional, Sequence, Tuple
 
 import yaml
 
-from roboframenet_tools.corpus import AnnotatedCommand, AnnotatedElement, AnnotatedFrame
-from roboframenet_tools.corpus_mapping import CorpusMapping
+from frame_learning.annotated_commands import AnnotatedCommand, AnnotatedElement, AnnotatedFrame
+from frame_learning.corpus_mapping import CorpusMapping
 from semantic_frames.frame import SemanticFrame
 from semantic_frames.lexical_unit import LexicalUnit
 from semantic_frames.marked_yaml import Reader, line_of

@@ -7,12 +7,12 @@ negations, conditions, prepositional phrases that hang elsewhere.
 
 from typing import List, Mapping, Tuple
 
-from roboframenet_tools.corpus_mapping import CorpusMapping
+from frame_learning.corpus_mapping import CorpusMapping
+from semantic_framer.lexicon import Lexicon
+from semantic_framer.sentence import Sentence
 from semantic_frames.frame import SemanticFrame
 from semantic_frames.lexical_unit import ElementRelation, LexicalUnit
 from semantic_frames.relation_names import MEASURE
-from semantic_framer.lexicon import Lexicon
-from semantic_framer.sentence import Sentence
 from stanford_parser_ros.tree import DependencyTree
 
 #: A frame with the position of its verb, and the position of the word that fills each element.

@@ -5,7 +5,7 @@ from dataclasses import dataclass
 from typing import Counter as CounterType
 from typing import Dict, Iterable, List, Mapping, Optional, Sequence, Tuple
 
-from roboframenet_tools.corpus import AnnotatedCommand, AnnotatedFrame
+from frame_learning.annotated_commands import AnnotatedCommand, AnnotatedFrame
 
 #: Stands for a frame that is not there in a row or column of the confusion.
 NOTHING = "(none)"

@@ -3,12 +3,12 @@
 from dataclasses import dataclass
 from typing import Dict, FrozenSet, List, Mapping, Optional, Sequence, Set, Tuple
 
-from roboframenet_tools.annotated_sentences import AnnotatedSentence, Span
-from semantic_frames.frame import SemanticFrame
-from semantic_frames.relation_names import MEASURE
+from frame_learning.annotated_sentences import AnnotatedSentence, Span
 from semantic_framer.attachment import is_side_of_something, places_before
 from semantic_framer.matching import DIRECTIONAL
 from semantic_framer.sentence import Sentence
+from semantic_frames.frame import SemanticFrame
+from semantic_frames.relation_names import MEASURE
 
 #: What closes an opening, beside what is opened: "open the door", "open the jar".
 PORTALS = ("door", "window", "gate", "hatch", "lid", "shutter", "curtain")

@@ -7,7 +7,13 @@ import xml.etree.ElementTree as ElementTree
 from pathlib import Path
 from typing import List, Tuple
 
-from roboframenet_tools.corpus import AnnotatedCommand, AnnotatedElement, AnnotatedFrame, CorpusError, command_of
+from frame_learning.annotated_commands import (
+    AnnotatedCommand,
+    AnnotatedElement,
+    AnnotatedFrame,
+    CorpusError,
+    command_of,
+)
 
 
 def read_huric(folder: str) -> Tuple[AnnotatedCommand, ...]:

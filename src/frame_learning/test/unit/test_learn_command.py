@@ -4,11 +4,11 @@ from pathlib import Path
 
 import pytest
 
-from roboframenet_tools import learn as learn_command
-from roboframenet_tools.annotated_sentences import read_sentences, sentences_of
+from frame_learning import learn_command
+from frame_learning.annotated_commands import AnnotatedElement, AnnotatedFrame, command_of
+from frame_learning.annotated_sentences import read_sentences, sentences_of
+from frame_learning.corpus_mapping import load_mapping, shipped_mapping
 from roboframenet_tools.check import Examples, example_problems, find_problems, load_paths
-from roboframenet_tools.corpus import AnnotatedElement, AnnotatedFrame, command_of
-from roboframenet_tools.corpus_mapping import load_mapping, shipped_mapping
 from roboframenet_tools.understanding import Pipeline, load_knowledge, pretend_servers, shipped_domains
 from semantic_frames import FileRefused
 from semantic_frames.source_files import LEXICAL_UNITS_FOLDER

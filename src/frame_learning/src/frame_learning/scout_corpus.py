@@ -8,7 +8,7 @@ import re
 from pathlib import Path
 from typing import List, Tuple
 
-from roboframenet_tools.corpus import CorpusError
+from frame_learning.annotated_commands import CorpusError
 
 
 def read_scout(folder: str) -> Tuple[str, ...]:

@@ -3,10 +3,10 @@
 import time
 from typing import Dict, FrozenSet, Iterable, List, Tuple
 
-from roboframenet_tools.behaviour_2012 import understand_2012
-from roboframenet_tools.corpus import AnnotatedCommand, AnnotatedElement, AnnotatedFrame, positions_at
-from roboframenet_tools.corpus_mapping import CorpusMapping
-from roboframenet_tools.metrics import Answer
+from frame_learning.annotated_commands import AnnotatedCommand, AnnotatedElement, AnnotatedFrame, positions_at
+from frame_learning.behaviour_2012 import understand_2012
+from frame_learning.corpus_mapping import CorpusMapping
+from frame_learning.metrics import Answer
 from roboframenet_tools.understanding import Pipeline, to_json
 from semantic_frames.frame import SemanticFrame
 from stanford_parser_ros.model import UnparsableText

@@ -9,7 +9,13 @@ import re
 from pathlib import Path
 from typing import Dict, List, Tuple
 
-from roboframenet_tools.corpus import AnnotatedCommand, AnnotatedElement, AnnotatedFrame, CorpusError, command_of
+from frame_learning.annotated_commands import (
+    AnnotatedCommand,
+    AnnotatedElement,
+    AnnotatedFrame,
+    CorpusError,
+    command_of,
+)
 
 _PART = re.compile(r"\s*(\d+)\s+(\d+)\s+([A-Za-z_]+)")
 

@@ -7,15 +7,15 @@ from collections import Counter
 from typing import Callable, Dict, List, Sequence, Tuple
 
 from command_server.stop_words import is_stop
-from roboframenet_tools.annotated_sentences import sentences_of
-from roboframenet_tools.corpus import AnnotatedCommand, CorpusError
-from roboframenet_tools.corpus_mapping import CorpusMapping, load_mapping, shipped_mapping
-from roboframenet_tools.huric_corpus import read_huric
-from roboframenet_tools.learn import learned_knowledge, lexicon_files
-from roboframenet_tools.metrics import Answer, Score, is_exact, score
-from roboframenet_tools.scoring import answer, answer_2012
-from roboframenet_tools.scout_corpus import read_scout, without_remarks
-from roboframenet_tools.tage_corpus import read_tage
+from frame_learning.annotated_commands import AnnotatedCommand, CorpusError
+from frame_learning.annotated_sentences import sentences_of
+from frame_learning.corpus_answers import answer, answer_2012
+from frame_learning.corpus_mapping import CorpusMapping, load_mapping, shipped_mapping
+from frame_learning.huric_corpus import read_huric
+from frame_learning.learn_command import learned_knowledge, lexicon_files
+from frame_learning.metrics import Answer, Score, is_exact, score
+from frame_learning.scout_corpus import read_scout, without_remarks
+from frame_learning.tage_corpus import read_tage
 from roboframenet_tools.understanding import Pipeline, load_knowledge, pretend_servers, shipped_domains
 from semantic_frames import FileRefused
 from semantic_frames.source_files import LEXICAL_UNITS_FOLDER

@@ -6,19 +6,19 @@ import sys
 from functools import lru_cache
 from typing import Callable, Dict, List, Mapping, Optional, Sequence, Set, Tuple
 
-from roboframenet_tools.annotated_sentences import AnnotatedSentence, read_sentences, sentences_of
-from roboframenet_tools.corpus import CorpusError
-from roboframenet_tools.corpus_mapping import load_mapping, shipped_mapping
-from roboframenet_tools.huric_corpus import read_huric
-from roboframenet_tools.learned_files import frame_yaml, names_of_new_frames, to_yaml
-from roboframenet_tools.learning import LearnedUnit, learn
-from roboframenet_tools.lessons import Lesson
+from frame_learning.annotated_commands import CorpusError
+from frame_learning.annotated_sentences import AnnotatedSentence, read_sentences, sentences_of
+from frame_learning.corpus_mapping import load_mapping, shipped_mapping
+from frame_learning.evidence import Lesson
+from frame_learning.huric_corpus import read_huric
+from frame_learning.unit_files import frame_yaml, names_of_new_frames, to_yaml
+from frame_learning.unit_induction import LearnedUnit, learn
 from roboframenet_tools.understanding import Knowledge, load_knowledge, load_texts, shipped_domains
+from semantic_framer.framer import Understood, read
+from semantic_framer.lexicon import Lexicon
 from semantic_frames import FileRefused
 from semantic_frames.frame import SemanticFrame
 from semantic_frames.source_files import FRAMES_FOLDER, LEXICAL_UNITS_FOLDER, read_text
-from semantic_framer.framer import Understood, read
-from semantic_framer.lexicon import Lexicon
 from stanford_parser_ros.model import ModelError, Parser, UnparsableText, shipped_model_dir
 from stanford_parser_ros.tree import DependencyTree
 

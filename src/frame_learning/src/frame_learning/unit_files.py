@@ -2,8 +2,8 @@
 
 from typing import Callable, List, Mapping, Sequence, Tuple
 
-from roboframenet_tools.learning import LearnedUnit, core_elements
-from roboframenet_tools.lessons import Lesson
+from frame_learning.evidence import Lesson
+from frame_learning.unit_induction import LearnedUnit, core_elements
 from semantic_frames.frame import SemanticFrame
 
 #: So many examples stand in a file; more make it hard to read.
