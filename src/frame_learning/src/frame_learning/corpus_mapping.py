@@ -49,9 +49,9 @@ class CorpusMapping:
         return None if found == NOT_ANNOTATED else found
 
 
-def shipped_mapping(corpus: str) -> str:
-    """Return the path of the mapping for a corpus ("huric", "tage")."""
-    return os.path.join(str(Path(shipped_domains()).parent), "corpora", f"{corpus}.yaml")
+def shipped_mapping(file_name: str) -> str:
+    """Return the path of a shipped mapping ("huric.yaml")."""
+    return os.path.join(str(Path(shipped_domains()).parent), "corpora", file_name)
 
 
 def load_mapping(path: str) -> CorpusMapping:

@@ -8,9 +8,8 @@ from typing import Callable, Dict, List, Mapping, Optional, Sequence, Set, Tuple
 
 from frame_learning.annotated_commands import CorpusError
 from frame_learning.annotated_sentences import AnnotatedSentence, read_sentences, sentences_of
-from frame_learning.corpus_mapping import load_mapping, shipped_mapping
+from frame_learning.corpora import CORPORA
 from frame_learning.evidence import Lesson
-from frame_learning.huric_corpus import read_huric
 from frame_learning.unit_files import frame_yaml, names_of_new_frames, to_yaml
 from frame_learning.unit_induction import LearnedUnit, learn
 from roboframenet_tools.understanding import Knowledge, load_knowledge, load_texts, shipped_domains
@@ -42,7 +41,8 @@ _MODALS = frozenset("can could may might will would shall should must there".spl
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Declare the arguments of ``rfn learn``."""
     parser.epilog = EXAMPLES
-    parser.add_argument("files", nargs="+", help="files of annotated sentences, or: huric DIR")
+    corpora = ", ".join(f"{name} DIR" for name, corpus in CORPORA.items() if corpus.is_annotated)
+    parser.add_argument("files", nargs="+", help=f"files of annotated sentences, or a corpus: {corpora}")
     parser.add_argument("--out", required=True, metavar="FOLDER", help="where frames and lexical_units are written")
     parser.add_argument("--domains", action="append", metavar="FOLDER", help="known frames (default: shipped)")
 
@@ -52,10 +52,10 @@ def run(arguments: argparse.Namespace) -> int:
     try:
         known = load_knowledge(arguments.domains or [shipped_domains()])
         unexplained: Tuple[str, ...] = ()
-        if arguments.files[0] == "huric" and len(arguments.files) == 2:
-            mapping = load_mapping(shipped_mapping("huric"))
-            commands = read_huric(arguments.files[1])
-            sentences, unexplained = sentences_of(commands, mapping, known.frames, known.lexicon.units)
+        corpus = CORPORA.get(arguments.files[0]) if len(arguments.files) == 2 else None
+        if corpus is not None and corpus.is_annotated:
+            commands = corpus.read(arguments.files[1])
+            sentences, unexplained = sentences_of(commands, corpus.mapping(), known.frames, known.lexicon.units)
         else:
             sentences = tuple(sentence for path in arguments.files for sentence in read_sentences(path))
         parser = Parser(model_dir=shipped_model_dir(), cache_size=10000)

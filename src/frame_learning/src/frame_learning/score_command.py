@@ -9,13 +9,11 @@ from typing import Callable, Dict, List, Sequence, Tuple
 from command_server.stop_words import is_stop
 from frame_learning.annotated_commands import AnnotatedCommand, CorpusError
 from frame_learning.annotated_sentences import sentences_of
+from frame_learning.corpora import CORPORA, PublishedFigures
 from frame_learning.corpus_answers import answer, answer_2012
-from frame_learning.corpus_mapping import CorpusMapping, load_mapping, shipped_mapping
-from frame_learning.huric_corpus import read_huric
+from frame_learning.corpus_mapping import CorpusMapping
 from frame_learning.learn_command import learned_knowledge, lexicon_files
 from frame_learning.metrics import Answer, Score, is_exact, score
-from frame_learning.scout_corpus import read_scout, without_remarks
-from frame_learning.tage_corpus import read_tage
 from roboframenet_tools.understanding import Pipeline, load_knowledge, pretend_servers, shipped_domains
 from semantic_frames import FileRefused
 from semantic_frames.source_files import LEXICAL_UNITS_FOLDER
@@ -29,15 +27,13 @@ EXAMPLES = """examples:
 
 exit status: 0 scored, 2 wrong usage
 """
-READERS = {"huric": read_huric, "tage": read_tage}
-#: What others reached on HuRIC, percent: name, FP, AIC-exact, AIC-head.
-PUBLISHED = {"huric": (("GrUT 2022, fine-tuned, 10-fold", 92.2, 88.4, 93.3),), "tage": ()}
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Declare the arguments of ``rfn score``."""
     parser.epilog = EXAMPLES
-    parser.add_argument("corpus", choices=("huric", "tage", "scout"), help="which corpus")
+    titles = "; ".join(f"{name}: {corpus.title}" for name, corpus in CORPORA.items())
+    parser.add_argument("corpus", choices=tuple(CORPORA), help=titles)
     parser.add_argument("folder", metavar="DIR", help="its folder")
     parser.add_argument("--domains", action="append", metavar="FOLDER", help="frames and units (default: shipped)")
     parser.add_argument(
@@ -45,7 +41,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         type=int,
         default=0,
         metavar="N",
-        help="huric, tage: score each Nth of the commands with units that are learned from the others alone",
+        help="score each Nth of the commands with units that are learned from the others alone",
     )
     parser.add_argument("--json", action="store_true", help="one JSON object")
     parser.add_argument(
@@ -59,25 +55,32 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 def run(arguments: argparse.Namespace) -> int:
     """Score a corpus; return the exit status."""
+    corpus = CORPORA[arguments.corpus]
+    if not corpus.is_annotated and (arguments.folds or arguments.behaviour == "2012"):
+        print(f"rfn score: {corpus.name} has no annotated frames to learn from or to compare with", file=sys.stderr)
+        return 2
     try:
         knowledge = load_knowledge(arguments.domains or [shipped_domains()])
         pretend_servers(knowledge.graph)
-        if arguments.corpus == "scout":
-            lines = read_scout(arguments.folder)
-            return _score_scout(arguments, Pipeline(knowledge), lines)
-        commands = READERS[arguments.corpus](arguments.folder)
-        mapping = load_mapping(shipped_mapping(arguments.corpus))
+        commands = corpus.read(arguments.folder)
+        mapping = corpus.mapping() if corpus.is_annotated else None
         pipeline = Pipeline(knowledge)
     except (CorpusError, FileRefused, ModelError, LookupError) as error:
         print(f"rfn score: {error}", file=sys.stderr)
         return 2
     for problem in knowledge.problems:
         print(problem, file=sys.stderr)
-    return _score_frames(arguments, pipeline, mapping, commands)
+    if mapping is None:
+        return _score_outcomes(arguments, pipeline, commands)
+    return _score_frames(arguments, pipeline, mapping, commands, corpus.published)
 
 
 def _score_frames(
-    arguments: argparse.Namespace, pipeline: Pipeline, mapping: CorpusMapping, commands: Sequence[AnnotatedCommand]
+    arguments: argparse.Namespace,
+    pipeline: Pipeline,
+    mapping: CorpusMapping,
+    commands: Sequence[AnnotatedCommand],
+    published: Sequence[PublishedFigures],
 ) -> int:
     is_old = arguments.behaviour == "2012"
     understand = answer_2012 if is_old else answer
@@ -99,7 +102,7 @@ def _score_frames(
     if not is_old:
         old = [answer_2012(pipeline, mapping, command) for command in commands]
         rows.append(("2012", score(zip(commands, old))))
-    print(table(arguments.corpus, rows))
+    print(table(rows, published))
     return 0
 
 
@@ -155,15 +158,16 @@ def to_json(found: Score) -> Dict[str, object]:
     }
 
 
-def table(corpus: str, rows: Sequence[Tuple[str, Score]]) -> str:
-    """Return the figures for a person: all in one table, then each frame of the first row."""
+def table(rows: Sequence[Tuple[str, Score]], published: Sequence[PublishedFigures] = ()) -> str:
+    """Return the figures for a person: ours and those of others in one table, then each frame of the first row."""
     lines = [("", "FP", "AIC-exact", "AIC-head", "EM", "coverage", "precision", "right", "right heads", "ms/command")]
     for name, found in rows:
         figures = (found.fp, found.aic_exact, found.aic_head, found.em, found.coverage)
         figures += (found.precision_answered, found.right_answered, found.right_answered_heads, found.ms_per_command)
         lines.append((name,) + tuple(f"{figure:.1f}" for figure in figures))
-    for name, *published in PUBLISHED[corpus]:
-        lines.append((name,) + tuple(f"{figure:.1f}" for figure in published) + ("-",) * 6)
+    for others in published:
+        shown = tuple(f"{figure:.1f}" for figure in (others.fp, others.aic_exact, others.aic_head))
+        lines.append((others.name,) + shown + ("-",) * 6)
     frames = [("frame", "annotated", "FP", "AIC-exact", "AIC-head", "taken for")]
     for name, row in rows[0][1].per_frame.items():
         taken = ", ".join(f"{other} {count}" for other, count in sorted(row.taken_for.items()) if other != name)
@@ -196,20 +200,20 @@ def _words(command: AnnotatedCommand, positions: Sequence[int]) -> str:
     return " ".join(command.tokens[position - 1] for position in sorted(positions) if position)
 
 
-def _score_scout(arguments: argparse.Namespace, pipeline: Pipeline, lines: Sequence[str]) -> int:
+def _score_outcomes(arguments: argparse.Namespace, pipeline: Pipeline, commands: Sequence[AnnotatedCommand]) -> int:
+    """Count what comes of commands whose frames nobody annotated."""
     outcomes: List[Tuple[str, str]] = []
     stops = 0
-    for line in lines:
-        spoken = without_remarks(line)
-        if is_stop(spoken):
+    for command in commands:
+        if is_stop(command.text):
             stops += 1
-            outcomes.append((line, "STOP"))
+            outcomes.append((command.text, "STOP"))
             continue
-        reply = pipeline.understand_safely(spoken).reply
-        outcomes.append((line, reply.code if reply.outcome == "FAILED" else reply.outcome))
+        reply = pipeline.understand_safely(command.text).reply
+        outcomes.append((command.text, reply.code if reply.outcome == "FAILED" else reply.outcome))
     counts = Counter(outcome for _, outcome in outcomes)
     result = {
-        "lines": len(lines),
+        "lines": len(commands),
         "answered": counts["DONE"],
         "asked_back": counts["NEEDS_INFORMATION"],
         "refused": counts["REFUSED"],
@@ -218,13 +222,13 @@ def _score_scout(arguments: argparse.Namespace, pipeline: Pipeline, lines: Seque
     }
     if arguments.wrong:
         with open(arguments.wrong, "w", encoding="utf-8") as file:
-            file.writelines(f"{outcome}\t{line}\n" for line, outcome in outcomes)
+            file.writelines(f"{outcome}\t{text}\n" for text, outcome in outcomes)
     if arguments.json:
         print(json.dumps(result))
     else:
         print(
             "\n".join(
-                f"{name.replace('_', ' '):<11} {value:>6}  {100.0 * value / len(lines):5.1f} %"
+                f"{name.replace('_', ' '):<11} {value:>6}  {100.0 * value / len(commands):5.1f} %"
                 for name, value in result.items()
             )
         )

@@ -8,26 +8,29 @@ import re
 from pathlib import Path
 from typing import List, Tuple
 
-from frame_learning.annotated_commands import CorpusError
+from frame_learning.annotated_commands import AnnotatedCommand, CorpusError, command_of
 
 
-def read_scout(folder: str) -> Tuple[str, ...]:
-    """Read every line that a person said, as it was transcribed.
+def read_scout(folder: str) -> Tuple[AnnotatedCommand, ...]:
+    """Read every line that a person said, without the remarks of the transcriber; no frames are annotated.
 
     Raises:
         CorpusError: no such files, or one of them cannot be read
     """
-    lines: List[str] = []
+    commands: List[AnnotatedCommand] = []
     for path in sorted(Path(folder).glob("*_transcript.txt")):
         try:
             with open(str(path), encoding="utf-8", newline="") as file:
                 rows = list(csv.reader(file, delimiter="\t", quoting=csv.QUOTE_NONE))
         except (OSError, UnicodeDecodeError, csv.Error) as error:
             raise CorpusError(f"{path}: no transcript: {error!r}") from error
-        lines += [_unquoted(row[3]) for row in rows if len(row) >= 4 and row[2] == "CMD"]
-    if not lines:
+        for number, row in enumerate(rows, start=1):
+            if len(row) >= 4 and row[2] == "CMD":
+                text = without_remarks(_unquoted(row[3]))
+                commands.append(command_of(f"{path.stem}:{number}", text, text.split(), ()))
+    if not commands:
         raise CorpusError(f"{folder}: no *_transcript.txt with CMD lines; expected a folder of SCOUT")
-    return tuple(lines)
+    return tuple(commands)
 
 
 def _unquoted(text: str) -> str:

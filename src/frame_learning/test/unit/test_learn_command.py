@@ -7,7 +7,7 @@ import pytest
 from frame_learning import learn_command
 from frame_learning.annotated_commands import AnnotatedElement, AnnotatedFrame, command_of
 from frame_learning.annotated_sentences import read_sentences, sentences_of
-from frame_learning.corpus_mapping import load_mapping, shipped_mapping
+from frame_learning.corpora import CORPORA
 from roboframenet_tools.check import Examples, example_problems, find_problems, load_paths
 from roboframenet_tools.understanding import Pipeline, load_knowledge, pretend_servers, shipped_domains
 from semantic_frames import FileRefused
@@ -99,7 +99,7 @@ def test_a_verb_in_two_parts_is_found(tmp_path):
 
 def test_a_corpus_names_our_frame_by_its_elements_and_verb():
     knowledge = load_knowledge([shipped_domains()])
-    mapping = load_mapping(shipped_mapping("huric"))
+    mapping = CORPORA["huric"].mapping()
     annotated = AnnotatedFrame("Motion", (1,), (AnnotatedElement("Goal", frozenset([2, 3]), 3),))
     unknown = AnnotatedFrame("Sleeping", (1,))
     command = command_of("7", "go to town", "go to town".split(), (annotated, unknown))
@@ -112,7 +112,7 @@ def test_a_corpus_names_our_frame_by_its_elements_and_verb():
 
 def test_an_element_with_values_takes_no_other_words():
     knowledge = load_knowledge([shipped_domains()])
-    mapping = load_mapping(shipped_mapping("huric"))
+    mapping = CORPORA["huric"].mapping()
     commands = []
     for words in ("move forward", "move to your left"):
         tokens = words.split()

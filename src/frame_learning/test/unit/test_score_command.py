@@ -4,14 +4,14 @@ import json
 
 import pytest
 
-from frame_learning import score_command
+from frame_learning import learn_command, score_command
 from frame_learning.annotated_commands import AnnotatedElement, AnnotatedFrame, CorpusError, command_of, positions_at
+from frame_learning.corpora import CORPORA, Corpus, PublishedFigures
 from frame_learning.corpus_answers import answer, answer_2012
-from frame_learning.corpus_mapping import CorpusMapping, load_mapping, shipped_mapping
+from frame_learning.corpus_mapping import CorpusMapping, load_mapping
 from frame_learning.huric_corpus import read_huric
 from frame_learning.metrics import Answer, score
 from frame_learning.score_command import to_json
-from frame_learning.scout_corpus import read_scout, without_remarks
 from frame_learning.tage_corpus import read_tage
 from roboframenet_tools.understanding import Pipeline, load_knowledge, pretend_servers, shipped_domains
 from semantic_frames import FileRefused
@@ -65,10 +65,10 @@ def test_huric_that_is_wrong_is_named(tmp_path, text):
         read_huric(str(tmp_path))
 
 
-@pytest.mark.parametrize("reader", [read_huric, read_tage, read_scout])
-def test_an_empty_folder_is_no_corpus(tmp_path, reader):
+@pytest.mark.parametrize("corpus", CORPORA.values(), ids=lambda corpus: corpus.name)
+def test_an_empty_folder_is_no_corpus(tmp_path, corpus):
     with pytest.raises(CorpusError):
-        reader(str(tmp_path))
+        corpus.read(str(tmp_path))
 
 
 def test_tage_is_read(tmp_path):
@@ -87,7 +87,8 @@ def test_scout_is_what_a_person_said(tmp_path):
     (tmp_path / "x_transcript.txt").write_text(
         'id\ttime\tstream\ttext\n0\t1.0\tCMD\t"uh <inhale> turn left"\n1\t2.0\tRN\t"done"\n', encoding="utf-8"
     )
-    assert [without_remarks(line) for line in read_scout(str(tmp_path))] == ["uh turn left"]
+    (read,) = CORPORA["scout"].read(str(tmp_path))
+    assert (read.name, read.text, read.frames) == ("x_transcript:2", "uh turn left", ())
 
 
 def test_text_that_is_not_its_words_is_made_of_them():
@@ -152,7 +153,7 @@ def test_json_has_the_agreed_keys():
 
 def test_mapping_names_what_is_listed_and_framenet_else():
     frames = load_knowledge([shipped_domains()]).frames
-    mapping = load_mapping(shipped_mapping("huric"))
+    mapping = CORPORA["huric"].mapping()
     assert mapping.frame_name(frames["moving"]) == "Motion"
     assert mapping.frame_name(frames["taking"]) == "Taking"
     assert mapping.element_name(frames["detaching"], "source") == "Goal"
@@ -160,10 +161,12 @@ def test_mapping_names_what_is_listed_and_framenet_else():
     assert mapping.element_name(frames["taking"], "beneficiary") is None
 
 
-@pytest.mark.parametrize("corpus", ["huric", "tage"])
+@pytest.mark.parametrize(
+    "corpus", [corpus for corpus in CORPORA.values() if corpus.is_annotated], ids=lambda corpus: corpus.name
+)
 def test_mappings_name_frames_and_elements_that_exist(corpus):
     frames = load_knowledge([shipped_domains()]).frames
-    mapping = load_mapping(shipped_mapping(corpus))
+    mapping = corpus.mapping()
     assert set(mapping.frames) - set(frames) == set()
     for name, elements in mapping.elements.items():
         known = {element.name for element in frames[name].frame_elements} if name != "all" else set(elements)
@@ -186,14 +189,14 @@ def pipeline():
 
 def test_answer_is_in_names_and_positions_of_the_corpus(pipeline):
     wanted = command(frame("Bringing", THEME, TO_HER))
-    given = answer(pipeline, load_mapping(shipped_mapping("huric")), wanted)
+    given = answer(pipeline, CORPORA["huric"].mapping(), wanted)
     assert given.frames == (frame("Bringing", THEME, TO_HER),)
     assert given.is_answered
 
 
 def test_in_2012_an_argument_was_one_word(pipeline):
     given = answer_2012(
-        pipeline, load_mapping(shipped_mapping("huric")), command_of("1", "lift the lid", "lift the lid".split(), ())
+        pipeline, CORPORA["huric"].mapping(), command_of("1", "lift the lid", "lift the lid".split(), ())
     )
     assert given.frames == (frame("Taking", ("Theme", (3,), 3)),)
 
@@ -228,3 +231,40 @@ def test_scout_counts_every_line(tmp_path, capsys):
     assert score_command.run(parser.parse_args(["scout", str(tmp_path), "--json"])) == 0
     found = json.loads(capsys.readouterr().out)
     assert found == {"lines": 6, "answered": 1, "asked_back": 0, "refused": 3, "stops": 2, "errors": 0}
+
+
+@pytest.mark.parametrize("words", [["--folds", "2"], ["--behaviour", "2012"]])
+def test_what_needs_annotated_frames_is_refused_without_them(tmp_path, capsys, words):
+    parser = score_command.argparse.ArgumentParser()
+    score_command.add_arguments(parser)
+    assert score_command.run(parser.parse_args(["scout", str(tmp_path)] + words)) == 2
+    assert "scout has no annotated frames" in capsys.readouterr().err
+
+
+def read_made_up(folder):
+    """Read the one command of a corpus that somebody has just added."""
+    return (command_of("1", "take the lid", "take the lid".split(), (frame("Taking", THEME),)),)
+
+
+@pytest.fixture
+def made_up(monkeypatch):
+    """Add a corpus in the one place where corpora are listed."""
+    others = (PublishedFigures("somebody 2020", fp=50.0, aic_exact=40.0, aic_head=30.0),)
+    corpus = Corpus("made_up", "made up", read_made_up, mapping_file="huric.yaml", published=others)
+    monkeypatch.setitem(CORPORA, "made_up", corpus)
+
+
+def test_a_new_corpus_is_scored(made_up, tmp_path, capsys):
+    parser = score_command.argparse.ArgumentParser()
+    score_command.add_arguments(parser)
+    assert score_command.run(parser.parse_args(["made_up", str(tmp_path)])) == 0
+    lines = [line.split() for line in capsys.readouterr().out.splitlines()]
+    assert ["now", "100.0", "100.0"] in [line[:3] for line in lines]
+    assert ["somebody", "2020", "50.0", "40.0", "30.0"] in [line[:5] for line in lines]
+
+
+def test_a_new_corpus_teaches(made_up, tmp_path):
+    parser = learn_command.argparse.ArgumentParser()
+    learn_command.add_arguments(parser)
+    assert learn_command.run(parser.parse_args(["made_up", str(tmp_path), "--out", str(tmp_path / "learned")])) == 0
+    assert (tmp_path / "learned" / "lexical_units" / "taking.yaml").exists()
