@@ -1,4 +1,4 @@
-"""The public corpora that ``rfn score`` and ``rfn learn`` know. A new corpus is a reader, a mapping of names, and an entry here."""
+"""The public corpora that ``rfn score`` and ``rfn learn`` know: a new one is a reader, a mapping and an entry here."""
 
 from dataclasses import dataclass
 from typing import Callable, Mapping, Tuple
@@ -28,8 +28,8 @@ class Corpus:
         name: on the command line
         title: for people
         read: returns the commands of a folder; raises :class:`.CorpusError`
-        mapping_file: maps our names to those of the corpus, in ``roboframenet_domains/corpora``; empty for a corpus whose
-            commands are not annotated with frames
+        mapping_file: maps our names to those of the corpus, in ``roboframenet_domains/corpora``; empty for a corpus
+            whose commands are not annotated with frames
         published: figures of others
     """
 
