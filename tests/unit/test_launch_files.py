@@ -7,6 +7,9 @@ from pathlib import Path
 from typing import Dict, Set
 from xml.etree import ElementTree
 
+import pytest
+import yaml
+
 from arbitrator.policy import POLICIES
 
 REPOSITORY = Path(os.path.realpath(__file__)).parents[2]
@@ -29,8 +32,27 @@ def readme_meanings() -> Dict[str, str]:
 
 
 def listed(text: str) -> Set[str]:
-    """Return the names behind the colon: "which robot: pr2 or turtlebot"."""
-    return set(re.split(r", | or ", text.split(": ", 1)[1]))
+    """Return the names behind the colon: "which robot: pr2 or turtlebot; empty: the first"."""
+    return set(re.split(r", | or ", text.split(": ", 1)[1].split(";")[0]))
+
+
+def behaviour(name: str) -> Dict[str, str]:
+    """Return the parameters that ``behaviour:=NAME`` sets, as ``node/parameter``."""
+    text = (BRINGUP / "config" / "behaviours" / f"{name}.yaml").read_text(encoding="utf-8")
+    return {
+        f"{node}/{parameter}": value
+        for node, parameters in yaml.safe_load(text).items()
+        for parameter, value in parameters.items()
+    }
+
+
+def default_of(parameter: str) -> str:
+    """Return the default of ``node/parameter`` that the README of the node's package names."""
+    package, name = parameter.split("/")
+    text = (REPOSITORY / "src" / package / "README.md").read_text(encoding="utf-8")
+    found = re.search(rf"^\| `~{name}` \| \w+ \| `?(\w+)`? \|", text, re.MULTILINE)
+    assert found, f"{package}/README.md does not list ~{name}"
+    return found.group(1)
 
 
 def run_robot(name: str) -> "subprocess.CompletedProcess[str]":
@@ -64,3 +86,20 @@ def test_an_unknown_robot_is_refused_with_the_names_of_those_there_are() -> None
     assert ended.returncode == 2
     assert "no robot 'pepper'" in ended.stderr
     assert all(robot in ended.stderr for robot in ROBOTS)
+
+
+def test_behaviour_now_is_what_the_nodes_do_anyway() -> None:
+    assert behaviour("now") == {parameter: default_of(parameter) for parameter in behaviour("now")}
+
+
+def test_readme_and_files_of_the_behaviours_agree() -> None:
+    text = (BRINGUP / "README.md").read_text(encoding="utf-8")
+    rows = re.findall(r"^\| `(\w+/\w+)` \| (\w+) \| (\w+) \|", text, re.MULTILINE)
+    assert {parameter: value for parameter, value, _ in rows} == behaviour("now")
+    assert {parameter: value for parameter, _, value in rows} == behaviour("2012")
+
+
+@pytest.mark.parametrize("launch_file", ["pipeline.launch", "robot.launch"])
+def test_every_behaviour_is_listed(launch_file: str) -> None:
+    names = {path.stem for path in (BRINGUP / "config" / "behaviours").glob("*.yaml")}
+    assert names == set(re.findall(r"(?:^|or )(\w+)", meanings(launch_file)["behaviour"]))

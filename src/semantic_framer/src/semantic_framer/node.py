@@ -27,6 +27,7 @@ from stage_events.ros_stage import Stage
 from stanford_parser_ros.ros_messages import to_tree
 from stanford_parser_ros.tree import DependencyTree
 
+from semantic_framer.behaviour_2012 import Arguments, Questions, with_habits
 from semantic_framer.dialogue import Context
 from semantic_framer.framer import Alternatives, LeftOverWords, Outcome, Policy, Question, Refusal, Understood, read
 from semantic_framer.lexicon import Lexicon
@@ -48,10 +49,14 @@ class Settings:
     Attributes:
         lexical_unit_paths: files, and folders with folders named ``lexical_units``
         policy: how careful to be
+        arguments: which words become arguments
+        questions: what to do when something must be known first
     """
 
     lexical_unit_paths: Tuple[str, ...]
     policy: Policy
+    arguments: Arguments
+    questions: Questions
 
     @classmethod
     def from_parameters(cls) -> "Settings":
@@ -71,6 +76,8 @@ class Settings:
                 alternatives=Alternatives(rospy.get_param("~alternatives", "either")),
                 question_timeout_s=timeout_s,
             ),
+            arguments=Arguments(rospy.get_param("~arguments", "phrases")),
+            questions=Questions(rospy.get_param("~questions", "ask")),
         )
 
 
@@ -205,7 +212,9 @@ class SemanticFramer:
                         lambda: self._frames is not frames, timeout=max(0.0, end - time.monotonic())
                     )
                 ):
-                    self._context = context
+                    outcome, self._context = with_habits(
+                        outcome, context, arguments=self._settings.arguments, questions=self._settings.questions
+                    )
                     return outcome
 
     def _pass_on(self, message: CommandParse, understood: Understood, sentence: Sentence) -> None:
