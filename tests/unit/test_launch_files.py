@@ -59,9 +59,8 @@ def run_robot(name: str) -> "subprocess.CompletedProcess[str]":
     """Start a robot as ``make run`` does."""
     return subprocess.run(
         [str(REPOSITORY / "scripts" / "run"), f"robot:={name}"],
-        stdout=subprocess.PIPE,
-        stderr=subprocess.PIPE,
-        universal_newlines=True,
+        capture_output=True,
+        text=True,
         timeout=60,
         check=False,
     )

@@ -1,7 +1,7 @@
 """Two habits of the system of 2012 that parameters restore: an argument is one word, and nothing is asked back.
 
-They change what is passed on, and not what is understood. Its other two habits are parameters as well: the random policy of the
-arbitrator, and ``LeftOverWords.IGNORE``.
+They change what is passed on, and not what is understood. Its other two habits are parameters as well: the random
+policy of the arbitrator, and ``LeftOverWords.IGNORE``.
 """
 
 import re
