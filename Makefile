@@ -18,7 +18,7 @@ build: setup ## build the workspace into devel/
 demo: build ## start simulated robots, say the paper's sentences, show what each did
 	@scripts/demo
 
-run: build ## keep the stack up for your own 'rostopic pub' (ROBOT=turtlebot or pr2)
+run: build ## keep the stack up for your own 'rostopic pub' (ROBOT=pr2 for the other robot)
 	@scripts/run robot:=$(ROBOT)
 
 test: build ## run all tests (FILTER=package runs one package's)

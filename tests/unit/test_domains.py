@@ -16,7 +16,7 @@ from frame_registrar.search import Refusal, search
 from offline_pipeline.knowledge import pretend_servers
 from offline_pipeline.pipeline import Pipeline
 from roboframenet_msgs.msg import Clause
-from roboframenet_tools.check import Examples, find_problems, load_paths
+from offline_pipeline.file_checks import Examples, find_problems, load_paths
 from semantic_framer import ros_messages as framer_messages
 from semantic_framer.framer import Understood, read
 

@@ -24,8 +24,8 @@ COMMANDS = (
     ("new", "roboframenet_tools.new", "make the files of a new frame: frame, lexical unit, RFNServer, test"),
     ("port", "roboframenet_tools.port", "show or make the one-line change from an action server to an RFNServer"),
     ("doctor", "roboframenet_tools.doctor", "look for what keeps the system from working"),
-    ("learn", "roboframenet_tools.learn", "learn lexical units from annotated sentences"),
-    ("score", "roboframenet_tools.score", "score the understanding of a public corpus: HuRIC, tagE, SCOUT"),
+    ("learn", "frame_learning.learn_command", "learn lexical units from annotated sentences"),
+    ("score", "frame_learning.score_command", "score the understanding of a public corpus"),
     ("completion", "roboframenet_tools.completion", "print the completion of rfn for bash"),
 )
 #: Exit status when whoever read the output has gone ("rfn score ... | head"): that of a program ended by SIGPIPE.

@@ -7,8 +7,8 @@ from typing import Dict, Iterable, List, Sequence, Tuple
 
 from offline_pipeline.knowledge import load_knowledge, pretend_servers, shipped_domains
 from offline_pipeline.pipeline import Pipeline, Understanding
-from roboframenet_tools.corpora import SENTENCES, sentences
-from roboframenet_tools.corpus import CorpusError
+from frame_learning.annotated_commands import CorpusError
+from frame_learning.corpora import CORPORA
 from stanford_parser_ros.model import ModelError
 from utterance_passes.table import PASSES
 
@@ -41,7 +41,7 @@ class Effect:
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Declare the arguments of ``rfn passes``."""
     parser.epilog = EXAMPLES
-    parser.add_argument("--corpus", nargs=2, metavar=("NAME", "DIR"), help=f"one of {', '.join(SENTENCES)}, and its folder")
+    parser.add_argument("--corpus", nargs=2, metavar=("NAME", "DIR"), help=f"one of {', '.join(CORPORA)}, and its folder")
     parser.add_argument("--show", metavar="PASS", help="print each sentence that is read otherwise without this pass")
     parser.add_argument("--domains", action="append", metavar="FOLDER", help="frames and units (default: shipped)")
 
@@ -57,11 +57,11 @@ def run(arguments: argparse.Namespace) -> int:
             print(f"{one.name:<22} {one.stage.value:<20} {one.what}")
         return 0
     corpus, folder = arguments.corpus
-    if corpus not in SENTENCES:
-        print(f"rfn passes: expected one of {', '.join(SENTENCES)}, found {corpus}", file=sys.stderr)
+    if corpus not in CORPORA:
+        print(f"rfn passes: expected one of {', '.join(CORPORA)}, found {corpus}", file=sys.stderr)
         return 2
     try:
-        said = sentences(corpus, folder)
+        said = tuple(dict.fromkeys(command.text for command in CORPORA[corpus].read(folder)))
         knowledge = load_knowledge(arguments.domains or [shipped_domains()])
         pretend_servers(knowledge.graph)
         effects = effects_of(Pipeline(knowledge, is_traced=True), said, [arguments.show] if arguments.show else names)

@@ -7,7 +7,7 @@ from xml.etree import ElementTree
 import pytest
 
 from roboframenet_tools import doctor, new
-from roboframenet_tools.check import find_problems, load_paths
+from offline_pipeline.file_checks import find_problems, load_paths
 from roboframenet_tools.cli import COMMANDS, OUTPUT_CLOSED, main
 from roboframenet_tools.completion import script
 from roboframenet_tools.graph import dot, layers, svg

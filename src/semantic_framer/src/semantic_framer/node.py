@@ -30,6 +30,7 @@ from stanford_parser_ros.ros_messages import to_tree
 from utterance_passes.trace import Trace
 from utterance_passes.tree import DependencyTree
 
+from semantic_framer.behaviour_2012 import Arguments, Questions, with_habits
 from semantic_framer.dialogue import Context
 from semantic_framer.framed_lexicon import FramedLexicon
 from semantic_framer.framer import Outcome, hear
@@ -52,11 +53,15 @@ class Settings:
         lexical_unit_paths: files, and folders with folders named ``lexical_units``
         policy: how careful to be
         trace: whether what each rule did goes with each command
+        arguments: which words become arguments
+        questions: what to do when something must be known first
     """
 
     lexical_unit_paths: Tuple[str, ...]
     policy: Policy
     trace: bool
+    arguments: Arguments
+    questions: Questions
 
     @classmethod
     def from_parameters(cls) -> "Settings":
@@ -77,6 +82,8 @@ class Settings:
                 question_timeout_s=timeout_s,
             ),
             trace=bool(rospy.get_param("~trace", True)),
+            arguments=Arguments(rospy.get_param("~arguments", "phrases")),
+            questions=Questions(rospy.get_param("~questions", "ask")),
         )
 
 
@@ -222,9 +229,12 @@ class SemanticFramer:
                         lambda: self._frames is not frames, timeout=max(0.0, end - time.monotonic())
                     )
                 ):
+                    outcome, context = with_habits(
+                        outcome, heard.context, arguments=self._settings.arguments, questions=self._settings.questions
+                    )
                     # A clock that was set back makes all stamps early; a command that is stopped already asks nothing.
                     is_stopped = stamp <= self._stop_stamp <= rospy.Time.now() and not self._stop_stamp.is_zero()
-                    self._context = replace(heard.context, pending=None) if is_stopped else heard.context
+                    self._context = replace(context, pending=None) if is_stopped else context
                     self._context_stamp = stamp
                     return outcome, str(trace) if trace is not None else ""
 
