@@ -7,6 +7,7 @@ from semantic_frames.lexical_unit import ArgumentForm
 from utterance_passes.clauses import Clause
 from utterance_passes.trace import Trace
 from utterance_passes.verb_matching import match_verbs
+from word_classes import word_class
 
 from semantic_framer.matching import read_clause
 from semantic_framer.reading import Reading, rank
@@ -27,7 +28,7 @@ from semantic_framer.verdicts import (
 _PHRASES = frozenset(["nmod", "obl", "acl", "advcl", "appos"])
 #: Which of several is meant: "the *second* left".
 _CHOOSING = frozenset(["amod", "nummod"])
-_SIDES = frozenset(["left", "right"])
+_LEFT_AND_RIGHT = word_class("left_and_right")
 
 
 @dataclass(frozen=True)
@@ -114,7 +115,7 @@ def _with_phrases_left_over(sentence: Sentence, reading: Reading) -> Reading:
         relation = next((relation for relation in reading.unit.relations if relation.name == value.name), None)
         if relation is None or not relation.words or relation.argument is not ArgumentForm.HEAD:
             continue
-        is_side = value.head.lower() in _SIDES
+        is_side = value.head.lower() in _LEFT_AND_RIGHT
         whole = sentence.subtree(value.head_position)
         phrases = [
             sentence.subtree(child.index)
