@@ -189,7 +189,9 @@ class _Filling:
     def _take_phrase(self, relation: ElementRelation) -> None:
         is_wanted = relation.is_required or self._is_core(relation.name)
         # "Put it on the bench in the kitchen": of the places the first is meant, the others tell more of it.
-        static = [path for path in relation.relations if preposition_of(path.steps[0]).split("_")[0] in _PLACE_PREPOSITIONS]
+        static = [
+            path for path in relation.relations if preposition_of(path.steps[0]).split("_")[0] in _PLACE_PREPOSITIONS
+        ]
         places = sorted(head for path in static for head in self._follow(path.steps, is_wanted))
         if relation.after_place:
             places = [head for head in places if set(places_before(self._sentence.tree, head)) & set(relation.after_place)]

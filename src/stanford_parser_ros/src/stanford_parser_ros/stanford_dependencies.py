@@ -70,7 +70,9 @@ RULES: Dict[str, Tuple[str, ...]] = {
     "clf": ("dep",),
 }
 #: Nouns that make a prepositional phrase one preposition: "in front of the fridge" -> prep_in_front_of(go, fridge).
-_COMPLEX_PREPOSITIONS = {tuple(phrase.split()[:2]): phrase.replace(" ", "_") for phrase in word_list("complex_prepositions")}
+_COMPLEX_PREPOSITIONS: Dict[Tuple[str, ...], str] = {
+    tuple(phrase.split()[:2]): phrase.replace(" ", "_") for phrase in word_list("complex_prepositions")
+}
 _NEGATING_ADVERBS = word_class("negating_adverbs")
 
 

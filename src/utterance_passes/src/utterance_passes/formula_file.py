@@ -4,7 +4,7 @@ import re
 from dataclasses import dataclass
 from functools import lru_cache
 from pathlib import Path
-from typing import Dict, List, Mapping, Pattern, Tuple
+from typing import Dict, Iterable, List, Mapping, Pattern, Tuple
 
 import yaml
 from semantic_frames.marked_yaml import Reader, did_you_mean
@@ -69,15 +69,20 @@ def _pattern(reader: Reader, node: yaml.Node, key: str) -> Pattern[str]:
     known = word_classes()
     for name in _CLASS.findall(text):
         if name not in known:
-            reader.report("UNKNOWN_CLASS", node, key, f"'{name}'", "the name of a word class", did_you_mean(name, known))
+            hint = did_you_mean(name, known)
+            reader.report("UNKNOWN_CLASS", node, key, f"'{name}'", "the name of a word class", hint)
             return re.compile("")
     if text != text.lower():
         reader.report("NOT_LOWER_CASE", node, key, f"'{text}'", f"'{text.lower()}'")
     try:
-        return re.compile(_CLASS.sub(lambda match: f"(?:{'|'.join(map(re.escape, sorted(word_class(match[1]))))})", text))
+        return re.compile(_CLASS.sub(lambda match: _any_of(word_class(match[1])), text))
     except re.error as error:
         reader.report("BAD_PATTERN", node, key, f"'{text}'", "a regular expression", str(error))
         return re.compile("")
+
+
+def _any_of(words: Iterable[str]) -> str:
+    return f"(?:{'|'.join(map(re.escape, sorted(words)))})"
 
 
 @lru_cache(maxsize=None)

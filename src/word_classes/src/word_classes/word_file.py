@@ -56,7 +56,8 @@ def load_word_classes(text: str, path: str) -> Mapping[str, WordClass]:
     for name, found in words.items():
         same = first.setdefault(tuple(sorted(found)), name)
         if same != name:
-            reader.report("SAME_WORDS", entries[name].name, name, f"the words of '{same}'", "words of its own", "use one")
+            node = entries[name].name
+            reader.report("SAME_WORDS", node, name, f"the words of '{same}'", "words of its own", "use one")
     reader.refuse_if_wrong()
     return {name: WordClass(name, entry.purpose, words[name]) for name, entry in entries.items()}
 
@@ -68,14 +69,14 @@ def _entries(reader: Reader, root: yaml.Node) -> Dict[str, _Entry]:
         keys = reader.mapping(node, name, KEYS, required=("for",))
         if name in entries:
             first = line_of(entries[name].name)
-            reader.report("DUPLICATE_CLASS", name_node, name, f"a second '{name}'", f"one, the first stands in line {first}")
+            expected = f"one, the first stands in line {first}"
+            reader.report("DUPLICATE_CLASS", name_node, name, f"a second '{name}'", expected)
             continue
+        included = reader.sequence(keys.get("includes"), f"{name}.includes")
         entry = _Entry(
             name=name_node,
             purpose=reader.name(keys.get("for"), f"{name}.for"),
-            includes=tuple(
-                (reader.name(item, key), item) for key, item in reader.sequence(keys.get("includes"), f"{name}.includes")
-            ),
+            includes=tuple((reader.name(item, key), item) for key, item in included),
             own=_own_words(reader, keys.get("words"), f"{name}.words"),
         )
         if not entry.own and len(entry.includes) < 2 and isinstance(node, yaml.MappingNode):
