@@ -27,7 +27,7 @@ def live_knowledge(*, timeout_s: float) -> Knowledge:
     if not is_master_up():
         raise LookupError("no ROS master answers: start the pipeline, or leave --live away")
     try:
-        rospy.init_node("rfn", anonymous=True, disable_signals=True)
+        _join()
         catalogue = rospy.wait_for_message("frame_catalogue", FrameCatalogue, timeout=timeout_s)
         lexicon = rospy.wait_for_message("lexicon", Lexicon, timeout=timeout_s)
     except rospy.ROSException as error:
@@ -38,6 +38,11 @@ def live_knowledge(*, timeout_s: float) -> Knowledge:
         if callback.is_alive:
             knowledge.graph.register(callback.frame_name, callback.callback_topic)
     return knowledge
+
+
+def _join() -> None:
+    if not rospy.core.is_initialized():
+        rospy.init_node("rfn", anonymous=True, disable_signals=True)
 
 
 def live_parameters() -> Parameters:
@@ -69,7 +74,7 @@ def live_traces() -> Iterator[str]:
     """
     if not is_master_up():
         raise LookupError("no ROS master answers: start the pipeline, or give a sentence and leave --live away")
-    rospy.init_node("rfn", anonymous=True, disable_signals=True)
+    _join()
     events: "queue.Queue[StageEvent]" = queue.Queue()
     subscriber = rospy.Subscriber("stage_events", StageEvent, events.put, queue_size=100)
     try:

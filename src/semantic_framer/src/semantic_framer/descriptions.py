@@ -7,7 +7,7 @@ from word_classes import word_class
 
 from semantic_framer.framed_lexicon import FramedLexicon
 from semantic_framer.matching import read_clause
-from semantic_framer.reading import Reading
+from semantic_framer.reading import Reading, rank
 from semantic_framer.sentence import Sentence
 
 _RELATIVE_ADVERBS = word_class("relative_adverbs")
@@ -54,5 +54,5 @@ def descriptions(
             and not reading.left_over
             and any(clause.subject in value.positions for value in reading.values)
         ]
-        found += readings[:1]
+        found += sorted(readings, key=rank)[:1]
     return tuple(found)

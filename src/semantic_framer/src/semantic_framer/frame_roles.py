@@ -5,6 +5,7 @@ from typing import FrozenSet
 MESSAGE = "Message"
 ADDRESSEE = "Addressee"
 THEME = "Theme"
+NAME = "Name"
 #: Places, and not things.
 PLACES: FrozenSet[str] = frozenset(["Goal", "Source", "Location", "Ground", "Area", "Place", "Path"])
 #: Neither things nor places.

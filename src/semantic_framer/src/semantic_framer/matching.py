@@ -1,7 +1,7 @@
 """Matches lexical units against a clause: which words fill which frame element."""
 
 from dataclasses import dataclass, replace
-from typing import Dict, FrozenSet, List, Optional, Set, Tuple
+from typing import Dict, FrozenSet, List, Optional, Sequence, Set, Tuple
 
 from semantic_frames.frame import FrameElement, Quantity, SemanticFrame
 from semantic_frames.lexical_unit import ArgumentForm, ElementRelation, LexicalUnit
@@ -23,7 +23,7 @@ from semantic_framer.attachment import (
 )
 from semantic_framer.frame_roles import DESCRIBED, MESSAGE
 from semantic_framer.framed_lexicon import FramedLexicon
-from semantic_framer.reading import ElementValue, Reading, rank
+from semantic_framer.reading import ElementValue, Reading
 from semantic_framer.sentence import Sentence
 from semantic_framer.values import amount_value, given_value, phrase_value, unit_value
 
@@ -33,6 +33,8 @@ from semantic_framer.values import amount_value, given_value, phrase_value, unit
 DIRECTIONAL = frozenset(phrase.replace(" ", "_") for phrase in word_class("directional_prepositions"))
 _DESTINATION_ADVERBS = word_class("destination_adverbs")
 _PLACE_PREPOSITIONS = word_class("place_prepositions")
+#: So many relations or words that were looked for in vain are written down.
+_SHOWN = 8
 _MEASURES_OF_2012 = frozenset(["num", "number", "nummod", "tmod", "npadvmod"])
 
 
@@ -47,7 +49,7 @@ def read_clause(
         known: lexical units; those of frames that are not known are left out
         trace: where each unit is written, and what it looked for in vain; None for nowhere
     Returns:
-        readings, the best first by :func:`rank`
+        readings in the order of the lexicon
     """
     amounts = find_amounts(sentence.tree, sorted(clause.positions - {clause.verb}))
     readings = []
@@ -62,11 +64,7 @@ def read_clause(
                 _write(trace, sentence, match, unit, reading, filling.unfilled())
             if reading is not None:
                 readings.append(reading)
-    different = {
-        (reading.unit.frame_name, frozenset((value.name, value.argument) for value in reading.values)): reading
-        for reading in sorted(readings, key=rank, reverse=True)
-    }
-    return tuple(sorted(different.values(), key=rank))
+    return tuple(readings)
 
 
 def _write(
@@ -80,8 +78,8 @@ def _write(
     """Write that a unit was tried, and why it does not fit."""
     missing = frozenset(element.name for element in reading.missing) if reading else frozenset()
     looked_for = [
-        f"no {' or '.join(map(str, relation.relations))}"
-        + (f" ({', '.join(relation.words)})" if relation.words else "")
+        f"no {_some(' or ', list(map(str, relation.relations)))}"
+        + (f" ({_some(', ', relation.words)})" if relation.words else "")
         + f" for {relation.name}"
         for relation in unfilled
         if (reading is None and relation.is_required) or relation.name in missing
@@ -94,6 +92,11 @@ def _write(
         "unit", f"{match.verb} -> {reading or unit.frame_name}", after="; ".join(parts) + f" [{place}]",
         positions=match.positions,
     )
+
+
+def _some(separator: str, texts: Sequence[str]) -> str:
+    """Return the first of some texts, and that there are more."""
+    return separator.join(texts[:_SHOWN]) + (f"{separator}..." if len(texts) > _SHOWN else "")
 
 
 class _Filling:

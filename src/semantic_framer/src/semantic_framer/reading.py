@@ -2,7 +2,7 @@
 
 import math
 from dataclasses import dataclass, replace
-from typing import FrozenSet, NamedTuple, Optional, Tuple
+from typing import Dict, FrozenSet, Iterable, NamedTuple, Optional, Tuple
 
 from semantic_frames.frame import FrameElement
 from semantic_frames.lexical_unit import LexicalUnit
@@ -42,6 +42,7 @@ class Reading:
         left_over: content words that nothing accounts for, by position
         coverage: share of the content words that the reading accounts for, 0 to 1
         listed: words that the unit lists for its elements, by position: "low five"
+        unlikely: how many words fill an element that they are hardly meant for
     """
 
     unit: LexicalUnit
@@ -52,6 +53,12 @@ class Reading:
     left_over: Tuple[int, ...]
     coverage: float
     listed: FrozenSet[int] = frozenset()
+    unlikely: int = 0
+
+    @property
+    def said(self) -> FrozenSet[Tuple[str, str]]:
+        """Names and arguments of the elements that words of the sentence fill."""
+        return frozenset((value.name, value.argument) for value in self.values if value.positions)
 
     @property
     def asked(self) -> Tuple[FrameElement, ...]:
@@ -73,6 +80,7 @@ class Rank(NamedTuple):
     Attributes:
         is_incomplete: a core element is missing
         left_over: words that nothing accounts for
+        unlikely: words that fill an element which they are hardly meant for
         unfilled: minus the number of elements that were said, and of those that the unit requires
         asked: elements that a person would be asked for
         verb: minus the number of words of the verb
@@ -80,43 +88,66 @@ class Rank(NamedTuple):
             it, and may bring it somewhere)
         empty: elements of the unit that stay empty
         verb_place: of the verb among those of the unit
+        path: file of the unit; with the line, it makes the order the same in every run
+        line: of the unit
     """
 
     is_incomplete: bool
     left_over: int
+    unlikely: int
     unfilled: int
     asked: int
     verb: int
     is_secondary: bool
     empty: int
     verb_place: int
+    path: str
+    line: int
 
     @property
     def of_what_was_said(self) -> Tuple[int, ...]:
         """The fields that look at the words; the others look at the unit."""
         return self[: self._fields.index("verb")]
 
+    @property
+    def before_file(self) -> Tuple[int, ...]:
+        """The fields without the place of the unit."""
+        return self[: self._fields.index("path")]
+
     def __str__(self) -> str:
-        """Return the fields that are not 0."""
-        return ", ".join(f"{name} {int(value)}" for name, value in zip(self._fields, self) if value) or "all 0"
+        """Return the fields that are not 0, without the place of the unit."""
+        named = zip(self._fields, self.before_file)
+        return ", ".join(f"{name} {int(value)}" for name, value in named if value) or "all 0"
 
 
 def rank(reading: Reading) -> Rank:
     """Return how likely a reading is meant."""
     unit = reading.unit
-    said = sum(1 for value in reading.values if value.positions)
     filled = frozenset(value.name for value in reading.values)
     verb_place = unit.verbs.index(reading.verb) if reading.verb in unit.verbs else len(unit.verbs)
     return Rank(
         is_incomplete=bool(reading.missing),
         left_over=len(reading.left_over),
-        unfilled=-said - sum(1 for relation in unit.relations if relation.is_required),
+        unlikely=reading.unlikely,
+        unfilled=-len(reading.said) - sum(1 for relation in unit.relations if relation.is_required),
         asked=len(reading.asked),
         verb=-len(reading.verb.split()),
         is_secondary=verb_place > 0,
         empty=sum(1 for relation in unit.relations if relation.name not in filled),
         verb_place=verb_place,
+        path=unit.path,
+        line=unit.line,
     )
+
+
+def without_duplicates(readings: Iterable[Reading]) -> Tuple[Reading, ...]:
+    """Keep one of those readings that have the same frame and arguments: the best one, of equal ones the last."""
+    best: Dict[object, Reading] = {}
+    for reading in readings:
+        meaning = (reading.unit.frame_name, frozenset((value.name, value.argument) for value in reading.values))
+        if meaning not in best or rank(reading).before_file <= rank(best[meaning]).before_file:
+            best[meaning] = reading
+    return tuple(best.values())
 
 
 def with_value(reading: Reading, value: ElementValue) -> Reading:

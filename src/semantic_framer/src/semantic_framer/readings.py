@@ -9,12 +9,14 @@ from utterance_passes.trace import Trace
 from utterance_passes.verb_matching import match_verbs
 from word_classes import word_class
 
+from semantic_framer.frame_roles import NAME
 from semantic_framer.matching import read_clause
-from semantic_framer.reading import Reading, rank
+from semantic_framer.reading import Reading, rank, without_duplicates
 from semantic_framer.outcome import Refusal
 from semantic_framer.sentence import Sentence
 from semantic_framer.verdicts import (
     CLAUSE_VERDICTS,
+    DOMINATED,
     PLAUSIBILITY,
     READING_VERDICTS,
     Case,
@@ -28,6 +30,7 @@ from semantic_framer.verdicts import (
 _PHRASES = frozenset(["nmod", "obl", "acl", "advcl", "appos"])
 #: Which of several is meant: "the *second* left".
 _CHOOSING = frozenset(["amod", "nummod"])
+_INDEFINITE_ARTICLES = word_class("indefinite_articles")
 _LEFT_AND_RIGHT = word_class("left_and_right")
 
 
@@ -91,21 +94,37 @@ def plausible_readings(case: ClauseCase, trace: Optional[Trace] = None) -> Tuple
     """Return the ways to understand a clause, the best first, without those that take words for what they are not."""
     readings = tuple(
         _with_phrases_left_over(case.sentence, reading)
-        for reading in read_clause(case.sentence, case.clause, case.of.known, trace)
+        for reading in without_duplicates(read_clause(case.sentence, case.clause, case.of.known, trace))
     )
-    kept = drop(PLAUSIBILITY, case, readings, readings, trace)
-    listed = frozenset().union(*(reading.listed for reading in kept))
-    return tuple(sorted((_with_coverage(case.sentence, case.clause, reading, listed) for reading in kept), key=rank))
+    plausible = drop(PLAUSIBILITY, case, readings, readings, trace)
+    listed = frozenset().union(*(reading.listed for reading in plausible))
+    judged = (
+        replace(reading, unlikely=_unlikely(case, reading, listed))
+        for reading in drop(DOMINATED, case, plausible, plausible, trace)
+    )
+    return tuple(sorted(judged, key=rank))
 
 
-def _with_coverage(sentence: Sentence, clause: Clause, reading: Reading, listed: FrozenSet[int]) -> Reading:
-    """Count words as accounted for by half that a reading takes for any thing where another one lists them: a high five
-    can be given like a mug, but is not meant so.
+def _unlikely(case: ClauseCase, reading: Reading, listed: FrozenSet[int]) -> int:
+    """Count the words that fill an element which they are hardly meant for.
+
+    A word that another unit lists is hardly any thing: a high five can be given like a mug, but is not meant so. "A
+    kitchen" is hardly the name of a place, as "the kitchen" is; it tells of what kind the place is.
     """
-    heads = frozenset(value.head_position for value in reading.values)
-    halves = heads & (listed - reading.listed)
-    content = sum(1 for index in clause.positions - {clause.verb} if sentence.is_content(index))
-    return replace(reading, coverage=reading.coverage - 0.5 * len(halves) / (content + 1)) if halves else reading
+    frame = case.of.known.frames[reading.unit.frame_name]
+    names = frozenset(element.name for element in frame.frame_elements if element.framenet == NAME)
+    return sum(
+        value.head_position in listed - reading.listed
+        or (value.name in names and _is_indefinite(case.sentence, value.head_position))
+        for value in reading.values
+        if value.head_position
+    )
+
+
+def _is_indefinite(sentence: Sentence, head: int) -> bool:
+    return any(
+        child.deprel == "det" and child.form.lower() in _INDEFINITE_ARTICLES for child in sentence.children(head)
+    )
 
 
 def _with_phrases_left_over(sentence: Sentence, reading: Reading) -> Reading:

@@ -308,6 +308,25 @@ PLAUSIBILITY: Tuple[ReadingVerdict, ...] = (
 )
 
 
+def _says_less(case: ClauseCase, reading: Reading, beside: Tuple[Reading, ...]) -> bool:
+    return any(
+        reading.unit.frame_name == other.unit.frame_name
+        and reading.said < other.said
+        and frozenset(other.left_over) <= frozenset(reading.left_over)
+        for other in beside
+    )
+
+
+#: Beside those that are plausible.
+DOMINATED: Tuple[ReadingVerdict, ...] = (
+    ReadingVerdict(
+        "says_less",
+        'Another reading of the same frame says all that it does and more: "turn off the light" is not "turn the light".',
+        _says_less,
+    ),
+)
+
+
 # --- readings that are not asked for, or not as much as another one
 
 

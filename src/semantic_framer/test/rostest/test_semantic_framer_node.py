@@ -105,7 +105,24 @@ class SemanticFramerNodeTest(unittest.TestCase):
         self.assertEqual(("turning", "turn"), (unit.frame_name, unit.verb))
         self.assertEqual([("direction", "left")], [(e.name, e.argument) for e in unit.frame_elements])
         self.assertEqual([unit], self.units_2012[0].lexical_units)
-        self.assertFalse(self.events_of("turn")[0].is_final)
+        event = self.events_of("turn")[0]
+        self.assertFalse(event.is_final)
+        rules = [line.partition(":")[0] for line in event.trace.splitlines()]
+        self.assertEqual(["clause", "unit", "rank", "outcome"], rules)
+
+    def test_refusal_has_a_trace(self):
+        self.say("refused", "never never ADV RB 2 advmod", "turn turn VERB VB 0 root")
+        self.ending("refused")
+        self.assertIn("negated: turn: refused.", self.events_of("refused")[0].trace)
+
+    def test_trace_can_be_switched_off(self):
+        events = []
+        subscriber = rospy.Subscriber("quiet/stage_events", StageEvent, events.append)
+        parses = rospy.Publisher("quiet/command_parse", CommandParse, queue_size=1)
+        self.assertTrue(wait_until(lambda: subscriber.get_num_connections() and parses.get_num_connections()))
+        parses.publish(CommandParse(command=Command(id="quiet", text="")))
+        self.assertTrue(wait_until(lambda: events))
+        self.assertEqual(("NO_VERB", ""), (events[0].reply.code, events[0].trace))
 
     def test_negated_command_is_refused(self):
         self.say("not", "never never ADV RB 2 advmod", "turn turn VERB VB 0 root", "left left ADV RB 2 advmod")
