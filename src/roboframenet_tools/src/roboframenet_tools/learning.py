@@ -31,7 +31,7 @@ PREPOSITION_GROUPS: Tuple[Tuple[str, ...], ...] = tuple(
 _OF_PERIPHERAL = frozenset(f"prep_{preposition}" for group in PREPOSITION_GROUPS[1:3] for preposition in group)
 #: Words of closed classes that say the same kind of thing; one of a group stands for all of it.
 WORD_GROUPS: Tuple[Tuple[str, ...], ...] = tuple(
-    word_list(name) for name in ("manner_adverbs", "left_and_right", "forward_backward_and_ahead", "portals")
+    word_list(name) for name in ("manner_adverbs", "left_and_right", "forward_and_backward", "portals")
 )
 #: Share of the sentences of a verb and a frame.
 _NEARLY_ALWAYS = 0.8

@@ -11,7 +11,7 @@ from semantic_framer.frame_roles import NO_THINGS, PLACES
 from semantic_framer.reading import ElementValue, Reading
 from semantic_framer.values import resolved
 
-_PARTICIPANTS = word_class("participant_objects")
+_PARTICIPANTS = word_class("participants")
 
 
 def resolve(reading: Reading, context: Context) -> Union[Reading, ElementValue]:

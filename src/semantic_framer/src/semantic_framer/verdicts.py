@@ -19,7 +19,7 @@ _AROUND_REQUESTS = word_class("verbs_around_requests")
 _CONDITIONS = word_class("conditions")
 _DEGREES = word_class("degrees")
 _LEFT_AND_RIGHT = word_class("left_and_right")
-_PARTICIPANTS = word_class("participant_subjects")
+_PARTICIPANTS = word_class("participants")
 
 
 @dataclass(frozen=True)

@@ -8,7 +8,7 @@ from word_classes import without_determiner, word_class
 LONGEST_TEXT = 500
 _DETERMINERS = word_class("determiners_and_possessives")
 #: Nobody is called by these.
-_PARTICIPANTS = word_class("participant_objects")
+_PARTICIPANTS = word_class("participants")
 
 
 class NothingToSay(ValueError):
