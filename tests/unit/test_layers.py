@@ -100,6 +100,7 @@ def test_core_imports_no_ros(path: Path) -> None:
     [
         "spoken_quantities",
         "semantic_frames",
+        "word_classes",
         "utterance_passes.table",
     "semantic_framer.framer",
     "offline_pipeline.pipeline",

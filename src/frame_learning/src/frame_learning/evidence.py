@@ -9,15 +9,16 @@ from semantic_framer.matching import DIRECTIONAL
 from semantic_framer.sentence import Sentence
 from semantic_frames.frame import SemanticFrame
 from semantic_frames.relation_names import MEASURE
+from word_classes import word_class
 
-#: What closes an opening, beside what is opened: "open the door", "open the jar".
-PORTALS = ("door", "window", "gate", "hatch", "lid", "shutter", "curtain")
+_DIRECTIONS = word_class("directions")
+_HEARERS = word_class("hearers")
+_PORTALS = word_class("portals")
 #: Relations that an argument may have, the most telling first.
 _PREFERRED = (
     "dobj", "iobj", "nsubj", "nsubjpass", "prt", "ccomp", "xcomp", "acomp", "attr", "advcl", "tmod", "advmod", "poss",
 )  # fmt: skip
 _CLOSED_CLASSES = frozenset(["ADV", "ADP", "PART"])
-_DIRECTIONS = frozenset("left right forward forwards backward backwards back up down around".split())
 _LONGEST_PATH = 3
 
 
@@ -92,8 +93,8 @@ def lesson_of(
         if (
             word.upos in _CLOSED_CLASSES
             or (word.form.lower() in _DIRECTIONS and not is_side_of_something(sentence.tree, head))
-            or (path == ("dobj",) and word.form.lower() in PORTALS)
-            or (path[-1] == "nsubj" and word.form.lower() in ("you", "u"))
+            or (path == ("dobj",) and word.form.lower() in _PORTALS)
+            or (path[-1] == "nsubj" and word.form.lower() in _HEARERS)
         ):
             closed.add(name)
         arguments[name] = _argument(sentence, positions, head)

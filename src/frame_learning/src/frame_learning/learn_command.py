@@ -20,6 +20,7 @@ from semantic_frames.frame import SemanticFrame
 from semantic_frames.source_files import FRAMES_FOLDER, LEXICAL_UNITS_FOLDER, read_text
 from stanford_parser_ros.model import ModelError, Parser, UnparsableText, shipped_model_dir
 from utterance_passes.tree import DependencyTree
+from word_classes import word_class
 
 EXAMPLES = """examples:
   rfn learn garden_sentences.yaml --out gardening
@@ -35,7 +36,7 @@ a file holds a list of sentences:
 exit status: 0 written, 1 nothing was learned or a file is there already, 2 wrong usage
 """
 #: Of "can find" the parser must not take "can" for the verb of a command.
-_MODALS = frozenset("can could may might will would shall should must there".split())
+_MODALS = word_class("modals") | {"there"}
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:

@@ -11,7 +11,7 @@ from typing import Callable, Dict, FrozenSet, Iterable, List, Mapping, Optional,
 from typing import Counter as CounterType
 
 from frame_learning.annotated_sentences import AnnotatedSentence
-from frame_learning.evidence import PORTALS, Lesson, lesson_of
+from frame_learning.evidence import Lesson, lesson_of
 from semantic_framer.sentence import Sentence
 from semantic_frames.frame import SemanticFrame
 from semantic_frames.relation_names import MEASURE
@@ -19,25 +19,18 @@ from utterance_passes.running import run_tree_passes
 from utterance_passes.table import PARSE_CORRECTING_PASSES
 from utterance_passes.tree import DependencyTree
 from utterance_passes.vocabulary import Verbs
+from word_classes import word_list
 
 #: Prepositions that say the same of a frame element; one of a group stands for all of it.
-PREPOSITION_GROUPS: Tuple[Tuple[str, ...], ...] = (
-    ("to", "into", "onto", "towards", "toward"),
-    ("from", "out_of", "off"),
-    ("through", "along", "across", "via", "past", "around"),
-    (
-        "in", "on", "at", "near", "next_to", "in_front_of", "inside", "under", "behind", "by", "beside", "between",
-        "above", "over", "close_to",
-    ),
-)  # fmt: skip
+PREPOSITION_GROUPS: Tuple[Tuple[str, ...], ...] = tuple(
+    tuple(phrase.replace(" ", "_") for phrase in word_list(name))
+    for name in ("to_prepositions", "from_prepositions", "along_prepositions", "place_prepositions_alike")
+)
 #: Prepositions that mean the same whatever the frame is.
 _OF_PERIPHERAL = frozenset(f"prep_{preposition}" for group in PREPOSITION_GROUPS[1:3] for preposition in group)
 #: Words of closed classes that say the same kind of thing; one of a group stands for all of it.
-WORD_GROUPS: Tuple[Tuple[str, ...], ...] = (
-    ("slowly", "quickly", "carefully", "gently", "fast", "quietly", "closely"),
-    ("left", "right"),
-    ("forward", "forwards", "backward", "backwards", "back", "ahead"),
-    PORTALS,
+WORD_GROUPS: Tuple[Tuple[str, ...], ...] = tuple(
+    word_list(name) for name in ("manner_adverbs", "left_and_right", "forward_and_backward", "portals")
 )
 #: Share of the sentences of a verb and a frame.
 _NEARLY_ALWAYS = 0.8

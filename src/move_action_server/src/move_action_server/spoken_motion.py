@@ -4,9 +4,10 @@ from typing import Mapping
 
 from move_action_server.motion import MotionGoal, MotionKind
 from spoken_quantities import QuantityError, parse_measure
+from word_classes import word_class
 
-LEFT_WORDS = ("left", "counterclockwise", "anticlockwise")
-RIGHT_WORDS = ("right", "clockwise")
+LEFTWARD = word_class("leftward")
+RIGHTWARD = word_class("rightward")
 AROUND = "around"
 QUARTER_TURN_RAD = math.pi / 2.0
 
@@ -71,9 +72,9 @@ def turn_goal(arguments: Mapping[str, str]) -> MotionGoal:
             said_rad = _angle_rad(arguments)
             angle_rad = said_rad if not math.isclose(said_rad, QUARTER_TURN_RAD, rel_tol=1e-6) else math.pi
         return MotionGoal(kind=MotionKind.TURN, amount=angle_rad)
-    if direction in LEFT_WORDS:
+    if direction in LEFTWARD:
         return MotionGoal(kind=MotionKind.TURN, amount=_angle_rad(arguments))
-    if direction in RIGHT_WORDS:
+    if direction in RIGHTWARD:
         return MotionGoal(kind=MotionKind.TURN, amount=-_angle_rad(arguments))
     if direction:
         raise NotUnderstood('I cannot turn "%s", only left, right or around.' % direction)

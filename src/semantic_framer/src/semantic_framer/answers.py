@@ -7,7 +7,7 @@ from semantic_frames.lexical_unit import ArgumentForm
 from utterance_passes.clauses import find_clauses
 from utterance_passes.measures import find_amounts
 from utterance_passes.verb_matching import match_verbs
-from utterance_passes.word_classes import CONDITIONS, NEGATIONS
+from word_classes import word_class
 
 from semantic_framer.dialogue import Pending, is_yes
 from semantic_framer.frame_roles import MESSAGE
@@ -15,6 +15,10 @@ from semantic_framer.framed_lexicon import FramedLexicon
 from semantic_framer.reading import ElementValue, Reading, with_value
 from semantic_framer.sentence import Sentence
 from semantic_framer.values import amount_value, phrase_value, unit_value
+
+_ARTICLES = word_class("articles")
+#: A word that makes an utterance more than an answer.
+_NO_ANSWER = word_class("negations") | word_class("conditions")
 
 
 def question_for(element: FrameElement) -> str:
@@ -95,7 +99,7 @@ def _is_all_said(sentence: Sentence, values: List[ElementValue], is_strict: bool
     if sentence.tree.times:
         return False
     for word in sentence.tree.words:
-        if word.form.lower() in NEGATIONS | CONDITIONS:
+        if word.form.lower() in _NO_ANSWER:
             return False
         if word.index not in used and is_strict and sentence.is_content(word.index):
             return False
@@ -105,8 +109,7 @@ def _is_all_said(sentence: Sentence, values: List[ElementValue], is_strict: bool
 def _is_choice(value: ElementValue, choice: str) -> bool:
     """Whether an answer names one of the things that were offered: "the plate", "plate"."""
     said, offered = value.phrase.lower().split(), choice.lower().split()
-    articles = ("a", "an", "the")
-    return [word for word in said if word not in articles] == [word for word in offered if word not in articles]
+    return [word for word in said if word not in _ARTICLES] == [word for word in offered if word not in _ARTICLES]
 
 
 def _fragment_values(sentence: Sentence, frame: SemanticFrame, element: FrameElement) -> List[ElementValue]:

@@ -3,21 +3,18 @@
 from typing import AbstractSet, FrozenSet, Tuple
 
 from utterance_passes.tree import DependencyTree
-from utterance_passes.word_classes import OF_PLACE
+from word_classes import word_class
 
 #: Prepositions that tell which thing or person is meant only right behind its name: "the guy with the blue jacket".
 _OF_A_THING = frozenset(["with", "without"])
-_PLACE_ADVERBS = frozenset(["here", "there", "upstairs", "downstairs", "outside", "inside"])
-#: Adverbs in front of a preposition that make it more precise: "close to the door", "over to the sofa".
-_OF_A_PREPOSITION = frozenset(
-    "close closer nearer over right straight directly back up down out along all just near next".split()
-)
-#: Sides of a thing where "of" follows, and directions where it does not: "to the left", "to the left of the table".
-_SIDES = frozenset(["left", "right", "front", "back", "top", "bottom"])
-#: "Straight ahead", "directly forward" are one direction.
-_STRAIGHT = frozenset(["straight", "directly", "right"])
-_ONWARD = frozenset(["ahead", "forward", "forwards", "on", "onward"])
-_OF_A_NUMBER = frozenset("by about almost around roughly approximately nearly exactly precisely another".split())
+_ADVERBS_BEFORE_PREPOSITIONS = word_class("adverbs_before_prepositions")
+_AMOUNT_MODIFIERS = word_class("amount_modifiers")
+_LEFT_AND_RIGHT = word_class("left_and_right")
+_ONWARD = word_class("onward_adverbs")
+_PLACE_ADVERBS = word_class("place_adverbs")
+_PLACE_PREPOSITIONS = word_class("place_prepositions")
+_SIDES = word_class("sides")
+_STRAIGHT = word_class("straight_adverbs")
 
 
 def preposition_of(step: str) -> str:
@@ -43,10 +40,10 @@ def is_postmodifier_of(tree: DependencyTree, index: int, head: int, is_described
     prepositions = [child.form.lower() for child in tree.children(index) if child.deprel == "case"]
     if word.upos == "ADV" or not prepositions or min(tree.subtree(index)) != _first_case(tree, index):
         return False
-    if prepositions[0] == "to" and word.form.lower() in ("left", "right"):
+    if prepositions[0] == "to" and word.form.lower() in _LEFT_AND_RIGHT:
         return True  # "the door to your left"
     is_thing = word.upos != "PRON" and not any(child.deprel == "case" for child in tree.children(head))
-    return prepositions[0] in OF_PLACE or (is_described and is_thing and prepositions[0] in _OF_A_THING)
+    return prepositions[0] in _PLACE_PREPOSITIONS or (is_described and is_thing and prepositions[0] in _OF_A_THING)
 
 
 def _first_case(tree: DependencyTree, index: int) -> int:
@@ -71,7 +68,7 @@ def places_before(tree: DependencyTree, head: int) -> Tuple[str, ...]:
     return tuple(
         word.form.lower()
         for word in reversed(before)
-        if word.deprel == "case" and word.form.lower() in OF_PLACE and word.head < own[0]
+        if word.deprel == "case" and word.form.lower() in _PLACE_PREPOSITIONS and word.head < own[0]
     )
 
 
@@ -81,7 +78,7 @@ def words_before(tree: DependencyTree, verb: int, first: int, free: FrozenSet[in
     if before <= verb or before not in free or tree.word(first).deprel != "case":
         return frozenset()
     word = tree.word(before)
-    is_precise = word.deprel == "advmod" and word.form.lower() in _OF_A_PREPOSITION
+    is_precise = word.deprel == "advmod" and word.form.lower() in _ADVERBS_BEFORE_PREPOSITIONS
     return frozenset([before]) if is_precise else frozenset()
 
 
@@ -89,7 +86,7 @@ def words_before_amount(tree: DependencyTree, first: int) -> FrozenSet[int]:
     """Return the words in front of a number that belong to it: "by almost" of "by almost 90 degrees"."""
     found = []
     position = first - 1
-    while position > 0 and tree.word(position).form.lower() in _OF_A_NUMBER:
+    while position > 0 and tree.word(position).form.lower() in _AMOUNT_MODIFIERS:
         found.append(position)
         position -= 1
     return frozenset(found)

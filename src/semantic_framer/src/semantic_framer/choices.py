@@ -8,14 +8,19 @@ from utterance_passes.tree_edits import set_aside
 from utterance_passes.utterance_pass import Choice
 from utterance_passes.verb_matching import match_verbs
 from utterance_passes.vocabulary import Vocabulary, is_verb
-from utterance_passes.word_classes import HARMLESS
+from word_classes import word_class, word_list
 
 from semantic_framer.dialogue import is_yes
 from semantic_framer.sentence import Sentence
 
-_ORDINALS = {"first": 0, "former": 0, "second": 1, "third": 2, "last": -1, "latter": -1}
-_ARTICLES = frozenset(["a", "an", "the"])
-_OF_CHOICES = frozenset(["one", "option", "reading", "choice"])
+_CHOICE_NOUNS = word_class("choice_nouns")
+_ORDINALS = {
+    "former": 0,
+    **{word: place for place, word in enumerate(word_list("ordinals"))},
+    **{word: -1 for word in word_list("last_ordinals")},
+}
+#: Words that tell no choice apart.
+_COMMON = word_class("articles") | (word_class("harmless") - frozenset(_ORDINALS))
 
 
 def question_of_choices(choices: Sequence[Choice]) -> str:
@@ -54,7 +59,7 @@ def chosen(sentence: Sentence, choices: Sequence[Choice], vocabulary: Vocabulary
     if len(choices) == 1 and is_yes(sentence.tree.text):
         return choices[0]
     said = _words(word.form for word in sentence.tree.words if word.upos not in ("PUNCT", "INTJ"))
-    ordinal = [word for word in said if word not in _OF_CHOICES]
+    ordinal = [word for word in said if word not in _CHOICE_NOUNS]
     if len(ordinal) == 1 and ordinal[0] in _ORDINALS and _ORDINALS[ordinal[0]] < len(choices) > 1:
         return choices[_ORDINALS[ordinal[0]]]
     whole = [choice for choice in choices if _words(choice.text.split()) == said]
@@ -66,7 +71,7 @@ def chosen(sentence: Sentence, choices: Sequence[Choice], vocabulary: Vocabulary
 
 def _words(forms: Iterable[str]) -> List[str]:
     lower = [form.lower().strip(".,;:!?") for form in forms]
-    return [form for form in lower if form and form not in _ARTICLES | (HARMLESS - frozenset(_ORDINALS))]
+    return [form for form in lower if form and form not in _COMMON]
 
 
 def _is_part(said: Sequence[str], of: Sequence[str]) -> bool:

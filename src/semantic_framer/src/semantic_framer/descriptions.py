@@ -3,14 +3,14 @@
 from typing import List, Sequence, Tuple
 
 from utterance_passes.clauses import Clause, clause_of
+from word_classes import word_class
 
 from semantic_framer.framed_lexicon import FramedLexicon
 from semantic_framer.matching import read_clause
 from semantic_framer.reading import Reading, rank
 from semantic_framer.sentence import Sentence
 
-#: They only join a relative clause to its noun: "the bathroom where the door is on the right".
-_RELATIVE_ADVERBS = frozenset(["where", "when", "why"])
+_RELATIVE_ADVERBS = word_class("relative_adverbs")
 
 
 def relative_clauses(sentence: Sentence, clauses: Sequence[Clause]) -> Tuple[Clause, ...]:

@@ -10,7 +10,7 @@ from utterance_passes.clauses import Clause, shared_subject
 from utterance_passes.measures import Amount, find_amounts
 from utterance_passes.trace import Trace
 from utterance_passes.verb_matching import VerbMatch, match_verbs
-from utterance_passes.word_classes import OF_PLACE
+from word_classes import word_class
 
 from semantic_framer.attachment import (
     is_of_one_direction,
@@ -30,7 +30,9 @@ from semantic_framer.values import amount_value, given_value, phrase_value, unit
 #: A phrase with one of these hangs on the verb, if the unit asks for it, even where the parser hung it on the object:
 #: "bring the mug to the table". The others ("on", "in", "near") do so only for a core or required element: "put the
 #: mug on the table".
-DIRECTIONAL = frozenset("to into onto towards toward from for with by as through via out_of off off_of".split())
+DIRECTIONAL = frozenset(phrase.replace(" ", "_") for phrase in word_class("directional_prepositions"))
+_DESTINATION_ADVERBS = word_class("destination_adverbs")
+_PLACE_PREPOSITIONS = word_class("place_prepositions")
 #: So many relations or words that were looked for in vain are written down.
 _SHOWN = 8
 _MEASURES_OF_2012 = frozenset(["num", "number", "nummod", "tmod", "npadvmod"])
@@ -190,7 +192,9 @@ class _Filling:
     def _take_phrase(self, relation: ElementRelation) -> None:
         is_wanted = relation.is_required or self._is_core(relation.name)
         # "Put it on the bench in the kitchen": of the places the first is meant, the others tell more of it.
-        static = [path for path in relation.relations if preposition_of(path.steps[0]).split("_")[0] in OF_PLACE]
+        static = [
+            path for path in relation.relations if preposition_of(path.steps[0]).split("_")[0] in _PLACE_PREPOSITIONS
+        ]
         places = sorted(head for path in static for head in self._follow(path.steps, is_wanted))
         if relation.after_place:
             places = [head for head in places if set(places_before(self._sentence.tree, head)) & set(relation.after_place)]
@@ -237,15 +241,7 @@ class _Filling:
 
     def _is_only_an_adverb(self, head: int, steps: Tuple[str, ...]) -> bool:
         """Whether an adverb that says how ("slowly", "forward") would become an argument that says what or where."""
-        return steps[-1] in ("advmod", "prt") and self._sentence.word(head).form.lower() not in (
-            "here",
-            "there",
-            "home",
-            "upstairs",
-            "downstairs",
-            "outside",
-            "inside",
-        )
+        return steps[-1] in ("advmod", "prt") and self._sentence.word(head).form.lower() not in _DESTINATION_ADVERBS
 
     def _follow(self, steps: Tuple[str, ...], is_core: bool) -> List[int]:
         """Return the words at the end of a chain of relations that starts at the verb."""

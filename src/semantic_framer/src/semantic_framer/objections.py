@@ -10,7 +10,7 @@ from typing import FrozenSet, Optional
 
 from utterance_passes.objections import AROUND, MEANT, OBJECTION, plain
 from utterance_passes.tree import DependencyTree
-from utterance_passes.word_classes import is_filler
+from utterance_passes.formula_file import is_filler
 
 from semantic_framer.outcome import CORRECTION, PROHIBITION, Outcome, Question, Refusal
 

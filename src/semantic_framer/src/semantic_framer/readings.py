@@ -8,7 +8,7 @@ from utterance_passes.clauses import Clause
 from utterance_passes.trace import Trace
 from utterance_passes.tree import DependencyTree
 from utterance_passes.verb_matching import match_verbs
-from utterance_passes.word_classes import HARMLESS
+from word_classes import word_class
 
 from semantic_framer.frame_roles import NAME
 from semantic_framer.matching import read_clause
@@ -31,10 +31,11 @@ from semantic_framer.verdicts import (
 _PHRASES = frozenset(["nmod", "obl", "acl", "advcl", "appos"])
 #: Which of several is meant: "the *second* left".
 _CHOOSING = frozenset(["amod", "nummod"])
-_SIDES = frozenset(["left", "right"])
+_INDEFINITE_ARTICLES = word_class("indefinite_articles")
 #: Join a clause to the one before it: "go to the kitchen *to* get the mug".
 _JOINING = frozenset(["and", "to"])
-INDEFINITE_ARTICLES = frozenset(["a", "an", "some"])
+_LEFT_AND_RIGHT = word_class("left_and_right")
+_SAID_AROUND = word_class("harmless")
 
 
 @dataclass(frozen=True)
@@ -118,7 +119,7 @@ def _clause_text(tree: DependencyTree, clause: Clause) -> str:
         if index in tree.quoted
         or (index not in around and tree.word(index).deprel not in ("punct", "cc", "discourse", "vocative"))
     ]
-    while said and said[0] != clause.verb and tree.word(said[0]).form.lower() in HARMLESS | _JOINING:
+    while said and said[0] != clause.verb and tree.word(said[0]).form.lower() in _SAID_AROUND | _JOINING:
         del said[0]
     return tree.text_of(said)
 
@@ -141,7 +142,7 @@ def _unlikely(case: ClauseCase, reading: Reading, listed: FrozenSet[int]) -> int
 
 def _is_indefinite(sentence: Sentence, head: int) -> bool:
     return any(
-        child.deprel == "det" and child.form.lower() in INDEFINITE_ARTICLES for child in sentence.children(head)
+        child.deprel == "det" and child.form.lower() in _INDEFINITE_ARTICLES for child in sentence.children(head)
     )
 
 
@@ -152,7 +153,7 @@ def _with_phrases_left_over(sentence: Sentence, reading: Reading) -> Reading:
         relation = next((relation for relation in reading.unit.relations if relation.name == value.name), None)
         if relation is None or not relation.words or relation.argument is not ArgumentForm.HEAD:
             continue
-        is_side = value.head.lower() in _SIDES
+        is_side = value.head.lower() in _LEFT_AND_RIGHT
         whole = sentence.subtree(value.head_position)
         phrases = [
             sentence.subtree(child.index)

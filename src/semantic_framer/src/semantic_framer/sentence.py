@@ -4,13 +4,15 @@ from typing import Dict, FrozenSet, List, Sequence, Tuple
 
 from stanford_parser_ros.stanford_dependencies import Arc, arcs
 from utterance_passes.tree import ABANDONED, ASIDE, DependencyTree, Word
-from utterance_passes.word_classes import HARMLESS
+from word_classes import word_class
 
 #: Relations that only a noun governs, under their names in both schemes.
 _OF_NOUNS = frozenset(
     "num number nummod poss nmod:poss possessive nn compound amod det predet preconj appos abbrev rcmod vmod partmod "
     "infmod acl".split()
 )
+_HARMLESS = word_class("harmless")
+_SPEAKER_OBJECTS = word_class("speaker_objects")
 _ARGUMENTS = frozenset(["nsubj", "obj", "iobj", "obl", "xcomp"])
 _FUNCTION_RELATIONS = {
     "punct",
@@ -86,7 +88,7 @@ class Sentence:
         if word.deprel in _FUNCTION_RELATIONS or word.upos in ("PUNCT", "INTJ", "SYM", "CCONJ", "PART"):
             return False
         # "Open the door for me": who wants something done wants it for himself.
-        is_wisher = word.form.lower() in ("me", "us") and any(
+        is_wisher = word.form.lower() in _SPEAKER_OBJECTS and any(
             child.deprel == "case" and child.form.lower() == "for" for child in self.children(index)
         )
-        return word.form.lower() not in HARMLESS and index not in self.tree.fillers and not is_wisher
+        return word.form.lower() not in _HARMLESS and index not in self.tree.fillers and not is_wisher

@@ -6,7 +6,7 @@ from typing import Callable, FrozenSet, Iterable, Optional, Sequence, Tuple
 from utterance_passes.clauses import Clause
 from utterance_passes.trace import Trace
 from utterance_passes.verb_matching import VerbMatch
-from utterance_passes.word_classes import CONDITIONS, DEGREES, WRAPPERS
+from word_classes import word_class
 
 from semantic_framer.attachment import is_side_of_something
 from semantic_framer.frame_roles import NO_THINGS, PLACES, THEME
@@ -15,9 +15,11 @@ from semantic_framer.reading import ElementValue, Reading, rank
 from semantic_framer.outcome import PROHIBITION, LeftOverWords, Policy, Refusal
 from semantic_framer.sentence import Sentence
 
-_SIDES = frozenset(["left", "right"])
-#: Verbs that only lead to a request: "go get the mug", "would you be so kind".
-_LEADING = frozenset(["go", "come", "would", "be"])
+_AROUND_REQUESTS = word_class("verbs_around_requests")
+_CONDITIONS = word_class("conditions")
+_DEGREES = word_class("degrees")
+_LEFT_AND_RIGHT = word_class("left_and_right")
+_PARTICIPANTS = word_class("participants")
 
 
 @dataclass(frozen=True)
@@ -146,8 +148,8 @@ def words_outside(sentence: Sentence, clauses: Iterable[Clause]) -> Tuple[int, .
         for word in sentence.tree.words
         if word.index not in inside
         and sentence.is_content(word.index)
-        and word.lemma.lower() not in WRAPPERS | _LEADING
-        and not (word.deprel.startswith("nsubj") and word.form.lower() in ("i", "you", "we"))
+        and word.lemma.lower() not in _AROUND_REQUESTS
+        and not (word.deprel.startswith("nsubj") and word.form.lower() in _PARTICIPANTS)
     )
 
 
@@ -271,14 +273,14 @@ def _is_degree(case: ClauseCase, reading: Reading, value: ElementValue, beside: 
     word = case.sentence.word(value.head_position)
     return (
         bool(_roles(case, reading, value))
-        and word.form.lower() in DEGREES
+        and word.form.lower() in _DEGREES
         and not any(child.deprel == "nmod" for child in case.sentence.children(word.index))
     )
 
 
 def _is_side(case: ClauseCase, reading: Reading, value: ElementValue, beside: Tuple[Reading, ...]) -> bool:
     word = case.sentence.word(value.head_position)
-    is_side = word.form.lower() in _SIDES and not is_side_of_something(case.sentence.tree, word.index)
+    is_side = word.form.lower() in _LEFT_AND_RIGHT and not is_side_of_something(case.sentence.tree, word.index)
     roles = set(_roles(case, reading, value))
     return is_side and word.deprel == "obj" and bool(roles) and not roles & (PLACES | NO_THINGS)
 
@@ -365,7 +367,7 @@ def _inner_condition(case: ClauseCase) -> FrozenSet[int]:
     for index in sorted(positions):
         word = case.sentence.word(index)
         marks = {child.form.lower() for child in case.sentence.children(index) if child.deprel in ("mark", "advmod")}
-        if word.deprel.startswith("advcl") and word.head in positions and marks & (CONDITIONS - {"if"}):
+        if word.deprel.startswith("advcl") and word.head in positions and marks & (_CONDITIONS - {"if"}):
             return case.sentence.subtree(index)
     return frozenset()
 

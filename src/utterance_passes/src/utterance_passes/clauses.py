@@ -3,20 +3,22 @@
 from dataclasses import dataclass, replace
 from typing import FrozenSet, List, Set, Tuple
 
+from word_classes import word_class
+
 from utterance_passes.tree import DependencyTree, Word
 from utterance_passes.vocabulary import Verbs, Vocabulary
-from utterance_passes.word_classes import CONDITIONS, LEAD_IN, NEGATIONS, WRAPPERS
 
-#: Verbs that only lead to the next one: "go get the mug", "come and help".
-_MOTION = frozenset(["go", "come", "try"])
-#: Who may be told to act, or may ask for something: any other subject makes a statement ("Bob turned left").
-_ADDRESSEES = frozenset(["you", "robot", "u", "we"])
-_REPORTING_AUXILIARIES = frozenset("did was were is are 's 're am has have had been".split())
-_ASKING = frozenset("where what who whose which how why when".split())
-#: "Follow me no more."
-_NO_MORE = (("no", "more"), ("no", "longer"))
-#: What an action is said to be done with, or to, when it is not to be done: "take no box", "take none of the boxes".
-_NO_THINGS = frozenset("no none nothing nobody noone neither".split())
+_ADDRESSEES = word_class("addressees")
+_CONDITIONS = word_class("conditions")
+_REPORTING_AUXILIARIES = word_class("reporting_auxiliaries")
+_LEADING_VERBS = word_class("leading_verbs")
+_LEAD_IN = word_class("lead_in")
+_LEFT_AND_RIGHT = word_class("left_and_right")
+_NEGATIONS = word_class("negations")
+_NO_LONGER = word_class("no_longer")
+_NO_THINGS = word_class("no_things")
+_QUESTION_WORDS = word_class("question_words")
+_REQUEST_VERBS = word_class("request_verbs")
 
 
 @dataclass(frozen=True)
@@ -96,7 +98,7 @@ def shares_a_verb(tree: DependencyTree, word: Word) -> bool:
     if is_choice or any(child.deprel == "cop" or child.deprel.startswith("nsubj") for child in children):
         return False
     is_joined = word.deprel == "conj" or (word.deprel == "advmod" and any(_is_then(child) for child in children))
-    is_direction = word.form.lower() in ("left", "right") and all(
+    is_direction = word.form.lower() in _LEFT_AND_RIGHT and all(
         child.deprel in ("cc", "advmod", "punct", "discourse") for child in children
     )
     is_phrase = word.deprel == "conj" and word.upos not in ("VERB", "AUX") and has_case(tree, word)
@@ -134,9 +136,9 @@ def _collect(
     wrapped = next(
         (child for child in children if child.deprel in ("xcomp", "ccomp") and child.upos in ("VERB", "AUX")), None
     )
-    if wrapped is not None and word.lemma.lower() in WRAPPERS:
+    if wrapped is not None and word.lemma.lower() in _REQUEST_VERBS:
         _collect(tree, vocabulary, wrapped, is_negated, found)
-    elif wrapped is not None and word.lemma.lower() in _MOTION and wrapped.index == word.index + 1:
+    elif wrapped is not None and word.lemma.lower() in _LEADING_VERBS and wrapped.index == word.index + 1:
         _collect(tree, vocabulary, wrapped, is_negated, found)
     elif copula is not None:
         found.append((copula.index, is_negated))
@@ -147,7 +149,7 @@ def _collect(
                 for child in children
                 if child.deprel == "conj"
                 and child.upos == "VERB"
-                and word.lemma.lower() in _MOTION
+                and word.lemma.lower() in _LEADING_VERBS
                 and child.index - word.index <= 2
                 and not any(
                     arc in ("obl", "advmod")
@@ -181,7 +183,7 @@ def _is_purpose(tree: DependencyTree, vocabulary: Vocabulary, verb: Word, child:
         child.deprel == "advcl"
         and child.index > verb.index
         and not has_object
-        and verb.lemma.lower() not in WRAPPERS
+        and verb.lemma.lower() not in _REQUEST_VERBS
         and any(mark.deprel == "mark" and mark.form.lower() == "to" for mark in tree.children(child.index))
         and bool(vocabulary.verbs_beginning_with(child.lemma.lower()))
         and f"{verb.lemma} to {child.lemma}".lower() not in vocabulary.verbs_beginning_with(verb.lemma.lower())
@@ -190,10 +192,10 @@ def _is_purpose(tree: DependencyTree, vocabulary: Vocabulary, verb: Word, child:
 
 def _has_negation(tree: DependencyTree, word: Word) -> bool:
     return any(
-        child.form.lower() in NEGATIONS or child.lemma.lower() in NEGATIONS
+        child.form.lower() in _NEGATIONS or child.lemma.lower() in _NEGATIONS
         for child in tree.children(word.index)
         if child.deprel in ("advmod", "aux", "det", "discourse", "mark", "cc", "cc:preconj", "dep")
-        or (child.deprel.startswith("nsubj") and child.form.lower() in NEGATIONS)
+        or (child.deprel.startswith("nsubj") and child.form.lower() in _NEGATIONS)
     )
 
 
@@ -203,7 +205,7 @@ def _is_of_nothing(tree: DependencyTree, positions: FrozenSet[int]) -> bool:
     "Say no" says a word.
     """
     words = [tree.word(index) for index in sorted(positions - tree.quoted)]
-    if any((word.form.lower(), after.form.lower()) in _NO_MORE for word, after in zip(words, words[1:])):
+    if any(f"{word.form} {after.form}".lower() in _NO_LONGER for word, after in zip(words, words[1:])):
         return True
     # "Go to the office and not to the kitchen", "turn right then not left": what is not to be done is said as well.
     if any((word.deprel == "conj" or _is_shared(tree, word)) and _has_negation(tree, word) for word in words):
@@ -273,7 +275,7 @@ def _is_report(tree: DependencyTree, verb: int, subject: int) -> bool:
     ):
         return True
     said = tree.word(subject).form.lower()
-    if said == "i" and word.lemma.lower() in WRAPPERS:
+    if said == "i" and word.lemma.lower() in _REQUEST_VERBS:
         return False
     return word.xpos == "VBD" or said not in _ADDRESSEES
 
@@ -285,10 +287,10 @@ def _is_question(tree: DependencyTree, verb: int, positions: FrozenSet[int]) -> 
     word = tree.word(verb)
     said = (tree.word(index) for index in sorted(positions))
     spoken = (other for other in said if other.upos not in ("PUNCT", "INTJ", "CCONJ"))
-    first = next((other for other in spoken if other.form.lower() not in LEAD_IN), word)
+    first = next((other for other in spoken if other.form.lower() not in _LEAD_IN), word)
     is_first = first.index == verb and word.form.lower() != "be"
     is_inverted = is_first or (first.deprel == "aux" and first.head in (verb, word.head))
-    return word.lemma.lower() == "be" and (is_inverted or first.form.lower() in _ASKING)
+    return word.lemma.lower() == "be" and (is_inverted or first.form.lower() in _QUESTION_WORDS)
 
 
 def _condition(tree: DependencyTree, top: int, positions: FrozenSet[int]) -> FrozenSet[int]:
@@ -298,6 +300,6 @@ def _condition(tree: DependencyTree, top: int, positions: FrozenSet[int]) -> Fro
         if word.deprel.startswith("advcl") or word.deprel == "mark":
             clause = word.index if word.deprel.startswith("advcl") else word.head
             marks = [child.form.lower() for child in tree.children(clause) if child.deprel in ("mark", "advmod")]
-            if any(mark in CONDITIONS for mark in marks):
+            if any(mark in _CONDITIONS for mark in marks):
                 return tree.subtree(clause) if clause != top else frozenset([index])
     return frozenset()

@@ -2,17 +2,19 @@
 
 from typing import Iterable, List
 
+from word_classes import word_class
+
 from utterance_passes.tree import DependencyTree, Word
 from utterance_passes.tree_edits import TreeEdit
 from utterance_passes.vocabulary import Vocabulary
-from utterance_passes.word_classes import DEGREES
 
-_TO = frozenset(["to", "into", "onto", "towards", "toward"])
-#: What may stand between a verb of motion and "to": "go *up* to the desk".
-_ON_THE_WAY = frozenset("up down over back out along across on off in".split())
-_OF_PLACE = frozenset("in at on near above over under behind beside by inside outside next".split())
-_ALL = frozenset("everything everyone everybody something someone somebody anything all".split())
-_FRACTIONS = frozenset(["quarter", "half", "third", "full"])
+_DEGREES = word_class("degrees")
+_DEGREE_ADJECTIVES = word_class("degree_adjectives")
+_INDEFINITES = word_class("indefinites")
+_PARTICLES_ON_THE_WAY = word_class("particles_on_the_way")
+_PARTS_OF_A_TURN = word_class("parts_of_a_turn")
+_PLACE_PREPOSITIONS = word_class("place_prepositions")
+_TO_PREPOSITIONS = word_class("to_prepositions")
 
 
 def with_modals_as_nouns(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
@@ -45,8 +47,8 @@ def with_particles_on_the_way(tree: DependencyTree, _: Vocabulary) -> Dependency
     """Make an adverb of a particle right in front of "to": in "go up to the desk" nothing is gone up."""
     edit = TreeEdit(tree)
     for word, following in zip(tree.words, tree.words[1:]):
-        is_to = following.form.lower() in _TO and following.deprel == "case"
-        if word.deprel == "compound:prt" and word.form.lower() in _ON_THE_WAY and is_to:
+        is_to = following.form.lower() in _TO_PREPOSITIONS and following.deprel == "case"
+        if word.deprel == "compound:prt" and word.form.lower() in _PARTICLES_ON_THE_WAY and is_to:
             edit.relabel(word.index, "advmod")
     return edit.tree()
 
@@ -68,7 +70,7 @@ def with_places_of_all(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
     """Hang a place on "everything" and the like in front of it: it tells which things, as behind a noun."""
     edit = TreeEdit(tree)
     for pronoun in tree.words:
-        if pronoun.form.lower() in _ALL and pronoun.deprel == "obj":
+        if pronoun.form.lower() in _INDEFINITES and pronoun.deprel == "obj":
             for place in _places_at(tree, tree.children(pronoun.head), pronoun.index + 1)[:1]:
                 edit.rehang(place.index, pronoun.index, "nmod")
     return edit.tree()
@@ -76,7 +78,7 @@ def with_places_of_all(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
 
 def _places_at(tree: DependencyTree, words: Iterable[Word], position: int) -> List[Word]:
     """Return those of some words that head a phrase of place which begins at a position."""
-    if position > len(tree.words) or tree.word(position).form.lower() not in _OF_PLACE:
+    if position > len(tree.words) or tree.word(position).form.lower() not in _PLACE_PREPOSITIONS:
         return []
     return [word for word in words if word.deprel == "obl" and min(tree.subtree(word.index)) == position]
 
@@ -86,7 +88,7 @@ def with_part_turns(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
     for turn in tree.words[2:]:
         fraction = tree.word(turn.index - 1)
         verb = tree.word(turn.head) if turn.head else turn
-        is_part = fraction.form.lower() in _FRACTIONS and fraction.head == verb.index and turn.upos == "VERB"
+        is_part = fraction.form.lower() in _PARTS_OF_A_TURN and fraction.head == verb.index and turn.upos == "VERB"
         if turn.form.lower() not in ("turn", "circle") or not is_part or verb.upos != "VERB":
             continue
         edit = TreeEdit(tree)
@@ -105,7 +107,7 @@ def with_degrees(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
     for word in tree.words[2:]:
         before = tree.word(word.index - 1)
         modifiers = {child.form.lower() for child in tree.children(word.index)}
-        if word.form.lower() not in DEGREES or not {"a"} <= modifiers <= {"a", "little", "tiny"}:
+        if word.form.lower() not in _DEGREES or not {"a"} <= modifiers <= {"a"} | _DEGREE_ADJECTIVES:
             continue
         governor = tree.word(word.head) if word.head else word
         is_behind = word.head and governor.index < before.index and governor.upos in ("NOUN", "PROPN", "PRON", "ADV")

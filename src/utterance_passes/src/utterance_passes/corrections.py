@@ -8,29 +8,24 @@ speech disfluencies*, 1994).
 
 from typing import Dict, FrozenSet, List, Optional, Sequence, Tuple
 
+from word_classes import word_class
+
+from utterance_passes.formula_file import is_filler, pattern_of
 from utterance_passes.measures import Amount, find_amounts
 from utterance_passes.times import find_times
 from utterance_passes.tree import ABANDONED, DependencyTree, Word
 from utterance_passes.tree_edits import NotATree, TreeEdit, set_aside
 from utterance_passes.utterance_pass import Choice, Uncertain
 from utterance_passes.vocabulary import Vocabulary, is_verb
-from utterance_passes.word_classes import CONDITIONS, NEGATIONS, is_filler
 
-#: Words that take back what was said before them, the longest first.
-EDITING_TERMS: Tuple[Tuple[str, ...], ...] = (
-    ("i", "mean"),
-    ("i", "meant"),
-    ("or", "rather"),
-    ("no",),
-    ("nope",),
-    ("sorry",),
-    ("correction",),
-    ("rather",),
-)
+_AROUND = word_class("around_corrections")
+_CONDITIONS = word_class("conditions")
+_NEGATIONS = word_class("negations")
 #: They take something back even where nothing follows.
-_WITHDRAWING = frozenset([("no",), ("nope",)])
-#: Said around an editing term.
-_AROUND = frozenset("oh ah well wait actually please".split())
+_WITHDRAWAL = pattern_of("withdrawals")
+_EDITING_TERMS = (pattern_of("editing_terms"), _WITHDRAWAL)
+#: No editing term has more words.
+_LONGEST_TERM = 2
 _BEFORE_NO_EDITING_TERM = ("VERB", "AUX", "ADP", "DET", "SCONJ", "CCONJ")
 _IN_NAMES = ("DET", "ADJ", "NUM", "NOUN", "PROPN", "PRON")
 _RELATION_IN_NAMES: Dict[str, str] = {"DET": "det", "ADJ": "amod", "NUM": "nummod", "ADP": "case", "PUNCT": "punct"}
@@ -92,17 +87,17 @@ def _editing_term(tree: DependencyTree, vocabulary: Vocabulary, behind: int) -> 
     position = 0
     while position < len(forms):
         first = position
-        terms: List[Tuple[str, ...]] = []
+        terms: List[str] = []
         while position < len(forms):
-            term = next((term for term in EDITING_TERMS if tuple(forms[position : position + len(term)]) == term), None)
+            term = _term_at(forms, position)
             is_around = forms[position] in _AROUND or is_filler(forms[position])
-            if term is None and not is_around and tree.words[position].upos != "PUNCT":
+            if not term and not is_around and tree.words[position].upos != "PUNCT":
                 break
             terms += [term] if term else []
-            position += len(term) if term else 1
+            position += len(term.split()) if term else 1
         if terms and first >= behind and has_verb and _takes_back(tree, vocabulary, first, position, terms):
-            return first + 1, position, any(term in _WITHDRAWING for term in terms)
-        if forms[first] in NEGATIONS and not terms:
+            return first + 1, position, any(_WITHDRAWAL.fullmatch(term) for term in terms)
+        if forms[first] in _NEGATIONS and not terms:
             # "Don't turn left, I mean right" is left as it is: not to act is the safe reading.
             return None
         has_verb = has_verb or _is_verb(tree.words[first], vocabulary)
@@ -110,8 +105,17 @@ def _editing_term(tree: DependencyTree, vocabulary: Vocabulary, behind: int) -> 
     return None
 
 
+def _term_at(forms: Sequence[str], position: int) -> str:
+    """Return the editing term that begins at a position, the longest one; empty for none."""
+    for length in range(_LONGEST_TERM, 0, -1):
+        said = " ".join(forms[position : position + length])
+        if any(pattern.fullmatch(said) for pattern in _EDITING_TERMS):
+            return said
+    return ""
+
+
 def _takes_back(
-    tree: DependencyTree, vocabulary: Vocabulary, first: int, behind: int, terms: Sequence[Tuple[str, ...]]
+    tree: DependencyTree, vocabulary: Vocabulary, first: int, behind: int, terms: Sequence[str]
 ) -> bool:
     """Whether a term stands between a command and a correction: "say no", "there is no chair" and "with no lid" do not
     take anything back, and in "bring Bob no mug" the word belongs to what follows.
@@ -212,7 +216,7 @@ class _Repair:
     def _is_put_off(self, words: Sequence[Word]) -> bool:
         """Whether words hold a condition or a time."""
         positions = frozenset(word.index for word in words)
-        return any(word.form.lower() in CONDITIONS for word in words) or any(
+        return any(word.form.lower() in _CONDITIONS for word in words) or any(
             time & positions for time in find_times(self._tree)
         )
 

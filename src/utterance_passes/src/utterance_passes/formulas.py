@@ -4,77 +4,24 @@ Such formulas are no wishes, conditions or negations of their own. Their words b
 nothing that is read later looks at.
 """
 
-import re
 from typing import FrozenSet, Sequence
 
+from word_classes import word_class
+
+from utterance_passes.formula_file import pattern_of
 from utterance_passes.tree import ASIDE, DependencyTree, Word
 from utterance_passes.tree_edits import set_aside
 from utterance_passes.vocabulary import Vocabulary, is_verb
-from utterance_passes.word_classes import HEDGES, LEAD_IN, NEGATIONS
 
-_NOT = "(n't|not|nt)"
-_COULD = "(could|can|would|will|might)"
-#: What may lead to a command; a verb of the lexicon must follow.
-_OPENINGS = re.compile(
-    "|".join(
-        [
-            f"why do {_NOT} (you|we)",
-            "(how|what) about (if )?(you|we)",
-            f"i (was|am|'m) (just )?wondering (if|whether) you {_COULD}",
-            f"i wonder (if|whether) you {_COULD}",
-            f"do you think (that )?you {_COULD}",
-            "i (think|guess|suppose|believe) (that )?(you|we) (should|could|can|might|must)",
-            "(i think )?(you|we) (had better|'d better|ought to)",
-            "(is it|would it be|will it be) (possible|ok|okay|fine|alright) (for you )?to",
-            f"(is it|would it be) (possible|ok|okay) if you {_COULD}",
-            f"it (would|'d) be (really |very |so )?(great|nice|good|lovely|kind|helpful) if you {_COULD}",
-            f"i (would|'d) (really )?(appreciate|like|love) it if you {_COULD}",
-            "i (would|'d) be (really |very |so )?(grateful|happy|glad) if you (could|would)",
-            "(could|can|may|might) i (ask|get|trouble|bother) you to",
-            "do (me|us) (a|the) (big |little |small |quick )?(favor|favour)( and)?",
-            "be (a|an) (good )?(dear|darling|angel|sweetheart|sport|pal|star|robot) and",
-            "(would you |could you )?(please )?be (so |very )?(kind|good|nice) (enough )?(as )?(to|and)",
-            "(would you |could you )?(please )?(make|be) sure (to|and|that you|you)",
-            f"(please )?do {_NOT} forget to",
-            "(are|would|will|might) you (be )?able to",
-            "(is there )?any chance (that )?you (could|can)",
-            "go ahead and",
-            "quick",
-            "hurry( up)?( and)?",
-            "help (me|us)( to)?",
-            "let 's",
-            "you know what",
-            "excuse me( but)?",
-        ]
-    )
-)
-#: What may stand in front of a command, behind it, or between commas.
-_ANYWHERE = re.compile(
-    "|".join(
-        [
-            f"if (you|that|it) (do|does|would) {_NOT} mind( that)?",
-            "as (soon|quickly|fast) as (you (can|could)|possible)",
-            "right now|right away|straight away|at once|immediately",
-        ]
-    )
-)
-#: The same, but not right in front of a verb: "if you can open the door" is a condition.
-_APART = re.compile("if you (can|could|please|would|will|like|may|want)|if (it 's )?(possible|ok|okay)( with you)?")
-#: What may only end a command.
-_ENDINGS = re.compile(
-    "|".join(
-        [
-            "(would|will|could|can|wo n't|ca n't) you( please)?",
-            "(many )?(thank you|thanks)( (very|so) much| a lot| in advance)?",
-            "by the way|i think|i guess|i suppose|you know",
-            "or something( like that)?",
-        ]
-    )
-)
+_OPENINGS = pattern_of("openings")
+_ANYWHERE = pattern_of("anywhere")
+_APART = pattern_of("apart")
+_ENDINGS = pattern_of("endings")
 #: No formula has more words.
 _LONGEST = 12
 #: What may stand between a formula and the verb.
-_LEADING = LEAD_IN | HEDGES
+_LEADING = word_class("lead_in") | word_class("hedges")
+_NEGATIONS = word_class("negations")
 
 
 def without_opening(tree: DependencyTree, vocabulary: Vocabulary) -> DependencyTree:
@@ -103,7 +50,7 @@ def _opening(tree: DependencyTree, vocabulary: Vocabulary) -> FrozenSet[int]:
             continue
         following = _behind_lead_in(words, behind)
         # "... if you could not turn left" negates as ever.
-        following += following < len(words) - 1 and words[following].form.lower() in NEGATIONS
+        following += following < len(words) - 1 and words[following].form.lower() in _NEGATIONS
         if following < len(words) and is_verb(vocabulary, words[following]):
             return frozenset(word.index for word in said)
     return frozenset()

@@ -1,5 +1,7 @@
 """Verbs that stand for another one: "can I have the mug" wishes for it, and who does a u-turn makes one."""
 
+from word_classes import word_class
+
 from utterance_passes.tree import DependencyTree, Word
 from utterance_passes.tree_edits import TreeEdit
 from utterance_passes.vocabulary import Vocabulary
@@ -7,11 +9,11 @@ from utterance_passes.vocabulary import Vocabulary
 _WISH = "want"
 #: "Can I have ...", "could we get ...".
 _ASKED_FOR = frozenset(["have", "get"])
-_MAY = frozenset(["can", "could", "may", "might"])
+_PERMISSION_MODALS = word_class("permission_modals")
 #: "I would love ...": without "would" it tells what somebody is fond of.
-_WISHED = frozenset(["like", "love", "prefer", "appreciate"])
+_WISHING_VERBS = word_class("wishing_verbs")
 _WOULD = frozenset(["would", "'d", "’d"])
-_SPEAKERS = frozenset(["i", "we"])
+_SPEAKERS = word_class("speaker_subjects")
 
 
 def replace_light_verbs(tree: DependencyTree, vocabulary: Vocabulary) -> DependencyTree:
@@ -24,7 +26,7 @@ def replace_light_verbs(tree: DependencyTree, vocabulary: Vocabulary) -> Depende
         lemma = word.lemma.lower()
         if lemma == "do" and word.upos == "VERB" and _is_made(tree, word, vocabulary):
             edit.respell(word.index, "make")
-        elif lemma in _ASKED_FOR | _WISHED and _WISH in vocabulary.verbs_beginning_with(_WISH) and _is_wish(tree, word):
+        elif lemma in _ASKED_FOR | _WISHING_VERBS and _WISH in vocabulary.verbs_beginning_with(_WISH) and _is_wish(tree, word):
             edit.respell(word.index, _WISH)
     return edit.tree()
 
@@ -38,7 +40,7 @@ def _is_made(tree: DependencyTree, word: Word, vocabulary: Vocabulary) -> bool:
 
 def _is_wish(tree: DependencyTree, word: Word) -> bool:
     children = tree.children(word.index)
-    modals = _WOULD if word.lemma.lower() in _WISHED else _MAY
+    modals = _WOULD if word.lemma.lower() in _WISHING_VERBS else _PERMISSION_MODALS
     is_for_another = any(child.form.lower() == "you" for child in children)
     return (
         any(child.deprel == "aux" and child.form.lower() in modals for child in children)

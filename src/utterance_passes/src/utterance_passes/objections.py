@@ -5,8 +5,9 @@ import re
 from utterance_passes.tree import ASIDE, DependencyTree, Word
 from utterance_passes.tree_edits import set_aside
 from utterance_passes.vocabulary import Vocabulary, is_verb
-from utterance_passes.word_classes import LEAD_IN
+from word_classes import word_class
 
+_LEAD_IN = word_class("lead_in")
 OBJECTION = "(no|nope|nah|wrong)"
 MEANT = "i (really |actually )?(mean|meant|said|wanted)( to say)?"
 AROUND = "(oh|ah|hey|well|wait|robot|sorry|oops|please|actually|,)"
@@ -37,5 +38,5 @@ def plain(word: Word) -> str:
 
 
 def _begins_command(tree: DependencyTree, position: int, vocabulary: Vocabulary) -> bool:
-    words = [word for word in tree.words[position:] if word.upos != "PUNCT" and word.form.lower() not in LEAD_IN]
+    words = [word for word in tree.words[position:] if word.upos != "PUNCT" and word.form.lower() not in _LEAD_IN]
     return bool(words) and is_verb(vocabulary, words[0])

@@ -8,22 +8,26 @@ one of a lexical unit whose frame has a *Message*, as FrameNet calls it.
 from dataclasses import dataclass
 from typing import Dict, FrozenSet, Iterable, Optional, Sequence, Set, Tuple
 
+from word_classes import word_class
+
 from utterance_passes.clauses import Clause, find_clauses
 from utterance_passes.times import find_times
 from utterance_passes.tree import QUOTED, DependencyTree, Word
 from utterance_passes.tree_edits import TreeEdit
 from utterance_passes.verb_matching import match_verbs
 from utterance_passes.vocabulary import Speech, Vocabulary
-from utterance_passes.word_classes import CONDITIONS, HARMLESS, NEGATIONS, OF_PLACE
 
 _MARKS = ('"', "“", "”", "«", "»", "``", "''")
+_AFTER_NO = word_class("after_no")
+_CONDITIONS = word_class("conditions")
+_COURTESIES = word_class("courtesies")
+_HARMLESS = word_class("harmless")
+_NEGATIONS = word_class("negations")
+_NO_PRONOUNS = word_class("no_pronouns")
+_PERSONS_TOLD = word_class("persons_told")
+_PLACE_PREPOSITIONS = word_class("place_prepositions")
 #: Not quoted: what is said is put off by them ("tell me when dinner is ready").
-_PUTTING_OFF = CONDITIONS - {"if"}
-#: "Say nothing", "say no more", "say no word", "tell no one".
-_NOTHING = frozenset("nothing nobody noone none neither".split())
-_NO_THING = frozenset("more longer one word words".split())
-_SOMEBODY = frozenset("me us him her them everybody everyone somebody someone".split())
-_THANKS = frozenset(["thanks", "thank", "hello", "hi", "hey"])
+_PUTTING_OFF = _CONDITIONS - {"if"}
 
 
 @dataclass(frozen=True)
@@ -120,7 +124,7 @@ class _Quotation:
                 edit.rehang(word.index, governor, relation)
             elif word.index == head.index:
                 edit.rehang(word.index, self._verb, "obj")
-                if word.form.lower() in NEGATIONS:
+                if word.form.lower() in _NEGATIONS:
                     edit.retag(word.index, "INTJ")
             elif word.index in inside:
                 edit.rehang(word.index, head.index, QUOTED)
@@ -199,13 +203,13 @@ class _Quotation:
         relation = child.deprel.split(":")[0]
         if child.deprel == "iobj" or relation in ("punct", "cc", "advcl"):
             return True
-        if child.form.lower() in HARMLESS and relation in ("discourse", "vocative", "advmod"):
+        if child.form.lower() in _HARMLESS and relation in ("discourse", "vocative", "advmod"):
             is_last = child.index == self._end - 1
-            return child.form.lower() not in _THANKS and (bool(inside) or not is_last)
+            return child.form.lower() not in _COURTESIES and (bool(inside) or not is_last)
         if self._case(child.index) == "to":
             return True
         if relation in ("obl", "nmod", "advmod"):
-            return child.form.lower() not in NEGATIONS and not self._has_verb(inside)
+            return child.form.lower() not in _NEGATIONS and not self._has_verb(inside)
         return False
 
     def _case(self, index: int) -> str:
@@ -217,7 +221,7 @@ class _Quotation:
             word = self._tree.word(index)
             phrase = self._tree.subtree(index)
             is_end = self._case(index) == "to" and max(phrase & inside) == max(inside) and phrase < inside
-            is_somebody = word.upos == "PROPN" or word.form.lower() in _SOMEBODY
+            is_somebody = word.upos == "PROPN" or word.form.lower() in _PERSONS_TOLD
             has_subject = any(self._tree.word(i).deprel.startswith("nsubj") for i in inside)
             if is_end and is_somebody and not has_subject:
                 self._moved[index] = (self._verb, "obl")
@@ -226,7 +230,7 @@ class _Quotation:
         tops = [w for w in self._tree.children(self._verb) if self._case(w.index) and w.index not in inside]
         for person, place in zip(tops, tops[1:]):
             is_next = min(self._tree.subtree(place.index)) == max(self._tree.subtree(person.index)) + 1
-            if self._case(person.index) == "to" and is_next and self._case(place.index) in OF_PLACE:
+            if self._case(person.index) == "to" and is_next and self._case(place.index) in _PLACE_PREPOSITIONS:
                 if not find_times(self._tree) and inside:
                     self._moved[place.index] = (person.index, "nmod")
         return inside
@@ -236,8 +240,8 @@ class _Quotation:
 
     def _is_of_nothing(self, inside: FrozenSet[int]) -> bool:
         forms = [self._tree.word(index).form.lower() for index in sorted(inside)]
-        is_no_thing = forms[0] == "no" and len(forms) > 1 and forms[1] in _NO_THING
-        return not self._has_verb(inside) and (forms[0] in _NOTHING or is_no_thing)
+        is_no_thing = forms[0] == "no" and len(forms) > 1 and forms[1] in _AFTER_NO
+        return not self._has_verb(inside) and (forms[0] in _NO_PRONOUNS or is_no_thing)
 
     def _head(self, inside: FrozenSet[int]) -> Word:
         """Return the word that the others are put below: one that hangs on the verb, an object first."""
@@ -249,4 +253,4 @@ class _Quotation:
     def _is_more_than_a_name(self, index: int) -> bool:
         word = self._tree.word(index)
         is_verb = word.upos in ("VERB", "AUX")
-        return is_verb or word.deprel == "conj" or word.form.lower() in NEGATIONS | CONDITIONS
+        return is_verb or word.deprel == "conj" or word.form.lower() in _NEGATIONS | _CONDITIONS

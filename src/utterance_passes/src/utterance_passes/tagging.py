@@ -2,12 +2,15 @@
 
 from typing import Optional, Sequence, Tuple
 
+from word_classes import word_class
+
 from utterance_passes.tree import DependencyTree
 from utterance_passes.tree_edits import TreeEdit
 from utterance_passes.utterance_pass import Retag
 from utterance_passes.vocabulary import Vocabulary
-from utterance_passes.word_classes import LEAD_IN
 
+_FORMS_OF_BE = word_class("forms_of_be")
+_LEAD_IN = word_class("lead_in")
 _NOUNS = {"NOUN", "PROPN", "PRON", "NUM", "ADJ", "DET"}
 #: Relations of what hangs on the verb of the command, and not on the word that the parser took for it.
 _OF_THE_VERB = frozenset(["punct", "obl", "advmod", "discourse", "vocative", "conj", "parataxis"])
@@ -31,12 +34,12 @@ def command_verb_position(forms: Sequence[str], vocabulary: Vocabulary) -> Optio
         its index from 1; None when the front of the sentence holds no known verb
     """
     position = 0
-    while position < len(forms) and (forms[position].lower() in LEAD_IN or forms[position] == ","):
+    while position < len(forms) and (forms[position].lower() in _LEAD_IN or forms[position] == ","):
         position += 1
     if position < len(forms) and vocabulary.verbs_beginning_with(forms[position].lower()):
         # "Name is Bob", "Face it": a noun that is followed by a finite verb is no command.
         following = forms[position + 1].lower() if position + 1 < len(forms) else ""
-        return None if following in ("is", "are", "was", "were", "'s") else position + 1
+        return None if following in _FORMS_OF_BE else position + 1
     return None
 
 

@@ -5,38 +5,26 @@ time at either end of a command hangs on anything in its tree.
 from typing import FrozenSet, List, Tuple
 
 from spoken_quantities import QuantityError, parse_number
+from word_classes import word_class
 
 from utterance_passes.tree import DependencyTree
 from utterance_passes.tree_edits import mark_times
 from utterance_passes.vocabulary import Vocabulary
 
-#: Words that say when on their own.
-ADVERBS = frozenset(
-    "later tomorrow tonight today soon afterwards afterward someday sometime eventually hourly daily nightly weekly "
-    "monthly yearly".split()
-)
-_WEEKDAYS = frozenset("monday tuesday wednesday thursday friday saturday sunday".split())
-_MONTHS = frozenset("january february march april may june july august september october november december".split())
-_CLOCK = frozenset("o'clock am pm a.m. p.m.".split())
-#: Times of the day.
-_TIMES_OF_DAY = frozenset(
-    "morning noon midday afternoon evening night midnight sunrise sunset dawn dusk daytime bedtime lunchtime summer "
-    "autumn winter".split()
-)
-_MEALS = frozenset("breakfast brunch lunch dinner supper".split())
-#: Stretches of time, which say when only behind a preposition ("in five minutes") or "next" and the like; "for five
-#: minutes" and "five minutes" say how long.
-_PERIODS = frozenset(
-    "second sec moment instant minute min hour day weekend week fortnight month season year while bit meantime".split()
-)
-_SHORT = frozenset("second sec moment instant minute min hour bit while".split())
-_PREPOSITIONS = frozenset(
-    "in at on by before after until till during since from within around over throughout past".split()
-)
-#: What a bare number says when behind: "at five", but not "in five" or "by five".
-_CLOCK_PREPOSITIONS = frozenset("at before after until till since around past".split())
-_CHOOSING = frozenset("this next last following coming every each any some another other that these all".split())
-_ARTICLES = frozenset("a an the same very early late whole first end of few couple".split())
+_ADVERBS = word_class("time_adverbs")
+_BEFORE_NOW = word_class("before_now")
+_CHOOSING = word_class("time_determiners")
+_CLOCK = word_class("clock_words")
+_CLOCK_PREPOSITIONS = word_class("clock_prepositions")
+_MEALS = word_class("meals")
+_MODIFIERS = word_class("time_modifiers")
+_MONTHS = word_class("months")
+_NOT_BEFORE_WEEKDAYS = word_class("not_before_weekdays")
+_PERIODS = word_class("periods")
+_PREPOSITIONS = word_class("time_prepositions")
+_SHORT_PERIODS = word_class("short_periods")
+_TIMES_OF_DAY = word_class("times_of_day")
+_WEEKDAYS = word_class("weekdays")
 
 
 def with_times(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
@@ -63,21 +51,21 @@ def find_times(tree: DependencyTree) -> Tuple[FrozenSet[int], ...]:
 def _start(tree: DependencyTree, forms: List[str], end: int) -> int:
     """Return where the phrase that says when and ends at a word begins; 0 where none ends there."""
     word = forms[end - 1]
-    if word in ADVERBS:
+    if word in _ADVERBS:
         before = forms[end - 2] if end > 1 else ""
         return end - 1 if before in _PREPOSITIONS else end
-    if word == "now" and end > 1 and forms[end - 2] in ("from", "after", "until", "till", "before"):
+    if word == "now" and end > 1 and forms[end - 2] in _BEFORE_NOW:
         return end - 1
     if _continues(tree, forms, end):
         return 0
     word = "o'clock" if word == "o’clock" else word
     singular = word[:-1] if word.endswith("s") and word[:-1] in _PERIODS | _WEEKDAYS | _TIMES_OF_DAY else word
     first = end
-    while first > 1 and (forms[first - 2] in _ARTICLES | _CHOOSING or _is_number(forms[first - 2])):
+    while first > 1 and (forms[first - 2] in _MODIFIERS | _CHOOSING or _is_number(forms[first - 2])):
         first -= 1
     preposition = forms[first - 2] if first > 1 else ""
     # "Hold on a second": how long, and not when.
-    if preposition == "on" and singular in _SHORT:
+    if preposition == "on" and singular in _SHORT_PERIODS:
         return 0
     is_time = singular in _PERIODS | _WEEKDAYS | _TIMES_OF_DAY | _MEALS | _MONTHS | _CLOCK
     if is_time and preposition in _PREPOSITIONS:
@@ -85,7 +73,7 @@ def _start(tree: DependencyTree, forms: List[str], end: int) -> int:
     is_chosen = any(form in _CHOOSING for form in forms[first - 1 : end - 1])
     if is_chosen and ((is_time and singular not in _MEALS) or word in ("time", "times")):
         return first
-    if singular in _WEEKDAYS and preposition not in ("to", "as", "with"):
+    if singular in _WEEKDAYS and preposition not in _NOT_BEFORE_WEEKDAYS:
         return first
     if word in _CLOCK and end > 1 and _is_number(forms[end - 2]):
         return first
@@ -99,7 +87,7 @@ def _continues(tree: DependencyTree, forms: List[str], end: int) -> bool:
     if end == len(forms):
         return False
     following = tree.word(end + 1)
-    if following.form.lower() in _TIMES_OF_DAY | _CLOCK | ADVERBS:
+    if following.form.lower() in _TIMES_OF_DAY | _CLOCK | _ADVERBS:
         return False
     if following.form.lower() in ("'s", "’s") or tree.word(end).deprel in ("compound", "nmod:poss", "amod"):
         return True

@@ -4,7 +4,7 @@ from dataclasses import dataclass
 from functools import cached_property
 from typing import Dict, FrozenSet, Iterable, List, Set, Tuple
 
-from utterance_passes.word_classes import is_filler
+from utterance_passes.formula_file import is_filler
 
 #: Relation of what is only said around a command ("if you don't mind") to its verb.
 ASIDE = "discourse:aside"
