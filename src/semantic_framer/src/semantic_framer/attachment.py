@@ -22,7 +22,13 @@ _SIDES = frozenset(["left", "right", "front", "back", "top", "bottom"])
 #: "Straight ahead", "directly forward" are one direction.
 _STRAIGHT = frozenset(["straight", "directly", "right"])
 _ONWARD = frozenset(["ahead", "forward", "forwards", "on", "onward"])
-_OF_A_NUMBER = frozenset("by about almost around roughly approximately nearly exactly precisely another".split())
+#: A direction that fills nothing is not the one that is meant where none is said.
+_DIRECTIONS = frozenset(
+    "left right north south east west northeast northwest southeast southwest northward northwards southward southwards "
+    "eastward eastwards westward westwards up upward upwards down downward downwards sideways sideward sidewards diagonally "
+    "back backward backwards forward forwards ahead around clockwise counterclockwise anticlockwise".split()
+)
+_OF_A_NUMBER = frozenset("by about almost around roughly approximately nearly exactly precisely another only some".split())
 
 
 def preposition_of(step: str) -> str:
@@ -98,6 +104,11 @@ def words_before_amount(sentence: Sentence, first: int) -> FrozenSet[int]:
         found.append(position)
         position -= 1
     return frozenset(found)
+
+
+def is_direction(sentence: Sentence, index: int) -> bool:
+    """Whether a word says in which direction something is done: "east", "left"."""
+    return sentence.word(index).form.lower() in _DIRECTIONS
 
 
 def is_of_one_direction(sentence: Sentence, index: int, used: AbstractSet[int]) -> bool:

@@ -1,17 +1,27 @@
-"""Rewrites what a tokenizer trained on text does not split: "90°", "3ft", "-3"."""
+"""Rewrites what a tokenizer trained on text does not split: "90°", "3ft", "-3", "2½"."""
 import re
+import unicodedata
 from dataclasses import dataclass
-from typing import List, Tuple
+from typing import Callable, List, Tuple, Union
 
-_RULES: Tuple[Tuple["re.Pattern[str]", str], ...] = (
+
+def _ratio(sign: "re.Match[str]") -> str:
+    """Return "½" as "1/2", apart from the digits in front of it."""
+    ratio = unicodedata.normalize("NFKC", sign.group(0)).replace("\u2044", "/")
+    return (" " if sign.string[: sign.start()][-1:].isalnum() else "") + ratio
+
+
+_RULES: Tuple[Tuple["re.Pattern[str]", Union[str, Callable[["re.Match[str]"], str]]], ...] = (
     # Marks of transcribers and of speech recognisers: "<pause>", "<no speech>".
     (re.compile(r"<[a-zA-Z _-]{1,30}>"), " "),
     (re.compile(r"[‘’ʼ`]"), "'"),
     (re.compile(r"[“”]"), '"'),
-    (re.compile(r"[–—]"), "-"),
-    (re.compile(r"(?<=\d)\s*°"), " degrees"),
+    (re.compile(r"[‐‑–—\u2212]"), "-"),
+    (re.compile(r"[¼½¾⅐-⅞]"), _ratio),
+    (re.compile(r"(?<=\d)\u2044(?=\d)"), "/"),
+    (re.compile(r"(?<=\w)\s*°"), " degrees"),
     (re.compile(r"(?<=\d)(?=(ft|cm|mm|km|dm|m|in|yd|s|min|h|deg|rad|feet|metres?|meters?|degrees?|seconds?)\b)"), " "),
-    (re.compile(r"(?<!\S)-(?=\d)"), "minus "),
+    (re.compile(r"(?<!\S)-(?=\.?\d)"), "minus "),
     (re.compile(r"\s+"), " "),
 )
 
@@ -40,8 +50,9 @@ def rewrite(said: str) -> Spelling:
         for match in pattern.finditer(text):
             pieces.append(text[position:match.start()])
             sources += origins[position:match.start()]
-            pieces.append(replacement)
-            sources += [origins[match.start()]] * len(replacement)
+            written = replacement if isinstance(replacement, str) else replacement(match)
+            pieces.append(written)
+            sources += [origins[match.start()]] * len(written)
             position = match.end()
         pieces.append(text[position:])
         sources += origins[position:]
