@@ -42,7 +42,7 @@ class Amount:
         unit_position: of the unit, 0 for none
         is_doubtful: whether the words say more than the amount that could be read: it must not be acted on
         ends: of a doubtful one, the words of each of the amounts that it leaves to choose from: "two or three metres"
-        is_name: whether it names the noun in front of it: "room 5"
+        is_of_noun: whether it names the noun in front of it, or says how often: "room 5", "5 times"
     """
 
     positions: Tuple[int, ...]
@@ -54,7 +54,7 @@ class Amount:
     unit_position: int = 0
     is_doubtful: bool = False
     ends: Tuple[Tuple[int, ...], ...] = ()
-    is_name: bool = False
+    is_of_noun: bool = False
 
     def digits(self) -> str:
         """The number in digits, without needless zeros; as it was said where it is not finite."""
@@ -181,9 +181,8 @@ def _amount(sentence: Sentence, window: Sequence[int]) -> Optional[Amount]:
     try:
         if unit is None:
             number = parse_number(spoken)
-            return Amount(
-                tuple(window), number, "", "number", number, spoken, is_name=_is_name(sentence, window[-1])
-            )
+            is_of_noun = _is_of_noun(sentence, window[-1])
+            return Amount(tuple(window), number, "", "number", number, spoken, is_of_noun=is_of_noun)
         measure = parse_measure(_said(sentence, window))
     except QuantityError as error:
         if error.code != "NOT_FINITE":
@@ -228,11 +227,17 @@ def _has_determiner(sentence: Sentence, index: int) -> bool:
     return any(child.deprel in ("det", "nmod:poss", "amod") for child in sentence.children(index))
 
 
-def _is_name(sentence: Sentence, index: int) -> bool:
+def _is_of_noun(sentence: Sentence, index: int) -> bool:
     word = sentence.word(index)
     noun = sentence.word(word.head) if word.head else word
     is_behind = noun.index < index and noun.upos in ("NOUN", "PROPN")
-    return is_behind and word.deprel in ("nummod", "compound", "flat", "appos", "nmod:unmarked")
+    is_name = is_behind and word.deprel in ("nummod", "compound", "flat", "appos", "nmod:unmarked")
+    return is_name or is_iteration(sentence, index)
+
+
+def is_iteration(sentence: Sentence, index: int) -> bool:
+    """Whether a number says how often: "5 times"."""
+    return index < len(sentence.tree.words) and sentence.word(index + 1).form.lower() in ("time", "times")
 
 
 def _said(sentence: Sentence, window: Sequence[int]) -> str:

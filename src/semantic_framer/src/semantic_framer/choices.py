@@ -6,6 +6,8 @@ from semantic_framer.asides import set_aside
 from semantic_framer.clauses import Clause, find_clauses
 from semantic_framer.dialogue import Choice, is_yes
 from semantic_framer.lexicon import Lexicon
+from semantic_framer.matching import Reading
+from semantic_framer.measures import find_amounts
 from semantic_framer.verb_matching import match_verbs
 from semantic_framer.sentence import HARMLESS, Sentence
 
@@ -32,6 +34,31 @@ def choices_of_clauses(sentence: Sentence, clauses: Sequence[Clause], lexicon: L
         said = [index for index in sorted(clause.positions) if sentence.word(index).deprel not in ("punct", "cc")]
         others = frozenset(word.index for word in sentence.tree.words) - frozenset(said)
         choices.append(Choice(sentence.text(said), set_aside(sentence.tree, others, lexicon, "reparandum")))
+    return tuple(choices)
+
+
+def choices_of_amounts(sentence: Sentence, readings: Sequence[Reading], lexicon: Lexicon) -> Tuple[Choice, ...]:
+    """Return the amounts where a person left the choice between them, "ten to fifteen degrees"; none where not.
+
+    Args:
+        sentence: the sentence
+        readings: the best one of each clause
+        lexicon: to arrange the sentence
+    """
+    ranges = [amount for reading in readings for amount in reading.unread if amount.ends]
+    if len(ranges) != 1:
+        return ()
+    choices = []
+    for end in ranges[0].ends:
+        dropped = frozenset(ranges[0].positions) - frozenset(end)
+        tree = set_aside(sentence.tree, dropped, lexicon, "reparandum")
+        words = [word.index for word in tree.words if word.upos != "PUNCT" or word.index in end]
+        said = [index for index in words if index not in dropped | sentence.abandoned]
+        amounts = [amount for amount in find_amounts(Sentence(tree), said) if set(amount.positions) & set(end)]
+        if any(amount.is_doubtful or bool(amount.unit) != bool(ranges[0].unit) for amount in amounts):
+            # "A metre or two": the second has no unit of its own.
+            return ()
+        choices.append(Choice(sentence.text(said), tree))
     return tuple(choices)
 
 

@@ -9,7 +9,7 @@ from stanford_parser_ros.tree import DependencyTree
 
 from semantic_framer.answers import answer, question_of
 from semantic_framer.asides import with_asides, with_opening_aside
-from semantic_framer.choices import choices_of_clauses, chosen, question_of_choices
+from semantic_framer.choices import choices_of_amounts, choices_of_clauses, chosen, question_of_choices
 from semantic_framer.clauses import CONDITIONS, WRAPPERS, Clause, find_clauses, whole_sentence
 from semantic_framer.dialogue import Choice, Context, Pending, is_no
 from semantic_framer.lexicon import Lexicon
@@ -158,7 +158,9 @@ def _read_sentence(
     open_words = _outside(sentence, clauses)
     if open_words and policy.left_over_words is LeftOverWords.STRICT:
         return _left_over(sentence, open_words), context
-    choices = choices_of_clauses(sentence, clauses, lexicon)
+    choices = choices_of_clauses(sentence, clauses, lexicon) or choices_of_amounts(
+        sentence, [readings[0] for readings in understood], lexicon
+    )
     if choices:
         return _offer(choices, context, policy, now_s)
     outcome, context = _finish(tuple(understood), sentence, frames, context, policy, now_s)

@@ -409,9 +409,10 @@ class _Filling:
             and not self._hangs_on_used(index, used)
             and not is_of_one_direction(self._sentence, index, used)
         )
-        unread = {index for amounts in self._unread.values() for amount in amounts for index in amount.positions}
-        said = {index for index in unread - used if self._sentence.word(index).upos != "PUNCT"}
-        left_over = tuple(sorted(said.union(left_over)))
+        unread = [amount for amounts in self._unread.values() for amount in amounts]
+        unread += [amount for amount in self._amounts if amount.is_doubtful]
+        said = {index for amount in unread for index in amount.positions if self._sentence.word(index).upos != "PUNCT"}
+        left_over = tuple(sorted((said - used).union(left_over)))
         return left_over, 1.0 - len(left_over) / (len(content) + 1)
 
     def _hangs_on_used(self, index: int, used: Set[int]) -> bool:

@@ -55,7 +55,7 @@ def measured_elements(
         if not is_measured or element is None or element.quantity is None:
             continue
         fitting = [amount for amount in free if amount.quantity == element.quantity.value] or [
-            amount for amount in free if not amount.unit and not amount.is_name
+            amount for amount in free if not amount.unit and not amount.is_of_noun
         ]
         if not fitting:
             continue

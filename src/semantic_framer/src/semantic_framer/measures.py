@@ -10,7 +10,7 @@ from typing import AbstractSet, FrozenSet, Iterable, List, Optional, Sequence, T
 
 from spoken_quantities import find_unit
 
-from semantic_framer.amounts import Amount, counts_things, is_glued, is_number, read_amounts, unit_at
+from semantic_framer.amounts import Amount, counts_things, is_glued, is_iteration, is_number, read_amounts, unit_at
 from semantic_framer.sentence import HEDGES, Sentence
 
 __all__ = ["Amount", "amounts_of", "find_amounts"]
@@ -64,7 +64,8 @@ def find_amounts(sentence: Sentence, positions: Sequence[int]) -> Tuple[Amount, 
     units = [index for index in spoken if _is_lone_unit(sentence, index, amounts)]
     amounts = sorted(amounts + [_doubtful((index,), sentence) for index in units], key=lambda one: one.positions)
     amounts = _joined(sentence, spoken, amounts)
-    amounts = [_beside(sentence, spoken, amount) for amount in amounts]
+    taken = frozenset(index for amount in amounts for index in amount.positions)
+    amounts = [_beside(sentence, spoken, amount, taken) for amount in amounts]
     return tuple(amount for amount in amounts if amount.is_doubtful or not counts_things(sentence, amount))
 
 
@@ -89,7 +90,7 @@ def amounts_of(sentence: Sentence, positions: AbstractSet[int], verb: int) -> Tu
 
 
 def _doubtful(
-    positions: Iterable[int], sentence: Sentence, parts: Sequence[Amount] = (), ends: Sequence[Amount] = ()
+    positions: Iterable[int], sentence: Sentence, parts: Sequence[Amount] = (), ends: Tuple[Tuple[int, ...], ...] = ()
 ) -> Amount:
     """Return words that say an amount, or several, as one that must not be acted on."""
     measured = [part for part in parts if part.unit]
@@ -103,7 +104,7 @@ def _doubtful(
         si_amount=math.nan,
         numeral=sentence.text(sorted(positions)),
         is_doubtful=True,
-        ends=tuple(end.positions for end in ends),
+        ends=ends,
     )
 
 
@@ -154,21 +155,15 @@ def _are_one(
     forms = [sentence.word(index).form.lower() for index in second.positions]
     is_signed = forms[0] in ("minus", "plus", "negative", "-", "+")
     if not first.unit:
-        return not (joint in ((",",), ("and",), ("to",)) and counts_things(sentence, second))
+        return not (joint == () and is_iteration(sentence, second.positions[-1])) and not (joint in ((",",), ("and",), ("to",)) and counts_things(sentence, second))
     if first.quantity == second.quantity or first.is_doubtful and second.quantity == "number":
         return True
     if not second.unit:
-        is_of_things = counts_things(sentence, second) or _is_iteration(sentence, second)
-        return is_signed or not (is_of_things or second.is_name)
+        return is_signed or not (counts_things(sentence, second) or second.is_of_noun)
     if joint == () or joint == ("/",):
         # "Two metres a second" is a speed; "two metres 90 degrees" are two amounts.
         return joint == ("/",) or is_signed or forms[0] in ("a", "an")
     return bool(set(joint) & _ALTERNATIVES)
-
-
-def _is_iteration(sentence: Sentence, amount: Amount) -> bool:
-    last = amount.positions[-1]
-    return last < len(sentence.tree.words) and sentence.word(last + 1).lemma.lower() == "time"
 
 
 def _one(
@@ -183,17 +178,20 @@ def _one(
     opening = [index for index in before if sentence.word(index).form.lower() in ("between", "from")]
     is_between = joint == ("and",) and bool(opening) and sentence.word(opening[0]).form.lower() == "between"
     is_choice = (len(joint) == 1 and joint[0] in _ALTERNATIVES) or is_between
-    ends = (first, second) if is_choice and not (first.is_doubtful or second.is_doubtful) else ()
+    # In "two or three metres" the unit is said once for both; in "a metre or two" it stands in the wrong place for one.
+    shared = (second.unit_position,) if second.unit and not first.unit else ()
+    is_choice = is_choice and bool(first.unit) <= bool(second.unit) and not (first.is_doubtful or second.is_doubtful)
+    ends = (first.positions + shared, second.positions) if is_choice else ()
     positions = [*opening, *first.positions, *between, *second.positions]
     return _doubtful(positions, sentence, (first, second), ends)
 
 
-def _beside(sentence: Sentence, spoken: Sequence[int], amount: Amount) -> Amount:
+def _beside(sentence: Sentence, spoken: Sequence[int], amount: Amount, taken: AbstractSet[int]) -> Amount:
     """Return an amount, doubtful where the words beside it change it."""
     before = [index for index in spoken if index < amount.positions[0]]
     behind = [index for index in spoken if index > amount.positions[-1]]
     changing = _changing_before(sentence, before[::-1], amount) | _changing_behind(sentence, behind, amount)
-    if not changing:
+    if not changing - taken:
         return amount
     # Of a range that is negated or bounded no end is meant.
     return _doubtful(changing | frozenset(amount.positions), sentence, [amount])
@@ -227,7 +225,9 @@ def _changing_behind(sentence: Sentence, behind: Sequence[int], amount: Amount) 
         return frozenset()
     word = sentence.word(said[0])
     form = word.form.lower()
-    is_counted = counts_things(sentence, amount) or _is_iteration(sentence, amount)
+    if not amount.unit and _counts_units(sentence, last):
+        return frozenset([sentence.word(last).head])
+    is_counted = counts_things(sentence, amount) or is_iteration(sentence, last)
     forms = tuple(sentence.word(index).form.lower() for index in said[:3])
     for more in _MORE_BEHIND:
         if forms[: len(more)] == more:
@@ -237,6 +237,12 @@ def _changing_behind(sentence: Sentence, behind: Sequence[int], amount: Amount) 
     if not amount.unit and word.upos != "VERB" and find_unit(form) and unit_at(sentence, word.index):
         return frozenset(said[:1])
     return frozenset(said[:1]) if word.upos == "SYM" and word.form not in _MARKS else frozenset()
+
+
+def _counts_units(sentence: Sentence, index: int) -> bool:
+    """Whether a number counts a unit that stands apart from it: "two left turns"."""
+    word = sentence.word(index)
+    return word.deprel == "nummod" and word.head > index and unit_at(sentence, word.head) is not None
 
 
 def _without_hedges(sentence: Sentence, positions: Sequence[int]) -> List[int]:

@@ -1,6 +1,7 @@
 """What a command cannot mean though the parser has it so: "go up" before "to", "can" without a verb."""
 
 from dataclasses import replace
+from typing import List
 
 from stanford_parser_ros.tree import DependencyTree, Word
 
@@ -9,7 +10,12 @@ _TO = frozenset(["to", "into", "onto", "towards", "toward"])
 _ON_THE_WAY = frozenset("up down over back out along across on off in".split())
 _OF_PLACE = frozenset("in at on near above over under behind beside by inside outside next".split())
 _ALL = frozenset("everything everyone everybody something someone somebody anything all".split())
-_FRACTIONS = frozenset(["quarter", "half", "third", "full"])
+_FRACTIONS = frozenset(["quarter", "half", "third", "full", "whole", "complete"])
+_TURNS = frozenset(["turn", "circle"])
+#: Verbs that say nothing of their own: who makes a turn turns.
+_LIGHT = frozenset(["make", "take", "do"])
+#: What may stand in front of a noun, and its relation to the noun.
+_OF_A_TURN = {"DET": "det", "NUM": "nummod", "NOUN": "compound", "ADJ": "amod", "ADV": "amod", "SYM": "punct"}
 #: "A bit", "a little": how much of what the verb says.
 DEGREES = frozenset(["bit", "little", "tad"])
 
@@ -112,21 +118,42 @@ def _with_places_of_all(tree: DependencyTree) -> DependencyTree:
     return tree
 
 
-def _with_part_turns(tree: DependencyTree) -> DependencyTree:
-    """Make a noun of "turn" behind a fraction, which the parser takes for another command: "turn a quarter turn left"."""
+def _with_measured_turns(tree: DependencyTree) -> DependencyTree:
+    """Make a noun of "turn" behind a number or a fraction, which the parser takes for another command: "turn a quarter
+    turn left", "make a 30 degree turn".
+    """
     for turn in tree.words[2:]:
-        fraction = tree.word(turn.index - 1)
         verb = tree.word(turn.head) if turn.head else turn
-        is_part = fraction.form.lower() in _FRACTIONS and fraction.head == verb.index and turn.upos == "VERB"
-        if turn.form.lower() not in ("turn", "circle") or not is_part or verb.upos != "VERB":
+        if turn.form.lower() not in _TURNS or turn.upos != "VERB" or verb.upos != "VERB" or verb.index >= turn.index:
+            continue
+        phrase = _phrase_before(tree, verb, turn)
+        if not any(word.form.lower() in _FRACTIONS or word.upos == "NUM" for word in phrase):
+            continue
+        is_made = verb.lemma.lower() in _LIGHT and phrase[0].index == verb.index + 1
+        if not is_made and phrase[-1].form.lower() not in _FRACTIONS:
             continue
         words = [replace(word, head=verb.index) if word.head == turn.index else word for word in tree.words]
-        words[turn.index - 1] = replace(turn, upos="NOUN", xpos="NN", head=fraction.head, deprel=fraction.deprel)
-        words[fraction.index - 1] = replace(fraction, head=turn.index, deprel="amod")
-        for child in tree.children(fraction.index):
-            words[child.index - 1] = replace(child, head=turn.index)
+        relation = "obj" if is_made else tree.word(phrase[-1].index).deprel
+        words[turn.index - 1] = replace(turn, upos="NOUN", xpos="NN", head=verb.index, deprel=relation)
+        inside = {word.index for word in phrase}
+        for word in phrase:
+            if word.head not in inside:
+                words[word.index - 1] = replace(word, head=turn.index, deprel=_OF_A_TURN.get(word.upos, word.deprel))
         tree = replace(tree, words=tuple(words))
     return tree
+
+
+def _phrase_before(tree: DependencyTree, verb: Word, noun: Word) -> List[Word]:
+    """Return the words of a noun phrase in front of a word, up to its verb; none where they are no phrase."""
+    phrase: List[Word] = []
+    for word in reversed(tree.words[verb.index : noun.index - 1]):
+        is_hyphen = word.form == "-"
+        if word.upos not in _OF_A_TURN and not is_hyphen:
+            break
+        phrase.insert(0, word)
+        if word.upos == "DET":
+            break
+    return phrase
 
 
 _RULES = (
@@ -134,6 +161,6 @@ _RULES = (
     _with_particles_on_the_way,
     _with_places_of_devices,
     _with_places_of_all,
-    _with_part_turns,
+    _with_measured_turns,
     _with_degrees,
 )

@@ -6,6 +6,7 @@ from typing import FrozenSet
 from stanford_parser_ros.tree import DependencyTree, Word
 
 from semantic_framer.lexicon import Lexicon
+from semantic_framer.mending import mended
 
 _WISH = "want"
 #: "Can I have ...", "could we get ...".
@@ -26,6 +27,7 @@ def with_plain_verbs(tree: DependencyTree, lexicon: Lexicon) -> DependencyTree:
         tree: the sentence
         lexicon: where it has no such verb the word stays as it is
     """
+    tree = mended(tree)
     words = []
     for word in tree.words:
         lemma = word.lemma.lower()
