@@ -24,6 +24,7 @@ _BEFORE = frozenset(
     "not no never n't without except but than least most under over below above within between beyond maximum max minimum "
     "double twice thrice triple point per every each".split()
 )
+_BOUNDS_BEFORE = frozenset([("up", "to"), ("at", "least"), ("at", "most")])
 #: Behind an amount.
 _BEHIND = frozenset("percent % per max maximum minimum tops plus minus times squared cubed o'clock ish".split())
 #: The same in several words: "two metres or more", "two metres and a bit".
@@ -34,6 +35,8 @@ _MORE_BEHIND = tuple(
         "at most,at the most,at the least"
     ).split(",")
 )
+#: Words of a bound that the amount itself keeps to: "at least two metres", "two metres or more". It may be meant.
+_KEPT = frozenset("least most at up to the or more less fewer maximum max minimum tops".split())
 #: Words that leave an amount as it is.
 _AROUND = (
     frozenset("about almost around roughly approximately nearly exactly precisely just some even only another".split())
@@ -114,7 +117,7 @@ def _is_lone_unit(sentence: Sentence, index: int, amounts: Sequence[Amount]) -> 
     is_noun = word.upos not in ("VERB", "ADJ") and not any(
         child.deprel in ("det", "nmod:poss") for child in sentence.children(index)
     )
-    is_free = all(index not in amount.positions for amount in amounts)
+    is_free = index not in sentence.fillers and all(index not in amount.positions for amount in amounts)
     return is_free and is_noun and word.form.lower() in _ONLY_UNITS
 
 
@@ -194,7 +197,9 @@ def _beside(sentence: Sentence, spoken: Sequence[int], amount: Amount, taken: Ab
     if not changing - taken:
         return amount
     # Of a range that is negated or bounded no end is meant.
-    return _doubtful(changing | frozenset(amount.positions), sentence, [amount])
+    is_kept = all(sentence.word(index).form.lower() in _KEPT for index in changing) and not amount.is_doubtful
+    ends = (amount.positions,) if is_kept else ()
+    return _doubtful(changing | frozenset(amount.positions), sentence, [amount], ends)
 
 
 def _changing_before(sentence: Sentence, before: Sequence[int], amount: Amount) -> FrozenSet[int]:
@@ -206,7 +211,8 @@ def _changing_before(sentence: Sentence, before: Sequence[int], amount: Amount) 
         return frozenset()
     word = sentence.word(said[0])
     form = word.form.lower()
-    if form == "to" and len(said) > 1 and sentence.word(said[1]).form.lower() == "up":
+    before_it = sentence.word(said[1]).form.lower() if len(said) > 1 else ""
+    if (before_it, form) in _BOUNDS_BEFORE:
         return frozenset(said[:2])
     is_a_noun = form == "point" and any(child.deprel == "det" for child in sentence.children(word.index))
     if (form in _BEFORE and not is_a_noun) or is_number(sentence, word.index) or _is_mark_of_arithmetic(word.form):

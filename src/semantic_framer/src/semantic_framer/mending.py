@@ -3,6 +3,7 @@
 from dataclasses import replace
 from typing import List
 
+from spoken_quantities import find_unit
 from stanford_parser_ros.tree import DependencyTree, Word
 
 _TO = frozenset(["to", "into", "onto", "towards", "toward"])
@@ -12,6 +13,7 @@ _OF_PLACE = frozenset("in at on near above over under behind beside by inside ou
 _ALL = frozenset("everything everyone everybody something someone somebody anything all".split())
 _FRACTIONS = frozenset(["quarter", "half", "third", "full", "whole", "complete"])
 _TURNS = frozenset(["turn", "circle"])
+_SIDES = frozenset(["left", "right"])
 #: Verbs that say nothing of their own: who makes a turn turns.
 _LIGHT = frozenset(["make", "take", "do"])
 #: What may stand in front of a noun, and its relation to the noun.
@@ -143,6 +145,29 @@ def _with_measured_turns(tree: DependencyTree) -> DependencyTree:
     return tree
 
 
+def _with_sides_apart(tree: DependencyTree) -> DependencyTree:
+    """Hang a side in front of a measure on the verb: the parser has "to the right fifteen degrees" as one phrase."""
+    for unit in tree.words:
+        numbers = [child.index for child in tree.children(unit.index) if child.deprel == "nummod"]
+        if not numbers or not unit.head or find_unit(unit.form) is None:
+            continue
+        before = [child for child in tree.children(unit.index) if child.index < numbers[0]]
+        side = next((child for child in before if child.form.lower() in _SIDES), None)
+        if side is None:
+            continue
+        words = list(tree.words)
+        own = [child for child in before if child.index < side.index and child.deprel in ("case", "det", "nmod:poss")]
+        is_phrase = any(child.deprel == "case" for child in own)
+        upos, deprel = ("NOUN", "obl") if is_phrase else ("ADV", "advmod")
+        words[side.index - 1] = replace(side, upos=upos, head=unit.head, deprel=deprel)
+        for child in own:
+            words[child.index - 1] = replace(child, head=side.index)
+        if unit.deprel == "obl":
+            words[unit.index - 1] = replace(unit, deprel="obl:unmarked")
+        tree = replace(tree, words=tuple(words))
+    return tree
+
+
 def _phrase_before(tree: DependencyTree, verb: Word, noun: Word) -> List[Word]:
     """Return the words of a noun phrase in front of a word, up to its verb; none where they are no phrase."""
     phrase: List[Word] = []
@@ -162,5 +187,6 @@ _RULES = (
     _with_places_of_devices,
     _with_places_of_all,
     _with_measured_turns,
+    _with_sides_apart,
     _with_degrees,
 )

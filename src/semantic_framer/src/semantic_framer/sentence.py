@@ -10,7 +10,7 @@ from stanford_parser_ros.tree import DependencyTree, Word
 from semantic_framer.mending import mended
 
 #: Said while thinking, as long as it takes ("uhhh"); never a part of what is said.
-_FILLER = re.compile(r"(u+h+m*|u+m+|e+r+m*|e+h+|e+h*m+|h+m+|m{2,})$")
+_FILLER = re.compile(r"(u+h+m*|u+m+|e+r+m*|e+h+|e+h*m+|h+m+|m{2,}|f{2,}|n{2,})$")
 #: Relation of what is only said around a command ("if you don't mind") to its verb.
 ASIDE = "discourse:aside"
 #: Relation of the words of a quotation ("say *don't worry*") to the one that fills the element.
