@@ -13,7 +13,7 @@ from semantic_frames.lexical_unit import LexicalUnit
 from semantic_frames.source_files import FRAMES_FOLDER, LEXICAL_UNITS_FOLDER, read_text, yaml_files
 from semantic_framer.clauses import Clause, find_clauses
 from semantic_framer.descriptions import descriptions
-from semantic_framer.framer import Question, Understood, prepared, read
+from semantic_framer.framer import Policy, Question, Understood, prepared, read
 from semantic_framer.lexicon import Lexicon
 from semantic_framer.matching import Reading, read_clause
 from semantic_framer.readings import readings_of
@@ -162,18 +162,27 @@ def pretend_servers(graph: FrameGraph) -> None:
 class Pipeline:
     """Understands sentences; the parser is loaded once."""
 
-    def __init__(self, knowledge: Knowledge, parser: Optional[Parser] = None, *, max_candidates: int = 64) -> None:
+    def __init__(
+        self,
+        knowledge: Knowledge,
+        parser: Optional[Parser] = None,
+        *,
+        max_candidates: int = 64,
+        policy: Policy = Policy(),
+    ) -> None:
         """
         Args:
             knowledge: frames (with their servers) and units
             parser: None for the models that are shipped
             max_candidates: so many sequences are looked for
+            policy: how careful the framer is
         Raises:
             ModelError: the models cannot be loaded
         """
         self.knowledge = knowledge
         self._parser = parser if parser is not None else Parser(model_dir=shipped_model_dir())
         self._max_candidates = max_candidates
+        self._policy = policy
         self._verbs = frozenset(verb.split()[0] for verb in knowledge.lexicon.verbs)
 
     @property
@@ -202,7 +211,7 @@ class Pipeline:
         sentence = meant if isinstance(meant, Sentence) else Sentence(tree)
         clauses = find_clauses(sentence, lexicon)
         attempts = tuple(self._attempts(sentence, clause) for clause in clauses)
-        outcome, _ = read(tree, lexicon, frames)
+        outcome, _ = read(tree, lexicon, frames, policy=self._policy)
         if not isinstance(outcome, Understood) and outcome.code in _NOTHING_MEANT:
             return Understanding(text, tree, attempts, (), (), Reply("REFUSED", outcome.code, outcome.sentence))
         said = descriptions(sentence, clauses, lexicon, frames)
