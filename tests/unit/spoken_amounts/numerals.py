@@ -230,7 +230,7 @@ def _stray(chance: Chance, most: int) -> str:
             f"umpteen",
             f"${number}",
             f"{number}:30",
-            f"{number}/{number + 11}",
+            f"{10 * number}/{10 * number + 5}",
             f"0x{number}",
             f"minus minus {number}",
             f"{number} thousand {number}000",

@@ -19,7 +19,8 @@ LONGEST = 16
 #: Places in a row where they stand alone ("the third door"), and shares behind an article or a number ("a third").
 _ORDINALS = frozenset("third fourth fifth sixth seventh eighth ninth tenth".split())
 #: Said inside of a number: "one oh five", "two point five".
-_INSIDE = frozenset("a an and of oh point - / , . full whole complete entire more further additional extra".split())
+_EMPHASIS = frozenset("full whole complete entire more further additional extra".split())
+_INSIDE = frozenset("a an and of oh point - / , .".split()) | _EMPHASIS
 _SIGNS = frozenset(["minus", "negative", "plus"])
 _NUMBER_WORDS = frozenset(number_words()) - _INSIDE - _SIGNS
 _ARTICLES = frozenset(["a", "an"])
@@ -149,7 +150,9 @@ def unit_at(sentence: Sentence, index: int) -> Optional[Unit]:
     if unit is None:
         return None
     if word.form.lower() == "in" and word.deprel == "case" and word.head > index:
-        return None
+        # "70 in backwards" has inches, "two in the hall" has none.
+        is_glued_on = index > 1 and is_glued(sentence, index - 1, index)
+        return unit if is_glued_on or sentence.word(word.head).upos == "ADV" else None
     if unit.name == "second" and word.upos == "ADJ":
         return None
     if word.form in ("'", '"'):
@@ -172,7 +175,7 @@ def _amount(sentence: Sentence, window: Sequence[int]) -> Optional[Amount]:
     numeral = window[:-1] if unit else window
     if any(unit_at(sentence, index) and not is_number(sentence, index) for index in numeral):
         return _sum(sentence, window)
-    is_one = unit is not None and forms[:-1] in (["a"], ["an"])
+    is_one = unit is not None and [form for form in forms[:-1] if form not in _SIGNS | _EMPHASIS] in (["a"], ["an"])
     if not is_one and not any(is_number(sentence, index) for index in numeral):
         return None
     if forms[len(numeral) - 1] == "and" or (unit is None and forms[0] in _ARTICLES):

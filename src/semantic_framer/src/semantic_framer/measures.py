@@ -22,7 +22,7 @@ _JOINTS = _ALTERNATIVES | frozenset("and , / by x * times plus minus".split())
 #: In front of an amount: it is not meant, only a bound, or only a part of what is meant.
 _BEFORE = frozenset(
     "not no never n't without except but than least most under over below above within between beyond maximum max minimum "
-    "double twice thrice triple point per every each".split()
+    "minus plus negative double twice thrice triple point per every each".split()
 )
 _BOUNDS_BEFORE = frozenset([("up", "to"), ("at", "least"), ("at", "most")])
 #: Behind an amount.

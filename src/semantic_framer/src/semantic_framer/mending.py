@@ -3,7 +3,7 @@
 from dataclasses import replace
 from typing import List
 
-from spoken_quantities import find_unit
+from spoken_quantities import find_unit, number_words
 from stanford_parser_ros.tree import DependencyTree, Word
 
 _TO = frozenset(["to", "into", "onto", "towards", "toward"])
@@ -12,7 +12,9 @@ _ON_THE_WAY = frozenset("up down over back out along across on off in".split())
 _OF_PLACE = frozenset("in at on near above over under behind beside by inside outside next".split())
 _ALL = frozenset("everything everyone everybody something someone somebody anything all".split())
 _FRACTIONS = frozenset(["quarter", "half", "third", "full", "whole", "complete"])
-_TURNS = frozenset(["turn", "circle"])
+_SEVERAL_TURNS = frozenset(["turns", "circles"])
+_TURNS = frozenset(["turn", "circle"]) | _SEVERAL_TURNS
+_TURNING = frozenset("turn rotate spin pivot swivel swing".split())
 _SIDES = frozenset(["left", "right"])
 #: Verbs that say nothing of their own: who makes a turn turns.
 _LIGHT = frozenset(["make", "take", "do"])
@@ -125,17 +127,19 @@ def _with_measured_turns(tree: DependencyTree) -> DependencyTree:
     turn left", "make a 30 degree turn".
     """
     for turn in tree.words[2:]:
-        verb = tree.word(turn.head) if turn.head else turn
-        if turn.form.lower() not in _TURNS or turn.upos != "VERB" or verb.upos != "VERB" or verb.index >= turn.index:
+        phrase = _phrase_before(tree, turn)
+        if turn.form.lower() not in _TURNS or turn.upos != "VERB" or not turn.head or not phrase:
             continue
-        phrase = _phrase_before(tree, verb, turn)
         if not any(word.form.lower() in _FRACTIONS or word.upos == "NUM" for word in phrase):
             continue
-        is_made = verb.lemma.lower() in _LIGHT and phrase[0].index == verb.index + 1
-        if not is_made and phrase[-1].form.lower() not in _FRACTIONS:
+        before = tree.words[phrase[0].index - 2] if phrase[0].index > 1 else turn
+        is_made = before.upos == "VERB" and before.lemma.lower() in _LIGHT
+        is_said = phrase[-1].form.lower() in _FRACTIONS or turn.form.lower() in _SEVERAL_TURNS
+        verb = before if is_made else tree.word(turn.head)
+        if verb.upos != "VERB" or verb.index >= turn.index or not (is_made or is_said):
             continue
         words = [replace(word, head=verb.index) if word.head == turn.index else word for word in tree.words]
-        relation = "obj" if is_made else tree.word(phrase[-1].index).deprel
+        relation = "obj" if is_made else "obl:unmarked"
         words[turn.index - 1] = replace(turn, upos="NOUN", xpos="NN", head=verb.index, deprel=relation)
         inside = {word.index for word in phrase}
         for word in phrase:
@@ -148,8 +152,8 @@ def _with_measured_turns(tree: DependencyTree) -> DependencyTree:
 def _with_sides_apart(tree: DependencyTree) -> DependencyTree:
     """Hang a side in front of a measure on the verb: the parser has "to the right fifteen degrees" as one phrase."""
     for unit in tree.words:
-        numbers = [child.index for child in tree.children(unit.index) if child.deprel == "nummod"]
-        if not numbers or not unit.head or find_unit(unit.form) is None:
+        numbers = [child.index for child in tree.children(unit.index) if _is_numeral(child)]
+        if not numbers or not unit.head or (find_unit(unit.form) is None and unit.form.lower() != "point"):
             continue
         before = [child for child in tree.children(unit.index) if child.index < numbers[0]]
         side = next((child for child in before if child.form.lower() in _SIDES), None)
@@ -168,12 +172,29 @@ def _with_sides_apart(tree: DependencyTree) -> DependencyTree:
     return tree
 
 
-def _phrase_before(tree: DependencyTree, verb: Word, noun: Word) -> List[Word]:
-    """Return the words of a noun phrase in front of a word, up to its verb; none where they are no phrase."""
+def _is_numeral(word: Word) -> bool:
+    return word.deprel == "nummod" or word.form.lower() in number_words()
+
+
+def _with_around_apart(tree: DependencyTree) -> DependencyTree:
+    """Make an adverb of "around" between a verb of turning and a measure: who turns around 90 degrees goes round nothing."""
+    for around in tree.words[1:]:
+        verb = tree.word(around.index - 1)
+        unit = tree.word(around.head) if around.head else around
+        is_case = around.form.lower() == "around" and around.deprel in ("case", "advmod", "compound:prt")
+        if is_case and verb.lemma.lower() in _TURNING and unit.index > around.index and unit.upos in ("NOUN", "NUM"):
+            if unit.upos == "NUM" or find_unit(unit.form) is not None:
+                words = list(tree.words)
+                words[around.index - 1] = replace(around, upos="ADV", head=verb.index, deprel="advmod")
+                tree = replace(tree, words=tuple(words))
+    return tree
+
+
+def _phrase_before(tree: DependencyTree, noun: Word) -> List[Word]:
+    """Return the words of a noun phrase in front of its noun; none where there are none."""
     phrase: List[Word] = []
-    for word in reversed(tree.words[verb.index : noun.index - 1]):
-        is_hyphen = word.form == "-"
-        if word.upos not in _OF_A_TURN and not is_hyphen:
+    for word in reversed(tree.words[: noun.index - 1]):
+        if word.upos not in _OF_A_TURN and word.form != "-":
             break
         phrase.insert(0, word)
         if word.upos == "DET":
@@ -188,5 +209,6 @@ _RULES = (
     _with_places_of_all,
     _with_measured_turns,
     _with_sides_apart,
+    _with_around_apart,
     _with_degrees,
 )

@@ -6,6 +6,7 @@ from typing import FrozenSet, List, Tuple
 
 from spoken_quantities import QuantityError, parse_number
 
+from semantic_framer.amounts import read_amounts
 from semantic_framer.sentence import Sentence
 
 #: Words that say when on their own.
@@ -82,7 +83,7 @@ def _start(sentence: Sentence, forms: List[str], end: int) -> int:
         return first
     if word in _CLOCK and end > 1 and _is_number(forms[end - 2]):
         return first
-    if _is_number(word) and end > 1 and forms[end - 2] in _CLOCK_PREPOSITIONS:
+    if _is_number(word) and end > 1 and forms[end - 2] in _CLOCK_PREPOSITIONS and not _is_measured(sentence, end):
         return end - 1
     return 0
 
@@ -100,6 +101,12 @@ def _continues(sentence: Sentence, forms: List[str], end: int) -> bool:
     if end == 2 and forms[0] == "at":
         return False
     return _is_number(forms[end - 1]) and following.upos in ("NOUN", "PROPN", "ADJ", "NUM")
+
+
+def _is_measured(sentence: Sentence, index: int) -> bool:
+    """Whether a number has a unit: "around forty-five degrees"."""
+    amounts = read_amounts(sentence, [word.index for word in sentence.tree.words])
+    return any(index in amount.positions and amount.unit for amount in amounts)
 
 
 def _is_number(form: str) -> bool:

@@ -4,6 +4,11 @@ import unicodedata
 from dataclasses import dataclass
 from typing import Callable, List, Tuple, Union
 
+from spoken_quantities import number_words
+
+#: Words that a number begins with.
+_NUMBER = f"(?:{'|'.join(number_words())})"
+
 
 def _ratio(sign: "re.Match[str]") -> str:
     """Return "½" as "1/2", apart from the digits in front of it."""
@@ -21,7 +26,8 @@ _RULES: Tuple[Tuple["re.Pattern[str]", Union[str, Callable[["re.Match[str]"], st
     (re.compile(r"(?<=\d)\u2044(?=\d)"), "/"),
     (re.compile(r"(?<=\w)\s*°"), " degrees"),
     (re.compile(r"(?<=\d)(?=(ft|cm|mm|km|dm|m|in|yd|s|min|h|deg|rad|feet|metres?|meters?|degrees?|seconds?)\b)"), " "),
-    (re.compile(r"(?<!\S)-(?=\.?\d)"), "minus "),
+    (re.compile(rf"(?<!\S)-(?=\.?\d|{_NUMBER}\b)", re.IGNORECASE), "minus "),
+    (re.compile(rf"\bnegative\s+(?=\.?\d|{_NUMBER}\b)", re.IGNORECASE), "minus "),
     (re.compile(r"\s+"), " "),
 )
 
