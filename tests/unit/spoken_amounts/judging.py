@@ -23,7 +23,8 @@ class Verdict:
 
     Attributes:
         phrase: what was said
-        outcome: "right", "asked", "refused", or "wrong"
+        outcome: "right", "asked", "refused", "wrong", or, where words that are left over are ignored, "no motion": what
+            would be done is no motion by an amount ("go to the west")
         said: the reply
         done: what would be done, by each way to do it
     """
@@ -58,7 +59,10 @@ class Judge:
             outcome = "asked" if understood.reply.outcome == "NEEDS_INFORMATION" else "refused"
             return Verdict(phrase, outcome, f"{understood.reply.code}: {understood.reply.sentence}", ())
         done = _done(understood)
-        is_right = bool(done) and phrase.is_within_limits and all(_is_same(way, phrase.motions or ()) for way in done)
+        ways = [way for way in done if policy == "strict" or any(not math.isnan(value) for _, value in way)]
+        if not ways and policy != "strict":
+            return Verdict(phrase, "no motion", understood.reply.sentence, done)
+        is_right = bool(ways) and phrase.is_within_limits and all(_is_same(way, phrase.motions or ()) for way in ways)
         return Verdict(phrase, "right" if is_right else "wrong", understood.reply.sentence, done)
 
 
@@ -93,8 +97,8 @@ def table(verdicts: Iterable[Verdict]) -> List[str]:
         limit = "" if verdict.phrase.is_within_limits else " beyond the limit"
         for family in (("open: " if is_open else "") + verdict.phrase.family + limit, of_all, "all"):
             counts.setdefault(family, Counter())[verdict.outcome] += 1
-    names = ("right", "asked", "refused", "wrong")
-    lines = [f"{'':<48}" + "".join(f"{name:>9}" for name in names)]
+    names = ("right", "asked", "refused", "no motion", "wrong")
+    lines = [f"{'':<48}" + "".join(f"{name:>10}" for name in names)]
     for family in sorted(counts, key=lambda name: (name.startswith("all"), name)):
-        lines.append(f"{family:<48}" + "".join(f"{counts[family][name]:>9}" for name in names))
+        lines.append(f"{family:<48}" + "".join(f"{counts[family][name]:>10}" for name in names))
     return lines

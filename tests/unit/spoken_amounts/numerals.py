@@ -101,7 +101,7 @@ def _short_hundreds(chance: Chance, most: int) -> Numeral:
 def _share(chance: Chance, most: int) -> Numeral:
     del most
     value, words, ratio, sign = chance.choice(_SHARES)
-    text = chance.choice([words, words.replace(" ", "-") if words[:2] != "a " else words, ratio, sign])
+    text = chance.choice([words, words if words.startswith("a") else words.replace(" ", "-"), ratio, sign])
     return Numeral(text, value, "shares", is_share=text not in (ratio, sign))
 
 
@@ -186,7 +186,9 @@ def _two(chance: Chance, most: int) -> Tuple[str, str]:
 def _range(chance: Chance, most: int) -> str:
     first, second = _two(chance, most)
     between = chance.choice([" to ", " or ", "-", " - ", " or maybe ", " till ", "\u2013", " to about ", ", "])
-    if between == "-" and first.isalpha() and second.isalpha() and first in _TENS[2:] and second in _ONES[1:10]:
+    # "Eighty-one hundred" and "one-eighty" are one number.
+    is_one = f"{first}-{second}" in ("one-eighty", "two-seventy", "three-sixty")
+    if is_one or (first in _TENS[2:] and second.split()[0] in _ONES[1:10]):
         between = " to "
     return f"{first}{between}{second}"
 

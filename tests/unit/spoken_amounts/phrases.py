@@ -232,7 +232,8 @@ def _open(chance: Chance) -> Phrase:
     carrier, _ = chance.choice(_TURN if is_turn else _STRAIGHT)
     if chance.random() < 0.2:
         numeral = plain(chance, most)
-        ending = chance.choice(ENDINGS)
+        # "Sixteen feet five" is sixteen feet and five inches.
+        ending = chance.choice([ending for ending in ENDINGS if ending != "five" or singular != "foot"])
         return Phrase(carrier.format(a=f"{_amount(chance, numeral, singular, plural)} {ending}"), None, "ending")
     said, family = open_numeral(chance, most)
     return Phrase(carrier.format(a=f"{said} {plural}"), None, family)

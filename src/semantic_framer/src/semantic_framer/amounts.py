@@ -234,7 +234,7 @@ def _is_of_noun(sentence: Sentence, index: int) -> bool:
     word = sentence.word(index)
     noun = sentence.word(word.head) if word.head else word
     is_behind = noun.index < index and noun.upos in ("NOUN", "PROPN")
-    is_name = is_behind and word.deprel in ("nummod", "compound", "flat", "appos", "nmod:unmarked")
+    is_name = is_behind and not find_unit(noun.form) and word.deprel in ("nummod", "compound", "flat", "appos", "nmod:unmarked")
     return is_name or is_iteration(sentence, index)
 
 

@@ -324,9 +324,12 @@ def _read_one(
         for reading in complete
         if policy.left_over_words is LeftOverWords.IGNORE or len(reading.left_over) == fewest
     )
-    # "Five" is less than was said where another unit lists "low five".
+    # "Five" is less than was said where another unit lists "low five", "around" where one lists a side for "turn around".
+    named = [reading.listed | frozenset(reading.verb_positions) for reading in full]
     return tuple(
-        reading for reading in full if not any(reading.listed and reading.listed < other.listed for other in full)
+        reading
+        for reading, words in zip(full, named)
+        if not (reading.listed and any(words < other for other in named))
     )
 
 

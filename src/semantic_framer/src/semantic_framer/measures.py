@@ -18,13 +18,16 @@ __all__ = ["Amount", "amounts_of", "find_amounts"]
 #: Between the ends of a range, or between two amounts of which one is meant.
 _ALTERNATIVES = frozenset("to or till until through thru - versus".split())
 #: Between two numbers that are one expression, or two amounts that are said together.
-_JOINTS = _ALTERNATIVES | frozenset("and , / by x * times plus minus".split())
+_ARITHMETIC = frozenset("/ by x * times plus minus of".split())
+_JOINTS = _ALTERNATIVES | _ARITHMETIC | frozenset(["and", ",", "out"])
 #: In front of an amount: it is not meant, only a bound, or only a part of what is meant.
 _BEFORE = frozenset(
     "not no never n't without except but than least most under over below above within between beyond maximum max minimum "
     "minus plus negative double twice thrice triple point per every each".split()
 )
-_BOUNDS_BEFORE = frozenset([("up", "to"), ("at", "least"), ("at", "most")])
+_BOUNDS_BEFORE = frozenset(
+    [("up", "to"), ("at", "least"), ("at", "most"), ("maximum", "of"), ("minimum", "of"), ("out", "of"), ("percent", "of")]
+)
 #: Behind an amount.
 _BEHIND = frozenset("percent % per max maximum minimum tops plus minus times squared cubed o'clock ish".split())
 #: The same in several words: "two metres or more", "two metres and a bit".
@@ -36,7 +39,7 @@ _MORE_BEHIND = tuple(
     ).split(",")
 )
 #: Words of a bound that the amount itself keeps to: "at least two metres", "two metres or more". It may be meant.
-_KEPT = frozenset("least most at up to the or more less fewer maximum max minimum tops".split())
+_KEPT = frozenset("least most at up to the or more less fewer of maximum max minimum tops".split())
 #: Words that leave an amount as it is.
 _AROUND = (
     frozenset("about almost around roughly approximately nearly exactly precisely just some even only another".split())
@@ -47,7 +50,7 @@ _MARKS = frozenset(". , ! ? ; : ) ( [ ] \" ' …".split())
 #: Units that are nothing else, where no number stands in front of them.
 _ONLY_UNITS = frozenset(
     "metres meters centimetres centimeters millimetres millimeters kilometres kilometers cm mm km inches yards miles "
-    "degrees degree radians radian".split()
+    "degrees degree radians radian feet miles turns revolutions rotations".split()
 )
 
 
@@ -114,11 +117,10 @@ def _doubtful(
 def _is_lone_unit(sentence: Sentence, index: int, amounts: Sequence[Amount]) -> bool:
     """Whether a word is a unit whose number could not be read: "umpteen degrees"; "the degrees" are no amount."""
     word = sentence.word(index)
-    is_noun = word.upos not in ("VERB", "ADJ") and not any(
-        child.deprel in ("det", "nmod:poss") for child in sentence.children(index)
-    )
+    before = sentence.word(index - 1) if index > 1 else None
+    is_of_something = before is not None and before.deprel in ("det", "nmod:poss") and before.head == index
     is_free = index not in sentence.fillers and all(index not in amount.positions for amount in amounts)
-    return is_free and is_noun and word.form.lower() in _ONLY_UNITS
+    return is_free and word.upos not in ("VERB", "ADJ") and not is_of_something and word.form.lower() in _ONLY_UNITS
 
 
 def _joined(sentence: Sentence, spoken: Sequence[int], amounts: Sequence[Amount]) -> List[Amount]:
@@ -155,18 +157,18 @@ def _are_one(
     if joint == ("adj",):
         # "Two big metres": the number has a unit that could not be read with it.
         return not first.unit and second.is_doubtful and len(second.positions) == 1
-    forms = [sentence.word(index).form.lower() for index in second.positions]
-    is_signed = forms[0] in ("minus", "plus", "negative", "-", "+")
-    if not first.unit:
-        return not (joint == () and is_iteration(sentence, second.positions[-1])) and not (joint in ((",",), ("and",), ("to",)) and counts_things(sentence, second))
-    if first.quantity == second.quantity or first.is_doubtful and second.quantity == "number":
+    if not second.unit and is_iteration(sentence, second.positions[-1]):
+        return False
+    is_of_things = not second.unit and (counts_things(sentence, second) or second.is_of_noun)
+    if is_of_things and joint in ((",",), ("and",), ("to",)):
+        return False
+    if not first.unit or not second.unit or first.quantity == second.quantity:
         return True
-    if not second.unit:
-        return is_signed or not (counts_things(sentence, second) or second.is_of_noun)
-    if joint == () or joint == ("/",):
-        # "Two metres a second" is a speed; "two metres 90 degrees" are two amounts.
-        return joint == ("/",) or is_signed or forms[0] in ("a", "an")
-    return bool(set(joint) & _ALTERNATIVES)
+    # "Two metres 90 degrees" are two amounts; "two metres a second" is a speed.
+    first_word = sentence.word(second.positions[0]).form.lower()
+    if joint == ():
+        return first_word in ("minus", "plus", "negative", "-", "+", "a", "an")
+    return bool(set(joint) & (_ALTERNATIVES | _ARITHMETIC))
 
 
 def _one(
@@ -238,7 +240,7 @@ def _changing_behind(sentence: Sentence, behind: Sequence[int], amount: Amount) 
     for more in _MORE_BEHIND:
         if forms[: len(more)] == more:
             return frozenset(said[: len(more)])
-    if is_number(sentence, word.index) or (form in _BEHIND and not is_counted):
+    if is_number(sentence, word.index) or (form in _BEHIND and (amount.unit or not is_counted)):
         return frozenset(said[:1])
     if not amount.unit and word.upos != "VERB" and find_unit(form) and unit_at(sentence, word.index):
         return frozenset(said[:1])

@@ -134,7 +134,8 @@ def _with_measured_turns(tree: DependencyTree) -> DependencyTree:
             continue
         before = tree.words[phrase[0].index - 2] if phrase[0].index > 1 else turn
         is_made = before.upos == "VERB" and before.lemma.lower() in _LIGHT
-        is_said = phrase[-1].form.lower() in _FRACTIONS or turn.form.lower() in _SEVERAL_TURNS
+        is_ratio = len(phrase) > 2 and phrase[-2].form == "/"
+        is_said = phrase[-1].form.lower() in _FRACTIONS or turn.form.lower() in _SEVERAL_TURNS or is_ratio
         verb = before if is_made else tree.word(turn.head)
         if verb.upos != "VERB" or verb.index >= turn.index or not (is_made or is_said):
             continue
@@ -152,10 +153,10 @@ def _with_measured_turns(tree: DependencyTree) -> DependencyTree:
 def _with_sides_apart(tree: DependencyTree) -> DependencyTree:
     """Hang a side in front of a measure on the verb: the parser has "to the right fifteen degrees" as one phrase."""
     for unit in tree.words:
-        numbers = [child.index for child in tree.children(unit.index) if _is_numeral(child)]
-        if not numbers or not unit.head or (find_unit(unit.form) is None and unit.form.lower() != "point"):
+        numbers = [child.index for child in (*tree.children(unit.index), unit) if _is_numeral(child)]
+        if not numbers or not unit.head or not _is_of_a_measure(unit):
             continue
-        before = [child for child in tree.children(unit.index) if child.index < numbers[0]]
+        before = [child for child in tree.children(unit.index) if child.index < min(numbers)]
         side = next((child for child in before if child.form.lower() in _SIDES), None)
         if side is None:
             continue
@@ -172,6 +173,11 @@ def _with_sides_apart(tree: DependencyTree) -> DependencyTree:
     return tree
 
 
+def _is_of_a_measure(word: Word) -> bool:
+    """Whether a word may be the head of a measure: a unit, a number, "quarters", "point"."""
+    return find_unit(word.form) is not None or word.upos == "NUM" or word.form.lower() in (*number_words(), "point")
+
+
 def _is_numeral(word: Word) -> bool:
     return word.deprel == "nummod" or word.form.lower() in number_words()
 
@@ -182,11 +188,10 @@ def _with_around_apart(tree: DependencyTree) -> DependencyTree:
         verb = tree.word(around.index - 1)
         unit = tree.word(around.head) if around.head else around
         is_case = around.form.lower() == "around" and around.deprel in ("case", "advmod", "compound:prt")
-        if is_case and verb.lemma.lower() in _TURNING and unit.index > around.index and unit.upos in ("NOUN", "NUM"):
-            if unit.upos == "NUM" or find_unit(unit.form) is not None:
-                words = list(tree.words)
-                words[around.index - 1] = replace(around, upos="ADV", head=verb.index, deprel="advmod")
-                tree = replace(tree, words=tuple(words))
+        if is_case and verb.lemma.lower() in _TURNING and unit.index > around.index and _is_of_a_measure(unit):
+            words = list(tree.words)
+            words[around.index - 1] = replace(around, upos="ADV", head=verb.index, deprel="advmod")
+            tree = replace(tree, words=tuple(words))
     return tree
 
 

@@ -37,6 +37,7 @@ def readings_of(
         _with_phrases_left_over(sentence, reading) for reading in read_clause(sentence, clause, lexicon, frames)
     )
     measured = frozenset().union(*(_measured(reading) for reading in readings))
+    unread = frozenset(position for reading in readings for amount in reading.unread for position in amount.positions)
     verbal = frozenset(
         position
         for reading in readings
@@ -49,6 +50,7 @@ def readings_of(
         if not any(
             value.head_position in verbal - frozenset(reading.verb_positions)
             or (value.head_position in measured - _measured(reading) and not _is_phrase(sentence, value))
+            or (unread & frozenset(value.positions) and not reading.unread)
             or _is_no_thing(sentence, reading, value, frames[reading.unit.frame_name])
             for value in reading.values
             if value.head_position and value.head_position not in reading.listed

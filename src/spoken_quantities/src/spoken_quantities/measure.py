@@ -132,8 +132,11 @@ def _parse_single(text: str, quantity: Optional[str], default_unit: str) -> Meas
     if unit is not None and number_text.rpartition(" ")[2].lower() in _EMPHASIS:
         number_text = number_text.rpartition(" ")[0]
     for filler in _FILLERS:
-        if number_text.lower().endswith(" " + filler) and not number_text.lower().startswith("a couple"):
-            number_text = number_text[: -len(filler) - 1]
+        counted = number_text[: -len(filler) - 1].lower()
+        is_filler = number_text.lower() == f"{counted} {filler}" and not counted.startswith("a couple")
+        # "Minus a metre" has no other number.
+        if is_filler and counted not in ("minus", "plus", "negative"):
+            number_text = counted
             break
     try:
         amount = parse_number(number_text)

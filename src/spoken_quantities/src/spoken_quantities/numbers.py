@@ -37,9 +37,12 @@ _DIGIT_OF.update({str(value): value for value in range(10)})
 _DIGIT_OF[_OH] = 0
 #: Words in front of a number that leave its amount as it is.
 _HEDGES = {"about", "around", "approximately", "roughly", "exactly", "another", "some", "just"}
-_JOINING_HYPHEN = re.compile(r"(?<![a-z])([a-z]+)-(?=([a-z]+))")
+_JOINING_HYPHEN = re.compile(r"(?<![a-z])([a-z]+|\d+(?=-and-))-(?=([a-z]+))")
+#: Turns that are one word to many: "a one-eighty".
+_IDIOMS = frozenset([180, 270, 360, 540, 720])
 _LEADING_SIGN = re.compile(r"^\s*([+-])\s*(?=[^\s+-])")
-_RATIO = re.compile(r"(\d{1,9})\s*/\s*(\d{1,9})", re.ASCII)
+_SPACED_SLASH = re.compile(r"(?<=\d)\s*/\s*(?=\d)", re.ASCII)
+_RATIO = re.compile(r"(\d{1,9})/(\d{1,9})", re.ASCII)
 #: "3 1/2", "3-1/2", "3 and 1/2".
 _MIXED_RATIO = re.compile(r"(.+?)(?:\s+and\s+|\s+|-)(\d{1,2})/(\d{1,2})", re.ASCII)
 #: What measures are divided into: "10/15 degrees" are two numbers to choose from.
@@ -100,6 +103,7 @@ def _spelled(text: str) -> str:
     spelled = text.lower().replace("\u2212", "-").replace("\u2044", "/")
     spelled = "".join(" " + _SINGLE_SIGNS[sign] + " " if sign in _SINGLE_SIGNS else sign for sign in spelled)
     spelled = " ".join(word for word in spelled.split() if word not in _HEDGES)
+    spelled = _SPACED_SLASH.sub("/", spelled)
     spelled = _LEADING_SIGN.sub(lambda sign: "minus " if sign.group(1) == "-" else "plus ", spelled)
     return _JOINING_HYPHEN.sub(_parted, spelled)
 
@@ -107,10 +111,11 @@ def _spelled(text: str) -> str:
 def _parted(hyphen: "re.Match[str]") -> str:
     """Return a word and a blank for the hyphen behind it: between two words it joins ("twenty-one").
 
-    Between digits it is a range ("100-50"), and so it is in "five-ten"; neither is a number.
+    Between digits it is a range ("100-50"), and so it may be in "five-ten" and "three-fifty": none is a number.
     """
     first, second = _SMALL.get(hyphen.group(1), 0), _SMALL.get(hyphen.group(2), 0)
-    return hyphen.group(0) if 0 < first < 10 <= second < 20 else hyphen.group(1) + " "
+    is_range = 0 < first < 10 <= second and first * 100 + second not in _IDIOMS
+    return hyphen.group(0) if is_range else hyphen.group(1) + " "
 
 
 def _is_digits(text: str) -> bool:

@@ -28,6 +28,7 @@ _RULES: Tuple[Tuple["re.Pattern[str]", Union[str, Callable[["re.Match[str]"], st
     (re.compile(r"(?<=\d)(?=(ft|cm|mm|km|dm|m|in|yd|s|min|h|deg|rad|feet|metres?|meters?|degrees?|seconds?)\b)"), " "),
     (re.compile(rf"(?<!\S)-(?=\.?\d|{_NUMBER}\b)", re.IGNORECASE), "minus "),
     (re.compile(rf"\bnegative\s+(?=\.?\d|{_NUMBER}\b)", re.IGNORECASE), "minus "),
+    (re.compile(r"(?<=\d)/(?=\d)"), " / "),
     (re.compile(r"\s+"), " "),
 )
 
