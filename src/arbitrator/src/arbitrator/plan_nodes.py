@@ -14,10 +14,27 @@ MOST_LEVELS = 32
 
 
 class Kind(enum.IntEnum):
-    """Kinds of nodes; the numbers are those of the PlanNode message."""
+    """Kinds of nodes; the numbers are those of the PlanNode message, which says what each means."""
 
     DO = 1
     SEQUENCE = 2
+    PARALLEL = 3
+    ANY_ORDER = 4
+    FALLBACK = 5
+    IF = 6
+    UNTIL = 7
+    WHILE = 8
+    REPEAT = 9
+    WAIT = 10
+    AT = 11
+    WHENEVER = 12
+    CONDITION = 13
+    ALL = 14
+    ANY = 15
+
+
+#: Kinds that a machine can be made of. A plan with another one is refused as a whole: part of it is not what was said.
+CARRIED_OUT = (Kind.DO, Kind.SEQUENCE)
 
 
 @dataclass(frozen=True)
@@ -116,9 +133,11 @@ def _levels(nodes: Sequence[Node]) -> Dict[int, int]:
 
 
 def _check_kind(position: int, node: Node) -> None:
-    if node.kind not in list(Kind):
-        known = ", ".join(f"{kind.value} ({kind.name})" for kind in Kind)
-        raise ValueError(f"node {position} of the plan is of the kind {node.kind}; known are {known}")
+    if node.kind not in CARRIED_OUT:
+        kind = f"{node.kind} ({Kind(node.kind).name})" if node.kind in list(Kind) else f"{node.kind}"
+        known = ", ".join(f"{kind.value} ({kind.name})" for kind in CARRIED_OUT)
+        raise ValueError(
+            f"node {position} of the plan is of the kind {kind}; nothing carries out other kinds than {known}")
     if node.kind == Kind.DO and node.children:
         raise ValueError(f"node {position} of the plan carries out a clause, and cannot have children")
     if node.kind != Kind.DO and node.candidates:

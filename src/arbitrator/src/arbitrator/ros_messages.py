@@ -4,15 +4,24 @@ from typing import Iterable, List
 from roboframenet_msgs import msg
 
 from arbitrator.plan import Candidate, FilledElement, FilledFrame, Plan, as_procedure
-from arbitrator.plan_nodes import Node, from_nodes, to_nodes
+from arbitrator.plan_nodes import CARRIED_OUT, Kind, Node, from_nodes, to_nodes
+
+#: Fields of a node that mean something to the kinds that are carried out. The strings in the frames stand for the
+#: arguments.
+_READ = {"kind", "label", "children", "candidates", "arguments"}
+_NOTHING_SET = msg.PlanNode()
 
 
 def plan_from_message(message: msg.Plan) -> Plan:
     """Turn a message into a value.
 
     Raises:
-        ValueError: the nodes are no tree, or a candidate is malformed; the text says which and why
+        ValueError: the nodes are no tree, a candidate is malformed, or something is asked for that nothing carries out;
+            the text says which and why
     """
+    if message.beginning != msg.Plan.REPLACE:
+        raise ValueError(
+            f"the plan begins in the way {message.beginning}; nothing carries out other ways than 0 (REPLACE)")
     return from_nodes([_node_from_message(position, node) for position, node in enumerate(message.nodes)])
 
 
@@ -21,7 +30,17 @@ def _node_from_message(position: int, message: msg.PlanNode) -> Node:
         candidates = tuple(candidate_from_message(candidate) for candidate in message.candidates)
     except ValueError as error:
         raise ValueError(f"node {position} of the plan is wrong: {error}") from error
+    unread = [name for name in message.__slots__ if name not in _READ and _is_set(message, name)]
+    if message.kind in CARRIED_OUT and unread:
+        raise ValueError(
+            f"node {position} of the plan sets {', '.join(unread)}; a {Kind(message.kind).name} has no use for it")
     return Node(kind=message.kind, label=message.label, children=tuple(message.children), candidates=candidates)
+
+
+def _is_set(message: msg.PlanNode, name: str) -> bool:
+    value, nothing = getattr(message, name), getattr(_NOTHING_SET, name)
+    # An array of numbers that came over the wire is a tuple.
+    return bool(value != nothing and not (nothing == [] and len(value) == 0))
 
 
 def candidate_from_message(message: msg.PlanCandidate) -> Candidate:

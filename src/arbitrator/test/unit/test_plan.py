@@ -1,5 +1,8 @@
 """Plans: as values, as the nodes that travel, as the procedure of 2012."""
+import io
+
 import pytest
+import rospy
 from roboframenet_msgs import msg
 
 from arbitrator.plan import MOST_COMBINATIONS, Candidate, Do, FilledElement, FilledFrame, InSequence, as_procedure, describe
@@ -26,11 +29,15 @@ SEQUENCE, DO = Kind.SEQUENCE, Kind.DO
 def test_plan_travels_there_and_back(plan):
     assert from_nodes(to_nodes(plan)) == plan
     assert plan_from_message(plan_to_message(plan)) == plan
+    buffer = io.BytesIO()
+    plan_to_message(plan).serialize(buffer)
+    assert plan_from_message(msg.Plan().deserialize(buffer.getvalue())) == plan
 
 
 def test_kinds_are_those_of_the_message():
     assert {kind.name: kind.value for kind in Kind} == {
-        name: value for name, value in vars(msg.PlanNode).items() if name.isupper() and isinstance(value, int)}
+        name: value for name, value in vars(msg.PlanNode).items()
+        if name.isupper() and isinstance(value, int) and name not in ("HOLDS", "BEGINS")}
 
 
 def do(**changes):
@@ -59,8 +66,10 @@ def join(*children, **changes):
     ([join(1), do(candidates=())], "node 1 of the plan is wrong: a clause has no candidates"),
     ([join(1), do(children=(2,)), do()], "node 1 of the plan carries out a clause, and cannot have children"),
     ([join(1, candidates=(way("turning"),)), do()], "node 0 of the plan joins clauses, and cannot have candidates"),
-    ([do(kind=0)], "is of the kind 0; known are 1 (DO), 2 (SEQUENCE)"),
-    ([join(1, kind=77), do()], "is of the kind 77"),
+    ([do(kind=0)], "is of the kind 0; nothing carries out other kinds than 1 (DO), 2 (SEQUENCE)"),
+    ([join(1, kind=77), do()], "is of the kind 77; nothing"),
+    *[([join(1), join(2, kind=kind), do()], f"node 1 of the plan is of the kind {kind.value} ({kind.name}); nothing")
+      for kind in Kind if kind not in (DO, SEQUENCE)],
     ([join(index + 1) for index in range(MOST_LEVELS)] + [do()], f"more than {MOST_LEVELS} levels"),
     ([join(index + 1) for index in range(MOST_NODES - 1)] + [do()], f"more than {MOST_LEVELS} levels"),
 ])
@@ -96,6 +105,35 @@ def test_malformed_message_is_refused_with_the_reason(message, part):
     with pytest.raises(ValueError) as raised:
         plan_from_message(message)
     assert part in str(raised.value)
+
+
+UNREAD = [
+    ("after", [1]), ("count", 2), ("most", 3), ("duration", rospy.Duration(1)), ("period", rospy.Duration(1)),
+    ("limit", rospy.Duration(60)), ("is_limit_said", True), ("when", msg.TimeExpression(kind="time", value="T08:00")),
+    ("trigger", msg.PlanNode.BEGINS), ("is_negated", True), ("robot", "beta")]
+
+
+def test_each_field_of_a_node_is_read_or_refused():
+    read = {"kind", "label", "children", "candidates", "arguments"}
+    assert set(msg.PlanNode.__slots__) == read | {name for name, _ in UNREAD}
+
+
+@pytest.mark.parametrize("name,value", UNREAD)
+def test_what_a_kind_has_no_use_for_is_refused_and_not_ignored(name, value):
+    message = plan_to_message(InSequence("Ping and turn", (PING, TURN)))
+    setattr(message.nodes[1], name, value)
+    with pytest.raises(ValueError) as raised:
+        plan_from_message(message)
+    assert f"node 1 of the plan sets {name}; a DO has no use for it" in str(raised.value)
+
+
+@pytest.mark.parametrize("beginning", [msg.Plan.FOLLOW, msg.Plan.BESIDE])
+def test_plan_that_does_not_replace_what_runs_is_refused(beginning):
+    message = plan_to_message(PING)
+    message.beginning = beginning
+    with pytest.raises(ValueError) as raised:
+        plan_from_message(message)
+    assert "REPLACE" in str(raised.value)
 
 
 def test_empty_values_are_refused():

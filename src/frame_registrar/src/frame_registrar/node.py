@@ -221,6 +221,8 @@ class FrameRegistrar:
 
     def _on_command(self, message: CommandLexicalUnits) -> None:
         try:
+            if message.plan.nodes:
+                raise ValueError("the clauses of the command belong together in a way that nothing carries out yet.")
             with self._lock:
                 outcome = search(self._graph, to_clauses(message.clauses), max_candidates=self._settings.max_candidates)
         except Exception as error:  # boundary: whatever fails here, the command gets its reply

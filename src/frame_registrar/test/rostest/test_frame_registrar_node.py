@@ -23,6 +23,7 @@ from roboframenet_msgs.msg import (
     FilledSemanticFrameListList,
     FrameCatalogue,
     LexicalUnitReading,
+    Plan,
     PlanNode,
     Reply,
     StageEvent,
@@ -99,11 +100,12 @@ class FrameRegistrarTest(unittest.TestCase):
         """Send a command of one clause; return its candidates, or its final event."""
         return self.send([self.clause(frame, **arguments)])
 
-    def send(self, clauses: List[Clause]) -> object:
+    def send(self, clauses: List[Clause], plan: Optional[Plan] = None) -> object:
         """Send a command; return its candidates, or its final event."""
         type(self).number += 1
         command_id = f"command_{self.number}"
-        self.units.publish(CommandLexicalUnits(command=Command(id=command_id, text="do it"), clauses=clauses))
+        command = Command(id=command_id, text="do it")
+        self.units.publish(CommandLexicalUnits(command=command, clauses=clauses, plan=plan or Plan()))
         answers: List[object] = []
 
         def is_answered() -> bool:
@@ -159,6 +161,13 @@ class FrameRegistrarTest(unittest.TestCase):
 
         self.assertTrue(wait_until(lambda: arguments_2012() == ["3 feet"]), arguments_2012())
         self.assertTrue(wait_until(lambda: self.is_alive("second") is True))
+
+    def test_clauses_that_belong_together_in_a_way_of_their_own_are_refused(self) -> None:
+        plan = Plan(nodes=[PlanNode(kind=PlanNode.WHENEVER, children=[1, 2]), PlanNode(), PlanNode()])
+        event = self.send([self.clause("nodding", "the bell rings"), self.clause("humming", "hum")], plan)
+        self.assertIsInstance(event, StageEvent)
+        self.assertEqual((event.reply.outcome, event.reply.code), (Reply.FAILED, "STAGE_ERROR"))
+        self.assertIn("belong together", event.reply.sentence)
 
     def test_each_clause_of_a_command_has_its_own_candidates(self) -> None:
         for name in ("nodding", "humming"):
