@@ -85,8 +85,10 @@ class FaultsTest(unittest.TestCase):
             (
                 add_unit,
                 "relation.yaml",
-                "frame_name: turning\nverb: whirl\nframe_element_grammatical_relations:\n"
-                "  - name: angle\n    relation: dirobj\n",
+                (
+                    "frame_name: turning\nverb: whirl\nframe_element_grammatical_relations:\n"
+                    "  - name: angle\n    relation: dirobj\n"
+                ),
                 "UNKNOWN_RELATION",
                 5,
                 "frame_element_grammatical_relations[0].relation",
@@ -113,7 +115,7 @@ class FaultsTest(unittest.TestCase):
             victims = chance.sample(NODES, chance.randint(1, len(NODES)))
             killed = {node: self.kill(node) for node in victims}
             self.assertTrue(
-                wait_until(lambda: all(self.pid(node) not in (0, old) for node, old in killed.items())),
+                wait_until(lambda killed=killed: all(self.pid(node) not in (0, old) for node, old in killed.items())),
                 f"{victims} do not return",
             )
             reply = None

@@ -3,7 +3,7 @@
 import argparse
 import os
 import sys
-from functools import lru_cache
+from functools import lru_cache, partial
 from typing import Callable, Dict, List, Mapping, Optional, Sequence, Set, Tuple
 
 from roboframenet_tools.annotated_sentences import AnnotatedSentence, read_sentences, sentences_of
@@ -22,6 +22,8 @@ from semantic_framer.lexicon import Lexicon
 from stanford_parser_ros.model import ModelError, Parser, UnparsableText, shipped_model_dir
 from stanford_parser_ros.tree import DependencyTree
 
+#: A path and what reads its text.
+TextFile = Tuple[str, Callable[[], str]]
 EXAMPLES = """examples:
   rfn learn garden_sentences.yaml --out gardening
   rfn learn huric huric-2.1/english --out learned
@@ -174,9 +176,12 @@ def learned_knowledge(
         units: text of learned lexical unit files by name
     """
     paths = {frame.path: frame.path for frame in frames.values()}
-    frame_files = [(path, lambda path=path: read_text(path)) for path in paths]
-    frame_files += [(f"{name} (learned)", lambda text=text: text) for name, text in new_frames.items()]
-    return load_texts(frame_files, [(f"{name} (learned)", lambda text=text: text) for name, text in units.items()])
+    frame_files: List[TextFile] = [(path, partial(read_text, path)) for path in paths]
+    return load_texts(frame_files + _learned_files(new_frames), _learned_files(units))
+
+
+def _learned_files(texts: Mapping[str, str]) -> List[TextFile]:
+    return [(f"{name} (learned)", partial(str, text)) for name, text in texts.items()]
 
 
 def _parsable(

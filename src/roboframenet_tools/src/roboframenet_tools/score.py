@@ -4,7 +4,7 @@ import argparse
 import json
 import sys
 from collections import Counter
-from typing import Callable, Dict, List, Sequence, Tuple
+from typing import Callable, Dict, Iterable, List, Sequence, Tuple
 
 from command_server.stop_words import is_stop
 from roboframenet_tools.annotated_sentences import sentences_of
@@ -157,10 +157,12 @@ def to_json(found: Score) -> Dict[str, object]:
 
 def table(corpus: str, rows: Sequence[Tuple[str, Score]]) -> str:
     """Return the figures for a person: all in one table, then each frame of the first row."""
-    lines = [("", "FP", "AIC-exact", "AIC-head", "EM", "coverage", "precision", "right", "right heads", "ms/command")]
+    lines: List[Tuple[str, ...]] = [
+        ("", "FP", "AIC-exact", "AIC-head", "EM", "coverage", "precision", "right", "right heads", "ms/command")
+    ]
     for name, found in rows:
-        figures = (found.fp, found.aic_exact, found.aic_head, found.em, found.coverage)
-        figures += (found.precision_answered, found.right_answered, found.right_answered_heads, found.ms_per_command)
+        figures = [found.fp, found.aic_exact, found.aic_head, found.em, found.coverage]
+        figures += [found.precision_answered, found.right_answered, found.right_answered_heads, found.ms_per_command]
         lines.append((name,) + tuple(f"{figure:.1f}" for figure in figures))
     for name, *published in PUBLISHED[corpus]:
         lines.append((name,) + tuple(f"{figure:.1f}" for figure in published) + ("-",) * 6)
@@ -192,7 +194,7 @@ def _wrong(command: AnnotatedCommand, given: Answer) -> str:
     return "".join(lines)
 
 
-def _words(command: AnnotatedCommand, positions: Sequence[int]) -> str:
+def _words(command: AnnotatedCommand, positions: Iterable[int]) -> str:
     return " ".join(command.tokens[position - 1] for position in sorted(positions) if position)
 
 
