@@ -19,7 +19,6 @@ from pipeline import can_do, wait_until
 from roboframenet_demo.ros_pipeline import is_pipeline_complete
 
 NODES = ("frame_registrar", "semantic_framer", "greeting_server")
-ORDERS = 20
 
 
 class FaultsTest(unittest.TestCase):
@@ -108,10 +107,11 @@ class FaultsTest(unittest.TestCase):
         self.assertEqual(reply.outcome, Reply.DONE, reply.sentence)
 
     def test_2_killed_nodes_come_back_with_all_that_they_knew(self) -> None:
+        orders = rospy.get_param("~orders")
         seed = random.SystemRandom().randrange(10**6)
         print(f"seed of the orders: {seed}")
         chance = random.Random(seed)
-        for number in range(ORDERS):
+        for number in range(orders):
             victims = chance.sample(NODES, chance.randint(1, len(NODES)))
             killed = {node: self.kill(node) for node in victims}
             self.assertTrue(

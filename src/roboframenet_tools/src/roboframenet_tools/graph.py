@@ -97,8 +97,10 @@ def svg(graph: FrameGraph) -> str:
         rows[column] = rows.get(column, 0) + 1
     width, height = 20 + 240 * (last + 1), 40 + 34 * max(rows.values(), default=0)
     parts = [
-        f'<svg xmlns="http://www.w3.org/2000/svg" width="{width}" height="{height}"'
-        ' font-family="sans-serif" font-size="12">'
+        (
+            f'<svg xmlns="http://www.w3.org/2000/svg" width="{width}" height="{height}"'
+            ' font-family="sans-serif" font-size="12">'
+        )
     ]
     for parent, child, label in edges:
         (x, y), (to_x, to_y) = place[parent], place[child]

@@ -56,7 +56,8 @@ def test_list_among_children_is_a_sequence() -> None:
 def test_additions_are_read() -> None:
     frame = load_frame(
         "name: a\non_list: together\nconfirm: yes\nframenet: Motion\nframe_elements:\n  - name: d\n"
-        "    quantity: length\n    unit_element: u\n    minimum: -1\n    maximum: 20 metres\n  - name: u\n    values: [on, off]\n",
+        "    quantity: length\n    unit_element: u\n    minimum: -1\n    maximum: 20 metres\n"
+        "  - name: u\n    values: [on, off]\n",
         "a.yaml",
     )
     element = frame.frame_elements[0]

@@ -63,8 +63,10 @@ def test_list_of_units_chains_and_alternatives() -> None:
             "frame_element_grammatical_relations[0].relation",
         ),
         (
-            "frame_name: a\nverb: go\nframe_element_grammatical_relations:\n"
-            "  - {name: x, relation: dobj, argument: word}",
+            (
+                "frame_name: a\nverb: go\nframe_element_grammatical_relations:\n"
+                "  - {name: x, relation: dobj, argument: word}"
+            ),
             "UNKNOWN_VALUE",
             4,
             "frame_element_grammatical_relations[0].argument",
