@@ -1,7 +1,8 @@
 """Policies: in which order the candidates of a command are tried.
 
-A policy orders a group of candidates that account for the same share of the sentence. Groups with a larger share
-come first whatever the policy, because a reading that leaves words out is the worse reading.
+A policy orders the ways to *do* what was said, and never the ways to *read* it: it sees one tier of candidates after
+the other, those of one reading, the likeliest first. Within a reading, candidates that account for a larger share of
+the words come first whatever the policy.
 """
 import abc
 import importlib
@@ -21,21 +22,25 @@ class Candidate:
     Attributes:
         sequence: the frames, in order
         coverage: share of the content words of the sentence that it accounts for, 0 to 1
+        preference: tier: every candidate of 0, the likeliest reading, is tried before those of 1
 
     Raises:
-        ValueError: coverage is not finite or not from 0 to 1
+        ValueError: coverage is not finite or not from 0 to 1, or preference is negative
     """
 
     sequence: Sequence
     coverage: float
+    preference: int = 0
 
     def __post_init__(self) -> None:
+        if self.preference < 0:
+            raise ValueError(f"preference must be 0 or more, got {self.preference}")
         if not (math.isfinite(self.coverage) and 0.0 <= self.coverage <= 1.0):
             raise ValueError(f"coverage must be 0 to 1, got {self.coverage}")
 
 
 class Policy(abc.ABC):
-    """Orders candidates of equal coverage. Subclass it for a policy of your own.
+    """Orders candidates of one reading. Subclass it for a policy of your own.
 
     The constructor takes no argument but ``seed``.
     """
@@ -83,7 +88,7 @@ class FewestStepsPolicy(Policy):
         return sorted(candidates, key=lambda candidate: len(candidate.sequence.frames))
 
 
-# most_coverage is what every policy starts from; with no lots drawn inside a group it is the stable form of it.
+# most_coverage is what every policy starts from; with no lots drawn inside a tier it is the stable form of it.
 POLICIES: Dict[str, Callable[..., Policy]] = {
     "random": RandomPolicy,
     "in_order": InOrderPolicy,
@@ -127,25 +132,29 @@ def load_policy(name: str, *, seed: Optional[int] = None) -> Policy:
         raise PolicyError(f"policy {name!r} cannot be made: {type(error).__name__}: {error}") from error
 
 
+def _tier(candidate: Candidate) -> Tuple[int, float]:
+    return candidate.preference, -candidate.coverage
+
+
 def _same_candidates(one: SequenceOf[Candidate], other: SequenceOf[Candidate]) -> bool:
     return sorted(map(id, one)) == sorted(map(id, other))
 
 
 def arbitrate(candidates: SequenceOf[Candidate], policy: Policy) -> Procedure:
-    """Order candidates into a procedure: largest coverage first, groups of equal coverage as the policy says.
+    """Order candidates into a procedure: the likeliest reading first, then coverage; what is equal as the policy says.
 
     Args:
         candidates: at least one
-        policy: orders each group of equal coverage
+        policy: orders the candidates of each tier
 
     Raises:
         ValueError: no candidates
         PolicyError: the policy raised, or returned other candidates than it was given
     """
     # sorted() is stable, so the policy sees each group in the order of the registrar.
-    ranked = sorted(candidates, key=lambda candidate: -candidate.coverage)
+    ranked = sorted(candidates, key=_tier)
     ordered: List[Candidate] = []
-    for _, members in itertools.groupby(ranked, key=lambda candidate: candidate.coverage):
+    for _, members in itertools.groupby(ranked, key=_tier):
         group: Tuple[Candidate, ...] = tuple(members)
         try:
             answer = list(policy.order(group))

@@ -35,13 +35,14 @@ def candidates_from_message(message: msg.CommandSemanticFrames) -> List[Candidat
     """Turn the registrar's message into candidates.
 
     Raises:
-        ValueError: as many coverages as candidates are expected; or a candidate is malformed
+        ValueError: as many coverages and preferences as candidates are expected; or a candidate is malformed
     """
     frame_lists = message.candidates.frame_lists
-    if len(frame_lists) != len(message.coverage):
-        raise ValueError(f"{len(frame_lists)} candidates with {len(message.coverage)} coverages")
-    return [Candidate(sequence=sequence_from_message(frames), coverage=coverage)
-            for frames, coverage in zip(frame_lists, message.coverage)]
+    if not len(frame_lists) == len(message.coverage) == len(message.preference):
+        raise ValueError(f"{len(frame_lists)} candidates with {len(message.coverage)} coverages and "
+                         f"{len(message.preference)} preferences")
+    return [Candidate(sequence=sequence_from_message(frames), coverage=coverage, preference=preference)
+            for frames, coverage, preference in zip(frame_lists, message.coverage, message.preference)]
 
 
 def frame_to_message(frame: FilledFrame) -> msg.FilledSemanticFrame:

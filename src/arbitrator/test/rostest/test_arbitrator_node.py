@@ -45,8 +45,9 @@ class ArbitratorNodeTest(unittest.TestCase):
         for subscriber in self._subscribers:
             subscriber.unregister()
 
-    def send(self, command_id, candidates, coverage):
+    def send(self, command_id, candidates, coverage, preference=None):
         message = CommandSemanticFrames(command=Command(id=command_id, text="turn"), coverage=coverage)
+        message.preference = [0] * len(coverage) if preference is None else preference
         message.candidates.frame_lists = candidates
         self._publisher.publish(message)
 
@@ -64,6 +65,12 @@ class ArbitratorNodeTest(unittest.TestCase):
             [[frame.action_server_topics[0] for frame in entry.frames] for entry in procedure.procedure.frame_lists])
         self.assertEqual(procedure.procedure, self.plain[0])
         self.assertFalse(self.events_of(["one"])[0].is_final)
+
+    def test_the_likeliest_reading_comes_first(self):
+        self.send("tiers", [candidate(name) for name in "abcd"], [1.0, 1.0, 0.5, 1.0], [1, 2, 0, 0])
+        self.assertTrue(wait_until(lambda: self.procedures))
+        self.assertEqual(["d", "c", "a", "b"], [
+            entry.frames[0].action_server_topics[0] for entry in self.procedures[0].procedure.frame_lists])
 
     def test_a_listener_that_connects_late_hears_how_a_command_ended(self):
         events = self._subscribers.pop()

@@ -9,9 +9,9 @@ from arbitrator.policy import Candidate, POLICIES, Policy, PolicyError, arbitrat
 from arbitrator.procedure import FilledFrame, Procedure, Sequence
 
 
-def make_candidate(name, coverage=1.0, steps=1):
+def make_candidate(name, coverage=1.0, steps=1, preference=0):
     frame = FilledFrame(name=name, frame_elements=(), server=f"{name}_server")
-    return Candidate(sequence=Sequence(frames=(frame,) * steps), coverage=coverage)
+    return Candidate(sequence=Sequence(frames=(frame,) * steps), coverage=coverage, preference=preference)
 
 
 def names(procedure):
@@ -38,6 +38,20 @@ def test_random_policy_gives_every_candidate_the_first_place():
 def test_every_policy_tries_the_larger_coverage_first(name):
     candidates = [make_candidate("low", 0.5), make_candidate("high", 1.0), make_candidate("middle", 0.75)]
     assert names(arbitrate(candidates, load_policy(name))) == ["high", "middle", "low"]
+
+
+@pytest.mark.parametrize("name", sorted(POLICIES))
+@pytest.mark.parametrize("seed", range(50))
+def test_no_policy_draws_lots_between_readings(name, seed):
+    candidates = [make_candidate("third", 1.0, preference=2), make_candidate("second", 1.0, preference=1),
+                  make_candidate("first", 0.5, steps=3)]
+    assert names(arbitrate(candidates, load_policy(name, seed=seed))) == ["first", "second", "third"]
+
+
+def test_random_policy_draws_lots_within_a_reading():
+    candidates = [make_candidate("a"), make_candidate("b"), make_candidate("z", preference=1)]
+    orders = {tuple(names(arbitrate(candidates, load_policy("random", seed=seed)))) for seed in range(50)}
+    assert orders == {("a", "b", "z"), ("b", "a", "z")}
 
 
 @pytest.mark.parametrize("name", ["in_order", "most_coverage"])
@@ -106,6 +120,11 @@ def test_policy_that_misbehaves_is_named(policy, part):
 def test_coverage_out_of_range_is_refused(coverage):
     with pytest.raises(ValueError, match="coverage"):
         make_candidate("x", coverage)
+
+
+def test_negative_preference_is_refused():
+    with pytest.raises(ValueError, match="preference"):
+        make_candidate("x", preference=-1)
 
 
 def test_empty_values_are_refused():

@@ -72,6 +72,7 @@ class CommandChainTest(unittest.TestCase):
             message.candidates.frame_lists.append(FilledSemanticFrameList(frames=[
                 FilledSemanticFrame(name=behaviour, action_server_topics=[server]) for behaviour, server in steps]))
             message.coverage.append(1.0)
+            message.preference.append(0)
         cls.frames.publish(message)
 
     def setUp(self):

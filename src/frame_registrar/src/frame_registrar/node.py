@@ -244,7 +244,10 @@ class FrameRegistrar:
         self._candidates_2012.publish(lists)
         self._candidates.publish(
             CommandSemanticFrames(
-                command=message.command, candidates=lists, coverage=[candidate.coverage for candidate in outcome]
+                command=message.command,
+                candidates=lists,
+                coverage=[candidate.coverage for candidate in outcome],
+                preference=[candidate.preference for candidate in outcome],
             )
         )
 

@@ -37,7 +37,12 @@ def _to_reading(message: object) -> Reading:
                 conjunction=value.conjunction if value else "",
             )
         )
-    return Reading(frame_name=message.lexical_unit.frame_name, arguments=tuple(arguments), coverage=message.coverage)
+    return Reading(
+        frame_name=message.lexical_unit.frame_name,
+        arguments=tuple(arguments),
+        coverage=message.coverage,
+        preference=message.preference,
+    )
 
 
 def to_frame_lists(candidates: Sequence[Candidate]) -> FilledSemanticFrameListList:

@@ -1,7 +1,7 @@
 """Searches the graph of frames for everything that is able to do what was said."""
 
 from dataclasses import dataclass, replace
-from itertools import islice
+from itertools import islice, product
 from typing import Dict, Iterator, List, Sequence, Tuple, Union
 
 from semantic_frames.frame import ListPolicy, SemanticFrame
@@ -38,11 +38,13 @@ class Reading:
         frame_name: the frame that the verb evokes
         arguments: of its elements
         coverage: share of the clause's content words that it accounts for, 0 to 1
+        preference: 0 is meant most likely, then 1; alternatives that were said ("or") are one reading
     """
 
     frame_name: str
     arguments: Tuple[Argument, ...] = ()
     coverage: float = 1.0
+    preference: int = 0
 
 
 @dataclass(frozen=True)
@@ -52,10 +54,12 @@ class Candidate:
     Attributes:
         frames: at least one
         coverage: smallest coverage of the readings that it comes from
+        preference: how the sentence was read; every candidate of 0 is to be tried before those of 1
     """
 
     frames: Frames
     coverage: float
+    preference: int = 0
 
 
 #: When several readings fail, the reason that tells the person most comes first.
@@ -75,7 +79,7 @@ def search(
         clauses: in the order in which they are to be done; the readings of each are alternatives
         max_candidates: the search ends when so many are found
     Returns:
-        candidates, those of a higher coverage first; a refusal when there is none
+        candidates, those of the likeliest reading first; a refusal when there is none
     """
     realiser = Realiser(graph)
     by_clause: List[List[Candidate]] = []
@@ -84,19 +88,33 @@ def search(
         if isinstance(found, Refusal):
             return found
         by_clause.append(found)
-    candidates = list(islice(_concatenations(by_clause), max_candidates))
-    if not candidates:
+    combinations = list(islice(product(*by_clause), max_candidates)) if by_clause else []
+    if not combinations:
         return _NOTHING_UNDERSTOOD
-    return tuple(sorted(candidates, key=lambda candidate: -candidate.coverage))
+    read_as = [tuple(candidate.preference for candidate in combination) for combination in combinations]
+    preferences = {preferences: number for number, preferences in enumerate(sorted(set(read_as)))}
+    candidates = [
+        Candidate(
+            frames=tuple(frame for candidate in combination for frame in candidate.frames),
+            coverage=min(candidate.coverage for candidate in combination),
+            preference=preferences[preference],
+        )
+        for combination, preference in zip(combinations, read_as)
+    ]
+    return tuple(sorted(candidates, key=_order))
+
+
+def _order(of: Union[Reading, Candidate]) -> Tuple[int, float]:
+    return of.preference, -of.coverage
 
 
 def _of_clause(
     realiser: Realiser, readings: Sequence[Reading], max_candidates: int
 ) -> Union[List[Candidate], Refusal]:
-    """Find the ways to carry out one clause, readings of a higher coverage first, none of them twice."""
+    """Find the ways to carry out one clause, the likeliest reading first, none of them twice."""
     found: Dict[Frames, Candidate] = {}
     refusals: List[Refusal] = []
-    for reading in sorted(readings, key=lambda reading: -reading.coverage):
+    for reading in sorted(readings, key=_order):
         frame = realiser.graph.frame(reading.frame_name)
         if frame is None:
             name = words(reading.frame_name)
@@ -113,7 +131,7 @@ def _of_clause(
             is_realised = False
             for frames in islice(realiser.realise(filled), _MOST_EXAMINED):
                 is_realised = True
-                found.setdefault(frames, Candidate(frames=frames, coverage=reading.coverage))
+                found.setdefault(frames, Candidate(frames, reading.coverage, reading.preference))
                 if len(found) >= max_candidates:
                     return list(found.values())
             if not is_realised:
@@ -122,19 +140,8 @@ def _of_clause(
         return list(found.values())
     if realiser.is_cut:
         return Refusal("TOO_MANY_CANDIDATES", "There are more ways to do that than I can look at, and none works so far.")
-    # min() keeps the first of equals: the reading of the higher coverage.
+    # min() keeps the first of equals: the likeliest reading.
     return min(refusals, key=lambda refusal: _REASONS.index(refusal.code), default=_NOTHING_UNDERSTOOD)
-
-
-def _concatenations(by_clause: Sequence[Sequence[Candidate]]) -> Iterator[Candidate]:
-    if not by_clause:
-        return
-    for first in by_clause[0]:
-        if len(by_clause) == 1:
-            yield first
-            continue
-        for rest in _concatenations(by_clause[1:]):
-            yield Candidate(frames=first.frames + rest.frames, coverage=min(first.coverage, rest.coverage))
 
 
 def _tasks(frame: SemanticFrame, reading: Reading) -> Iterator[List[Dict[str, str]]]:

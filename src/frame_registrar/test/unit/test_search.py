@@ -207,6 +207,28 @@ def test_higher_coverage_comes_first() -> None:
     assert servers_of(found) == [("b1",), ("a1",)]
 
 
+def test_likelier_reading_comes_first_whatever_it_covers() -> None:
+    graph = graph_of("name: a\n", "name: b\n", servers=(("a", "a1"), ("b", "b1"), ("b", "b2")))
+    readings = [Reading("a", preference=1), Reading("b", coverage=0.5)]
+    found = search(graph, [readings], max_candidates=9)
+    assert servers_of(found) == [("b1",), ("b2",), ("a1",)]
+    assert [candidate.preference for candidate in found] == [0, 0, 1]
+    assert servers_of(search(graph, [readings], max_candidates=2)) == [("b1",), ("b2",)]
+
+
+def test_items_of_or_are_alternatives_of_one_reading() -> None:
+    said = Argument("theme", "the mug or the plate", ("the mug", "the plate"), "or")
+    graph = graph_of(TAKING % "repeat", servers=(("taking", "s"),))
+    found = search(graph, [[Reading("taking", (said,), preference=3)]], max_candidates=9)
+    assert len({candidate.preference for candidate in found}) == 1
+
+
+def test_frames_of_two_readings_are_of_the_likelier() -> None:
+    graph = graph_of("name: a\nchildren: [{name: b}]\n", "name: b\n", servers=(("b", "s"),))
+    found = search(graph, [[Reading("a", preference=1), Reading("b")]], max_candidates=9)
+    assert [(candidate.frames[0].name, candidate.preference) for candidate in found] == [("b", 0)]
+
+
 def test_clauses_are_one_candidate() -> None:
     graph = graph_of("name: a\n", "name: b\n", servers=(("a", "a1"), ("b", "b1"), ("b", "b2")))
     assert servers_of(search(graph, [[reading("a")], [reading("b")]], max_candidates=9)) == [("a1", "b1"), ("a1", "b2")]

@@ -123,19 +123,19 @@ class Examples:
     def problem(self, unit: LexicalUnit, example: Example) -> Optional[Problem]:
         """Return why an example is not understood as its unit says, None if it is.
 
-        It is when it is one clause and one of the readings that are offered has the unit's frame and the expected
-        arguments.
+        It is when it is one clause, whose first reading has the unit's frame and the expected arguments.
         """
         outcome, _ = read(self._pipeline.parse(example.text), self.knowledge.lexicon, self.knowledge.frames)
         if not isinstance(outcome, Understood):
             found = f"{outcome.code}: {outcome.sentence}"
         else:
-            for reading in outcome.clauses[0] if len(outcome.clauses) == 1 else ():
-                arguments = {value.name: value.argument for value in reading.values}
-                if reading.unit.frame_name == unit.frame_name and all(
-                    arguments.get(name) == text for name, text in example.frame_elements.items()
-                ):
-                    return None
+            reading = outcome.clauses[0][0]
+            arguments = {value.name: value.argument for value in reading.values}
+            is_meant = reading.unit.frame_name == unit.frame_name and all(
+                arguments.get(name) == text for name, text in example.frame_elements.items()
+            )
+            if is_meant and len(outcome.clauses) == 1:
+                return None
             found = "; ".join(
                 f"{readings[0].unit.frame_name}("
                 + ", ".join(f"{value.name}={value.argument}" for value in readings[0].values)

@@ -261,15 +261,19 @@ class Pipeline:
     ) -> Union[Tuple[registrar.Candidate, ...], registrar.Refusal]:
         return registrar.search(
             self.knowledge.graph,
-            [[_registrar_reading(reading) for reading in readings] for readings in clauses],
+            [
+                [_registrar_reading(reading, preference) for preference, reading in enumerate(readings)]
+                for readings in clauses
+            ],
             max_candidates=self._max_candidates,
         )
 
 
-def _registrar_reading(reading: Reading) -> registrar.Reading:
+def _registrar_reading(reading: Reading, preference: int) -> registrar.Reading:
     return registrar.Reading(
         frame_name=reading.unit.frame_name,
         coverage=reading.coverage,
+        preference=preference,
         arguments=tuple(
             registrar.Argument(name=value.name, text=value.argument, items=value.items, conjunction=value.conjunction)
             for value in reading.values

@@ -7,6 +7,7 @@ from semantic_frames.frame import SemanticFrame
 from semantic_framer.clauses import Clause, clause_of
 from semantic_framer.lexicon import Lexicon
 from semantic_framer.matching import Reading, read_clause
+from semantic_framer.ranking import rank
 from semantic_framer.sentence import Sentence
 
 #: They only join a relative clause to its noun: "the bathroom where the door is on the right".
@@ -54,5 +55,5 @@ def descriptions(
             and not reading.left_over
             and any(clause.subject in value.positions for value in reading.values)
         ]
-        found += readings[:1]
+        found += sorted(readings, key=rank)[:1]
     return tuple(found)

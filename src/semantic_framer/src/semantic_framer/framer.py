@@ -13,9 +13,10 @@ from semantic_framer.choices import choices_of_clauses, chosen, question_of_choi
 from semantic_framer.clauses import CONDITIONS, WRAPPERS, Clause, find_clauses, whole_sentence
 from semantic_framer.dialogue import Choice, Context, Pending, is_no
 from semantic_framer.lexicon import Lexicon
-from semantic_framer.matching import Reading, rank
+from semantic_framer.matching import Reading
 from semantic_framer.plain_verbs import with_plain_verbs
 from semantic_framer.quotations import with_quotations
+from semantic_framer.ranking import rank
 from semantic_framer.readings import readings_of
 from semantic_framer.references import remember, resolve
 from semantic_framer.repairs import repaired
@@ -314,7 +315,8 @@ def _read_one(
     complete = tuple(reading for reading in readings if not reading.missing)
     if not complete:
         # "Move." asks where to as well as how far: the answer tells which was meant.
-        return tuple(reading for reading in readings if rank(reading)[:4] == rank(readings[0])[:4])
+        best = rank(readings[0]).of_what_was_said
+        return tuple(reading for reading in readings if rank(reading).of_what_was_said == best)
     # Words that one reading accounts for must not be dropped by taking another.
     fewest = len(complete[0].left_over)
     full = tuple(

@@ -47,6 +47,7 @@ class Reading:
         left_over: content words that nothing accounts for, by position
         coverage: share of the content words that the reading accounts for, 0 to 1
         listed: words that the unit lists for its elements, by position: "low five"
+        unlikely: how many words fill an element that they are hardly meant for
     """
 
     unit: LexicalUnit
@@ -57,6 +58,12 @@ class Reading:
     left_over: Tuple[int, ...]
     coverage: float
     listed: FrozenSet[int] = frozenset()
+    unlikely: int = 0
+
+    @property
+    def said(self) -> FrozenSet[Tuple[str, str]]:
+        """Names and arguments of the elements that words of the sentence fill."""
+        return frozenset((value.name, value.argument) for value in self.values if value.positions)
 
     @property
     def asked(self) -> Tuple[FrameElement, ...]:
@@ -80,7 +87,7 @@ def read_clause(
         lexicon: lexical units
         frames: by name; units of frames that are not known are left out
     Returns:
-        readings, the best first by :func:`rank`
+        readings in the order of the lexicon
     """
     sentence = clause.sentence or sentence
     amounts = find_amounts(sentence, sorted(clause.positions - {clause.verb}))
@@ -93,36 +100,7 @@ def read_clause(
             reading = _Filling(sentence, clause, unit, frame, match, amounts).reading()
             if reading is not None:
                 readings.append(reading)
-    different = {
-        (reading.unit.frame_name, frozenset((value.name, value.argument) for value in reading.values)): reading
-        for reading in sorted(readings, key=rank, reverse=True)
-    }
-    return tuple(sorted(different.values(), key=rank))
-
-
-def rank(reading: Reading) -> Tuple[bool, int, int, int, int, bool, int, int]:
-    """Order readings: the smallest is the best.
-
-    All core elements filled; fewest words left over; most elements filled; fewest missing; longest verb. Of units that
-    are equal so far ("take the box" takes it, and may bring it somewhere) the one is meant that the verb names: the
-    first verb of a unit is what the unit is about. Then the one of which fewest elements stay empty, then the one that
-    lists the verb earlier.
-    """
-    unit = reading.unit
-    said = sum(1 for value in reading.values if value.positions)
-    required = sum(1 for relation in unit.relations if relation.is_required)
-    filled = frozenset(value.name for value in reading.values)
-    position = unit.verbs.index(reading.verb) if reading.verb in unit.verbs else len(unit.verbs)
-    return (
-        bool(reading.missing),
-        len(reading.left_over),
-        -(said + required),
-        len(reading.asked),
-        -len(reading.verb.split()),
-        position > 0,
-        sum(1 for relation in unit.relations if relation.name not in filled),
-        position,
-    )
+    return tuple(readings)
 
 
 class _Filling:

@@ -9,8 +9,9 @@ from semantic_frames.lexical_unit import ArgumentForm
 from semantic_framer.attachment import is_side_of_something
 from semantic_framer.clauses import Clause
 from semantic_framer.lexicon import Lexicon
-from semantic_framer.matching import Reading, rank, read_clause
+from semantic_framer.matching import Reading, read_clause
 from semantic_framer.mending import DEGREES
+from semantic_framer.ranking import rank, without_dominated, without_duplicates
 from semantic_framer.references import NO_THINGS, PLACES
 from semantic_framer.sentence import Sentence
 from semantic_framer.values import ElementValue
@@ -20,6 +21,7 @@ _PHRASES = frozenset(["nmod", "obl", "acl", "advcl", "appos"])
 #: Which of several is meant: "the *second* left".
 _CHOOSING = frozenset(["amod", "nummod"])
 _SIDES = frozenset(["left", "right"])
+INDEFINITE_ARTICLES = frozenset(["a", "an", "some"])
 
 
 def readings_of(
@@ -34,7 +36,8 @@ def readings_of(
     """
     sentence = clause.sentence or sentence
     readings = tuple(
-        _with_phrases_left_over(sentence, reading) for reading in read_clause(sentence, clause, lexicon, frames)
+        _with_phrases_left_over(sentence, reading)
+        for reading in without_duplicates(read_clause(sentence, clause, lexicon, frames))
     )
     measured = frozenset().union(*(_measured(reading) for reading in readings))
     verbal = frozenset(
@@ -55,17 +58,32 @@ def readings_of(
         )
     )
     listed = frozenset().union(*(reading.listed for reading in kept))
-    return tuple(sorted((_with_coverage(sentence, clause, reading, listed) for reading in kept), key=rank))
+    judged = (
+        replace(reading, unlikely=_unlikely(sentence, reading, listed, frames[reading.unit.frame_name]))
+        for reading in without_dominated(kept)
+    )
+    return tuple(sorted(judged, key=rank))
 
 
-def _with_coverage(sentence: Sentence, clause: Clause, reading: Reading, listed: FrozenSet[int]) -> Reading:
-    """Count words as accounted for by half that a reading takes for any thing where another one lists them: a high five
-    can be given like a mug, but is not meant so.
+def _unlikely(sentence: Sentence, reading: Reading, listed: FrozenSet[int], frame: SemanticFrame) -> int:
+    """Count the words that fill an element which they are hardly meant for.
+
+    A word that another unit lists is hardly any thing: a high five can be given like a mug, but is not meant so. "A
+    kitchen" is hardly the name of a place, as "the kitchen" is; it tells of what kind the place is.
     """
-    heads = frozenset(value.head_position for value in reading.values)
-    halves = heads & (listed - reading.listed)
-    content = sum(1 for index in clause.positions - {clause.verb} if sentence.is_content(index))
-    return replace(reading, coverage=reading.coverage - 0.5 * len(halves) / (content + 1)) if halves else reading
+    names = frozenset(element.name for element in frame.frame_elements if element.framenet == "Name")
+    return sum(
+        value.head_position in listed - reading.listed
+        or (value.name in names and _is_indefinite(sentence, value.head_position))
+        for value in reading.values
+        if value.head_position
+    )
+
+
+def _is_indefinite(sentence: Sentence, head: int) -> bool:
+    return any(
+        child.deprel == "det" and child.form.lower() in INDEFINITE_ARTICLES for child in sentence.children(head)
+    )
 
 
 def _measured(reading: Reading) -> FrozenSet[int]:

@@ -18,7 +18,10 @@ from semantic_framer.values import ElementValue
 
 def to_clauses(clauses: Sequence[Tuple[Reading, ...]], sentence: Sentence) -> Sequence[Clause]:
     """Return readings as messages."""
-    return [Clause(readings=[_reading(reading, sentence) for reading in readings]) for readings in clauses]
+    return [
+        Clause(readings=[_reading(reading, sentence, preference) for preference, reading in enumerate(readings)])
+        for readings in clauses
+    ]
 
 
 def to_filled_units(clauses: Sequence[Tuple[Reading, ...]]) -> FilledLexicalUnitList:
@@ -34,7 +37,7 @@ def _unit(reading: Reading) -> FilledLexicalUnit:
     )
 
 
-def _reading(reading: Reading, sentence: Sentence) -> LexicalUnitReading:
+def _reading(reading: Reading, sentence: Sentence, preference: int) -> LexicalUnitReading:
     count = len(sentence.tree.words)
     return LexicalUnitReading(
         lexical_unit=_unit(reading),
@@ -42,6 +45,7 @@ def _reading(reading: Reading, sentence: Sentence) -> LexicalUnitReading:
         verb_position=reading.verb_positions[0],
         left_over=[sentence.word(index).form for index in reading.left_over if index <= count],
         coverage=reading.coverage,
+        preference=preference,
         source=reading.unit.path,
     )
 
