@@ -27,7 +27,7 @@ def _amount(arguments: Mapping[str, str], *, element: str, quantity: str, questi
         raise NotUnderstood(question)
     try:
         if unit and parse_measure(number).quantity == "number":
-            number = "%s %s" % (number, unit)
+            number = f"{number} {unit}"
         return parse_measure(number, quantity=quantity).si_amount
     except QuantityError as error:
         raise NotUnderstood(str(error)) from error
@@ -72,7 +72,7 @@ def turn_goal(arguments: Mapping[str, str]) -> MotionGoal:
     if direction in RIGHTWARD:
         return MotionGoal(kind=MotionKind.TURN, amount=-_angle_rad(arguments))
     if direction:
-        raise NotUnderstood('I cannot turn "%s", only left, right or around.' % direction)
+        raise NotUnderstood(f'I cannot turn "{direction}", only left, right or around.')
     raise NotUnderstood("Should I turn left or right?")
 
 
