@@ -59,8 +59,9 @@ def main() -> int:
     few, many = (statistics.median(times_ms[count]) for count in COUNTS)
     is_held = many <= LIMIT * few
     print(
-        f"framing, median of {ROUNDS} rounds over {len(trees)} sentences: {COUNTS[1]} | {COUNTS[0]} units: {many:.3f} | "
-        f"{few:.3f} ms per command, ratio {many / few:.3f}  (at most {LIMIT}: {'held' if is_held else 'MISSED'})"
+        f"framing, median of {ROUNDS} rounds over {len(trees)} sentences: {COUNTS[1]} | {COUNTS[0]} units: "
+        f"{many:.3f} | {few:.3f} ms per command, ratio {many / few:.3f}  "
+        f"(at most {LIMIT}: {'held' if is_held else 'MISSED'})"
     )
     return 0 if is_held else 1
 

@@ -26,7 +26,9 @@ from roboframenet_msgs.msg import (
     CommandStatus,
     FilledFrameElement,
     FilledSemanticFrame,
-    FilledSemanticFrameList,
+    Plan,
+    PlanCandidate,
+    PlanNode,
     Reply,
     StageEvent,
     StopReport,
@@ -144,15 +146,14 @@ class StopPathTest(unittest.TestCase):
     def pass_on(cls, command: Command) -> None:
         for stage in STAGES:
             cls.said.publish(StageEvent(command=command, stage=stage, stamp=rospy.Time.now(), sentence="at it"))
-        message = CommandSemanticFrames(command=command)
+        candidates = []
         for candidate in command.text.split(" / "):
             server, _, words = candidate.partition(" ")
             elements = [FilledFrameElement(*word.split("=")) for word in words.split(",") if word]
-            message.candidates.frame_lists.append(FilledSemanticFrameList(frames=[
-                FilledSemanticFrame(name=server, action_server_topics=[server], frame_elements=elements)]))
-            message.coverage.append(1.0)
-            message.preference.append(0)
-        cls.frames.publish(message)
+            frame = FilledSemanticFrame(name=server, action_server_topics=[server], frame_elements=elements)
+            candidates.append(PlanCandidate(coverage=1.0, frames=[frame]))
+        plan = Plan(nodes=[PlanNode(kind=PlanNode.DO, label=command.text, candidates=candidates)])
+        cls.frames.publish(CommandSemanticFrames(command=command, plan=plan))
 
     def setUp(self) -> None:
         type(self).is_parser_hung = False

@@ -31,8 +31,7 @@ LONGEST_MODULE = 450
 
 def product_modules() -> Iterator[Path]:
     """Every Python module of a package, without tests and without the generated or optional underlay."""
-    for path in sorted(REPOSITORY.glob("src/*/src/**/*.py")):
-        yield path
+    yield from sorted(REPOSITORY.glob("src/*/src/**/*.py"))
 
 
 def module_name(path: Path) -> str:
@@ -120,7 +119,7 @@ def test_core_imports_no_ros(path: Path) -> None:
 )
 def test_importing_a_core_loads_no_ros(package: str) -> None:
     code = f"import sys, {package}; sys.exit('rospy' in sys.modules)"
-    assert subprocess.run([sys.executable, "-c", code], timeout=60).returncode == 0
+    assert subprocess.run([sys.executable, "-c", code], timeout=60, check=False).returncode == 0
 
 
 def test_no_modules_import_each_other_in_a_circle() -> None:

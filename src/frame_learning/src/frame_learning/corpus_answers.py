@@ -23,12 +23,12 @@ def answer(pipeline: Pipeline, mapping: CorpusMapping, command: AnnotatedCommand
     milliseconds = 1000.0 * (time.monotonic() - started)
     tree = understanding.tree
     frames: List[AnnotatedFrame] = []
-    for frame in to_json(understanding)["frames"] if tree is not None else ():  # type: ignore[attr-defined]
-        elements = [(element["name"], element["tokens"], element["head_token"]) for element in frame["frame_elements"]]
-        if frame["is_description"] and not mapping.has_descriptions:
-            continue
-        known = pipeline.knowledge.frames[frame["name"]]
-        frames.append(_annotated(tree, command, mapping, known, frame["verb_token"], elements))
+    if tree is not None:
+        readings = understanding.readings + (understanding.descriptions if mapping.has_descriptions else ())
+        for reading in readings:
+            elements = [(value.name, value.positions, value.head_position) for value in reading.values]
+            known = pipeline.knowledge.frames[reading.unit.frame_name]
+            frames.append(_annotated(tree, command, mapping, known, reading.verb_positions[0], elements))
     return Answer(tuple(frames), understanding.reply.code == "DONE", milliseconds)
 
 

@@ -24,8 +24,8 @@ class CorpusMapping:
         frames: name in the corpus by name of our frame
         elements: name in the corpus by name of our frame and of its element; under the frame ``all`` for every frame
         words_left_out: words that the spans of the corpus do not begin with (articles, prepositions), lower case
-        transparent_nouns: nouns whose "of" phrase has the head for the corpus, as FrameNet's transparent nouns have: the
-            door is the head of "the front of the door"
+        transparent_nouns: nouns whose "of" phrase has the head for the corpus, as FrameNet's transparent nouns have:
+            the door is the head of "the front of the door"
         is_head_span: whether a span of the corpus ends with its head ("the mug" of "the mug on the table")
         has_descriptions: whether relative clauses are annotated ("the tv that is on the table" is located)
     """

@@ -3,7 +3,7 @@
 import argparse
 import os
 import sys
-from functools import lru_cache
+from functools import lru_cache, partial
 from typing import Callable, Dict, List, Mapping, Optional, Sequence, Set, Tuple
 
 from frame_learning.annotated_commands import CorpusError
@@ -22,6 +22,8 @@ from stanford_parser_ros.model import ModelError, Parser, UnparsableText, shippe
 from utterance_passes.tree import DependencyTree
 from word_classes import word_class
 
+#: A path and what reads its text.
+TextFile = Tuple[str, Callable[[], str]]
 EXAMPLES = """examples:
   rfn learn garden_sentences.yaml --out gardening
   rfn learn huric huric-2.1/english --out learned
@@ -175,9 +177,12 @@ def learned_knowledge(
         units: text of learned lexical unit files by name
     """
     paths = {frame.path: frame.path for frame in frames.values()}
-    frame_files = [(path, lambda path=path: read_text(path)) for path in paths]
-    frame_files += [(f"{name} (learned)", lambda text=text: text) for name, text in new_frames.items()]
-    return load_texts(frame_files, [(f"{name} (learned)", lambda text=text: text) for name, text in units.items()])
+    frame_files: List[TextFile] = [(path, partial(read_text, path)) for path in paths]
+    return load_texts(frame_files + _learned_files(new_frames), _learned_files(units))
+
+
+def _learned_files(texts: Mapping[str, str]) -> List[TextFile]:
+    return [(f"{name} (learned)", partial(str, text)) for name, text in texts.items()]
 
 
 def _parsable(

@@ -3,7 +3,7 @@
 from collections import Counter
 from dataclasses import dataclass
 from typing import Counter as CounterType
-from typing import Dict, Iterable, List, Mapping, Optional, Sequence, Tuple
+from typing import Dict, FrozenSet, Iterable, List, Mapping, Optional, Sequence, Tuple, TypeVar
 
 from frame_learning.annotated_commands import AnnotatedCommand, AnnotatedFrame
 
@@ -66,8 +66,8 @@ class Score:
         aic_head: the same over (frame, element, head word)
         em: exact match, share of commands with all frames, elements and spans right and nothing besides
         coverage: share of commands that are answered: they would be carried out
-        precision_answered: over the answered commands, share of the recognised frames that are right: the precision that
-            goes into ``fp``
+        precision_answered: over the answered commands, share of the recognised frames that are right: the precision
+            that goes into ``fp``
         right_answered: share of the answered commands with all frames right and no other
         right_answered_heads: share of the answered commands with all frames and all head words right and no others
         ms_per_command: mean time to parse and understand one
@@ -88,6 +88,7 @@ class Score:
 
 
 Element = Tuple[str, str, object]
+Counted = TypeVar("Counted")
 
 
 def score(pairs: Iterable[Tuple[AnnotatedCommand, Answer]]) -> Score:
@@ -140,7 +141,7 @@ def _percent(part: int, whole: int) -> float:
     return 100.0 * part / whole if whole else 0.0
 
 
-def _compare(annotated: CounterType, answered: CounterType) -> Tuple[int, int, int]:
+def _compare(annotated: CounterType[Counted], answered: CounterType[Counted]) -> Tuple[int, int, int]:
     return sum((annotated & answered).values()), sum(answered.values()), sum(annotated.values())
 
 
@@ -148,18 +149,20 @@ def _is_all(counts: Tuple[int, int, int]) -> bool:
     return counts[0] == counts[1] == counts[2]
 
 
-def _frames(frames: Sequence[AnnotatedFrame]) -> CounterType:
+def _frames(frames: Sequence[AnnotatedFrame]) -> CounterType[str]:
     return Counter(frame.name for frame in frames)
 
 
-def _spans(frames: Sequence[AnnotatedFrame]) -> CounterType:
+def _spans(frames: Sequence[AnnotatedFrame]) -> CounterType[Tuple[str, str, FrozenSet[int]]]:
     return Counter((frame.name, element.name, element.tokens) for frame in frames for element in frame.elements)
 
 
-def _heads(annotated: Sequence[AnnotatedFrame], answered: Sequence[AnnotatedFrame]) -> Tuple[CounterType, CounterType]:
+def _heads(
+    annotated: Sequence[AnnotatedFrame], answered: Sequence[AnnotatedFrame]
+) -> Tuple[CounterType[Element], CounterType[Element]]:
     """Return the heads of both; where none is annotated, the answer's stands for it if it lies in the span."""
-    given = [(frame.name, element.name, element.head) for frame in answered for element in frame.elements]
-    free: List[Element] = list(given)
+    given: List[Element] = [(frame.name, item.name, item.head) for frame in answered for item in frame.elements]
+    free = list(given)
     wanted: List[Element] = []
     for frame in annotated:
         for element in frame.elements:

@@ -4,7 +4,7 @@ import argparse
 import json
 import sys
 from collections import Counter
-from typing import Callable, Dict, List, Sequence, Tuple
+from typing import Callable, Dict, Iterable, List, Sequence, Tuple
 
 from command_server.stop_words import is_stop
 from frame_learning.annotated_commands import AnnotatedCommand, CorpusError
@@ -161,10 +161,12 @@ def to_json(found: Score) -> Dict[str, object]:
 
 def table(rows: Sequence[Tuple[str, Score]], published: Sequence[PublishedFigures] = ()) -> str:
     """Return the figures for a person: ours and those of others in one table, then each frame of the first row."""
-    lines = [("", "FP", "AIC-exact", "AIC-head", "EM", "coverage", "precision", "right", "right heads", "ms/command")]
+    lines: List[Tuple[str, ...]] = [
+        ("", "FP", "AIC-exact", "AIC-head", "EM", "coverage", "precision", "right", "right heads", "ms/command")
+    ]
     for name, found in rows:
-        figures = (found.fp, found.aic_exact, found.aic_head, found.em, found.coverage)
-        figures += (found.precision_answered, found.right_answered, found.right_answered_heads, found.ms_per_command)
+        figures = [found.fp, found.aic_exact, found.aic_head, found.em, found.coverage]
+        figures += [found.precision_answered, found.right_answered, found.right_answered_heads, found.ms_per_command]
         lines.append((name,) + tuple(f"{figure:.1f}" for figure in figures))
     for others in published:
         shown = tuple(f"{figure:.1f}" for figure in (others.fp, others.aic_exact, others.aic_head))
@@ -197,7 +199,7 @@ def _wrong(command: AnnotatedCommand, given: Answer) -> str:
     return "".join(lines)
 
 
-def _words(command: AnnotatedCommand, positions: Sequence[int]) -> str:
+def _words(command: AnnotatedCommand, positions: Iterable[int]) -> str:
     return " ".join(command.tokens[position - 1] for position in sorted(positions) if position)
 
 

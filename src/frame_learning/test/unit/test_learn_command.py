@@ -188,7 +188,8 @@ def test_what_is_opened_is_told_apart_by_what_opens(tmp_path):
 
 def test_the_second_of_two_places_may_tell_frames_apart(tmp_path):
     pipeline = taught(
-        "- {text: Take the box on the table., frame_name: taking, verb: Take, frame_elements: {theme: the box on the table}}\n"
+        "- {text: Take the box on the table., frame_name: taking, verb: Take,"
+        " frame_elements: {theme: the box on the table}}\n"
         "- {text: Take the box on the table on the couch., frame_name: bringing, verb: Take,"
         " frame_elements: {theme: the box on the table, goal: on the couch}}\n",
         {"taking": frame_text("taking", ["theme"], []), "bringing": frame_text("bringing", ["theme"], ["Goal"])},

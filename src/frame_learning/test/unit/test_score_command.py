@@ -62,7 +62,7 @@ def test_huric_is_read(tmp_path):
 @pytest.mark.parametrize("text", ["", "<huricExample", HURIC.replace('surface="lid"', "")])
 def test_huric_that_is_wrong_is_named(tmp_path, text):
     (tmp_path / "1.hrc").write_text(text, encoding="utf-8")
-    with pytest.raises(CorpusError, match="1.hrc"):
+    with pytest.raises(CorpusError, match=r"1\.hrc"):
         read_huric(str(tmp_path))
 
 

@@ -116,7 +116,7 @@ class QuietSimpleActionServer(actionlib.SimpleActionServer):
     def __init__(
         self,
         name: str,
-        ActionSpec: Any,  # the argument's name is the base class's
+        ActionSpec: Any,  # noqa: N803 (the name is the base class's)
         execute_cb: Optional[Callable[[Any], None]] = None,
         auto_start: bool = True,
     ) -> None:
@@ -130,7 +130,7 @@ class QuietSimpleActionServer(actionlib.SimpleActionServer):
         if auto_start:
             self.start()
 
-    def executeLoop(self) -> None:  # the name is the base class's
+    def executeLoop(self) -> None:  # noqa: N802 (the name is the base class's)
         """Wait for goals and run the callback, until shutdown.
 
         The stock loop looks for a goal before it takes the lock and then sleeps a tenth of a second: a goal that comes

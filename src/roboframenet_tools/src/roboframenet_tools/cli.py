@@ -79,4 +79,5 @@ def _run(words: List[str]) -> int:
         parser.print_help()
         return 2
     module = next(module for name, module, _ in COMMANDS if name == arguments.command)
-    return importlib.import_module(module).run(arguments)
+    status: int = importlib.import_module(module).run(arguments)
+    return status

@@ -91,7 +91,12 @@ def test_output_that_nobody_reads_ends_quietly(words):
     reader = subprocess.Popen([sys.executable, "-c", ""], stdin=subprocess.PIPE)
     reader.wait(timeout=60)
     result = subprocess.run(
-        [sys.executable, "-c", code, *words], stdout=reader.stdin, stderr=subprocess.PIPE, text=True, timeout=120
+        [sys.executable, "-c", code, *words],
+        stdout=reader.stdin,
+        stderr=subprocess.PIPE,
+        text=True,
+        timeout=120,
+        check=False,
     )
     reader.stdin.close()
     assert (result.returncode, result.stderr) == (OUTPUT_CLOSED, "")

@@ -114,9 +114,9 @@ def _is_choice(value: ElementValue, choice: str) -> bool:
 
 def _fragment_values(sentence: Sentence, frame: SemanticFrame, element: FrameElement) -> List[ElementValue]:
     positions = [word.index for word in sentence.tree.words if word.upos not in ("PUNCT", "INTJ")]
-    amounts = find_amounts(sentence.tree, positions)
+    amounts = find_amounts(sentence.tree, [word.index for word in sentence.tree.words])
     if element.quantity is not None:
-        for amount in amounts:
+        for amount in amounts if not any(amount.is_doubtful for amount in amounts) else ():
             values = [amount_value(sentence.tree, element.name, amount, is_whole=not element.unit_element)]
             if element.unit_element and amount.unit:
                 values.append(unit_value(sentence.tree, element.unit_element, amount))

@@ -8,6 +8,7 @@ from word_classes import word_class
 #: Prepositions that tell which thing or person is meant only right behind its name: "the guy with the blue jacket".
 _OF_A_THING = frozenset(["with", "without"])
 _ADVERBS_BEFORE_PREPOSITIONS = word_class("adverbs_before_prepositions")
+_ALL_DIRECTIONS = word_class("all_directions")
 _AMOUNT_MODIFIERS = word_class("amount_modifiers")
 _LEFT_AND_RIGHT = word_class("left_and_right")
 _ONWARD = word_class("onward_adverbs")
@@ -90,6 +91,11 @@ def words_before_amount(tree: DependencyTree, first: int) -> FrozenSet[int]:
         found.append(position)
         position -= 1
     return frozenset(found)
+
+
+def is_direction(tree: DependencyTree, index: int) -> bool:
+    """Whether a word says in which direction something is done: "east", "left"."""
+    return tree.word(index).form.lower() in _ALL_DIRECTIONS
 
 
 def is_of_one_direction(tree: DependencyTree, index: int, used: AbstractSet[int]) -> bool:

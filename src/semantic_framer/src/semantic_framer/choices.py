@@ -3,6 +3,7 @@
 from typing import Iterable, List, Optional, Sequence, Tuple
 
 from utterance_passes.clauses import Clause, find_clauses
+from utterance_passes.measures import find_amounts
 from utterance_passes.tree import ABANDONED
 from utterance_passes.tree_edits import set_aside
 from utterance_passes.utterance_pass import Choice
@@ -11,6 +12,7 @@ from utterance_passes.vocabulary import Vocabulary, is_verb
 from word_classes import word_class, word_list
 
 from semantic_framer.dialogue import is_yes
+from semantic_framer.reading import Reading
 from semantic_framer.sentence import Sentence
 
 _CHOICE_NOUNS = word_class("choice_nouns")
@@ -41,6 +43,31 @@ def choices_of_clauses(sentence: Sentence, clauses: Sequence[Clause], vocabulary
         said = [index for index in sorted(clause.positions) if sentence.word(index).deprel not in ("punct", "cc")]
         others = frozenset(word.index for word in sentence.tree.words) - frozenset(said)
         tree = set_aside(sentence.tree, others, ABANDONED, lambda word: is_verb(vocabulary, word))
+        choices.append(Choice(sentence.text(said), tree))
+    return tuple(choices)
+
+
+def choices_of_amounts(sentence: Sentence, readings: Sequence[Reading], vocabulary: Vocabulary) -> Tuple[Choice, ...]:
+    """Return the amounts where a person left the choice between them, "ten to fifteen degrees"; none where not.
+
+    Args:
+        sentence: the sentence
+        readings: the best one of each clause
+        vocabulary: its verbs tell what the root is
+    """
+    ranges = [amount for reading in readings for amount in reading.unread if amount.ends]
+    if len(ranges) != 1:
+        return ()
+    choices = []
+    for end in ranges[0].ends:
+        dropped = frozenset(ranges[0].positions) - frozenset(end)
+        tree = set_aside(sentence.tree, dropped, ABANDONED, lambda word: is_verb(vocabulary, word))
+        words = [word.index for word in tree.words if word.upos != "PUNCT" or word.index in end]
+        said = [index for index in words if index not in dropped | sentence.abandoned]
+        amounts = [amount for amount in find_amounts(tree, said) if set(amount.positions) & set(end)]
+        if any(amount.is_doubtful or bool(amount.unit) != bool(ranges[0].unit) for amount in amounts):
+            # "A metre or two": the second has no unit of its own.
+            return ()
         choices.append(Choice(sentence.text(said), tree))
     return tuple(choices)
 

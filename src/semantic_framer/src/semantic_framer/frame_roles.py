@@ -25,3 +25,4 @@ NO_THINGS: FrozenSet[str] = frozenset(
 )
 #: What a verb is about, without a tool or company: a phrase with "with" describes it.
 DESCRIBED: FrozenSet[str] = frozenset(["Cotheme", "Category", "Item"])
+DIRECTION = "Direction"

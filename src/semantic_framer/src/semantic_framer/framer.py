@@ -13,7 +13,7 @@ from utterance_passes.utterance_pass import Choice, TreePass, Uncertain
 from utterance_passes.verb_matching import match_verbs
 
 from semantic_framer.answers import answer
-from semantic_framer.choices import choices_of_clauses, chosen
+from semantic_framer.choices import choices_of_amounts, choices_of_clauses, chosen
 from semantic_framer.dialogue import Context, is_no
 from semantic_framer.framed_lexicon import FramedLexicon
 from semantic_framer.lexicon import Lexicon
@@ -179,7 +179,8 @@ class _Hearing:
         refusal = next((read.refusal for read in clauses if read.refusal), None) or self._refusal(REST_VERDICTS, case)
         if refusal is not None:
             return Heard(refusal, context, sentence, clauses)
-        choices = choices_of_clauses(sentence, case.clauses, known)
+        best = [read.kept[0] for read in clauses]
+        choices = choices_of_clauses(sentence, case.clauses, known) or choices_of_amounts(sentence, best, known)
         if choices:
             return Heard(*ask_which(choices, context, self._now), sentence, clauses)
         kept = tuple(read.kept for read in clauses)

@@ -3,16 +3,17 @@
 from dataclasses import replace
 from typing import Dict, FrozenSet, List, Optional, Sequence, Set, Tuple
 
-from semantic_frames.frame import FrameElement, Quantity, SemanticFrame
+from semantic_frames.frame import FrameElement, SemanticFrame
 from semantic_frames.lexical_unit import ArgumentForm, ElementRelation, LexicalUnit
 from semantic_frames.relation_names import MEASURE
 from utterance_passes.clauses import Clause, shared_subject
-from utterance_passes.measures import Amount, find_amounts
+from utterance_passes.measures import Amount, amounts_of
 from utterance_passes.trace import Trace
 from utterance_passes.verb_matching import VerbMatch, match_verbs
 from word_classes import word_class
 
 from semantic_framer.attachment import (
+    is_direction,
     is_of_one_direction,
     is_side_of_something,
     places_before,
@@ -21,8 +22,9 @@ from semantic_framer.attachment import (
     words_before,
     words_before_amount,
 )
-from semantic_framer.frame_roles import DESCRIBED, MESSAGE
+from semantic_framer.frame_roles import DESCRIBED, DIRECTION, MESSAGE
 from semantic_framer.framed_lexicon import FramedLexicon
+from semantic_framer.measured_elements import measured_elements, measures_as_in_2012, numeral_at
 from semantic_framer.reading import ElementValue, Reading
 from semantic_framer.sentence import Sentence
 from semantic_framer.values import amount_value, given_value, phrase_value, unit_value
@@ -35,7 +37,6 @@ _DESTINATION_ADVERBS = word_class("destination_adverbs")
 _PLACE_PREPOSITIONS = word_class("place_prepositions")
 #: So many relations or words that were looked for in vain are written down.
 _SHOWN = 8
-_MEASURES_OF_2012 = frozenset(["num", "number", "nummod", "tmod", "npadvmod"])
 
 
 def read_clause(
@@ -51,7 +52,7 @@ def read_clause(
     Returns:
         readings in the order of the lexicon
     """
-    amounts = find_amounts(sentence.tree, sorted(clause.positions - {clause.verb}))
+    amounts = amounts_of(sentence.tree, clause.positions, clause.verb)
     readings = []
     for match in match_verbs(sentence.tree, clause, known):
         for unit in known.lexicon.units_of(match.verb):
@@ -119,33 +120,30 @@ class _Filling:
         self._amounts = amounts
         self._heads: Dict[str, int] = {}
         self._listed: Dict[str, FrozenSet[int]] = {}
-        self._amount_of: Dict[str, Amount] = {}
+        measured = measured_elements(sentence, unit, frame, match.positions, amounts)
+        self._amount_of = measured.amount_of
+        self._unread = measured.unread
+        #: Numbers of several words, in units of 2012.
+        self._numeral_of: Dict[str, Amount] = {}
         self._subject = clause.subject or shared_subject(sentence.tree, clause.verb)
-        #: In 2012 a unit asked for the number and for what it counts by their relations.
-        self._is_measuring_of_2012 = any(
-            path.steps[-1] in _MEASURES_OF_2012 and not relation.words
-            for relation in unit.relations
-            for path in relation.relations
-        )
+        self._is_measuring_of_2012 = measures_as_in_2012(unit)
 
     def reading(self) -> Optional[Reading]:
         """Return the reading; None when a required relation does not match."""
-        self._take_amounts()
         for wants_core in (True, False):
             for relation in self._unit.relations:
                 element = self._frame.element(relation.name)
                 is_first = relation.is_required or bool(relation.words) or (element is not None and element.is_core)
-                if relation.name not in self._heads and relation.name not in self._amount_of and is_first == wants_core:
+                if not self._is_taken(relation.name) and relation.name not in self._unread and is_first == wants_core:
                     self._take_phrase(relation)
-        if any(
-            relation.is_required and relation.name not in self._heads and relation.name not in self._amount_of
-            for relation in self._unit.relations
-        ):
+        if any(relation.is_required and not self._is_taken(relation.name) for relation in self._unit.relations):
             return None
         values = self._values()
         names = {value.name for value in values}
         missing = tuple(
-            element for element in self._frame.frame_elements if element.is_core and element.name not in names
+            element
+            for element in self._frame.frame_elements
+            if (element.is_core or element.name in self._unread) and element.name not in names
         )
         left_over, coverage = self._coverage(values)
         return Reading(
@@ -157,37 +155,15 @@ class _Filling:
             left_over=left_over,
             coverage=coverage,
             listed=frozenset().union(*self._listed.values()),
+            unread=tuple(dict.fromkeys(amount for amounts in self._unread.values() for amount in amounts)),
         )
 
     def unfilled(self) -> Tuple[ElementRelation, ...]:
         """Return the relations that found nothing."""
-        return tuple(
-            relation
-            for relation in self._unit.relations
-            if relation.name not in self._heads and relation.name not in self._amount_of
-        )
+        return tuple(relation for relation in self._unit.relations if not self._is_taken(relation.name))
 
-    def _take_amounts(self) -> None:
-        """Give each amount to the first element that measures it and asks for a measure."""
-        free = list(self._amounts)
-        wanting = [
-            relation.name
-            for relation in self._unit.relations
-            if any(path.steps[-1] == MEASURE for path in relation.relations)
-        ]
-        for name in wanting:
-            element = self._frame.element(name)
-            if element is None or element.quantity is None:
-                continue
-            amount = next((amount for amount in free if amount.quantity == element.quantity.value), None) or next(
-                (amount for amount in free if not amount.unit and element.quantity is not Quantity.NUMBER), None
-            )
-            if amount is None:
-                continue
-            free.remove(amount)
-            self._amount_of[name] = amount
-            if element.unit_element and amount.unit:
-                self._amount_of[element.unit_element] = amount
+    def _is_taken(self, name: str) -> bool:
+        return name in self._heads or name in self._amount_of or name in self._numeral_of
 
     def _take_phrase(self, relation: ElementRelation) -> None:
         is_wanted = relation.is_required or self._is_core(relation.name)
@@ -210,6 +186,13 @@ class _Filling:
                 if relation.words and not listed:
                     continue
                 is_adverb = relation.argument is ArgumentForm.PHRASE and self._is_only_an_adverb(head, path.steps)
+                numeral = numeral_at(head, path, self._amounts) if not relation.words else None
+                if numeral is not None and numeral.is_doubtful:
+                    self._unread[relation.name] = (numeral,)
+                    return
+                if numeral is not None:
+                    self._numeral_of[relation.name] = numeral
+                    return
                 if not relation.words and (self._is_in_a_measure(head) or is_adverb):
                     continue
                 self._heads[relation.name] = head
@@ -219,8 +202,15 @@ class _Filling:
     def _is_in_a_measure(self, head: int) -> bool:
         """Whether a word measures ("two degrees"), and so is no thing; a bare number may be one ("give me 5")."""
         return any(head in amount.positions for amount in self._amount_of.values()) or any(
-            head in amount.positions and amount.unit for amount in self._amounts if not self._is_measuring_of_2012
+            head in amount.positions and (amount.unit or self._is_end(amount, head))
+            for amount in self._amounts
+            if not self._is_measuring_of_2012
         )
+
+    def _is_end(self, amount: Amount, head: int) -> bool:
+        """Whether a word is the end of a range, and its preposition is of the range: "fifteen" of "ten to fifteen"."""
+        cases = [child.index for child in self._sentence.children(head) if child.deprel == "case"]
+        return amount.is_doubtful and bool(cases) and cases[0] in amount.positions
 
     def _is_core(self, name: str) -> bool:
         element = self._frame.element(name)
@@ -289,6 +279,12 @@ class _Filling:
     def _values(self) -> Tuple[ElementValue, ...]:
         verb_words = frozenset(self._match.positions)
         amount_words = frozenset(position for amount in self._amount_of.values() for position in amount.positions)
+        amount_words |= frozenset(
+            position
+            for amount in self._numeral_of.values()
+            for position in amount.positions
+            if position != amount.unit_position
+        )
         values: List[ElementValue] = []
         for element in self._frame.frame_elements:
             if element.name in self._amount_of:
@@ -302,6 +298,9 @@ class _Filling:
                 before = words_before_amount(self._sentence.tree, min(amount.positions))
                 if not is_unit:
                     values[-1] = replace(values[-1], positions=tuple(sorted(before)) + values[-1].positions)
+            elif element.name in self._numeral_of:
+                numeral = self._numeral_of[element.name]
+                values.append(amount_value(self._sentence.tree, element.name, numeral, is_whole=False))
             elif element.name in self._heads:
                 head = self._heads[element.name]
                 others = [
@@ -316,9 +315,16 @@ class _Filling:
                 attached = self._listed[element.name] | self._places_behind(head, element, left_out)
                 attached |= self._words_before(head, left_out)
                 values.append(phrase_value(self._sentence.tree, element.name, head, relation.argument, left_out, attached))
-            elif element.default:
+            elif element.default and not self._is_said_otherwise(element):
                 values.append(given_value(element.name, element.default))
         return tuple(values)
+
+    def _is_said_otherwise(self, element: FrameElement) -> bool:
+        """Whether something was said for an element that could not fill it: what is meant else is not meant then."""
+        if element.framenet != DIRECTION:
+            return element.name in self._unread
+        understood = frozenset(self._match.positions).union(*map(self._sentence.subtree, self._heads.values()))
+        return any(is_direction(self._sentence.tree, index) for index in self._clause.positions - understood)
 
     def _places_behind(self, head: int, element: FrameElement, left_out: FrozenSet[int]) -> FrozenSet[int]:
         """Return the phrases of place directly behind a noun that fill nothing: "the mug on the table"."""
@@ -356,7 +362,8 @@ class _Filling:
         used: Set[int] = set(self._match.positions)
         for value in values:
             used.update(value.positions)
-            if value.head_position:
+            # A measure has its number, its unit and hedges; what else hangs on it is said for itself.
+            if value.head_position and not value.unit and not value.quantity:
                 # Words between the verb and its argument that only carry the argument: "to", "the".
                 used.update(child.index for child in self._sentence.children(value.head_position))
         content = [
@@ -374,6 +381,10 @@ class _Filling:
             and not self._hangs_on_used(index, used)
             and not is_of_one_direction(self._sentence.tree, index, used)
         )
+        unread = [amount for amounts in self._unread.values() for amount in amounts]
+        unread += [amount for amount in self._amounts if amount.is_doubtful]
+        said = {index for amount in unread for index in amount.positions if self._sentence.word(index).upos != "PUNCT"}
+        left_over = tuple(sorted((said - used).union(left_over)))
         return left_over, 1.0 - len(left_over) / (len(content) + 1)
 
     def _hangs_on_used(self, index: int, used: Set[int]) -> bool:

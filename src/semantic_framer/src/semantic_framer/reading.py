@@ -6,6 +6,7 @@ from typing import Dict, FrozenSet, Iterable, NamedTuple, Optional, Tuple
 
 from semantic_frames.frame import FrameElement
 from semantic_frames.lexical_unit import LexicalUnit
+from utterance_passes.measures import Amount
 
 
 @dataclass(frozen=True)
@@ -44,6 +45,7 @@ class Reading:
         listed: words that the unit lists for its elements, by position: "low five"
         unlikely: how many words fill an element that they are hardly meant for
         clause_text: the words of the clause, as they were said
+        unread: amounts that elements ask for and that must not be acted on: "two or three metres"
     """
 
     unit: LexicalUnit
@@ -56,6 +58,7 @@ class Reading:
     listed: FrozenSet[int] = frozenset()
     unlikely: int = 0
     clause_text: str = ""
+    unread: Tuple[Amount, ...] = ()
 
     @property
     def said(self) -> FrozenSet[Tuple[str, str]]:

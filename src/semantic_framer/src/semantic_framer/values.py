@@ -36,7 +36,9 @@ def phrase_value(
         the value; its positions include a preposition at the front, its argument does not
     """
     conjuncts = [
-        child for child in tree.children(head) if child.deprel == "conj" and child.upos not in ("VERB", "AUX")
+        child
+        for child in tree.children(head)
+        if child.deprel == "conj" and child.upos not in ("VERB", "AUX") and child.index not in left_out
     ]
     left_out |= tree.abandoned | tree.fillers - {head}
     positions = sorted((tree.subtree(head) - left_out) | attached)

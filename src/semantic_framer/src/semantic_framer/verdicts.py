@@ -249,6 +249,13 @@ def _is_measure_elsewhere(
     )
 
 
+def _is_unread_elsewhere(
+    case: ClauseCase, reading: Reading, value: ElementValue, beside: Tuple[Reading, ...]
+) -> bool:
+    unread = {position for other in beside for amount in other.unread for position in amount.positions}
+    return not reading.unread and bool(unread & frozenset(value.positions))
+
+
 def _measured(reading: Reading) -> FrozenSet[int]:
     return frozenset(position for value in reading.values if value.quantity for position in value.positions)
 
@@ -296,6 +303,11 @@ PLAUSIBILITY: Tuple[ReadingVerdict, ...] = (
         "measured_elsewhere",
         'A number fills an element though another unit measures with it: "turn one eighty".',
         _of_any_value(_is_measure_elsewhere),
+    ),
+    ReadingVerdict(
+        "unread_elsewhere",
+        'An amount that another unit asks for, and that must not be acted on, is taken for a thing: "two or three metres".',
+        _of_any_value(_is_unread_elsewhere),
     ),
     ReadingVerdict(
         "number_is_no_place",
@@ -392,7 +404,14 @@ def _leaves_more_over(case: ClauseCase, reading: Reading, beside: Tuple[Reading,
 
 
 def _lists_less(case: ClauseCase, reading: Reading, beside: Tuple[Reading, ...]) -> bool:
-    return bool(reading.listed) and not reading.missing and any(reading.listed < other.listed for other in beside)
+    if not reading.listed or reading.missing:
+        return False
+    words = _named(reading)
+    return any(words < _named(other) for other in beside)
+
+
+def _named(reading: Reading) -> FrozenSet[int]:
+    return reading.listed | frozenset(reading.verb_positions)
 
 
 #: One after the other, each beside the readings that are left, the likeliest first.
@@ -408,7 +427,7 @@ READING_VERDICTS: Tuple[ReadingVerdict, ...] = (
     ReadingVerdict("incomplete", "A core element is missing, and another reading has all.", _is_incomplete),
     ReadingVerdict("less_likely_asked", "It is less likely than the reading that is asked about.", _is_less_likely_asked),
     ReadingVerdict("leaves_more_over", "Another reading accounts for more words.", _leaves_more_over),
-    ReadingVerdict("lists_less", 'A unit lists less than another one of what was said: "low five".', _lists_less),
+    ReadingVerdict("lists_less", 'A unit lists less than another one of what was said: "low five", "turn around".', _lists_less),
 )
 
 

@@ -1,20 +1,30 @@
-"""Rewrites what a tokenizer trained on text does not split: "90°", "3ft", "-3"."""
+"""Rewrites what a tokenizer trained on text does not split: "90°", "3ft", "-3", "2½"."""
 
 import re
+import unicodedata
 from dataclasses import dataclass
-from typing import List, Tuple
+from typing import Callable, List, Tuple, Union
+
+from spoken_quantities import number_words
+
+#: Words that a number begins with.
+_NUMBER = f"(?:{'|'.join(number_words())})"
 
 #: Marks of transcribers and of speech recognisers: "<pause>", "<no speech>".
 TRANSCRIBERS_MARK = re.compile(r"<[a-zA-Z _-]{1,30}>")
 APOSTROPHE = re.compile(r"[‘’ʼ`]")
 QUOTATION_MARK = re.compile(r"[“”]")
-DASH = re.compile(r"[–—]")
-DEGREE_SIGN = re.compile(r"(?<=\d)\s*°")
+DASH = re.compile(r"[‐‑–—\u2212]")
+FRACTION_SIGN = re.compile(r"[¼½¾⅐-⅞]")
+FRACTION_SLASH = re.compile(r"(?<=\d)\u2044(?=\d)")
+DEGREE_SIGN = re.compile(r"(?<=\w)\s*°")
 #: Between a number and the unit that is written to it.
 UNIT_AT_NUMBER = re.compile(
     r"(?<=\d)(?=(ft|cm|mm|km|dm|m|in|yd|s|min|h|deg|rad|feet|metres?|meters?|degrees?|seconds?)\b)"
 )
-MINUS_SIGN = re.compile(r"(?<!\S)-(?=\d)")
+MINUS_SIGN = re.compile(rf"(?<!\S)-(?=\.?\d|{_NUMBER}\b)", re.IGNORECASE)
+NEGATIVE_SIGN = re.compile(rf"\bnegative\s+(?=\.?\d|{_NUMBER}\b)", re.IGNORECASE)
+RATIO = re.compile(r"(?<=\d)/(?=\d)")
 BLANKS = re.compile(r"\s+")
 
 
@@ -36,7 +46,15 @@ def as_said(text: str) -> Spelling:
     return Spelling(text, tuple(range(len(text) + 1)))
 
 
-def replaced(spelling: Spelling, pattern: "re.Pattern[str]", replacement: str) -> Spelling:
+def ratio(sign: "re.Match[str]") -> str:
+    """Return "½" as "1/2", apart from the digits in front of it."""
+    digits = unicodedata.normalize("NFKC", sign.group(0)).replace("\u2044", "/")
+    return (" " if sign.string[: sign.start()][-1:].isalnum() else "") + digits
+
+
+def replaced(
+    spelling: Spelling, pattern: "re.Pattern[str]", replacement: Union[str, Callable[["re.Match[str]"], str]]
+) -> Spelling:
     """Rewrite a text, and remember where each character came from."""
     pieces: List[str] = []
     sources: List[int] = []
@@ -44,8 +62,9 @@ def replaced(spelling: Spelling, pattern: "re.Pattern[str]", replacement: str) -
     for match in pattern.finditer(spelling.text):
         pieces.append(spelling.text[position : match.start()])
         sources += spelling.origins[position : match.start()]
-        pieces.append(replacement)
-        sources += [spelling.origins[match.start()]] * len(replacement)
+        written = replacement if isinstance(replacement, str) else replacement(match)
+        pieces.append(written)
+        sources += [spelling.origins[match.start()]] * len(written)
         position = match.end()
     if not pieces:
         return spelling

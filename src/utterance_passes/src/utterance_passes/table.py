@@ -1,7 +1,7 @@
 """Every pass from text to the tree that is read, in the order in which they run. No pass calls another."""
 
 from functools import partial
-from typing import Pattern, Tuple
+from typing import Callable, Match, Pattern, Tuple, Union
 
 from utterance_passes import (
     correct_parse,
@@ -22,7 +22,14 @@ from utterance_passes.vocabulary import Speech, Verbs
 _TURN = Verbs(frozenset(["turn", "go"]), lists={"turn": (("left", "right"),)})
 
 
-def _text(name: str, what: str, said: str, expected: str, pattern: Pattern[str], replacement: str) -> TextPass:
+def _text(
+    name: str,
+    what: str,
+    said: str,
+    expected: str,
+    pattern: Pattern[str],
+    replacement: Union[str, Callable[[Match[str]], str]],
+) -> TextPass:
     run = partial(spelling.replaced, pattern=pattern, replacement=replacement)
     return TextPass(name, what, Example(said, (expected,)), Stage.PARSER, run)
 
@@ -39,9 +46,20 @@ TEXT_PASSES: Tuple[TextPass, ...] = (
     _text("apostrophes", "Write all apostrophes alike.", "Bob’s", "Bob's", spelling.APOSTROPHE, "'"),
     _text("quotation_marks", "Write all quotation marks alike.", "“hi”", '"hi"', spelling.QUOTATION_MARK, '"'),
     _text("dashes", "Write all dashes alike.", "pick–up", "pick-up", spelling.DASH, "-"),
+    _text("fraction_signs", "Write the sign of a fraction in digits.", "2½", "2 1/2", spelling.FRACTION_SIGN, spelling.ratio),
+    _text("fraction_slash", "Write the slash of a fraction as any other.", "1⁄2", "1/2", spelling.FRACTION_SLASH, "/"),
     _text("degree_sign", "Write the sign for degrees as a word.", "90°", "90 degrees", spelling.DEGREE_SIGN, " degrees"),
     _text("units", "Part a number from the unit that is written to it.", "3ft", "3 ft", spelling.UNIT_AT_NUMBER, " "),
     _text("minus_sign", "Write the sign of a negative number as a word.", "-3", "minus 3", spelling.MINUS_SIGN, "minus "),
+    _text(
+        "negative_sign",
+        'Write "negative" before a number as "minus".',
+        "negative two",
+        "minus two",
+        spelling.NEGATIVE_SIGN,
+        "minus ",
+    ),
+    _text("ratios", "Part the two numbers of a ratio.", "3/4", "3 / 4", spelling.RATIO, " / "),
     _text("blanks", "Write one blank between words.", "go \t on", "go on", spelling.BLANKS, " "),
     TextPass(
         "ends", "Leave out blanks at both ends.", Example(" go ", ("go",)), Stage.PARSER, spelling.stripped
@@ -205,18 +223,38 @@ PARSE_CORRECTING_PASSES: Tuple[TreePass, ...] = (
         correct_parse.with_places_of_all,
     ),
     TreePass(
-        "part_turns",
-        'Make a noun of "turn" behind a fraction.',
+        "measured_turns",
+        'Make a noun of "turn" behind a number or a fraction.',
         Example(
             "turn|VERB|0|root quarter|NOUN|1|obj turn|VERB|1|xcomp left|ADV|3|advmod",
             (
-                "quarter: obj(turn-1) -> amod(turn-3)",
-                "turn: xcomp(turn-1) VERB/turn -> obj(turn-1) NOUN/turn",
+                "quarter: obj(turn-1) -> compound(turn-3)",
+                "turn: xcomp(turn-1) VERB/turn -> obl:unmarked(turn-1) NOUN/turn",
                 "left: advmod(turn-3) -> advmod(turn-1)",
             ),
         ),
         Stage.FRAMER,
-        correct_parse.with_part_turns,
+        correct_parse.with_measured_turns,
+    ),
+    TreePass(
+        "sides_apart",
+        "Hang a side in front of a measure on the verb.",
+        Example(
+            "turn|VERB|0|root left|ADJ|4|amod two|NUM|4|nummod degrees|NOUN|1|obj",
+            ("left: amod(degrees) ADJ/left -> advmod(turn) ADV/left",),
+        ),
+        Stage.FRAMER,
+        correct_parse.with_sides_apart,
+    ),
+    TreePass(
+        "around_apart",
+        'Make an adverb of "around" between a verb of turning and a measure.',
+        Example(
+            "turn|VERB|0|root around|ADP|4|case two|NUM|4|nummod degrees|NOUN|1|obl",
+            ("around: case(degrees) ADP/around -> advmod(turn) ADV/around",),
+        ),
+        Stage.FRAMER,
+        correct_parse.with_around_apart,
     ),
     TreePass(
         "degrees",
@@ -248,6 +286,7 @@ REPHRASING_PASSES: Tuple[TreePass, ...] = (
         Stage.FRAMER,
         formulas.without_opening,
     ),
+) + PARSE_CORRECTING_PASSES + (
     TreePass(
         "light_verbs",
         "Replace verbs that stand for another one, where the lexicon has that: who asks to have something wants it.",
@@ -259,7 +298,6 @@ REPHRASING_PASSES: Tuple[TreePass, ...] = (
         Stage.FRAMER,
         light_verbs.replace_light_verbs,
     ),
-) + PARSE_CORRECTING_PASSES + (
     TreePass(
         "quotations",
         "Make one object of what is to be said, whatever it says.",

@@ -7,6 +7,7 @@ from typing import FrozenSet, List, Tuple
 from spoken_quantities import QuantityError, parse_number
 from word_classes import word_class
 
+from utterance_passes.amounts import read_amounts
 from utterance_passes.tree import DependencyTree
 from utterance_passes.tree_edits import mark_times
 from utterance_passes.vocabulary import Vocabulary
@@ -77,7 +78,7 @@ def _start(tree: DependencyTree, forms: List[str], end: int) -> int:
         return first
     if word in _CLOCK and end > 1 and _is_number(forms[end - 2]):
         return first
-    if _is_number(word) and end > 1 and forms[end - 2] in _CLOCK_PREPOSITIONS:
+    if _is_number(word) and end > 1 and forms[end - 2] in _CLOCK_PREPOSITIONS and not _is_measured(tree, end):
         return end - 1
     return 0
 
@@ -95,6 +96,12 @@ def _continues(tree: DependencyTree, forms: List[str], end: int) -> bool:
     if end == 2 and forms[0] == "at":
         return False
     return _is_number(forms[end - 1]) and following.upos in ("NOUN", "PROPN", "ADJ", "NUM")
+
+
+def _is_measured(tree: DependencyTree, index: int) -> bool:
+    """Whether a number has a unit: "around forty-five degrees"."""
+    amounts = read_amounts(tree, [word.index for word in tree.words])
+    return any(index in amount.positions and amount.unit for amount in amounts)
 
 
 def _is_number(form: str) -> bool:

@@ -12,12 +12,12 @@ from utterance_passes.trace import Trace
 from utterance_passes.utterance_pass import Pass, Stage, TagPass, TextPass, TreePass
 
 ORDER = (
-    "transcribers_marks apostrophes quotation_marks dashes degree_sign units minus_sign blanks ends "
+    "transcribers_marks apostrophes quotation_marks dashes fraction_signs fraction_slash degree_sign units minus_sign negative_sign ratios blanks ends "
     "command_verb numbered_noun "
     "one_object particle_predicates verb_compounds infinitive_conjuncts reroot "
-    "objection restarts corrections opening_formula light_verbs "
-    "modals_as_nouns particles_on_the_way places_of_devices places_of_all part_turns degrees "
-    "quotations formulas shared_verbs times"
+    "objection restarts corrections opening_formula "
+    "modals_as_nouns particles_on_the_way places_of_devices places_of_all measured_turns sides_apart around_apart degrees "
+    "light_verbs quotations formulas shared_verbs times"
 ).split()
 PACKAGE = Path(__file__).resolve().parents[2] / "src" / "utterance_passes"
 
