@@ -24,7 +24,7 @@ _INSIDE = frozenset("a an and of oh point - / , .".split()) | _EMPHASIS
 _SIGNS = frozenset(["minus", "negative", "plus"])
 _NUMBER_WORDS = frozenset(number_words()) - _INSIDE - _SIGNS
 _ARTICLES = frozenset(["a", "an"])
-_FRACTION = re.compile(r"half|halves|quarters?|thirds?|fourths?|fifths?|eighths?|\d/\d")
+_FRACTION = re.compile(r"half|halves|quarters?|thirds?|fourths?|fifths?|eighths?|\d\s*/\s*\d")
 #: Nouns that are verbs as well: "turn left ninety turn right" has no unit.
 _TURNS = frozenset(["turn", "circle"])
 
@@ -43,7 +43,8 @@ class Amount:
         unit_position: of the unit, 0 for none
         is_doubtful: whether the words say more than the amount that could be read: it must not be acted on
         ends: of a doubtful one, the words of each of the amounts that it leaves to choose from: "two or three metres"
-        is_of_noun: whether it names the noun in front of it, or says how often: "room 5", "5 times"
+        is_of_noun: whether it names the noun in front of it, stands for one, or says how often: "room 5", "the next one",
+            "5 times"
     """
 
     positions: Tuple[int, ...]
@@ -199,6 +200,9 @@ def _amount(sentence: Sentence, window: Sequence[int]) -> Optional[Amount]:
             numeral=spoken,
             unit_position=window[-1] if unit else 0,
         )
+    if spoken.lower() in ("half", "quarter", "a", "an") and forms[-1].endswith("s"):
+        # How many of the "quarter turns" or "a turns" is not said.
+        return None
     turn = sentence.word(window[-1])
     if turn.form.lower() in _TURNS and (measure.amount > 1.0 or turn.upos == "VERB" and not _FRACTION.search(spoken)):
         return None
@@ -235,7 +239,7 @@ def _is_of_noun(sentence: Sentence, index: int) -> bool:
     noun = sentence.word(word.head) if word.head else word
     is_behind = noun.index < index and noun.upos in ("NOUN", "PROPN")
     is_name = is_behind and not find_unit(noun.form) and word.deprel in ("nummod", "compound", "flat", "appos", "nmod:unmarked")
-    return is_name or is_iteration(sentence, index)
+    return is_name or word.form.lower() == "one" or is_iteration(sentence, index)
 
 
 def is_iteration(sentence: Sentence, index: int) -> bool:

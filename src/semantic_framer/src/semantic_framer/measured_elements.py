@@ -10,6 +10,7 @@ from semantic_frames.relation_names import MEASURE
 from semantic_framer.measures import Amount
 from semantic_framer.sentence import Sentence
 
+_OF_SPACE = frozenset([Quantity.LENGTH.value, Quantity.ANGLE.value])
 _NUMBERS_OF_2012 = frozenset(["num", "number", "nummod"])
 _MEASURES_OF_2012 = _NUMBERS_OF_2012 | {"tmod", "npadvmod"}
 
@@ -71,6 +72,13 @@ def measured_elements(
             unread[name] = (amount_of.pop(name), *others)
         elif element is not None and element.unit_element and amount.unit:
             amount_of[element.unit_element] = amount
+    # "Turn right five inches" says how far, though not as an angle.
+    misplaced = tuple(amount for amount in free if amount.unit and amount.quantity in _OF_SPACE)
+    for relation in unit.relations:
+        element = frame.element(relation.name)
+        is_open = relation.name not in amount_of and relation.name not in unread
+        if misplaced and is_open and element is not None and element.quantity and element.quantity.value in _OF_SPACE:
+            unread[relation.name] = misplaced
     return MeasuredElements(amount_of, unread)
 
 

@@ -19,7 +19,7 @@ __all__ = ["Amount", "amounts_of", "find_amounts"]
 _ALTERNATIVES = frozenset("to or till until through thru - versus".split())
 #: Between two numbers that are one expression, or two amounts that are said together.
 _ARITHMETIC = frozenset("/ by x * times plus minus of".split())
-_JOINTS = _ALTERNATIVES | _ARITHMETIC | frozenset(["and", ",", "out"])
+_JOINTS = _ALTERNATIVES | _ARITHMETIC | frozenset("and , . ; : out".split())
 #: In front of an amount: it is not meant, only a bound, or only a part of what is meant.
 _BEFORE = frozenset(
     "not no never n't without except but than least most under over below above within between beyond maximum max minimum "
@@ -119,6 +119,7 @@ def _is_lone_unit(sentence: Sentence, index: int, amounts: Sequence[Amount]) -> 
     word = sentence.word(index)
     before = sentence.word(index - 1) if index > 1 else None
     is_of_something = before is not None and before.deprel in ("det", "nmod:poss") and before.head == index
+    is_of_something = is_of_something and before is not None and before.form.lower() not in ("a", "an")
     is_free = index not in sentence.fillers and all(index not in amount.positions for amount in amounts)
     return is_free and word.upos not in ("VERB", "ADJ") and not is_of_something and word.form.lower() in _ONLY_UNITS
 
@@ -139,11 +140,7 @@ def _joined(sentence: Sentence, spoken: Sequence[int], amounts: Sequence[Amount]
 
 def _joint(sentence: Sentence, between: Sequence[int]) -> Optional[Tuple[str, ...]]:
     """Return the words that join two amounts; None where other words stand between them."""
-    forms = tuple(
-        sentence.word(index).form.lower()
-        for index in between
-        if index not in sentence.fillers and sentence.word(index).form.lower() not in _AROUND
-    )
+    forms = tuple(sentence.word(index).form.lower() for index in _without_hedges(sentence, between))
     if all(form in _JOINTS for form in forms):
         return forms
     are_of_the_unit = all(sentence.word(index).upos == "ADJ" for index in between)

@@ -175,6 +175,8 @@ def _with_sides_apart(tree: DependencyTree) -> DependencyTree:
 
 def _is_of_a_measure(word: Word) -> bool:
     """Whether a word may be the head of a measure: a unit, a number, "quarters", "point"."""
+    if word.upos in ("VERB", "AUX"):
+        return False
     return find_unit(word.form) is not None or word.upos == "NUM" or word.form.lower() in (*number_words(), "point")
 
 

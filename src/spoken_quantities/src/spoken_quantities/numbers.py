@@ -197,7 +197,8 @@ def _parts(count: List[str], name: str) -> Optional[float]:
         return None if is_plural else _FRACTIONS[name]
     number = _whole(count)
     # "Two third" is a place in a row too; "three quarter" is said before a noun ("a three quarter turn").
-    if number is None or not number.is_integer() or number < 2 or not (is_plural or name == "quarter"):
+    is_before_a_noun = name == "quarter" and number == 3
+    if number is None or not number.is_integer() or number < 2 or not (is_plural or is_before_a_noun):
         return None
     return number * _FRACTIONS[name]
 
