@@ -325,11 +325,11 @@ def _read_one(
         if policy.left_over_words is LeftOverWords.IGNORE or len(reading.left_over) == fewest
     )
     # "Five" is less than was said where another unit lists "low five", "around" where one lists a side for "turn around".
-    named = [reading.listed | frozenset(reading.verb_positions) for reading in full]
+    named = [(reading.listed, reading.listed | frozenset(reading.verb_positions)) for reading in full]
     return tuple(
         reading
-        for reading, words in zip(full, named)
-        if not (reading.listed and any(words < other for other in named))
+        for reading, (listed, words) in zip(full, named)
+        if not (listed and any(listed < other or words < more for other, more in named))
     )
 
 

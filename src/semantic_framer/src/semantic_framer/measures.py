@@ -111,6 +111,7 @@ def _doubtful(
         numeral=sentence.text(sorted(positions)),
         is_doubtful=True,
         ends=ends,
+        is_of_noun=any(part.is_of_noun or counts_things(sentence, part) for part in parts),
     )
 
 
@@ -189,7 +190,10 @@ def _one(
 
 
 def _beside(sentence: Sentence, spoken: Sequence[int], amount: Amount, taken: AbstractSet[int]) -> Amount:
-    """Return an amount, doubtful where the words beside it change it."""
+    """Return an amount, doubtful where the words beside it change it; "between two chairs" changes no amount."""
+    following = sentence.word(amount.positions[-1]).head
+    if counts_things(sentence, amount) and sentence.word(following).form.lower() not in _BEHIND:
+        return amount
     before = [index for index in spoken if index < amount.positions[0]]
     behind = [index for index in spoken if index > amount.positions[-1]]
     changing = _changing_before(sentence, before[::-1], amount) | _changing_behind(sentence, behind, amount)

@@ -57,9 +57,7 @@ def phrase_value(
         the value; its positions include a preposition at the front, its argument does not
     """
     conjuncts = [
-        child
-        for child in sentence.children(head)
-        if child.deprel == "conj" and child.upos not in ("VERB", "AUX") and child.index not in left_out
+        child for child in sentence.children(head) if child.deprel == "conj" and child.upos not in ("VERB", "AUX")
     ]
     left_out |= sentence.abandoned | sentence.fillers - {head}
     positions = sorted((sentence.subtree(head) - left_out) | attached)
