@@ -130,7 +130,8 @@ def free_port() -> int:
 
 def report(what: str, ours: float, theirs: float, unit: str, limit: str, is_held: bool) -> bool:
     print(
-        f"{what:66} {ours:9.3f} | {theirs:9.3f} {unit:6} ratio {ours / theirs:7.3f}  ({limit}: {'held' if is_held else 'MISSED'})"
+        f"{what:66} {ours:9.3f} | {theirs:9.3f} {unit:6} ratio {ours / theirs:7.3f}  "
+        f"({limit}: {'held' if is_held else 'MISSED'})"
     )
     return is_held
 
@@ -251,8 +252,8 @@ def idle(stack: ExitStack, folder: str) -> bool:
         ),
     ]
     print(
-        f"{'a bare rospy node | SimpleActionServer, a process each':66} {cpu['bare alone']:9.3f} | {cpu['stock alone']:9.3f} % core ratio "
-        f"{cpu['bare alone'] / cpu['stock alone']:7.3f}"
+        f"{'a bare rospy node | SimpleActionServer, a process each':66} {cpu['bare alone']:9.3f} | "
+        f"{cpu['stock alone']:9.3f} % core ratio {cpu['bare alone'] / cpu['stock alone']:7.3f}"
     )
     return all(held)
 

@@ -94,7 +94,7 @@ class Client:
 
 
 def story(name: str) -> List[Record]:
-    """What a client of a server goes through: success, abort, a forgotten end, a cancel, a goal that replaces another."""
+    """What a client goes through: success, abort, a forgotten end, a cancel, a goal that replaces another."""
     client = Client(name)
     records = [client.end(client.send(order)) for order in (5, 0, 3)]
     cancelled = client.send(LONG)

@@ -3,11 +3,13 @@
 import math
 from collections import Counter
 from dataclasses import dataclass
+from itertools import product
 from typing import Dict, Iterable, Iterator, List, Tuple
 
 from move_action_server.spoken_motion import NotUnderstood, backward_goal, forward_goal, turn_goal
-from roboframenet_tools.understanding import Pipeline, Understanding, load_knowledge, shipped_domains
-from semantic_framer.framer import LeftOverWords, Policy
+from offline_pipeline.knowledge import load_knowledge, shipped_domains
+from offline_pipeline.pipeline import Parameters, Pipeline, Understanding
+from semantic_framer.outcome import LeftOverWords, Policy
 
 from .phrases import Motion, Phrase
 
@@ -44,7 +46,8 @@ class Judge:
             if name not in _WITHOUT_SERVER:
                 knowledge.graph.register(name, name)
         strict = Pipeline(knowledge)
-        ignoring = Pipeline(knowledge, strict.parser, policy=Policy(left_over_words=LeftOverWords.IGNORE))
+        ignore = Parameters(policy=Policy(left_over_words=LeftOverWords.IGNORE))
+        ignoring = Pipeline(knowledge, strict.parser, parameters=ignore)
         self._pipelines = {"strict": strict, "ignore": ignoring}
 
     def verdicts(self, phrases: Iterable[Phrase], policy: str) -> Iterator[Verdict]:
@@ -68,9 +71,9 @@ class Judge:
 
 def _done(understood: Understanding) -> Tuple[Tuple[Motion, ...], ...]:
     ways: List[Tuple[Motion, ...]] = []
-    for candidate in understood.candidates:
+    for candidates in product(*understood.candidates):
         motions: List[Motion] = []
-        for frame in candidate.frames:
+        for frame in (frame for candidate in candidates for frame in candidate.frames):
             try:
                 goal = _GOALS[frame.name](dict(frame.arguments))
             except (KeyError, NotUnderstood):

@@ -22,6 +22,7 @@ class ActionDoor:
             on_cancel: is given the id of a goal whose client asks to cancel it
         """
         self._handles: Dict[str, actionlib.ServerGoalHandle] = {}
+        self._heirs: Dict[str, str] = {}
         self._server = actionlib.ActionServer(
             "command", ExecuteCommandAction, on_goal, lambda handle: on_cancel(handle.get_goal_id().id),
             auto_start=False)
@@ -40,6 +41,15 @@ class ActionDoor:
         self._handles[handle.get_goal_id().id] = handle
         handle.set_accepted()
 
+    def hand_over(self, goal_id: str, *, command_id: str) -> None:
+        """Let a goal end with another command, the one behind the stop that it began with."""
+        self._handles[command_id] = self._handles.pop(goal_id)
+        self._heirs[goal_id] = command_id
+
+    def command_of(self, goal_id: str) -> str:
+        """Return the id of the command that a goal ends with: its own, unless it was handed over."""
+        return self._heirs.get(goal_id, goal_id)
+
     def feed_back(self, event: StageEvent) -> None:
         """Tell the client what a stage said; nothing for commands that came by text."""
         handle = self._handles.get(event.command.id)
@@ -54,6 +64,7 @@ class ActionDoor:
         handle = self._handles.pop(command_id, None)
         if handle is None:
             return
+        self._heirs.pop(handle.get_goal_id().id, None)
         end = {Reply.DONE: handle.set_succeeded, Reply.SUPERSEDED: handle.set_canceled}.get(
             reply.outcome, handle.set_aborted)
         end(ExecuteCommandResult(reply=reply), reply.sentence)

@@ -16,9 +16,10 @@ class OpenCommandStore:
     def load(self) -> Tuple[CommandText, ...]:
         """The commands that were open when the last command server ended; empty, with a warning, if unreadable."""
         try:
-            return tuple(
+            commands = [
                 CommandText(command_id=str(entry["id"]), stamp_ns=int(entry["stamp_ns"]), text=str(entry["text"]))
-                for entry in self._record.load() or ())
+                for entry in self._record.load() or ()]
+            return tuple({command.command_id: command for command in commands}.values())
         except (ValueError, KeyError, TypeError) as error:
             rospy.logwarn("the open commands of the last run cannot be read: %s", error)
             return ()

@@ -82,7 +82,7 @@ Step = Tuple[Desk, Tuple[object, ...]]
 
 
 def order_arrives(desk: Desk[Job], order: Order[Job], *, now_ns: int) -> Step:
-    """A procedure came.
+    """A plan came.
 
     Args:
         desk: the desk

@@ -5,7 +5,7 @@ again when `next_deadline_s` has come.
 """
 import enum
 from dataclasses import dataclass, replace
-from typing import Dict, List, Optional
+from typing import Dict, Optional, Sequence
 
 
 class GoalStatusCode(enum.IntEnum):
@@ -285,7 +285,7 @@ def _end(goal: Goal, outcome: Outcome, reason: str) -> Goal:
     return replace(goal, phase=Phase.ENDED, outcome=outcome, reason=reason)
 
 
-def describe_failures(goals: List[Goal]) -> str:
+def describe_failures(goals: Sequence[Goal]) -> str:
     """A sentence that names each server that failed and why; empty when none did."""
     clauses = [f"{goal.server} {goal.reason}" for goal in goals if goal.outcome is Outcome.FAILED]
     return as_sentence("; ".join(clauses)) if clauses else ""

@@ -56,8 +56,9 @@ class ActionClients:
             dropped = []
             while len(self._connections) > self._max_kept:
                 dropped.append(self._connections.popitem(last=False)[1])
-        for connection in dropped:
-            connection.close()
+        if dropped:
+            # To close asks the master, which may hang.
+            threading.Thread(target=self._close_all, args=(dropped,), name="close_connections", daemon=True).start()
         return made[0]
 
     def close(self) -> None:
@@ -65,5 +66,9 @@ class ActionClients:
         with self._lock:
             connections = list(self._connections.values())
             self._connections.clear()
+        self._close_all(connections)
+
+    @staticmethod
+    def _close_all(connections: List[ActionConnection]) -> None:
         for connection in connections:
             connection.close()

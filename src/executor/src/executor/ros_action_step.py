@@ -8,7 +8,7 @@ from typing import Callable, Optional
 import actionlib
 import rospy
 import smach
-from arbitrator.procedure import FilledFrame
+from arbitrator.plan import FilledFrame
 from arbitrator.ros_messages import frame_to_message
 from arbitrator.state_machine import OUTCOMES
 
@@ -18,11 +18,14 @@ from executor.ros_action_clients import ActionClients
 from executor.ros_reconfigure import SettingsKeeper
 from executor.ros_running_goals import RunningGoals
 from executor.settings import SettingsError
+from roboframenet_ros.suspension import SuspensionWatch
 from rfnserver.ros_action_connection import ActionConnection, SentGoal
 from roboframenet_msgs.msg import FilledSemanticFrameGoal
 
 # The longest that a preemption can go unseen.
 _LONGEST_WAIT_S = 0.1
+# A process that was suspended finds full sockets: what they hold is read within this time.
+_WAKE_S = 0.5
 
 # What the machine makes of each end. A goal that somebody else took away must not start the next candidate.
 SMACH_OUTCOME_OF = {
@@ -43,8 +46,9 @@ class StepContext:
         running_goals: what must be cancelled if this process is killed
         deadlines: of each goal
         is_preempt_asked: set when the run is to end
+        suspension: says whether this process has just woken
         on_begin: is told the frame of each step that begins
-        on_end: is told each goal that has ended
+        on_end: is told each goal that has ended, with its frame and the number of its clause
     """
 
     clients: ActionClients
@@ -52,8 +56,9 @@ class StepContext:
     running_goals: RunningGoals
     deadlines: GoalDeadlines
     is_preempt_asked: threading.Event
+    suspension: SuspensionWatch
     on_begin: Callable[[FilledFrame], None]
-    on_end: Callable[[FilledFrame, Goal], None]
+    on_end: Callable[[FilledFrame, int, Goal], None]
 
 
 @dataclass(frozen=True)
@@ -76,16 +81,17 @@ class ActionStep(smach.State):
     Callbacks only enqueue; the thread that executes the state owns everything else and waits with deadlines.
     """
 
-    def __init__(self, frame: FilledFrame, context: StepContext) -> None:
+    def __init__(self, frame: FilledFrame, clause: int, context: StepContext) -> None:
         super().__init__(outcomes=list(OUTCOMES))
         self._frame = frame
+        self._clause = clause
         self._context = context
 
     def execute(self, userdata: smach.UserData) -> str:
         """Carry the frame out; returns succeeded, aborted or preempted."""
         self._context.on_begin(self._frame)
         goal = self._carry_out()
-        self._context.on_end(self._frame, goal)
+        self._context.on_end(self._frame, self._clause, goal)
         outcome = SMACH_OUTCOME_OF[goal.outcome]
         if outcome == "preempted" and self.preempt_requested():
             self.service_preempt()
@@ -95,8 +101,15 @@ class ActionStep(smach.State):
     def _is_to_end(self) -> bool:
         return self._context.is_preempt_asked.is_set() or self.preempt_requested()
 
+    def _read_news(self) -> bool:
+        """After a suspension, let what was said meanwhile arrive: the command may be closed; returns whether it is."""
+        if self._context.suspension.is_just_awake(within_s=_WAKE_S):
+            self._context.is_preempt_asked.wait(_WAKE_S)
+        return self._is_to_end
+
     def _carry_out(self) -> Goal:
         server, deadlines = self._frame.server, self._context.deadlines
+        self._read_news()
         began_s = time.monotonic()
         if self._is_to_end:
             return tracking.preempt_unsent(server, deadlines, now_s=began_s)
@@ -141,6 +154,8 @@ class ActionStep(smach.State):
 
     def _follow(self, connection: ActionConnection, inbox: "queue.Queue[object]",
                 on_sign: Callable[[], None]) -> Goal:
+        if self._read_news():
+            return tracking.preempt_unsent(self._frame.server, self._context.deadlines, now_s=time.monotonic())
         goal = tracking.send(self._frame.server, self._context.deadlines, now_s=time.monotonic())
         sent: SentGoal = connection.send(
             FilledSemanticFrameGoal(frame=frame_to_message(self._frame)),

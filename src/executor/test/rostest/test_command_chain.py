@@ -12,7 +12,7 @@ import rospy
 import rostest
 from geometry_msgs.msg import Twist
 from roboframenet_msgs.msg import (
-    Command, CommandSemanticFrames, FilledSemanticFrame, FilledSemanticFrameList, Reply, StageEvent)
+    Command, CommandSemanticFrames, FilledSemanticFrame, Plan, PlanCandidate, PlanNode, Reply, StageEvent)
 from std_msgs.msg import String
 
 STAGES = ("stanford_parser_ros", "semantic_framer", "frame_registrar")
@@ -37,14 +37,16 @@ class CommandChainTest(unittest.TestCase):
         cls.text = rospy.Publisher("text", String, queue_size=1000)
         subscribers = [
             rospy.Subscriber("command_text", Command, cls.on_command),
-            rospy.Subscriber("server_log", String, lambda message: cls.log.append(message.data)),
-            rospy.Subscriber("cmd_vel", Twist, cls.velocities.append)]
+            rospy.Subscriber("server_log", String, lambda message: cls.log.append(message.data))]
+        velocities = rospy.Subscriber("cmd_vel", Twist, cls.velocities.append)
         replies = rospy.Subscriber("reply", Reply, cls.replies.append)
         assert wait_until(lambda: all(entity.get_num_connections() == 1 for entity in subscribers + [
             cls.frames, cls.events]))
-        assert wait_until(lambda: replies.get_num_connections() == 2 and cls.text.get_num_connections() == 2)
+        # The command server and the stop server.
+        assert wait_until(lambda: all(
+            entity.get_num_connections() == 2 for entity in (velocities, replies, cls.text)))
         # What is published before its listener has connected is lost.
-        for connection in (("/arbitrator", "command_procedure", "/executor"),
+        for connection in (("/arbitrator", "command_plan", "/executor"),
                            ("/command_server", "command_cancel", "/executor"),
                            ("/stop_server", "stop_report", "/executor"),
                            ("/stop_server", "stop_report", "/command_server")):
@@ -63,16 +65,20 @@ class CommandChainTest(unittest.TestCase):
 
     @classmethod
     def on_command(cls, command):
-        """Text "run one, succeed two / abort one": candidates separated by slashes, frames by commas."""
+        """Text "run one, succeed two / abort one; run two": clauses separated by semicolons, their candidates by slashes,
+        frames by commas.
+        """
         for stage in STAGES:
             cls.events.publish(StageEvent(command=command, stage=stage, stamp=rospy.Time.now(), sentence="at it"))
-        message = CommandSemanticFrames(command=command)
-        for candidate in command.text.split("/"):
-            steps = [step.split() for step in candidate.split(",")]
-            message.candidates.frame_lists.append(FilledSemanticFrameList(frames=[
-                FilledSemanticFrame(name=behaviour, action_server_topics=[server]) for behaviour, server in steps]))
-            message.coverage.append(1.0)
-        cls.frames.publish(message)
+        clauses = command.text.split(";")
+        nodes = [PlanNode(kind=PlanNode.SEQUENCE, label=command.text, children=range(1, len(clauses) + 1))]
+        for clause in clauses:
+            ways = [[step.split() for step in candidate.split(",")] for candidate in clause.split("/")]
+            nodes.append(PlanNode(kind=PlanNode.DO, label=clause.strip(), candidates=[
+                PlanCandidate(coverage=1.0, frames=[
+                    FilledSemanticFrame(name=behaviour, action_server_topics=[server]) for behaviour, server in steps])
+                for steps in ways]))
+        cls.frames.publish(CommandSemanticFrames(command=command, plan=Plan(nodes=nodes)))
 
     def setUp(self):
         for known in (self.replies, self.log, self.velocities):
@@ -97,6 +103,29 @@ class CommandChainTest(unittest.TestCase):
         self.wait_for_log("two ends succeed")
         self.assertEqual(["one", "two", "one", "two"],
                          [line.split()[0] for line in self.log if line.split()[1] == "begins"])
+
+    def begun(self):
+        return [line for line in self.log if line.split()[1] == "begins"]
+
+    def test_clause_that_was_done_is_not_done_again(self):
+        text = "succeed one; abort two / reject one / succeed two"
+        self.text.publish(text)
+        reply = self.wait_for_replies(text)[0]
+        self.assertEqual(Reply.DONE, reply.outcome)
+        self.wait_for_log("two ends succeed")
+        self.assertEqual(["one begins succeed", "two begins abort", "one begins reject", "two begins succeed"],
+                         self.begun())
+        self.assertIn("two aborted", reply.sentence)
+
+    def test_clause_that_cannot_be_done_says_what_was_done(self):
+        text = "succeed one; abort two / reject one; succeed two"
+        self.text.publish(text)
+        reply = self.wait_for_replies(text)[0]
+        self.assertEqual((Reply.FAILED, "ALL_CANDIDATES_FAILED"), (reply.outcome, reply.code))
+        self.assertEqual(
+            'I have done "succeed one", but I could not do "abort two / reject one": two aborted: aborted as asked for; '
+            'one rejected the goal: rejected as asked for. I did not begin "succeed two".', reply.sentence)
+        self.assertEqual(["one begins succeed", "two begins abort", "one begins reject"], self.begun())
 
     def test_new_command_preempts(self):
         self.text.publish("run one")

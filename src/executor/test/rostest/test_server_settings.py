@@ -12,7 +12,7 @@ import rostest
 from dynamic_reconfigure.msg import Config
 from dynamic_reconfigure.srv import Reconfigure
 from roboframenet_msgs.msg import (
-    Command, CommandProcedure, FilledSemanticFrame, FilledSemanticFrameList, Reply, StageEvent)
+    Command, CommandPlan, FilledSemanticFrame, Plan, PlanCandidate, PlanNode, Reply, StageEvent)
 from std_msgs.msg import String
 
 BEFORE = {"exposure": 10, "gain": 1.0, "auto_gain": True}
@@ -34,7 +34,7 @@ class ServerSettingsTest(unittest.TestCase):
     def setUpClass(cls):
         rospy.init_node("test_server_settings")
         cls.replies, cls.log = [], []
-        cls.procedures = rospy.Publisher("command_procedure", CommandProcedure, queue_size=10)
+        cls.plans = rospy.Publisher("command_plan", CommandPlan, queue_size=10)
         cls.cancels = rospy.Publisher("command_cancel", Command, queue_size=10)
         cls.events = rospy.Subscriber(
             "stage_events", StageEvent, lambda event: cls.replies.append(event.reply) if event.is_final else None)
@@ -44,7 +44,7 @@ class ServerSettingsTest(unittest.TestCase):
             rospy.wait_for_service(f"{camera}/set_parameters", timeout=60.0)
             cls.cameras.append(rospy.ServiceProxy(f"{camera}/set_parameters", Reconfigure))
         assert wait_until(lambda: all(entity.get_num_connections() == 1 for entity in (
-            cls.procedures, cls.cancels, cls.events)) and log.get_num_connections() == 2)
+            cls.plans, cls.cancels, cls.events)) and log.get_num_connections() == 2)
 
     def setUp(self):
         del self.log[:]
@@ -62,10 +62,9 @@ class ServerSettingsTest(unittest.TestCase):
     def send(self, *steps):
         type(self).count += 1
         command = Command(id=f"{self.id()}_{self.count}", stamp=rospy.Time.now(), text="photograph it")
-        message = CommandProcedure(command=command)
-        message.procedure.frame_lists = [FilledSemanticFrameList(frames=[
-            FilledSemanticFrame(name=behaviour, action_server_topics=[server])]) for behaviour, server in steps]
-        self.procedures.publish(message)
+        node = PlanNode(kind=PlanNode.DO, label=command.text, candidates=[PlanCandidate(coverage=1.0, frames=[
+            FilledSemanticFrame(name=behaviour, action_server_topics=[server])]) for behaviour, server in steps])
+        self.plans.publish(CommandPlan(command=command, plan=Plan(nodes=[node])))
         return command
 
     def wait_for_reply(self, command):

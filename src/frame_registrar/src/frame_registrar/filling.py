@@ -13,6 +13,7 @@ from semantic_frames.frame import (
     ValueCondition,
 )
 from spoken_quantities import QuantityError, parse_measure, parse_number
+from word_classes import without_determiner
 
 
 @dataclass(frozen=True)
@@ -144,9 +145,7 @@ def unmet_condition(parent: FilledFrame, child: RelatedFrame) -> Optional[ValueC
 
 def bare(argument: str) -> str:
     """Return an argument as value conditions compare it: lower case, without a determiner ("a glass", "The glass")."""
-    said = argument.strip().lower()
-    first, _, rest = said.partition(" ")
-    return rest if first in ("the", "a", "an", "some", "this", "that") and rest else said
+    return without_determiner(argument).lower()
 
 
 def words(name: str) -> str:

@@ -4,9 +4,10 @@ from typing import Mapping
 
 from move_action_server.motion import MotionGoal, MotionKind
 from spoken_quantities import QuantityError, parse_measure
+from word_classes import word_class
 
-LEFT_WORDS = ("left", "counterclockwise", "anticlockwise")
-RIGHT_WORDS = ("right", "clockwise")
+LEFTWARD = word_class("leftward")
+RIGHTWARD = word_class("rightward")
 AROUND = "around"
 
 
@@ -26,7 +27,7 @@ def _amount(arguments: Mapping[str, str], *, element: str, quantity: str, questi
         raise NotUnderstood(question)
     try:
         if unit and parse_measure(number).quantity == "number":
-            number = "%s %s" % (number, unit)
+            number = f"{number} {unit}"
         return parse_measure(number, quantity=quantity).si_amount
     except QuantityError as error:
         raise NotUnderstood(str(error)) from error
@@ -66,12 +67,12 @@ def turn_goal(arguments: Mapping[str, str]) -> MotionGoal:
     if direction == AROUND:
         is_said = bool(arguments.get("angle", "").strip())
         return MotionGoal(kind=MotionKind.TURN, amount=_angle_rad(arguments) if is_said else math.pi)
-    if direction in LEFT_WORDS:
+    if direction in LEFTWARD:
         return MotionGoal(kind=MotionKind.TURN, amount=_angle_rad(arguments))
-    if direction in RIGHT_WORDS:
+    if direction in RIGHTWARD:
         return MotionGoal(kind=MotionKind.TURN, amount=-_angle_rad(arguments))
     if direction:
-        raise NotUnderstood('I cannot turn "%s", only left, right or around.' % direction)
+        raise NotUnderstood(f'I cannot turn "{direction}", only left, right or around.')
     raise NotUnderstood("Should I turn left or right?")
 
 

@@ -35,7 +35,7 @@ class ForwardedEnd:
     """How a forwarded goal ended.
 
     Attributes:
-        status: one of actionlib_msgs/GoalStatus; PREEMPTED only when that was asked for
+        status: one of actionlib_msgs/GoalStatus; PREEMPTED when that was asked for, here or by somebody else
         text: why, empty when there is nothing to say
         result: of the server, None when it sent none
     """
@@ -124,7 +124,7 @@ class GoalForwarder:
             return ForwardedEnd(status, text, handle.get_result())
         if status in (GoalStatus.PREEMPTED, GoalStatus.RECALLED):
             return ForwardedEnd(
-                GoalStatus.ABORTED, text or f"somebody else stopped {self._server}", handle.get_result()
+                GoalStatus.PREEMPTED, text or f"somebody else stopped {self._server}", handle.get_result()
             )
         named = actionlib.TerminalState.to_string(status).lower()
         return ForwardedEnd(status, text or f"{self._server} ended the goal as {named}", handle.get_result())

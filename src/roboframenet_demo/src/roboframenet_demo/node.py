@@ -115,10 +115,10 @@ class Demonstration:
             reading.clauses[0].readings[0].source if reading and reading.clauses and reading.clauses[0].readings else ""
         )
         domain = source.split("/")[-3] if source.count("/") >= 3 else ""
-        procedure = self._conversation.procedure(reply.command.id)
-        if procedure is None or not procedure.procedure.frame_lists:
+        plan = self._conversation.plan(reply.command.id)
+        if plan is None:
             return "", "", domain
-        frames = procedure.procedure.frame_lists[0].frames
+        frames = [frame for node in plan.plan.nodes for candidate in node.candidates[:1] for frame in candidate.frames]
         text = "; ".join(
             f"{frame.name}({', '.join(f'{e.name}={e.argument}' for e in frame.frame_elements)})" for frame in frames
         )

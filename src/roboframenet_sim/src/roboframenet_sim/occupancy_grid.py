@@ -1,11 +1,14 @@
 """Where the floor is taken: a grid of cells."""
 import math
 from dataclasses import dataclass
-from typing import Tuple
+from typing import TYPE_CHECKING, Tuple
 
 import numpy as np
 
 from roboframenet_sim.room import Room
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
 
 Cell = Tuple[int, int]
 """Row (along y) and column (along x)."""
@@ -21,7 +24,7 @@ class OccupancyGrid:
     resolution_m: float
     origin_x_m: float
     origin_y_m: float
-    is_taken: np.ndarray
+    is_taken: "NDArray[np.bool_]"
 
     def cell_of(self, x_m: float, y_m: float) -> Cell:
         """Return the cell of a point, which may lie outside of the grid."""

@@ -27,7 +27,7 @@ class FollowingLimits:
     def __post_init__(self) -> None:
         for name, value in vars(self).items():
             if not (isinstance(value, (int, float)) and math.isfinite(value) and value > 0.0):
-                raise ValueError("%s must be a positive number, got %r" % (name, value))
+                raise ValueError(f"{name} must be a positive number, got {value!r}")
 
 
 def wrap(angle_rad: float) -> float:

@@ -31,7 +31,7 @@ def nearest_free_cell(grid: OccupancyGrid, *, near: Cell, reach_m: float) -> Cel
         best = int(distances.argmin())
         if distances[best] * grid.resolution_m <= reach_m:
             return int(free[best, 0]), int(free[best, 1])
-    raise NoPath("the robot stands in something, with no free floor within %g m" % reach_m)
+    raise NoPath(f"the robot stands in something, with no free floor within {reach_m:g} m")
 
 
 def _search(grid: OccupancyGrid, *, start: Cell, goal: Cell) -> List[Cell]:
@@ -109,7 +109,7 @@ def plan(grid: OccupancyGrid, *, start: Point, goal: Point, escape_m: float = 0.
         raise NoPath("the start or the goal is no finite number")
     goal_cell = grid.cell_of(*goal)
     if not grid.is_cell_free(goal_cell):
-        raise NoPath("at x %.2f, y %.2f the robot would stand in something or outside of the map" % goal)
+        raise NoPath("at x {:.2f}, y {:.2f} the robot would stand in something or outside of the map".format(*goal))
     start_cell = nearest_free_cell(grid, near=grid.cell_of(*start), reach_m=escape_m)
     cells = _search(grid, start=start_cell, goal=goal_cell)
     points = [grid.centre_of(cell) for cell in cells[1:-1]] + [goal]

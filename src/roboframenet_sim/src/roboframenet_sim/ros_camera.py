@@ -35,7 +35,7 @@ class CameraSettings:
 
     def __post_init__(self) -> None:
         if not (isinstance(self.rate_hz, (int, float)) and 0.1 <= self.rate_hz <= 60.0):
-            raise ValueError("~camera_rate_hz must be 0.1 to 60, got %r" % self.rate_hz)
+            raise ValueError(f"~camera_rate_hz must be 0.1 to 60, got {self.rate_hz!r}")
 
 
 def read_camera_settings() -> CameraSettings:

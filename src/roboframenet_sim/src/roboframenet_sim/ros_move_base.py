@@ -46,7 +46,7 @@ class NavigationSettings:
                                 ("stuck_timeout_s", 0.5, 600.0)):
             value = getattr(self, name)
             if not (isinstance(value, (int, float)) and low <= value <= high):
-                raise ValueError("~%s must be %g to %g, got %r" % (name, low, high, value))
+                raise ValueError(f"~{name} must be {low:g} to {high:g}, got {value!r}")
 
 
 def read_settings() -> NavigationSettings:
@@ -74,7 +74,7 @@ def yaw_of(rotation: Quaternion) -> float:
     """
     length = math.sqrt(rotation.x ** 2 + rotation.y ** 2 + rotation.z ** 2 + rotation.w ** 2)
     if not 0.9 < length < 1.1:
-        raise BadPose("the orientation is no rotation: its quaternion has length %.3g" % length)
+        raise BadPose(f"the orientation is no rotation: its quaternion has length {length:.3g}")
     if math.hypot(rotation.x, rotation.y) > 0.05:
         raise BadPose("the orientation is not about the vertical axis")
     return 2.0 * math.atan2(rotation.z, rotation.w)
@@ -197,8 +197,10 @@ class MoveBaseSim:
             if odometry is None or now_s - odometry[1] > self._settings.odometry_timeout_s:
                 raise NoPath("no odometry: the robot does not know where it is")
             if target.header.frame_id not in ("", self._settings.map_frame, odometry[2]):
-                raise NoPath('a goal in the frame "%s" cannot be used, only in "%s"'
-                             % (target.header.frame_id, self._settings.map_frame))
+                raise NoPath(
+                    f'a goal in the frame "{target.header.frame_id}" cannot be used, '
+                    f'only in "{self._settings.map_frame}"'
+                )
             yaw_rad = yaw_of(target.pose.orientation)
             corners = plan(self._floor, start=(odometry[0].x_m, odometry[0].y_m),
                            goal=(target.pose.position.x, target.pose.position.y))

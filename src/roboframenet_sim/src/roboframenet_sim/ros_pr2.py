@@ -84,7 +84,7 @@ class Pr2Sim:
         self._joints = rospy.Publisher("joint_states", JointState, queue_size=10)
         self._arms: Dict[str, Arm] = {
             prefix: Arm(arm_limits(prefix), positions_rad=tucked_positions(prefix)) for prefix in ("r", "l")}
-        self._controllers = [ArmController("%s_arm_controller/joint_trajectory_action" % prefix, arm)
+        self._controllers = [ArmController(f"{prefix}_arm_controller/joint_trajectory_action", arm)
                              for prefix, arm in self._arms.items()]
 
     def step(self, duration_s: float, stamp: rospy.Time) -> None:

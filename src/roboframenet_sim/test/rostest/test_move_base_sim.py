@@ -46,7 +46,7 @@ class TestMoveBaseSim(unittest.TestCase):
         cls.client = actionlib.ActionClient("move_base", MoveBaseAction)
         cls.walled_in = actionlib.ActionClient("walled_in/move_base", MoveBaseAction)
         for client in (cls.client, cls.walled_in):
-            assert wait_until(lambda: client.wait_for_server(rospy.Duration(1.0)))
+            assert wait_until(lambda client=client: client.wait_for_server(rospy.Duration(1.0)))
         assert wait_until(lambda: cls.odometry is not None and cls.amcl_pose is not None)
         with open(PLACES, encoding="utf-8") as file:
             cls.places = yaml.safe_load(file)

@@ -64,7 +64,7 @@ if __name__ == "__main__":
 _TEST = '''"""The files of the frame {name} are right, and its examples are understood."""
 from pathlib import Path
 
-from roboframenet_tools.check import Examples, example_problems, find_problems, load_paths
+from offline_pipeline.file_checks import Examples, example_problems, find_problems, load_paths
 
 
 def test_files_and_examples():

@@ -7,7 +7,7 @@ from xml.etree import ElementTree
 import pytest
 
 from roboframenet_tools import doctor, new
-from roboframenet_tools.check import find_problems, load_paths
+from offline_pipeline.file_checks import find_problems, load_paths
 from roboframenet_tools.cli import COMMANDS, OUTPUT_CLOSED, main
 from roboframenet_tools.completion import script
 from roboframenet_tools.graph import dot, layers, svg
@@ -91,7 +91,12 @@ def test_output_that_nobody_reads_ends_quietly(words):
     reader = subprocess.Popen([sys.executable, "-c", ""], stdin=subprocess.PIPE)
     reader.wait(timeout=60)
     result = subprocess.run(
-        [sys.executable, "-c", code, *words], stdout=reader.stdin, stderr=subprocess.PIPE, text=True, timeout=120
+        [sys.executable, "-c", code, *words],
+        stdout=reader.stdin,
+        stderr=subprocess.PIPE,
+        text=True,
+        timeout=120,
+        check=False,
     )
     reader.stdin.close()
     assert (result.returncode, result.stderr) == (OUTPUT_CLOSED, "")

@@ -3,13 +3,17 @@
 from typing import Dict, Tuple
 
 import pytest
-from semantic_framer.clauses import find_clauses
+from utterance_passes.clauses import find_clauses
 from semantic_framer.descriptions import descriptions
+from semantic_framer.framed_lexicon import FramedLexicon
 from semantic_framer.framer import Policy, Refusal, Understood, read
 from semantic_framer.lexicon import Lexicon
 from semantic_framer.sentence import Sentence
 from semantic_frames import load_frame
-from stanford_parser_ros.conllu import from_conllu
+from utterance_passes.conllu import from_conllu
+from utterance_passes.running import run_tree_passes
+from utterance_passes.table import PARSE_CORRECTING_PASSES
+from utterance_passes.vocabulary import Verbs
 
 FRAMES = {
     frame.name: frame
@@ -159,7 +163,7 @@ def described(relative: str) -> Tuple[Dict[str, str], ...]:
     )
     predicate = next(line.split()[0] for line in relative.splitlines() if "acl:relcl" in line)
     sentence = Sentence(from_conllu(rows.format(predicate=predicate)))
-    found = descriptions(sentence, find_clauses(sentence), lexicon(), FRAMES)
+    found = descriptions(sentence, find_clauses(sentence.tree), FramedLexicon(lexicon(), FRAMES))
     return tuple({value.name: value.argument for value in reading.values} for reading in found)
 
 
@@ -198,7 +202,7 @@ LET_GO = (
 
 def test_verb_of_several_words_is_one_verb_where_the_lexicon_has_it() -> None:
     assert filled(LET_GO) == {"theme": "the rope"}
-    assert [clause.lemma for clause in find_clauses(Sentence(from_conllu(LET_GO)))] == ["go"]
+    assert [clause.lemma for clause in find_clauses(from_conllu(LET_GO))] == ["go"]
 
 
 def test_modal_without_a_verb_is_a_noun() -> None:
@@ -214,4 +218,5 @@ def test_modal_with_a_subject_is_no_noun() -> None:
         "1 lift lift VERB VB _ 0 root _ _\n2 mugs mug NOUN NNS _ 1 obj _ _\n3 can can AUX MD _ 1 parataxis _ _"
         "\n4 you you PRON PRP _ 3 nsubj _ _"
     )
-    assert {word.upos for word in Sentence(from_conllu(rows)).tree.words} == {"VERB", "NOUN", "AUX", "PRON"}
+    tree = run_tree_passes(from_conllu(rows), Verbs(), PARSE_CORRECTING_PASSES)
+    assert {word.upos for word in tree.words} == {"VERB", "NOUN", "AUX", "PRON"}

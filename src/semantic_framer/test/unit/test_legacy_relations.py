@@ -6,7 +6,7 @@ import pytest
 from semantic_framer.framer import LeftOverWords, Policy, Understood, read
 from semantic_framer.lexicon import Lexicon
 from semantic_frames import load_frame
-from stanford_parser_ros.conllu import from_conllu
+from utterance_passes.conllu import from_conllu
 from stanford_parser_ros.stanford_dependencies import RULES
 
 FRAME = load_frame("name: scene\nframe_elements:\n  - {name: filler, is_core: True}\n", "frame.yaml")

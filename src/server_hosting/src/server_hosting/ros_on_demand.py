@@ -1,5 +1,6 @@
 """The node ``on_demand``: carries out frames by servers that it starts when they are needed."""
 
+import contextlib
 import queue
 import threading
 import time
@@ -136,10 +137,8 @@ class OnDemand:
     def run(self) -> None:
         """Start and end servers, in the main thread as roslaunch wants it, until the node is shut down."""
         while not rospy.is_shutdown():
-            try:
+            with contextlib.suppress(queue.Empty):
                 self._handle(self._inbox.get(timeout=LOOK_S))
-            except queue.Empty:
-                pass
             for server in self._servers.values():
                 server.look(time.monotonic())
         for server in self._servers.values():

@@ -9,7 +9,7 @@ PP around the preposition and the rest.
 from dataclasses import dataclass
 from typing import Any, Dict, List, Tuple
 
-from stanford_parser_ros.tree import DependencyTree, Word
+from utterance_passes.tree import DependencyTree, Word
 
 _PHRASE_OF_UPOS: Dict[str, str] = {
     "NOUN": "NP",

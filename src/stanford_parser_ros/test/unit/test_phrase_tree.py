@@ -3,9 +3,9 @@
 import pytest
 from stanford_parser_msgs.msg import Parse
 from stanford_parser_ros import unsquash_tree
-from stanford_parser_ros.conllu import from_conllu
+from utterance_passes.conllu import from_conllu
 from stanford_parser_ros.phrase_tree import constant_of_tag, from_brackets, phrase_tree, squash, unsquash
-from stanford_parser_ros.tree import DependencyTree
+from utterance_passes.tree import DependencyTree
 from stanford_parser_ros.ros_messages import to_parse, to_tree, to_command_parse
 from roboframenet_msgs.msg import Command
 

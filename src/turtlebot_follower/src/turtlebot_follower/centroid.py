@@ -4,9 +4,12 @@ The cloud is in the optical frame of the camera (REP 103): x right, y down, z fo
 """
 import math
 from dataclasses import dataclass
-from typing import Mapping, Optional
+from typing import TYPE_CHECKING, Mapping, Optional
 
 import numpy as np
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
 
 
 @dataclass(frozen=True)
@@ -29,9 +32,9 @@ class Box:
     def __post_init__(self) -> None:
         for name, value in vars(self).items():
             if not (isinstance(value, (int, float)) and math.isfinite(value)):
-                raise ValueError("%s must be a finite number, got %r" % (name, value))
+                raise ValueError(f"{name} must be a finite number, got {value!r}")
         if not (self.min_x_m < self.max_x_m and self.min_y_m < self.max_y_m and 0.0 < self.max_z_m):
-            raise ValueError("the box has no room: %s" % self)
+            raise ValueError(f"the box has no room: {self}")
 
 
 @dataclass(frozen=True)
@@ -52,7 +55,7 @@ FLOAT32 = 7
 
 
 def points_of(data: bytes, *, height: int, width: int, point_step: int, row_step: int, is_bigendian: bool,
-              offsets: Mapping[str, int], datatypes: Mapping[str, int], pixel_step: int = 1) -> np.ndarray:
+              offsets: Mapping[str, int], datatypes: Mapping[str, int], pixel_step: int = 1) -> "NDArray[np.void]":
     """Look at the points of a PointCloud2 without copying them.
 
     Args:
@@ -72,22 +75,22 @@ def points_of(data: bytes, *, height: int, width: int, point_step: int, row_step
     """
     for axis in "xyz":
         if axis not in offsets:
-            raise CloudError('the cloud has no field "%s"' % axis)
+            raise CloudError(f'the cloud has no field "{axis}"')
         if datatypes.get(axis) != FLOAT32:
-            raise CloudError('the field "%s" is no float32' % axis)
+            raise CloudError(f'the field "{axis}" is no float32')
         if not 0 <= offsets[axis] <= point_step - 4:
-            raise CloudError('the field "%s" lies outside of the point' % axis)
+            raise CloudError(f'the field "{axis}" lies outside of the point')
     if row_step < width * point_step or len(data) < row_step * height:
-        raise CloudError("%d bytes are too few for %d rows of %d points" % (len(data), height, width))
+        raise CloudError(f"{len(data)} bytes are too few for {height} rows of {width} points")
     order = ">" if is_bigendian else "<"
     point = np.dtype({"names": list("xyz"), "formats": [order + "f4"] * 3,
                       "offsets": [offsets[axis] for axis in "xyz"], "itemsize": point_step})
-    rows = np.ndarray(shape=(height, width), dtype=point, buffer=data, strides=(row_step, point_step))
+    rows: "NDArray[np.void]" = np.ndarray(shape=(height, width), dtype=point, buffer=data, strides=(row_step, point_step))
     # An unorganised cloud is one long row.
     return rows[::pixel_step, ::pixel_step] if height > 1 else rows[:, ::pixel_step]
 
 
-def centroid(points: np.ndarray, *, box: Box, min_share: float) -> Optional[Centroid]:
+def centroid(points: "NDArray[np.void]", *, box: Box, min_share: float) -> Optional[Centroid]:
     """Return the middle of the points in the box.
 
     Args:

@@ -48,15 +48,15 @@ class Settings:
     def __post_init__(self) -> None:
         modes = [mode.value for mode in Mode]
         if self.mode not in modes:
-            raise ValueError("~mode must be one of %s, got %r" % (", ".join(modes), self.mode))
+            raise ValueError("~mode must be one of {}, got {!r}".format(", ".join(modes), self.mode))
         if self.mode == Mode.LAUNCH.value and not self.launchfile:
             raise ValueError("~mode launch needs ~launchfile")
         for name in ("service_timeout_s", "odometry_timeout_s"):
             value = getattr(self, name)
             if not (isinstance(value, (int, float)) and math.isfinite(value) and 0.1 <= value <= 60.0):
-                raise ValueError("~%s must be 0.1 to 60 s, got %r" % (name, value))
+                raise ValueError(f"~{name} must be 0.1 to 60 s, got {value!r}")
         if not (isinstance(self.pixel_step, int) and 1 <= self.pixel_step <= 32):
-            raise ValueError("~pixel_step must be 1 to 32, got %r" % self.pixel_step)
+            raise ValueError(f"~pixel_step must be 1 to 32, got {self.pixel_step!r}")
 
 
 def read_settings() -> Settings:
@@ -256,8 +256,8 @@ class TurtlebotFollower:
                 continue
             if step.sight is Sight.LOST:
                 if last_number == 0:
-                    return "I see nothing: no point cloud on %s." % topic
-                return "I have lost you: nobody was before me for %g seconds." % follower.settings.lost_timeout_s
+                    return f"I see nothing: no point cloud on {topic}."
+                return f"I have lost you: nobody was before me for {follower.settings.lost_timeout_s:g} seconds."
             if now_s - feedback_s >= self.FEEDBACK_S:
                 feedback_s = now_s
                 self._server.publish_feedback(FilledSemanticFrameFeedback(is_succeeding=step.sight is Sight.SEEN))

@@ -13,9 +13,16 @@ def pack(points, *, point_step=16, order="<", height=1, padding=0):
     array = np.full((height, len(points) // height, point_step // 4), 99.0, dtype=order + "f4")
     array[..., :3] = np.array(points, dtype=float).reshape(height, -1, 3)
     data = b"".join(row.tobytes() + b"\x01" * padding for row in array)
-    return dict(data=data, height=height, width=len(points) // height, point_step=point_step,
-                row_step=len(points) // height * point_step + padding, is_bigendian=order == ">", offsets=OFFSETS,
-                datatypes=FLOATS)
+    return {
+        "data": data,
+        "height": height,
+        "width": len(points) // height,
+        "point_step": point_step,
+        "row_step": len(points) // height * point_step + padding,
+        "is_bigendian": order == ">",
+        "offsets": OFFSETS,
+        "datatypes": FLOATS,
+    }
 
 
 INSIDE = [(0.1, -0.2, 0.6), (-0.1, -0.3, 0.7), (0.15, -0.2, 0.5)]

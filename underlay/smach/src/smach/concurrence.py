@@ -17,6 +17,7 @@ SHUTDOWN_POLL_S = 0.2
 SHUTDOWN_GRACE_S = 5.0
 
 ChildOutcomes = Dict[str, Optional[str]]
+ChildTerminationCallback = Callable[[ChildOutcomes], Union[bool, List[str]]]
 
 
 class ConcurrentStateError(InvalidUserCodeError, InvalidStateError):
@@ -42,7 +43,7 @@ class Concurrence(Container):
     def __init__(self, outcomes: Iterable[str], default_outcome: str, input_keys: Iterable[str] = (),
                  output_keys: Iterable[str] = (), outcome_map: Optional[Mapping[str, Mapping[str, str]]] = None,
                  outcome_cb: Optional[Callable[[ChildOutcomes], Optional[str]]] = None,
-                 child_termination_cb: Optional[Callable[[ChildOutcomes], Union[bool, List[str]]]] = None) -> None:
+                 child_termination_cb: Optional[ChildTerminationCallback] = None) -> None:
         super().__init__(outcomes, input_keys, output_keys)
         self._outcome_map = {outcome: dict(children) for outcome, children in (outcome_map or {}).items()}
         self.register_outcomes(self._outcome_map)
@@ -138,7 +139,8 @@ class Concurrence(Container):
         state = self._states[label]
         view = Remapper(self.userdata, state.get_registered_input_keys(), state.get_registered_output_keys(),
                         self._remappings[label])
-        outcome, failure = None, None
+        outcome: Optional[str] = None
+        failure: Optional[Exception] = None
         try:
             outcome = state.execute(view)
             # None is what containers say when the program ends.
@@ -158,11 +160,11 @@ class Concurrence(Container):
             outcomes = dict(self._outcomes_by_label)
         self.call_transition_cbs()
         if self._child_termination_cb is not None:
-            self._ask_child_termination_cb(label, outcomes)
+            self._ask_child_termination_cb(self._child_termination_cb, label, outcomes)
 
-    def _ask_child_termination_cb(self, label: str, outcomes: ChildOutcomes) -> None:
+    def _ask_child_termination_cb(self, cb: ChildTerminationCallback, label: str, outcomes: ChildOutcomes) -> None:
         try:
-            answer = self._child_termination_cb(outcomes)
+            answer = cb(outcomes)
         except Exception as error:  # boundary: the callback is code of the user
             logerr(f"The child termination callback raised:\n{traceback.format_exc()}")
             with self._lock:

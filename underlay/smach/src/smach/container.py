@@ -10,13 +10,18 @@ from smach.state import State
 from smach.user_data import UserData
 
 # Each thread builds its own containers: `with` blocks of two threads do not see each other.
-_construction = threading.local()
+class _Construction(threading.local):
+    """The containers that a thread has open, the innermost last."""
+
+    def __init__(self) -> None:
+        self.stack: List["Container"] = []
+
+
+_construction = _Construction()
 
 
 def _opened_containers() -> List["Container"]:
     """Containers that this thread has open, the innermost last."""
-    if not hasattr(_construction, "stack"):
-        _construction.stack = []
     return _construction.stack
 
 

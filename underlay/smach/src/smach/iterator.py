@@ -94,14 +94,14 @@ class Iterator(Container):
             InvalidTransitionError: the state returned an outcome that it did not register, or the iteration ended with
                 one that is not an outcome of the iterator
         """
-        if not self._is_consistent():
+        if not self._is_consistent() or self._state is None:
             return None
         with self._lock:
             self._is_running = True
         try:
             self._copy_input_keys(parent_ud, self.userdata)
             self.call_start_cbs()
-            outcome = self._iterate()
+            outcome = self._iterate(self._state)
             if outcome is not None and outcome not in self.get_registered_outcomes():
                 raise InvalidTransitionError(f"The iteration of '{self._label}' ended with '{outcome}', which is no "
                                              f"outcome of the iterator: {sorted(self.get_registered_outcomes())}")
@@ -116,8 +116,7 @@ class Iterator(Container):
     def _next_items(self) -> Iterable[Any]:
         """The items, with an error of the user's code told as such."""
         try:
-            for item in (self._items() if callable(self._items) else self._items):
-                yield item
+            yield from (self._items() if callable(self._items) else self._items)
         except Exception as error:  # boundary: the items come from code of the user
             raise InvalidUserCodeError(f"The items of the iterator raised:\n{traceback.format_exc()}") from error
 
@@ -125,9 +124,8 @@ class Iterator(Container):
         """Outcome of the iterator for the outcome that ended the iteration."""
         return self._final_outcome_map.get(outcome, outcome)
 
-    def _iterate(self) -> Optional[str]:
+    def _iterate(self, state: State) -> Optional[str]:
         """Outcome of the iterator, or None when the program shuts down."""
-        state = self._state
         keys = dict.fromkeys(state.get_registered_input_keys() + (self._items_label,))
         view = Remapper(self.userdata, keys, state.get_registered_output_keys())
         for item in self._next_items():
@@ -140,7 +138,7 @@ class Iterator(Container):
                 state.recall_preempt()
                 if self._preempt_requested:
                     state.request_preempt()
-            outcome = self._execute_child(view)
+            outcome = self._execute_child(state, view)
             if outcome is None:
                 return None
             with self._lock:
@@ -159,8 +157,7 @@ class Iterator(Container):
             self.call_transition_cbs()
         return self._final(self._exhausted_outcome)
 
-    def _execute_child(self, view: Remapper) -> Optional[str]:
-        state = self._state
+    def _execute_child(self, state: State, view: Remapper) -> Optional[str]:
         try:
             outcome = state.execute(view)
         except InvalidUserCodeError:

@@ -154,6 +154,7 @@ class StateMachine(Container):
         """Run the current state and move on; return the outcome of the machine, or None to go on."""
         with self._lock:
             label = self._current_label
+            assert label is not None, "execute() sets the first label, and each step the next"
             state = self._states[label]
             if self._preempt_requested:
                 self._hand_on_preempt(label, state)

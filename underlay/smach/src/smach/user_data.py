@@ -2,7 +2,7 @@
 import copy
 import enum
 import types
-from typing import Any, Dict, Iterable, List, Mapping, Optional
+from typing import Any, Dict, FrozenSet, Iterable, List, Mapping, Optional, SupportsIndex
 
 from smach.exceptions import InvalidUserCodeError
 
@@ -94,6 +94,10 @@ class Remapper:
         output_keys: names that may be written
         remapping: from a name of the state to the name in `ud`, where they differ
     """
+
+    _input_keys: FrozenSet[str]
+    _output_keys: FrozenSet[str]
+    _remapping: Dict[str, str]
 
     def __init__(self, ud: Any, input_keys: Iterable[str] = (), output_keys: Iterable[str] = (),
                  remapping: Optional[Mapping[str, str]] = None) -> None:
@@ -207,7 +211,7 @@ class Const:
     def __deepcopy__(self, memo: Dict[int, Any]) -> Any:
         return copy.deepcopy(self._obj, memo)
 
-    def __reduce_ex__(self, protocol: int) -> Any:
+    def __reduce_ex__(self, protocol: SupportsIndex) -> Any:
         return self._obj.__reduce_ex__(protocol)
 
     def __bool__(self) -> bool:

@@ -1,12 +1,13 @@
 """Callbacks that declare their outcomes and keys, and the check for the end of the program."""
 import functools
-from typing import Any, Callable, Iterable, Optional, Tuple
+from typing import Any, Callable, Iterable, Optional, Protocol, Tuple, runtime_checkable
 
 
 class _ShutdownCheck:
     """Tells whether the program ends; the program has one end, so this is one object."""
 
-    check: Callable[[], bool] = staticmethod(lambda: False)
+    def __init__(self) -> None:
+        self.check: Callable[[], bool] = lambda: False
 
 
 _shutdown = _ShutdownCheck()
@@ -22,10 +23,23 @@ def is_shutdown() -> bool:
     return bool(_shutdown.check())
 
 
+@runtime_checkable
+class SmachInterface(Protocol):
+    """What declares input keys, output keys and outcomes as a state does."""
+
+    def get_registered_input_keys(self) -> Iterable[str]:
+        """Keys that are read."""
+
+    def get_registered_output_keys(self) -> Iterable[str]:
+        """Keys that are written."""
+
+    def get_registered_outcomes(self) -> Iterable[str]:
+        """Outcomes that may be returned."""
+
+
 def has_smach_interface(obj: Any) -> bool:
     """Tell whether an object declares input keys, output keys and outcomes as a state does."""
-    return all(hasattr(obj, name) for name in (
-        "get_registered_input_keys", "get_registered_output_keys", "get_registered_outcomes"))
+    return isinstance(obj, SmachInterface)
 
 
 class CBInterface:

@@ -165,7 +165,7 @@ class IntrospectionServer:
         self._proxies.append(proxy)
         proxy.start()
         for label, child in state.get_children().items():
-            self.construct(server_name, child, "/".join((path, label)))
+            self.construct(server_name, child, f"{path}/{label}")
 
 
 class IntrospectionClient:
