@@ -1,5 +1,6 @@
 #!/usr/bin/python3
 """What people cry at a robot that drives: odometry tells whether it stands, the replies what it stopped."""
+
 import math
 import threading
 import unittest
@@ -7,11 +8,11 @@ from typing import List, Tuple
 
 import rospy
 from nav_msgs.msg import Odometry
+from roboframenet_msgs.msg import FilledSemanticFrameActionFeedback, Reply
 from std_msgs.msg import String
 
 from pipeline import can_do, wait_until
 from roboframenet_demo.ros_pipeline import is_pipeline_complete
-from roboframenet_msgs.msg import FilledSemanticFrameActionFeedback, Reply
 
 DRIVE = "Move forward 15 metres."
 CRIES = (

@@ -9,16 +9,17 @@ from pathlib import Path
 from typing import Dict, List
 
 import rospy
-from offline_pipeline.pipeline import Pipeline, Understanding
-from roboframenet_demo.ros_pipeline import is_pipeline_complete
 from roboframenet_msgs.msg import CommandSemanticFrames, FrameCatalogue, Reply, StageEvent
-from roboframenet_tools.ros_graph import live_knowledge, live_parameters
-from rfnserver import RFNServer
-from semantic_framer.dialogue import Context
 from std_msgs.msg import String
 
+from offline_pipeline.pipeline import Pipeline, Understanding
+from rfnserver import RFNServer
+from roboframenet_demo.ros_pipeline import is_pipeline_complete
+from roboframenet_tools.ros_graph import live_knowledge, live_parameters
+from semantic_framer.dialogue import Context
+
 sys.path.insert(0, str(Path(__file__).resolve().parent))
-from pipeline import wait_until  # noqa: E402  beside this file, which a script of the build runs
+from pipeline import wait_until
 
 SEED = 20120514
 #: Of the frames, one in so many has no server, so that some commands find nobody.
@@ -112,7 +113,10 @@ def heard(ears: Ears, reply: Reply) -> tuple:
     """Outcome and code, the sentence of a refusal, what would run of a command that was done, and the rules."""
     lists = ears.candidates[reply.command.id].candidates.frame_lists if reply.command.id in ears.candidates else ()
     candidates = [
-        [(frame.name, [(element.name, element.argument) for element in frame.frame_elements]) for frame in frames.frames]
+        [
+            (frame.name, [(element.name, element.argument) for element in frame.frame_elements])
+            for frame in frames.frames
+        ]
         for frames in lists
     ]
     sentence = "" if reply.outcome == Reply.DONE else reply.sentence

@@ -1,5 +1,6 @@
 #!/usr/bin/python3
 """Wrong files are refused by file, line and key; nodes that are killed come back, and so does everything they knew."""
+
 import os
 import random
 import signal

@@ -1,5 +1,6 @@
 #!/usr/bin/python3
 """Sentences go in as 'rostopic pub' would send them; odometry tells what the robot did."""
+
 import math
 import os
 import signal
@@ -13,12 +14,12 @@ import rosgraph
 import rospy
 from actionlib_msgs.msg import GoalStatus, GoalStatusArray
 from nav_msgs.msg import Odometry
+from roboframenet_msgs.msg import Reply
 from std_msgs.msg import String
 
 from pipeline import can_do, wait_until
 from rfnserver import RFNServer
 from roboframenet_demo.ros_pipeline import is_pipeline_complete
-from roboframenet_msgs.msg import Reply
 
 PIPELINE = ("stanford_parser_ros", "semantic_framer", "frame_registrar", "arbitrator", "executor")
 

@@ -1,5 +1,6 @@
 #!/usr/bin/python3
 """A server that drives on whatever is cancelled, as some drivers do."""
+
 import rospy
 from geometry_msgs.msg import Twist
 

@@ -1,5 +1,6 @@
 #!/usr/bin/python3
 """Nodes hang and die while the robot drives: it stands, and what the person hears is true."""
+
 import math
 import os
 import signal
@@ -17,9 +18,6 @@ from actionlib_msgs.msg import GoalID, GoalStatus, GoalStatusArray
 from actionlib_tutorials.msg import FibonacciAction, FibonacciGoal
 from geometry_msgs.msg import Twist
 from nav_msgs.msg import Odometry
-from std_msgs.msg import String
-
-from pipeline import wait_until
 from roboframenet_msgs.msg import (
     Command,
     CommandSemanticFrames,
@@ -43,6 +41,9 @@ from roboframenet_msgs.srv import (
     RegisterWithFrame,
     RegisterWithFrameResponse,
 )
+from std_msgs.msg import String
+
+from pipeline import wait_until
 
 STAGES = ("stanford_parser_ros", "semantic_framer", "frame_registrar")
 DRIVE = "moving_forward distance=15,distance_unit=metres"
@@ -374,8 +375,14 @@ class StopPathTest(unittest.TestCase):
         self.wait_for_graph()
         for command in self.unparsed:
             self.pass_on(command)
-        self.assertTrue(wait_until(lambda: any(
-            event.is_final and event.stage == "executor" and event.reply.code == "STOPPED" for event in self.events)))
+        self.assertTrue(
+            wait_until(
+                lambda: any(
+                    event.is_final and event.stage == "executor" and event.reply.code == "STOPPED"
+                    for event in self.events
+                )
+            )
+        )
         self.assert_stays()
 
     def test_99_stops_and_commands_with_a_hung_master(self) -> None:

@@ -6,17 +6,17 @@ from pathlib import Path
 from typing import Dict, List, Sequence, Tuple
 
 import pytest
+from roboframenet_msgs.msg import Clause
 
-from arbitrator.policy import RandomPolicy, arbitrate
 from arbitrator.plan import FilledFrame, as_procedure
+from arbitrator.policy import RandomPolicy, arbitrate
 from arbitrator.ros_messages import plan_from_message
 from frame_registrar.graph import FrameGraph
 from frame_registrar.ros_messages import to_clauses, to_plan
 from frame_registrar.search import Refusal, search
+from offline_pipeline.file_checks import Examples, find_problems, load_paths
 from offline_pipeline.knowledge import pretend_servers
 from offline_pipeline.pipeline import Pipeline
-from roboframenet_msgs.msg import Clause
-from offline_pipeline.file_checks import Examples, find_problems, load_paths
 from semantic_framer import ros_messages as framer_messages
 from semantic_framer.framer import Understood, read
 

@@ -13,7 +13,11 @@ def judge() -> Judge:
 def judged(judge: Judge, count: int, policy: str) -> None:
     verdicts = list(judge.verdicts(generate(count, SEED), policy))
     print("\n".join(table(verdicts)))
-    wrong = [(verdict.phrase.text, verdict.phrase.motions, verdict.done) for verdict in verdicts if verdict.outcome == "wrong"]
+    wrong = [
+        (verdict.phrase.text, verdict.phrase.motions, verdict.done)
+        for verdict in verdicts
+        if verdict.outcome == "wrong"
+    ]
     assert not wrong
     plain = [verdict for verdict in verdicts if verdict.phrase.motions is not None and verdict.phrase.is_within_limits]
     # A framer that refuses everything is never wrong, and no use.

@@ -6,9 +6,10 @@ from pathlib import Path
 from typing import Dict, FrozenSet, Iterator, List, Set, Tuple
 
 import pytest
+from word_lists import WordList, word_lists
+
 from semantic_frames.relation_names import STANFORD, UNIVERSAL
 from word_classes import word_classes
-from word_lists import WordList, word_lists
 
 SOURCES = Path(__file__).resolve().parents[2] / "src"
 RELATIONS = UNIVERSAL | STANFORD

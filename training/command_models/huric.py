@@ -220,9 +220,7 @@ def score(commands: Iterable[Command], parsed: Iterable[Sentence], read: "Reader
             if wanted == root or wanted in copulas:
                 predicates += 1
             else:
-                failures.append(
-                    f"predicate {command.tokens[wanted - 1]}, not {sentence.words[root - 1].form}: {text}"
-                )
+                failures.append(f"predicate {command.tokens[wanted - 1]}, not {sentence.words[root - 1].form}: {text}")
         ours = read(sentence)
         for governor, dependant, relation in sorted(gold_arguments(command)):
             arguments += 1

@@ -8,7 +8,8 @@ import random
 from collections import Counter
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Counter as Count, Dict, FrozenSet, Iterable, Tuple
+from typing import Counter as Count
+from typing import Dict, FrozenSet, Iterable, Tuple
 
 from .conllu import read
 

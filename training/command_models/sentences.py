@@ -306,7 +306,9 @@ class Sentences:
             head = (
                 self.nouns.place()
                 if self.maybe(0.55)
-                else self.nouns.fixture() if self.maybe(0.5) else self.nouns.thing()
+                else self.nouns.fixture()
+                if self.maybe(0.5)
+                else self.nouns.thing()
             )
             if self.maybe(0.2):
                 head = self.nouns.name()

@@ -84,7 +84,7 @@ def execute(steps: Sequence[Step], records: Path, jobs: int) -> None:
     """
     records.mkdir(parents=True, exist_ok=True)
     waiting: List[Step] = list(steps)
-    running: Dict["Future[None]", Tuple[Step, float]] = {}
+    running: Dict[Future[None], Tuple[Step, float]] = {}
     finished: Set[str] = set()
     made_by = {path: step.name for step in steps for path in step.outputs}
     with ThreadPoolExecutor(max_workers=jobs) as pool:
@@ -125,6 +125,4 @@ def execute(steps: Sequence[Step], records: Path, jobs: int) -> None:
                 record = records / (step.name + ".json")
                 record.write_text(json.dumps(fingerprint(step), indent=1), encoding="utf-8")
                 finished.add(step.name)
-                tell(
-                    f"[{len(finished)}/{len(steps)}] {step.name}: done in {(time.monotonic() - started) / 60:.1f} min"
-                )
+                tell(f"[{len(finished)}/{len(steps)}] {step.name}: done in {(time.monotonic() - started) / 60:.1f} min")

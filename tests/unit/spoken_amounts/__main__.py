@@ -19,7 +19,9 @@ def main() -> None:
     for verdict in verdicts:
         is_plain = verdict.phrase.motions is not None and verdict.phrase.is_within_limits
         if verdict.outcome in arguments.show and (is_plain or verdict.outcome == "wrong"):
-            print(f"{verdict.outcome}: {verdict.phrase.text!r} {verdict.phrase.motions} -> {verdict.done} {verdict.said}")
+            print(
+                f"{verdict.outcome}: {verdict.phrase.text!r} {verdict.phrase.motions} -> {verdict.done} {verdict.said}"
+            )
     print("\n".join(table(verdicts)))
 
 

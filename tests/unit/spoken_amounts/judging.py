@@ -93,7 +93,7 @@ def _is_same(done: Tuple[Motion, ...], meant: Tuple[Motion, ...]) -> bool:
 
 def table(verdicts: Iterable[Verdict]) -> List[str]:
     """Return a line for each family of amounts, and one for those that can be read plainly, and one for all."""
-    counts: Dict[str, "Counter[str]"] = {}
+    counts: Dict[str, Counter[str]] = {}
     for verdict in verdicts:
         is_open = verdict.phrase.motions is None or not verdict.phrase.is_within_limits
         of_all = "all that must ask or refuse" if is_open else "all that can be read"

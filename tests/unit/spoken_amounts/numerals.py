@@ -199,7 +199,10 @@ def _opened_range(chance: Chance, most: int) -> str:
 
 
 def _negated(chance: Chance, most: int) -> str:
-    return chance.choice(["not ", "no ", "never ", "not even ", "no more than ", "anything but "]) + plain(chance, most).text
+    return (
+        chance.choice(["not ", "no ", "never ", "not even ", "no more than ", "anything but "])
+        + plain(chance, most).text
+    )
 
 
 def _bounded(chance: Chance, most: int) -> str:
@@ -209,7 +212,9 @@ def _bounded(chance: Chance, most: int) -> str:
 
 def _in_a_row(chance: Chance, most: int) -> str:
     first, second = _two(chance, min(most, 9))
-    return chance.choice([f"{first} {first}", f"{second} {first}", f"{first} {second} {first}", f"{first}, uh, {second}"])
+    return chance.choice(
+        [f"{first} {first}", f"{second} {first}", f"{first} {second} {first}", f"{first}, uh, {second}"]
+    )
 
 
 def _stray(chance: Chance, most: int) -> str:
@@ -229,7 +234,7 @@ def _stray(chance: Chance, most: int) -> str:
             f"- {number}",
             f"{number} percent of",
             f"{number}ish",
-            f"umpteen",
+            "umpteen",
             f"${number}",
             f"{number}:30",
             f"{10 * number}/{10 * number + 5}",
@@ -242,12 +247,12 @@ def _stray(chance: Chance, most: int) -> str:
             f"{number} half",
             f"twice {number}",
             f"{number} dozen {number}",
-            f"five ten",
+            "five ten",
             f"nine {chance.choice(['twelve', 'eleven', 'fifteen'])}",
             f"{number} and",
             f"and a half {number}",
-            f"a dozen and a half",
-            f"several",
+            "a dozen and a half",
+            "several",
             f"{number} point {number + 10}",
             f"{number} out of {number + 1}",
             f"{number} times {number}",

@@ -29,7 +29,15 @@ _ANGLES: Tuple[Tuple[str, str, int, float], ...] = (
     ("radian", "radians", 6, 1.0),
     ("turn", "turns", 4, 2.0 * math.pi),
 )
-_SHORT = {"metre": "m", "centimetre": "cm", "foot": "ft", "inch": "in", "millimetre": "mm", "degree": "deg", "radian": "rad"}
+_SHORT = {
+    "metre": "m",
+    "centimetre": "cm",
+    "foot": "ft",
+    "inch": "in",
+    "millimetre": "mm",
+    "degree": "deg",
+    "radian": "rad",
+}
 _MOST_METRES = 20.0
 _MOST_RAD = 20.0 * math.pi
 
@@ -159,7 +167,12 @@ def _simple(chance: Chance) -> Phrase:
     carrier, sign = chance.choice(_NOUN_TURN)
     if chance.random() < 0.5:
         share, words = chance.choice(
-            [(Fraction(1, 4), "quarter"), (Fraction(1, 2), "half"), (Fraction(3, 4), "three quarter"), (Fraction(1), "full")]
+            [
+                (Fraction(1, 4), "quarter"),
+                (Fraction(1, 2), "half"),
+                (Fraction(3, 4), "three quarter"),
+                (Fraction(1), "full"),
+            ]
         )
         amount, value = f"a {words}", float(share) * 2.0 * math.pi
         if carrier.startswith("turn left") and words == "full":
@@ -222,7 +235,9 @@ def _several_units(chance: Chance) -> Phrase:
     elif kind == 3:
         text, value = f"{feet + 1} m {inches * 5} cm", feet + 1 + inches * 0.05
     else:
-        text, value = chance.choice([("a metre and a half", 1.5), ("two metres and a half", 2.5), ("a foot and a half", 0.4572)])
+        text, value = chance.choice(
+            [("a metre and a half", 1.5), ("two metres and a half", 2.5), ("a foot and a half", 0.4572)]
+        )
     return Phrase(carrier.format(a=text), (("straight", sign * value),), "several units")
 
 

@@ -1,16 +1,17 @@
 """The arbitrator node: candidates in, an ordered plan out."""
+
 import time
 from dataclasses import dataclass
 from typing import Optional
 
 import rospy
 from roboframenet_msgs.msg import CommandPlan, CommandSemanticFrames, Procedure, Reply
-from roboframenet_ros.ros_log import log_from_threads
-from stage_events.ros_stage import Stage
 
 from arbitrator.plan import describe
 from arbitrator.policy import Policy, PolicyError, arbitrate, load_policy
 from arbitrator.ros_messages import plan_from_message, plan_to_message, procedure_to_message
+from roboframenet_ros.ros_log import log_from_threads
+from stage_events.ros_stage import Stage
 
 # An executor that is just starting must not miss a command. Shorter than the time that it may be silent.
 _LISTENER_TIMEOUT_S = 3.0
@@ -61,15 +62,20 @@ class ArbitratorNode:
         self._procedure = rospy.Publisher("procedure", Procedure, queue_size=100)
         self._stage = Stage("arbitrator")
         self._subscriber = rospy.Subscriber(
-            "command_semantic_frames", CommandSemanticFrames, self._on_candidates, queue_size=100)
+            "command_semantic_frames", CommandSemanticFrames, self._on_candidates, queue_size=100
+        )
 
     def _on_candidates(self, message: CommandSemanticFrames) -> None:
         try:
             plan = arbitrate(plan_from_message(message.plan), self._policy)
         except (ValueError, PolicyError) as error:
             rospy.logerr("cmd=%s cannot be arbitrated: %s", message.command.id, error)
-            self._stage.ends(message.command, outcome=Reply.FAILED, code="STAGE_ERROR",
-                             sentence=f"The candidates could not be put in order: {error}.")
+            self._stage.ends(
+                message.command,
+                outcome=Reply.FAILED,
+                code="STAGE_ERROR",
+                sentence=f"The candidates could not be put in order: {error}.",
+            )
             return
         sentence = describe(plan)
         rospy.loginfo("cmd=%s %s", message.command.id, sentence)

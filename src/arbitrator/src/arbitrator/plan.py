@@ -1,4 +1,5 @@
 """What is to be done for a command, as values: a tree of clauses, each with the ways to carry it out."""
+
 import itertools
 import math
 from dataclasses import dataclass

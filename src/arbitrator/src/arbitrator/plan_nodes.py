@@ -1,4 +1,5 @@
 """Plans as they travel: a list of nodes that name their children by position. What is no tree is refused."""
+
 import enum
 from dataclasses import dataclass
 from typing import Dict, List, Sequence, Tuple
@@ -87,8 +88,7 @@ def from_nodes(nodes: Sequence[Node]) -> Plan:
             if node.kind == Kind.DO:
                 plans[position] = Do(label=node.label, candidates=node.candidates)
             else:
-                plans[position] = InSequence(
-                    label=node.label, children=tuple(plans[child] for child in node.children))
+                plans[position] = InSequence(label=node.label, children=tuple(plans[child] for child in node.children))
         except ValueError as error:
             raise ValueError(f"node {position} of the plan is wrong: {error}") from error
     return plans[0]
@@ -137,7 +137,8 @@ def _check_kind(position: int, node: Node) -> None:
         kind = f"{node.kind} ({Kind(node.kind).name})" if node.kind in list(Kind) else f"{node.kind}"
         known = ", ".join(f"{kind.value} ({kind.name})" for kind in CARRIED_OUT)
         raise ValueError(
-            f"node {position} of the plan is of the kind {kind}; nothing carries out other kinds than {known}")
+            f"node {position} of the plan is of the kind {kind}; nothing carries out other kinds than {known}"
+        )
     if node.kind == Kind.DO and node.children:
         raise ValueError(f"node {position} of the plan carries out a clause, and cannot have children")
     if node.kind != Kind.DO and node.candidates:

@@ -4,6 +4,7 @@ A policy orders the ways to *do* what was said, and never the ways to *read* it:
 the other, those of one reading, the likeliest first. Within a reading, candidates that account for a larger share of
 the words come first whatever the policy.
 """
+
 import abc
 import importlib
 import itertools
@@ -143,7 +144,7 @@ def order(candidates: Sequence[Candidate], policy: Policy) -> Tuple[Candidate, .
             raise PolicyError(f"policy {type(policy).__name__} failed: {type(error).__name__}: {error}") from error
         if not _same_candidates(tier, answer):
             raise PolicyError(
-                f"policy {type(policy).__name__} must return each of the {len(tier)} candidates once, "
-                f"got {len(answer)}")
+                f"policy {type(policy).__name__} must return each of the {len(tier)} candidates once, got {len(answer)}"
+            )
         ordered.extend(answer)
     return tuple(ordered)

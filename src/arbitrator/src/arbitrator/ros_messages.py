@@ -1,4 +1,5 @@
 """Plans between messages and values."""
+
 from typing import Iterable, List
 
 from roboframenet_msgs import msg
@@ -21,7 +22,8 @@ def plan_from_message(message: msg.Plan) -> Plan:
     """
     if message.beginning != msg.Plan.REPLACE:
         raise ValueError(
-            f"the plan begins in the way {message.beginning}; nothing carries out other ways than 0 (REPLACE)")
+            f"the plan begins in the way {message.beginning}; nothing carries out other ways than 0 (REPLACE)"
+        )
     return from_nodes([_node_from_message(position, node) for position, node in enumerate(message.nodes)])
 
 
@@ -33,7 +35,8 @@ def _node_from_message(position: int, message: msg.PlanNode) -> Node:
     unread = [name for name in message.__slots__ if name not in _READ and _is_set(message, name)]
     if message.kind in CARRIED_OUT and unread:
         raise ValueError(
-            f"node {position} of the plan sets {', '.join(unread)}; a {Kind(message.kind).name} has no use for it")
+            f"node {position} of the plan sets {', '.join(unread)}; a {Kind(message.kind).name} has no use for it"
+        )
     return Node(kind=message.kind, label=message.label, children=tuple(message.children), candidates=candidates)
 
 
@@ -46,8 +49,10 @@ def _is_set(message: msg.PlanNode, name: str) -> bool:
 def candidate_from_message(message: msg.PlanCandidate) -> Candidate:
     """Turn a message into a value; raises ValueError for a malformed candidate or frame."""
     return Candidate(
-        frames=tuple(frame_from_message(frame) for frame in message.frames), coverage=message.coverage,
-        preference=message.preference)
+        frames=tuple(frame_from_message(frame) for frame in message.frames),
+        coverage=message.coverage,
+        preference=message.preference,
+    )
 
 
 def frame_from_message(message: msg.FilledSemanticFrame) -> FilledFrame:
@@ -60,37 +65,50 @@ def frame_from_message(message: msg.FilledSemanticFrame) -> FilledFrame:
     if len(servers) != 1:
         raise ValueError(f"frame {message.name!r} must name exactly one action server, got {servers}")
     return FilledFrame(
-        name=message.name, server=servers[0],
-        frame_elements=tuple(FilledElement(element.name, element.argument) for element in message.frame_elements))
+        name=message.name,
+        server=servers[0],
+        frame_elements=tuple(FilledElement(element.name, element.argument) for element in message.frame_elements),
+    )
 
 
 def plan_to_message(plan: Plan) -> msg.Plan:
     """Turn a value into a message."""
-    return msg.Plan(nodes=[
-        msg.PlanNode(
-            kind=node.kind, label=node.label, children=list(node.children),
-            candidates=[candidate_to_message(candidate) for candidate in node.candidates])
-        for node in to_nodes(plan)])
+    return msg.Plan(
+        nodes=[
+            msg.PlanNode(
+                kind=node.kind,
+                label=node.label,
+                children=list(node.children),
+                candidates=[candidate_to_message(candidate) for candidate in node.candidates],
+            )
+            for node in to_nodes(plan)
+        ]
+    )
 
 
 def candidate_to_message(candidate: Candidate) -> msg.PlanCandidate:
     """Turn a value into a message."""
     return msg.PlanCandidate(
-        frames=_frames_to_messages(candidate.frames), coverage=candidate.coverage, preference=candidate.preference)
+        frames=_frames_to_messages(candidate.frames), coverage=candidate.coverage, preference=candidate.preference
+    )
 
 
 def frame_to_message(frame: FilledFrame) -> msg.FilledSemanticFrame:
     """Turn a value into a message."""
     return msg.FilledSemanticFrame(
-        name=frame.name, action_server_topics=[frame.server],
-        frame_elements=[msg.FilledFrameElement(name=element.name, argument=element.argument)
-                        for element in frame.frame_elements])
+        name=frame.name,
+        action_server_topics=[frame.server],
+        frame_elements=[
+            msg.FilledFrameElement(name=element.name, argument=element.argument) for element in frame.frame_elements
+        ],
+    )
 
 
 def procedure_to_message(plan: Plan) -> msg.Procedure:
     """Return what the message of 2012 can say of a plan."""
-    return msg.Procedure(frame_lists=[
-        msg.FilledSemanticFrameList(frames=_frames_to_messages(frames)) for frames in as_procedure(plan)])
+    return msg.Procedure(
+        frame_lists=[msg.FilledSemanticFrameList(frames=_frames_to_messages(frames)) for frames in as_procedure(plan)]
+    )
 
 
 def _frames_to_messages(frames: Iterable[FilledFrame]) -> List[msg.FilledSemanticFrame]:

@@ -1,9 +1,9 @@
 """The SMACH state machine that a plan means."""
+
 import re
 from typing import Callable, Iterable, Tuple
 
 import smach
-
 from arbitrator.plan import Candidate, Do, FilledFrame, Plan
 
 OUTCOMES = ("succeeded", "aborted", "preempted")
@@ -41,7 +41,7 @@ def step_label(index: int, frame: FilledFrame) -> str:
 
 
 def build_state_machine(
-        plan: Plan, make_step: MakeStep, *, on_clause_end: OnClauseEnd = lambda clause, outcome: None
+    plan: Plan, make_step: MakeStep, *, on_clause_end: OnClauseEnd = lambda clause, outcome: None
 ) -> smach.StateMachine:
     """Build the machine of a plan: a sub-machine for each part, each clause, and each candidate of a clause.
 
@@ -73,19 +73,27 @@ class _Builder:
         if isinstance(plan, Do):
             clause, self._clauses = self._clauses, self._clauses + 1
             machine = _chain(
-                ((candidate_label(index), self._candidate(candidate, clause))
-                 for index, candidate in enumerate(plan.candidates)), goes_on="aborted")
-            machine.register_termination_cb(
-                lambda userdata, states, outcome: self._on_clause_end(clause, outcome))
+                (
+                    (candidate_label(index), self._candidate(candidate, clause))
+                    for index, candidate in enumerate(plan.candidates)
+                ),
+                goes_on="aborted",
+            )
+            machine.register_termination_cb(lambda userdata, states, outcome: self._on_clause_end(clause, outcome))
             return machine
         return _chain(
             ((child_label(index, child), self.build(child)) for index, child in enumerate(plan.children)),
-            goes_on="succeeded")
+            goes_on="succeeded",
+        )
 
     def _candidate(self, candidate: Candidate, clause: int) -> smach.StateMachine:
         return _chain(
-            ((step_label(index, frame), self._make_step(frame, clause))
-             for index, frame in enumerate(candidate.frames)), goes_on="succeeded")
+            (
+                (step_label(index, frame), self._make_step(frame, clause))
+                for index, frame in enumerate(candidate.frames)
+            ),
+            goes_on="succeeded",
+        )
 
 
 def _chain(states: Iterable[Tuple[str, smach.State]], *, goes_on: str) -> smach.StateMachine:
@@ -97,5 +105,6 @@ def _chain(states: Iterable[Tuple[str, smach.State]], *, goes_on: str) -> smach.
     with machine:
         for (label, state), follower in zip(made, followers):
             smach.StateMachine.add(
-                label, state, transitions={**{outcome: outcome for outcome in OUTCOMES}, goes_on: follower})
+                label, state, transitions={**{outcome: outcome for outcome in OUTCOMES}, goes_on: follower}
+            )
     return machine

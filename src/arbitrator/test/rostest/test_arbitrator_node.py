@@ -1,5 +1,6 @@
 #!/usr/bin/python3
 """The node: one procedure or one final event for each command."""
+
 import threading
 import time
 import unittest
@@ -7,8 +8,17 @@ import unittest
 import rospy
 import rostest
 from roboframenet_msgs.msg import (
-    Command, CommandPlan, CommandSemanticFrames, FilledSemanticFrame, Plan, PlanCandidate, PlanNode, Procedure, Reply,
-    StageEvent)
+    Command,
+    CommandPlan,
+    CommandSemanticFrames,
+    FilledSemanticFrame,
+    Plan,
+    PlanCandidate,
+    PlanNode,
+    Procedure,
+    Reply,
+    StageEvent,
+)
 
 
 def wait_until(condition, timeout_s=60.0):
@@ -21,8 +31,13 @@ def wait_until(condition, timeout_s=60.0):
 
 
 def candidate(*servers, coverage=1.0, preference=0):
-    return PlanCandidate(coverage=coverage, preference=preference, frames=[
-        FilledSemanticFrame(name="turning", action_server_topics=[server] if server else []) for server in servers])
+    return PlanCandidate(
+        coverage=coverage,
+        preference=preference,
+        frames=[
+            FilledSemanticFrame(name="turning", action_server_topics=[server] if server else []) for server in servers
+        ],
+    )
 
 
 def servers_of(node):
@@ -40,10 +55,17 @@ class ArbitratorNodeTest(unittest.TestCase):
         self._subscribers = [
             rospy.Subscriber("command_plan", CommandPlan, self.plans.append),
             rospy.Subscriber("procedure", Procedure, self.procedures.append),
-            rospy.Subscriber("stage_events", StageEvent, self.events.append)]
+            rospy.Subscriber("stage_events", StageEvent, self.events.append),
+        ]
         self._publisher = rospy.Publisher("command_semantic_frames", CommandSemanticFrames, queue_size=100)
-        self.assertTrue(wait_until(lambda: self._publisher.get_num_connections() == 1 and all(
-            subscriber.get_num_connections() == 1 for subscriber in self._subscribers)))
+        self.assertTrue(
+            wait_until(
+                lambda: (
+                    self._publisher.get_num_connections() == 1
+                    and all(subscriber.get_num_connections() == 1 for subscriber in self._subscribers)
+                )
+            )
+        )
 
     def tearDown(self):
         for subscriber in self._subscribers:
@@ -54,40 +76,53 @@ class ArbitratorNodeTest(unittest.TestCase):
         self.send_plan(command_id, PlanNode(kind=PlanNode.DO, label="turn", candidates=candidates))
 
     def send_plan(self, command_id, *nodes):
-        self._publisher.publish(CommandSemanticFrames(
-            command=Command(id=command_id, text="turn"), plan=Plan(nodes=nodes)))
+        self._publisher.publish(
+            CommandSemanticFrames(command=Command(id=command_id, text="turn"), plan=Plan(nodes=nodes))
+        )
 
     def events_of(self, command_ids):
         # What another test ended a moment ago is told again to each new listener.
         return [event for event in list(self.events) if event.command.id in command_ids]
 
     def test_order_by_reading_then_coverage_then_policy(self):
-        self.send("one", candidate("a", coverage=0.5), candidate("b"), candidate("c", "d"), candidate("e", preference=1))
+        self.send(
+            "one", candidate("a", coverage=0.5), candidate("b"), candidate("c", "d"), candidate("e", preference=1)
+        )
         self.assertTrue(wait_until(lambda: self.plans and self.procedures and self.events_of(["one"])))
         message = self.plans[0]
         self.assertEqual("one", message.command.id)
-        node, = message.plan.nodes
+        (node,) = message.plan.nodes
         self.assertEqual((PlanNode.DO, "turn"), (node.kind, node.label))
         self.assertEqual([["b"], ["c", "d"], ["a"], ["e"]], servers_of(node))
         self.assertEqual([1.0, 1.0, 0.5, 1.0], [candidate.coverage for candidate in node.candidates])
         self.assertEqual([0, 0, 0, 1], [candidate.preference for candidate in node.candidates])
-        self.assertEqual([candidate.frames for candidate in node.candidates],
-                         [entry.frames for entry in self.procedures[0].frame_lists])
+        self.assertEqual(
+            [candidate.frames for candidate in node.candidates],
+            [entry.frames for entry in self.procedures[0].frame_lists],
+        )
         self.assertFalse(self.events_of(["one"])[0].is_final)
 
     def test_each_clause_is_ordered_for_itself(self):
-        leaves = [PlanNode(kind=PlanNode.DO, label=label, candidates=candidates) for label, candidates in (
-            ("ping", [candidate("p")]), ("wave", [candidate("w", preference=1), candidate("v")]))]
+        leaves = [
+            PlanNode(kind=PlanNode.DO, label=label, candidates=candidates)
+            for label, candidates in (
+                ("ping", [candidate("p")]),
+                ("wave", [candidate("w", preference=1), candidate("v")]),
+            )
+        ]
         # The children need not stand behind each other.
-        self.send_plan("two", PlanNode(kind=PlanNode.SEQUENCE, label="ping and wave", children=[2, 1]),
-                       leaves[1], leaves[0])
+        self.send_plan(
+            "two", PlanNode(kind=PlanNode.SEQUENCE, label="ping and wave", children=[2, 1]), leaves[1], leaves[0]
+        )
         self.assertTrue(wait_until(lambda: self.plans and self.procedures))
         nodes = self.plans[0].plan.nodes
         self.assertEqual(["ping and wave", "ping", "wave"], [node.label for node in nodes])
         self.assertEqual([1, 2], list(nodes[0].children))
         self.assertEqual([[["p"]], [["v"], ["w"]]], [servers_of(node) for node in nodes[1:]])
-        self.assertEqual([["p", "v"], ["p", "w"]], [
-            [frame.action_server_topics[0] for frame in entry.frames] for entry in self.procedures[0].frame_lists])
+        self.assertEqual(
+            [["p", "v"], ["p", "w"]],
+            [[frame.action_server_topics[0] for frame in entry.frames] for entry in self.procedures[0].frame_lists],
+        )
 
     def test_a_listener_that_connects_late_hears_how_a_command_ended(self):
         events = self._subscribers.pop()
@@ -106,8 +141,9 @@ class ArbitratorNodeTest(unittest.TestCase):
         self.send("no_frames", candidate())
         self.send("coverage", candidate("a", coverage=2.0))
         self.send_plan("no_nodes")
-        self.send_plan("circle", PlanNode(kind=PlanNode.SEQUENCE, children=[1]),
-                       PlanNode(kind=PlanNode.SEQUENCE, children=[0]))
+        self.send_plan(
+            "circle", PlanNode(kind=PlanNode.SEQUENCE, children=[1]), PlanNode(kind=PlanNode.SEQUENCE, children=[0])
+        )
         self.send_plan("unknown", PlanNode(kind=200, candidates=[candidate("a")]))
         names = ["none", "no_server", "no_frames", "coverage", "no_nodes", "circle", "unknown"]
         self.assertTrue(wait_until(lambda: len(self.events_of(names)) >= len(names)))

@@ -1,4 +1,5 @@
 """Order of the candidates."""
+
 import math
 import sys
 import types
@@ -43,8 +44,11 @@ def test_every_policy_tries_the_larger_coverage_first(name):
 @pytest.mark.parametrize("name", sorted(POLICIES))
 @pytest.mark.parametrize("seed", range(50))
 def test_no_policy_draws_lots_between_readings(name, seed):
-    candidates = [make_candidate("third", 1.0, preference=2), make_candidate("second", 1.0, preference=1),
-                  make_candidate("first", 0.5, steps=3)]
+    candidates = [
+        make_candidate("third", 1.0, preference=2),
+        make_candidate("second", 1.0, preference=1),
+        make_candidate("first", 0.5, steps=3),
+    ]
     assert names(order(candidates, load_policy(name, seed=seed))) == ["first", "second", "third"]
 
 
@@ -100,11 +104,18 @@ def test_own_policy_is_loaded_by_name(own_module):
     assert names(order(MANY[:3], load_policy("own_policies:Reverse"))) == ["frame2", "frame1", "frame0"]
 
 
-@pytest.mark.parametrize("name,part", [
-    ("randm", "random"), ("", "random"), (":X", "package.module:ClassName"),
-    ("no_such_module_here:X", "cannot import"), ("own_policies:Missing", "has no 'Missing'"),
-    ("own_policies:not_a_class", "subclass"), ("own_policies:Unmade", "cannot be made"),
-])
+@pytest.mark.parametrize(
+    "name,part",
+    [
+        ("randm", "random"),
+        ("", "random"),
+        (":X", "package.module:ClassName"),
+        ("no_such_module_here:X", "cannot import"),
+        ("own_policies:Missing", "has no 'Missing'"),
+        ("own_policies:not_a_class", "subclass"),
+        ("own_policies:Unmade", "cannot be made"),
+    ],
+)
 def test_wrong_policy_is_refused_with_the_reason(own_module, name, part):
     with pytest.raises(PolicyError, match=part):
         load_policy(name)
@@ -133,5 +144,8 @@ def test_clauses_are_ordered_each_for_itself():
     plan = arbitrate(InSequence("all", (one, InSequence("inner", (two, one)))), load_policy("in_order"))
     inner = plan.children[1]
     assert [names(part.candidates) for part in (plan.children[0],) + inner.children] == [
-        ["a", "b"], ["c", "d"], ["a", "b"]]
+        ["a", "b"],
+        ["c", "d"],
+        ["a", "b"],
+    ]
     assert (plan.label, inner.label, plan.children[0].label) == ("all", "inner", "one")

@@ -1,7 +1,8 @@
 """What the machine of a plan does, with steps whose outcome is given."""
-import pytest
-import smach
 
+import pytest
+
+import smach
 from arbitrator.plan import Candidate, Do, FilledFrame, InSequence
 from arbitrator.state_machine import OUTCOMES, build_state_machine, candidate_label, child_label, plan_label, step_label
 
@@ -35,45 +36,80 @@ def sequence(*children):
 def run(plan, outcomes_by_frame):
     log, ends = [], []
     machine = build_state_machine(
-        plan, lambda frame, clause: Step(frame, clause, outcomes_by_frame, log),
-        on_clause_end=lambda clause, outcome: ends.append((clause, outcome)))
+        plan,
+        lambda frame, clause: Step(frame, clause, outcomes_by_frame, log),
+        on_clause_end=lambda clause, outcome: ends.append((clause, outcome)),
+    )
     return machine.execute(), "".join(log), ends
 
 
-@pytest.mark.parametrize("ways,outcomes,result,log", [
-    (["a"], {}, "succeeded", "a"),
-    (["ab"], {}, "succeeded", "ab"),
-    (["a", "b"], {}, "succeeded", "a"),
-    (["a", "b"], {"a": "aborted"}, "succeeded", "ab"),
-    (["ab", "cd"], {"b": "aborted"}, "succeeded", "abcd"),
-    (["ab", "ad"], {"b": "aborted"}, "succeeded", "abad"),
-    (["a", "b"], {"a": "aborted", "b": "aborted"}, "aborted", "ab"),
-    (["ab", "c"], {"a": "preempted"}, "preempted", "a"),
-    (["a", "bc", "d"], {"a": "aborted", "c": "preempted"}, "preempted", "abc"),
-    (["aa"], {}, "succeeded", "aa"),
-])
+@pytest.mark.parametrize(
+    "ways,outcomes,result,log",
+    [
+        (["a"], {}, "succeeded", "a"),
+        (["ab"], {}, "succeeded", "ab"),
+        (["a", "b"], {}, "succeeded", "a"),
+        (["a", "b"], {"a": "aborted"}, "succeeded", "ab"),
+        (["ab", "cd"], {"b": "aborted"}, "succeeded", "abcd"),
+        (["ab", "ad"], {"b": "aborted"}, "succeeded", "abad"),
+        (["a", "b"], {"a": "aborted", "b": "aborted"}, "aborted", "ab"),
+        (["ab", "c"], {"a": "preempted"}, "preempted", "a"),
+        (["a", "bc", "d"], {"a": "aborted", "c": "preempted"}, "preempted", "abc"),
+        (["aa"], {}, "succeeded", "aa"),
+    ],
+)
 def test_one_clause(ways, outcomes, result, log):
     assert run(do(*ways), outcomes) == (result, log, [(0, result)])
 
 
-@pytest.mark.parametrize("plan,outcomes,result,log,ends", [
-    (sequence("a", "b"), {}, "succeeded", "ab", [(0, "succeeded"), (1, "succeeded")]),
-    # A clause that was done is not done again, whatever becomes of the next one.
-    (sequence("a", "bc"), {"b": "aborted"}, "succeeded", "abc", [(0, "succeeded"), (1, "succeeded")]),
-    (sequence("a", "bc", "d"), {"b": "aborted"}, "succeeded", "abcd",
-     [(0, "succeeded"), (1, "succeeded"), (2, "succeeded")]),
-    (sequence("ab", "cd"), {"a": "aborted", "c": "aborted"}, "succeeded", "abcd", [(0, "succeeded"), (1, "succeeded")]),
-    # Not even when another candidate of it could still be tried.
-    (sequence("ab", "c"), {"c": "aborted"}, "aborted", "ac", [(0, "succeeded"), (1, "aborted")]),
-    (sequence("a", "bc", "d"), {"b": "aborted", "c": "aborted"}, "aborted", "abc", [(0, "succeeded"), (1, "aborted")]),
-    (sequence("a", "b"), {"a": "aborted"}, "aborted", "a", [(0, "aborted")]),
-    (sequence("a", sequence("bc", "d"), "e"), {"b": "aborted"}, "succeeded", "abcde",
-     [(number, "succeeded") for number in range(4)]),
-    (sequence("a", sequence("b", "c"), "d"), {"c": "aborted"}, "aborted", "abc",
-     [(0, "succeeded"), (1, "succeeded"), (2, "aborted")]),
-    (sequence("a", "a"), {}, "succeeded", "aa", [(0, "succeeded"), (1, "succeeded")]),
-    (sequence("a", "a"), {"a": ["succeeded", "aborted"]}, "aborted", "aa", [(0, "succeeded"), (1, "aborted")]),
-])
+@pytest.mark.parametrize(
+    "plan,outcomes,result,log,ends",
+    [
+        (sequence("a", "b"), {}, "succeeded", "ab", [(0, "succeeded"), (1, "succeeded")]),
+        # A clause that was done is not done again, whatever becomes of the next one.
+        (sequence("a", "bc"), {"b": "aborted"}, "succeeded", "abc", [(0, "succeeded"), (1, "succeeded")]),
+        (
+            sequence("a", "bc", "d"),
+            {"b": "aborted"},
+            "succeeded",
+            "abcd",
+            [(0, "succeeded"), (1, "succeeded"), (2, "succeeded")],
+        ),
+        (
+            sequence("ab", "cd"),
+            {"a": "aborted", "c": "aborted"},
+            "succeeded",
+            "abcd",
+            [(0, "succeeded"), (1, "succeeded")],
+        ),
+        # Not even when another candidate of it could still be tried.
+        (sequence("ab", "c"), {"c": "aborted"}, "aborted", "ac", [(0, "succeeded"), (1, "aborted")]),
+        (
+            sequence("a", "bc", "d"),
+            {"b": "aborted", "c": "aborted"},
+            "aborted",
+            "abc",
+            [(0, "succeeded"), (1, "aborted")],
+        ),
+        (sequence("a", "b"), {"a": "aborted"}, "aborted", "a", [(0, "aborted")]),
+        (
+            sequence("a", sequence("bc", "d"), "e"),
+            {"b": "aborted"},
+            "succeeded",
+            "abcde",
+            [(number, "succeeded") for number in range(4)],
+        ),
+        (
+            sequence("a", sequence("b", "c"), "d"),
+            {"c": "aborted"},
+            "aborted",
+            "abc",
+            [(0, "succeeded"), (1, "succeeded"), (2, "aborted")],
+        ),
+        (sequence("a", "a"), {}, "succeeded", "aa", [(0, "succeeded"), (1, "succeeded")]),
+        (sequence("a", "a"), {"a": ["succeeded", "aborted"]}, "aborted", "aa", [(0, "succeeded"), (1, "aborted")]),
+    ],
+)
 def test_clauses_in_sequence(plan, outcomes, result, log, ends):
     assert run(plan, outcomes) == (result, log, ends)
 
@@ -91,7 +127,7 @@ def test_preempted_in_each_place_nothing_more_begins(number):
     whole = "abdefg"  # what runs when d fails
     name = whole[number]
     result, log, ends = run(PLAN, {"d": "aborted", name: "preempted"})
-    assert (result, log) == ("preempted", whole[:number + 1])
+    assert (result, log) == ("preempted", whole[: number + 1])
     assert [outcome for _, outcome in ends[:-1]] == ["succeeded"] * (len(ends) - 1)
     assert ends[-1][1] == "preempted"
 
@@ -120,7 +156,7 @@ def test_machine_that_is_asked_to_end_ends_where_it_is(number):
 
     machine = build_state_machine(PLAN, make_step)
     assert machine.execute() == "preempted"
-    assert "".join(log) == whole[:number + 1]
+    assert "".join(log) == whole[: number + 1]
 
 
 def test_steps_are_told_the_number_of_their_clause():
@@ -142,15 +178,18 @@ def test_labels_are_the_words_and_show_in_the_machine():
     assert list(machine["2 wave at Alice"]["candidate_1"].get_children()) == ["1_b_by_server"]
 
 
-@pytest.mark.parametrize("words,label", [
-    ("turn left", "turn left"),
-    ("go to the and/or gate", "go to the and or gate"),
-    ('say "hello"\n{now}', "say hello now"),
-    ("", "plan"),
-    ("///", "plan"),
-    ("gå till köket", "gå till köket"),
-    ("go " * 100, "go " * 20 + "..."),
-])
+@pytest.mark.parametrize(
+    "words,label",
+    [
+        ("turn left", "turn left"),
+        ("go to the and/or gate", "go to the and or gate"),
+        ('say "hello"\n{now}', "say hello now"),
+        ("", "plan"),
+        ("///", "plan"),
+        ("gå till köket", "gå till köket"),
+        ("go " * 100, "go " * 20 + "..."),
+    ],
+)
 def test_labels_are_readable(words, label):
     assert plan_label(Do(words, do("a").candidates)) == label
 

@@ -4,19 +4,24 @@ What is said behind a cry is most often a warning ("stop, you will hit the lamp"
 So only what stands behind "and" or "then", or begins like a command behind a pause, is one; whether it can be carried
 out is decided the long way.
 """
+
 from typing import FrozenSet, Sequence
 
 from command_server.spoken_words import Token, plain_text, tokens_of
 from command_server.stop_words import COMMAND_VERBS, FILLERS, SOFT, is_stop
 
 #: Nothing that begins so is a command: "stop and you will be fine".
-_NO_COMMANDS: FrozenSet[str] = frozenset((
-    "you i he she it we they there that this these those the a an my your his her our their is are was were what who "
-    "where when why how or so because all both not if else").split())
+_NO_COMMANDS: FrozenSet[str] = frozenset(
+    (
+        "you i he she it we they there that this these those the a an my your his her our their is are was were what who "
+        "where when why how or so because all both not if else"
+    ).split()
+)
 _REQUESTS: FrozenSet[str] = frozenset("can could will would".split())
 #: What a cry goes on to say behind these is no command.
 _NO_OBJECTS: FrozenSet[str] = frozenset(
-    "you i we they he she because or so but until till when whenever if once unless while before is are".split())
+    "you i we they he she because or so but until till when whenever if once unless while before is are".split()
+)
 _PAUSES: FrozenSet[str] = frozenset(",.")
 _JOINING: FrozenSet[str] = frozenset(["and", "then"])
 #: They end in "ing" and are no participles.
@@ -48,7 +53,7 @@ def command_behind(rest: str) -> str:
             continue
         if is_pause and word in COMMAND_VERBS:
             return _command_at(text, tokens, position)
-        if is_pause and word in _REQUESTS and words[position + 1:position + 2] == ["you"]:
+        if is_pause and word in _REQUESTS and words[position + 1 : position + 2] == ["you"]:
             position += 2
             continue
         if word in _NO_OBJECTS:
@@ -66,13 +71,15 @@ def _behind_joining(words: Sequence[str], position: int) -> int:
 
 def _is_cry_alone(words: Sequence[str]) -> bool:
     """Whether "and" can join nothing but the cry: "stop moving and", but not "stop following me and Anna"."""
-    return all(word in FILLERS or word in SOFT or word in _PAUSES or (word.endswith("ing") and word not in _IN_ING)
-               for word in words)
+    return all(
+        word in FILLERS or word in SOFT or word in _PAUSES or (word.endswith("ing") and word not in _IN_ING)
+        for word in words
+    )
 
 
 def _command_at(text: str, tokens: Sequence[Token], position: int) -> str:
     words = [token.word for token in tokens[position:] if token.word not in (FILLERS | SOFT) - _NO_COMMANDS]
     if not words or words[0] in _NO_COMMANDS or (words[0].endswith("ing") and words[0] not in _IN_ING):
         return ""
-    command = text[tokens[position].start:].strip()
+    command = text[tokens[position].start :].strip()
     return "" if is_stop(command) else command

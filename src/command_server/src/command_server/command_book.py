@@ -1,4 +1,5 @@
 """The book of commands: which are open, what ends them, and when a stage has been silent for too long."""
+
 import enum
 import time
 from dataclasses import dataclass, replace
@@ -65,8 +66,9 @@ class Verdict:
     sentence: str
 
 
-RESTARTED = Verdict(Outcome.FAILED, OWN_STAGE, "RESTARTED",
-                    "The command server was restarted; say it again if it is still wanted.")
+RESTARTED = Verdict(
+    Outcome.FAILED, OWN_STAGE, "RESTARTED", "The command server was restarted; say it again if it is still wanted."
+)
 
 
 @dataclass(frozen=True)
@@ -163,7 +165,8 @@ class CommandBook:
         if command.command_id in self._open:
             raise ValueError(f"command {command.command_id!r} is open already")
         self._open[command.command_id] = OpenCommand(
-            command=command, awaited_stage=STAGES[0], deadline_s=self._now() + self._timeouts_s[STAGES[0]])
+            command=command, awaited_stage=STAGES[0], deadline_s=self._now() + self._timeouts_s[STAGES[0]]
+        )
 
     def adopt(self, command: CommandText, *, timeout_s: float) -> None:
         """Take in a command that the last run left open; it will be answered as restarted.
@@ -195,8 +198,11 @@ class CommandBook:
         if STAGES.index(awaited) < STAGES.index(entry.awaited_stage):
             return True
         self._open[command_id] = replace(
-            entry, awaited_stage=awaited, deadline_s=self._now() + self._timeouts_s[awaited],
-            is_with_executor=entry.is_with_executor or stage == STAGES[-1])
+            entry,
+            awaited_stage=awaited,
+            deadline_s=self._now() + self._timeouts_s[awaited],
+            is_with_executor=entry.is_with_executor or stage == STAGES[-1],
+        )
         return True
 
     def finish(self, ending: Ending) -> Optional[Ending]:
@@ -222,10 +228,19 @@ class CommandBook:
         """
         now_s = self._now()
         return [
-            self._condemn(entry, Verdict(
-                Outcome.FAILED, entry.awaited_stage, "STAGE_SILENT",
-                f"{entry.awaited_stage} did not answer within {self._timeouts_s[entry.awaited_stage]:g} s."), timeout_s)
-            for entry in self.open_commands if entry.verdict is None and now_s >= entry.deadline_s]
+            self._condemn(
+                entry,
+                Verdict(
+                    Outcome.FAILED,
+                    entry.awaited_stage,
+                    "STAGE_SILENT",
+                    f"{entry.awaited_stage} did not answer within {self._timeouts_s[entry.awaited_stage]:g} s.",
+                ),
+                timeout_s,
+            )
+            for entry in self.open_commands
+            if entry.verdict is None and now_s >= entry.deadline_s
+        ]
 
     def finish_condemned(self, command_id: str, remark: str = "") -> Optional[Ending]:
         """Close a command that has been cancelled.
@@ -246,8 +261,11 @@ class CommandBook:
     def overdue_condemned(self) -> List[str]:
         """Ids of the commands that should have been cancelled by now."""
         now_s = self._now()
-        return [entry.command.command_id for entry in self.open_commands
-                if entry.verdict is not None and now_s >= entry.deadline_s]
+        return [
+            entry.command.command_id
+            for entry in self.open_commands
+            if entry.verdict is not None and now_s >= entry.deadline_s
+        ]
 
     def postpone(self, duration_s: float) -> None:
         """This process did not run for a while: no stage can be blamed for that time."""
@@ -259,7 +277,8 @@ class CommandBook:
         entry = self._open.get(command.command_id)
         if entry is not None:
             self._open[command.command_id] = replace(
-                entry, command=command, deadline_s=self._now() + self._timeouts_s[STAGES[0]])
+                entry, command=command, deadline_s=self._now() + self._timeouts_s[STAGES[0]]
+            )
 
     def extend(self, command_id: str, *, timeout_s: float) -> None:
         """Blame no stage for a command before that time: it waits for something else."""
@@ -267,13 +286,15 @@ class CommandBook:
         if entry is not None:
             self._open[command_id] = replace(entry, deadline_s=self._now() + timeout_s)
 
-    def finish_stopped(self, stop_stamp_ns: int, *, stage: str = STOP_STAGE,
-                       spared: AbstractSet[str] = frozenset()) -> List[Ending]:
+    def finish_stopped(
+        self, stop_stamp_ns: int, *, stage: str = STOP_STAGE, spared: AbstractSet[str] = frozenset()
+    ) -> List[Ending]:
         """Close every command that was said at or before a stop, except those with the ids in `spared`."""
         return [
             self._close(entry, Outcome.SUPERSEDED, stage=stage, code="STOPPED", sentence="A stop ended it.")
             for entry in self.open_commands
-            if entry.command.stamp_ns <= stop_stamp_ns and entry.command.command_id not in spared]
+            if entry.command.stamp_ns <= stop_stamp_ns and entry.command.command_id not in spared
+        ]
 
     def next_deadline_s(self) -> Optional[float]:
         """When a command may be overdue, monotonic seconds; None when nothing is open."""
@@ -290,5 +311,10 @@ class CommandBook:
 
 
 def _ending_of(entry: OpenCommand, verdict: Verdict, remark: str) -> Ending:
-    return Ending(command=entry.command, outcome=verdict.outcome, stage=verdict.stage, code=verdict.code,
-                  sentence=f"{verdict.sentence} {remark}".strip())
+    return Ending(
+        command=entry.command,
+        outcome=verdict.outcome,
+        stage=verdict.stage,
+        code=verdict.code,
+        sentence=f"{verdict.sentence} {remark}".strip(),
+    )

@@ -1,9 +1,10 @@
 """Commands that stand behind a stop ("Stop and come back.") and begin when the robot stands."""
+
 import time
 from dataclasses import dataclass, replace
 from typing import Callable, Dict, FrozenSet, List, Optional
 
-from command_server.command_book import CommandText, Ending, OWN_STAGE, Outcome, stamp_after
+from command_server.command_book import OWN_STAGE, CommandText, Ending, Outcome, stamp_after
 
 
 @dataclass(frozen=True)
@@ -46,8 +47,9 @@ class FollowUps:
 
     def spared_by(self, stop_text: str, stop_stamp_ns: int) -> FrozenSet[str]:
         """The commands that the stop with this text and stamp does not end: they were said behind it."""
-        spared = {command_id: waiting for command_id, waiting in self._waiting.items()
-                  if waiting.stop.text == stop_text}
+        spared = {
+            command_id: waiting for command_id, waiting in self._waiting.items() if waiting.stop.text == stop_text
+        }
         for command_id, waiting in spared.items():
             stamp_ns = stamp_after(waiting.command.stamp_ns, stop_stamp_ns)
             self._waiting[command_id] = replace(waiting, command=replace(waiting.command, stamp_ns=stamp_ns))
@@ -71,9 +73,15 @@ class FollowUps:
                 self._waiting[command_id] = replace(waiting, begin_s=self._now() + self._pause_s)
                 continue
             del self._waiting[command_id]
-            endings.append(Ending(
-                command=waiting.command, outcome=Outcome.FAILED, stage=OWN_STAGE, code="NOT_STOPPED",
-                sentence=f"I do not begin before the robot stands. {reason}".strip()))
+            endings.append(
+                Ending(
+                    command=waiting.command,
+                    outcome=Outcome.FAILED,
+                    stage=OWN_STAGE,
+                    code="NOT_STOPPED",
+                    sentence=f"I do not begin before the robot stands. {reason}".strip(),
+                )
+            )
         return endings
 
     def forget(self, command_id: str) -> None:
@@ -83,8 +91,11 @@ class FollowUps:
     def take_due(self) -> List[CommandText]:
         """Take out the commands that may begin now."""
         now_s = self._now()
-        due = [waiting.command for waiting in self._waiting.values()
-               if waiting.begin_s is not None and waiting.begin_s <= now_s]
+        due = [
+            waiting.command
+            for waiting in self._waiting.values()
+            if waiting.begin_s is not None and waiting.begin_s <= now_s
+        ]
         for command in due:
             del self._waiting[command.command_id]
         return due

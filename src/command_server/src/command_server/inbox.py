@@ -1,4 +1,5 @@
 """What a worker thread is to handle, in the order in which it came."""
+
 import queue
 import time
 from typing import Generic, Iterable, List, Optional, TypeVar
@@ -13,7 +14,7 @@ class Inbox(Generic[T]):
 
     def __init__(self) -> None:
         """Start empty."""
-        self._queue: "queue.Queue[T]" = queue.Queue()
+        self._queue: queue.Queue[T] = queue.Queue()
 
     def put(self, event: T) -> None:
         """Add something; returns at once."""

@@ -2,6 +2,7 @@
 
 Callbacks only enqueue; one worker thread owns the commands.
 """
+
 import threading
 import time
 import uuid
@@ -12,17 +13,19 @@ from typing import Deque, Dict, Optional, Tuple, Union
 import actionlib
 import rospy
 from roboframenet_msgs.msg import Command, CommandStatus, Reply, StageEvent, StopReport
-from roboframenet_ros.ros_log import log_from_threads
-from roboframenet_ros.suspension import SuspensionWatch
-from robot_stop.braking import Finding, StopOrder
-from robot_stop.ros_brake import Brake, Braked
-from robot_stop.sentences import may_still_move, sentence_of
-from robot_stop.settings import BrakeSettings
 from std_msgs.msg import String
 
 from command_server.command_behind import command_behind
 from command_server.command_book import (
-    CommandBook, CommandText, Ending, OWN_STAGE, Outcome, STOP_STAGE, refusal_of_text, stamp_after)
+    OWN_STAGE,
+    STOP_STAGE,
+    CommandBook,
+    CommandText,
+    Ending,
+    Outcome,
+    refusal_of_text,
+    stamp_after,
+)
 from command_server.follow_ups import FollowUps
 from command_server.inbox import Inbox
 from command_server.ros_action_door import ActionDoor
@@ -35,6 +38,12 @@ from command_server.settings import Settings
 from command_server.stop_book import StopBook
 from command_server.stop_words import find_cry
 from command_server.withdrawals import WITHDRAWING, Withdrawals
+from roboframenet_ros.ros_log import log_from_threads
+from roboframenet_ros.suspension import SuspensionWatch
+from robot_stop.braking import Finding, StopOrder
+from robot_stop.ros_brake import Brake, Braked
+from robot_stop.sentences import may_still_move, sentence_of
+from robot_stop.settings import BrakeSettings
 
 _SAVE_TIMEOUT_S = 0.5
 _LONGEST_WAIT_S = 0.2
@@ -123,7 +132,8 @@ class CommandServerNode:
             self._cancels.cancel(command)
         self._door = ActionDoor(
             on_goal=lambda handle: self._events.put(_Said(handle.get_goal().text, _now_ns(), handle)),
-            on_cancel=lambda command_id: self._events.put(_GoalCancelled(command_id)))
+            on_cancel=lambda command_id: self._events.put(_GoalCancelled(command_id)),
+        )
 
     def start(self) -> None:
         """Open the doors."""
@@ -133,7 +143,8 @@ class CommandServerNode:
         self._subscribers = [
             rospy.Subscriber("stage_events", StageEvent, self._events.put),
             rospy.Subscriber("stop_report", StopReport, self._events.put),
-            rospy.Subscriber("text", String, lambda message: self._events.put(_Said(message.data, _now_ns())))]
+            rospy.Subscriber("text", String, lambda message: self._events.put(_Said(message.data, _now_ns()))),
+        ]
         self._door.start()
 
     def _shutdown(self) -> None:
@@ -145,9 +156,15 @@ class CommandServerNode:
 
     def _work(self) -> None:
         while True:
-            events = self._events.take(longest_wait_s=_LONGEST_WAIT_S, deadlines_s=(
-                self._book.next_deadline_s(), self._stops.next_deadline_s(), self._follow_ups.next_due_s(),
-                self._withdrawals.next_deadline_s()))
+            events = self._events.take(
+                longest_wait_s=_LONGEST_WAIT_S,
+                deadlines_s=(
+                    self._book.next_deadline_s(),
+                    self._stops.next_deadline_s(),
+                    self._follow_ups.next_due_s(),
+                    self._withdrawals.next_deadline_s(),
+                ),
+            )
             self._excuse_suspension()
             for event in events:
                 if event is None:
@@ -156,8 +173,12 @@ class CommandServerNode:
                 try:
                     self._handle(event)
                 except Exception as error:  # boundary: one event must not end the answers to all others
-                    rospy.logerr("command_server could not handle a %s: %s: %s",
-                                 type(event).__name__, type(error).__name__, error)
+                    rospy.logerr(
+                        "command_server could not handle a %s: %s: %s",
+                        type(event).__name__,
+                        type(error).__name__,
+                        error,
+                    )
             self._cancel_silent()
             self._stop_in_place()
             for command in self._follow_ups.take_due():
@@ -197,19 +218,25 @@ class CommandServerNode:
             self._text_count += 1
             command_id = f"text-{self._run_tag}-{self._text_count}"
         refusal = refusal_of_text(said.text, max_length=self._settings.max_text_length)
-        command = CommandText(command_id=command_id, stamp_ns=self._last_stamp_ns,
-                              text=said.text[:self._settings.max_text_length])
+        command = CommandText(
+            command_id=command_id, stamp_ns=self._last_stamp_ns, text=said.text[: self._settings.max_text_length]
+        )
         rospy.loginfo("cmd=%s heard %r", command_id, command.text)
         cry = find_cry(said.text)
         if cry is not None:
             # What is cut off must not become another command.
-            self._hear_stop(command, behind="" if command.text != said.text else command_behind(cry.rest),
-                            is_action=said.handle is not None, heard_s=said.arrival_s)
+            self._hear_stop(
+                command,
+                behind="" if command.text != said.text else command_behind(cry.rest),
+                is_action=said.handle is not None,
+                heard_s=said.arrival_s,
+            )
         elif refusal is not None:
             self._answer_at_once(command, Outcome.REFUSED, code=refusal[0], sentence=refusal[1])
         elif len(self._book.open_commands) >= self._settings.max_open_commands:
-            self._answer_at_once(command, Outcome.FAILED, code="STAGE_ERROR",
-                                 sentence="Too many commands wait already.")
+            self._answer_at_once(
+                command, Outcome.FAILED, code="STAGE_ERROR", sentence="Too many commands wait already."
+            )
         else:
             self._book.open(command)
             self._unsent.append(command)
@@ -226,12 +253,17 @@ class CommandServerNode:
         if behind:
             follow_up = self._follow_ups.add(behind, stop=command, stop_stamp_ns=self._last_stop_ns)
             self._book.open(follow_up)
-            self._book.extend(follow_up.command_id, timeout_s=_WAIT_FOR_STOP * self._settings.stop_timeout_s
-                              + self._brake_answer_s + self._settings.pause_after_stop_s)
+            self._book.extend(
+                follow_up.command_id,
+                timeout_s=_WAIT_FOR_STOP * self._settings.stop_timeout_s
+                + self._brake_answer_s
+                + self._settings.pause_after_stop_s,
+            )
             if is_action:
                 self._door.hand_over(command.command_id, command_id=follow_up.command_id)
-        early = self._stops.hear_stop(command.command_id, command.text, stamp_ns=command.stamp_ns,
-                                      is_action=is_action, heard_s=heard_s)
+        early = self._stops.hear_stop(
+            command.command_id, command.text, stamp_ns=command.stamp_ns, is_action=is_action, heard_s=heard_s
+        )
         if early is not None:
             is_last = self._last_reply.command.id == early
             self._pass_on_answer(command.command_id, self._last_reply if is_last else reply_of_stopped(early))
@@ -240,7 +272,8 @@ class CommandServerNode:
         """The stop server has replied to a stop: its goal ends, and the command behind it begins."""
         self._door.finish(reply, command_id=stop_id)
         for ending in self._follow_ups.hear_answer(
-                stop_id, is_stopped=reply.outcome == Reply.DONE, reason=reply.sentence):
+            stop_id, is_stopped=reply.outcome == Reply.DONE, reason=reply.sentence
+        ):
             self._conclude(ending)
 
     def _hear_stop_report(self, report: StopReport) -> None:
@@ -272,8 +305,15 @@ class CommandServerNode:
         if entry.may_have_started:
             # The executor ends it when the robot has stopped; its silence is watched as ever.
             return
-        self._conclude(Ending(command=entry.command, outcome=Outcome.SUPERSEDED, stage=OWN_STAGE, code="STOPPED",
-                              sentence="Cancelled before it began."))
+        self._conclude(
+            Ending(
+                command=entry.command,
+                outcome=Outcome.SUPERSEDED,
+                stage=OWN_STAGE,
+                code="STOPPED",
+                sentence="Cancelled before it began.",
+            )
+        )
 
     def _hear_stage(self, event: StageEvent) -> None:
         if self._book.get(event.command.id) is None:
@@ -293,8 +333,12 @@ class CommandServerNode:
         entry = self._book.get(ending.command.command_id)
         if entry is None or self._withdrawals.is_waiting(entry.command.command_id):
             return True
-        older = [other.command for other in self._book.open_commands if other.command.stamp_ns < entry.command.stamp_ns
-                 and not self._withdrawals.is_waiting(other.command.command_id)]
+        older = [
+            other.command
+            for other in self._book.open_commands
+            if other.command.stamp_ns < entry.command.stamp_ns
+            and not self._withdrawals.is_waiting(other.command.command_id)
+        ]
         if older:
             self._withdrawals.begin(replace(ending, command=entry.command), older)
             self._book.extend(entry.command.command_id, timeout_s=2.0 * self._settings.cancel_timeout_s)
@@ -342,13 +386,21 @@ class CommandServerNode:
             braking = self._brakings.pop(stop.command_id, _Braking())
             standing = "Whether the robot still moves is not known."
             if braking.braked is not None and braking.finding is not None:
-                standing = sentence_of(braking.finding, server_count=len(braking.braked.cancelled),
-                                       limit_s=self._brake_settings.zero_velocity_limit_s)
-            self._answer(Ending(
-                command=CommandText(command_id=stop.command_id, stamp_ns=stop.stamp_ns, text=stop.text),
-                outcome=Outcome.FAILED, stage=STOP_STAGE, code="STAGE_SILENT",
-                sentence=f"{STOP_STAGE} did not answer within {self._settings.stop_timeout_s:g} s; {OWN_STAGE} took "
-                         f"its place. {standing}"))
+                standing = sentence_of(
+                    braking.finding,
+                    server_count=len(braking.braked.cancelled),
+                    limit_s=self._brake_settings.zero_velocity_limit_s,
+                )
+            self._answer(
+                Ending(
+                    command=CommandText(command_id=stop.command_id, stamp_ns=stop.stamp_ns, text=stop.text),
+                    outcome=Outcome.FAILED,
+                    stage=STOP_STAGE,
+                    code="STAGE_SILENT",
+                    sentence=f"{STOP_STAGE} did not answer within {self._settings.stop_timeout_s:g} s; {OWN_STAGE} took "
+                    f"its place. {standing}",
+                )
+            )
             self._pass_on_answer(stop.command_id, self._last_reply)
 
     def _hear_finding(self, finding: Finding) -> None:
@@ -359,8 +411,11 @@ class CommandServerNode:
         if not finding.is_first:
             self._note("The robot stands now." if is_stopped else may_still_move(finding.obedience))
             return
-        remark = ("What the command had started is stopped: zero velocity, and no goal goes on." if is_stopped
-                  else may_still_move(finding.obedience))
+        remark = (
+            "What the command had started is stopped: zero velocity, and no goal goes on."
+            if is_stopped
+            else may_still_move(finding.obedience)
+        )
         for entry in self._book.open_commands:
             if key in (entry.command.command_id, _RESTART_KEY) and entry.command.stamp_ns <= finding.order.stamp_ns:
                 self._answer_condemned(entry.command.command_id, remark)
@@ -381,8 +436,14 @@ class CommandServerNode:
     def _publish_reply(self, ending: Ending) -> None:
         self._unsent = deque(command for command in self._unsent if command != ending.command)
         reply = ending_to_message(ending)
-        rospy.loginfo("cmd=%s -> %s %s (%s) %s", ending.command.command_id, ending.outcome.name, ending.code,
-                      ending.stage, ending.sentence)
+        rospy.loginfo(
+            "cmd=%s -> %s %s (%s) %s",
+            ending.command.command_id,
+            ending.outcome.name,
+            ending.code,
+            ending.stage,
+            ending.sentence,
+        )
         self._reply.publish(reply)
         self._door.finish(reply, command_id=ending.command.command_id)
         self._last_reply = reply
@@ -412,10 +473,15 @@ class CommandServerNode:
             return
         self._is_status_due = False
         entries = self._book.open_commands
-        self._status.publish(CommandStatus(
-            stamp=rospy.Time.now(), active=[command_to_message(entry.command) for entry in entries],
-            stage=entries[-1].awaited_stage if entries else self._last_reply.stage, sentence=self._sentence,
-            last_reply=self._last_reply))
+        self._status.publish(
+            CommandStatus(
+                stamp=rospy.Time.now(),
+                active=[command_to_message(entry.command) for entry in entries],
+                stage=entries[-1].awaited_stage if entries else self._last_reply.stage,
+                sentence=self._sentence,
+                last_reply=self._last_reply,
+            )
+        )
 
     def _answer_all_at_shutdown(self) -> None:
         open_commands = self._book.open_commands
@@ -424,8 +490,15 @@ class CommandServerNode:
         if open_commands:
             time.sleep(_FLUSH_S)
         for entry in open_commands:
-            self._conclude(Ending(command=entry.command, outcome=Outcome.FAILED, stage=OWN_STAGE, code="RESTARTED",
-                                  sentence="The command server shuts down; the executor was told to cancel it."))
+            self._conclude(
+                Ending(
+                    command=entry.command,
+                    outcome=Outcome.FAILED,
+                    stage=OWN_STAGE,
+                    code="RESTARTED",
+                    sentence="The command server shuts down; the executor was told to cancel it.",
+                )
+            )
         for ending in self._left_over.take_answers(is_last_chance=True):
             self._answer(ending)
         self._save()

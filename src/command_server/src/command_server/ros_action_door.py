@@ -1,4 +1,5 @@
 """The door for programs: many goals of the action `command` in flight at once."""
+
 from typing import Callable, Dict
 
 import actionlib
@@ -13,8 +14,9 @@ class ActionDoor:
     thread that owns the commands.
     """
 
-    def __init__(self, *, on_goal: Callable[[actionlib.ServerGoalHandle], None],
-                 on_cancel: Callable[[str], None]) -> None:
+    def __init__(
+        self, *, on_goal: Callable[[actionlib.ServerGoalHandle], None], on_cancel: Callable[[str], None]
+    ) -> None:
         """Make the server without starting it.
 
         Args:
@@ -24,8 +26,12 @@ class ActionDoor:
         self._handles: Dict[str, actionlib.ServerGoalHandle] = {}
         self._heirs: Dict[str, str] = {}
         self._server = actionlib.ActionServer(
-            "command", ExecuteCommandAction, on_goal, lambda handle: on_cancel(handle.get_goal_id().id),
-            auto_start=False)
+            "command",
+            ExecuteCommandAction,
+            on_goal,
+            lambda handle: on_cancel(handle.get_goal_id().id),
+            auto_start=False,
+        )
 
     def start(self) -> None:
         """Begin to take goals."""
@@ -66,6 +72,7 @@ class ActionDoor:
             return
         self._heirs.pop(handle.get_goal_id().id, None)
         end = {Reply.DONE: handle.set_succeeded, Reply.SUPERSEDED: handle.set_canceled}.get(
-            reply.outcome, handle.set_aborted)
+            reply.outcome, handle.set_aborted
+        )
         end(ExecuteCommandResult(reply=reply), reply.sentence)
         rospy.logdebug("goal %s ended", command_id)

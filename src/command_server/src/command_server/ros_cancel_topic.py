@@ -1,13 +1,14 @@
 """Commands that the executor must not carry out or go on with."""
+
 import threading
 from typing import Callable
 
 import rospy
 from roboframenet_msgs.msg import Command
-from stage_events.recent import Recent
 
 from command_server.command_book import CommandText
 from command_server.ros_messages import command_to_message
+from stage_events.recent import Recent
 
 # A stage that was hung for so long may still pass a command on that was closed meanwhile.
 _MAX_AGE_S = 600.0
@@ -26,7 +27,8 @@ class CancelTopic(rospy.SubscribeListener):
         # rospy calls peer_subscribe() without the lock of the publisher, whose one buffer both ways of publishing fill.
         self._lock = threading.Lock()
         self._publisher = rospy.Publisher(
-            "command_cancel", Command, subscriber_listener=self, queue_size=2 * _MAX_COUNT)
+            "command_cancel", Command, subscriber_listener=self, queue_size=2 * _MAX_COUNT
+        )
 
     @property
     def is_heard(self) -> bool:

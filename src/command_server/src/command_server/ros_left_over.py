@@ -1,12 +1,13 @@
 """Commands that the last run of the node left open."""
+
 import time
 from collections import deque
 from typing import Deque, List, Tuple
 
 import rospy
-from roboframenet_ros.ros_master import TimedMaster
 
 from command_server.command_book import CommandText, Ending
+from roboframenet_ros.ros_master import TimedMaster
 
 # How long replies wait for listeners that still start and connect.
 _LISTENER_TIMEOUT_S = 10.0
@@ -60,7 +61,8 @@ class LeftOver:
     def take_answers(self, *, is_last_chance: bool = False) -> List[Ending]:
         """The replies that can be given now."""
         if not self._held or not (
-                is_last_chance or time.monotonic() >= self._listener_end_s or self._has_every_listener()):
+            is_last_chance or time.monotonic() >= self._listener_end_s or self._has_every_listener()
+        ):
             return []
         answers = list(self._held)
         self._held.clear()

@@ -1,4 +1,5 @@
 """A value on the parameter server, for the node that is started again."""
+
 import json
 import threading
 import time

@@ -1,4 +1,5 @@
 """Parameters of the node."""
+
 import math
 from dataclasses import dataclass
 from typing import Dict
@@ -32,12 +33,19 @@ class Settings:
     max_open_commands: int = 1000
 
     def __post_init__(self) -> None:
-        for name, least, most in (("stage_timeout_s", 0.1, 600.0), ("executor_timeout_s", 1.5, 600.0),
-                                  ("stop_timeout_s", 0.1, 60.0), ("cancel_timeout_s", 0.1, 600.0),
-                                  ("pause_after_stop_s", 0.0, 60.0)):
+        for name, least, most in (
+            ("stage_timeout_s", 0.1, 600.0),
+            ("executor_timeout_s", 1.5, 600.0),
+            ("stop_timeout_s", 0.1, 60.0),
+            ("cancel_timeout_s", 0.1, 600.0),
+            ("pause_after_stop_s", 0.0, 60.0),
+        ):
             value = getattr(self, name)
-            if isinstance(value, bool) or not isinstance(value, (int, float)) or not (
-                    math.isfinite(value) and least <= value <= most):
+            if (
+                isinstance(value, bool)
+                or not isinstance(value, (int, float))
+                or not (math.isfinite(value) and least <= value <= most)
+            ):
                 raise ValueError(f"~{name} must be {least:g} to {most:g} s, got {value!r}")
         for name, least, most in (("max_text_length", 1, 100_000), ("max_open_commands", 1, 100_000)):
             value = getattr(self, name)

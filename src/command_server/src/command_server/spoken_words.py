@@ -1,4 +1,5 @@
 """The words of an utterance in plain spelling, however a person, a keyboard or a speech recogniser wrote them."""
+
 import re
 import unicodedata
 from typing import List, Mapping, NamedTuple, Sequence, Tuple
@@ -16,16 +17,43 @@ class Token(NamedTuple):
 
 
 _TOKEN = re.compile(
-    r"\d+(?:[.:,]\d+)*|[^\W_]+(?:'[^\W_]+)*|\.\.+|[.!?;\n]+|[,:()\u2026\u2013\u2014]+|(?<!\w)-+|-+(?!\w)")
+    r"\d+(?:[.:,]\d+)*|[^\W_]+(?:'[^\W_]+)*|\.\.+|[.!?;\n]+|[,:()\u2026\u2013\u2014]+|(?<!\w)-+|-+(?!\w)"
+)
 _QUOTED = re.compile(r"\"[^\"]*\"|(?<!\w)'[^']*'(?!\w)")
 _LENGTHENED = re.compile(r"([^\W\d_])\1{2,}")
 _CONTRACTIONS: Mapping[str, str] = {
-    "dont": "do not", "cant": "can not", "can't": "can not", "cannot": "can not", "wont": "will not",
-    "won't": "will not", "didnt": "did not", "doesnt": "does not", "isnt": "is not", "shouldnt": "should not",
-    "mustnt": "must not", "neednt": "need not", "im": "i am", "ive": "i have", "youre": "you are", "youll": "you will",
-    "thats": "that is", "theres": "there is", "its": "it is", "whats": "what is", "lets": "let us", "let's": "let us",
-    "gonna": "going to", "wanna": "want to", "gotta": "have to", "'m": "am", "'re": "are", "'ve": "have",
-    "'ll": "will", "'d": "would", "'s": "s"}
+    "dont": "do not",
+    "cant": "can not",
+    "can't": "can not",
+    "cannot": "can not",
+    "wont": "will not",
+    "won't": "will not",
+    "didnt": "did not",
+    "doesnt": "does not",
+    "isnt": "is not",
+    "shouldnt": "should not",
+    "mustnt": "must not",
+    "neednt": "need not",
+    "im": "i am",
+    "ive": "i have",
+    "youre": "you are",
+    "youll": "you will",
+    "thats": "that is",
+    "theres": "there is",
+    "its": "it is",
+    "whats": "what is",
+    "lets": "let us",
+    "let's": "let us",
+    "gonna": "going to",
+    "wanna": "want to",
+    "gotta": "have to",
+    "'m": "am",
+    "'re": "are",
+    "'ve": "have",
+    "'ll": "will",
+    "'d": "would",
+    "'s": "s",
+}
 _IS = frozenset("it that there what where he she who here".split())
 
 

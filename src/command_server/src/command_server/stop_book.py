@@ -1,4 +1,5 @@
 """Utterances of "Stop." and what the stop server says of them."""
+
 import time
 from collections import deque
 from dataclasses import dataclass, replace
@@ -71,8 +72,9 @@ class StopBook:
         self._early: Deque[_Early] = deque(maxlen=max_kept)
         self._overdue: Deque[StopHeard] = deque(maxlen=max_kept)
 
-    def hear_stop(self, command_id: str, text: str, *, stamp_ns: int, is_action: bool,
-                  heard_s: Optional[float] = None) -> Optional[str]:
+    def hear_stop(
+        self, command_id: str, text: str, *, stamp_ns: int, is_action: bool, heard_s: Optional[float] = None
+    ) -> Optional[str]:
         """Note a stop.
 
         Args:
@@ -105,12 +107,12 @@ class StopBook:
             the stop, None when it is still to come
         """
         stop = self._meant_by(command_id, text, [stop for stop in self._stops if not stop.is_confirmed]) or (
-            self._meant_by(command_id, text, list(self._stops)))
+            self._meant_by(command_id, text, list(self._stops))
+        )
         if stop is None:
             self._early.append(_Early(command_id, text, self._now(), is_reply=False))
             return None
-        self._replace(stop, replace(
-            stop, is_confirmed=True, is_taken=False, deadline_s=self._now() + self._timeout_s))
+        self._replace(stop, replace(stop, is_confirmed=True, is_taken=False, deadline_s=self._now() + self._timeout_s))
         return stop
 
     def hear_reply(self, command_id: str, text: str) -> Optional[StopHeard]:
@@ -159,8 +161,12 @@ class StopBook:
     def postpone(self, duration_s: float) -> None:
         """This process did not run for a while: the stop server cannot be blamed for that time."""
         self._stops = deque(
-            (replace(stop, heard_s=stop.heard_s + duration_s, deadline_s=stop.deadline_s + duration_s)
-             for stop in self._stops), maxlen=self._stops.maxlen)
+            (
+                replace(stop, heard_s=stop.heard_s + duration_s, deadline_s=stop.deadline_s + duration_s)
+                for stop in self._stops
+            ),
+            maxlen=self._stops.maxlen,
+        )
 
     def next_deadline_s(self) -> Optional[float]:
         """When a stop may be silent or overdue, monotonic seconds; None when none waits."""
@@ -175,7 +181,8 @@ class StopBook:
         matches: Tuple[Callable[[StopHeard], bool], ...] = (
             lambda stop: stop.command_id == command_id,
             lambda stop: stop.text == text and not stop.is_action,
-            lambda stop: stop.text == text)
+            lambda stop: stop.text == text,
+        )
         return next((stop for is_match in matches for stop in stops if is_match(stop)), None)
 
     def _replace(self, old: StopHeard, new: StopHeard) -> None:

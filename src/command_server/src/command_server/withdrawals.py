@@ -1,4 +1,5 @@
 """What is said against something that runs: it is ended first, and then the reply says so."""
+
 import time
 from dataclasses import dataclass, field, replace
 from typing import Callable, Dict, FrozenSet, List, Optional, Sequence
@@ -45,7 +46,8 @@ class Withdrawals:
             running: open commands that were told to end; at least one
         """
         self._open[ending.command.command_id] = _Withdrawal(
-            ending, self._now() + self._timeout_s, {command.command_id: command for command in running})
+            ending, self._now() + self._timeout_s, {command.command_id: command for command in running}
+        )
 
     def is_waiting(self, command_id: str) -> bool:
         """Whether this is one of them."""
@@ -89,9 +91,16 @@ def _complete(withdrawal: _Withdrawal) -> Ending:
 def _incomplete(withdrawal: _Withdrawal, timeout_s: float) -> Ending:
     names = " and ".join(_quoted(command) for command in withdrawal.awaited.values())
     return replace(
-        withdrawal.ending, outcome=Outcome.FAILED, code="NOT_STOPPED",
-        sentence=" ".join([_how(ended) for ended in withdrawal.ended] + [
-            f"I told {names} to end, but nobody has confirmed that within {timeout_s:g} s: the robot may still move."]))
+        withdrawal.ending,
+        outcome=Outcome.FAILED,
+        code="NOT_STOPPED",
+        sentence=" ".join(
+            [_how(ended) for ended in withdrawal.ended]
+            + [
+                f"I told {names} to end, but nobody has confirmed that within {timeout_s:g} s: the robot may still move."
+            ]
+        ),
+    )
 
 
 def _how(ended: Ending) -> str:
@@ -102,8 +111,10 @@ def _how(ended: Ending) -> str:
         return f"{_quoted(ended.command)} has ended: {ended.sentence}"
     if ended.sentence == "Cancelled before it began.":
         return f"I do not begin {_quoted(ended.command)}."
-    remark = next((ended.sentence[len(plain):].strip() for plain in _PLAIN_ENDS if ended.sentence.startswith(plain)),
-                  ended.sentence)
+    remark = next(
+        (ended.sentence[len(plain) :].strip() for plain in _PLAIN_ENDS if ended.sentence.startswith(plain)),
+        ended.sentence,
+    )
     return f"I stopped {_quoted(ended.command)}. {remark}".strip()
 
 

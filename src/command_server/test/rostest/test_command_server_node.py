@@ -1,5 +1,6 @@
 #!/usr/bin/python3
 """The node: whatever the stages do, one reply to each command."""
+
 import collections
 import os
 import signal
@@ -13,7 +14,14 @@ import rospy
 import rostest
 from actionlib_msgs.msg import GoalStatus
 from roboframenet_msgs.msg import (
-    Command, CommandStatus, ExecuteCommandAction, ExecuteCommandGoal, Reply, StageEvent, StopReport)
+    Command,
+    CommandStatus,
+    ExecuteCommandAction,
+    ExecuteCommandGoal,
+    Reply,
+    StageEvent,
+    StopReport,
+)
 from std_msgs.msg import String
 
 
@@ -40,10 +48,15 @@ class CommandServerNodeTest(unittest.TestCase):
         cls.subscribers = [
             rospy.Subscriber("command_text", Command, cls.on_command),
             rospy.Subscriber("command_cancel", Command, cls.cancelled.append),
-            rospy.Subscriber("status", CommandStatus, cls.statuses.append)]
+            rospy.Subscriber("status", CommandStatus, cls.statuses.append),
+        ]
         cls.client = actionlib.ActionClient("command", ExecuteCommandAction)
-        assert wait_until(lambda: all(end.get_num_connections() == 1 for end in cls.subscribers + [
-            cls.events, cls.reports, cls.text, cls.reply_subscriber]))
+        assert wait_until(
+            lambda: all(
+                end.get_num_connections() == 1
+                for end in cls.subscribers + [cls.events, cls.reports, cls.text, cls.reply_subscriber]
+            )
+        )
         assert cls.client.wait_for_server(rospy.Duration(60))
         # A stop would end what is left over as well.
         assert wait_until(lambda: [reply for reply in list(cls.replies) if reply.command.id == "left_over"])
@@ -67,10 +80,19 @@ class CommandServerNodeTest(unittest.TestCase):
 
     @classmethod
     def send_event(cls, command, stage, is_final=False, outcome=Reply.DONE, code="DONE", sentence=""):
-        reply = Reply(command=command, outcome=outcome, stage=stage, code=code,
-                      sentence=sentence or f"did {command.text}")
-        cls.events.publish(StageEvent(command=command, stage=stage, stamp=rospy.Time.now(), sentence="at it",
-                                      is_final=is_final, reply=reply if is_final else Reply()))
+        reply = Reply(
+            command=command, outcome=outcome, stage=stage, code=code, sentence=sentence or f"did {command.text}"
+        )
+        cls.events.publish(
+            StageEvent(
+                command=command,
+                stage=stage,
+                stamp=rospy.Time.now(),
+                sentence="at it",
+                is_final=is_final,
+                reply=reply if is_final else Reply(),
+            )
+        )
 
     def say(self, text):
         self.text.publish(String(text))
@@ -92,8 +114,9 @@ class CommandServerNodeTest(unittest.TestCase):
         self.assertTrue(wait_until(lambda: [r for r in self.replies if r.command.id == "left_over"]))
         (reply,) = [reply for reply in self.replies if reply.command.id == "left_over"]
         self.assertEqual((Reply.FAILED, "RESTARTED"), (reply.outcome, reply.code))
-        self.assertEqual(("say \x07 it", 5, 7),
-                         (reply.command.text, reply.command.stamp.secs, reply.command.stamp.nsecs))
+        self.assertEqual(
+            ("say \x07 it", 5, 7), (reply.command.text, reply.command.stamp.secs, reply.command.stamp.nsecs)
+        )
 
     def test_flood_gets_one_reply_each(self):
         texts = [f"flood {index}" for index in range(50)]
@@ -124,8 +147,9 @@ class CommandServerNodeTest(unittest.TestCase):
     def test_silent_stage_is_named(self):
         self.say("silent one")
         reply = self.wait_for_reply("silent one")
-        self.assertEqual((Reply.FAILED, "STAGE_SILENT", "stanford_parser_ros"),
-                         (reply.outcome, reply.code, reply.stage))
+        self.assertEqual(
+            (Reply.FAILED, "STAGE_SILENT", "stanford_parser_ros"), (reply.outcome, reply.code, reply.stage)
+        )
 
     def test_texts_that_are_no_commands_are_refused(self):
         self.say("   ")
@@ -137,8 +161,10 @@ class CommandServerNodeTest(unittest.TestCase):
     def test_goal_gets_feedback_and_the_reply(self):
         feedback, ends = [], []
         handle = self.client.send_goal(
-            ExecuteCommandGoal(text="by action"), feedback_cb=lambda _, message: feedback.append(message.event),
-            transition_cb=lambda goal: ends.append(goal) if goal.get_comm_state() == actionlib.CommState.DONE else None)
+            ExecuteCommandGoal(text="by action"),
+            feedback_cb=lambda _, message: feedback.append(message.event),
+            transition_cb=lambda goal: ends.append(goal) if goal.get_comm_state() == actionlib.CommState.DONE else None,
+        )
         self.assertTrue(wait_until(lambda: ends))
         self.assertEqual(GoalStatus.SUCCEEDED, handle.get_terminal_state())
         self.assertEqual("did by action", handle.get_result().reply.sentence)
@@ -147,10 +173,12 @@ class CommandServerNodeTest(unittest.TestCase):
 
     def test_many_goals_in_flight(self):
         handles = [self.client.send_goal(ExecuteCommandGoal(text=f"goal {index}")) for index in range(8)]
-        self.assertTrue(wait_until(lambda: all(
-            handle.get_comm_state() == actionlib.CommState.DONE for handle in handles)))
-        self.assertEqual([f"goal {index}" for index in range(8)],
-                         [handle.get_result().reply.command.text for handle in handles])
+        self.assertTrue(
+            wait_until(lambda: all(handle.get_comm_state() == actionlib.CommState.DONE for handle in handles))
+        )
+        self.assertEqual(
+            [f"goal {index}" for index in range(8)], [handle.get_result().reply.command.text for handle in handles]
+        )
 
     def test_cancelled_goal_stops_its_command(self):
         handle = self.client.send_goal(ExecuteCommandGoal(text="silent goal"))
@@ -158,15 +186,21 @@ class CommandServerNodeTest(unittest.TestCase):
         handle.cancel()
         self.assertTrue(wait_until(lambda: handle.get_comm_state() == actionlib.CommState.DONE))
         self.assertEqual(GoalStatus.PREEMPTED, handle.get_terminal_state())
-        self.assertEqual((Reply.SUPERSEDED, "STOPPED"),
-                         (handle.get_result().reply.outcome, handle.get_result().reply.code))
+        self.assertEqual(
+            (Reply.SUPERSEDED, "STOPPED"), (handle.get_result().reply.outcome, handle.get_result().reply.code)
+        )
         self.assertTrue(wait_until(lambda: [c for c in self.cancelled if c.text == "silent goal"]))
 
     def test_cancelled_goal_that_runs_waits_for_the_executor(self):
         handle = self.client.send_goal(ExecuteCommandGoal(text="hang in the executor"))
-        self.assertTrue(wait_until(lambda: any(
-            status.stage == "executor" and [c for c in status.active if c.text == "hang in the executor"]
-            for status in self.statuses)))
+        self.assertTrue(
+            wait_until(
+                lambda: any(
+                    status.stage == "executor" and [c for c in status.active if c.text == "hang in the executor"]
+                    for status in self.statuses
+                )
+            )
+        )
         handle.cancel()
         self.assertTrue(wait_until(lambda: [c for c in self.cancelled if c.text == "hang in the executor"]))
         self.assertFalse(self.replies_to("hang in the executor"))
@@ -191,22 +225,36 @@ class CommandServerNodeTest(unittest.TestCase):
         """Reply as the stop server does; returns the stamp of the stop."""
         now = rospy.Time.now()
         command = Command(id=command_id, stamp=now, text=text)
-        self.reports.publish(StopReport(command=command, stop_stamp=now, reply=Reply(
-            command=command, outcome=outcome, stage="stop_server", code=code, sentence="Stopped by report.")))
+        self.reports.publish(
+            StopReport(
+                command=command,
+                stop_stamp=now,
+                reply=Reply(
+                    command=command, outcome=outcome, stage="stop_server", code=code, sentence="Stopped by report."
+                ),
+            )
+        )
         return now
 
     def run_in_executor(self, text):
         """Say a command that runs until it is told to end; returns it as it was sent."""
         self.say(text)
-        self.assertTrue(wait_until(lambda: any(
-            status.stage == "executor" and [c for c in status.active if c.text == text] for status in self.statuses)))
+        self.assertTrue(
+            wait_until(
+                lambda: any(
+                    status.stage == "executor" and [c for c in status.active if c.text == text]
+                    for status in self.statuses
+                )
+            )
+        )
         return next(command for command in self.heard if command.text == text)
 
     def end_in_executor(self, command):
         """End a command once it is cancelled, as the executor does."""
         self.assertTrue(wait_until(lambda: [c for c in self.cancelled if c.id == command.id]))
-        self.send_event(command, "executor", is_final=True, outcome=Reply.SUPERSEDED, code="STOPPED",
-                        sentence="Stopped.")
+        self.send_event(
+            command, "executor", is_final=True, outcome=Reply.SUPERSEDED, code="STOPPED", sentence="Stopped."
+        )
 
     def active_texts(self):
         return [command.text for status in self.statuses[-1:] for command in status.active]
@@ -223,8 +271,10 @@ class CommandServerNodeTest(unittest.TestCase):
         self.end_in_executor(command)
         reply = self.wait_for_reply("don't hang")
         self.assertEqual((Reply.REFUSED, "NEGATED", "semantic_framer"), (reply.outcome, reply.code, reply.stage))
-        self.assertEqual('I do not begin "silent behind it". I stopped "hang in the executor, forbidden". '
-                         "You said not to.", reply.sentence)
+        self.assertEqual(
+            'I do not begin "silent behind it". I stopped "hang in the executor, forbidden". You said not to.',
+            reply.sentence,
+        )
         self.assertEqual(Reply.SUPERSEDED, self.wait_for_reply("hang in the executor, forbidden").outcome)
         self.fence()
         self.assertEqual(1, len(self.replies_to("don't hang")))
@@ -242,8 +292,9 @@ class CommandServerNodeTest(unittest.TestCase):
         self.wait_for_reply("soon done")
         self.say("don't do anything")
         reply = self.wait_for_reply("don't do anything")
-        self.assertEqual((Reply.REFUSED, "NEGATED", "did don't do anything"),
-                         (reply.outcome, reply.code, reply.sentence))
+        self.assertEqual(
+            (Reply.REFUSED, "NEGATED", "did don't do anything"), (reply.outcome, reply.code, reply.sentence)
+        )
 
     def test_executor_that_does_not_end_it_makes_the_prohibition_fail(self):
         command = self.run_in_executor("hang in the executor, deaf")
@@ -305,15 +356,18 @@ class CommandServerNodeTest(unittest.TestCase):
 
     def test_goal_with_a_command_behind_a_stop_ends_with_that_command(self):
         feedback = []
-        handle = self.client.send_goal(ExecuteCommandGoal(text="Stop and crawl."),
-                                       feedback_cb=lambda _, message: feedback.append(message.event))
+        handle = self.client.send_goal(
+            ExecuteCommandGoal(text="Stop and crawl."), feedback_cb=lambda _, message: feedback.append(message.event)
+        )
         goal_id = handle.comm_state_machine.action_goal.goal_id.id
         self.assertTrue(wait_until(lambda: "crawl." in self.active_texts()))
         self.report_stop(goal_id, "Stop and crawl.")
         self.assertTrue(wait_until(lambda: handle.get_comm_state() == actionlib.CommState.DONE))
         reply = handle.get_result().reply
-        self.assertEqual(("crawl.", "did crawl.", GoalStatus.SUCCEEDED),
-                         (reply.command.text, reply.sentence, handle.get_terminal_state()))
+        self.assertEqual(
+            ("crawl.", "did crawl.", GoalStatus.SUCCEEDED),
+            (reply.command.text, reply.sentence, handle.get_terminal_state()),
+        )
         self.assertNotEqual(goal_id, reply.command.id)
         self.assertTrue(wait_until(lambda: [event for event in feedback if event.command.id == reply.command.id]))
 

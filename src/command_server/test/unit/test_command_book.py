@@ -1,10 +1,20 @@
 """Every command is closed exactly once."""
+
 import random
 
 import pytest
 
 from command_server.command_book import (
-    CommandBook, CommandText, Ending, Outcome, RESTARTED, STAGES, refusal_of_text, stage_after, stamp_after)
+    RESTARTED,
+    STAGES,
+    CommandBook,
+    CommandText,
+    Ending,
+    Outcome,
+    refusal_of_text,
+    stage_after,
+    stamp_after,
+)
 
 
 class Clock:
@@ -22,7 +32,7 @@ def clock():
 
 @pytest.fixture
 def book(clock):
-    return CommandBook({stage: 2.0 for stage in STAGES}, now=clock)
+    return CommandBook(dict.fromkeys(STAGES, 2.0), now=clock)
 
 
 def make_command(name, stamp_ns=0):
@@ -56,8 +66,10 @@ def test_same_id_twice_is_an_error(book):
         book.open(make_command("a"))
 
 
-@pytest.mark.parametrize("passed,silent", [
-    ([], STAGES[0]), (STAGES[:1], STAGES[1]), (STAGES[:2], STAGES[2]), (STAGES[:4], STAGES[4]), (STAGES, STAGES[4])])
+@pytest.mark.parametrize(
+    "passed,silent",
+    [([], STAGES[0]), (STAGES[:1], STAGES[1]), (STAGES[:2], STAGES[2]), (STAGES[:4], STAGES[4]), (STAGES, STAGES[4])],
+)
 def test_the_silent_stage_is_named(book, clock, passed, silent):
     book.open(make_command("a"))
     for stage in passed:
@@ -189,7 +201,7 @@ def test_stage_after():
 def test_any_order_of_events_gives_one_reply_each(clock):
     for seed in range(200):
         lots = random.Random(seed)
-        book = CommandBook({stage: 2.0 for stage in STAGES}, now=clock)
+        book = CommandBook(dict.fromkeys(STAGES, 2.0), now=clock)
         replies = []
         names = [f"c{index}" for index in range(5)]
         for stamp_ns, name in enumerate(names):
@@ -213,7 +225,9 @@ def test_any_order_of_events_gives_one_reply_each(clock):
         assert sorted(end.command.command_id for end in replies) == names, f"seed {seed}"
 
 
-@pytest.mark.parametrize("arrival_ns,last_ns,stamp_ns", [
-    (5, 0, 5), (5, 5, 6), (4, 5, 6), (0, 10_000_000_000, 0), (9_500_000_000, 10_000_000_000, 10_000_000_001)])
+@pytest.mark.parametrize(
+    "arrival_ns,last_ns,stamp_ns",
+    [(5, 0, 5), (5, 5, 6), (4, 5, 6), (0, 10_000_000_000, 0), (9_500_000_000, 10_000_000_000, 10_000_000_001)],
+)
 def test_stamps_of_commands_grow_unless_the_clock_is_set_back(arrival_ns, last_ns, stamp_ns):
     assert stamp_after(arrival_ns, last_ns) == stamp_ns

@@ -1,4 +1,5 @@
 """The command behind a stop: after it, once, and only when the robot has stopped."""
+
 import pytest
 
 from command_server.command_book import CommandText, Outcome

@@ -1,4 +1,5 @@
 """Stops and what the stop server says of them meet in any order."""
+
 import pytest
 
 from command_server.stop_book import StopBook

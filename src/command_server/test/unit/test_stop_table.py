@@ -3,6 +3,7 @@
 The frozen third was set aside before the rule was written. At first sight the rule had 379 of its 379 utterances right,
 219 that must stop and 160 that must not; of the open ones, 747 of 752.
 """
+
 import os
 from collections import Counter
 

@@ -2,6 +2,7 @@
 
 A desk is a value; each function gives the next desk and what is to be done, in order.
 """
+
 import enum
 from collections import OrderedDict
 from dataclasses import dataclass, replace
@@ -92,8 +93,7 @@ def order_arrives(desk: Desk[Job], order: Order[Job], *, now_ns: int) -> Step:
     if desk.stop_stamp_ns is not None and now_ns < desk.stop_stamp_ns:
         desk = replace(desk, stop_stamp_ns=None)
     key = order.key
-    if key.command_id in desk.cancelled_ids or (
-            desk.stop_stamp_ns is not None and key.stamp_ns <= desk.stop_stamp_ns):
+    if key.command_id in desk.cancelled_ids or (desk.stop_stamp_ns is not None and key.stamp_ns <= desk.stop_stamp_ns):
         return desk, (Supersede(order, Cause.STOPPED),)
     newest = desk.waiting or desk.running
     if newest is None:

@@ -2,6 +2,7 @@
 
 Callbacks only enqueue; one worker thread owns the commands, one more thread runs the machine.
 """
+
 import queue
 import threading
 import time
@@ -9,16 +10,23 @@ from dataclasses import dataclass
 from typing import Optional, Union
 
 import rospy
+from roboframenet_msgs.msg import Command, CommandPlan, StopReport
+
 from arbitrator.plan import Plan
 from arbitrator.ros_messages import plan_from_message
-from roboframenet_msgs.msg import Command, CommandPlan, StopReport
-from roboframenet_ros.ros_log import log_from_threads
-from roboframenet_ros.suspension import SuspensionWatch
-from stage_events.ros_stage import Stage
-
 from executor.command_desk import (
-    CommandKey, Desk, Order, Preempt, Start, Step, Supersede, command_cancelled, command_ended, order_arrives,
-    stop_heard)
+    CommandKey,
+    Desk,
+    Order,
+    Preempt,
+    Start,
+    Step,
+    Supersede,
+    command_cancelled,
+    command_ended,
+    order_arrives,
+    stop_heard,
+)
 from executor.goal_tracking import GoalDeadlines
 from executor.replies import Ending, ending_of_malformed, ending_of_run, ending_of_unstarted
 from executor.ros_action_clients import ActionClients
@@ -26,6 +34,9 @@ from executor.ros_command_run import CommandRun, RunResult
 from executor.ros_introspection import Introspection
 from executor.ros_reconfigure import SettingsKeeper
 from executor.ros_running_goals import RunningGoals
+from roboframenet_ros.ros_log import log_from_threads
+from roboframenet_ros.suspension import SuspensionWatch
+from stage_events.ros_stage import Stage
 
 # Less than the second that the stage promises, so that a busy machine keeps the promise too.
 _EVENT_PERIOD_S = 0.5
@@ -61,13 +72,22 @@ class Settings:
     introspection: bool = True
 
     def __post_init__(self) -> None:
-        for name in ("acceptance_timeout_s", "silence_timeout_s", "preempt_timeout_s", "cancel_period_s",
-                     "result_timeout_s", "settings_timeout_s"):
+        for name in (
+            "acceptance_timeout_s",
+            "silence_timeout_s",
+            "preempt_timeout_s",
+            "cancel_period_s",
+            "result_timeout_s",
+            "settings_timeout_s",
+        ):
             value = getattr(self, name)
             if isinstance(value, bool) or not isinstance(value, (int, float)) or not 0.05 <= value <= 600.0:
                 raise ValueError(f"~{name} must be 0.05 to 600 s, got {value!r}")
-        if isinstance(self.max_clients, bool) or not isinstance(self.max_clients, int) or not (
-                1 <= self.max_clients <= 1000):
+        if (
+            isinstance(self.max_clients, bool)
+            or not isinstance(self.max_clients, int)
+            or not (1 <= self.max_clients <= 1000)
+        ):
             raise ValueError(f"~max_clients must be an integer from 1 to 1000, got {self.max_clients!r}")
         if not isinstance(self.introspection, bool):
             raise ValueError(f"~introspection must be true or false, got {self.introspection!r}")
@@ -76,8 +96,12 @@ class Settings:
     def deadlines(self) -> GoalDeadlines:
         """The deadlines of each goal."""
         return GoalDeadlines(
-            acceptance_s=self.acceptance_timeout_s, silence_s=self.silence_timeout_s, preempt_s=self.preempt_timeout_s,
-            cancel_period_s=self.cancel_period_s, result_s=self.result_timeout_s)
+            acceptance_s=self.acceptance_timeout_s,
+            silence_s=self.silence_timeout_s,
+            preempt_s=self.preempt_timeout_s,
+            cancel_period_s=self.cancel_period_s,
+            result_s=self.result_timeout_s,
+        )
 
 
 @dataclass(frozen=True)
@@ -124,7 +148,7 @@ class ExecutorNode:
         self._desk: Desk[_Job] = Desk()
         self._run: Optional[CommandRun] = None
         self._next_event_s = 0.0
-        self._inbox: "queue.Queue[_Event]" = queue.Queue()
+        self._inbox: queue.Queue[_Event] = queue.Queue()
         self._stage = Stage("executor")
         self._worker = threading.Thread(target=self._work, name="executor_worker")
 
@@ -137,7 +161,8 @@ class ExecutorNode:
         self._subscribers = [
             rospy.Subscriber("stop_report", StopReport, self._inbox.put),
             rospy.Subscriber("command_cancel", Command, self._inbox.put),
-            rospy.Subscriber("command_plan", CommandPlan, self._inbox.put)]
+            rospy.Subscriber("command_plan", CommandPlan, self._inbox.put),
+        ]
 
     def _shutdown(self) -> None:
         self._inbox.put(None)
@@ -158,8 +183,9 @@ class ExecutorNode:
             try:
                 self._handle(event)
             except Exception as error:  # boundary: one message must not end the work on all others
-                rospy.logerr("executor could not handle a %s: %s: %s",
-                             type(event).__name__, type(error).__name__, error)
+                rospy.logerr(
+                    "executor could not handle a %s: %s: %s", type(event).__name__, type(error).__name__, error
+                )
             self._tell_that_it_runs()
 
     def _handle(self, event: _Event) -> None:
@@ -209,11 +235,16 @@ class ExecutorNode:
     def _start_run(self, order: "Order[_Job]") -> None:
         rospy.loginfo("cmd=%s begins", order.key.command_id)
         self._run = CommandRun(
-            order.job.plan, clients=self._clients, settings=self._server_settings,
-            running_goals=self._running_goals, deadlines=self._settings.deadlines,
+            order.job.plan,
+            clients=self._clients,
+            settings=self._server_settings,
+            running_goals=self._running_goals,
+            deadlines=self._settings.deadlines,
             on_note=lambda sentence: self._inbox.put(_Note(run, sentence)),
             on_end=lambda ended, result: self._inbox.put(_RunEnded(ended, result)),
-            introspection=self._introspection, suspension=self._suspension)
+            introspection=self._introspection,
+            suspension=self._suspension,
+        )
         run = self._run
         run.start()
 
@@ -264,7 +295,8 @@ def read_settings() -> Settings:
         result_timeout_s=rospy.get_param("~result_timeout_s", Settings.result_timeout_s),
         settings_timeout_s=rospy.get_param("~settings_timeout_s", Settings.settings_timeout_s),
         max_clients=rospy.get_param("~max_clients", Settings.max_clients),
-        introspection=rospy.get_param("~introspection", Settings.introspection))
+        introspection=rospy.get_param("~introspection", Settings.introspection),
+    )
 
 
 def main() -> None:

@@ -1,4 +1,5 @@
 """What the executor tells the person about the end of a command."""
+
 import enum
 from dataclasses import dataclass
 from typing import Iterable, Optional, Sequence, Tuple
@@ -70,8 +71,9 @@ def ending_of_run(outcome: str, clauses: Sequence[ClauseRun], *, cause: Optional
         # Also when it was asked to end: it was faster.
         return Ending(ReplyOutcome.DONE, "DONE", f"Done; but before, {failures}" if failures else "Done.")
     # A server that ignored the cancel may still move the robot; the person must know which one.
-    orphans = " ".join(f"{goal.server} {goal.reason}." for goal in goals
-                       if goal.is_orphaned and goal.outcome is Outcome.PREEMPTED)
+    orphans = " ".join(
+        f"{goal.server} {goal.reason}." for goal in goals if goal.is_orphaned and goal.outcome is Outcome.PREEMPTED
+    )
     if cause is not None:
         sentence = f"{_SENTENCE_OF[cause]} {orphans} {_done_before(clauses)}"
         return Ending(ReplyOutcome.SUPERSEDED, cause.value, " ".join(sentence.split()))

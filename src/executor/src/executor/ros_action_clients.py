@@ -1,10 +1,12 @@
 """Connections to action servers, kept while they are in use."""
+
 import threading
 from collections import OrderedDict
 from typing import List, Optional
 
-from rfnserver.ros_action_connection import ActionConnection
 from roboframenet_msgs.msg import FilledSemanticFrameAction
+
+from rfnserver.ros_action_connection import ActionConnection
 
 
 class ActionClients:
@@ -18,7 +20,7 @@ class ActionClients:
         """
         self._max_kept = max_kept
         self._lock = threading.Lock()
-        self._connections: "OrderedDict[str, ActionConnection]" = OrderedDict()
+        self._connections: OrderedDict[str, ActionConnection] = OrderedDict()
 
     def get(self, server: str, *, timeout_s: float) -> Optional[ActionConnection]:
         """The connection to a server, made if need be.

@@ -1,4 +1,5 @@
 """A SMACH state that has one action server carry out one frame."""
+
 import queue
 import threading
 import time
@@ -7,20 +8,20 @@ from typing import Callable, Optional
 
 import actionlib
 import rospy
+from roboframenet_msgs.msg import FilledSemanticFrameGoal
+
 import smach
 from arbitrator.plan import FilledFrame
 from arbitrator.ros_messages import frame_to_message
 from arbitrator.state_machine import OUTCOMES
-
 from executor import goal_tracking as tracking
 from executor.goal_tracking import Goal, GoalDeadlines, Outcome
 from executor.ros_action_clients import ActionClients
 from executor.ros_reconfigure import SettingsKeeper
 from executor.ros_running_goals import RunningGoals
 from executor.settings import SettingsError
-from roboframenet_ros.suspension import SuspensionWatch
 from rfnserver.ros_action_connection import ActionConnection, SentGoal
-from roboframenet_msgs.msg import FilledSemanticFrameGoal
+from roboframenet_ros.suspension import SuspensionWatch
 
 # The longest that a preemption can go unseen.
 _LONGEST_WAIT_S = 0.1
@@ -119,28 +120,31 @@ class ActionStep(smach.State):
             return tracking.fail_unsent(server, deadlines, f"cannot be reached: {error}", now_s=began_s)
         if connection is None:
             return tracking.fail_unsent(
-                server, deadlines, "cannot be reached: the master does not answer", now_s=began_s)
+                server, deadlines, "cannot be reached: the master does not answer", now_s=began_s
+            )
         while not connection.is_ready():
             if self._is_to_end:
                 return tracking.preempt_unsent(server, deadlines, now_s=time.monotonic())
             if time.monotonic() - began_s >= deadlines.acceptance_s:
                 return tracking.fail_unsent(
-                    server, deadlines, f"is not there: no answer within {deadlines.acceptance_s:g} s",
-                    now_s=time.monotonic())
+                    server,
+                    deadlines,
+                    f"is not there: no answer within {deadlines.acceptance_s:g} s",
+                    now_s=time.monotonic(),
+                )
             self._context.is_preempt_asked.wait(0.01)
         owner = f"{self._frame.name} by {server}"
         try:
             self._context.settings.apply(server, owner=owner)
         except SettingsError as error:
-            return tracking.fail_unsent(server, deadlines, f"cannot have its settings: {error}",
-                                        now_s=time.monotonic())
+            return tracking.fail_unsent(server, deadlines, f"cannot have its settings: {error}", now_s=time.monotonic())
         try:
             return self._send_and_follow(connection)
         finally:
             self._context.settings.restore(owner=owner)
 
     def _send_and_follow(self, connection: ActionConnection) -> Goal:
-        inbox: "queue.Queue[object]" = queue.Queue()
+        inbox: queue.Queue[object] = queue.Queue()
 
         def on_sign() -> None:
             inbox.put(_Sign())
@@ -152,14 +156,15 @@ class ActionStep(smach.State):
             connection.unlisten(on_sign)
             self._context.running_goals.clear()
 
-    def _follow(self, connection: ActionConnection, inbox: "queue.Queue[object]",
-                on_sign: Callable[[], None]) -> Goal:
+    def _follow(self, connection: ActionConnection, inbox: "queue.Queue[object]", on_sign: Callable[[], None]) -> Goal:
         if self._read_news():
             return tracking.preempt_unsent(self._frame.server, self._context.deadlines, now_s=time.monotonic())
         goal = tracking.send(self._frame.server, self._context.deadlines, now_s=time.monotonic())
         sent: SentGoal = connection.send(
             FilledSemanticFrameGoal(frame=frame_to_message(self._frame)),
-            on_transition=lambda handle: inbox.put(_read_transition(handle)), on_feedback=lambda _: on_sign())
+            on_transition=lambda handle: inbox.put(_read_transition(handle)),
+            on_feedback=lambda _: on_sign(),
+        )
         self._context.running_goals.note(self._frame.server, sent.goal_id)
         while True:
             if self._is_to_end:
@@ -181,8 +186,12 @@ class ActionStep(smach.State):
 def _read_transition(handle: actionlib.ClientGoalHandle) -> _Transition:
     is_done = handle.get_comm_state() == actionlib.CommState.DONE
     result = handle.get_result() if is_done else None
-    return _Transition(status=handle.get_goal_status(), is_done=is_done, text=handle.get_goal_status_text(),
-                       success=None if result is None else bool(result.success))
+    return _Transition(
+        status=handle.get_goal_status(),
+        is_done=is_done,
+        text=handle.get_goal_status_text(),
+        success=None if result is None else bool(result.success),
+    )
 
 
 def _apply(goal: Goal, heard: object) -> Goal:

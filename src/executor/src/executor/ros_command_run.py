@@ -1,14 +1,15 @@
 """One plan that is being carried out, in a thread of its own."""
+
 import threading
 import time
 from dataclasses import dataclass
 from typing import Callable, Dict, List, Optional, Tuple
 
 import rospy
+
 import smach
 from arbitrator.plan import FilledFrame, Plan, clauses
 from arbitrator.state_machine import build_state_machine, plan_label
-
 from executor.goal_tracking import Goal, GoalDeadlines, as_sentence
 from executor.replies import ClauseRun
 from executor.ros_action_clients import ActionClients
@@ -40,10 +41,19 @@ class RunResult:
 class CommandRun:
     """Runs the SMACH machine of a plan and shows it to smach_viewer."""
 
-    def __init__(self, plan: Plan, *, clients: ActionClients, settings: SettingsKeeper,
-                 running_goals: RunningGoals, deadlines: GoalDeadlines, on_note: Callable[[str], None],
-                 on_end: Callable[["CommandRun", RunResult], None], introspection: Introspection,
-                 suspension: SuspensionWatch) -> None:
+    def __init__(
+        self,
+        plan: Plan,
+        *,
+        clients: ActionClients,
+        settings: SettingsKeeper,
+        running_goals: RunningGoals,
+        deadlines: GoalDeadlines,
+        on_note: Callable[[str], None],
+        on_end: Callable[["CommandRun", RunResult], None],
+        introspection: Introspection,
+        suspension: SuspensionWatch,
+    ) -> None:
         """Prepare; `start` begins.
 
         Args:
@@ -68,9 +78,15 @@ class CommandRun:
         self._is_preempt_asked = threading.Event()
         self._machine: Optional[smach.StateMachine] = None
         self._context = StepContext(
-            clients=clients, settings=settings, running_goals=running_goals, deadlines=deadlines,
-            is_preempt_asked=self._is_preempt_asked, suspension=suspension,
-            on_begin=self._begin_step, on_end=self._end_step)
+            clients=clients,
+            settings=settings,
+            running_goals=running_goals,
+            deadlines=deadlines,
+            is_preempt_asked=self._is_preempt_asked,
+            suspension=suspension,
+            on_begin=self._begin_step,
+            on_end=self._end_step,
+        )
         self._thread = threading.Thread(target=self._run, name="command_run", daemon=True)
 
     def start(self) -> None:
@@ -108,8 +124,10 @@ class CommandRun:
         outcome, error = "", ""
         try:
             self._machine = build_state_machine(
-                self._plan, lambda frame, clause: ActionStep(frame, clause, self._context),
-                on_clause_end=self._outcomes.__setitem__)
+                self._plan,
+                lambda frame, clause: ActionStep(frame, clause, self._context),
+                on_clause_end=self._outcomes.__setitem__,
+            )
             self._show(self._machine)
             outcome = self._machine.execute()
         except Exception as fault:  # boundary: whatever breaks the machine, the command must be answered
@@ -121,9 +139,11 @@ class CommandRun:
 
     def _clause_runs(self) -> Tuple[ClauseRun, ...]:
         return tuple(
-            ClauseRun(label=clause.label, outcome=self._outcomes.get(number, ""),
-                      goals=tuple(self._goals.get(number, ())))
-            for number, clause in enumerate(clauses(self._plan)))
+            ClauseRun(
+                label=clause.label, outcome=self._outcomes.get(number, ""), goals=tuple(self._goals.get(number, ()))
+            )
+            for number, clause in enumerate(clauses(self._plan))
+        )
 
     def _show(self, machine: smach.StateMachine) -> None:
         parts = clauses(self._plan)

@@ -1,10 +1,12 @@
 """Shows the machine that runs to smach_viewer, and never keeps it from running."""
+
 import queue
 import threading
 from dataclasses import dataclass, field
 from typing import Optional
 
 import rospy
+
 import smach
 import smach_ros
 
@@ -30,7 +32,7 @@ class Introspection:
 
     def __init__(self, *, is_enabled: bool) -> None:
         """Start the thread, if machines are to be seen at all."""
-        self._wishes: "queue.Queue[_Wish]" = queue.Queue()
+        self._wishes: queue.Queue[_Wish] = queue.Queue()
         self._last = _Wish(None)
         self._is_enabled = is_enabled
         if is_enabled:

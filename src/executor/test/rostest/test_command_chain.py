@@ -1,5 +1,6 @@
 #!/usr/bin/python3
 """Command server, arbitrator, executor and stop server together: one reply to each text."""
+
 import collections
 import os
 import signal
@@ -12,7 +13,15 @@ import rospy
 import rostest
 from geometry_msgs.msg import Twist
 from roboframenet_msgs.msg import (
-    Command, CommandSemanticFrames, FilledSemanticFrame, Plan, PlanCandidate, PlanNode, Reply, StageEvent)
+    Command,
+    CommandSemanticFrames,
+    FilledSemanticFrame,
+    Plan,
+    PlanCandidate,
+    PlanNode,
+    Reply,
+    StageEvent,
+)
 from std_msgs.msg import String
 
 STAGES = ("stanford_parser_ros", "semantic_framer", "frame_registrar")
@@ -37,19 +46,22 @@ class CommandChainTest(unittest.TestCase):
         cls.text = rospy.Publisher("text", String, queue_size=1000)
         subscribers = [
             rospy.Subscriber("command_text", Command, cls.on_command),
-            rospy.Subscriber("server_log", String, lambda message: cls.log.append(message.data))]
+            rospy.Subscriber("server_log", String, lambda message: cls.log.append(message.data)),
+        ]
         velocities = rospy.Subscriber("cmd_vel", Twist, cls.velocities.append)
         replies = rospy.Subscriber("reply", Reply, cls.replies.append)
-        assert wait_until(lambda: all(entity.get_num_connections() == 1 for entity in subscribers + [
-            cls.frames, cls.events]))
+        assert wait_until(
+            lambda: all(entity.get_num_connections() == 1 for entity in subscribers + [cls.frames, cls.events])
+        )
         # The command server and the stop server.
-        assert wait_until(lambda: all(
-            entity.get_num_connections() == 2 for entity in (velocities, replies, cls.text)))
+        assert wait_until(lambda: all(entity.get_num_connections() == 2 for entity in (velocities, replies, cls.text)))
         # What is published before its listener has connected is lost.
-        for connection in (("/arbitrator", "command_plan", "/executor"),
-                           ("/command_server", "command_cancel", "/executor"),
-                           ("/stop_server", "stop_report", "/executor"),
-                           ("/stop_server", "stop_report", "/command_server")):
+        for connection in (
+            ("/arbitrator", "command_plan", "/executor"),
+            ("/command_server", "command_cancel", "/executor"),
+            ("/stop_server", "stop_report", "/executor"),
+            ("/stop_server", "stop_report", "/command_server"),
+        ):
             assert wait_until(lambda connection=connection: cls.is_heard(*connection)), connection
 
     @staticmethod
@@ -74,10 +86,22 @@ class CommandChainTest(unittest.TestCase):
         nodes = [PlanNode(kind=PlanNode.SEQUENCE, label=command.text, children=range(1, len(clauses) + 1))]
         for clause in clauses:
             ways = [[step.split() for step in candidate.split(",")] for candidate in clause.split("/")]
-            nodes.append(PlanNode(kind=PlanNode.DO, label=clause.strip(), candidates=[
-                PlanCandidate(coverage=1.0, frames=[
-                    FilledSemanticFrame(name=behaviour, action_server_topics=[server]) for behaviour, server in steps])
-                for steps in ways]))
+            nodes.append(
+                PlanNode(
+                    kind=PlanNode.DO,
+                    label=clause.strip(),
+                    candidates=[
+                        PlanCandidate(
+                            coverage=1.0,
+                            frames=[
+                                FilledSemanticFrame(name=behaviour, action_server_topics=[server])
+                                for behaviour, server in steps
+                            ],
+                        )
+                        for steps in ways
+                    ],
+                )
+            )
         cls.frames.publish(CommandSemanticFrames(command=command, plan=Plan(nodes=nodes)))
 
     def setUp(self):
@@ -88,8 +112,10 @@ class CommandChainTest(unittest.TestCase):
         return [reply for reply in list(self.replies) if reply.command.text == text]
 
     def wait_for_replies(self, text, count=1):
-        self.assertTrue(wait_until(lambda: len(self.replies_to(text)) >= count),
-                        f"{len(self.replies_to(text))} of {count} replies to {text!r}")
+        self.assertTrue(
+            wait_until(lambda: len(self.replies_to(text)) >= count),
+            f"{len(self.replies_to(text))} of {count} replies to {text!r}",
+        )
         return self.replies_to(text)
 
     def wait_for_log(self, line):
@@ -101,8 +127,9 @@ class CommandChainTest(unittest.TestCase):
         self.assertEqual(Reply.DONE, self.wait_for_replies(text)[0].outcome)
         # Replies and log come on connections of their own.
         self.wait_for_log("two ends succeed")
-        self.assertEqual(["one", "two", "one", "two"],
-                         [line.split()[0] for line in self.log if line.split()[1] == "begins"])
+        self.assertEqual(
+            ["one", "two", "one", "two"], [line.split()[0] for line in self.log if line.split()[1] == "begins"]
+        )
 
     def begun(self):
         return [line for line in self.log if line.split()[1] == "begins"]
@@ -113,8 +140,9 @@ class CommandChainTest(unittest.TestCase):
         reply = self.wait_for_replies(text)[0]
         self.assertEqual(Reply.DONE, reply.outcome)
         self.wait_for_log("two ends succeed")
-        self.assertEqual(["one begins succeed", "two begins abort", "one begins reject", "two begins succeed"],
-                         self.begun())
+        self.assertEqual(
+            ["one begins succeed", "two begins abort", "one begins reject", "two begins succeed"], self.begun()
+        )
         self.assertIn("two aborted", reply.sentence)
 
     def test_clause_that_cannot_be_done_says_what_was_done(self):
@@ -124,7 +152,9 @@ class CommandChainTest(unittest.TestCase):
         self.assertEqual((Reply.FAILED, "ALL_CANDIDATES_FAILED"), (reply.outcome, reply.code))
         self.assertEqual(
             'I have done "succeed one", but I could not do "abort two / reject one": two aborted: aborted as asked for; '
-            'one rejected the goal: rejected as asked for. I did not begin "succeed two".', reply.sentence)
+            'one rejected the goal: rejected as asked for. I did not begin "succeed two".',
+            reply.sentence,
+        )
         self.assertEqual(["one begins succeed", "two begins abort", "one begins reject"], self.begun())
 
     def test_new_command_preempts(self):

@@ -7,7 +7,7 @@ from frame_learning.annotated_commands import AnnotatedCommand, AnnotatedElement
 from frame_learning.behaviour_2012 import understand_2012
 from frame_learning.corpus_mapping import CorpusMapping
 from frame_learning.metrics import Answer
-from offline_pipeline.pipeline import Pipeline, to_json
+from offline_pipeline.pipeline import Pipeline
 from semantic_frames.frame import SemanticFrame
 from stanford_parser_ros.model import UnparsableText
 from utterance_passes.tree import DependencyTree

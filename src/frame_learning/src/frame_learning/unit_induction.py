@@ -301,7 +301,7 @@ def _same_shape(lessons: Sequence[Lesson]) -> FrozenSet[Tuple[str, str, str]]:
 def _fill(unit: LearnedUnit, rarer: FrozenSet[Tuple[str, str, str]]) -> None:
     for lesson in unit.lessons:
         for name, relation in lesson.relations.items():
-            is_closed = relation != MEASURE and name in lesson.closed or (unit.frame_name, name, relation) in rarer
+            is_closed = (relation != MEASURE and name in lesson.closed) or (unit.frame_name, name, relation) in rarer
             seen = (unit.closed_relations if is_closed else unit.open_relations).setdefault(name, [])
             seen += [relation] if relation not in seen else []
             if is_closed and lesson.words[name] not in unit.words.setdefault(name, []):

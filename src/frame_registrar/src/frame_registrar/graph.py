@@ -3,6 +3,7 @@
 from typing import Dict, FrozenSet, List, Mapping, Optional, Set, Tuple
 
 import networkx
+
 from semantic_frames.frame import ConstantArgument, ElementMapping, RelatedFrame, SemanticFrame
 from semantic_frames.marked_yaml import did_you_mean
 from semantic_frames.problem import FileRefused, Problem

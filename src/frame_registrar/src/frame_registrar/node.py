@@ -31,16 +31,16 @@ from roboframenet_msgs.srv import (
     RegisterWithFrameRequest,
     RegisterWithFrameResponse,
 )
-from roboframenet_ros.ros_log import log_from_threads
-from semantic_frames import FileRefused, Problem, load_frame
-from semantic_frames.frame import SemanticFrame
-from semantic_frames.source_files import FRAMES_FOLDER, read_text, replace_problems, yaml_files
-from stage_events.ros_stage import Stage
 
 from frame_registrar.graph import FrameGraph
 from frame_registrar.ros_liveness import LivenessWatch
 from frame_registrar.ros_messages import to_clauses, to_empty_frame, to_file_problems, to_frame_lists, to_plan
 from frame_registrar.search import Refusal, combinations, reply_outcome, search
+from roboframenet_ros.ros_log import log_from_threads
+from semantic_frames import FileRefused, Problem, load_frame
+from semantic_frames.frame import SemanticFrame
+from semantic_frames.source_files import FRAMES_FOLDER, read_text, replace_problems, yaml_files
+from stage_events.ros_stage import Stage
 
 #: Kept on the master by the node for itself: files that were added while it ran.
 ADDED_FRAMES = "~_added_frames"
@@ -178,7 +178,9 @@ class FrameRegistrar:
     def _on_register(self, request: RegisterWithFrameRequest) -> RegisterWithFrameResponse:
         server = request.callback_topic
         if server.strip() and (server.startswith("~") or not rosgraph.names.is_legal_name(server)):
-            errors: Tuple[str, ...] = (f"'{server}' is no name of an action server: a graph name without '~' is expected",)
+            errors: Tuple[str, ...] = (
+                f"'{server}' is no name of an action server: a graph name without '~' is expected",
+            )
         else:
             with self._lock:
                 errors = self._graph.register(request.frame_name, server)

@@ -16,11 +16,11 @@ from roboframenet_msgs.msg import (
     PlanCandidate,
     PlanNode,
 )
-from semantic_frames import Problem
-from semantic_frames.frame import SemanticFrame
 
 from frame_registrar.filling import FilledFrame
 from frame_registrar.search import Argument, Candidate, Reading
+from semantic_frames import Problem
+from semantic_frames.frame import SemanticFrame
 
 
 def to_clauses(clauses: Iterable[Clause]) -> List[List[Reading]]:

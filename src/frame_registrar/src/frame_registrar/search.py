@@ -4,11 +4,10 @@ from dataclasses import dataclass, replace
 from itertools import islice, product
 from typing import Dict, Iterator, List, Sequence, Tuple, Union
 
-from semantic_frames.frame import ListPolicy, SemanticFrame
-
 from frame_registrar.filling import Unfillable, fill, words
 from frame_registrar.graph import FrameGraph
 from frame_registrar.realisation import Frames, Realiser, Refusal
+from semantic_frames.frame import ListPolicy, SemanticFrame
 
 __all__ = ["Argument", "Candidate", "Reading", "Refusal", "combinations", "reply_outcome", "search"]
 
@@ -137,7 +136,9 @@ def _of_clause(
     if found:
         return tuple(found.values())
     if realiser.is_cut:
-        return Refusal("TOO_MANY_CANDIDATES", "There are more ways to do that than I can look at, and none works so far.")
+        return Refusal(
+            "TOO_MANY_CANDIDATES", "There are more ways to do that than I can look at, and none works so far."
+        )
     # min() keeps the first of equals: the likeliest reading.
     return min(refusals, key=lambda refusal: _REASONS.index(refusal.code), default=_NOTHING_UNDERSTOOD)
 

@@ -1,5 +1,6 @@
 #!/usr/bin/python3
 """The node: its services, a command in and candidates out, files that are wrong, and what is killed."""
+
 import os
 import signal
 import tempfile
@@ -110,9 +111,7 @@ class FrameRegistrarTest(unittest.TestCase):
 
         def is_answered() -> bool:
             answers[:] = [message for message in list(self.candidates) if message.command.id == command_id]
-            answers.extend(
-                event for event in list(self.events) if event.command.id == command_id and event.is_final
-            )
+            answers.extend(event for event in list(self.events) if event.command.id == command_id and event.is_final)
             return bool(answers)
 
         self.assertTrue(wait_until(is_answered), f"no answer to {command_id}")
@@ -258,9 +257,7 @@ class FrameRegistrarTest(unittest.TestCase):
 
     def test_killed_registrar_knows_what_was_added_to_it(self) -> None:
         names = [f"added_{index}" for index in range(6)]
-        threads = [
-            threading.Thread(target=self.add_frame, args=(f"{name}.yaml", f"name: {name}\n")) for name in names
-        ]
+        threads = [threading.Thread(target=self.add_frame, args=(f"{name}.yaml", f"name: {name}\n")) for name in names]
         for thread in threads:
             thread.start()
         for thread in threads:
@@ -275,8 +272,10 @@ class FrameRegistrarTest(unittest.TestCase):
             self.assertEqual(self.call("get_empty_frame", GetEmptyFrame, name).frame.name, name)
         self.assertTrue(
             wait_until(
-                lambda: [problem.code for problem in self.problems.problems if "vanishing" in problem.path]
-                == ["UNREADABLE"]
+                lambda: (
+                    [problem.code for problem in self.problems.problems if "vanishing" in problem.path]
+                    == ["UNREADABLE"]
+                )
             )
         )
         self.register(names[0], "steady")

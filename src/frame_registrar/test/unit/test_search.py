@@ -5,6 +5,7 @@ import random
 from typing import Dict, List, Tuple, Union
 
 import pytest
+
 from frame_registrar import realisation
 from frame_registrar.graph import FrameGraph
 from frame_registrar.search import Argument, Candidate, Reading, Refusal, combinations, search
@@ -183,9 +184,7 @@ def test_value_that_no_child_stands_for_is_told_with_those_that_do() -> None:
 def test_child_that_is_meant_but_has_no_server_is_what_is_missing() -> None:
     graph = moving_graph()
     graph.set_dead(frozenset(["backward_server"]))
-    refusal = search(
-        graph, [[reading("moving", distance="3", unit="metres", direction="backward")]], max_candidates=9
-    )
+    refusal = search(graph, [[reading("moving", distance="3", unit="metres", direction="backward")]], max_candidates=9)
     assert isinstance(refusal, Refusal) and refusal.code == "NO_SERVER"
     assert 'registered for "moving" or "moving_backward".' in refusal.sentence
 

@@ -3,6 +3,7 @@
 import math
 
 import pytest
+
 from location_memorizer.locations import (
     Location,
     LocationFileError,

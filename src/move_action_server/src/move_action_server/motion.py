@@ -2,6 +2,7 @@
 
 Forward and left are positive (REP 103). Nothing here waits or reads a clock: the caller passes the time.
 """
+
 import enum
 import math
 from dataclasses import dataclass
@@ -85,9 +86,11 @@ class MotionSettings:
     """
 
     straight: MotionProfile = MotionProfile(
-        max_amount=20.0, speed_per_s=0.3, acceleration_per_s2=0.5, creep_per_s=0.02, tolerance=0.002)
+        max_amount=20.0, speed_per_s=0.3, acceleration_per_s2=0.5, creep_per_s=0.02, tolerance=0.002
+    )
     turn: MotionProfile = MotionProfile(
-        max_amount=20.0 * math.pi, speed_per_s=1.0, acceleration_per_s2=1.5, creep_per_s=0.06, tolerance=0.003)
+        max_amount=20.0 * math.pi, speed_per_s=1.0, acceleration_per_s2=1.5, creep_per_s=0.06, tolerance=0.003
+    )
     aim_share: float = 0.005
     """The base stops when it is within this share of the amount."""
     accept_share: float = 0.02
@@ -215,8 +218,9 @@ class Motion:
         """
         if self._goal.kind is MotionKind.TURN:
             return self._turned_rad
-        return ((self._last.x_m - self._start.x_m) * math.cos(self._start.yaw_rad)
-                + (self._last.y_m - self._start.y_m) * math.sin(self._start.yaw_rad))
+        return (self._last.x_m - self._start.x_m) * math.cos(self._start.yaw_rad) + (
+            self._last.y_m - self._start.y_m
+        ) * math.sin(self._start.yaw_rad)
 
     def observe(self, sample: OdometrySample, *, now_s: float) -> None:
         """Take an odometry sample. One that is not finite counts as none."""
@@ -226,10 +230,14 @@ class Motion:
         if not 0.0 < passed_s <= self._settings.odometry_timeout_s:
             # A clock that stands or jumps (a simulation that was started again): the time of arrival has to do.
             passed_s = max(0.0, now_s - self._sample_s)
-        limit_m, limit_rad = (self.JUMP + 3.0 * profile.speed_per_s * passed_s
-                              for profile in (self._settings.straight, self._settings.turn))
-        if (math.hypot(sample.x_m - self._last.x_m, sample.y_m - self._last.y_m) > limit_m
-                or abs(wrap(sample.yaw_rad - self._last.yaw_rad)) > limit_rad):
+        limit_m, limit_rad = (
+            self.JUMP + 3.0 * profile.speed_per_s * passed_s
+            for profile in (self._settings.straight, self._settings.turn)
+        )
+        if (
+            math.hypot(sample.x_m - self._last.x_m, sample.y_m - self._last.y_m) > limit_m
+            or abs(wrap(sample.yaw_rad - self._last.yaw_rad)) > limit_rad
+        ):
             self._fail("odometry has jumped: nobody knows how far the base has gone")
             return
         self._elapsed_s += passed_s
@@ -276,7 +284,7 @@ class Motion:
             )
             return
         # Twice the way to the first braking is farther than any start can slip back.
-        slip = 2.0 * self._profile.speed_per_s ** 2 / self._profile.acceleration_per_s2
+        slip = 2.0 * self._profile.speed_per_s**2 / self._profile.acceleration_per_s2
         if math.copysign(1.0, self._goal.amount) * progress < -slip:
             self._fail("the base moves the wrong way: odometry and velocity disagree about the sign")
 
@@ -295,7 +303,7 @@ class Motion:
         self._step_elapsed_s = self._elapsed_s
         profile = self._profile
         # Each correction is made more gently than the one before: however late odometry is, they come to an end.
-        gentleness = 0.5 ** self._corrections
+        gentleness = 0.5**self._corrections
         to_brake = max(0.0, abs(error) - abs(self._speed_per_s) * self.REACTION_S)
         fastest = gentleness * min(profile.speed_per_s, math.sqrt(2.0 * profile.acceleration_per_s2 * to_brake))
         wanted = math.copysign(max(profile.creep_per_s, fastest), error)

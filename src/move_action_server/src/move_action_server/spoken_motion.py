@@ -1,4 +1,5 @@
 """What was said, as a motion: arguments of a frame in, metres and radians out."""
+
 import math
 from typing import Mapping
 

@@ -6,10 +6,10 @@ from pathlib import Path
 from typing import Callable, Dict, FrozenSet, Iterable, List, Mapping, Tuple
 
 from frame_registrar.graph import FrameGraph
+from semantic_framer.lexicon import Lexicon
 from semantic_frames import FileRefused, Problem, load_frame
 from semantic_frames.frame import SemanticFrame
 from semantic_frames.source_files import FRAMES_FOLDER, LEXICAL_UNITS_FOLDER, read_text, yaml_files
-from semantic_framer.lexicon import Lexicon
 
 
 @dataclass(frozen=True)

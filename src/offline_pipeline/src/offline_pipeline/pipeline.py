@@ -152,9 +152,7 @@ class Pipeline:
         except Exception as error:  # boundary: a batch goes on behind a sentence that breaks something
             return Understanding(text, Reply("FAILED", "STAGE_ERROR", f"{type(error).__name__}: {error}"))
 
-    def _understanding(
-        self, text: str, tree: DependencyTree, heard: Heard, trace: Optional[Trace]
-    ) -> Understanding:
+    def _understanding(self, text: str, tree: DependencyTree, heard: Heard, trace: Optional[Trace]) -> Understanding:
         outcome = heard.outcome
         found: Union[Tuple[Tuple[registrar.Candidate, ...], ...], registrar.Refusal] = ()
         if isinstance(outcome, Understood):

@@ -1,6 +1,7 @@
 """The offline pipeline: the replies of the nodes, and a trace that names the rule."""
 
 import pytest
+
 from command_server.stop_words import is_stop
 from offline_pipeline.knowledge import load_knowledge, pretend_servers, shipped_domains
 from offline_pipeline.pipeline import Parameters, Pipeline, to_json

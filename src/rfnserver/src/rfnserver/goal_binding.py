@@ -15,11 +15,10 @@ import difflib
 from dataclasses import dataclass
 from typing import Any, Callable, Dict, Iterable, List, Mapping, Optional, Sequence, Tuple, Union
 
-from spoken_quantities import QuantityError, find_unit, parse_measure
-from word_classes import word_class
-
 from rfnserver.arguments import ArgumentError
 from rfnserver.goal_types import Filling, GoalField
+from spoken_quantities import QuantityError, find_unit, parse_measure
+from word_classes import word_class
 
 SOURCE_KEYS = ("element", "unit_element", "unit", "default", "value")
 

@@ -79,7 +79,7 @@ class GoalForwarder:
             return ForwardedEnd(
                 GoalStatus.LOST, f"{self._server} is not there (waited {self._deadlines.server_s:g} s)."
             )
-        ended: "queue.Queue[actionlib.ClientGoalHandle]" = queue.Queue()
+        ended: queue.Queue[actionlib.ClientGoalHandle] = queue.Queue()
 
         def on_transition(handle: actionlib.ClientGoalHandle) -> None:
             if handle.get_comm_state() == actionlib.CommState.DONE:

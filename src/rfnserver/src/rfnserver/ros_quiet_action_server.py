@@ -7,6 +7,7 @@ from typing import Any, Callable, Optional
 
 import actionlib
 import rospy
+
 from roboframenet_ros.ros_log import log_from_threads
 
 #: The waiting thread wakes up so often although nobody notified it, seconds: a guard, not a rhythm.

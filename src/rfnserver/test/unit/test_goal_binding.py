@@ -4,6 +4,7 @@ import math
 from typing import Any, Dict
 
 import pytest
+
 from rfnserver.arguments import ArgumentError
 from rfnserver.goal_binding import BindingError, BoundElement, goal_values, plan_goal
 from rfnserver.goal_types import FILLING_OF_TYPE, Filling, GoalField

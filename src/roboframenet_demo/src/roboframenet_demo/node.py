@@ -7,14 +7,14 @@ from typing import List, Optional, Sequence, Tuple
 
 import rospy
 import yaml
+from roboframenet_msgs.msg import FilledSemanticFrameActionFeedback, Reply, StageEvent
+from std_msgs.msg import String
 
 from roboframenet_demo.ros_conversation import Conversation
 from roboframenet_demo.ros_observer import RobotObserver
 from roboframenet_demo.ros_pipeline import is_pipeline_complete
 from roboframenet_demo.script import Line, judge, read_line
 from roboframenet_demo.table import format_table
-from roboframenet_msgs.msg import FilledSemanticFrameActionFeedback, Reply, StageEvent
-from std_msgs.msg import String
 
 OUTCOME_NAMES = {
     Reply.DONE: "DONE",

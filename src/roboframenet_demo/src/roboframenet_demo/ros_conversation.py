@@ -5,9 +5,8 @@ import time
 from typing import Callable, Dict, List, Optional
 
 import rospy
-from std_msgs.msg import String
-
 from roboframenet_msgs.msg import CommandLexicalUnits, CommandPlan, FrameCatalogue, Reply, StageEvent
+from std_msgs.msg import String
 
 
 class Conversation:
@@ -24,7 +23,7 @@ class Conversation:
         Args:
             on_event: called with every stage event, from a thread of rospy
         """
-        self._replies: "queue.Queue[Reply]" = queue.Queue()
+        self._replies: queue.Queue[Reply] = queue.Queue()
         self._plans: Dict[str, CommandPlan] = {}
         self._readings: Dict[str, CommandLexicalUnits] = {}
         self._registered_s: Optional[float] = None

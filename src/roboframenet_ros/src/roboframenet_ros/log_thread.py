@@ -1,4 +1,5 @@
 """A log handler whose callers never wait: a thread writes for them."""
+
 import logging
 import queue
 import sys
@@ -23,7 +24,7 @@ class LogThread(logging.Handler):
         """
         super().__init__(handler.level)
         self._handler = handler
-        self._records: "queue.Queue[logging.LogRecord]" = queue.Queue(max_waiting)
+        self._records: queue.Queue[logging.LogRecord] = queue.Queue(max_waiting)
         self._dropped = 0
         # A daemon: a handler that hangs must not keep the process alive.
         self._thread = threading.Thread(target=self._write_on, name="log", daemon=True)
@@ -55,8 +56,11 @@ class LogThread(logging.Handler):
             try:
                 dropped, self._dropped = self._dropped, 0
                 if dropped:
-                    self._handler.handle(logging.LogRecord(
-                        record.name, logging.WARNING, __file__, 0, f"{dropped} log records were dropped", None, None))
+                    self._handler.handle(
+                        logging.LogRecord(
+                            record.name, logging.WARNING, __file__, 0, f"{dropped} log records were dropped", None, None
+                        )
+                    )
                 self._handler.handle(record)
             except Exception as error:  # boundary: a handler may fail in any way, and logging that would not end
                 sys.stderr.write(f"a log record is lost: {type(error).__name__}: {error}\n")

@@ -1,4 +1,5 @@
 """Log calls that never wait for the master."""
+
 import logging
 import time
 

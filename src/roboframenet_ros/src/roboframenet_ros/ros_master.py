@@ -1,4 +1,5 @@
 """The master, asked with a deadline."""
+
 import http.client
 import xmlrpc.client
 from dataclasses import dataclass
@@ -65,4 +66,5 @@ class TimedMaster:
         publishers, subscribers, _ = state
         return SystemState(
             publishers={topic: frozenset(nodes) for topic, nodes in publishers},
-            subscribers={topic: frozenset(nodes) for topic, nodes in subscribers})
+            subscribers={topic: frozenset(nodes) for topic, nodes in subscribers},
+        )

@@ -1,4 +1,5 @@
 """Notices that the process did not run for a while."""
+
 import time
 from typing import Callable
 

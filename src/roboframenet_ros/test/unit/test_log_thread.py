@@ -1,4 +1,5 @@
 """Nobody who logs waits for whoever writes."""
+
 import logging
 import threading
 

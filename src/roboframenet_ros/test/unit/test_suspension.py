@@ -1,4 +1,5 @@
 """Whether a process did not run."""
+
 from roboframenet_ros.suspension import SuspensionWatch
 
 

@@ -91,7 +91,7 @@ class Arm:
     def __init__(self, limits: Dict[str, JointLimit], *, positions_rad: Dict[str, float]) -> None:
         self.limits = dict(limits)
         self.positions_rad = {name: positions_rad[name] for name in limits}
-        self.velocities_rad_per_s = {name: 0.0 for name in limits}
+        self.velocities_rad_per_s = dict.fromkeys(limits, 0.0)
         self._trajectory: Optional[Trajectory] = None
         self._begin: Tuple[float, ...] = ()
         self._elapsed_s = 0.0

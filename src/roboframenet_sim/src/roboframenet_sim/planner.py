@@ -1,4 +1,5 @@
 """The shortest way on an occupancy grid: A*, then the corners that matter."""
+
 import heapq
 import math
 from typing import Dict, List, Sequence, Tuple
@@ -59,8 +60,11 @@ def _search(grid: OccupancyGrid, *, start: Cell, goal: Cell) -> List[Cell]:
             if beside in done or not grid.is_cell_free(beside):
                 continue
             # A diagonal step must not cut a corner.
-            if down and right and not (grid.is_cell_free((cell[0] + down, cell[1]))
-                                       and grid.is_cell_free((cell[0], cell[1] + right))):
+            if (
+                down
+                and right
+                and not (grid.is_cell_free((cell[0] + down, cell[1])) and grid.is_cell_free((cell[0], cell[1] + right)))
+            ):
                 continue
             new_cost = cost[cell] + length
             if new_cost < cost.get(beside, math.inf):
@@ -74,8 +78,10 @@ def is_clear(grid: OccupancyGrid, begin: Point, end: Point) -> bool:
     """Tell whether the straight line between two points is free."""
     length_m = math.hypot(end[0] - begin[0], end[1] - begin[1])
     pieces = max(1, math.ceil(length_m / (grid.resolution_m / 4.0)))
-    return all(grid.is_free(begin[0] + (end[0] - begin[0]) * index / pieces,
-                            begin[1] + (end[1] - begin[1]) * index / pieces) for index in range(pieces + 1))
+    return all(
+        grid.is_free(begin[0] + (end[0] - begin[0]) * index / pieces, begin[1] + (end[1] - begin[1]) * index / pieces)
+        for index in range(pieces + 1)
+    )
 
 
 def _straighten(grid: OccupancyGrid, points: Sequence[Point]) -> List[Point]:

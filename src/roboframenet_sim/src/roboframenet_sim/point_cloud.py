@@ -3,6 +3,7 @@
 Everything that is seen stands upright, so the distance to it depends on the column of the image alone: the picture is
 the outer product of a few rows and columns, without a loop over pixels.
 """
+
 import math
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, Optional
@@ -63,9 +64,9 @@ def _depth_of_cylinder(cylinder: Cylinder, *, pose: Pose, slopes: "NDArray[np.fl
     dx, dy = cylinder.x_m - pose.x_m, cylinder.y_m - pose.y_m
     ahead, left = cos * dx + sin * dy, cos * dy - sin * dx
     # |(t, -slope t) - (ahead, left)| = radius, solved for the nearer t.
-    a = 1.0 + slopes ** 2
+    a = 1.0 + slopes**2
     b = ahead - slopes * left
-    rest = b ** 2 - a * (ahead ** 2 + left ** 2 - cylinder.radius_m ** 2)
+    rest = b**2 - a * (ahead**2 + left**2 - cylinder.radius_m**2)
     with np.errstate(invalid="ignore"):
         depth = (b - np.sqrt(rest)) / a
     return np.where((rest >= 0.0) & (depth > 0.0), depth, np.inf)
@@ -86,13 +87,19 @@ def _depth_of_walls(
     with np.errstate(divide="ignore", invalid="ignore"):
         share = first / (first - second)
         depth = ahead[:, :1] + share * (ahead[:, 1:] - ahead[:, :1])
-    hits: "NDArray[np.floating[Any]]" = np.where((first * second <= 0.0) & (depth > 0.0), depth, np.inf)
-    nearest: "NDArray[np.floating[Any]]" = hits.min(axis=0)
+    hits: NDArray[np.floating[Any]] = np.where((first * second <= 0.0) & (depth > 0.0), depth, np.inf)
+    nearest: NDArray[np.floating[Any]] = hits.min(axis=0)
     return nearest
 
 
-def render(camera: Camera, *, pose: Pose, person: Optional[Cylinder] = None,
-           walls: "NDArray[np.float64]" = NO_WALLS, wall_height_m: float = 2.0) -> "NDArray[np.float32]":
+def render(
+    camera: Camera,
+    *,
+    pose: Pose,
+    person: Optional[Cylinder] = None,
+    walls: "NDArray[np.float64]" = NO_WALLS,
+    wall_height_m: float = 2.0,
+) -> "NDArray[np.float32]":
     """Return what the camera sees.
 
     Args:

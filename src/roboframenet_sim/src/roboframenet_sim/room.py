@@ -1,4 +1,5 @@
 """A room: walls and boxes, read from YAML."""
+
 import math
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Callable, Dict, List, Sequence, Tuple, TypeVar
@@ -46,8 +47,12 @@ class Room:
         rectangles = [(self.x_m, self.y_m)] + [(box.x_m, box.y_m) for box in self.boxes]
         sides: List[Sequence[float]] = list(self.walls)
         for (left, right), (low, high) in rectangles:
-            sides += [(left, low, right, low), (right, low, right, high), (right, high, left, high),
-                      (left, high, left, low)]
+            sides += [
+                (left, low, right, low),
+                (right, low, right, high),
+                (right, high, left, high),
+                (left, high, left, low),
+            ]
         return np.array(sides, dtype=float)
 
 
@@ -142,17 +147,23 @@ def load_room(text: str, *, path: str) -> Room:
 
     def read_box(node: yaml.Node) -> Box:
         entry = reader.mapping(node, "boxes", keys=("name", "x_m", "y_m"))
-        return Box(name=str(entry["name"].value), x_m=reader.span(entry["x_m"], "boxes/x_m"),
-                   y_m=reader.span(entry["y_m"], "boxes/y_m"))
+        return Box(
+            name=str(entry["name"].value),
+            x_m=reader.span(entry["x_m"], "boxes/x_m"),
+            y_m=reader.span(entry["y_m"], "boxes/y_m"),
+        )
 
     resolution_m = reader.positive(top["resolution_m"], "resolution_m")
-    if (x_m[1] - x_m[0]) * (y_m[1] - y_m[0]) / resolution_m ** 2 > 4e6:
+    if (x_m[1] - x_m[0]) * (y_m[1] - y_m[0]) / resolution_m**2 > 4e6:
         raise reader.error(top["resolution_m"], "resolution_m", "more than four million cells")
     return Room(
-        resolution_m=resolution_m, wall_thickness_m=reader.positive(top["wall_thickness_m"], "wall_thickness_m"),
-        x_m=x_m, y_m=y_m,
+        resolution_m=resolution_m,
+        wall_thickness_m=reader.positive(top["wall_thickness_m"], "wall_thickness_m"),
+        x_m=x_m,
+        y_m=y_m,
         walls=reader.items(top["walls"], "walls", read_wall),
-        boxes=reader.items(top["boxes"], "boxes", read_box))
+        boxes=reader.items(top["boxes"], "boxes", read_box),
+    )
 
 
 def load_room_file(path: str) -> Room:

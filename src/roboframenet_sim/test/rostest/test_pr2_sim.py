@@ -1,5 +1,6 @@
 #!/usr/bin/python3
 """The arms and the base of the simulated PR2, as its clients see them."""
+
 import sys
 import time
 import unittest

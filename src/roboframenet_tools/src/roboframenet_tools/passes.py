@@ -5,10 +5,10 @@ import sys
 from dataclasses import dataclass
 from typing import Dict, Iterable, List, Sequence, Tuple
 
-from offline_pipeline.knowledge import load_knowledge, pretend_servers, shipped_domains
-from offline_pipeline.pipeline import Pipeline, Understanding
 from frame_learning.annotated_commands import CorpusError
 from frame_learning.corpora import CORPORA
+from offline_pipeline.knowledge import load_knowledge, pretend_servers, shipped_domains
+from offline_pipeline.pipeline import Pipeline, Understanding
 from stanford_parser_ros.model import ModelError
 from utterance_passes.table import PASSES
 
@@ -41,7 +41,9 @@ class Effect:
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Declare the arguments of ``rfn passes``."""
     parser.epilog = EXAMPLES
-    parser.add_argument("--corpus", nargs=2, metavar=("NAME", "DIR"), help=f"one of {', '.join(CORPORA)}, and its folder")
+    parser.add_argument(
+        "--corpus", nargs=2, metavar=("NAME", "DIR"), help=f"one of {', '.join(CORPORA)}, and its folder"
+    )
     parser.add_argument("--show", metavar="PASS", help="print each sentence that is read otherwise without this pass")
     parser.add_argument("--domains", action="append", metavar="FOLDER", help="frames and units (default: shipped)")
 

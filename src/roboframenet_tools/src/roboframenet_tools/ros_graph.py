@@ -1,11 +1,12 @@
 """Frames, lexical units and servers of the running graph."""
+
 import queue
 from typing import Iterator, Tuple
 
 import rosgraph
 import rospy
-
 from roboframenet_msgs.msg import FrameCatalogue, Lexicon, StageEvent
+
 from offline_pipeline.knowledge import Knowledge, load_texts
 from offline_pipeline.pipeline import Parameters
 from semantic_framer.outcome import Alternatives, LeftOverWords, Policy
@@ -32,8 +33,10 @@ def live_knowledge(*, timeout_s: float) -> Knowledge:
         lexicon = rospy.wait_for_message("lexicon", Lexicon, timeout=timeout_s)
     except rospy.ROSException as error:
         raise LookupError(f"the pipeline is not up: {error}") from error
-    knowledge = load_texts([(file.path, lambda file=file: file.text) for file in catalogue.files],
-                           [(file.path, lambda file=file: file.text) for file in lexicon.files])
+    knowledge = load_texts(
+        [(file.path, lambda file=file: file.text) for file in catalogue.files],
+        [(file.path, lambda file=file: file.text) for file in lexicon.files],
+    )
     for callback in catalogue.callbacks:
         if callback.is_alive:
             knowledge.graph.register(callback.frame_name, callback.callback_topic)
@@ -75,7 +78,7 @@ def live_traces() -> Iterator[str]:
     if not is_master_up():
         raise LookupError("no ROS master answers: start the pipeline, or give a sentence and leave --live away")
     _join()
-    events: "queue.Queue[StageEvent]" = queue.Queue()
+    events: queue.Queue[StageEvent] = queue.Queue()
     subscriber = rospy.Subscriber("stage_events", StageEvent, events.put, queue_size=100)
     try:
         while not rospy.is_shutdown():
@@ -103,6 +106,6 @@ def robots_up() -> Tuple[str, ...]:
     """Return the robots in the running graph, by what is subscribed to in each namespace."""
     _, subscribers, _ = rosgraph.Master("/rfn").getSystemState()
     topics = [topic for topic, nodes in subscribers if nodes]
-    arms = {topic[:-len(_ARM_GOAL)] for topic in topics if topic.endswith("/" + _ARM_GOAL)}
-    bases = {topic[:-len("cmd_vel")] for topic in topics if topic.endswith("/cmd_vel")}
+    arms = {topic[: -len(_ARM_GOAL)] for topic in topics if topic.endswith("/" + _ARM_GOAL)}
+    bases = {topic[: -len("cmd_vel")] for topic in topics if topic.endswith("/cmd_vel")}
     return ("turtlebot",) * len(bases - arms) + ("pr2",) * len(arms)

@@ -3,16 +3,16 @@
 import json
 
 import pytest
-
 from roboframenet_msgs.msg import Command, StageEvent
+
+from offline_pipeline.knowledge import load_knowledge, pretend_servers, shipped_domains
+from offline_pipeline.pipeline import Pipeline, to_json
 from roboframenet_tools import explain
 from roboframenet_tools.cli import main
 from roboframenet_tools.drawing import draw_arcs, svg_arcs
 from roboframenet_tools.explain import describe
 from roboframenet_tools.passes import effects_of
 from roboframenet_tools.ros_graph import describe_event
-from offline_pipeline.knowledge import load_knowledge, pretend_servers, shipped_domains
-from offline_pipeline.pipeline import Pipeline, to_json
 from utterance_passes.table import PASSES
 from utterance_passes.tree import DependencyTree, Word
 
@@ -55,7 +55,8 @@ def test_what_is_said_on_the_way_is_no_step(pipeline):
 def test_each_clause_has_its_own_candidates(pipeline):
     understanding = pipeline.understand("Take the mug, then go to the kitchen.")
     assert [[step.name for step in candidates[0].frames] for candidates in understanding.candidates] == [
-        ["taking"], ["navigating_to_location"]
+        ["taking"],
+        ["navigating_to_location"],
     ]
     explanation = describe(understanding)
     assert 'clause 1, "Take the mug"\nwould run: taking(theme=the mug) on taking\notherwise: grasping' in explanation

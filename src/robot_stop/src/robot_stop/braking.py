@@ -2,6 +2,7 @@
 
 Nothing here waits or publishes: the caller gives what it sees and does what comes back.
 """
+
 import time
 from dataclasses import dataclass
 from typing import Callable, FrozenSet, List, Optional, Sequence, Tuple
@@ -193,10 +194,14 @@ class Braking:
             evidence: from before it; the goals that live now are those that must end
             is_just_awake: the process was suspended, so that more may be on its way
         """
-        self._stops.append(_Active(
-            order=order, began_s=self._now(),
-            settle_s=self._limits.wake_settle_s if is_just_awake else self._limits.settle_s,
-            old_ids=frozenset(goal.goal_id for goal in evidence.goals)))
+        self._stops.append(
+            _Active(
+                order=order,
+                began_s=self._now(),
+                settle_s=self._limits.wake_settle_s if is_just_awake else self._limits.settle_s,
+                old_ids=frozenset(goal.goal_id for goal in evidence.goals),
+            )
+        )
 
     def release(self, key: str) -> None:
         """Somebody else sees to this stop."""
@@ -236,10 +241,18 @@ class Braking:
         return age_s < self._limits.least_s or (not obedience.is_complete and age_s < self._limits.most_s)
 
     def _obedience(self, stop: _Active, evidence: Evidence) -> Obedience:
-        servers = shown_names(goal.server.name for goal in evidence.goals if stop.order.covers(goal.server) and (
-            goal.goal_id in stop.old_ids or goal.stamp_ns <= stop.order.stamp_ns))
-        drivers = () if any(_is_new(goal, stop) for goal in evidence.goals) else tuple(sorted(
-            (velocity.node, velocity.topic) for velocity in evidence.velocities if self._drives(velocity)))
+        servers = shown_names(
+            goal.server.name
+            for goal in evidence.goals
+            if stop.order.covers(goal.server) and (goal.goal_id in stop.old_ids or goal.stamp_ns <= stop.order.stamp_ns)
+        )
+        drivers = (
+            ()
+            if any(_is_new(goal, stop) for goal in evidence.goals)
+            else tuple(
+                sorted((velocity.node, velocity.topic) for velocity in evidence.velocities if self._drives(velocity))
+            )
+        )
         return Obedience(drivers=drivers, servers=tuple(sorted(servers)), is_known=evidence.is_complete)
 
     def _drives(self, velocity: VelocitySeen) -> bool:

@@ -1,4 +1,5 @@
 """Carries stops out: zero velocity and cancels at once, then the look at who does not obey."""
+
 import queue
 import threading
 import time
@@ -7,8 +8,8 @@ from typing import Callable, Tuple, Union
 
 import rospy
 from actionlib_msgs.msg import GoalID
-from roboframenet_ros.suspension import SuspensionWatch
 
+from roboframenet_ros.suspension import SuspensionWatch
 from robot_stop.braking import BrakeLimits, Braking, Evidence, Finding, StopOrder
 from robot_stop.ros_servers import Servers
 from robot_stop.ros_velocity import Velocities
@@ -49,8 +50,9 @@ class Brake:
     master only in a thread of its own, beforehand, and logs only after a stop.
     """
 
-    def __init__(self, settings: BrakeSettings, *, on_braked: Callable[[Braked], None],
-                 on_finding: Callable[[Finding], None]) -> None:
+    def __init__(
+        self, settings: BrakeSettings, *, on_braked: Callable[[Braked], None], on_finding: Callable[[Finding], None]
+    ) -> None:
         """Connect.
 
         Args:
@@ -61,15 +63,21 @@ class Brake:
         self._period_s = 1.0 / settings.zero_velocity_rate_hz
         self._on_braked = on_braked
         self._on_finding = on_finding
-        self._braking = Braking(BrakeLimits(
-            confirmation_s=settings.confirmation_timeout_s, least_s=settings.zero_velocity_duration_s,
-            most_s=max(settings.zero_velocity_limit_s, settings.zero_velocity_duration_s)))
+        self._braking = Braking(
+            BrakeLimits(
+                confirmation_s=settings.confirmation_timeout_s,
+                least_s=settings.zero_velocity_duration_s,
+                most_s=max(settings.zero_velocity_limit_s, settings.zero_velocity_duration_s),
+            )
+        )
         self._suspension = SuspensionWatch(longest_turn_s=_LONGEST_TURN_S)
         self._velocities = Velocities(settings.velocity_topics)
         self.servers = Servers(
             also_cancel=tuple(rospy.resolve_name(name).rstrip("/") for name in settings.also_cancel),
-            refresh_period_s=settings.refresh_period_s, master_timeout_s=settings.master_timeout_s)
-        self._inbox: "queue.Queue[Union[StopOrder, _Release, None]]" = queue.Queue()
+            refresh_period_s=settings.refresh_period_s,
+            master_timeout_s=settings.master_timeout_s,
+        )
+        self._inbox: queue.Queue[Union[StopOrder, _Release, None]] = queue.Queue()
         self._thread = threading.Thread(target=self._work, name="brake")
 
     def start(self) -> None:
@@ -130,8 +138,7 @@ class Brake:
         is_just_awake = self._suspension.is_just_awake(within_s=_JUST_AWAKE_S)
         self._braking.begin(order, self._evidence(), is_just_awake=is_just_awake)
         self.servers.refresh_soon()
-        self._on_braked(Braked(
-            order=order, cancelled=tuple(cancelled), took_s=took_s, is_just_awake=is_just_awake))
+        self._on_braked(Braked(order=order, cancelled=tuple(cancelled), took_s=took_s, is_just_awake=is_just_awake))
 
     def _look(self) -> None:
         look = self._braking.look(self._evidence())
@@ -149,8 +156,9 @@ class Brake:
             self.servers.cancel(self._up_to(order), order)
 
     def _evidence(self) -> Evidence:
-        return Evidence(velocities=self._velocities.seen(), goals=self.servers.goals(),
-                        is_complete=self.servers.is_complete)
+        return Evidence(
+            velocities=self._velocities.seen(), goals=self.servers.goals(), is_complete=self.servers.is_complete
+        )
 
     @staticmethod
     def _up_to(order: StopOrder) -> GoalID:

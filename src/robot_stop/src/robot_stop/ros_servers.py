@@ -1,12 +1,13 @@
 """The action servers that a stop cancels: publishers and listeners, made before they are needed."""
+
 import threading
 import time
 from typing import Dict, FrozenSet, List, Mapping, Optional, Tuple
 
 import rospy
 from actionlib_msgs.msg import GoalID, GoalStatus, GoalStatusArray
-from roboframenet_ros.ros_master import TimedMaster
 
+from roboframenet_ros.ros_master import TimedMaster
 from robot_stop.braking import LiveGoal, StopOrder
 from robot_stop.servers import Server, find_servers
 
@@ -26,7 +27,8 @@ class _Connection:
         self._read: Optional[rospy.AnyMsg] = None
         self._goals: Tuple[LiveGoal, ...] = ()
         self._subscriber = rospy.Subscriber(
-            server.status_topic, rospy.AnyMsg, self._hear, queue_size=1, tcp_nodelay=True)
+            server.status_topic, rospy.AnyMsg, self._hear, queue_size=1, tcp_nodelay=True
+        )
 
     def _hear(self, message: rospy.AnyMsg) -> None:
         self._last = message
@@ -52,8 +54,11 @@ class _Connection:
 
     def _live_goals(self, message: rospy.AnyMsg) -> Tuple[LiveGoal, ...]:
         statuses = GoalStatusArray().deserialize(message._buff).status_list
-        return tuple(LiveGoal(self.server, status.goal_id.id, status.goal_id.stamp.to_nsec())
-                     for status in statuses if status.status in _LIVE)
+        return tuple(
+            LiveGoal(self.server, status.goal_id.id, status.goal_id.stamp.to_nsec())
+            for status in statuses
+            if status.status in _LIVE
+        )
 
     def close(self) -> None:
         """Disconnect."""
@@ -115,8 +120,11 @@ class Servers:
         Returns:
             names of the servers that were connected
         """
-        return sorted(server.name for server, connection in self._connections.items()
-                      if order.covers(server) and connection.cancel(goal_id))
+        return sorted(
+            server.name
+            for server, connection in self._connections.items()
+            if order.covers(server) and connection.cancel(goal_id)
+        )
 
     def goals(self) -> Tuple[LiveGoal, ...]:
         """Every goal that had not ended when its server last told. For one thread."""
@@ -133,10 +141,14 @@ class Servers:
 
     def _refresh(self) -> None:
         servers = find_servers(
-            self._master.topic_types(), self._master.system_state().subscribers, registered=self._registered,
-            others=self._also_cancel)
+            self._master.topic_types(),
+            self._master.system_state().subscribers,
+            registered=self._registered,
+            others=self._also_cancel,
+        )
         kept: Dict[Server, _Connection] = {
-            server: connection for server, connection in self._connections.items() if server in servers}
+            server: connection for server, connection in self._connections.items() if server in servers
+        }
         dropped = [connection for server, connection in self._connections.items() if server not in servers]
         for server in servers - kept.keys():
             kept[server] = _Connection(server)

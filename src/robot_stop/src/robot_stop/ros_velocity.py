@@ -1,4 +1,5 @@
 """Zero velocity, and who publishes another one."""
+
 import threading
 import time
 from typing import Dict, List, Tuple
@@ -35,7 +36,8 @@ class Velocities:
         """Begin to watch."""
         self._subscribers = [
             rospy.Subscriber(topic, Twist, self._hear, callback_args=topic, queue_size=10, tcp_nodelay=True)
-            for topic in self._publishers]
+            for topic in self._publishers
+        ]
 
     def stop(self) -> None:
         """Publish zero velocity once."""
@@ -55,8 +57,9 @@ class Velocities:
 
     def _hear(self, message: Twist, topic: str) -> None:
         # Not a number is not zero.
-        if not any(value != 0.0 for vector in (message.linear, message.angular)
-                   for value in (vector.x, vector.y, vector.z)):
+        if not any(
+            value != 0.0 for vector in (message.linear, message.angular) for value in (vector.x, vector.y, vector.z)
+        ):
             return
         if self._is_holding:
             self._publish_zero(topic)
@@ -65,8 +68,11 @@ class Velocities:
         with self._lock:
             before = self._seen.get((node, topic))
             self._seen[(node, topic)] = VelocitySeen(
-                node=node, topic=rospy.resolve_name(topic), heard_s=now_s,
-                period_s=None if before is None else now_s - before.heard_s)
+                node=node,
+                topic=rospy.resolve_name(topic),
+                heard_s=now_s,
+                period_s=None if before is None else now_s - before.heard_s,
+            )
 
     def _publish_zero(self, topic: str) -> None:
         try:

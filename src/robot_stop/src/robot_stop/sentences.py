@@ -1,4 +1,5 @@
 """What a person hears of a stop."""
+
 from robot_stop.braking import Finding, Obedience
 
 

@@ -1,4 +1,5 @@
 """Which action servers a stop cancels."""
+
 from dataclasses import dataclass
 from typing import AbstractSet, Dict, FrozenSet, Iterable, Mapping
 
@@ -32,8 +33,9 @@ class Server:
         return f"{self.name}/status"
 
 
-def find_servers(topic_types: Mapping[str, str], listeners: Mapping[str, Nodes], *, registered: Iterable[str],
-                 others: Iterable[str]) -> FrozenSet[Server]:
+def find_servers(
+    topic_types: Mapping[str, str], listeners: Mapping[str, Nodes], *, registered: Iterable[str], others: Iterable[str]
+) -> FrozenSet[Server]:
     """Find the action servers that a stop cancels.
 
     A ported server counts twice: as NAME/frame, which takes frames, and as NAME, where its ordinary clients send their
@@ -48,14 +50,17 @@ def find_servers(topic_types: Mapping[str, str], listeners: Mapping[str, Nodes],
     Returns:
         those of them that hear cancels now
     """
-    of_frames = {topic[:-len("/goal")] for topic, topic_type in topic_types.items()
-                 if topic.endswith("/goal") and topic_type == FRAME_GOAL_TYPE}
+    of_frames = {
+        topic[: -len("/goal")]
+        for topic, topic_type in topic_types.items()
+        if topic.endswith("/goal") and topic_type == FRAME_GOAL_TYPE
+    }
     of_frames.update(name.rstrip("/") for name in registered)
     found: Dict[str, bool] = {name.rstrip("/"): False for name in others}
     for name in of_frames:
         if not name.endswith(ENTRANCE):
             continue
-        ported = name[:-len(ENTRANCE)]
+        ported = name[: -len(ENTRANCE)]
         # "arm" and "arm/frame" of two nodes only happen to be called alike.
         if _listeners_of(f"{ported}/cancel", listeners) & _listeners_of(f"{name}/cancel", listeners):
             found[ported] = False
@@ -67,8 +72,10 @@ def find_servers(topic_types: Mapping[str, str], listeners: Mapping[str, Nodes],
 def shown_names(names: Iterable[str]) -> FrozenSet[str]:
     """Names for a person: the two of a ported server are one."""
     known = frozenset(names)
-    return frozenset(name[:-len(ENTRANCE)] if name.endswith(ENTRANCE) and name[:-len(ENTRANCE)] in known else name
-                     for name in known)
+    return frozenset(
+        name[: -len(ENTRANCE)] if name.endswith(ENTRANCE) and name[: -len(ENTRANCE)] in known else name
+        for name in known
+    )
 
 
 def _listeners_of(topic: str, listeners: Mapping[str, Nodes]) -> Nodes:

@@ -1,12 +1,16 @@
 """Parameters of whoever stops the robot."""
+
 import math
 from dataclasses import dataclass
 from typing import Tuple
 
 
 def _check_number(name: str, value: object, least: float, most: float, unit: str) -> None:
-    if isinstance(value, bool) or not isinstance(value, (int, float)) or not (
-            math.isfinite(value) and least <= value <= most):
+    if (
+        isinstance(value, bool)
+        or not isinstance(value, (int, float))
+        or not (math.isfinite(value) and least <= value <= most)
+    ):
         raise ValueError(f"~{name} must be {least:g} to {most:g} {unit}, got {value!r}")
 
 

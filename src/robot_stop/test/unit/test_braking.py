@@ -1,4 +1,5 @@
 """Who does not obey a stop, and for how long it is repeated."""
+
 import pytest
 
 from robot_stop.braking import BrakeLimits, Braking, Evidence, LiveGoal, Obedience, StopOrder, VelocitySeen
@@ -31,7 +32,8 @@ class Robot:
 def driving(*, period_s=None, ago_s=0.0, goals=()):
     """Evidence of a driver, at the time of the look."""
     return lambda now_s: Evidence(
-        velocities=(VelocitySeen("/teleop", "/cmd_vel", now_s - ago_s, period_s),), goals=goals)
+        velocities=(VelocitySeen("/teleop", "/cmd_vel", now_s - ago_s, period_s),), goals=goals
+    )
 
 
 def test_robot_that_stands_is_stopped_when_things_have_settled():
@@ -39,7 +41,11 @@ def test_robot_that_stands_is_stopped_when_things_have_settled():
     assert robot.look(after_s=0.05).findings == ()
     (finding,) = robot.look(after_s=0.06).findings
     assert (finding.order, finding.obedience.is_complete, finding.is_first, finding.is_last) == (
-        STOP, True, True, False)
+        STOP,
+        True,
+        True,
+        False,
+    )
 
 
 def test_it_is_repeated_for_a_while_and_nothing_more_is_said():
@@ -99,12 +105,15 @@ def test_velocities_from_before_the_stop_count_until_the_driver_is_quiet():
     assert robot.look(driving(ago_s=0.31)).findings[0].obedience.is_complete
 
 
-@pytest.mark.parametrize("period_s, ago_s, is_quiet", [
-    (0.05, 0.31, True), (0.4, 0.7, False), (0.4, 0.81, True), (60.0, 0.89, False), (60.0, 0.91, True)])
+@pytest.mark.parametrize(
+    "period_s, ago_s, is_quiet",
+    [(0.05, 0.31, True), (0.4, 0.7, False), (0.4, 0.81, True), (60.0, 0.89, False), (60.0, 0.91, True)],
+)
 def test_slow_driver_is_quiet_after_two_of_its_periods(period_s, ago_s, is_quiet):
     robot = Robot()
-    assert robot.look(driving(period_s=period_s, ago_s=ago_s),
-                      after_s=1.0).findings[0].obedience.is_complete == is_quiet
+    assert (
+        robot.look(driving(period_s=period_s, ago_s=ago_s), after_s=1.0).findings[0].obedience.is_complete == is_quiet
+    )
 
 
 def test_new_command_ends_the_repetition_and_may_drive():
@@ -165,11 +174,13 @@ def test_sentences():
     robot = Robot()
     (stopped,) = robot.look(after_s=0.2).findings
     assert sentence_of(stopped, server_count=1, limit_s=10.0) == (
-        "Stopped: zero velocity, and no goal of 1 action server goes on.")
+        "Stopped: zero velocity, and no goal of 1 action server goes on."
+    )
     robot = Robot()
     (finding,) = robot.look(driving(goals=(OLD, LiveGoal(FIBONACCI, "f", 1))), after_s=1.0).findings
     assert finding.obedience.names == ("/fibonacci", "/teleop", "/turn")
     assert sentence_of(finding, server_count=2, limit_s=10.0) == (
         "The robot may still move: /teleop publishes velocities on /cmd_vel and /fibonacci and /turn have not ended "
-        "their goals. Zero velocity goes on for up to 10 s.")
+        "their goals. Zero velocity goes on for up to 10 s."
+    )
     assert Obedience().describe() == ""

@@ -2,19 +2,18 @@
 
 from typing import Dict, List, Optional, Sequence, Tuple
 
-from semantic_frames.frame import FrameElement, SemanticFrame
-from semantic_frames.lexical_unit import ArgumentForm
-from utterance_passes.clauses import find_clauses
-from utterance_passes.measures import find_amounts
-from utterance_passes.verb_matching import match_verbs
-from word_classes import word_class
-
 from semantic_framer.dialogue import Pending, is_yes
 from semantic_framer.frame_roles import MESSAGE
 from semantic_framer.framed_lexicon import FramedLexicon
 from semantic_framer.reading import ElementValue, Reading, with_value
 from semantic_framer.sentence import Sentence
 from semantic_framer.values import amount_value, phrase_value, unit_value
+from semantic_frames.frame import FrameElement, SemanticFrame
+from semantic_frames.lexical_unit import ArgumentForm
+from utterance_passes.clauses import find_clauses
+from utterance_passes.measures import find_amounts
+from utterance_passes.verb_matching import match_verbs
+from word_classes import word_class
 
 _ARTICLES = word_class("articles")
 #: A word that makes an utterance more than an answer.

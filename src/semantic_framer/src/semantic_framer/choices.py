@@ -2,6 +2,9 @@
 
 from typing import Iterable, List, Optional, Sequence, Tuple
 
+from semantic_framer.dialogue import is_yes
+from semantic_framer.reading import Reading
+from semantic_framer.sentence import Sentence
 from utterance_passes.clauses import Clause, find_clauses
 from utterance_passes.measures import find_amounts
 from utterance_passes.tree import ABANDONED
@@ -11,15 +14,11 @@ from utterance_passes.verb_matching import match_verbs
 from utterance_passes.vocabulary import Vocabulary, is_verb
 from word_classes import word_class, word_list
 
-from semantic_framer.dialogue import is_yes
-from semantic_framer.reading import Reading
-from semantic_framer.sentence import Sentence
-
 _CHOICE_NOUNS = word_class("choice_nouns")
 _ORDINALS = {
     "former": 0,
     **{word: place for place, word in enumerate(word_list("ordinals"))},
-    **{word: -1 for word in word_list("last_ordinals")},
+    **dict.fromkeys(word_list("last_ordinals"), -1),
 }
 #: Words that tell no choice apart.
 _COMMON = word_class("articles") | (word_class("harmless") - frozenset(_ORDINALS))

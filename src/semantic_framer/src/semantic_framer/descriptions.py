@@ -2,13 +2,12 @@
 
 from typing import List, Sequence, Tuple
 
-from utterance_passes.clauses import Clause, clause_of
-from word_classes import word_class
-
 from semantic_framer.framed_lexicon import FramedLexicon
 from semantic_framer.matching import read_clause
 from semantic_framer.reading import Reading, rank
 from semantic_framer.sentence import Sentence
+from utterance_passes.clauses import Clause, clause_of
+from word_classes import word_class
 
 _RELATIVE_ADVERBS = word_class("relative_adverbs")
 
@@ -38,9 +37,7 @@ def relative_clauses(sentence: Sentence, clauses: Sequence[Clause]) -> Tuple[Cla
     return tuple(clause for clause in found if clause.subject)
 
 
-def descriptions(
-    sentence: Sentence, clauses: Sequence[Clause], known: FramedLexicon
-) -> Tuple[Reading, ...]:
+def descriptions(sentence: Sentence, clauses: Sequence[Clause], known: FramedLexicon) -> Tuple[Reading, ...]:
     """Return the frames that relative clauses evoke; they are no steps of what is asked for.
 
     Only a unit that asks for the subject is about what is, and no command: "the mug that stands on the table".

@@ -3,10 +3,9 @@
 from dataclasses import dataclass, replace
 from typing import Optional, Tuple
 
+from semantic_framer.reading import Reading
 from utterance_passes.utterance_pass import Choice
 from word_classes import word_class
-
-from semantic_framer.reading import Reading
 
 PRONOUNS = word_class("pronouns")
 #: Of them, those that may be what was said.

@@ -3,11 +3,10 @@
 from dataclasses import dataclass
 from typing import Mapping, Optional, Sequence, Tuple
 
-from semantic_frames.frame import SemanticFrame
-from utterance_passes.vocabulary import Speech
-
 from semantic_framer.frame_roles import ADDRESSEE, MESSAGE
 from semantic_framer.lexicon import Lexicon
+from semantic_frames.frame import SemanticFrame
+from utterance_passes.vocabulary import Speech
 
 
 @dataclass(frozen=True)

@@ -3,6 +3,26 @@
 from dataclasses import dataclass, replace
 from typing import FrozenSet, Mapping, Optional, Sequence, Tuple, Union
 
+from semantic_framer.answers import answer
+from semantic_framer.choices import choices_of_amounts, choices_of_clauses, chosen
+from semantic_framer.dialogue import Context, is_no
+from semantic_framer.framed_lexicon import FramedLexicon
+from semantic_framer.lexicon import Lexicon
+from semantic_framer.objections import against_what_runs
+from semantic_framer.outcome import (
+    DECLINED,
+    Alternatives,
+    LeftOverWords,
+    Outcome,
+    Policy,
+    Question,
+    Refusal,
+    Understood,
+)
+from semantic_framer.readings import ClauseReadings, readings_of_clause
+from semantic_framer.sentence import Sentence
+from semantic_framer.settling import Now, ask_which, resolve_and_confirm, without_positions
+from semantic_framer.verdicts import REST_VERDICTS, SENTENCE_VERDICTS, Case, SentenceVerdict, words_outside
 from semantic_frames.frame import SemanticFrame
 from utterance_passes.clauses import Clause, find_clauses, whole_sentence
 from utterance_passes.running import run_tree_passes
@@ -11,18 +31,6 @@ from utterance_passes.trace import Trace
 from utterance_passes.tree import DependencyTree
 from utterance_passes.utterance_pass import Choice, TreePass, Uncertain
 from utterance_passes.verb_matching import match_verbs
-
-from semantic_framer.answers import answer
-from semantic_framer.choices import choices_of_amounts, choices_of_clauses, chosen
-from semantic_framer.dialogue import Context, is_no
-from semantic_framer.framed_lexicon import FramedLexicon
-from semantic_framer.lexicon import Lexicon
-from semantic_framer.objections import against_what_runs
-from semantic_framer.outcome import DECLINED, Alternatives, LeftOverWords, Outcome, Policy, Question, Refusal, Understood
-from semantic_framer.readings import ClauseReadings, readings_of_clause
-from semantic_framer.sentence import Sentence
-from semantic_framer.settling import Now, ask_which, resolve_and_confirm, without_positions
-from semantic_framer.verdicts import REST_VERDICTS, SENTENCE_VERDICTS, Case, SentenceVerdict, words_outside
 
 __all__ = [
     "Alternatives",
@@ -163,9 +171,7 @@ class _Hearing:
         is_confirmed = not pending.elements
         return Heard(*resolve_and_confirm(answered, meant, context, self._now, is_confirmed=is_confirmed), meant)
 
-    def _restructured(
-        self, tree: DependencyTree, passes: Sequence[TreePass]
-    ) -> Union[Sentence, Tuple[Choice, ...]]:
+    def _restructured(self, tree: DependencyTree, passes: Sequence[TreePass]) -> Union[Sentence, Tuple[Choice, ...]]:
         return restructured(tree, self._now.known, passes=passes, without=self._without, trace=self._trace)
 
     def _read(self, sentence: Sentence, context: Context) -> Heard:

@@ -3,22 +3,13 @@
 from dataclasses import replace
 from typing import Dict, FrozenSet, List, Optional, Sequence, Set, Tuple
 
-from semantic_frames.frame import FrameElement, SemanticFrame
-from semantic_frames.lexical_unit import ArgumentForm, ElementRelation, LexicalUnit
-from semantic_frames.relation_names import MEASURE
-from utterance_passes.clauses import Clause, shared_subject
-from utterance_passes.measures import Amount, amounts_of
-from utterance_passes.trace import Trace
-from utterance_passes.verb_matching import VerbMatch, match_verbs
-from word_classes import word_class
-
 from semantic_framer.attachment import (
     is_direction,
     is_of_one_direction,
+    is_postmodifier_of,
     is_side_of_something,
     places_before,
     preposition_of,
-    is_postmodifier_of,
     words_before,
     words_before_amount,
 )
@@ -28,6 +19,14 @@ from semantic_framer.measured_elements import measured_elements, measures_as_in_
 from semantic_framer.reading import ElementValue, Reading
 from semantic_framer.sentence import Sentence
 from semantic_framer.values import amount_value, given_value, phrase_value, unit_value
+from semantic_frames.frame import FrameElement, SemanticFrame
+from semantic_frames.lexical_unit import ArgumentForm, ElementRelation, LexicalUnit
+from semantic_frames.relation_names import MEASURE
+from utterance_passes.clauses import Clause, shared_subject
+from utterance_passes.measures import Amount, amounts_of
+from utterance_passes.trace import Trace
+from utterance_passes.verb_matching import VerbMatch, match_verbs
+from word_classes import word_class
 
 #: A phrase with one of these hangs on the verb, if the unit asks for it, even where the parser hung it on the object:
 #: "bring the mug to the table". The others ("on", "in", "near") do so only for a core or required element: "put the
@@ -90,7 +89,9 @@ def _write(
     parts = [verdict] + looked_for + ([f"left over: {left_over}"] if left_over else [])
     place = f"{unit.path.rsplit('/', 1)[-1]}:{unit.line}"
     trace.add(
-        "unit", f"{match.verb} -> {reading or unit.frame_name}", after="; ".join(parts) + f" [{place}]",
+        "unit",
+        f"{match.verb} -> {reading or unit.frame_name}",
+        after="; ".join(parts) + f" [{place}]",
         positions=match.positions,
     )
 
@@ -173,7 +174,9 @@ class _Filling:
         ]
         places = sorted(head for path in static for head in self._follow(path.steps, is_wanted))
         if relation.after_place:
-            places = [head for head in places if set(places_before(self._sentence.tree, head)) & set(relation.after_place)]
+            places = [
+                head for head in places if set(places_before(self._sentence.tree, head)) & set(relation.after_place)
+            ]
         for path in relation.relations:
             if path in static:
                 heads = places if path == static[0] else []
@@ -314,7 +317,9 @@ class _Filling:
                 relation = next(relation for relation in self._unit.relations if relation.name == element.name)
                 attached = self._listed[element.name] | self._places_behind(head, element, left_out)
                 attached |= self._words_before(head, left_out)
-                values.append(phrase_value(self._sentence.tree, element.name, head, relation.argument, left_out, attached))
+                values.append(
+                    phrase_value(self._sentence.tree, element.name, head, relation.argument, left_out, attached)
+                )
             elif element.default and not self._is_said_otherwise(element):
                 values.append(given_value(element.name, element.default))
         return tuple(values)

@@ -3,12 +3,11 @@
 from dataclasses import dataclass
 from typing import Dict, Optional, Sequence, Tuple
 
+from semantic_framer.sentence import Sentence
 from semantic_frames.frame import Quantity, SemanticFrame
 from semantic_frames.lexical_unit import LexicalUnit, RelationPath
 from semantic_frames.relation_names import MEASURE
 from utterance_passes.measures import Amount
-
-from semantic_framer.sentence import Sentence
 
 _OF_SPACE = frozenset([Quantity.LENGTH.value, Quantity.ANGLE.value])
 _NUMBERS_OF_2012 = frozenset(["num", "number", "nummod"])

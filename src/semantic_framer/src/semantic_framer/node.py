@@ -15,21 +15,16 @@ from roboframenet_msgs.msg import (
     FileProblems,
     FilledLexicalUnitList,
     FrameCatalogue,
-    Lexicon as LexiconMessage,
     Reply,
     SourceFile,
     StopReport,
 )
+from roboframenet_msgs.msg import (
+    Lexicon as LexiconMessage,
+)
 from roboframenet_msgs.srv import AddLexicalUnit, AddLexicalUnitRequest, AddLexicalUnitResponse
-from roboframenet_ros.ros_log import log_from_threads
-from semantic_frames import FileRefused, load_frame
-from semantic_frames.frame import SemanticFrame
-from semantic_frames.source_files import LEXICAL_UNITS_FOLDER, yaml_files
-from stage_events.ros_stage import Stage
-from stanford_parser_ros.ros_messages import to_tree
-from utterance_passes.trace import Trace
-from utterance_passes.tree import DependencyTree
 
+from roboframenet_ros.ros_log import log_from_threads
 from semantic_framer.behaviour_2012 import Arguments, Questions, with_habits
 from semantic_framer.dialogue import Context
 from semantic_framer.framed_lexicon import FramedLexicon
@@ -38,6 +33,13 @@ from semantic_framer.lexicon import Lexicon
 from semantic_framer.lexicon_files import LexiconFiles, LexiconState
 from semantic_framer.outcome import Alternatives, LeftOverWords, Policy, Refusal, Understood, reply_outcome
 from semantic_framer.ros_messages import to_clauses, to_filled_units
+from semantic_frames import FileRefused, load_frame
+from semantic_frames.frame import SemanticFrame
+from semantic_frames.source_files import LEXICAL_UNITS_FOLDER, yaml_files
+from stage_events.ros_stage import Stage
+from stanford_parser_ros.ros_messages import to_tree
+from utterance_passes.trace import Trace
+from utterance_passes.tree import DependencyTree
 
 #: Kept on the master by the node for itself: files that were added while it ran.
 ADDED_LEXICAL_UNITS = "~_added_lexical_units"
@@ -239,18 +241,14 @@ class SemanticFramer:
                     return outcome, str(trace) if trace is not None else ""
 
     def _pass_on(self, message: CommandParse, understood: Understood, tree: DependencyTree, trace: str) -> None:
-        described = "; then ".join(
-            " or ".join(map(str, readings[:3])) for readings in understood.clauses
-        )
+        described = "; then ".join(" or ".join(map(str, readings[:3])) for readings in understood.clauses)
         self._stage.passes_on(
             message.command,
             " ".join(part for part in (described, understood.warning and f"({understood.warning})") if part),
             trace=trace,
         )
         self._units_2012.publish(to_filled_units(understood.clauses))
-        self._units.publish(
-            CommandLexicalUnits(command=message.command, clauses=to_clauses(understood.clauses, tree))
-        )
+        self._units.publish(CommandLexicalUnits(command=message.command, clauses=to_clauses(understood.clauses, tree)))
 
     def _end(self, command: Command, *, outcome: int, code: str, sentence: str, trace: str = "") -> None:
         rospy.loginfo("cmd=%s ends here: %s", command.id, sentence)

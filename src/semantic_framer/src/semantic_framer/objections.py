@@ -8,11 +8,10 @@ import re
 from dataclasses import replace
 from typing import FrozenSet, Optional
 
+from semantic_framer.outcome import CORRECTION, PROHIBITION, Outcome, Question, Refusal
+from utterance_passes.formula_file import is_filler
 from utterance_passes.objections import AROUND, MEANT, OBJECTION, plain
 from utterance_passes.tree import DependencyTree
-from utterance_passes.formula_file import is_filler
-
-from semantic_framer.outcome import CORRECTION, PROHIBITION, Outcome, Question, Refusal
 
 #: Refusals that may be corrections; what is unknown only for now (UNKNOWN_FRAME) is none of them.
 _UNCLEAR = frozenset(["NO_VERB", "UNKNOWN_VERB", "LEFT_OVER_WORDS", "NO_READING", "CONDITION", PROHIBITION])
@@ -32,7 +31,9 @@ _CORRECTIONS = re.compile(
 #: "Left, not right", where there is no verb that is negated.
 _CONTRASTS = re.compile("[^ ]+( [^ ]+){0,3} (, )?not .+")
 #: Corrections whatever else they might mean.
-_CLEAR = re.compile("(no )?(, )?(that|this|it|you) ('s|is|'re|are) (all |completely |totally )?(wrong|not right|n't right|the wrong .+)")
+_CLEAR = re.compile(
+    "(no )?(, )?(that|this|it|you) ('s|is|'re|are) (all |completely |totally )?(wrong|not right|n't right|the wrong .+)"
+)
 #: Talk with a no that is against nothing.
 _TALK = re.compile(
     "(no|not) (thanks|thank|problem|problems|worries|worry|idea|doubt|hurry|rush|need|matter|bad|yet|sure|now|one|body|"

@@ -3,17 +3,10 @@
 from dataclasses import dataclass, replace
 from typing import FrozenSet, Optional, Tuple, Union
 
-from semantic_frames.lexical_unit import ArgumentForm
-from utterance_passes.clauses import Clause
-from utterance_passes.trace import Trace
-from utterance_passes.tree import DependencyTree
-from utterance_passes.verb_matching import match_verbs
-from word_classes import word_class
-
 from semantic_framer.frame_roles import NAME
 from semantic_framer.matching import read_clause
-from semantic_framer.reading import Reading, rank, without_duplicates
 from semantic_framer.outcome import Refusal
+from semantic_framer.reading import Reading, rank, without_duplicates
 from semantic_framer.sentence import Sentence
 from semantic_framer.verdicts import (
     CLAUSE_VERDICTS,
@@ -26,6 +19,12 @@ from semantic_framer.verdicts import (
     ReadingVerdict,
     drop,
 )
+from semantic_frames.lexical_unit import ArgumentForm
+from utterance_passes.clauses import Clause
+from utterance_passes.trace import Trace
+from utterance_passes.tree import DependencyTree
+from utterance_passes.verb_matching import match_verbs
+from word_classes import word_class
 
 #: Phrases of their own below a noun: "a left *at the door*".
 _PHRASES = frozenset(["nmod", "obl", "acl", "advcl", "appos"])
@@ -78,7 +77,12 @@ def readings_of_clause(of: Case, clause: Clause, trace: Optional[Trace] = None) 
             return _refused(case, plausible, reading_verdict, refusal, trace)
     if trace is not None:
         for number, reading in enumerate(kept, start=1):
-            trace.add("rank", str(reading), after=f"{number}. of {len(kept)} ({rank(reading)})", positions=reading.verb_positions)
+            trace.add(
+                "rank",
+                str(reading),
+                after=f"{number}. of {len(kept)} ({rank(reading)})",
+                positions=reading.verb_positions,
+            )
     return ClauseReadings(clause, plausible, kept)
 
 

@@ -3,13 +3,12 @@
 from dataclasses import replace
 from typing import Mapping, Union
 
-from semantic_frames.frame import SemanticFrame
-from word_classes import word_class
-
 from semantic_framer.dialogue import DEMONSTRATIVES, PLACE_PRONOUNS, PRONOUNS, Context
 from semantic_framer.frame_roles import NO_THINGS, PLACES
 from semantic_framer.reading import ElementValue, Reading
 from semantic_framer.values import resolved
+from semantic_frames.frame import SemanticFrame
+from word_classes import word_class
 
 _PARTICIPANTS = word_class("participants")
 

@@ -11,9 +11,8 @@ from roboframenet_msgs.msg import (
     LexicalUnitReading,
 )
 
-from utterance_passes.tree import DependencyTree
-
 from semantic_framer.reading import ElementValue, Reading
+from utterance_passes.tree import DependencyTree
 
 
 def to_clauses(clauses: Sequence[Tuple[Reading, ...]], tree: DependencyTree) -> Sequence[Clause]:

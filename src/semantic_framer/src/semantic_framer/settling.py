@@ -3,17 +3,25 @@
 from dataclasses import dataclass, replace
 from typing import List, Optional, Tuple, Union
 
-from utterance_passes.utterance_pass import Choice
-
 from semantic_framer.answers import question_of
 from semantic_framer.choices import question_of_choices
 from semantic_framer.dialogue import Context, Pending
 from semantic_framer.framed_lexicon import FramedLexicon
-from semantic_framer.outcome import DECLINED, Alternatives, LeftOverWords, Outcome, Policy, Question, Refusal, Understood
+from semantic_framer.outcome import (
+    DECLINED,
+    Alternatives,
+    LeftOverWords,
+    Outcome,
+    Policy,
+    Question,
+    Refusal,
+    Understood,
+)
 from semantic_framer.reading import ElementValue, Reading
 from semantic_framer.references import remember, resolve
 from semantic_framer.sentence import Sentence
 from semantic_framer.verdicts import left_over_refusal
+from utterance_passes.utterance_pass import Choice
 
 Clauses = Tuple[Tuple[Reading, ...], ...]
 
@@ -80,7 +88,7 @@ def resolve_and_confirm(
         acts = ", then ".join(_in_words(readings[0]) for readings in done)
         asked = Question("CONFIRM", f'Shall I really do this: "{acts}"? Say yes or no.')
         return asked, replace(context, pending=pending)
-    warning = f'ignored: {" ".join(ignored)}' if ignored and policy.left_over_words is LeftOverWords.WARN else ""
+    warning = f"ignored: {' '.join(ignored)}" if ignored and policy.left_over_words is LeftOverWords.WARN else ""
     return Understood(tuple(done), warning=warning), context
 
 
@@ -94,9 +102,7 @@ class _Open:
     choices: Tuple[str, ...] = ()
 
 
-def _resolved(
-    readings: Tuple[Reading, ...], context: Context, policy: Policy
-) -> Union[Tuple[Reading, ...], _Open]:
+def _resolved(readings: Tuple[Reading, ...], context: Context, policy: Policy) -> Union[Tuple[Reading, ...], _Open]:
     """Return readings of a clause with what pronouns stand for, or what must be asked."""
     resolved: List[Reading] = []
     unresolved: List[Tuple[Reading, ElementValue]] = []

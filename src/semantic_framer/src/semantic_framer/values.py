@@ -3,11 +3,10 @@
 from dataclasses import replace
 from typing import FrozenSet, List, Tuple
 
+from semantic_framer.reading import ElementValue
 from semantic_frames.lexical_unit import ArgumentForm
 from utterance_passes.measures import Amount
 from utterance_passes.tree import DependencyTree
-
-from semantic_framer.reading import ElementValue
 
 #: Relations of words that stand at the front of a phrase and are no part of it.
 _BEFORE_A_PHRASE = frozenset(["cc", "discourse", "mark"])
@@ -100,9 +99,7 @@ def _items(
     tree: DependencyTree, head: int, conjuncts: List[int], left_out: FrozenSet[int], attached: FrozenSet[int]
 ) -> Tuple[str, ...]:
     later = frozenset(index for conjunct in conjuncts for index in tree.subtree(conjunct))
-    groups = [tree.subtree(head) - later - left_out] + [
-        tree.subtree(conjunct) - left_out for conjunct in conjuncts
-    ]
+    groups = [tree.subtree(head) - later - left_out] + [tree.subtree(conjunct) - left_out for conjunct in conjuncts]
     groups[-1] |= attached
     items = []
     for item, group in zip([head] + conjuncts, groups):

@@ -3,17 +3,16 @@
 from dataclasses import dataclass
 from typing import Callable, FrozenSet, Iterable, Optional, Sequence, Tuple
 
+from semantic_framer.attachment import is_side_of_something
+from semantic_framer.frame_roles import NO_THINGS, PLACES, THEME
+from semantic_framer.framed_lexicon import FramedLexicon
+from semantic_framer.outcome import PROHIBITION, LeftOverWords, Policy, Refusal
+from semantic_framer.reading import ElementValue, Reading, rank
+from semantic_framer.sentence import Sentence
 from utterance_passes.clauses import Clause
 from utterance_passes.trace import Trace
 from utterance_passes.verb_matching import VerbMatch
 from word_classes import word_class
-
-from semantic_framer.attachment import is_side_of_something
-from semantic_framer.frame_roles import NO_THINGS, PLACES, THEME
-from semantic_framer.framed_lexicon import FramedLexicon
-from semantic_framer.reading import ElementValue, Reading, rank
-from semantic_framer.outcome import PROHIBITION, LeftOverWords, Policy, Refusal
-from semantic_framer.sentence import Sentence
 
 _AROUND_REQUESTS = word_class("verbs_around_requests")
 _CONDITIONS = word_class("conditions")
@@ -201,7 +200,7 @@ def _unknown_verb(case: ClauseCase) -> Optional[Refusal]:
     if case.matches:
         return None
     near = case.of.known.lexicon.nearest_verbs(case.clause.lemma)
-    hint = f' Do you mean {" or ".join(near)}?' if near else ""
+    hint = f" Do you mean {' or '.join(near)}?" if near else ""
     return Refusal("UNKNOWN_VERB", f'I do not know how to "{case.clause.lemma}".{hint}')
 
 
@@ -238,9 +237,7 @@ def _is_noun_of_a_verb(case: ClauseCase, reading: Reading, value: ElementValue, 
     )
 
 
-def _is_measure_elsewhere(
-    case: ClauseCase, reading: Reading, value: ElementValue, beside: Tuple[Reading, ...]
-) -> bool:
+def _is_measure_elsewhere(case: ClauseCase, reading: Reading, value: ElementValue, beside: Tuple[Reading, ...]) -> bool:
     is_phrase = any(child.deprel == "case" for child in case.sentence.children(value.head_position))
     return (
         not is_phrase
@@ -249,9 +246,7 @@ def _is_measure_elsewhere(
     )
 
 
-def _is_unread_elsewhere(
-    case: ClauseCase, reading: Reading, value: ElementValue, beside: Tuple[Reading, ...]
-) -> bool:
+def _is_unread_elsewhere(case: ClauseCase, reading: Reading, value: ElementValue, beside: Tuple[Reading, ...]) -> bool:
     unread = {position for other in beside for amount in other.unread for position in amount.positions}
     return not reading.unread and bool(unread & frozenset(value.positions))
 
@@ -272,7 +267,9 @@ def _is_numbered_place(case: ClauseCase, reading: Reading, value: ElementValue, 
     if not set(_roles(case, reading, value)) & PLACES or case.sentence.word(value.head_position).upos != "NUM":
         return False
     frame = case.of.known.frames[reading.unit.frame_name]
-    themes = {element.name for element in frame.frame_elements if element.framenet == THEME and element.quantity is None}
+    themes = {
+        element.name for element in frame.frame_elements if element.framenet == THEME and element.quantity is None
+    }
     return any(other.name in themes and other.positions for other in reading.values)
 
 
@@ -362,7 +359,7 @@ def _nothing_fits(case: ClauseCase) -> Optional[Refusal]:
 
 
 def _depends_on_something(case: ClauseCase, reading: Reading, beside: Tuple[Reading, ...]) -> bool:
-    """"Check if the oven is hot": the words fill an element and are no condition; "if" itself fills nothing."""
+    """ "Check if the oven is hot": the words fill an element and are no condition; "if" itself fills nothing."""
     positions = case.clause.condition_positions
     if not positions:
         return False
@@ -393,7 +390,7 @@ def _is_incomplete(case: ClauseCase, reading: Reading, beside: Tuple[Reading, ..
 
 
 def _is_less_likely_asked(case: ClauseCase, reading: Reading, beside: Tuple[Reading, ...]) -> bool:
-    """"Move." asks where to as well as how far: the answer tells which was meant."""
+    """ "Move." asks where to as well as how far: the answer tells which was meant."""
     return bool(reading.missing) and rank(reading).of_what_was_said != rank(beside[0]).of_what_was_said
 
 
@@ -424,9 +421,13 @@ READING_VERDICTS: Tuple[ReadingVerdict, ...] = (
     ReadingVerdict("nothing_fits", "No lexical unit of the verb fits.", _is_never_dropped, _nothing_fits),
     ReadingVerdict("condition", "It depends on something, or is to be done later.", _depends_on_something, _condition),
     ReadingVerdict("incomplete", "A core element is missing, and another reading has all.", _is_incomplete),
-    ReadingVerdict("less_likely_asked", "It is less likely than the reading that is asked about.", _is_less_likely_asked),
+    ReadingVerdict(
+        "less_likely_asked", "It is less likely than the reading that is asked about.", _is_less_likely_asked
+    ),
     ReadingVerdict("leaves_more_over", "Another reading accounts for more words.", _leaves_more_over),
-    ReadingVerdict("lists_less", 'A unit lists less than another one of what was said: "low five", "turn around".', _lists_less),
+    ReadingVerdict(
+        "lists_less", 'A unit lists less than another one of what was said: "low five", "turn around".', _lists_less
+    ),
 )
 
 

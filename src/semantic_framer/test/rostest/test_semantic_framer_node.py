@@ -81,9 +81,7 @@ class SemanticFramerNodeTest(unittest.TestCase):
         for index, row in enumerate(rows, start=1):
             form, lemma, upos, xpos, head, deprel = row.split()
             words.append(
-                UniversalWord(
-                    index=index, form=form, lemma=lemma, upos=upos, xpos=xpos, head=int(head), deprel=deprel
-                )
+                UniversalWord(index=index, form=form, lemma=lemma, upos=upos, xpos=xpos, head=int(head), deprel=deprel)
             )
         text = " ".join(word.form for word in words)
         self.parses.publish(CommandParse(command=Command(id=command_id, stamp=stamp, text=text), words=words))

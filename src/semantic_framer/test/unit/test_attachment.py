@@ -3,13 +3,14 @@
 from typing import Dict, Tuple
 
 import pytest
-from utterance_passes.clauses import find_clauses
+
 from semantic_framer.descriptions import descriptions
 from semantic_framer.framed_lexicon import FramedLexicon
 from semantic_framer.framer import Policy, Refusal, Understood, read
 from semantic_framer.lexicon import Lexicon
 from semantic_framer.sentence import Sentence
 from semantic_frames import load_frame
+from utterance_passes.clauses import find_clauses
 from utterance_passes.conllu import from_conllu
 from utterance_passes.running import run_tree_passes
 from utterance_passes.table import PARSE_CORRECTING_PASSES

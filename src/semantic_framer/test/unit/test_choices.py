@@ -3,6 +3,7 @@
 from typing import Any, Dict, List, Tuple
 
 import pytest
+
 from semantic_framer.framer import LeftOverWords, Policy, Question, Refusal, Understood
 
 

@@ -3,6 +3,7 @@
 from typing import Any, Dict
 
 import pytest
+
 from semantic_framer.framer import Refusal, Understood
 from utterance_passes.conllu import from_conllu
 from utterance_passes.running import run_tree_passes

@@ -4,6 +4,7 @@ from dataclasses import replace
 from typing import Any, Dict, List, Tuple
 
 import pytest
+
 from semantic_framer.dialogue import Context
 from semantic_framer.framer import Alternatives, LeftOverWords, Policy, Question, Refusal, Understood, read
 from semantic_framer.lexicon import Lexicon
@@ -246,9 +247,7 @@ def test_nobody_is_a_negation() -> None:
     assert isinstance(outcome, Refusal) and outcome.code == "NEGATED"
 
 
-YOU_TURN_LEFT = (
-    "1 You you PRON PRP _ 2 nsubj _ _\n2 turn turn VERB VBP _ 0 root _ _\n3 left left ADV RB _ 2 advmod _ _"
-)
+YOU_TURN_LEFT = "1 You you PRON PRP _ 2 nsubj _ _\n2 turn turn VERB VBP _ 0 root _ _\n3 left left ADV RB _ 2 advmod _ _"
 
 
 @pytest.mark.parametrize("rows", [TURN_LEFT, YOU_TURN_LEFT])

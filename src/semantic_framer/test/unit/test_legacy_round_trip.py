@@ -5,12 +5,13 @@ the shipped models; where no sentence of a command has the relation, or the mode
 from typing import Any, Dict, Tuple
 
 import pytest
+
 from semantic_framer.framer import LeftOverWords, Policy, Understood, read
 from semantic_framer.lexicon import Lexicon
 from semantic_frames import load_frame
-from utterance_passes.conllu import from_conllu
 from stanford_parser_ros.model import Parser
 from stanford_parser_ros.stanford_dependencies import RULES
+from utterance_passes.conllu import from_conllu
 from utterance_passes.tree import DependencyTree
 
 FRAME = load_frame("name: scene\nframe_elements:\n  - {name: filler, is_core: True}\n", "scene.yaml")

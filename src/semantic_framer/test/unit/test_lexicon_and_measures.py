@@ -3,6 +3,7 @@
 from typing import List, Tuple
 
 import pytest
+
 from semantic_framer.dialogue import is_no, is_yes
 from semantic_framer.lexicon import Lexicon
 from semantic_frames import FileRefused

@@ -3,6 +3,7 @@
 from typing import Any
 
 import pytest
+
 from semantic_framer.dialogue import Context
 from semantic_framer.framer import Question, Refusal, Understood
 

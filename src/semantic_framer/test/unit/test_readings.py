@@ -3,6 +3,7 @@
 from typing import Any, Dict, List, Tuple
 
 import pytest
+
 from semantic_framer.framer import Question, Refusal, Understood, read
 from semantic_framer.lexicon import Lexicon
 
@@ -112,7 +113,11 @@ def test_indefinite_noun_is_hardly_a_name(understand: Any, text: str, names: Lis
     [
         ("Turn the oven off.", "switching_device", {"device": "the oven", "operational_state": "off"}),
         ("Turn on the light.", "switching_device", {"device": "the light", "operational_state": "on"}),
-        ("There is a lamp on the desk.", "being_located", {"theme": "a lamp", "location": "the desk", "place": "There"}),
+        (
+            "There is a lamp on the desk.",
+            "being_located",
+            {"theme": "a lamp", "location": "the desk", "place": "There"},
+        ),
     ],
 )
 def test_reading_that_says_less_is_dropped(understand: Any, text: str, frame: str, arguments: Dict[str, str]) -> None:

@@ -3,6 +3,7 @@
 from typing import Any, Dict, List, Tuple
 
 import pytest
+
 from semantic_framer.framer import Question, Refusal, Understood, read
 from semantic_framer.lexicon import Lexicon
 from semantic_frames import load_frame

@@ -5,6 +5,7 @@ from pathlib import Path
 from typing import Any, List
 
 import pytest
+
 from semantic_framer import framer
 from semantic_framer.sentence import Sentence
 from utterance_passes.tree import DependencyTree

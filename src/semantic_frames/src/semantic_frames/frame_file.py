@@ -4,7 +4,6 @@ import math
 from typing import Callable, Dict, FrozenSet, List, Optional, Tuple
 
 import yaml
-from spoken_quantities import QuantityError, parse_measure, parse_number
 
 from semantic_frames.frame import (
     ConstantArgument,
@@ -18,6 +17,7 @@ from semantic_frames.frame import (
     ValueCondition,
 )
 from semantic_frames.marked_yaml import Reader, describe, did_you_mean, line_of
+from spoken_quantities import QuantityError, parse_measure, parse_number
 
 FRAME_KEYS = ("name", "description", "frame_elements", "children", "framenet", "on_list", "confirm")
 ELEMENT_KEYS = (

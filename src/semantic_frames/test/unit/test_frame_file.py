@@ -1,6 +1,7 @@
 """Frame files: what loads, and what is said of those that do not."""
 
 import pytest
+
 from semantic_frames import FileRefused, load_frame
 from semantic_frames.frame import ConstantArgument, ElementMapping, ListPolicy, Quantity, ValueCondition
 

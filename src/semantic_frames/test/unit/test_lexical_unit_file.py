@@ -1,6 +1,7 @@
 """Lexical unit files: what loads, and what is said of those that do not."""
 
 import pytest
+
 from semantic_frames import FileRefused, check_lexical_unit, load_frame, load_lexical_units
 from semantic_frames.lexical_unit import ArgumentForm
 from semantic_frames.relation_names import is_relation_name

@@ -138,7 +138,7 @@ def _parse_unsigned(words: List[str]) -> Optional[float]:
         return ({"couple": 2.0, "few": 3.0}[words[1]]) if words[2:] in ([], ["of"]) else None
     if words in (["a"], ["an"]):
         return 1.0
-    if words[-2:] == ["a", "dozen"] and words[:-2] == ["half"] or words == ["half", "dozen"]:
+    if (words[-2:] == ["a", "dozen"] and words[:-2] == ["half"]) or words == ["half", "dozen"]:
         return 6.0
     if any(word in _FRACTIONS for word in words):
         return _fraction_at_end(words)
@@ -159,7 +159,7 @@ def _ratio(text: str) -> Optional[float]:
 
 
 def _share(numerator: int, denominator: int) -> Optional[float]:
-    if denominator not in _DENOMINATORS or numerator > 9 and 0 < denominator < 16:
+    if denominator not in _DENOMINATORS or (numerator > 9 and 0 < denominator < 16):
         return None
     return numerator / denominator if denominator else math.inf
 
@@ -265,7 +265,7 @@ def _append(group: Optional[float], value: float, before: Optional[str], *, is_w
     if not is_word or before not in _SMALL:
         # "100 50" and "20 3" are two numbers, whatever their sum is.
         return None
-    if group % 10 == 0 and 20 <= group % 100 and 0 < value < 10:
+    if group % 10 == 0 and group % 100 >= 20 and 0 < value < 10:
         return group + value
     # "one eighty" is said for 180, "one twenty five" continues it; "five ten" is said for five to ten.
     if 1 <= group < 10 <= value < 100 and (value >= 20 or group <= 3):

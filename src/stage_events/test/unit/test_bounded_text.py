@@ -1,6 +1,7 @@
 """A long trace ends at the end of a line."""
 
 import pytest
+
 from stage_events.bounded_text import MAX_LENGTH, bounded
 
 

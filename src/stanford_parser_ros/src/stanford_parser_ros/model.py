@@ -133,7 +133,7 @@ class Parser:
                 f"the models in {model_dir} (package '{package}') cannot be loaded: {type(error).__name__}: {error}"
             ) from error
         models_done = time.monotonic()
-        self._cache: "OrderedDict[Tuple[str, FrozenSet[str], FrozenSet[str]], Parse]" = OrderedDict()
+        self._cache: OrderedDict[Tuple[str, FrozenSet[str], FrozenSet[str]], Parse] = OrderedDict()
         self._cache_size = cache_size
         self.parse(WARM_UP)
         self.load_times = LoadTimes(
@@ -156,9 +156,7 @@ class Parser:
         """
         return self.traced(text, verbs).tree
 
-    def traced(
-        self, text: str, verbs: FrozenSet[str] = frozenset(), *, without: FrozenSet[str] = frozenset()
-    ) -> Parse:
+    def traced(self, text: str, verbs: FrozenSet[str] = frozenset(), *, without: FrozenSet[str] = frozenset()) -> Parse:
         """Parse one utterance, and tell what the passes of the parser did.
 
         Args:

@@ -9,11 +9,11 @@ from typing import Dict, FrozenSet
 import rospkg
 import rospy
 from roboframenet_msgs.msg import Command, CommandParse, Lexicon, Reply
+from stanford_parser_msgs.msg import Parse
+
 from roboframenet_ros.ros_log import log_from_threads
 from semantic_frames import FileRefused, load_lexical_units
 from stage_events.ros_stage import Stage
-from stanford_parser_msgs.msg import Parse
-
 from stanford_parser_ros.model import ModelError, Parser, UnparsableText, shipped_model_dir
 from stanford_parser_ros.ros_messages import to_command_parse
 from stanford_parser_ros.stanford_dependencies import collapsed
@@ -101,13 +101,11 @@ class ParserNode:
             cache_size=settings.cache_size,
         )
         times = self._parser.load_times
-        self._commands: "queue.Queue[Command]" = queue.Queue(settings.queue_size)
+        self._commands: queue.Queue[Command] = queue.Queue(settings.queue_size)
         self._worker = threading.Thread(target=self._run, name="parser", daemon=True)
         self._worker.start()
         rospy.on_shutdown(lambda: self._worker.join(2.0 * WAKE_UP_S))
-        self._subscriber = rospy.Subscriber(
-            "command_text", Command, self._on_command, queue_size=settings.queue_size
-        )
+        self._subscriber = rospy.Subscriber("command_text", Command, self._on_command, queue_size=settings.queue_size)
         rospy.loginfo(
             "ready after %.1f s (torch %.1f, Stanza %.1f, models %.1f, first parse %.1f): %s",
             times.total_s,

@@ -42,10 +42,10 @@ class Tree:
         self.score = score
         self.word = word
         self.word_index = word_index
-        self.children: List["Tree"] = []
+        self.children: List[Tree] = []
 
     def __repr__(self) -> str:
-        inside = self.word if self.word else " ".join(repr(child) for child in self.children)
+        inside = self.word or " ".join(repr(child) for child in self.children)
         return f"({self.tag} {inside})"
 
 

@@ -3,8 +3,9 @@
 from typing import Set, Tuple
 
 import pytest
-from utterance_passes.conllu import from_conllu, to_conllu
+
 from stanford_parser_ros.stanford_dependencies import RULES, arcs, basic, collapsed
+from utterance_passes.conllu import from_conllu, to_conllu
 from utterance_passes.tree import DependencyTree
 
 

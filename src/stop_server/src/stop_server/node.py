@@ -2,6 +2,7 @@
 
 Callbacks only enqueue; the thread of the brake stops the robot and answers.
 """
+
 import queue
 import threading
 import uuid
@@ -9,15 +10,15 @@ from dataclasses import dataclass
 from typing import Dict, Optional
 
 import rospy
-from command_server.stop_words import is_stop
 from roboframenet_msgs.msg import Command, ExecuteCommandActionGoal, FrameCatalogue, Reply, StopReport
+from std_msgs.msg import String
+
+from command_server.stop_words import is_stop
 from roboframenet_ros.ros_log import log_from_threads
 from robot_stop.braking import Finding, StopOrder
 from robot_stop.ros_brake import Brake, Braked
 from robot_stop.sentences import sentence_of
 from robot_stop.settings import BrakeSettings
-from std_msgs.msg import String
-
 from stop_server.other_answers import OtherAnswers
 from stop_server.ros_stopping_frame import SERVER, StoppingFrame
 
@@ -75,9 +76,13 @@ class StopServerNode:
         self._subscribers = [
             rospy.Subscriber("reply", Reply, self._hear_reply),
             rospy.Subscriber("text", String, lambda message: self._hear(message.data, "")),
-            rospy.Subscriber("command/goal", ExecuteCommandActionGoal,
-                             lambda message: self._hear(message.goal.text, message.goal_id.id)),
-            rospy.Subscriber("frame_catalogue", FrameCatalogue, self._hear_catalogue)]
+            rospy.Subscriber(
+                "command/goal",
+                ExecuteCommandActionGoal,
+                lambda message: self._hear(message.goal.text, message.goal_id.id),
+            ),
+            rospy.Subscriber("frame_catalogue", FrameCatalogue, self._hear_catalogue),
+        ]
         self._frame.start()
 
     def _shutdown(self) -> None:
@@ -101,12 +106,17 @@ class StopServerNode:
                 self._others.note(reply.command.id, reply.command.text, stamp_ns=reply.command.stamp.to_nsec())
 
     def _hear_catalogue(self, catalogue: FrameCatalogue) -> None:
-        self._brake.servers.set_registered(frozenset(
-            rospy.resolve_name(callback.callback_topic) for callback in catalogue.callbacks if callback.callback_topic))
+        self._brake.servers.set_registered(
+            frozenset(
+                rospy.resolve_name(callback.callback_topic)
+                for callback in catalogue.callbacks
+                if callback.callback_topic
+            )
+        )
 
     def _stop_for_frame(self) -> str:
         """Stop what the executor has not preempted; returns why the robot may still move, empty when it stands."""
-        findings: "queue.Queue[Finding]" = queue.Queue()
+        findings: queue.Queue[Finding] = queue.Queue()
         self._stop(_StopHeard(text="", stamp=rospy.Time.now(), findings=findings), except_server=self._own_server)
         try:
             finding = findings.get(timeout=self._settings.confirmation_timeout_s + _JOIN_TIMEOUT_S)
@@ -119,8 +129,9 @@ class StopServerNode:
         key = braked.order.key
         with self._lock:
             heard = self._heard.pop(key)
-        told = _Told(heard=heard, braked=braked, command=Command(
-            id=heard.command_id or key, stamp=heard.stamp, text=heard.text))
+        told = _Told(
+            heard=heard, braked=braked, command=Command(id=heard.command_id or key, stamp=heard.stamp, text=heard.text)
+        )
         self._told[key] = told
         while len(self._told) > _MOST_TOLD:
             del self._told[next(iter(self._told))]
@@ -140,9 +151,13 @@ class StopServerNode:
             report = self._report_of(told, finding=finding, sentence=sentence)
             if finding.is_first:
                 report.reply = Reply(
-                    command=told.command, stage=STAGE, sentence=sentence, stamp=rospy.Time.now(),
+                    command=told.command,
+                    stage=STAGE,
+                    sentence=sentence,
+                    stamp=rospy.Time.now(),
                     outcome=Reply.DONE if finding.obedience.is_complete else Reply.FAILED,
-                    code="DONE" if finding.obedience.is_complete else "NOT_STOPPED")
+                    code="DONE" if finding.obedience.is_complete else "NOT_STOPPED",
+                )
             self._report.publish(report)
             if finding.is_first:
                 self._reply.publish(report.reply)
@@ -151,8 +166,12 @@ class StopServerNode:
 
     def _report_of(self, told: _Told, *, finding: Optional[Finding] = None, sentence: str = "") -> StopReport:
         return StopReport(
-            command=told.command, stop_stamp=told.heard.stamp, cancelled_servers=list(told.braked.cancelled),
-            disobeying=[] if finding is None else list(finding.obedience.names), sentence=sentence)
+            command=told.command,
+            stop_stamp=told.heard.stamp,
+            cancelled_servers=list(told.braked.cancelled),
+            disobeying=[] if finding is None else list(finding.obedience.names),
+            sentence=sentence,
+        )
 
     def _sentence_of(self, finding: Finding, *, server_count: int) -> str:
         return sentence_of(finding, server_count=server_count, limit_s=self._settings.zero_velocity_limit_s)
@@ -160,8 +179,12 @@ class StopServerNode:
     def _is_answered(self, told: _Told) -> bool:
         """Whether the command server, to which this node seemed silent, has replied already."""
         with self._lock:
-            return self._others.take(told.heard.command_id, told.heard.text, stamp_ns=told.heard.stamp.to_nsec(),
-                                     is_just_awake=told.braked.is_just_awake)
+            return self._others.take(
+                told.heard.command_id,
+                told.heard.text,
+                stamp_ns=told.heard.stamp.to_nsec(),
+                is_just_awake=told.braked.is_just_awake,
+            )
 
 
 def read_settings() -> BrakeSettings:
@@ -179,7 +202,8 @@ def read_settings() -> BrakeSettings:
         confirmation_timeout_s=rospy.get_param("~confirmation_timeout_s", defaults.confirmation_timeout_s),
         also_cancel=rospy.get_param("~also_cancel", defaults.also_cancel),
         refresh_period_s=rospy.get_param("~refresh_period_s", defaults.refresh_period_s),
-        master_timeout_s=rospy.get_param("~master_timeout_s", defaults.master_timeout_s))
+        master_timeout_s=rospy.get_param("~master_timeout_s", defaults.master_timeout_s),
+    )
 
 
 def main() -> None:

@@ -1,4 +1,5 @@
 """Stops that the command server answered in place of a stop server that was hung."""
+
 import time
 from collections import deque
 from dataclasses import dataclass

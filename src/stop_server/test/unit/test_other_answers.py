@@ -1,4 +1,5 @@
 """Stops that were answered elsewhere."""
+
 import pytest
 
 from stop_server.other_answers import OtherAnswers
@@ -43,11 +44,18 @@ def test_stop_that_came_as_a_goal_is_known_by_its_id(others):
     assert take(others, "goal-1", after_ns=9 * SECOND_NS)
 
 
-@pytest.mark.parametrize("after_ns, is_just_awake, is_meant", [
-    (SECOND_NS // 3, False, True), (-SECOND_NS // 3, False, True), (2 * SECOND_NS, False, False),
-    (2 * SECOND_NS, True, True)])
+@pytest.mark.parametrize(
+    "after_ns, is_just_awake, is_meant",
+    [
+        (SECOND_NS // 3, False, True),
+        (-SECOND_NS // 3, False, True),
+        (2 * SECOND_NS, False, False),
+        (2 * SECOND_NS, True, True),
+    ],
+)
 def test_answer_to_another_utterance_counts_only_for_a_server_that_was_suspended(
-        others, after_ns, is_just_awake, is_meant):
+    others, after_ns, is_just_awake, is_meant
+):
     others.note("text-1", "Stop.", stamp_ns=SAID_NS)
     assert take(others, after_ns=after_ns, is_just_awake=is_just_awake) == is_meant
 

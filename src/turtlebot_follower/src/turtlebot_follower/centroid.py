@@ -2,6 +2,7 @@
 
 The cloud is in the optical frame of the camera (REP 103): x right, y down, z forward, metres.
 """
+
 import math
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Mapping, Optional
@@ -33,7 +34,7 @@ class Box:
         for name, value in vars(self).items():
             if not (isinstance(value, (int, float)) and math.isfinite(value)):
                 raise ValueError(f"{name} must be a finite number, got {value!r}")
-        if not (self.min_x_m < self.max_x_m and self.min_y_m < self.max_y_m and 0.0 < self.max_z_m):
+        if not (self.min_x_m < self.max_x_m and self.min_y_m < self.max_y_m and self.max_z_m > 0.0):
             raise ValueError(f"the box has no room: {self}")
 
 
@@ -54,8 +55,18 @@ FLOAT32 = 7
 """Code of PointField for four-byte floats."""
 
 
-def points_of(data: bytes, *, height: int, width: int, point_step: int, row_step: int, is_bigendian: bool,
-              offsets: Mapping[str, int], datatypes: Mapping[str, int], pixel_step: int = 1) -> "NDArray[np.void]":
+def points_of(
+    data: bytes,
+    *,
+    height: int,
+    width: int,
+    point_step: int,
+    row_step: int,
+    is_bigendian: bool,
+    offsets: Mapping[str, int],
+    datatypes: Mapping[str, int],
+    pixel_step: int = 1,
+) -> "NDArray[np.void]":
     """Look at the points of a PointCloud2 without copying them.
 
     Args:
@@ -83,9 +94,15 @@ def points_of(data: bytes, *, height: int, width: int, point_step: int, row_step
     if row_step < width * point_step or len(data) < row_step * height:
         raise CloudError(f"{len(data)} bytes are too few for {height} rows of {width} points")
     order = ">" if is_bigendian else "<"
-    point = np.dtype({"names": list("xyz"), "formats": [order + "f4"] * 3,
-                      "offsets": [offsets[axis] for axis in "xyz"], "itemsize": point_step})
-    rows: "NDArray[np.void]" = np.ndarray(shape=(height, width), dtype=point, buffer=data, strides=(row_step, point_step))
+    point = np.dtype(
+        {
+            "names": list("xyz"),
+            "formats": [order + "f4"] * 3,
+            "offsets": [offsets[axis] for axis in "xyz"],
+            "itemsize": point_step,
+        }
+    )
+    rows: NDArray[np.void] = np.ndarray(shape=(height, width), dtype=point, buffer=data, strides=(row_step, point_step))
     # An unorganised cloud is one long row.
     return rows[::pixel_step, ::pixel_step] if height > 1 else rows[:, ::pixel_step]
 
@@ -105,9 +122,14 @@ def centroid(points: "NDArray[np.void]", *, box: Box, min_share: float) -> Optio
     # Few points are near: what is tested first thins out the rest. Comparisons with not-a-number are false.
     with np.errstate(invalid="ignore"):
         near = points[(points["z"] < box.max_z_m) & (points["z"] > 0.0)]
-        inside = near[(near["x"] > box.min_x_m) & (near["x"] < box.max_x_m)
-                      & (-near["y"] > box.min_y_m) & (-near["y"] < box.max_y_m)]
+        inside = near[
+            (near["x"] > box.min_x_m)
+            & (near["x"] < box.max_x_m)
+            & (-near["y"] > box.min_y_m)
+            & (-near["y"] < box.max_y_m)
+        ]
     if len(inside) < max(1.0, min_share * points.size):
         return None
-    return Centroid(x_m=float(inside["x"].mean(dtype=np.float64)), z_m=float(inside["z"].mean(dtype=np.float64)),
-                    count=len(inside))
+    return Centroid(
+        x_m=float(inside["x"].mean(dtype=np.float64)), z_m=float(inside["z"].mean(dtype=np.float64)), count=len(inside)
+    )

@@ -1,4 +1,5 @@
 """What to say: from the elements of a filled frame to a sentence."""
+
 import datetime
 from typing import Optional
 

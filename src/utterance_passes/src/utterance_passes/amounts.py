@@ -11,7 +11,6 @@ from dataclasses import dataclass
 from typing import List, Optional, Sequence, Tuple
 
 from spoken_quantities import QuantityError, Unit, find_unit, number_words, parse_measure, parse_number
-
 from utterance_passes.tree import DependencyTree
 
 #: No amount has more words ("one hundred and twenty - five and a half feet and six inches").
@@ -141,7 +140,7 @@ def is_number(tree: DependencyTree, index: int) -> bool:
     if re.fullmatch(r"\d+(st|nd|rd|th)", form):
         return False
     parts = form.split("-") if form != "-" else [form]
-    return form[:1].isdigit() or form[1:2].isdigit() and form[0] in ".+-" or all(p in _NUMBER_WORDS for p in parts)
+    return form[:1].isdigit() or (form[1:2].isdigit() and form[0] in ".+-") or all(p in _NUMBER_WORDS for p in parts)
 
 
 def unit_at(tree: DependencyTree, index: int) -> Optional[Unit]:
@@ -204,7 +203,7 @@ def _amount(tree: DependencyTree, window: Sequence[int]) -> Optional[Amount]:
         # How many of the "quarter turns" or "a turns" is not said.
         return None
     turn = tree.word(window[-1])
-    if turn.form.lower() in _TURNS and (measure.amount > 1.0 or turn.upos == "VERB" and not _FRACTION.search(spoken)):
+    if turn.form.lower() in _TURNS and (measure.amount > 1.0 or (turn.upos == "VERB" and not _FRACTION.search(spoken))):
         return None
     return Amount(
         tuple(window), measure.amount, turn.form, measure.quantity, measure.si_amount, spoken, unit_position=window[-1]
@@ -213,7 +212,7 @@ def _amount(tree: DependencyTree, window: Sequence[int]) -> Optional[Amount]:
 
 def _is_written_so(tree: DependencyTree, window: Sequence[int], forms: Sequence[str]) -> bool:
     """Whether the marks among some words are written as in one number: "forty-five", "1,000", "-2"."""
-    if forms[0] in ("and", "of", "oh", "/", ",", ".") or forms[0] in _SIGNS and len(forms) == 1:
+    if forms[0] in ("and", "of", "oh", "/", ",", ".") or (forms[0] in _SIGNS and len(forms) == 1):
         return False
     if forms[0] == "point" and _has_determiner(tree, window[0]):
         return False
@@ -238,7 +237,11 @@ def _is_of_noun(tree: DependencyTree, index: int) -> bool:
     word = tree.word(index)
     noun = tree.word(word.head) if word.head else word
     is_behind = noun.index < index and noun.upos in ("NOUN", "PROPN")
-    is_name = is_behind and not find_unit(noun.form) and word.deprel in ("nummod", "compound", "flat", "appos", "nmod:unmarked")
+    is_name = (
+        is_behind
+        and not find_unit(noun.form)
+        and word.deprel in ("nummod", "compound", "flat", "appos", "nmod:unmarked")
+    )
     return is_name or word.form.lower() == "one" or is_iteration(tree, index)
 
 

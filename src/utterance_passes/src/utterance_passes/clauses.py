@@ -3,10 +3,9 @@
 from dataclasses import dataclass, replace
 from typing import FrozenSet, List, Set, Tuple
 
-from word_classes import word_class
-
 from utterance_passes.tree import DependencyTree, Word
 from utterance_passes.vocabulary import Verbs, Vocabulary
+from word_classes import word_class
 
 _ADDRESSEES = word_class("addressees")
 _CONDITIONS = word_class("conditions")
@@ -136,9 +135,9 @@ def _collect(
     wrapped = next(
         (child for child in children if child.deprel in ("xcomp", "ccomp") and child.upos in ("VERB", "AUX")), None
     )
-    if wrapped is not None and word.lemma.lower() in _REQUEST_VERBS:
-        _collect(tree, vocabulary, wrapped, is_negated, found)
-    elif wrapped is not None and word.lemma.lower() in _LEADING_VERBS and wrapped.index == word.index + 1:
+    if (wrapped is not None and word.lemma.lower() in _REQUEST_VERBS) or (
+        wrapped is not None and word.lemma.lower() in _LEADING_VERBS and wrapped.index == word.index + 1
+    ):
         _collect(tree, vocabulary, wrapped, is_negated, found)
     elif copula is not None:
         found.append((copula.index, is_negated))
@@ -229,9 +228,7 @@ def whole_sentence(tree: DependencyTree, verb: int) -> Clause:
 def clause_of(tree: DependencyTree, verb: int, positions: FrozenSet[int], is_negated: bool) -> Clause:
     """Return the clause of a verb that is made of some words."""
     condition = _condition(tree, _top(tree, verb), positions)
-    subject = next(
-        (child.index for child in tree.children(_top(tree, verb)) if child.deprel.startswith("nsubj")), 0
-    )
+    subject = next((child.index for child in tree.children(_top(tree, verb)) if child.deprel.startswith("nsubj")), 0)
     return Clause(
         verb=verb,
         lemma=tree.word(verb).lemma.lower(),

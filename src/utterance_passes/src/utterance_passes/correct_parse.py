@@ -3,11 +3,10 @@
 from typing import Iterable, List
 
 from spoken_quantities import find_unit, number_words
-from word_classes import word_class
-
 from utterance_passes.tree import DependencyTree, Word
 from utterance_passes.tree_edits import TreeEdit
 from utterance_passes.vocabulary import Vocabulary
+from word_classes import word_class
 
 _DEGREES = word_class("degrees")
 _DEGREE_ADJECTIVES = word_class("degree_adjectives")

@@ -8,8 +8,6 @@ speech disfluencies*, 1994).
 
 from typing import Dict, FrozenSet, List, Optional, Sequence, Tuple
 
-from word_classes import word_class
-
 from utterance_passes.formula_file import is_filler, pattern_of
 from utterance_passes.measures import Amount, find_amounts
 from utterance_passes.times import find_times
@@ -17,6 +15,7 @@ from utterance_passes.tree import ABANDONED, DependencyTree, Word
 from utterance_passes.tree_edits import NotATree, TreeEdit, set_aside
 from utterance_passes.utterance_pass import Choice, Uncertain
 from utterance_passes.vocabulary import Vocabulary, is_verb
+from word_classes import word_class
 
 _AROUND = word_class("around_corrections")
 _CONDITIONS = word_class("conditions")
@@ -114,9 +113,7 @@ def _term_at(forms: Sequence[str], position: int) -> str:
     return ""
 
 
-def _takes_back(
-    tree: DependencyTree, vocabulary: Vocabulary, first: int, behind: int, terms: Sequence[str]
-) -> bool:
+def _takes_back(tree: DependencyTree, vocabulary: Vocabulary, first: int, behind: int, terms: Sequence[str]) -> bool:
     """Whether a term stands between a command and a correction: "say no", "there is no chair" and "with no lid" do not
     take anything back, and in "bring Bob no mug" the word belongs to what follows.
     """
@@ -258,7 +255,7 @@ class _Repair:
                 number = [position for position in other.positions if position != other.unit_position]
                 text = self._text(self._replaced(self._words(number), self._words(amount.positions)))
                 raise Uncertain(Choice(text, self._with_number(number, amount)))
-            elif other.quantity == amount.quantity or not other.unit:
+            if other.quantity == amount.quantity or not other.unit:
                 spans.append(self._words(other.positions))
         return spans
 

@@ -7,6 +7,7 @@ from pathlib import Path
 from typing import Dict, Iterable, List, Mapping, Pattern, Tuple
 
 import yaml
+
 from semantic_frames.marked_yaml import Reader, did_you_mean
 from semantic_frames.source_files import read_text
 from word_classes import word_class, word_classes

@@ -6,12 +6,11 @@ nothing that is read later looks at.
 
 from typing import FrozenSet, Sequence
 
-from word_classes import word_class
-
 from utterance_passes.formula_file import pattern_of
 from utterance_passes.tree import ASIDE, DependencyTree, Word
 from utterance_passes.tree_edits import set_aside
 from utterance_passes.vocabulary import Vocabulary, is_verb
+from word_classes import word_class
 
 _OPENINGS = pattern_of("openings")
 _ANYWHERE = pattern_of("anywhere")
@@ -78,7 +77,7 @@ def _around(tree: DependencyTree, vocabulary: Vocabulary) -> FrozenSet[int]:
             if (
                 (is_apart and _APART.fullmatch(text))
                 or (is_apart and not is_front and _ENDINGS.fullmatch(text))
-                or ((is_apart or is_front and is_verb(vocabulary, words[behind])) and _ANYWHERE.fullmatch(text))
+                or ((is_apart or (is_front and is_verb(vocabulary, words[behind]))) and _ANYWHERE.fullmatch(text))
             ) and not (first and _belongs_to(words[first - 1], word, vocabulary)):
                 return frozenset(word.index for word in said)
     return frozenset()

@@ -1,10 +1,9 @@
 """Verbs that stand for another one: "can I have the mug" wishes for it, and who does a u-turn makes one."""
 
-from word_classes import word_class
-
 from utterance_passes.tree import DependencyTree, Word
 from utterance_passes.tree_edits import TreeEdit
 from utterance_passes.vocabulary import Vocabulary
+from word_classes import word_class
 
 _WISH = "want"
 #: "Can I have ...", "could we get ...".
@@ -26,7 +25,11 @@ def replace_light_verbs(tree: DependencyTree, vocabulary: Vocabulary) -> Depende
         lemma = word.lemma.lower()
         if lemma == "do" and word.upos == "VERB" and _is_made(tree, word, vocabulary):
             edit.respell(word.index, "make")
-        elif lemma in _ASKED_FOR | _WISHING_VERBS and _WISH in vocabulary.verbs_beginning_with(_WISH) and _is_wish(tree, word):
+        elif (
+            lemma in _ASKED_FOR | _WISHING_VERBS
+            and _WISH in vocabulary.verbs_beginning_with(_WISH)
+            and _is_wish(tree, word)
+        ):
             edit.respell(word.index, _WISH)
     return edit.tree()
 

@@ -9,10 +9,9 @@ from dataclasses import replace
 from typing import AbstractSet, FrozenSet, Iterable, List, Optional, Sequence, Tuple
 
 from spoken_quantities import find_unit
-from word_classes import word_class
-
 from utterance_passes.amounts import Amount, counts_things, is_glued, is_iteration, is_number, read_amounts, unit_at
 from utterance_passes.tree import DependencyTree
+from word_classes import word_class
 
 __all__ = ["Amount", "amounts_of", "find_amounts"]
 
@@ -27,7 +26,15 @@ _BEFORE = frozenset(
     "minus plus negative double twice thrice triple point per every each".split()
 )
 _BOUNDS_BEFORE = frozenset(
-    [("up", "to"), ("at", "least"), ("at", "most"), ("maximum", "of"), ("minimum", "of"), ("out", "of"), ("percent", "of")]
+    [
+        ("up", "to"),
+        ("at", "least"),
+        ("at", "most"),
+        ("maximum", "of"),
+        ("minimum", "of"),
+        ("out", "of"),
+        ("percent", "of"),
+    ]
 )
 #: Behind an amount.
 _BEHIND = frozenset("percent % per max maximum minimum tops plus minus times squared cubed o'clock ish".split())
@@ -42,10 +49,9 @@ _MORE_BEHIND = tuple(
 #: Words of a bound that the amount itself keeps to: "at least two metres", "two metres or more". It may be meant.
 _KEPT = frozenset("least most at up to the or more less fewer of maximum max minimum tops".split())
 #: Words that leave an amount as it is.
-_AROUND = (
-    frozenset("about almost around roughly approximately nearly exactly precisely just some even only another".split())
-    | word_class("hedges")
-)
+_AROUND = frozenset(
+    "about almost around roughly approximately nearly exactly precisely just some even only another".split()
+) | word_class("hedges")
 #: Marks that may touch an amount.
 _MARKS = frozenset(". , ! ? ; : ) ( [ ] \" ' …".split())
 #: Units that are nothing else, where no number stands in front of them.
@@ -259,17 +265,14 @@ def _without_hedges(tree: DependencyTree, positions: Sequence[int]) -> List[int]
     return [
         index
         for index in positions
-        if index not in tree.fillers
-        and tree.word(index).form.lower() not in _AROUND | {"oh", "a", "an", "the"}
+        if index not in tree.fillers and tree.word(index).form.lower() not in _AROUND | {"oh", "a", "an", "the"}
     ]
 
 
 def _is_close(tree: DependencyTree, first: int, between: Sequence[int], second: int) -> bool:
     """Whether nothing of weight stands between a word and an amount: no word that is missing from ``between``."""
     seen = set(between)
-    return all(
-        index in seen or index in tree.abandoned for index in range(min(first, second) + 1, max(first, second))
-    )
+    return all(index in seen or index in tree.abandoned for index in range(min(first, second) + 1, max(first, second)))
 
 
 def _is_mark_of_arithmetic(form: str) -> bool:

@@ -8,14 +8,13 @@ one of a lexical unit whose frame has a *Message*, as FrameNet calls it.
 from dataclasses import dataclass
 from typing import Dict, FrozenSet, Iterable, Optional, Sequence, Set, Tuple
 
-from word_classes import word_class
-
 from utterance_passes.clauses import Clause, find_clauses
 from utterance_passes.times import find_times
 from utterance_passes.tree import QUOTED, DependencyTree, Word
 from utterance_passes.tree_edits import TreeEdit
 from utterance_passes.verb_matching import match_verbs
 from utterance_passes.vocabulary import Speech, Vocabulary
+from word_classes import word_class
 
 _MARKS = ('"', "“", "”", "«", "»", "``", "''")
 _AFTER_NO = word_class("after_no")
@@ -91,7 +90,9 @@ def _stray_clause(tree: DependencyTree, saying: _Saying) -> int:
 class _Quotation:
     """What one verb of saying governs."""
 
-    def __init__(self, tree: DependencyTree, saying: _Saying, clauses: Sequence[Clause], vocabulary: Vocabulary) -> None:
+    def __init__(
+        self, tree: DependencyTree, saying: _Saying, clauses: Sequence[Clause], vocabulary: Vocabulary
+    ) -> None:
         self._tree = tree
         self._verb = saying.clause.verb
         self._start = saying.last + 1

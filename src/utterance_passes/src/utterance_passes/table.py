@@ -46,11 +46,22 @@ TEXT_PASSES: Tuple[TextPass, ...] = (
     _text("apostrophes", "Write all apostrophes alike.", "Bob’s", "Bob's", spelling.APOSTROPHE, "'"),
     _text("quotation_marks", "Write all quotation marks alike.", "“hi”", '"hi"', spelling.QUOTATION_MARK, '"'),
     _text("dashes", "Write all dashes alike.", "pick–up", "pick-up", spelling.DASH, "-"),
-    _text("fraction_signs", "Write the sign of a fraction in digits.", "2½", "2 1/2", spelling.FRACTION_SIGN, spelling.ratio),
+    _text(
+        "fraction_signs",
+        "Write the sign of a fraction in digits.",
+        "2½",
+        "2 1/2",
+        spelling.FRACTION_SIGN,
+        spelling.ratio,
+    ),
     _text("fraction_slash", "Write the slash of a fraction as any other.", "1⁄2", "1/2", spelling.FRACTION_SLASH, "/"),
-    _text("degree_sign", "Write the sign for degrees as a word.", "90°", "90 degrees", spelling.DEGREE_SIGN, " degrees"),
+    _text(
+        "degree_sign", "Write the sign for degrees as a word.", "90°", "90 degrees", spelling.DEGREE_SIGN, " degrees"
+    ),
     _text("units", "Part a number from the unit that is written to it.", "3ft", "3 ft", spelling.UNIT_AT_NUMBER, " "),
-    _text("minus_sign", "Write the sign of a negative number as a word.", "-3", "minus 3", spelling.MINUS_SIGN, "minus "),
+    _text(
+        "minus_sign", "Write the sign of a negative number as a word.", "-3", "minus 3", spelling.MINUS_SIGN, "minus "
+    ),
     _text(
         "negative_sign",
         'Write "negative" before a number as "minus".',
@@ -61,9 +72,7 @@ TEXT_PASSES: Tuple[TextPass, ...] = (
     ),
     _text("ratios", "Part the two numbers of a ratio.", "3/4", "3 / 4", spelling.RATIO, " / "),
     _text("blanks", "Write one blank between words.", "go \t on", "go on", spelling.BLANKS, " "),
-    TextPass(
-        "ends", "Leave out blanks at both ends.", Example(" go ", ("go",)), Stage.PARSER, spelling.stripped
-    ),
+    TextPass("ends", "Leave out blanks at both ends.", Example(" go ", ("go",)), Stage.PARSER, spelling.stripped),
 )
 
 TAG_PASSES: Tuple[TagPass, ...] = (
@@ -270,78 +279,82 @@ PARSE_CORRECTING_PASSES: Tuple[TreePass, ...] = (
 
 #: What is said around a command, and for a verb; then what the tree that is read must look like.
 REPHRASING_PASSES: Tuple[TreePass, ...] = (
-    TreePass(
-        "opening_formula",
-        'Set the formula aside that a command is opened with: "I wonder if you could ...".',
-        Example(
-            "go|VERB|0|root ahead|ADV|1|advmod and|CCONJ|4|cc turn|VERB|1|conj",
-            (
-                "go: root -> discourse:aside(turn)",
-                "ahead: advmod(go) -> discourse:aside(turn)",
-                "and: cc(turn) -> discourse:aside(turn)",
-                "turn: conj(go) -> root",
+    (
+        TreePass(
+            "opening_formula",
+            'Set the formula aside that a command is opened with: "I wonder if you could ...".',
+            Example(
+                "go|VERB|0|root ahead|ADV|1|advmod and|CCONJ|4|cc turn|VERB|1|conj",
+                (
+                    "go: root -> discourse:aside(turn)",
+                    "ahead: advmod(go) -> discourse:aside(turn)",
+                    "and: cc(turn) -> discourse:aside(turn)",
+                    "turn: conj(go) -> root",
+                ),
+                _TURN,
             ),
-            _TURN,
+            Stage.FRAMER,
+            formulas.without_opening,
         ),
-        Stage.FRAMER,
-        formulas.without_opening,
-    ),
-) + PARSE_CORRECTING_PASSES + (
-    TreePass(
-        "light_verbs",
-        "Replace verbs that stand for another one, where the lexicon has that: who asks to have something wants it.",
-        Example(
-            "can|AUX|3|aux I|PRON|3|nsubj have|VERB|0|root tea|NOUN|3|obj",
-            ("have: VERB/have have -> VERB/want want",),
-            Verbs(frozenset(["want"])),
-        ),
-        Stage.FRAMER,
-        light_verbs.replace_light_verbs,
-    ),
-    TreePass(
-        "quotations",
-        "Make one object of what is to be said, whatever it says.",
-        Example(
-            "tell|VERB|0|root her|PRON|3|nmod:poss|her|PRP$ lunch|NOUN|5|nsubj is|AUX|5|cop|be ready|ADJ|1|ccomp",
-            (
-                "her: nmod:poss(lunch) -> iobj(tell)",
-                "lunch: nsubj(ready) -> flat:quoted(ready)",
-                "is: cop(ready) -> flat:quoted(ready)",
-                "ready: ccomp(tell) -> obj(tell)",
+    )
+    + PARSE_CORRECTING_PASSES
+    + (
+        TreePass(
+            "light_verbs",
+            "Replace verbs that stand for another one, where the lexicon has that: who asks to have something wants it.",
+            Example(
+                "can|AUX|3|aux I|PRON|3|nsubj have|VERB|0|root tea|NOUN|3|obj",
+                ("have: VERB/have have -> VERB/want want",),
+                Verbs(frozenset(["want"])),
             ),
-            Verbs(frozenset(["tell"]), speech={"tell": Speech.TOLD}),
+            Stage.FRAMER,
+            light_verbs.replace_light_verbs,
         ),
-        Stage.FRAMER,
-        quotations.with_quotations,
-    ),
-    TreePass(
-        "formulas",
-        'Set the formulas aside that a command is surrounded with: "... if you don\'t mind".',
-        Example(
-            "turn|VERB|0|root right|ADV|3|advmod away|ADV|1|advmod",
-            ("right: advmod(away) -> discourse:aside(turn)", "away: advmod(turn) -> discourse:aside(turn)"),
-            Verbs(frozenset(["turn"])),
+        TreePass(
+            "quotations",
+            "Make one object of what is to be said, whatever it says.",
+            Example(
+                "tell|VERB|0|root her|PRON|3|nmod:poss|her|PRP$ lunch|NOUN|5|nsubj is|AUX|5|cop|be ready|ADJ|1|ccomp",
+                (
+                    "her: nmod:poss(lunch) -> iobj(tell)",
+                    "lunch: nsubj(ready) -> flat:quoted(ready)",
+                    "is: cop(ready) -> flat:quoted(ready)",
+                    "ready: ccomp(tell) -> obj(tell)",
+                ),
+                Verbs(frozenset(["tell"]), speech={"tell": Speech.TOLD}),
+            ),
+            Stage.FRAMER,
+            quotations.with_quotations,
         ),
-        Stage.FRAMER,
-        formulas.without_formulas,
-    ),
-    TreePass(
-        "shared_verbs",
-        "Give the second of two phrases that share a verb the relation to it that the first one has.",
-        Example(
-            "go|VERB|0|root to|ADP|3|case Bob|PROPN|1|obl and|CCONJ|6|cc to|ADP|6|case Eve|PROPN|1|conj",
-            ("Eve: conj(go) -> obl(go)",),
+        TreePass(
+            "formulas",
+            'Set the formulas aside that a command is surrounded with: "... if you don\'t mind".',
+            Example(
+                "turn|VERB|0|root right|ADV|3|advmod away|ADV|1|advmod",
+                ("right: advmod(away) -> discourse:aside(turn)", "away: advmod(turn) -> discourse:aside(turn)"),
+                Verbs(frozenset(["turn"])),
+            ),
+            Stage.FRAMER,
+            formulas.without_formulas,
         ),
-        Stage.FRAMER,
-        shared_verbs.expand_shared_verbs,
-    ),
-    TreePass(
-        "times",
-        "Mark the phrases that say when something is to be done.",
-        Example("turn|VERB|0|root at|ADP|3|case five|NUM|1|obl", ("at five: says when",), _TURN),
-        Stage.FRAMER,
-        times.with_times,
-    ),
+        TreePass(
+            "shared_verbs",
+            "Give the second of two phrases that share a verb the relation to it that the first one has.",
+            Example(
+                "go|VERB|0|root to|ADP|3|case Bob|PROPN|1|obl and|CCONJ|6|cc to|ADP|6|case Eve|PROPN|1|conj",
+                ("Eve: conj(go) -> obl(go)",),
+            ),
+            Stage.FRAMER,
+            shared_verbs.expand_shared_verbs,
+        ),
+        TreePass(
+            "times",
+            "Mark the phrases that say when something is to be done.",
+            Example("turn|VERB|0|root at|ADP|3|case five|NUM|1|obl", ("at five: says when",), _TURN),
+            Stage.FRAMER,
+            times.with_times,
+        ),
+    )
 )
 
 FRAMER_TREE_PASSES: Tuple[TreePass, ...] = CORRECTION_PASSES + REPHRASING_PASSES

@@ -2,12 +2,11 @@
 
 from typing import Optional, Sequence, Tuple
 
-from word_classes import word_class
-
 from utterance_passes.tree import DependencyTree
 from utterance_passes.tree_edits import TreeEdit
 from utterance_passes.utterance_pass import Retag
 from utterance_passes.vocabulary import Vocabulary
+from word_classes import word_class
 
 _FORMS_OF_BE = word_class("forms_of_be")
 _LEAD_IN = word_class("lead_in")

@@ -5,12 +5,11 @@ time at either end of a command hangs on anything in its tree.
 from typing import FrozenSet, List, Tuple
 
 from spoken_quantities import QuantityError, parse_number
-from word_classes import word_class
-
 from utterance_passes.amounts import read_amounts
 from utterance_passes.tree import DependencyTree
 from utterance_passes.tree_edits import mark_times
 from utterance_passes.vocabulary import Vocabulary
+from word_classes import word_class
 
 _ADVERBS = word_class("time_adverbs")
 _BEFORE_NOW = word_class("before_now")

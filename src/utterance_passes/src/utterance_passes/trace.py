@@ -45,9 +45,7 @@ class Trace:
         """What was written."""
         return tuple(self._lines)
 
-    def add(
-        self, rule: str, about: str = "", before: str = "", after: str = "", positions: Iterable[int] = ()
-    ) -> None:
+    def add(self, rule: str, about: str = "", before: str = "", after: str = "", positions: Iterable[int] = ()) -> None:
         """Write a line."""
         self._lines.append(TraceLine(rule, tuple(sorted(positions)), about, before, after))
 

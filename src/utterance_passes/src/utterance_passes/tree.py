@@ -110,9 +110,7 @@ class DependencyTree:
     @cached_property
     def quoted(self) -> FrozenSet[int]:
         """Positions of quoted words: "say *don't worry*"."""
-        return frozenset(
-            index for word in self.words if word.deprel == QUOTED for index in (word.index, word.head)
-        )
+        return frozenset(index for word in self.words if word.deprel == QUOTED for index in (word.index, word.head))
 
     @cached_property
     def fillers(self) -> FrozenSet[int]:

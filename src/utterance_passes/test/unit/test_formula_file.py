@@ -4,6 +4,7 @@ import re
 from typing import List, Tuple
 
 import pytest
+
 from semantic_frames import FileRefused, Problem
 from utterance_passes.corrections import without_corrected
 from utterance_passes.formula_file import KINDS, Formula, load_formulas, shipped_formulas

@@ -1,6 +1,7 @@
 """Relations that the arcs around them rule out."""
 
 import pytest
+
 from utterance_passes.conllu import from_conllu
 from utterance_passes.running import run_tree_passes
 from utterance_passes.table import PARSER_TREE_PASSES

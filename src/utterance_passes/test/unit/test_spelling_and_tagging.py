@@ -3,6 +3,7 @@
 from typing import Optional
 
 import pytest
+
 from utterance_passes.conllu import from_conllu
 from utterance_passes.running import run_text_passes
 from utterance_passes.spelling import Spelling

@@ -5,6 +5,7 @@ from pathlib import Path
 from typing import List, Tuple
 
 import pytest
+
 from utterance_passes.conllu import from_short
 from utterance_passes.running import run_tag_passes, run_text_passes, run_tree_passes
 from utterance_passes.table import PASSES, TAG_PASSES, TEXT_PASSES
@@ -49,7 +50,9 @@ def result(one: Pass, passes: Tuple[Pass, ...]) -> List[str]:
         words = [item.split("|") for item in example.said.split()]
         forms, tags = [word[0] for word in words], [word[1] for word in words]
         tagging = [each for each in passes if isinstance(each, TagPass)]
-        return [f"{tag.position} {tag.upos} {tag.xpos}" for tag in run_tag_passes(forms, tags, example.vocabulary, tagging)]
+        return [
+            f"{tag.position} {tag.upos} {tag.xpos}" for tag in run_tag_passes(forms, tags, example.vocabulary, tagging)
+        ]
     trace = Trace()
     trees = [each for each in passes if isinstance(each, TreePass)]
     run_tree_passes(from_short(example.said), example.vocabulary, trees, trace=trace)
@@ -84,7 +87,9 @@ def test_text_is_parted_before_blanks_are_counted() -> None:
 
 def test_a_tag_pass_sees_the_tags_of_the_one_before() -> None:
     vocabulary = PASSES[ORDER.index("command_verb")].example.vocabulary
-    retags = run_tag_passes("scrub it to order 3".split(), ["NOUN", "PRON", "PART", "VERB", "NUM"], vocabulary, TAG_PASSES)
+    retags = run_tag_passes(
+        "scrub it to order 3".split(), ["NOUN", "PRON", "PART", "VERB", "NUM"], vocabulary, TAG_PASSES
+    )
     assert [(retag.position, retag.upos) for retag in retags] == [(1, "VERB"), (3, "ADP"), (4, "NOUN")]
 
 

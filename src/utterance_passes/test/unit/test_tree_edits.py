@@ -5,6 +5,7 @@ from pathlib import Path
 from typing import Iterator, List, Tuple
 
 import pytest
+
 from utterance_passes.conllu import from_short
 from utterance_passes.tree_edits import NotATree, TreeEdit, set_aside
 
@@ -71,10 +72,7 @@ def makes_trees(path: Path) -> bool:
 def test_no_other_module_makes_trees() -> None:
     packages = ("utterance_passes", "stanford_parser_ros", "semantic_framer", "roboframenet_tools")
     makers = {
-        path.name
-        for package in packages
-        for path in (SOURCES / package / "src").glob("**/*.py")
-        if makes_trees(path)
+        path.name for package in packages for path in (SOURCES / package / "src").glob("**/*.py") if makes_trees(path)
     }
     assert makers == READERS | {"tree_edits.py"}
 

@@ -6,7 +6,6 @@ from typing import FrozenSet, Mapping, Optional, Tuple
 
 from semantic_frames.marked_yaml import did_you_mean
 from semantic_frames.source_files import read_text
-
 from word_classes.word_file import WordClass, load_word_classes
 
 #: Beside this module in the source, devel and install space.

@@ -4,6 +4,7 @@ from dataclasses import dataclass
 from typing import Dict, List, Mapping, Optional, Set, Tuple
 
 import yaml
+
 from semantic_frames.marked_yaml import Reader, did_you_mean, line_of
 
 KEYS = ("for", "includes", "words")

@@ -4,6 +4,7 @@ import subprocess
 import sys
 
 import pytest
+
 from word_classes import UnknownWordClass, without_determiner, word_class, word_classes, word_list
 
 

@@ -3,6 +3,7 @@
 from typing import List
 
 import pytest
+
 from semantic_frames import FileRefused, Problem
 from word_classes import load_word_classes
 

@@ -1,4 +1,5 @@
 """Iterator: one state, once for each item."""
+
 import traceback
 from typing import Any, Callable, Dict, Iterable, List, Mapping, Optional, Tuple, Union
 
@@ -27,8 +28,15 @@ class Iterator(Container):
         exhausted_outcome: outcome when there are no more items
     """
 
-    def __init__(self, outcomes: Iterable[str], input_keys: Iterable[str], output_keys: Iterable[str],
-                 it: Items = (), it_label: str = "it_data", exhausted_outcome: str = "exhausted") -> None:
+    def __init__(
+        self,
+        outcomes: Iterable[str],
+        input_keys: Iterable[str],
+        output_keys: Iterable[str],
+        it: Items = (),
+        it_label: str = "it_data",
+        exhausted_outcome: str = "exhausted",
+    ) -> None:
         super().__init__(outcomes, input_keys, output_keys)
         self.register_outcomes([exhausted_outcome])
         self._items = it
@@ -45,9 +53,13 @@ class Iterator(Container):
         self._items, self._items_label = it, it_label
 
     @staticmethod
-    def set_contained_state(label: str, state: State, loop_outcomes: Iterable[str] = (),
-                            break_outcomes: Iterable[str] = (),
-                            final_outcome_map: Optional[Mapping[str, str]] = None) -> None:
+    def set_contained_state(
+        label: str,
+        state: State,
+        loop_outcomes: Iterable[str] = (),
+        break_outcomes: Iterable[str] = (),
+        final_outcome_map: Optional[Mapping[str, str]] = None,
+    ) -> None:
         """Set the state of the iterator that is open.
 
         Args:
@@ -78,7 +90,8 @@ class Iterator(Container):
         if unknown:
             raise InvalidTransitionError(
                 f"Iterator failed consistency check: state '{self._label}' has no outcomes {unknown}; its outcomes "
-                f"are: {sorted(registered)}")
+                f"are: {sorted(registered)}"
+            )
 
     def _ends(self, outcome: str) -> bool:
         return outcome in self._break_outcomes or bool(self._loop_outcomes and outcome not in self._loop_outcomes)
@@ -103,8 +116,10 @@ class Iterator(Container):
             self.call_start_cbs()
             outcome = self._iterate(self._state)
             if outcome is not None and outcome not in self.get_registered_outcomes():
-                raise InvalidTransitionError(f"The iteration of '{self._label}' ended with '{outcome}', which is no "
-                                             f"outcome of the iterator: {sorted(self.get_registered_outcomes())}")
+                raise InvalidTransitionError(
+                    f"The iteration of '{self._label}' ended with '{outcome}', which is no "
+                    f"outcome of the iterator: {sorted(self.get_registered_outcomes())}"
+                )
             self._copy_output_keys(self.userdata, parent_ud)
             if outcome is not None:
                 self.call_termination_cbs([self._label], outcome)
@@ -165,12 +180,15 @@ class Iterator(Container):
             raise
         except Exception as error:  # boundary: a state is code of the user
             raise InvalidUserCodeError(
-                f"State '{self._label}' of type {type(state).__name__} raised:\n{traceback.format_exc()}") from error
+                f"State '{self._label}' of type {type(state).__name__} raised:\n{traceback.format_exc()}"
+            ) from error
         if outcome is None and is_shutdown():
             return None
         if outcome not in state.get_registered_outcomes():
-            raise InvalidTransitionError(f"State '{self._label}' ended with the outcome '{outcome}', which is not "
-                                         f"registered: {sorted(state.get_registered_outcomes())}")
+            raise InvalidTransitionError(
+                f"State '{self._label}' ended with the outcome '{outcome}', which is not "
+                f"registered: {sorted(state.get_registered_outcomes())}"
+            )
         return outcome
 
     def request_preempt(self) -> None:

@@ -1,4 +1,5 @@
 """Where SMACH writes what it does: the standard logger "smach", or functions that the user gives."""
+
 import logging
 from typing import Callable
 

@@ -1,4 +1,5 @@
 """State: something that runs once and ends with one of its outcomes."""
+
 from typing import Any, Callable, Iterable, Mapping, Optional, Tuple
 
 from smach.util import SmachInterface
@@ -14,8 +15,13 @@ class State:
         io_keys: userdata that the state reads and writes
     """
 
-    def __init__(self, outcomes: Iterable[str] = (), input_keys: Iterable[str] = (),
-                 output_keys: Iterable[str] = (), io_keys: Iterable[str] = ()) -> None:
+    def __init__(
+        self,
+        outcomes: Iterable[str] = (),
+        input_keys: Iterable[str] = (),
+        output_keys: Iterable[str] = (),
+        io_keys: Iterable[str] = (),
+    ) -> None:
         # Dictionaries keep the order in which the user named things; the values do not matter.
         self._outcomes = dict.fromkeys(outcomes)
         self._input_keys = dict.fromkeys(input_keys)
@@ -92,10 +98,16 @@ class CBState(State):
         cb_kwargs: more keyword arguments
     """
 
-    def __init__(self, cb: Callable[..., str], cb_args: Iterable[Any] = (),
-                 cb_kwargs: Optional[Mapping[str, Any]] = None, outcomes: Iterable[str] = (),
-                 input_keys: Iterable[str] = (), output_keys: Iterable[str] = (),
-                 io_keys: Iterable[str] = ()) -> None:
+    def __init__(
+        self,
+        cb: Callable[..., str],
+        cb_args: Iterable[Any] = (),
+        cb_kwargs: Optional[Mapping[str, Any]] = None,
+        outcomes: Iterable[str] = (),
+        input_keys: Iterable[str] = (),
+        output_keys: Iterable[str] = (),
+        io_keys: Iterable[str] = (),
+    ) -> None:
         super().__init__(outcomes, input_keys, output_keys, io_keys)
         self._cb = cb
         self._cb_args = tuple(cb_args)

@@ -1,4 +1,5 @@
 """Callbacks that declare their outcomes and keys, and the check for the end of the program."""
+
 import functools
 from typing import Any, Callable, Iterable, Optional, Protocol, Tuple, runtime_checkable
 
@@ -48,9 +49,14 @@ class CBInterface:
     Calls go to the callback unchanged. As an attribute of a class it binds to the instance like a method.
     """
 
-    def __init__(self, cb: Callable[..., Any], outcomes: Optional[Iterable[str]] = None,
-                 input_keys: Optional[Iterable[str]] = None, output_keys: Optional[Iterable[str]] = None,
-                 io_keys: Optional[Iterable[str]] = None) -> None:
+    def __init__(
+        self,
+        cb: Callable[..., Any],
+        outcomes: Optional[Iterable[str]] = None,
+        input_keys: Optional[Iterable[str]] = None,
+        output_keys: Optional[Iterable[str]] = None,
+        io_keys: Optional[Iterable[str]] = None,
+    ) -> None:
         self._cb = cb
         self._outcomes = tuple(outcomes or ())
         self._input_keys = tuple(input_keys or ()) + tuple(io_keys or ())
@@ -81,10 +87,19 @@ class CBInterface:
 class cb_interface:  # noqa: N801 (the documented name of the decorator)
     """Decorator that gives a callback its outcomes and keys; see CBInterface."""
 
-    def __init__(self, outcomes: Optional[Iterable[str]] = None, input_keys: Optional[Iterable[str]] = None,
-                 output_keys: Optional[Iterable[str]] = None, io_keys: Optional[Iterable[str]] = None) -> None:
-        self._declared = {"outcomes": tuple(outcomes or ()), "input_keys": tuple(input_keys or ()),
-                          "output_keys": tuple(output_keys or ()), "io_keys": tuple(io_keys or ())}
+    def __init__(
+        self,
+        outcomes: Optional[Iterable[str]] = None,
+        input_keys: Optional[Iterable[str]] = None,
+        output_keys: Optional[Iterable[str]] = None,
+        io_keys: Optional[Iterable[str]] = None,
+    ) -> None:
+        self._declared = {
+            "outcomes": tuple(outcomes or ()),
+            "input_keys": tuple(input_keys or ()),
+            "output_keys": tuple(output_keys or ()),
+            "io_keys": tuple(io_keys or ()),
+        }
 
     def __call__(self, cb: Callable[..., Any]) -> CBInterface:
         return CBInterface(cb, **self._declared)

@@ -1,8 +1,10 @@
 """Arguments of the states and of the wrapper have the documented names, order and defaults."""
+
 import inspect
 
 import pytest
 import rospy
+
 import smach_ros
 
 MESSAGE_FROM = "{0}_cb {0}_cb_args {0}_cb_kwargs {0}_key {0}_slots"
