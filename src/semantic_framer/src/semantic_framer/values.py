@@ -37,7 +37,7 @@ def phrase_value(
     conjuncts = [
         child
         for child in tree.children(head)
-        if child.deprel == "conj" and child.upos not in ("VERB", "AUX") and child.index not in left_out
+        if child.deprel == "conj" and child.upos not in ("VERB", "AUX")
     ]
     left_out |= tree.abandoned | tree.fillers - {head}
     positions = sorted((tree.subtree(head) - left_out) | attached)
