@@ -13,8 +13,8 @@ from command_server.stop_words import COMMAND_VERBS, FILLERS, SOFT, is_stop
 #: Nothing that begins so is a command: "stop and you will be fine".
 _NO_COMMANDS: FrozenSet[str] = frozenset(
     (
-        "you i he she it we they there that this these those the a an my your his her our their is are was were what who "
-        "where when why how or so because all both not if else"
+        "you i he she it we they there that this these those the a an my your his her our their is are was were what "
+        "who where when why how or so because all both not if else"
     ).split()
 )
 _REQUESTS: FrozenSet[str] = frozenset("can could will would".split())

@@ -397,8 +397,8 @@ class CommandServerNode:
                     outcome=Outcome.FAILED,
                     stage=STOP_STAGE,
                     code="STAGE_SILENT",
-                    sentence=f"{STOP_STAGE} did not answer within {self._settings.stop_timeout_s:g} s; {OWN_STAGE} took "
-                    f"its place. {standing}",
+                    sentence=f"{STOP_STAGE} did not answer within {self._settings.stop_timeout_s:g} s; {OWN_STAGE} "
+                    f"took its place. {standing}",
                 )
             )
             self._pass_on_answer(stop.command_id, self._last_reply)
