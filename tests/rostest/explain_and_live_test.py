@@ -99,11 +99,11 @@ class ExplainAndLiveTest(unittest.TestCase):
             context = understanding.context
             count = len(ears.replies)
             text.publish(sentence)
-            self.assertTrue(wait_until(lambda: len(ears.replies) > count), f"no reply to {sentence!r}")
+            self.assertTrue(wait_until(lambda before=count: len(ears.replies) > before), f"no reply to {sentence!r}")
             reply = ears.replies[count]
             offline = (understanding.reply.outcome, understanding.reply.code) + expected(understanding)
             # Events and candidates come on other connections than the reply.
-            if not wait_until(lambda: heard(ears, reply) == offline, 5.0):
+            if not wait_until(lambda reply=reply, offline=offline: heard(ears, reply) == offline, 5.0):
                 live = heard(ears, reply)
                 different.append(f"{sentence!r}\n  live    {live}\n  offline {offline}")
         self.assertEqual(different, [])

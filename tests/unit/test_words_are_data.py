@@ -59,8 +59,10 @@ NO_SPEECH: Dict[str, Tuple[str, str]] = {
     "roboframenet_tools/new.py": ("places in a template", "name, verb, capital"),
     "frame_learning/score_command.py": (
         "keys of JSON and headings",
-        "commands, fp, em, coverage, annotated, predicted, right, precision, right heads, frame, "
-        "taken for, lines, answered, refused, stops, errors",
+        (
+            "commands, fp, em, coverage, annotated, predicted, right, precision, right heads, frame, "
+            "taken for, lines, answered, refused, stops, errors"
+        ),
     ),
     "semantic_frames/frame_file.py": (
         "keys of a file",

@@ -48,51 +48,63 @@ CRIES: Tuple[Tuple[Kind, Tail, str], ...] = (
     (
         Kind.STOP,
         Tail.ANYTHING,
-        "stop; halt; abort; whoa; woah; estop; e stop; cease; emergency stop; emergency halt; would you mind stopping; "
-        "do you mind stopping; how about stopping; come to a stop; come to a halt; come to a standstill; "
-        "come to a full stop; come to a complete stop; come to a complete halt; enough of",
+        (
+            "stop; halt; abort; whoa; woah; estop; e stop; cease; emergency stop; emergency halt; would you mind "
+            "stopping; do you mind stopping; how about stopping; come to a stop; come to a halt; come to a "
+            "standstill; come to a full stop; come to a complete stop; come to a complete halt; enough of"
+        ),
     ),
     (
         Kind.STOP,
         Tail.LASTING,
-        "freeze; stand still; keep still; hold still; be still; sit still; stay still; remain where you are; do not "
-        "move; do not you move; do not you dare move; do not anybody move; nobody move; stand down; stay back; keep "
-        "back",
+        (
+            "freeze; stand still; keep still; hold still; be still; sit still; stay still; remain where you are; do "
+            "not move; do not you move; do not you dare move; do not anybody move; nobody move; stand down; stay "
+            "back; keep back"
+        ),
     ),
     (
         Kind.STOP,
         Tail.CLAUSE,
-        "no more of that; no more of this; no further; no closer; go no further; come no closer; not another step; "
-        "not one more step; not another inch; do not come any closer; do not go any further; do not go any closer; do "
-        "not take another step; do not take one more step; not one more inch; that is far enough; that is close "
-        "enough; far enough; close enough; that will do; that is quite enough; that is more than enough; that will be "
-        "enough; that would be enough; i have had enough; i have had enough of this; i have had enough of that; "
-        "enough is enough; cut it out; cut that out; knock it off; knock that off; pack it in; give it a rest; "
-        "desist; lay off; watch out; look out; brake; brakes; hit the brake; hit the brakes; apply the brakes; put "
-        "the brakes on; kill the engine; kill the engines; kill the motor; kill the motors; kill the power; hit the "
-        "emergency stop; press the emergency stop; push the emergency stop; cut the engine; cut the engines; cut the "
-        "motor; cut the motors; cut the power; time out; timeout",
+        (
+            "no more of that; no more of this; no further; no closer; go no further; come no closer; not another "
+            "step; not one more step; not another inch; do not come any closer; do not go any further; do not go any "
+            "closer; do not take another step; do not take one more step; not one more inch; that is far enough; "
+            "that is close enough; far enough; close enough; that will do; that is quite enough; that is more than "
+            "enough; that will be enough; that would be enough; i have had enough; i have had enough of this; i have "
+            "had enough of that; enough is enough; cut it out; cut that out; knock it off; knock that off; pack it "
+            "in; give it a rest; desist; lay off; watch out; look out; brake; brakes; hit the brake; hit the brakes; "
+            "apply the brakes; put the brakes on; kill the engine; kill the engines; kill the motor; kill the "
+            "motors; kill the power; hit the emergency stop; press the emergency stop; push the emergency stop; cut "
+            "the engine; cut the engines; cut the motor; cut the motors; cut the power; time out; timeout"
+        ),
     ),
     (Kind.STOP, Tail.ACTIVITY, "quit; enough; that is enough; no more"),
     (
         Kind.STOP,
         Tail.NOTHING,
-        "full stop; all stop; dead stop; hard stop; complete stop; emergency; do not; do not do that; do not do it; "
-        "do not do this; do not you dare; stay away; stay away from me; keep away; keep away from me; "
-        "leave me alone; shut down; shutdown; shut it down; power down; power off; kill switch; break",
+        (
+            "full stop; all stop; dead stop; hard stop; complete stop; emergency; do not; do not do that; do not do "
+            "it; do not do this; do not you dare; stay away; stay away from me; keep away; keep away from me; leave "
+            "me alone; shut down; shutdown; shut it down; power down; power off; kill switch; break"
+        ),
     ),
     (
         Kind.PAUSE,
         Tail.UNTIL,
-        "stay; stay put; stay here; stay there; stay right here; stay right there; stay where you are; stay right "
-        "where you are; wait here; wait there; wait right here; wait right there",
+        (
+            "stay; stay put; stay here; stay there; stay right here; stay right there; stay where you are; stay "
+            "right where you are; wait here; wait there; wait right here; wait right there"
+        ),
     ),
     (
         Kind.PAUSE,
         Tail.CLAUSE,
-        "wait; wait up; hold on; hold it; hold up; hold everything; hold your horses; hold position; hold your "
-        "position; hang on; one moment; just a moment; just a second; just a sec; just a minute; give me a moment; "
-        "give me a second; give me a sec; give me a minute",
+        (
+            "wait; wait up; hold on; hold it; hold up; hold everything; hold your horses; hold position; hold your "
+            "position; hang on; one moment; just a moment; just a second; just a sec; just a minute; give me a "
+            "moment; give me a second; give me a sec; give me a minute"
+        ),
     ),
     (Kind.PAUSE, Tail.OBJECT, "pause; suspend; interrupt"),
     (Kind.PAUSE, Tail.NOTHING, "hold; stand by"),

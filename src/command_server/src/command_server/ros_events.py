@@ -1,4 +1,4 @@
-"""What the worker of the command server hears, besides messages: texts and goals, cancelled goals, what its brake did."""
+"""What the worker hears besides messages: texts and goals, goals that are cancelled, and what its brake did."""
 
 import time
 from dataclasses import dataclass, field

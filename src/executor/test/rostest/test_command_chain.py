@@ -77,8 +77,8 @@ class CommandChainTest(unittest.TestCase):
 
     @classmethod
     def on_command(cls, command):
-        """Text "run one, succeed two / abort one; run two": clauses separated by semicolons, their candidates by slashes,
-        frames by commas.
+        """Text "run one, succeed two / abort one; run two": semicolons separate clauses, slashes their candidates, and
+        commas frames.
         """
         for stage in STAGES:
             cls.events.publish(StageEvent(command=command, stage=stage, stamp=rospy.Time.now(), sentence="at it"))
@@ -151,8 +151,8 @@ class CommandChainTest(unittest.TestCase):
         reply = self.wait_for_replies(text)[0]
         self.assertEqual((Reply.FAILED, "ALL_CANDIDATES_FAILED"), (reply.outcome, reply.code))
         self.assertEqual(
-            'I have done "succeed one", but I could not do "abort two / reject one": two aborted: aborted as asked for; '
-            'one rejected the goal: rejected as asked for. I did not begin "succeed two".',
+            'I have done "succeed one", but I could not do "abort two / reject one": two aborted: aborted as asked '
+            'for; one rejected the goal: rejected as asked for. I did not begin "succeed two".',
             reply.sentence,
         )
         self.assertEqual(["one begins succeed", "two begins abort", "one begins reject"], self.begun())
@@ -189,7 +189,7 @@ class CommandChainTest(unittest.TestCase):
         self.wait_for_replies("run one", count=20)
         self.wait_for_replies("run two", count=5)
         self.assertEqual({Reply.SUPERSEDED}, {reply.outcome for reply in self.replies if "run" in reply.command.text})
-        self.assertTrue(wait_until(lambda: self.is_nothing_running()))
+        self.assertTrue(wait_until(self.is_nothing_running))
         # Nothing that was said before the stop begins after it.
         self.text.publish("succeed two")
         self.assertEqual("DONE", self.wait_for_replies("succeed two")[0].code)

@@ -143,7 +143,7 @@ def with_sides_apart(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
 
 
 def with_around_apart(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
-    """Make an adverb of "around" between a verb of turning and a measure: who turns around 90 degrees goes round nothing."""
+    """Make "around" an adverb between a verb of turning and a measure: "turn around 90 degrees" goes round nothing."""
     for around in tree.words[1:]:
         verb = tree.word(around.index - 1)
         unit = tree.word(around.head) if around.head else around

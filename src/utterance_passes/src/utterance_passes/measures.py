@@ -1,7 +1,7 @@
 """What stands beside an amount: a range, a sign, a negation or a number that the amount does not account for.
 
-An amount that says only a part of what was said is *doubtful*. It fills no element, and its words are left over, so that
-nothing is done by half of a number: "ten to fifteen degrees", "not two metres", "five five metres", "20%".
+An amount that says only a part of what was said is *doubtful*. It fills no element, and its words are left over, so
+that nothing is done by half of a number: "ten to fifteen degrees", "not two metres", "five five metres", "20%".
 """
 
 import math
@@ -22,8 +22,8 @@ _ARITHMETIC = frozenset("/ by x * times plus minus of".split())
 _JOINTS = _ALTERNATIVES | _ARITHMETIC | frozenset("and , . ; : out".split())
 #: In front of an amount: it is not meant, only a bound, or only a part of what is meant.
 _BEFORE = frozenset(
-    "not no never n't without except but than least most under over below above within between beyond maximum max minimum "
-    "minus plus negative double twice thrice triple point per every each".split()
+    "not no never n't without except but than least most under over below above within between beyond maximum max "
+    "minimum minus plus negative double twice thrice triple point per every each".split()
 )
 _BOUNDS_BEFORE = frozenset(
     [
