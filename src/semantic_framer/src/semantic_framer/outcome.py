@@ -2,9 +2,10 @@
 
 from dataclasses import dataclass
 from enum import Enum
-from typing import Tuple, Union
+from typing import Iterable, Sequence, Tuple, Union
 
 from semantic_framer.reading import Reading
+from semantic_framer.sentence import Sentence
 
 #: Codes of refusals of what was said against something that runs.
 PROHIBITION = "NEGATED"
@@ -76,3 +77,18 @@ Outcome = Union[Understood, Refusal, Question]
 def reply_outcome(of: Union[Refusal, Question]) -> str:
     """Return the outcome that a command ends with in the framer: the name of a constant of ``Reply``."""
     return "REFUSED" if isinstance(of, Refusal) else "NEEDS_INFORMATION"
+
+
+def left_over_refusal(sentence: Sentence, positions: Sequence[int]) -> Refusal:
+    """Return the refusal of a sentence of which words are left over."""
+    words = tuple(sentence.word(index).form for index in positions)
+    return Refusal(
+        "LEFT_OVER_WORDS",
+        f'I do not understand "{" ".join(words)}" in "{sentence.tree.text.strip()}", so I do nothing.',
+        left_over=words,
+    )
+
+
+def not_then(sentence: Sentence, positions: Iterable[int]) -> Refusal:
+    """Return the refusal of what is to be done at another time, or under a condition."""
+    return Refusal("CONDITION", f'I can only act at once, not "{sentence.text(sorted(positions))}".')

@@ -16,11 +16,11 @@ from semantic_framer.outcome import (
     Question,
     Refusal,
     Understood,
+    left_over_refusal,
 )
 from semantic_framer.reading import ElementValue, Reading
 from semantic_framer.references import remember, resolve
 from semantic_framer.sentence import Sentence
-from semantic_framer.verdicts import left_over_refusal
 from utterance_passes.utterance_pass import Choice
 
 Clauses = Tuple[Tuple[Reading, ...], ...]

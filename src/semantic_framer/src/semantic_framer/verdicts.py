@@ -1,21 +1,21 @@
 """What is not done, and which readings are dropped: named verdicts, each with its reason, in one order."""
 
 from dataclasses import dataclass
-from typing import Callable, FrozenSet, Iterable, Optional, Sequence, Tuple
+from typing import Callable, FrozenSet, Iterable, Optional, Tuple
 
 from semantic_framer.attachment import is_side_of_something
 from semantic_framer.frame_roles import NO_THINGS, PLACES, THEME
 from semantic_framer.framed_lexicon import FramedLexicon
-from semantic_framer.outcome import PROHIBITION, LeftOverWords, Policy, Refusal
+from semantic_framer.outcome import PROHIBITION, LeftOverWords, Policy, Refusal, left_over_refusal, not_then
 from semantic_framer.reading import ElementValue, Reading, rank
 from semantic_framer.sentence import Sentence
-from utterance_passes.clauses import Clause
+from utterance_passes.clauses import Clause, inner_condition
 from utterance_passes.trace import Trace
 from utterance_passes.verb_matching import VerbMatch
 from word_classes import word_class
 
+_ADDRESSEES = word_class("addressees")
 _AROUND_REQUESTS = word_class("verbs_around_requests")
-_CONDITIONS = word_class("conditions")
 _DEGREES = word_class("degrees")
 _LEFT_AND_RIGHT = word_class("left_and_right")
 _PARTICIPANTS = word_class("participants")
@@ -122,7 +122,7 @@ def _time(case: Case) -> Optional[Refusal]:
         for spelling in (word.lemma.lower(), word.form.lower())
     )
     if times and is_command and not any(clause.is_negated for clause in case.clauses):
-        return _not_then(case.sentence, times[0])
+        return not_then(case.sentence, times[0])
     return None
 
 
@@ -152,20 +152,6 @@ def words_outside(sentence: Sentence, clauses: Iterable[Clause]) -> Tuple[int, .
     )
 
 
-def left_over_refusal(sentence: Sentence, positions: Sequence[int]) -> Refusal:
-    """Return the refusal of a sentence of which words are left over."""
-    words = tuple(sentence.word(index).form for index in positions)
-    return Refusal(
-        "LEFT_OVER_WORDS",
-        f'I do not understand "{" ".join(words)}" in "{sentence.tree.text.strip()}", so I do nothing.',
-        left_over=words,
-    )
-
-
-def _not_then(sentence: Sentence, positions: Iterable[int]) -> Refusal:
-    return Refusal("CONDITION", f'I can only act at once, not "{sentence.text(sorted(positions))}".')
-
-
 #: Before the clauses are read.
 SENTENCE_VERDICTS: Tuple[SentenceVerdict, ...] = (
     SentenceVerdict("another_time", "It is to be done at another time.", _time),
@@ -193,7 +179,7 @@ def _question(case: ClauseCase) -> Optional[Refusal]:
 def _condition_without_verb(case: ClauseCase) -> Optional[Refusal]:
     if case.matches or not case.clause.condition:
         return None
-    return _not_then(case.sentence, case.clause.condition_positions)
+    return not_then(case.sentence, case.clause.condition_positions)
 
 
 def _unknown_verb(case: ClauseCase) -> Optional[Refusal]:
@@ -345,7 +331,18 @@ DOMINATED: Tuple[ReadingVerdict, ...] = (
 
 
 def _is_without_its_subject(case: ClauseCase, reading: Reading, beside: Tuple[Reading, ...]) -> bool:
-    return case.clause.is_report and not any(case.clause.subject in value.positions for value in reading.values)
+    return case.clause.is_report and not _is_about_its_subject(case, reading)
+
+
+def _is_about_its_subject(case: ClauseCase, reading: Reading) -> bool:
+    """Whether the frame is about the subject, "the mug stands on the table"; it is not about who does something."""
+    subject = case.clause.subject
+    if not subject or case.sentence.word(subject).form.lower() in _ADDRESSEES:
+        return False
+    elements = case.of.known.frames[reading.unit.frame_name].frame_elements
+    core = {element.name for element in elements if element.is_core}
+    required = {relation.name for relation in reading.unit.relations if relation.is_required}
+    return any(subject in value.positions and value.name in core | required for value in reading.values)
 
 
 def _report(case: ClauseCase) -> Optional[Refusal]:
@@ -371,24 +368,16 @@ def _depends_on_something(case: ClauseCase, reading: Reading, beside: Tuple[Read
         return False
     conditional = {index for index in positions if case.sentence.word(index).deprel != "mark"}
     filled = {position for value in reading.values for position in value.positions}
-    return not (conditional or set(positions)) <= filled or bool(_inner_condition(case))
-
-
-def _inner_condition(case: ClauseCase) -> FrozenSet[int]:
-    """Return the words of a condition inside of what is to be found out, whatever they fill: "see if it is hot when I
-    say so".
-    """
-    positions = case.clause.condition_positions
-    for index in sorted(positions):
-        word = case.sentence.word(index)
-        marks = {child.form.lower() for child in case.sentence.children(index) if child.deprel in ("mark", "advmod")}
-        if word.deprel.startswith("advcl") and word.head in positions and marks & (_CONDITIONS - {"if"}):
-            return case.sentence.subtree(index)
-    return frozenset()
+    return not (conditional or set(positions)) <= filled or bool(
+        inner_condition(case.sentence.tree, case.clause.condition_positions)
+    )
 
 
 def _condition(case: ClauseCase) -> Optional[Refusal]:
-    return _not_then(case.sentence, _inner_condition(case) or case.clause.condition_positions)
+    return not_then(
+        case.sentence,
+        inner_condition(case.sentence.tree, case.clause.condition_positions) or case.clause.condition_positions,
+    )
 
 
 def _is_incomplete(case: ClauseCase, reading: Reading, beside: Tuple[Reading, ...]) -> bool:

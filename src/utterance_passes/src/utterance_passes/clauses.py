@@ -300,3 +300,18 @@ def _condition(tree: DependencyTree, top: int, positions: FrozenSet[int]) -> Fro
             if any(mark in _CONDITIONS for mark in marks):
                 return tree.subtree(clause) if clause != top else frozenset([index])
     return frozenset()
+
+
+def inner_condition(tree: DependencyTree, positions: FrozenSet[int]) -> FrozenSet[int]:
+    """Return the words of a condition inside of what is to be found out: "see if it is hot *when I say so*".
+
+    Args:
+        tree: the sentence
+        positions: of what is to be found out, whatever it fills
+    """
+    for index in sorted(positions):
+        word = tree.word(index)
+        marks = {child.form.lower() for child in tree.children(index) if child.deprel in ("mark", "advmod")}
+        if word.deprel.startswith("advcl") and word.head in positions and marks & (_CONDITIONS - {"if"}):
+            return tree.subtree(index)
+    return frozenset()
