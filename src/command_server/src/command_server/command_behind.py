@@ -7,8 +7,9 @@ out is decided the long way.
 
 from typing import FrozenSet, Sequence
 
+from command_server.cries import COMMAND_VERBS, FILLERS, SOFT
 from command_server.spoken_words import Token, plain_text, tokens_of
-from command_server.stop_words import COMMAND_VERBS, FILLERS, SOFT, is_stop
+from command_server.stop_words import is_stop
 
 #: Nothing that begins so is a command: "stop and you will be fine".
 _NO_COMMANDS: FrozenSet[str] = frozenset(

@@ -409,8 +409,7 @@ def _leaves_more_over(case: ClauseCase, reading: Reading, beside: Tuple[Reading,
 def _lists_less(case: ClauseCase, reading: Reading, beside: Tuple[Reading, ...]) -> bool:
     if not reading.listed or reading.missing:
         return False
-    words = _named(reading)
-    return any(words < _named(other) for other in beside)
+    return any(reading.listed < other.listed or _named(reading) < _named(other) for other in beside)
 
 
 def _named(reading: Reading) -> FrozenSet[int]:

@@ -171,7 +171,9 @@ def _phrase_before(tree: DependencyTree, noun: Word) -> List[Word]:
     """Return the words of a noun phrase in front of its noun; none where there are none."""
     phrase: List[Word] = []
     for word in reversed(tree.words[: noun.index - 1]):
-        if word.upos not in _OF_A_TURN and word.form != "-":
+        is_measure = word.form.lower() in _PARTS_OF_A_TURN or find_unit(word.form) is not None
+        is_of_a_turn = word.upos in _OF_A_TURN and (word.upos not in ("NOUN", "ADV") or is_measure)
+        if not is_of_a_turn and word.form != "-" and word.form.lower() not in _LEFT_AND_RIGHT:
             break
         phrase.insert(0, word)
         if word.upos == "DET":

@@ -118,6 +118,7 @@ def _doubtful(
         numeral=tree.text_of(sorted(positions)),
         is_doubtful=True,
         ends=ends,
+        is_of_noun=any(part.is_of_noun or counts_things(tree, part) for part in parts),
     )
 
 
@@ -126,6 +127,7 @@ def _is_lone_unit(tree: DependencyTree, index: int, amounts: Sequence[Amount]) -
     word = tree.word(index)
     before = tree.word(index - 1) if index > 1 else None
     is_of_something = before is not None and before.deprel in ("det", "nmod:poss") and before.head == index
+    is_of_something = is_of_something and before is not None and before.form.lower() not in ("a", "an")
     is_free = index not in tree.fillers and all(index not in amount.positions for amount in amounts)
     return is_free and word.upos not in ("VERB", "ADJ") and not is_of_something and word.form.lower() in _ONLY_UNITS
 
@@ -195,7 +197,10 @@ def _one(
 
 
 def _beside(tree: DependencyTree, spoken: Sequence[int], amount: Amount, taken: AbstractSet[int]) -> Amount:
-    """Return an amount, doubtful where the words beside it change it."""
+    """Return an amount, doubtful where the words beside it change it; "between two chairs" changes no amount."""
+    following = tree.word(amount.positions[-1]).head
+    if counts_things(tree, amount) and tree.word(following).form.lower() not in _BEHIND:
+        return amount
     before = [index for index in spoken if index < amount.positions[0]]
     behind = [index for index in spoken if index > amount.positions[-1]]
     changing = _changing_before(tree, before[::-1], amount) | _changing_behind(tree, behind, amount)
