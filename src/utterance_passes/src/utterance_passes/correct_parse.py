@@ -103,7 +103,10 @@ def with_measured_turns(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
         before = tree.words[phrase[0].index - 2] if phrase[0].index > 1 else turn
         is_made = before.upos == "VERB" and before.lemma.lower() in _LIGHT
         is_ratio = len(phrase) > 2 and phrase[-2].form == "/"
-        is_said = phrase[-1].form.lower() in _PARTS_OF_A_TURN or turn.form.lower() in _SEVERAL_TURNS or is_ratio
+        # No command ends with "turn": where to, nobody says then.
+        is_last = all(word.upos == "PUNCT" for word in tree.words[turn.index :])
+        is_share = phrase[-1].form.lower() in _PARTS_OF_A_TURN or is_ratio
+        is_said = is_share or is_last or turn.form.lower() in _SEVERAL_TURNS
         verb = before if is_made else tree.word(turn.head)
         if verb.upos != "VERB" or verb.index >= turn.index or not (is_made or is_said):
             continue
@@ -120,26 +123,44 @@ def with_measured_turns(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
 
 
 def with_sides_apart(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
-    """Hang a side in front of a measure on the verb: the parser has "to the right fifteen degrees" as one phrase."""
-    for unit in tree.words:
-        numbers = [child.index for child in (*tree.children(unit.index), unit) if _is_numeral(child)]
-        if not numbers or not unit.head or not _is_of_a_measure(unit):
+    """Hang a side in front of a measure, and the measure, on the verb each: the parser has "to the right fifteen degrees"
+    as one phrase.
+    """
+    for side in tree.words:
+        governor = tree.word(side.head) if side.head else side
+        if side.form.lower() not in _LEFT_AND_RIGHT:
             continue
-        before = [child for child in tree.children(unit.index) if child.index < min(numbers)]
-        side = next((child for child in before if child.form.lower() in _LEFT_AND_RIGHT), None)
-        if side is None:
+        below = [child for child in tree.children(side.index) if child.index > side.index and _is_joined(tree, child)]
+        if below and governor.upos == "VERB":
+            edit = TreeEdit(tree)
+            for measure in below:
+                edit.rehang(measure.index, governor.index, "obl:unmarked")
+            tree = edit.tree()
+        numbers = [child.index for child in (*tree.children(governor.index), governor) if _is_numeral(child)]
+        if not numbers or side.index > min(numbers) or not governor.head or not _is_of_a_measure(governor):
             continue
         edit = TreeEdit(tree)
-        own = [child for child in before if child.index < side.index and child.deprel in ("case", "det", "nmod:poss")]
+        own = [
+            child
+            for child in tree.children(governor.index)
+            if child.index < side.index and child.deprel in ("case", "det", "nmod:poss")
+        ]
         is_phrase = any(child.deprel == "case" for child in own)
         edit.retag(side.index, "NOUN" if is_phrase else "ADV")
-        edit.rehang(side.index, unit.head, "obl" if is_phrase else "advmod")
+        edit.rehang(side.index, governor.head, "obl" if is_phrase else "advmod")
         for child in own:
             edit.rehang(child.index, side.index)
-        if unit.deprel == "obl":
-            edit.relabel(unit.index, "obl:unmarked")
+        if governor.deprel == "obl":
+            edit.relabel(governor.index, "obl:unmarked")
         tree = edit.tree()
     return tree
+
+
+def _is_joined(tree: DependencyTree, word: Word) -> bool:
+    """Whether a word of a measure hangs on the word in front as if it were more of the same: "the left 5 and a half"."""
+    has_case = any(child.deprel == "case" and child.index < word.index for child in tree.children(word.index))
+    is_joined = word.deprel.split(":")[0] in ("conj", "nmod", "flat", "appos", "nummod", "dep")
+    return is_joined and _is_of_a_measure(word) and not has_case
 
 
 def with_around_apart(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
