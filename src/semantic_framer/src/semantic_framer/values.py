@@ -34,11 +34,7 @@ def phrase_value(
     Returns:
         the value; its positions include a preposition at the front, its argument does not
     """
-    conjuncts = [
-        child
-        for child in tree.children(head)
-        if child.deprel == "conj" and child.upos not in ("VERB", "AUX")
-    ]
+    conjuncts = [child for child in tree.children(head) if child.deprel == "conj" and child.upos not in ("VERB", "AUX")]
     left_out |= tree.abandoned | tree.fillers - {head}
     positions = sorted((tree.subtree(head) - left_out) | attached)
     # In "whether it is on the table" the preposition is what is asked about.

@@ -42,8 +42,8 @@ class Amount:
         unit_position: of the unit, 0 for none
         is_doubtful: whether the words say more than the amount that could be read: it must not be acted on
         ends: of a doubtful one, the words of each of the amounts that it leaves to choose from: "two or three metres"
-        is_of_noun: whether it names the noun in front of it, stands for one, or says how often: "room 5", "the next one",
-            "5 times"
+        is_of_noun: whether it names the noun in front of it, stands for one, or says how often: "room 5", "the next
+            one", "5 times"
     """
 
     positions: Tuple[int, ...]
@@ -144,7 +144,7 @@ def is_number(tree: DependencyTree, index: int) -> bool:
 
 
 def unit_at(tree: DependencyTree, index: int) -> Optional[Unit]:
-    """Return the unit that a word is; None where it is none here: "in", "second" and a quotation mark have other uses."""
+    """Return the unit that a word is; None where it is none here: "in" and "second" have other uses too."""
     word = tree.word(index)
     unit = find_unit(word.form)
     if unit is None:

@@ -123,8 +123,8 @@ def with_measured_turns(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
 
 
 def with_sides_apart(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
-    """Hang a side in front of a measure, and the measure, on the verb each: the parser has "to the right fifteen degrees"
-    as one phrase.
+    """Hang a side in front of a measure, and the measure, on the verb each: for the parser "to the right fifteen
+    degrees" is one phrase.
     """
     for side in tree.words:
         governor = tree.word(side.head) if side.head else side
@@ -157,14 +157,14 @@ def with_sides_apart(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
 
 
 def _is_joined(tree: DependencyTree, word: Word) -> bool:
-    """Whether a word of a measure hangs on the word in front as if it were more of the same: "the left 5 and a half"."""
+    """Whether a word of a measure hangs on the word in front as more of the same: "the left 5 and a half"."""
     has_case = any(child.deprel == "case" and child.index < word.index for child in tree.children(word.index))
     is_joined = word.deprel.split(":")[0] in ("conj", "nmod", "flat", "appos", "nummod", "dep")
     return is_joined and _is_of_a_measure(word) and not has_case
 
 
 def with_around_apart(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
-    """Make an adverb of "around" between a verb of turning and a measure: who turns around 90 degrees goes round nothing."""
+    """Make an adverb of "around" between a verb of turning and a measure: nothing is gone round there."""
     for around in tree.words[1:]:
         verb = tree.word(around.index - 1)
         unit = tree.word(around.head) if around.head else around

@@ -1,7 +1,7 @@
 """What stands beside an amount: a range, a sign, a negation or a number that the amount does not account for.
 
-An amount that says only a part of what was said is *doubtful*. It fills no element, and its words are left over, so that
-nothing is done by half of a number: "ten to fifteen degrees", "not two metres", "five five metres", "20%".
+An amount that says only a part of what was said is *doubtful*. It fills no element, and its words are left over, so
+that nothing is done by half of a number: "ten to fifteen degrees", "not two metres", "five five metres", "20%".
 """
 
 import math
@@ -22,8 +22,8 @@ _ARITHMETIC = frozenset("/ by x * times plus minus of".split())
 _JOINTS = _ALTERNATIVES | _ARITHMETIC | frozenset("and , . ; : out".split())
 #: In front of an amount: it is not meant, only a bound, or only a part of what is meant.
 _BEFORE = frozenset(
-    "not no never n't without except but than least most under over below above within between beyond maximum max minimum "
-    "minus plus negative double twice thrice triple point per every each".split()
+    "not no never n't without except but than least most under over below above within between beyond maximum max "
+    "minimum minus plus negative double twice thrice triple point per every each".split()
 )
 _BOUNDS_BEFORE = frozenset(
     [
@@ -138,8 +138,8 @@ def _joined(tree: DependencyTree, spoken: Sequence[int], amounts: Sequence[Amoun
     for amount in amounts:
         if done:
             between = [index for index in spoken if done[-1].positions[-1] < index < amount.positions[0]]
-            joint = _joint(tree, between)
-            if joint is not None and _are_one(tree, done[-1], amount, joint, between):
+            joint = ("adj",) if _counts(tree, done[-1], amount) else _joint(tree, between)
+            if joint is not None and _are_one(tree, done[-1], amount, joint):
                 done[-1] = _one(tree, spoken, done[-1], amount, joint, between)
                 continue
         done.append(amount)
@@ -155,9 +155,7 @@ def _joint(tree: DependencyTree, between: Sequence[int]) -> Optional[Tuple[str, 
     return ("adj",) if are_of_the_unit else None
 
 
-def _are_one(
-    tree: DependencyTree, first: Amount, second: Amount, joint: Tuple[str, ...], between: Sequence[int]
-) -> bool:
+def _are_one(tree: DependencyTree, first: Amount, second: Amount, joint: Tuple[str, ...]) -> bool:
     """Whether two amounts are one expression, and not two things that are said one after the other."""
     if joint == ("adj",):
         # "Two big metres": the number has a unit that could not be read with it.
@@ -255,8 +253,14 @@ def _changing_behind(tree: DependencyTree, behind: Sequence[int], amount: Amount
     return frozenset(said[:1]) if word.upos == "SYM" and word.form not in _MARKS else frozenset()
 
 
-def _counts_units(tree: DependencyTree, index: int) -> bool:
+def _counts(tree: DependencyTree, first: Amount, second: Amount) -> bool:
     """Whether a number counts a unit that stands apart from it: "two left turns"."""
+    word = tree.word(first.positions[-1])
+    return not first.unit and word.deprel == "nummod" and word.head in second.positions
+
+
+def _counts_units(tree: DependencyTree, index: int) -> bool:
+    """Whether a number counts a unit that stands apart from it and is none elsewhere: "one left turn"."""
     word = tree.word(index)
     return word.deprel == "nummod" and word.head > index and unit_at(tree, word.head) is not None
 
