@@ -138,9 +138,10 @@ def _joined(tree: DependencyTree, spoken: Sequence[int], amounts: Sequence[Amoun
     for amount in amounts:
         if done:
             between = [index for index in spoken if done[-1].positions[-1] < index < amount.positions[0]]
-            joint = ("adj",) if _counts(tree, done[-1], amount) else _joint(tree, between)
-            if joint is not None and _are_one(tree, done[-1], amount, joint):
-                done[-1] = _one(tree, spoken, done[-1], amount, joint, between)
+            joint = _joint(tree, between)
+            is_one = joint is not None and _are_one(tree, done[-1], amount, joint)
+            if is_one or _counts(tree, done[-1], amount):
+                done[-1] = _one(tree, spoken, done[-1], amount, joint or (), between)
                 continue
         done.append(amount)
     return done
