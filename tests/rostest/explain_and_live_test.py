@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import Dict, List
 
 import rospy
-from roboframenet_msgs.msg import CommandSemanticFrames, FrameCatalogue, Reply, StageEvent
+from roboframenet_msgs.msg import CommandSemanticFrames, FrameCatalogue, PlanNode, Reply, StageEvent
 from std_msgs.msg import String
 
 from offline_pipeline.pipeline import Pipeline, Understanding
@@ -99,11 +99,11 @@ class ExplainAndLiveTest(unittest.TestCase):
             context = understanding.context
             count = len(ears.replies)
             text.publish(sentence)
-            self.assertTrue(wait_until(lambda: len(ears.replies) > count), f"no reply to {sentence!r}")
+            self.assertTrue(wait_until(lambda before=count: len(ears.replies) > before), f"no reply to {sentence!r}")
             reply = ears.replies[count]
             offline = (understanding.reply.outcome, understanding.reply.code) + expected(understanding)
             # Events and candidates come on other connections than the reply.
-            if not wait_until(lambda: heard(ears, reply) == offline, 5.0):
+            if not wait_until(lambda reply=reply, offline=offline: heard(ears, reply) == offline, 5.0):
                 live = heard(ears, reply)
                 different.append(f"{sentence!r}\n  live    {live}\n  offline {offline}")
         self.assertEqual(different, [])
@@ -111,27 +111,32 @@ class ExplainAndLiveTest(unittest.TestCase):
 
 def heard(ears: Ears, reply: Reply) -> tuple:
     """Outcome and code, the sentence of a refusal, what would run of a command that was done, and the rules."""
-    lists = ears.candidates[reply.command.id].candidates.frame_lists if reply.command.id in ears.candidates else ()
-    candidates = [
+    nodes = ears.candidates[reply.command.id].plan.nodes if reply.command.id in ears.candidates else ()
+    clauses = [
         [
-            (frame.name, [(element.name, element.argument) for element in frame.frame_elements])
-            for frame in frames.frames
+            [
+                (frame.name, [(element.name, element.argument) for element in frame.frame_elements])
+                for frame in candidate.frames
+            ]
+            for candidate in node.candidates
         ]
-        for frames in lists
+        for node in nodes
+        if node.kind == PlanNode.DO
     ]
     sentence = "" if reply.outcome == Reply.DONE else reply.sentence
-    return OUTCOMES[reply.outcome], reply.code, sentence, candidates, ears.traces.get(reply.command.id, [])
+    return OUTCOMES[reply.outcome], reply.code, sentence, clauses, ears.traces.get(reply.command.id, [])
 
 
 def expected(understanding: Understanding) -> tuple:
     """The same of the offline pipeline."""
-    candidates = [
-        [(frame.name, list(frame.arguments)) for frame in candidate.frames] for candidate in understanding.candidates
+    clauses = [
+        [[(frame.name, list(frame.arguments)) for frame in candidate.frames] for candidate in candidates]
+        for candidates in understanding.candidates
     ]
     sentence = "" if understanding.reply.outcome == "DONE" else understanding.reply.sentence
     # What follows is said by other nodes than the two that tell what their rules did.
     trace = [str(line) for line in understanding.trace if line.rule not in ("registrar", "stop_words")]
-    return sentence, candidates, trace
+    return sentence, clauses, trace
 
 
 def sentences(examples: List[str]) -> List[str]:

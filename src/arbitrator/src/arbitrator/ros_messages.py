@@ -1,5 +1,6 @@
 """Plans between messages and values."""
 
+from dataclasses import fields
 from typing import Iterable, List
 
 from roboframenet_msgs import msg
@@ -9,7 +10,7 @@ from arbitrator.plan_nodes import CARRIED_OUT, Kind, Node, from_nodes, to_nodes
 
 #: Fields of a node that mean something to the kinds that are carried out. The strings in the frames stand for the
 #: arguments.
-_READ = {"kind", "label", "children", "candidates", "arguments"}
+_READ = {field.name for field in fields(Node)} | {"arguments"}
 _NOTHING_SET = msg.PlanNode()
 
 

@@ -53,11 +53,11 @@ def test_kinds_are_those_of_the_message():
 
 
 def do(**changes):
-    return Node(**{**dict(kind=DO, label="x", candidates=(way("turning"),)), **changes})
+    return Node(**{"kind": DO, "label": "x", "candidates": (way("turning"),), **changes})
 
 
 def join(*children, **changes):
-    return Node(**{**dict(kind=SEQUENCE, label="x", children=children), **changes})
+    return Node(**{"kind": SEQUENCE, "label": "x", "children": children, **changes})
 
 
 @pytest.mark.parametrize(

@@ -7,14 +7,15 @@ out is decided the long way.
 
 from typing import FrozenSet, Sequence
 
+from command_server.cries import COMMAND_VERBS, FILLERS, SOFT
 from command_server.spoken_words import Token, plain_text, tokens_of
-from command_server.stop_words import COMMAND_VERBS, FILLERS, SOFT, is_stop
+from command_server.stop_words import is_stop
 
 #: Nothing that begins so is a command: "stop and you will be fine".
 _NO_COMMANDS: FrozenSet[str] = frozenset(
     (
-        "you i he she it we they there that this these those the a an my your his her our their is are was were what who "
-        "where when why how or so because all both not if else"
+        "you i he she it we they there that this these those the a an my your his her our their is are was were what "
+        "who where when why how or so because all both not if else"
     ).split()
 )
 _REQUESTS: FrozenSet[str] = frozenset("can could will would".split())

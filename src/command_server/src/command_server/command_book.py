@@ -318,3 +318,21 @@ def _ending_of(entry: OpenCommand, verdict: Verdict, remark: str) -> Ending:
         code=verdict.code,
         sentence=f"{verdict.sentence} {remark}".strip(),
     )
+
+
+def ending_at_shutdown(command: CommandText) -> Ending:
+    """Return what an open command hears when the command server shuts down."""
+    sentence = "The command server shuts down; the executor was told to cancel it."
+    return Ending(command=command, outcome=Outcome.FAILED, stage=OWN_STAGE, code="RESTARTED", sentence=sentence)
+
+
+def ending_of_silent_stop(stop: CommandText, *, timeout_s: float, standing: str) -> Ending:
+    """Return what a stop hears that the stop server did not answer.
+
+    Args:
+        stop: the stop
+        timeout_s: how long the stop server had
+        standing: who obeys, as a sentence
+    """
+    sentence = f"{STOP_STAGE} did not answer within {timeout_s:g} s; {OWN_STAGE} took its place. {standing}"
+    return Ending(command=stop, outcome=Outcome.FAILED, stage=STOP_STAGE, code="STAGE_SILENT", sentence=sentence)

@@ -7,12 +7,11 @@ import threading
 import time
 import uuid
 from collections import deque
-from dataclasses import dataclass, field, replace
-from typing import Deque, Dict, Optional, Tuple, Union
+from dataclasses import replace
+from typing import Deque, Dict, Tuple, Union
 
-import actionlib
 import rospy
-from roboframenet_msgs.msg import Command, CommandStatus, Reply, StageEvent, StopReport
+from roboframenet_msgs.msg import Command, Reply, StageEvent, StopReport
 from std_msgs.msg import String
 
 from command_server.command_behind import command_behind
@@ -23,6 +22,8 @@ from command_server.command_book import (
     CommandText,
     Ending,
     Outcome,
+    ending_at_shutdown,
+    ending_of_silent_stop,
     refusal_of_text,
     stamp_after,
 )
@@ -30,9 +31,11 @@ from command_server.follow_ups import FollowUps
 from command_server.inbox import Inbox
 from command_server.ros_action_door import ActionDoor
 from command_server.ros_cancel_topic import CancelTopic
+from command_server.ros_events import Braking, GoalCancelled, Said
 from command_server.ros_left_over import EXECUTOR_TIMEOUT_S, LeftOver
-from command_server.ros_messages import command_to_message, ending_of_event, ending_to_message, reply_of_stopped
+from command_server.ros_messages import command_to_message, ending_of_event, reply_of_stopped
 from command_server.ros_open_commands import OpenCommandStore
+from command_server.ros_replies import Replies
 from command_server.ros_settings import read_brake_settings, read_settings
 from command_server.settings import Settings
 from command_server.stop_book import StopBook
@@ -60,32 +63,7 @@ _FLUSH_S = 0.1
 _RESTART_KEY = "restart"
 
 
-@dataclass(frozen=True)
-class _Said:
-    """A text or a goal, with the time of its arrival."""
-
-    text: str
-    arrival_ns: int
-    handle: Optional[actionlib.ServerGoalHandle] = None
-    arrival_s: float = field(default_factory=time.monotonic)
-
-
-@dataclass(frozen=True)
-class _GoalCancelled:
-    """The client of a goal asked to cancel it."""
-
-    command_id: str
-
-
-@dataclass(frozen=True)
-class _Braking:
-    """What the brake has done, and what came of it."""
-
-    braked: Optional[Braked] = None
-    finding: Optional[Finding] = None
-
-
-_Event = Union[_Said, _GoalCancelled, StageEvent, StopReport, Braked, Finding, None]
+_Event = Union[Said, GoalCancelled, StageEvent, StopReport, Braked, Finding, None]
 
 
 class CommandServerNode:
@@ -110,29 +88,25 @@ class CommandServerNode:
         self._run_tag = uuid.uuid4().hex[:8]
         self._text_count = 0
         self._last_stamp_ns = 0
-        self._sentence = "Ready."
-        self._last_reply = Reply()
-        self._is_status_due = True
         self._events: Inbox[_Event] = Inbox()
         self._suspension = SuspensionWatch(longest_turn_s=_LONGEST_TURN_S)
         self._worker = threading.Thread(target=self._work, name="command_server_worker")
 
         self._command_text = rospy.Publisher("command_text", Command, queue_size=1000)
         self._cancels = CancelTopic()
-        self._reply = rospy.Publisher("reply", Reply, queue_size=1000)
-        self._status = rospy.Publisher("status", CommandStatus, queue_size=1, latch=True)
+        self._replies = Replies()
         self._brake = Brake(brake_settings, on_braked=self._events.put, on_finding=self._events.put)
-        self._brakings: Dict[str, _Braking] = {}
+        self._brakings: Dict[str, Braking] = {}
         self._brake_answer_s = brake_settings.confirmation_timeout_s + _BRAKE_SLACK_S
         self._start_ns = _now_ns()
         left_over = self._store.load()
-        self._left_over = LeftOver(left_over, self._reply)
+        self._left_over = LeftOver(left_over, self._replies.publisher)
         for command in left_over:
             self._book.adopt(command, timeout_s=EXECUTOR_TIMEOUT_S + self._brake_answer_s)
             self._cancels.cancel(command)
         self._door = ActionDoor(
-            on_goal=lambda handle: self._events.put(_Said(handle.get_goal().text, _now_ns(), handle)),
-            on_cancel=lambda command_id: self._events.put(_GoalCancelled(command_id)),
+            on_goal=lambda handle: self._events.put(Said(handle.get_goal().text, _now_ns(), handle)),
+            on_cancel=lambda command_id: self._events.put(GoalCancelled(command_id)),
         )
 
     def start(self) -> None:
@@ -143,7 +117,7 @@ class CommandServerNode:
         self._subscribers = [
             rospy.Subscriber("stage_events", StageEvent, self._events.put),
             rospy.Subscriber("stop_report", StopReport, self._events.put),
-            rospy.Subscriber("text", String, lambda message: self._events.put(_Said(message.data, _now_ns()))),
+            rospy.Subscriber("text", String, lambda message: self._events.put(Said(message.data, _now_ns()))),
         ]
         self._door.start()
 
@@ -192,12 +166,12 @@ class CommandServerNode:
                 self._answer(ending)
             self._save()
             self._send()
-            self._publish_status()
+            self._replies.publish_status(self._book.open_commands)
 
     def _handle(self, event: _Event) -> None:
-        if isinstance(event, _Said):
+        if isinstance(event, Said):
             self._hear(event)
-        elif isinstance(event, _GoalCancelled):
+        elif isinstance(event, GoalCancelled):
             self._cancel(self._door.command_of(event.command_id))
         elif isinstance(event, StageEvent):
             self._hear_stage(event)
@@ -205,11 +179,11 @@ class CommandServerNode:
             self._hear_stop_report(event)
         elif isinstance(event, Braked):
             if event.order.key in self._brakings:
-                self._brakings[event.order.key] = _Braking(braked=event)
+                self._brakings[event.order.key] = Braking(braked=event)
         elif isinstance(event, Finding):
             self._hear_finding(event)
 
-    def _hear(self, said: _Said) -> None:
+    def _hear(self, said: Said) -> None:
         self._last_stamp_ns = stamp_after(said.arrival_ns, self._last_stamp_ns)
         if said.handle is not None:
             command_id = said.handle.get_goal_id().id
@@ -240,7 +214,7 @@ class CommandServerNode:
         else:
             self._book.open(command)
             self._unsent.append(command)
-            self._note(f"Heard {command.text!r}.")
+            self._replies.note(f"Heard {command.text!r}.")
 
     def _hear_stop(self, command: CommandText, *, behind: str, is_action: bool, heard_s: float) -> None:
         # The stop server and the executor have heard it as well; but a command that was said just before the stop may
@@ -249,7 +223,7 @@ class CommandServerNode:
             self._cancels.cancel(entry.command)
         for ending in self._book.finish_stopped(command.stamp_ns):
             self._answer(ending)
-        self._note(f"Stopping; then {behind!r}." if behind else "Stopping.")
+        self._replies.note(f"Stopping; then {behind!r}." if behind else "Stopping.")
         if behind:
             follow_up = self._follow_ups.add(behind, stop=command, stop_stamp_ns=self._last_stop_ns)
             self._book.open(follow_up)
@@ -265,8 +239,8 @@ class CommandServerNode:
             command.command_id, command.text, stamp_ns=command.stamp_ns, is_action=is_action, heard_s=heard_s
         )
         if early is not None:
-            is_last = self._last_reply.command.id == early
-            self._pass_on_answer(command.command_id, self._last_reply if is_last else reply_of_stopped(early))
+            is_last = self._replies.last_reply.command.id == early
+            self._pass_on_answer(command.command_id, self._replies.last_reply if is_last else reply_of_stopped(early))
 
     def _pass_on_answer(self, stop_id: str, reply: Reply) -> None:
         """The stop server has replied to a stop: its goal ends, and the command behind it begins."""
@@ -286,13 +260,13 @@ class CommandServerNode:
             stop = self._stops.hear_reply(report.reply.command.id, report.reply.command.text)
             if stop is not None:
                 self._pass_on_answer(stop.command_id, report.reply)
-            self._last_reply = report.reply
-            self._note(report.reply.sentence)
+            self._replies.last_reply = report.reply
+            self._replies.note(report.reply.sentence)
         elif report.sentence:
-            self._note(report.sentence)
+            self._replies.note(report.sentence)
         else:
             stop = self._stops.hear_report(report.command.id, report.command.text)
-            self._note("Stopping.")
+            self._replies.note("Stopping.")
         if stop is not None:
             self._brake.release(stop.command_id)
             self._brakings.pop(stop.command_id, None)
@@ -322,7 +296,7 @@ class CommandServerNode:
         self._door.feed_back(event)
         if not event.is_final:
             self._book.progress(event.command.id, event.stage)
-            self._note(event.sentence)
+            self._replies.note(event.sentence)
             return
         ending = ending_of_event(event)
         if ending.code not in WITHDRAWING or not self._withdraw(ending):
@@ -379,11 +353,11 @@ class CommandServerNode:
     def _stop_in_place(self) -> None:
         """Carry out the stops that the stop server does not."""
         for stop in self._stops.take_silent(brake_s=self._brake_answer_s):
-            self._brakings[stop.command_id] = _Braking()
+            self._brakings[stop.command_id] = Braking()
             self._brake.stop(StopOrder(key=stop.command_id, stamp_ns=stop.stamp_ns))
             rospy.logerr("cmd=%s %s does not answer: this node stops the robot", stop.command_id, STOP_STAGE)
         for stop in self._stops.take_overdue():
-            braking = self._brakings.pop(stop.command_id, _Braking())
+            braking = self._brakings.pop(stop.command_id, Braking())
             standing = "Whether the robot still moves is not known."
             if braking.braked is not None and braking.finding is not None:
                 standing = sentence_of(
@@ -391,25 +365,17 @@ class CommandServerNode:
                     server_count=len(braking.braked.cancelled),
                     limit_s=self._brake_settings.zero_velocity_limit_s,
                 )
-            self._answer(
-                Ending(
-                    command=CommandText(command_id=stop.command_id, stamp_ns=stop.stamp_ns, text=stop.text),
-                    outcome=Outcome.FAILED,
-                    stage=STOP_STAGE,
-                    code="STAGE_SILENT",
-                    sentence=f"{STOP_STAGE} did not answer within {self._settings.stop_timeout_s:g} s; {OWN_STAGE} took "
-                    f"its place. {standing}",
-                )
-            )
-            self._pass_on_answer(stop.command_id, self._last_reply)
+            command = CommandText(command_id=stop.command_id, stamp_ns=stop.stamp_ns, text=stop.text)
+            self._answer(ending_of_silent_stop(command, timeout_s=self._settings.stop_timeout_s, standing=standing))
+            self._pass_on_answer(stop.command_id, self._replies.last_reply)
 
     def _hear_finding(self, finding: Finding) -> None:
         """The brake says who obeys."""
         key, is_stopped = finding.order.key, finding.obedience.is_complete
         if key in self._brakings:
-            self._brakings[key] = _Braking(braked=self._brakings[key].braked, finding=finding)
+            self._brakings[key] = Braking(braked=self._brakings[key].braked, finding=finding)
         if not finding.is_first:
-            self._note("The robot stands now." if is_stopped else may_still_move(finding.obedience))
+            self._replies.note("The robot stands now." if is_stopped else may_still_move(finding.obedience))
             return
         remark = (
             "What the command had started is stopped: zero velocity, and no goal goes on."
@@ -435,19 +401,7 @@ class CommandServerNode:
 
     def _publish_reply(self, ending: Ending) -> None:
         self._unsent = deque(command for command in self._unsent if command != ending.command)
-        reply = ending_to_message(ending)
-        rospy.loginfo(
-            "cmd=%s -> %s %s (%s) %s",
-            ending.command.command_id,
-            ending.outcome.name,
-            ending.code,
-            ending.stage,
-            ending.sentence,
-        )
-        self._reply.publish(reply)
-        self._door.finish(reply, command_id=ending.command.command_id)
-        self._last_reply = reply
-        self._note(ending.sentence)
+        self._door.finish(self._replies.publish(ending), command_id=ending.command.command_id)
 
     def _save(self) -> None:
         commands = self._left_over.commands + tuple(entry.command for entry in self._book.open_commands)
@@ -464,25 +418,6 @@ class CommandServerNode:
         while self._unsent and self._command_text.get_num_connections() > 0:
             self._command_text.publish(command_to_message(self._unsent.popleft()))
 
-    def _note(self, sentence: str) -> None:
-        self._sentence = sentence
-        self._is_status_due = True
-
-    def _publish_status(self) -> None:
-        if not self._is_status_due:
-            return
-        self._is_status_due = False
-        entries = self._book.open_commands
-        self._status.publish(
-            CommandStatus(
-                stamp=rospy.Time.now(),
-                active=[command_to_message(entry.command) for entry in entries],
-                stage=entries[-1].awaited_stage if entries else self._last_reply.stage,
-                sentence=self._sentence,
-                last_reply=self._last_reply,
-            )
-        )
-
     def _answer_all_at_shutdown(self) -> None:
         open_commands = self._book.open_commands
         for entry in open_commands:
@@ -490,15 +425,7 @@ class CommandServerNode:
         if open_commands:
             time.sleep(_FLUSH_S)
         for entry in open_commands:
-            self._conclude(
-                Ending(
-                    command=entry.command,
-                    outcome=Outcome.FAILED,
-                    stage=OWN_STAGE,
-                    code="RESTARTED",
-                    sentence="The command server shuts down; the executor was told to cancel it.",
-                )
-            )
+            self._conclude(ending_at_shutdown(entry.command))
         for ending in self._left_over.take_answers(is_last_chance=True):
             self._answer(ending)
         self._save()

@@ -97,7 +97,10 @@ def _incomplete(withdrawal: _Withdrawal, timeout_s: float) -> Ending:
         sentence=" ".join(
             [_how(ended) for ended in withdrawal.ended]
             + [
-                f"I told {names} to end, but nobody has confirmed that within {timeout_s:g} s: the robot may still move."
+                (
+                    f"I told {names} to end, but nobody has confirmed that within {timeout_s:g} s: "
+                    "the robot may still move."
+                )
             ]
         ),
     )

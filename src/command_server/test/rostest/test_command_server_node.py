@@ -159,17 +159,21 @@ class CommandServerNodeTest(unittest.TestCase):
         self.assertEqual((Reply.REFUSED, "TEXT_TOO_LONG"), (reply.outcome, reply.code))
 
     def test_goal_gets_feedback_and_the_reply(self):
+        text = "hang in the executor until there is feedback"
         feedback, ends = [], []
         handle = self.client.send_goal(
-            ExecuteCommandGoal(text="by action"),
+            ExecuteCommandGoal(text=text),
             feedback_cb=lambda _, message: feedback.append(message.event),
             transition_cb=lambda goal: ends.append(goal) if goal.get_comm_state() == actionlib.CommState.DONE else None,
         )
+        # A client hears no feedback any more once it has the result, which comes by another connection.
+        self.assertTrue(wait_until(lambda: feedback))
+        command = next(command for command in self.heard if command.text == text)
+        self.send_event(command, "executor", is_final=True)
         self.assertTrue(wait_until(lambda: ends))
         self.assertEqual(GoalStatus.SUCCEEDED, handle.get_terminal_state())
-        self.assertEqual("did by action", handle.get_result().reply.sentence)
-        self.assertTrue(wait_until(lambda: feedback))
-        self.assertEqual(handle.get_result().reply.command.id, self.wait_for_reply("by action").command.id)
+        self.assertEqual(f"did {text}", handle.get_result().reply.sentence)
+        self.assertEqual(handle.get_result().reply.command.id, self.wait_for_reply(text).command.id)
 
     def test_many_goals_in_flight(self):
         handles = [self.client.send_goal(ExecuteCommandGoal(text=f"goal {index}")) for index in range(8)]

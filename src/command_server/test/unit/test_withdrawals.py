@@ -66,8 +66,10 @@ def test_every_command_must_have_ended(withdrawals):
             Outcome.FAILED,
             "STAGE_SILENT",
             "executor did not answer within 5 s. Whether the robot still moves is not known.",
-            '"Follow me" has ended: executor did not answer within 5 s. Whether the robot still moves is not known. '
-            "You said not to.",
+            (
+                '"Follow me" has ended: executor did not answer within 5 s. Whether the robot still moves is not '
+                "known. You said not to."
+            ),
         ),
         (
             Outcome.SUPERSEDED,

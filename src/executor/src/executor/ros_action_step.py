@@ -1,5 +1,6 @@
 """A SMACH state that has one action server carry out one frame."""
 
+import contextlib
 import queue
 import threading
 import time
@@ -177,10 +178,8 @@ class ActionStep(smach.State):
             if goal.is_ended:
                 return goal
             wait_s = min(_LONGEST_WAIT_S, max(0.001, tracking.next_deadline_s(goal) - time.monotonic()))
-            try:
+            with contextlib.suppress(queue.Empty):
                 goal = _apply(goal, inbox.get(timeout=wait_s))
-            except queue.Empty:
-                pass
 
 
 def _read_transition(handle: actionlib.ClientGoalHandle) -> _Transition:

@@ -6,7 +6,7 @@ the former values come back.
 
 import math
 from dataclasses import dataclass
-from typing import Dict, List, Mapping, Optional, Sequence, Tuple, Union
+from typing import Any, Dict, List, Mapping, Optional, Sequence, Tuple, Union
 
 Value = Union[bool, int, float, str]
 
@@ -138,7 +138,7 @@ def to_record(held: Mapping[Tuple[str, str], HeldSetting]) -> List[Dict[str, Val
     return [{"node": entry.setting.node, "name": entry.setting.name, "former": entry.former} for entry in held.values()]
 
 
-def from_record(found: object) -> Tuple[Setting, ...]:
+def from_record(found: Any) -> Tuple[Setting, ...]:
     """The former values that a record holds, as settings to apply.
 
     Raises:
@@ -149,7 +149,7 @@ def from_record(found: object) -> Tuple[Setting, ...]:
     try:
         return tuple(
             Setting(node=str(entry["node"]), name=str(entry["name"]), value=entry["former"]) for entry in found
-        )  # type: ignore[attr-defined]
+        )
     except (KeyError, TypeError) as error:
         raise SettingsError(f"the record of settings cannot be read: {error!r}") from error
 

@@ -77,8 +77,8 @@ class CommandChainTest(unittest.TestCase):
 
     @classmethod
     def on_command(cls, command):
-        """Text "run one, succeed two / abort one; run two": clauses separated by semicolons, their candidates by slashes,
-        frames by commas.
+        """Text "run one, succeed two / fail one; run two": semicolons separate clauses, slashes their candidates, and
+        commas frames. A step that fails is not called "abort" there: that is a cry, and stops.
         """
         for stage in STAGES:
             cls.events.publish(StageEvent(command=command, stage=stage, stamp=rospy.Time.now(), sentence="at it"))
@@ -94,7 +94,9 @@ class CommandChainTest(unittest.TestCase):
                         PlanCandidate(
                             coverage=1.0,
                             frames=[
-                                FilledSemanticFrame(name=behaviour, action_server_topics=[server])
+                                FilledSemanticFrame(
+                                    name="abort" if behaviour == "fail" else behaviour, action_server_topics=[server]
+                                )
                                 for behaviour, server in steps
                             ],
                         )
@@ -122,7 +124,7 @@ class CommandChainTest(unittest.TestCase):
         self.assertTrue(wait_until(lambda: line in self.log), f"{line!r} is not in {self.log}")
 
     def test_next_candidate_after_a_failed_second_step(self):
-        text = "succeed one, abort two / succeed one, succeed two"
+        text = "succeed one, fail two / succeed one, succeed two"
         self.text.publish(text)
         self.assertEqual(Reply.DONE, self.wait_for_replies(text)[0].outcome)
         # Replies and log come on connections of their own.
@@ -135,7 +137,7 @@ class CommandChainTest(unittest.TestCase):
         return [line for line in self.log if line.split()[1] == "begins"]
 
     def test_clause_that_was_done_is_not_done_again(self):
-        text = "succeed one; abort two / reject one / succeed two"
+        text = "succeed one; fail two / reject one / succeed two"
         self.text.publish(text)
         reply = self.wait_for_replies(text)[0]
         self.assertEqual(Reply.DONE, reply.outcome)
@@ -146,13 +148,13 @@ class CommandChainTest(unittest.TestCase):
         self.assertIn("two aborted", reply.sentence)
 
     def test_clause_that_cannot_be_done_says_what_was_done(self):
-        text = "succeed one; abort two / reject one; succeed two"
+        text = "succeed one; fail two / reject one; succeed two"
         self.text.publish(text)
         reply = self.wait_for_replies(text)[0]
         self.assertEqual((Reply.FAILED, "ALL_CANDIDATES_FAILED"), (reply.outcome, reply.code))
         self.assertEqual(
-            'I have done "succeed one", but I could not do "abort two / reject one": two aborted: aborted as asked for; '
-            'one rejected the goal: rejected as asked for. I did not begin "succeed two".',
+            'I have done "succeed one", but I could not do "fail two / reject one": two aborted: aborted as asked '
+            'for; one rejected the goal: rejected as asked for. I did not begin "succeed two".',
             reply.sentence,
         )
         self.assertEqual(["one begins succeed", "two begins abort", "one begins reject"], self.begun())
@@ -189,7 +191,7 @@ class CommandChainTest(unittest.TestCase):
         self.wait_for_replies("run one", count=20)
         self.wait_for_replies("run two", count=5)
         self.assertEqual({Reply.SUPERSEDED}, {reply.outcome for reply in self.replies if "run" in reply.command.text})
-        self.assertTrue(wait_until(lambda: self.is_nothing_running()))
+        self.assertTrue(wait_until(self.is_nothing_running))
         # Nothing that was said before the stop begins after it.
         self.text.publish("succeed two")
         self.assertEqual("DONE", self.wait_for_replies("succeed two")[0].code)

@@ -91,7 +91,7 @@ class ServerSettingsTest(unittest.TestCase):
 
     def wait_for_reply(self, command):
         self.assertTrue(wait_until(lambda: [r for r in self.replies if r.command.id == command.id]))
-        return [reply for reply in self.replies if reply.command.id == command.id][0]
+        return next(reply for reply in self.replies if reply.command.id == command.id)
 
     def run_photo(self):
         command = self.send(("run", "photo"))
@@ -108,7 +108,7 @@ class ServerSettingsTest(unittest.TestCase):
     def test_restored_on_success_and_abort(self):
         for behaviour, outcome in (("succeed", Reply.DONE), ("abort", Reply.FAILED)):
             self.assertEqual(outcome, self.wait_for_reply(self.send((behaviour, "photo"))).outcome)
-            self.assertTrue(wait_until(lambda: f"photo begins {behaviour}" in self.log))
+            self.assertTrue(wait_until(lambda begun=f"photo begins {behaviour}": begun in self.log))
             self.assert_cameras(BEFORE, BEFORE)
 
     def test_step_whose_settings_cannot_be_had_fails_and_the_next_runs(self):

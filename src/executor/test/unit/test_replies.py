@@ -62,7 +62,10 @@ NOT_BEGUN = ClauseRun("go home", "")
             None,
             "",
             "ALL_CANDIDATES_FAILED",
-            'I have done "Ping", but I could not do "wave at Alice": walk aborted: no odometry; wave rejected the goal: no arm.',
+            (
+                'I have done "Ping", but I could not do "wave at Alice": walk aborted: no odometry; '
+                "wave rejected the goal: no arm."
+            ),
         ),
         # What went wrong in a clause that was done in the end is not why the other one failed.
         (
@@ -71,8 +74,10 @@ NOT_BEGUN = ClauseRun("go home", "")
             None,
             "",
             "ALL_CANDIDATES_FAILED",
-            'I have done "Ping" and "turn left", but I could not do "wave at Alice": walk aborted: no odometry; '
-            'wave rejected the goal: no arm. I did not begin "go home".',
+            (
+                'I have done "Ping" and "turn left", but I could not do "wave at Alice": walk aborted: no odometry; '
+                'wave rejected the goal: no arm. I did not begin "go home".'
+            ),
         ),
         (
             "aborted",
@@ -80,8 +85,10 @@ NOT_BEGUN = ClauseRun("go home", "")
             None,
             "",
             "ALL_CANDIDATES_FAILED",
-            'I could not do "wave at Alice": walk aborted: no odometry; wave rejected the goal: no arm. '
-            'I did not begin "go home" and "go home".',
+            (
+                'I could not do "wave at Alice": walk aborted: no odometry; wave rejected the goal: no arm. '
+                'I did not begin "go home" and "go home".'
+            ),
         ),
         (
             "preempted",

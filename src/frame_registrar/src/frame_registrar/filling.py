@@ -1,5 +1,6 @@
 """Fills frames: from a lexical unit, and from a parent frame by the relations of its child."""
 
+import operator
 from dataclasses import dataclass
 from typing import Mapping, Optional, Tuple
 
@@ -96,10 +97,10 @@ def _check_amount(frame: SemanticFrame, element: FrameElement, argument: str, fi
         code = "LIMIT" if error.code == "NOT_FINITE" else "VALUE_NOT_ALLOWED"
         raise Unfillable(code, f"I cannot use the {words(element.name)} of {words(frame.name)}: {error}") from error
     for limit, is_beyond, word in (
-        (element.maximum, lambda bound: amount > bound, "more"),
-        (element.minimum, lambda bound: amount < bound, "less"),
+        (element.maximum, operator.gt, "more"),
+        (element.minimum, operator.lt, "less"),
     ):
-        if limit is not None and is_beyond(limit):
+        if limit is not None and is_beyond(amount, limit):
             said = " ".join(part for part in (argument, filled.argument(element.unit_element)) if part)
             raise Unfillable(
                 "LIMIT",

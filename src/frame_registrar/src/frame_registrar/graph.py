@@ -169,7 +169,8 @@ def _relation_problems(
             line=line,
             key=f"children {child.name} child_name",
             found=f"'{relation.child_name}'",
-            expected=f"an element of {target.name}, which {parent.name} names as its child: {', '.join(names) or 'it has none'}",
+            expected=f"an element of {target.name}, which {parent.name} names as its child: "
+            f"{', '.join(names) or 'it has none'}",
             hint=did_you_mean(relation.child_name, names),
         )
         for relation in child.frame_element_relations

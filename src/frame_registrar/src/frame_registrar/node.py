@@ -161,7 +161,7 @@ class FrameRegistrar:
 
     def _on_add_frame(self, request: AddFrameRequest) -> AddFrameResponse:
         path = request.absolute_file_path
-        # Of two files that are added at once neither may be lost from the parameter, and no command waits for the master.
+        # Of two files added at once neither may be lost from the parameter, and no command waits for the master.
         with self._adding:
             is_added = self._add_file(path)
             if is_added:

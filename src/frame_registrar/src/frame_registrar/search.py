@@ -139,8 +139,10 @@ def _of_clause(
         return Refusal(
             "TOO_MANY_CANDIDATES", "There are more ways to do that than I can look at, and none works so far."
         )
+    if not refusals:
+        return _NOTHING_UNDERSTOOD
     # min() keeps the first of equals: the likeliest reading.
-    return min(refusals, key=lambda refusal: _REASONS.index(refusal.code), default=_NOTHING_UNDERSTOOD)
+    return min(refusals, key=lambda refusal: _REASONS.index(refusal.code))
 
 
 def _tasks(frame: SemanticFrame, reading: Reading) -> Iterator[List[Dict[str, str]]]:
@@ -155,7 +157,7 @@ def _tasks(frame: SemanticFrame, reading: Reading) -> Iterator[List[Dict[str, st
     if repeated is None:
         yield [{argument.name: argument.text for argument in reading.arguments}]
         return
-    parts = [list(_tasks(frame, _with(reading, repeated, item)))[0] for item in repeated.items]
+    parts = [next(_tasks(frame, _with(reading, repeated, item))) for item in repeated.items]
     yield [arguments for part in parts for arguments in part]
 
 

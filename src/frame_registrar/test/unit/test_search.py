@@ -2,7 +2,7 @@
 
 import itertools
 import random
-from typing import Dict, List, Tuple, Union
+from typing import Dict, List, Sequence, Tuple, Union
 
 import pytest
 
@@ -83,11 +83,11 @@ def test_default_fills_what_was_not_said() -> None:
 @pytest.mark.parametrize(
     "arguments, code",
     [
-        (dict(distance="3", unit="kilometres"), "LIMIT"),
-        (dict(distance="1e400", unit="metres"), "LIMIT"),
-        (dict(distance="3", unit="parsecs"), "VALUE_NOT_ALLOWED"),
-        (dict(unit="metres"), "MISSING_ELEMENT"),
-        (dict(distance="3", unit="metres", direction="sideways"), "VALUE_NOT_ALLOWED"),
+        ({"distance": "3", "unit": "kilometres"}, "LIMIT"),
+        ({"distance": "1e400", "unit": "metres"}, "LIMIT"),
+        ({"distance": "3", "unit": "parsecs"}, "VALUE_NOT_ALLOWED"),
+        ({"unit": "metres"}, "MISSING_ELEMENT"),
+        ({"distance": "3", "unit": "metres", "direction": "sideways"}, "VALUE_NOT_ALLOWED"),
     ],
 )
 def test_refusal_tells_why(arguments: Dict[str, str], code: str) -> None:
@@ -130,10 +130,15 @@ def test_sequence_gives_all_combinations_in_order() -> None:
     ]
 
 
+def sequence_of(names: Sequence[str]) -> str:
+    """YAML of the frames that do a task one after the other."""
+    return f"[{', '.join(f'{{name: {name}}}' for name in names)}]"
+
+
 def test_search_is_lazy_and_bounded() -> None:
     names = [f"m{index}" for index in range(40)]
     graph = graph_of(
-        "name: a\nchildren: [[%s]]\n" % ", ".join("{name: %s}" % name for name in names),
+        f"name: a\nchildren: [{sequence_of(names)}]\n",
         *[f"name: {name}\n" for name in names],
         servers=tuple((name, f"{name}_{index}") for name in names for index in range(2)),
     )
@@ -143,7 +148,7 @@ def test_search_is_lazy_and_bounded() -> None:
 def test_sequence_with_one_member_that_nobody_can_do_ends_at_once() -> None:
     names = [f"m{index}" for index in range(60)]
     graph = graph_of(
-        "name: a\nchildren: [[%s, {name: last}]]\n" % ", ".join("{name: %s}" % name for name in names),
+        f"name: a\nchildren: [{sequence_of([*names, 'last'])}]\n",
         "name: last\n",
         *[f"name: {name}\n" for name in names],
         servers=tuple((name, f"{name}_{index}") for name in names for index in range(2)),
@@ -303,8 +308,7 @@ def test_search_finds_what_brute_force_finds(seed: int) -> None:
     texts = [
         f"name: {name}\n"
         + (
-            "children: [%s]\n"
-            % ", ".join("[%s]" % ", ".join("{name: %s}" % child for child in sequence) for sequence in children[name])
+            f"children: [{', '.join(sequence_of(sequence) for sequence in children[name])}]\n"
             if children.get(name)
             else ""
         )

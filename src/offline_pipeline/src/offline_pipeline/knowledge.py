@@ -2,6 +2,7 @@
 
 import os
 from dataclasses import dataclass
+from functools import partial
 from pathlib import Path
 from typing import Callable, Dict, FrozenSet, Iterable, List, Mapping, Tuple
 
@@ -52,7 +53,7 @@ def load_files(frame_files: Iterable[str], unit_files: Iterable[str]) -> Knowled
 
 
 def _texts(paths: Iterable[str]) -> List[Tuple[str, Callable[[], str]]]:
-    return [(path, lambda path=path: read_text(path)) for path in paths]
+    return [(path, partial(read_text, path)) for path in paths]
 
 
 def load_texts(

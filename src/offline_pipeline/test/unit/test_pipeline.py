@@ -27,7 +27,7 @@ ODD = (
     ("how many guests are in the hall", "question: be: refused."),
     ("remind me at eight to call Bob", "times: at eight: says when"),
     ("lift the trash can", "modals_as_nouns: can: aux(lift) AUX/can -> obj(lift) NOUN/can"),
-    ("turn a quarter turn left", "part_turns: quarter: obl:unmarked(turn-1) -> amod(turn-4)"),
+    ("turn a quarter turn left", "measured_turns: quarter: obl:unmarked(turn-1) -> compound(turn-4)"),
     ("go up to the desk", "particles_on_the_way: up: compound:prt(go) -> advmod(go)"),
     ("turn the lights off in the bedroom", "places_of_devices: bedroom: obl(turn) -> nmod(lights)"),
     ("give me a high five", "lists_less: low_fiving(hand=five, partner=me): dropped."),

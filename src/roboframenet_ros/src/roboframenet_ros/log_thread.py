@@ -71,8 +71,8 @@ class LogThread(logging.Handler):
 def put_threads_before(logger: logging.Logger) -> List[LogThread]:
     """Have threads write what a logger takes, one for each handler, also for those of the loggers above it.
 
-    One for each, so that what is shown does not wait for the handler that asks the master. Called again, it only sees to
-    handlers that were added meanwhile.
+    One for each, so that what is shown does not wait for the handler that asks the master. Called again, it only sees
+    to handlers that were added meanwhile.
     """
     handlers: List[logging.Handler] = []
     above: Optional[logging.Logger] = logger

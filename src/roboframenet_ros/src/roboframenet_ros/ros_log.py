@@ -13,8 +13,8 @@ _LAST_WORDS_TIMEOUT_S = 0.5
 def log_from_threads() -> None:
     """Have threads write the log of this node, so that no log call waits; call it after ``rospy.init_node``.
 
-    rospy asks the master about ``/rosout_disable_topics_generation`` at each log call, without a deadline: with a master
-    that hangs, a node stands still at the next one.
+    rospy asks the master about ``/rosout_disable_topics_generation`` at each log call, without a deadline: with a
+    master that hangs, a node stands still at the next one.
     """
     logger = logging.getLogger("rosout")
     is_new = not any(isinstance(handler, LogThread) for handler in logger.handlers)

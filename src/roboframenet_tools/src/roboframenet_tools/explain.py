@@ -21,8 +21,8 @@ EXAMPLES = """examples:
   rfn explain --live
   rfn explain --batch sentences.txt --json > understood.jsonl
 
-With --live a sentence is explained with what the running graph knows, and is not carried out; without a sentence each command
-that the graph hears is explained by its own nodes, until Ctrl-C.
+With --live a sentence is explained with what the running graph knows, and is not carried out; without a sentence each
+command that the graph hears is explained by its own nodes, until Ctrl-C.
 
 exit status: 0 it would be done (a batch: every line has its object), 1 it would not, 2 wrong usage
 """

@@ -17,7 +17,8 @@ EXAMPLES = """examples:
   rfn passes --corpus huric huric-2.1/english
   rfn passes --corpus huric huric-2.1/english --show quotations
 
-"changes" counts the sentences where it fires; "read otherwise" those that have other frames, arguments or another reply without it.
+"changes" counts the sentences where it fires; "read otherwise" those that have other frames, arguments or another reply
+without it.
 
 exit status: 0 listed, 2 wrong usage
 """

@@ -135,7 +135,7 @@ class Servers:
             try:
                 self._refresh()
             except Exception as error:  # boundary: the master may be away in any way that XML-RPC and HTTP know
-                rospy.logwarn_throttle(30.0, "the graph cannot be read, the known servers stay: %s" % error)
+                rospy.logwarn_throttle(30.0, f"the graph cannot be read, the known servers stay: {error}")
             self._wake.wait(self._refresh_period_s)
             self._wake.clear()
 

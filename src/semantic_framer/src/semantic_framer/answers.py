@@ -126,6 +126,6 @@ def _fragment_values(sentence: Sentence, frame: SemanticFrame, element: FrameEle
     is_unit = any(other.unit_element == element.name for other in frame.frame_elements)
     if not positions or (is_measure and not is_unit):
         return []
-    heads = [word for word in sentence.children(0)]
+    heads = list(sentence.children(0))
     head = heads[0].index if heads and heads[0].index in positions else positions[0]
     return [phrase_value(sentence.tree, element.name, head, ArgumentForm.PHRASE, frozenset())]

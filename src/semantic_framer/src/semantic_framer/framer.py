@@ -102,7 +102,7 @@ def hear(
     heard = _Hearing(Now(known, policy, now_s), without, trace).hear(tree, context.at(now_s))
     outcome = against_what_runs(heard.outcome, tree)
     if trace is not None:
-        if outcome != heard.outcome:
+        if not isinstance(outcome, Understood) and outcome != heard.outcome:
             trace.add("against_what_runs", after=f"{outcome.code}. It is said against something that runs.")
         name = "understood" if isinstance(outcome, Understood) else f"{outcome.code}: {outcome.sentence}"
         trace.add("outcome", after=name)

@@ -95,8 +95,8 @@ class SemanticFramer:
     Subscribes:
         command_parse (CommandParse), frame_catalogue (FrameCatalogue, latched), stop_report (StopReport)
     Publishes:
-        command_lexical_units (CommandLexicalUnits), filled_lexical_units (FilledLexicalUnitList), lexicon (Lexicon, latched),
-        file_problems (FileProblems, latched), stage_events (StageEvent)
+        command_lexical_units (CommandLexicalUnits), filled_lexical_units (FilledLexicalUnitList),
+        lexicon (Lexicon, latched), file_problems (FileProblems, latched), stage_events (StageEvent)
     Services:
         add_lexical_unit
     Parameters: see :class:`Settings`.
@@ -228,7 +228,7 @@ class SemanticFramer:
                     not isinstance(outcome, Refusal)
                     or outcome.code != "UNKNOWN_FRAME"
                     or not self._lock.wait_for(
-                        lambda: self._frames is not frames, timeout=max(0.0, end - time.monotonic())
+                        lambda read_with=frames: self._frames is not read_with, timeout=max(0.0, end - time.monotonic())
                     )
                 ):
                     outcome, context = with_habits(

@@ -1,7 +1,7 @@
 """What is said against something that runs: prohibitions ("don't follow me") and corrections ("no, the office").
 
-Inside one utterance the pass `corrections` carries a correction out. Here it is about an utterance of its own, and the framer does
-not know what runs: a refusal gets the code that says what it was, and who knows what runs acts on it.
+Inside one utterance the pass `corrections` carries a correction out. Here it is about an utterance of its own, and the
+framer does not know what runs: a refusal gets the code that says what it was, and who knows what runs acts on it.
 """
 
 import re
@@ -22,8 +22,10 @@ _CORRECTIONS = re.compile(
             "(oops|sorry|actually|rather|instead)( ,)? .+",
             f".+ (instead|rather|{MEANT})",
             "(.+ )?wrong( .+)?",
-            "(that|this) ('s|is|was) (not|n't) .+|(that|this) (is|was) n't .+|(it|you) ('s|is|'re|are) (not|n't) "
-            "(there|here|that|this|right|the) ?.*",
+            (
+                "(that|this) ('s|is|was) (not|n't) .+|(that|this) (is|was) n't .+|(it|you) ('s|is|'re|are) (not|n't) "
+                "(there|here|that|this|right|the) ?.*"
+            ),
             "i do (not|n't) (want|need|like) (to|that|this) ?.*",
         ]
     )
@@ -42,7 +44,8 @@ _TALK = re.compile(
 #: Not to do these is to go on.
 _ENDING = "(stop|halt|pause|wait|hesitate|worry|forget|hurry|rush|panic|mind|freeze|quit|cancel|abort|bother|hold on)"
 _GOING_ON = re.compile(
-    f"(({AROUND}|and|but|so|ok|okay|just|now|{OBJECTION}) )*((you )?(must|should|can|may|need) (not|n't)|do (not|n't)|never)"
+    f"(({AROUND}|and|but|so|ok|okay|just|now|{OBJECTION}) )*"
+    "((you )?(must|should|can|may|need) (not|n't)|do (not|n't)|never)"
     f"( you| ever| just| please| even)* {_ENDING}( .*)?"
 )
 _FORBIDDING = re.compile("(^| )(not|n't|never)( |$)")

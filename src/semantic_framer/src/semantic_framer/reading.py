@@ -2,7 +2,7 @@
 
 import math
 from dataclasses import dataclass, replace
-from typing import Dict, FrozenSet, Iterable, NamedTuple, Optional, Tuple
+from typing import Dict, FrozenSet, Iterable, NamedTuple, Optional, Tuple, cast
 
 from semantic_frames.frame import FrameElement
 from semantic_frames.lexical_unit import LexicalUnit
@@ -112,12 +112,16 @@ class Rank(NamedTuple):
     @property
     def of_what_was_said(self) -> Tuple[int, ...]:
         """The fields that look at the words; the others look at the unit."""
-        return self[: self._fields.index("verb")]
+        return self._before("verb")
 
     @property
     def before_file(self) -> Tuple[int, ...]:
         """The fields without the place of the unit."""
-        return self[: self._fields.index("path")]
+        return self._before("path")
+
+    def _before(self, field: str) -> Tuple[int, ...]:
+        # The path is the only text, and no field behind it is asked for.
+        return cast(Tuple[int, ...], self[: self._fields.index(field)])
 
     def __str__(self) -> str:
         """Return the fields that are not 0, without the place of the unit."""

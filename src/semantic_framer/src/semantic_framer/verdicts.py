@@ -303,7 +303,10 @@ PLAUSIBILITY: Tuple[ReadingVerdict, ...] = (
     ),
     ReadingVerdict(
         "unread_elsewhere",
-        'An amount that another unit asks for, and that must not be acted on, is taken for a thing: "two or three metres".',
+        (
+            "An amount that another unit asks for, and that must not be acted on, is taken for a thing: "
+            '"two or three metres".'
+        ),
         _of_any_value(_is_unread_elsewhere),
     ),
     ReadingVerdict(
@@ -329,7 +332,10 @@ def _says_less(case: ClauseCase, reading: Reading, beside: Tuple[Reading, ...]) 
 DOMINATED: Tuple[ReadingVerdict, ...] = (
     ReadingVerdict(
         "says_less",
-        'Another reading of the same frame says all that it does and more: "turn off the light" is not "turn the light".',
+        (
+            'Another reading of the same frame says all that it does and more: "turn off the light" is not '
+            '"turn the light".'
+        ),
         _says_less,
     ),
 )

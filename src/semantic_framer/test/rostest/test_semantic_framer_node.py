@@ -30,6 +30,8 @@ UNIT = (
     "    - {name: direction, relation: advmod, words: [left, right]}\n"
     "- frame_name: unheard_of\n  verb: vanish\n"
 )
+#: Of a command that says no time.
+NO_STAMP = rospy.Time()
 
 
 def wait_until(condition, timeout_s=60.0):
@@ -75,7 +77,7 @@ class SemanticFramerNodeTest(unittest.TestCase):
             stream.write(text)
         return path
 
-    def say(self, command_id, *rows, stamp=rospy.Time()):
+    def say(self, command_id, *rows, stamp=NO_STAMP):
         """Publish a parse; each row is form, lemma, part of speech, tag, head, relation."""
         words = []
         for index, row in enumerate(rows, start=1):

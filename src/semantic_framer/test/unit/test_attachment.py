@@ -24,7 +24,10 @@ FRAMES = {
             "name: taking\nframe_elements:\n  - {name: theme, is_core: True}\n  - {name: source, is_core: False}\n",
             "name: saying\nframe_elements:\n  - {name: message, is_core: True, framenet: Message}\n",
             "name: bringing\nframe_elements:\n  - {name: theme, is_core: True}\n  - {name: goal, is_core: False}\n",
-            "name: being_located\nframe_elements:\n  - {name: theme, is_core: True}\n  - {name: location, is_core: True}\n",
+            (
+                "name: being_located\nframe_elements:\n  - {name: theme, is_core: True}\n"
+                "  - {name: location, is_core: True}\n"
+            ),
             "name: releasing\nframe_elements:\n  - {name: theme, is_core: True}\n",
         )
     )
@@ -61,7 +64,8 @@ UNITS = """
 """
 ROWS = (
     "1 {verb} {verb} VERB VB _ 0 root _ _\n2 the the DET DT _ 3 det _ _\n3 mug mug NOUN NN _ 1 obj _ _"
-    "\n4 {preposition} {preposition} ADP IN _ 6 case _ _\n5 the the DET DT _ 6 det _ _\n6 table table NOUN NN _ 1 obl _ _"
+    "\n4 {preposition} {preposition} ADP IN _ 6 case _ _\n5 the the DET DT _ 6 det _ _"
+    "\n6 table table NOUN NN _ 1 obl _ _"
 )
 
 
@@ -120,7 +124,8 @@ def test_unit_that_the_verb_names_comes_first(
         )
     frames = {
         name: load_frame(
-            f"name: {name}\nframe_elements:\n  - {{name: theme, is_core: True}}\n  - {{name: source, is_core: False}}\n",
+            f"name: {name}\nframe_elements:\n  - {{name: theme, is_core: True}}\n"
+            "  - {name: source, is_core: False}\n",
             "frame.yaml",
         )
         for name, _, _ in (first, second)
@@ -151,7 +156,8 @@ def test_second_place_is_where_it_shall_be(
     head: int, relation: str, first: str, second: str, arguments: Dict[str, str]
 ) -> None:
     rows = ROWS.format(verb="take", preposition=first) + (
-        f"\n7 {second} {second} ADP IN _ 9 case _ _\n8 the the DET DT _ 9 det _ _\n9 shelf shelf NOUN NN _ {head} {relation} _ _"
+        f"\n7 {second} {second} ADP IN _ 9 case _ _\n8 the the DET DT _ 9 det _ _"
+        f"\n9 shelf shelf NOUN NN _ {head} {relation} _ _"
     )
     assert filled(rows) == arguments
 

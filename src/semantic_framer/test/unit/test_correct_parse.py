@@ -16,24 +16,30 @@ from utterance_passes.vocabulary import Verbs
     [
         # "go up to Bob"
         (
-            "1 go go VERB VB _ 0 root _ _\n2 up up ADP RP _ 1 compound:prt _ _\n3 to to ADP IN _ 4 case _ _"
-            "\n4 Bob Bob PROPN NNP _ 1 obl _ _",
+            (
+                "1 go go VERB VB _ 0 root _ _\n2 up up ADP RP _ 1 compound:prt _ _\n3 to to ADP IN _ 4 case _ _"
+                "\n4 Bob Bob PROPN NNP _ 1 obl _ _"
+            ),
             2,
             1,
             "advmod",
         ),
         # "turn lights off in rooms"
         (
-            "1 turn turn VERB VB _ 0 root _ _\n2 lights light NOUN NNS _ 1 obj _ _\n3 off off ADP RP _ 1 compound:prt _ _"
-            "\n4 in in ADP IN _ 5 case _ _\n5 rooms room NOUN NNS _ 1 obl _ _",
+            (
+                "1 turn turn VERB VB _ 0 root _ _\n2 lights light NOUN NNS _ 1 obj _ _\n3 off off ADP RP _ 1 "
+                "compound:prt _ _\n4 in in ADP IN _ 5 case _ _\n5 rooms room NOUN NNS _ 1 obl _ _"
+            ),
             5,
             2,
             "nmod",
         ),
         # "open windows a bit"
         (
-            "1 open open VERB VB _ 0 root _ _\n2 windows window NOUN NNS _ 1 obj _ _\n3 a a DET DT _ 4 det _ _"
-            "\n4 bit bit NOUN NN _ 2 nmod:unmarked _ _",
+            (
+                "1 open open VERB VB _ 0 root _ _\n2 windows window NOUN NNS _ 1 obj _ _\n3 a a DET DT _ 4 det _ _"
+                "\n4 bit bit NOUN NN _ 2 nmod:unmarked _ _"
+            ),
             4,
             1,
             "obl:unmarked",

@@ -11,7 +11,10 @@ from stanford_parser_ros.stanford_dependencies import RULES
 from utterance_passes.conllu import from_conllu
 
 FRAME = load_frame("name: scene\nframe_elements:\n  - {name: filler, is_core: True}\n", "frame.yaml")
-UNIT = "frame_name: scene\nverb: act\nframe_element_grammatical_relations:\n  - {name: filler, relation: %s, words: [thing]}\n"
+UNIT = (
+    "frame_name: scene\nverb: act\n"
+    "frame_element_grammatical_relations:\n  - {name: filler, relation: %s, words: [thing]}\n"
+)
 #: Relations between two clauses, or of the root itself, fill nothing.
 NO_ARGUMENTS = {
     "root",

@@ -115,8 +115,10 @@ TREES: Tuple[Tuple[str, str, str], ...] = (
     # The models hang "because of" and the like as one preposition with two words.
     (
         "prep_because_of",
-        "1 Act act VERB VB _ 0 root _ _\n2 because because ADP IN _ 4 case _ _\n3 of of ADP IN _ 2 fixed _ _"
-        "\n4 rain rain NOUN NN _ 1 obl _ _",
+        (
+            "1 Act act VERB VB _ 0 root _ _\n2 because because ADP IN _ 4 case _ _\n3 of of ADP IN _ 2 fixed _ _"
+            "\n4 rain rain NOUN NN _ 1 obl _ _"
+        ),
         "rain",
     ),
     # Relations of speech that did not come out right.

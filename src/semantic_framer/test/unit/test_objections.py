@@ -1,4 +1,4 @@
-"""What is said against something that runs: the code of the refusal says so, and what was not understood runs nothing."""
+"""What is said against something that runs: the refusal's code says so, and what was not understood runs nothing."""
 
 from typing import Any
 

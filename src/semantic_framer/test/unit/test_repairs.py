@@ -12,8 +12,12 @@ from utterance_passes.running import run_tree_passes
 from utterance_passes.table import CORRECTION_PASSES
 
 UNITS = """
-- {frame_name: turning, verb: turn, frame_element_grammatical_relations: [{name: direction, relation: advmod, words: [left, right]}]}
-- {frame_name: taking, verb: take, frame_element_grammatical_relations: [{name: theme, relation: dobj, argument: phrase}]}
+- frame_name: turning
+  verb: turn
+  frame_element_grammatical_relations: [{name: direction, relation: advmod, words: [left, right]}]
+- frame_name: taking
+  verb: take
+  frame_element_grammatical_relations: [{name: theme, relation: dobj, argument: phrase}]
 """
 FRAMES = {
     name: load_frame(f"name: {name}\nframe_elements:\n  - {{name: {element}, is_core: True}}\n", "frame.yaml")

@@ -23,8 +23,9 @@ IN_ORDER = (
 def test_order() -> None:
     assert [verdict.name for verdict, _ in IN_ORDER] == (
         "another_time no_verb negated question condition_without_verb unknown_verb "
-        "noun_of_another_verb measured_elsewhere unread_elsewhere number_is_no_place degree_is_no_thing side_is_no_thing says_less "
-        "report nothing_fits condition incomplete less_likely_asked leaves_more_over lists_less words_outside"
+        "noun_of_another_verb measured_elsewhere unread_elsewhere number_is_no_place degree_is_no_thing "
+        "side_is_no_thing says_less report nothing_fits condition incomplete less_likely_asked leaves_more_over "
+        "lists_less words_outside"
     ).split()
 
 

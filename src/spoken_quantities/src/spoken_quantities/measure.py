@@ -145,7 +145,7 @@ def _parse_single(text: str, quantity: Optional[str], default_unit: str) -> Meas
             raise QuantityError("UNKNOWN_UNIT", f'I do not know the unit "{last}".') from error
         raise
     if unit is None:
-        if quantity in (None, "number"):
+        if quantity is None or quantity == "number":
             return Measure(amount=amount, unit="", quantity="number", si_amount=amount)
         raise QuantityError(
             "MISSING_UNIT", f'"{text.strip()}" needs a unit, such as {", ".join(units_of(quantity)[:3])}.'

@@ -11,7 +11,8 @@ from utterance_passes.conllu import from_conllu
 from utterance_passes.tree import DependencyTree
 
 TREE = from_conllu(
-    "1 Go go VERB VB _ 0 root _ _\n2 to to ADP IN _ 4 case _ _\n3 the the DET DT _ 4 det _ _\n4 office office NOUN NN _ 1 obl _ _"
+    "1 Go go VERB VB _ 0 root _ _\n2 to to ADP IN _ 4 case _ _\n3 the the DET DT _ 4 det _ _"
+    "\n4 office office NOUN NN _ 1 obl _ _"
 )
 BRACKETS = "(ROOT (S (VP (VB Go) (PP (IN to) (NP (DT the) (NN office))))))"
 

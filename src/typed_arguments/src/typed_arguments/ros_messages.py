@@ -1,7 +1,7 @@
 """Typed arguments between messages and values."""
 
 import math
-from dataclasses import replace
+from dataclasses import fields, replace
 from typing import Dict, List, Optional, Union
 
 import genpy
@@ -17,24 +17,9 @@ from typed_arguments.argument import (
     TypedArgument,
 )
 
-#: Attributes of a phrase that are fields of the message as they are.
-_SAME = (
-    "text",
-    "words",
-    "head",
-    "lemma",
-    "head_position",
-    "is_plural",
-    "relation",
-    "quantifier",
-    "count_bound",
-    "is_negated",
-    "is_asked",
-    "direction",
-    "conjunction",
-    "semantic_type",
-    "referent_count",
-    "world_version",
+#: Attributes of a phrase that are fields of the message as they are: strings, flags and numbers that are never None.
+_SAME = tuple(
+    field.name for field in fields(TypedArgument) if type(field.default) in (str, bool, int) and field.name != "name"
 )
 
 

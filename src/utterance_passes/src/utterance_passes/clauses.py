@@ -74,7 +74,7 @@ def find_clauses(tree: DependencyTree, vocabulary: Vocabulary = Verbs()) -> Tupl
 
 
 def _expand_shared_verb(tree: DependencyTree, clause: Clause) -> Tuple[Clause, ...]:
-    """Return a clause, and one more for each phrase that shares its verb: "go to the office and then to the kitchen"."""
+    """Return a clause, and one for each phrase that shares its verb: "go to the office and then to the kitchen"."""
     sharing = [word for word in tree.children(clause.verb) if word.index in tree.sharing_a_verb]
     if not sharing:
         return (clause,)

@@ -78,8 +78,8 @@ def without_restarts(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
 
 
 def _editing_term(tree: DependencyTree, vocabulary: Vocabulary, behind: int) -> Optional[Tuple[int, int, bool]]:
-    """Find the first editing term behind a command: its first and last word with what is around it, and whether it takes
-    back even where nothing follows.
+    """Find the first editing term behind a command: its first and last word with what is around it, and whether it
+    takes back even where nothing follows.
     """
     forms = [word.form.lower() for word in tree.words]
     has_verb = False

@@ -73,8 +73,8 @@ def _saying(tree: DependencyTree, clause: Clause, vocabulary: Vocabulary) -> Opt
 
 
 def _stray_clause(tree: DependencyTree, saying: _Saying) -> int:
-    """Return the verb of a clause right behind the verb of saying that hangs elsewhere: "find Bob and tell her *lunch is
-    ready*"; 0 for none.
+    """Return the verb of a clause right behind the verb of saying that hangs elsewhere: "find Bob and tell her *lunch
+    is ready*"; 0 for none.
     """
     behind = (word for word in tree.words if word.index > saying.last and word.head < saying.last)
     strays = (
@@ -167,7 +167,13 @@ class _Quotation:
                 break
         owner = self._tree.word(self._start) if self._start < self._end - 2 else None
         person = self._tree.word(self._start + 1) if owner is not None else None
-        if not told and owner is not None and owner.xpos == "PRP$" and person.deprel == "compound":
+        if (
+            not told
+            and owner is not None
+            and owner.xpos == "PRP$"
+            and person is not None
+            and person.deprel == "compound"
+        ):
             told = frozenset([owner.index, person.index])
             self._moved[person.index] = (self._verb, "iobj")
             self._moved[owner.index] = (person.index, "nmod:poss")

@@ -301,7 +301,8 @@ REPHRASING_PASSES: Tuple[TreePass, ...] = (
     + (
         TreePass(
             "light_verbs",
-            "Replace verbs that stand for another one, where the lexicon has that: who asks to have something wants it.",
+            "Replace verbs that stand for another one, where the lexicon has that: who asks to have something "
+            "wants it.",
             Example(
                 "can|AUX|3|aux I|PRON|3|nsubj have|VERB|0|root tea|NOUN|3|obj",
                 ("have: VERB/have have -> VERB/want want",),

@@ -1,5 +1,6 @@
-"""Phrases that say when: "tomorrow", "on Monday", "next week", "at five". Read from the words one after the other, since a
-time at either end of a command hangs on anything in its tree.
+"""Phrases that say when: "tomorrow", "on Monday", "next week", "at five".
+
+They are read from the words one after the other, since a time at either end of a command hangs on anything in its tree.
 """
 
 from typing import FrozenSet, List, Tuple

@@ -86,8 +86,8 @@ class TagPass(Pass):
 class TreePass(Pass):
     """Makes a tree of a tree: the same words in the same places.
 
-    ``run`` raises ``Uncertain`` where a person must say what was meant, and ``NotATree`` where no tree comes of it: then
-    the tree stays as it was.
+    ``run`` raises ``Uncertain`` where a person must say what was meant, and ``NotATree`` where no tree comes of it:
+    then the tree stays as it was.
     """
 
     run: Callable[[DependencyTree, Vocabulary], DependencyTree]

@@ -75,7 +75,8 @@ def test_command_verb_position(sentence: str, position: Optional[int]) -> None:
 
 def test_rerooted_makes_the_verb_the_root_and_keeps_a_tree() -> None:
     tree = from_conllu(
-        "1 Scrub scrub PROPN NNP _ 3 compound _ _\n2 the the DET DT _ 3 det _ _\n3 pot pot NOUN NN _ 0 root _ _\n4 . . PUNCT . _ 3 punct _ _"
+        "1 Scrub scrub PROPN NNP _ 3 compound _ _\n2 the the DET DT _ 3 det _ _"
+        "\n3 pot pot NOUN NN _ 0 root _ _\n4 . . PUNCT . _ 3 punct _ _"
     )
     assert [(word.head, word.deprel) for word in rerooted(tree, VERBS).words] == [
         (0, "root"),

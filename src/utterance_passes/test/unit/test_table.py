@@ -1,4 +1,4 @@
-"""The table of passes: each does what its example says, the order is the one that is written here, no pass calls another."""
+"""The table of passes: each does what its example says, the order is the one written here, no pass calls another."""
 
 import ast
 from pathlib import Path
@@ -13,12 +13,13 @@ from utterance_passes.trace import Trace
 from utterance_passes.utterance_pass import Pass, Stage, TagPass, TextPass, TreePass
 
 ORDER = (
-    "transcribers_marks apostrophes quotation_marks dashes fraction_signs fraction_slash degree_sign units minus_sign negative_sign ratios blanks ends "
+    "transcribers_marks apostrophes quotation_marks dashes fraction_signs fraction_slash degree_sign units "
+    "minus_sign negative_sign ratios blanks ends "
     "command_verb numbered_noun "
     "one_object particle_predicates verb_compounds infinitive_conjuncts reroot "
     "objection restarts corrections opening_formula "
-    "modals_as_nouns particles_on_the_way places_of_devices places_of_all measured_turns sides_apart around_apart degrees "
-    "light_verbs quotations formulas shared_verbs times"
+    "modals_as_nouns particles_on_the_way places_of_devices places_of_all measured_turns sides_apart around_apart "
+    "degrees light_verbs quotations formulas shared_verbs times"
 ).split()
 PACKAGE = Path(__file__).resolve().parents[2] / "src" / "utterance_passes"
 

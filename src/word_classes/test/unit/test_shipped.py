@@ -57,4 +57,4 @@ def test_what_stops_the_robot_reads_no_file_of_words(module: str) -> None:
         "shipped = sys.modules.get('word_classes.shipped')\n"
         "sys.exit(shipped is not None and shipped.word_classes.cache_info().currsize)"
     )
-    assert subprocess.run([sys.executable, "-c", code], timeout=60).returncode == 0
+    assert subprocess.run([sys.executable, "-c", code], timeout=60, check=False).returncode == 0
