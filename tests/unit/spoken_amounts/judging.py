@@ -38,7 +38,7 @@ class Verdict:
 
 
 class Judge:
-    """Understands sentences by the shipped domains, with the servers of the base, and one for every other frame."""
+    """Understands sentences by the shipped domains, with the servers of the base and one for every other frame."""
 
     def __init__(self) -> None:
         knowledge = load_knowledge([shipped_domains()])

@@ -144,7 +144,7 @@ def is_number(tree: DependencyTree, index: int) -> bool:
 
 
 def unit_at(tree: DependencyTree, index: int) -> Optional[Unit]:
-    """Return the unit that a word is; None where it is none: "in", "second" and a quotation mark have other uses."""
+    """Return the unit that a word is; None where it is none here: "in" and "second" have other uses too."""
     word = tree.word(index)
     unit = find_unit(word.form)
     if unit is None:

@@ -157,14 +157,14 @@ def with_sides_apart(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
 
 
 def _is_joined(tree: DependencyTree, word: Word) -> bool:
-    """Whether a word of a measure hangs on the word in front as if both were of a kind: "the left 5 and a half"."""
+    """Whether a word of a measure hangs on the word in front as more of the same: "the left 5 and a half"."""
     has_case = any(child.deprel == "case" and child.index < word.index for child in tree.children(word.index))
     is_joined = word.deprel.split(":")[0] in ("conj", "nmod", "flat", "appos", "nummod", "dep")
     return is_joined and _is_of_a_measure(word) and not has_case
 
 
 def with_around_apart(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
-    """Make "around" an adverb between a verb of turning and a measure: "turn around 90 degrees" goes round nothing."""
+    """Make an adverb of "around" between a verb of turning and a measure: nothing is gone round there."""
     for around in tree.words[1:]:
         verb = tree.word(around.index - 1)
         unit = tree.word(around.head) if around.head else around

@@ -139,8 +139,9 @@ def _joined(tree: DependencyTree, spoken: Sequence[int], amounts: Sequence[Amoun
         if done:
             between = [index for index in spoken if done[-1].positions[-1] < index < amount.positions[0]]
             joint = _joint(tree, between)
-            if joint is not None and _are_one(tree, done[-1], amount, joint, between):
-                done[-1] = _one(tree, spoken, done[-1], amount, joint, between)
+            is_one = joint is not None and _are_one(tree, done[-1], amount, joint)
+            if is_one or _counts(tree, done[-1], amount):
+                done[-1] = _one(tree, spoken, done[-1], amount, joint or (), between)
                 continue
         done.append(amount)
     return done
@@ -155,9 +156,7 @@ def _joint(tree: DependencyTree, between: Sequence[int]) -> Optional[Tuple[str, 
     return ("adj",) if are_of_the_unit else None
 
 
-def _are_one(
-    tree: DependencyTree, first: Amount, second: Amount, joint: Tuple[str, ...], between: Sequence[int]
-) -> bool:
+def _are_one(tree: DependencyTree, first: Amount, second: Amount, joint: Tuple[str, ...]) -> bool:
     """Whether two amounts are one expression, and not two things that are said one after the other."""
     if joint == ("adj",):
         # "Two big metres": the number has a unit that could not be read with it.
@@ -255,8 +254,14 @@ def _changing_behind(tree: DependencyTree, behind: Sequence[int], amount: Amount
     return frozenset(said[:1]) if word.upos == "SYM" and word.form not in _MARKS else frozenset()
 
 
-def _counts_units(tree: DependencyTree, index: int) -> bool:
+def _counts(tree: DependencyTree, first: Amount, second: Amount) -> bool:
     """Whether a number counts a unit that stands apart from it: "two left turns"."""
+    word = tree.word(first.positions[-1])
+    return not first.unit and word.deprel == "nummod" and word.head in second.positions
+
+
+def _counts_units(tree: DependencyTree, index: int) -> bool:
+    """Whether a number counts a unit that stands apart from it and is none elsewhere: "one left turn"."""
     word = tree.word(index)
     return word.deprel == "nummod" and word.head > index and unit_at(tree, word.head) is not None
 

@@ -247,7 +247,7 @@ PARSE_CORRECTING_PASSES: Tuple[TreePass, ...] = (
     ),
     TreePass(
         "sides_apart",
-        "Hang a side in front of a measure on the verb.",
+        "Hang a side in front of a measure on the verb, and so the measure.",
         Example(
             "turn|VERB|0|root left|ADJ|4|amod two|NUM|4|nummod degrees|NOUN|1|obj",
             ("left: amod(degrees) ADJ/left -> advmod(turn) ADV/left",),
