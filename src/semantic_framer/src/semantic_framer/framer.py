@@ -2,7 +2,7 @@
 
 from dataclasses import dataclass, replace
 from enum import Enum
-from typing import FrozenSet, Iterable, List, Mapping, Sequence, Tuple, Union
+from typing import FrozenSet, Iterable, List, Mapping, Optional, Sequence, Tuple, Union
 
 from semantic_frames.frame import SemanticFrame
 from stanford_parser_ros.tree import DependencyTree
@@ -12,6 +12,7 @@ from semantic_framer.asides import with_asides, with_opening_aside
 from semantic_framer.choices import choices_of_clauses, chosen, question_of_choices
 from semantic_framer.clauses import CONDITIONS, WRAPPERS, Clause, find_clauses, whole_sentence
 from semantic_framer.dialogue import Choice, Context, Pending, is_no
+from semantic_framer.kind_replies import reply_to
 from semantic_framer.lexicon import Lexicon
 from semantic_framer.matching import Reading, rank
 from semantic_framer.plain_verbs import with_plain_verbs
@@ -21,6 +22,7 @@ from semantic_framer.references import remember, resolve
 from semantic_framer.repairs import repaired
 from semantic_framer.sentence import Sentence
 from semantic_framer.times import find_times
+from semantic_framer.utterance_kind import KindVerdict, UtteranceKind, kind_without_clause, kinds_of_clauses
 from semantic_framer.verb_matching import VerbMatch, match_verbs
 from semantic_framer.values import ElementValue
 
@@ -143,19 +145,30 @@ def _read_sentence(
     now_s: float,
 ) -> Tuple[Outcome, Context]:
     """Understand a sentence that answers nothing."""
-    clauses = _known_clauses(sentence, lexicon)
+    spoken = _known_clauses(sentence, lexicon)
+    kinds = _kinds(sentence, spoken, lexicon)
+    refusal = _asks_for_nothing(sentence, spoken, kinds)
+    if refusal is not None:
+        return refusal, context
     time = _time_of_a_command(sentence, lexicon)
-    if time and not any(clause.is_negated for clause in clauses):
+    if time and not any(clause.is_negated for clause in spoken):
         return _not_then(sentence, time), context
-    if not clauses:
+    if not spoken:
         return Refusal("NO_VERB", f'I hear no command in "{sentence.tree.text.strip()}".'), context
+    clauses: Tuple[Clause, ...] = ()
     understood: List[Tuple[Reading, ...]] = []
-    for clause in clauses:
-        outcome = _read_one(sentence, clause, lexicon, frames, policy)
+    for clause, kind in zip(spoken, kinds):
+        # "I'm thirsty, bring me water": why somebody asks for something is no step.
+        if not (kind.acts or kind.is_fact or kind.kind is UtteranceKind.PROHIBITION):
+            continue
+        outcome = _read_one(sentence, clause, kind, lexicon, frames, policy)
         if isinstance(outcome, Refusal):
+            if outcome.code == "REPORT" and any(other.acts for other in kinds):
+                continue
             return outcome, context
+        clauses += (clause,)
         understood.append(outcome)
-    open_words = _outside(sentence, clauses)
+    open_words = _outside(sentence, spoken)
     if open_words and policy.left_over_words is LeftOverWords.STRICT:
         return _left_over(sentence, open_words), context
     choices = choices_of_clauses(sentence, clauses, lexicon)
@@ -166,6 +179,27 @@ def _read_sentence(
         words = " ".join(sentence.word(index).form for index in open_words)
         outcome = replace(outcome, warning=f"{outcome.warning or 'ignored:'} {words}")
     return outcome, context
+
+
+def _kinds(sentence: Sentence, clauses: Tuple[Clause, ...], lexicon: Lexicon) -> Tuple[KindVerdict, ...]:
+    return kinds_of_clauses(sentence.tree, sentence.abandoned | sentence.quoted, clauses, lexicon)
+
+
+def _asks_for_nothing(
+    sentence: Sentence, clauses: Tuple[Clause, ...], kinds: Tuple[KindVerdict, ...]
+) -> Optional[Refusal]:
+    """Return the refusal of an utterance that only asks or tells something; None for one that a unit may be about."""
+    if not clauses:
+        verdict = kind_without_clause(sentence.tree, sentence.abandoned | sentence.quoted)
+        if verdict.kind not in (UtteranceKind.TALK, UtteranceKind.QUESTION):
+            return None
+        return Refusal(*reply_to(verdict, sentence.tree.text.strip(" .!?")))
+    for clause, kind in zip(clauses, kinds):
+        if kind.kind is UtteranceKind.QUESTION:
+            return Refusal(*reply_to(kind, _said(sentence, clause)))
+    if any(kind.acts or kind.is_fact or kind.kind is UtteranceKind.PROHIBITION for kind in kinds):
+        return None
+    return Refusal(*reply_to(kinds[0], sentence.tree.text.strip(" .!?")))
 
 
 def prepared(
@@ -272,13 +306,16 @@ def _known_clauses(sentence: Sentence, lexicon: Lexicon) -> Tuple[Clause, ...]:
 
 
 def _read_one(
-    sentence: Sentence, clause: Clause, lexicon: Lexicon, frames: Mapping[str, SemanticFrame], policy: Policy
+    sentence: Sentence,
+    clause: Clause,
+    kind: KindVerdict,
+    lexicon: Lexicon,
+    frames: Mapping[str, SemanticFrame],
+    policy: Policy,
 ) -> Union[Tuple[Reading, ...], Refusal]:
     matches: Tuple[VerbMatch, ...] = match_verbs(sentence, clause, lexicon)
-    if clause.is_negated:
+    if clause.is_negated or kind.kind is UtteranceKind.PROHIBITION:
         return Refusal("NEGATED", f'You said not to: "{sentence.text(sorted(clause.positions))}". I do nothing.')
-    if clause.is_question:
-        return Refusal("NO_READING", f'"{_said(sentence, clause)}" is a question, and no command.')
     if not matches and clause.condition:
         return _not_then(sentence, clause.condition_positions)
     if not matches:
@@ -286,13 +323,15 @@ def _read_one(
         hint = f' Do you mean {" or ".join(near)}?' if near else ""
         return Refusal("UNKNOWN_VERB", f'I do not know how to "{clause.lemma}".{hint}')
     readings = readings_of(sentence, clause, lexicon, frames)
-    if clause.is_report:
-        # Only a unit that asks for the subject is about what happens: "The mug stands on the table."
-        readings = tuple(
-            reading for reading in readings if any(clause.subject in value.positions for value in reading.values)
-        )
-        if matches and not readings:
-            return Refusal("NO_READING", f'"{_said(sentence, clause)}" does not ask me to do anything.')
+    about = tuple(reading for reading in readings if _is_about_subject(reading, clause, frames))
+    if kind.is_fact:
+        # Only a unit that is about its subject tells how something is: "The mug stands on the table."
+        if not about:
+            return Refusal(*reply_to(kind, _said(sentence, clause)))
+        readings = about
+    elif clause.subject:
+        # Who is to do something is no thing that a unit is about: "could you stand next to the desk".
+        readings = tuple(reading for reading in readings if reading not in about) or readings
     if not readings:
         wanted = {unit.frame_name for match in matches for unit in lexicon.units_of(match.verb)}
         if not wanted & set(frames):
@@ -326,6 +365,18 @@ def _read_one(
     return tuple(
         reading for reading in full if not any(reading.listed and reading.listed < other.listed for other in full)
     )
+
+
+def _is_about_subject(reading: Reading, clause: Clause, frames: Mapping[str, SemanticFrame]) -> bool:
+    """Whether the subject is what a frame is about, and not only who does it."""
+    frame = frames[reading.unit.frame_name]
+    relations = {relation.name: relation for relation in reading.unit.relations}
+    for value in reading.values:
+        element = frame.element(value.name)
+        if clause.subject in value.positions and element is not None:
+            is_required = value.name in relations and relations[value.name].is_required
+            return element.is_core or is_required
+    return False
 
 
 def _said(sentence: Sentence, clause: Clause) -> str:
