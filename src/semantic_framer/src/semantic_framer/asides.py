@@ -17,31 +17,42 @@ from semantic_framer.sentence import ASIDE, HEDGES, QUOTED
 
 _NOT = "(n't|not|nt)"
 _COULD = "(could|can|would|will|might)"
+_YOU = f"({_COULD} you )?(please )?(just )?"
 #: What may lead to a command; a verb of the lexicon must follow.
 _OPENINGS = re.compile(
     "|".join(
         [
             f"why do {_NOT} (you|we)",
             "(how|what) about (if )?(you|we)",
-            f"i (was|am|'m) (just )?wondering (if|whether) you {_COULD}",
+            f"i (was|am|'m) (just )?(wondering|hoping) (if |whether |that )?you {_COULD}",
             f"i wonder (if|whether) you {_COULD}",
+            f"i (was|am|'m) going to ask (if|whether) you {_COULD}",
+            "i (was|am|'m) going to (ask|need|want) you to",
+            "i (am|'m) (asking|begging|telling|ordering|instructing) you to",
+            "i (would |'d )?(really )?(love|like|prefer) for you to",
+            "what i (need|want|would like|'d like) (you to do is|is for you)( to)?",
+            "(your|the) (next |first )?(task|job|mission|order) is( for you)? to",
             f"do you think (that )?you {_COULD}",
             "i (think|guess|suppose|believe) (that )?(you|we) (should|could|can|might|must)",
             "(i think )?(you|we) (had better|'d better|ought to)",
-            "(is it|would it be|will it be) (possible|ok|okay|fine|alright) (for you )?to",
+            "(is it|would it be|will it be) possible (for you )?to",
+            "would it be (ok|okay|fine|alright) for you to",
             f"(is it|would it be) (possible|ok|okay) if you {_COULD}",
-            f"it (would|'d) be (really |very |so )?(great|nice|good|lovely|kind|helpful) if you {_COULD}",
+            f"it (would|'d) be (really |very |so )?(great|nice|good|lovely|kind|helpful|wonderful) if you {_COULD}",
+            f"it (would|'d) (really )?(help|mean)( me| a lot)* if you {_COULD}",
             f"i (would|'d) (really )?(appreciate|like|love) it if you {_COULD}",
             "i (would|'d) be (really |very |so )?(grateful|happy|glad) if you (could|would)",
-            "(could|can|may|might) i (ask|get|trouble|bother) you to",
-            "do (me|us) (a|the) (big |little |small |quick )?(favor|favour)( and)?",
-            "be (a|an) (good )?(dear|darling|angel|sweetheart|sport|pal|star|robot) and",
-            "(would you |could you )?(please )?be (so |very )?(kind|good|nice) (enough )?(as )?(to|and)",
-            "(would you |could you )?(please )?(make|be) sure (to|and|that you|you)",
+            "(could|can|may|might) i (please )?(ask|get|trouble|bother) you to",
+            f"{_YOU}do (me|us) (a|the) (big |little |small |quick )?(favor|favour)( and)?",
+            f"{_YOU}be (a|an) (good )?(dear|darling|angel|sweetheart|sport|pal|star|robot) and",
+            f"{_YOU}be (so |very )?(kind|good|nice) (enough )?(as )?(to|and)",
+            f"{_YOU}be (willing|prepared|happy) to",
+            f"{_YOU}(make|be) sure (to|and|that you|you)",
             f"(please )?do {_NOT} forget to",
             "(are|would|will|might) you (be )?able to",
             "(is there )?any chance (that )?you (could|can)",
-            "go ahead and",
+            f"{_YOU}go ahead and",
+            "feel free to",
             "quick",
             "hurry( up)?( and)?",
             "help (me|us)( to)?",
@@ -58,6 +69,8 @@ _ANYWHERE = re.compile(
             f"if (you|that|it) (do|does|would) {_NOT} mind( that)?",
             "as (soon|quickly|fast) as (you (can|could)|possible)",
             "right now|right away|straight away|at once|immediately",
+            "(when|whenever|if) you (get|have|find|'ve got) (a |some |the )?(chance|moment|minute|second|sec|time)",
+            "if (it|that) (is|'s) (ok|okay|alright|fine|not too much (trouble|to ask))( with you)?",
         ]
     )
 )

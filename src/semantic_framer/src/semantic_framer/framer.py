@@ -15,6 +15,7 @@ from semantic_framer.dialogue import Choice, Context, Pending, is_no
 from semantic_framer.kind_replies import reply_to
 from semantic_framer.lexicon import Lexicon
 from semantic_framer.matching import Reading, rank
+from semantic_framer.mood_words import RENEWING
 from semantic_framer.plain_verbs import with_plain_verbs
 from semantic_framer.quotations import with_quotations
 from semantic_framer.readings import readings_of
@@ -160,6 +161,8 @@ def _read_sentence(
     for clause, kind in zip(spoken, kinds):
         # "I'm thirsty, bring me water": why somebody asks for something is no step.
         if not (kind.acts or kind.is_fact or kind.kind is UtteranceKind.PROHIBITION):
+            if not (kind.is_background and _is_set_off(sentence, clause, spoken)):
+                return _left_over(sentence, sorted(clause.positions)), context
             continue
         outcome = _read_one(sentence, clause, kind, lexicon, frames, policy)
         if isinstance(outcome, Refusal):
@@ -200,6 +203,18 @@ def _asks_for_nothing(
     if any(kind.acts or kind.is_fact or kind.kind is UtteranceKind.PROHIBITION for kind in kinds):
         return None
     return Refusal(*reply_to(kinds[0], sentence.tree.text.strip(" .!?")))
+
+
+def _is_set_off(sentence: Sentence, clause: Clause, clauses: Tuple[Clause, ...]) -> bool:
+    """Whether a clause stands before another one, or behind a mark or a conjunction: "the door we just left" tells
+    which door is meant.
+    """
+    if clause.verb < max(other.verb for other in clauses):
+        return True
+    first = min(clause.positions)
+    before = sentence.word(first - 1) if first > 1 else sentence.word(first)
+    joined = {word.deprel for word in (before, sentence.word(first))}
+    return bool(joined & {"punct", "cc", "mark"}) or sentence.word(first).form.lower() in RENEWING
 
 
 def prepared(

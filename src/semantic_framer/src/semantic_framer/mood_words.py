@@ -40,7 +40,7 @@ DO: FrozenSet[str] = frozenset(["do", "does", "did"])
 MODALS: FrozenSet[str] = frozenset("can could will would shall should may might must".split())
 QUESTION_WORDS: FrozenSet[str] = frozenset("who whom whose what which how why where when".split())
 #: They join a clause as well as they ask: "when I say so".
-SUBORDINATING: FrozenSet[str] = frozenset(["when", "where", "how", "what", "who", "which"])
+SUBORDINATING: FrozenSet[str] = frozenset(["when", "where"])
 #: Subordinators of clauses that say under which condition, when or why.
 SUBORDINATORS: FrozenSet[str] = frozenset(
     "if when while after before because since until till unless once whenever although though as".split()
@@ -51,9 +51,9 @@ NEGATING: FrozenSet[str] = frozenset("not never no neither nor".split())
 #: Adverbs that the formulas contain; all others change nothing of the mood.
 TELLING_ADVERBS: FrozenSet[str] = HABITUAL | NEGATING | QUESTION_WORDS | frozenset(["better", "about", "rather"])
 #: Verbs of wishes that a unit may carry out: "I want the mug".
-WISHING: FrozenSet[str] = frozenset(["want", "need", "like", "love", "prefer", "wish", "require"])
-#: They wish for something with "would" only: "I like the mug" tells what somebody is fond of.
-FOND: FrozenSet[str] = frozenset(["like", "love", "prefer"])
+WISHING: FrozenSet[str] = frozenset(["want", "need"])
+#: With these somebody gives an opinion: "I would say ...".
+SAYING: FrozenSet[str] = frozenset("say think guess suppose assume imagine believe mean know do".split())
 #: Words that stand for an opinion of what was said: "that's fine".
 EVALUATIONS: FrozenSet[str] = frozenset(
     "ok okay fine good great right correct wrong true false nice cool perfect enough bad better all funny awesome amazing".split()

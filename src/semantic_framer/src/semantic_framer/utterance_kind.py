@@ -45,12 +45,14 @@ class KindVerdict:
         reason: name of the rule that says so
         positions: the words that it goes by
         is_fact: whether it says how something is now, which a unit may be about: "the mug is on the table"
+        is_background: whether it has a subject and a verb of its own, and so may be said beside a command: "I'm thirsty"
     """
 
     kind: UtteranceKind
     reason: str
     positions: Tuple[int, ...] = ()
     is_fact: bool = False
+    is_background: bool = False
 
     @property
     def acts(self) -> bool:
@@ -85,7 +87,7 @@ _ACTING: Tuple[Tuple[str, UtteranceKind, Pattern[str]], ...] = (
     # "Let us turn left"
     _formula("adhortative", UtteranceKind.COMMAND, f"let us {_LEADING}BASE"),
     # "Could you turn left?"
-    _formula("modal_to_addressee", UtteranceKind.REQUEST, f"{_MODAL} (?:you )?{_LEADING}BASE"),
+    _formula("modal_to_addressee", UtteranceKind.REQUEST, f"{_MODAL} (?:you )?(?:NP )?{_LEADING}BASE"),
     # "Would you mind turning left?"
     _formula("minding", UtteranceKind.REQUEST, "(?:(?:would|do|will) )?(?:you )?mind GERUND"),
     # "Do you think you could turn left?"
@@ -128,9 +130,11 @@ _ACTING: Tuple[Tuple[str, UtteranceKind, Pattern[str]], ...] = (
 )
 #: What somebody says of himself that he will, wants or has to do.
 _INTENTION = re.compile(
-    f"{_I} .*\\b(?:will|shall|would|should|must|can|could|may|might|to|BASE|(?:go|feel|plan|want|like|love|hope)(?:-ing)?"
-    " [^ ]*GERUND)\\b.*|let .*"
+    f"{_I} .*\\b(?:will|shall|would|should|must|can|could|may|might|to|am go-ing|gonna)\\b.*BASE"
+    f"|{_I} .*\\b(?:like|love|plan|go|feel)(?:-ing)? (?:PREP )?GERUND"
 )
+#: A command right behind what cannot be followed by the base form of a verb: "I am tired *switch off the light*".
+_RUN_ON = re.compile("(?:i|we|you|he|she|it|they|NP) (?:am|is|are|was|were) (?:(?!you|to|not|that)[a-z-]+ )?BASE")
 _FACT = re.compile(
     "(?:NP|NP (?:PREP|of) NP|there|here|it|this|that|these|those|they|he|she)(?: NP)? "
     "(?:THIRD|BE|BASE|(?:is|are) (?:GERUND|PART))"
@@ -169,7 +173,7 @@ def kind_without_clause(tree: DependencyTree, hidden: AbstractSet[int]) -> KindV
     said = [word for word in tree.words if word.index not in hidden and word.upos != "PUNCT"]
     spoken = [word for word in said if not is_filler(word.form)]
     forms = [word.form.lower() for word in spoken]
-    if any(form in words.THANKS for form in forms[:2]):
+    if any(form in words.THANKS for form in forms[:3]):
         return KindVerdict(UtteranceKind.TALK, "thanks", _positions(spoken))
     if forms and all(form in words.CHATTER | words.GREETINGS for form in forms):
         is_greeting = any(form in words.GREETINGS for form in forms)
@@ -198,6 +202,7 @@ class _Front:
         for other in others & inside:
             inside -= {word.index for word in tree.subtree(other)}
         is_first = clause.verb == min(tops)
+        self._is_front = is_first
         first = 1 if is_first else min(inside | {clause.verb})
         self._before = [word for word in tree.words[first - 1 : clause.verb - 1] if word.index not in hidden]
         self._behind = [word for word in tree.words[clause.verb :] if word.index in inside and word.index not in hidden]
@@ -243,11 +248,16 @@ class _Front:
         else:
             following = said[start + 1][0] if start + 1 < len(said) else ""
             is_inverted = said[start][0] in _AUXILIARIES and following in words.SUBJECT_PRONOUNS | {"not"}
-            is_statement = has_noun and said[start][0] not in words.SUBJECT_PRONOUNS and not is_inverted
+            is_statement = has_noun and said[start][0] in _AUXILIARIES and not is_inverted
+            if said[start][0] in words.SUBORDINATING and following not in _AUXILIARIES | {"BE", "PAST"}:
+                # "Where the counter is" tells which place; "where is the counter" asks.
+                return KindVerdict(UtteranceKind.REPORT, "subordinate_clause")
             verdict = self._with_subject(said[start:], is_statement)
         if verdict.acts and verdict.kind is UtteranceKind.COMMAND and self._has_aside:
             verdict = replace(verdict, kind=UtteranceKind.REQUEST, reason="request_formula")
-        return verdict
+        has_subject = has_noun or any(text in words.SUBJECT_PRONOUNS for text, _ in said)
+        is_background = has_subject and verdict.kind in (UtteranceKind.REPORT, UtteranceKind.WISH, UtteranceKind.TALK)
+        return replace(verdict, is_background=is_background)
 
     def _with_subject(self, said: List[Tuple[str, int]], is_statement: bool) -> KindVerdict:
         positions = tuple(index for _, index in said)
@@ -276,8 +286,12 @@ class _Front:
             return KindVerdict(UtteranceKind.PROHIBITION, "negated_duty", positions)
         if self._form() == "BE":
             return self._state(subject, text, positions)
+        if subject in words.SPEAKERS and (self._verb.lemma.lower() in words.SAYING or self._verb.upos == "AUX"):
+            return KindVerdict(UtteranceKind.TALK, "opinion", positions)
         if subject in words.SPEAKERS and _INTENTION.fullmatch(text):
             return KindVerdict(UtteranceKind.WISH, "speaker_acts", positions)
+        if _RUN_ON.fullmatch(text):
+            return KindVerdict(UtteranceKind.COMMAND, "run_on", positions)
         if _FACT.fullmatch(text) and self._is_now(text):
             return KindVerdict(UtteranceKind.REPORT, "fact", positions, is_fact=True)
         reason = {"PAST": "past", "PART": "perfect", "GERUND": "progressive"}.get(self._form(), "statement")
@@ -296,8 +310,10 @@ class _Front:
         is_noun = predicate.upos in ("NOUN", "PROPN") and not any(child.deprel == "csubj" for child in children)
         is_person = subject in words.PERSONAL_PRONOUNS
         is_opinion = subject in words.OPINION_SUBJECTS and predicate.form.lower() in words.EVALUATIONS
-        if (is_person and not is_place) or is_opinion or (has_clause and not is_noun):
+        if (is_person and not is_place) or is_opinion:
             return KindVerdict(UtteranceKind.TALK, "state", positions)
+        if has_clause and not is_noun:
+            return KindVerdict(UtteranceKind.REPORT, "state", positions)
         is_event = set(text.split()) & (_AUXILIARIES | {"not", "been", "being"}) or self._is_participle(predicate)
         is_fact = not is_event and not any(child.form.lower() == "being" for child in children)
         return KindVerdict(UtteranceKind.REPORT, "fact" if is_fact else "statement", positions, is_fact=is_fact)
@@ -309,7 +325,8 @@ class _Front:
         form = self._form()
         subject = self._clause.subject
         is_negated = any(text == "not" for text, _ in said)
-        if form == "BE" and not has_noun and not any(text in ("here", "there") for text, _ in said):
+        is_place = any(text in ("here", "there") for text, _ in said)
+        if form == "BE" and not has_noun and not is_place and self._is_front:
             return KindVerdict(UtteranceKind.QUESTION, "inversion", positions)
         if is_negated and form in ("BASE", "GERUND"):
             return KindVerdict(UtteranceKind.PROHIBITION, "negated", positions)
@@ -378,6 +395,9 @@ class _Front:
         if lemma in words.WISHING and form == lemma:
             return "WISH"
         if form == lemma:
+            is_helped = any(child.deprel.startswith("aux") for child in self._tree.children(word.index))
+            if word.xpos == "VBN" and is_helped:
+                return "PART"
             return "PAST" if word.xpos == "VBD" and self._clause.subject else "BASE"
         by_tag = {"VBZ": "THIRD", "VBD": "PAST", "VBN": "PART", "VBG": "GERUND"}
         if word.xpos in by_tag:
@@ -413,7 +433,9 @@ def _formula_word(word: Word) -> str:
         return "is"
     if said == "'s" or word.xpos == "POS":
         return "" if word.upos == "PART" else "us"
-    if said in words.SUBJECT_PRONOUNS | words.QUESTION_WORDS | {"me", "us", "here", "better", "rather"}:
+    if said in words.QUESTION_WORDS | {"me", "us", "here", "better", "rather"}:
+        return said
+    if said in words.SUBJECT_PRONOUNS:
         return "NP" if word.deprel == "det" else said
     if said in _AUXILIARIES | {"be", "been", "being"} and (word.upos in ("AUX", "VERB") or word.xpos == "MD"):
         return said

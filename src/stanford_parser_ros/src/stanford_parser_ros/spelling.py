@@ -1,9 +1,11 @@
-"""Rewrites what a tokenizer trained on text does not split: "90°", "3ft", "-3"."""
+"""Rewrites what a tokenizer trained on text does not split: "90°", "3ft", "-3", "gonna"."""
 import re
 from dataclasses import dataclass
-from typing import List, Tuple
+from typing import Callable, List, Tuple, Union
 
-_RULES: Tuple[Tuple["re.Pattern[str]", str], ...] = (
+from stanford_parser_ros.contractions import CONTRACTION, written_out
+
+_RULES: Tuple[Tuple["re.Pattern[str]", Union[str, Callable[["re.Match[str]"], str]]], ...] = (
     # Marks of transcribers and of speech recognisers: "<pause>", "<no speech>".
     (re.compile(r"<[a-zA-Z _-]{1,30}>"), " "),
     (re.compile(r"[‘’ʼ`]"), "'"),
@@ -12,6 +14,7 @@ _RULES: Tuple[Tuple["re.Pattern[str]", str], ...] = (
     (re.compile(r"(?<=\d)\s*°"), " degrees"),
     (re.compile(r"(?<=\d)(?=(ft|cm|mm|km|dm|m|in|yd|s|min|h|deg|rad|feet|metres?|meters?|degrees?|seconds?)\b)"), " "),
     (re.compile(r"(?<!\S)-(?=\d)"), "minus "),
+    (CONTRACTION, written_out),
     (re.compile(r"\s+"), " "),
 )
 
@@ -40,8 +43,9 @@ def rewrite(said: str) -> Spelling:
         for match in pattern.finditer(text):
             pieces.append(text[position:match.start()])
             sources += origins[position:match.start()]
-            pieces.append(replacement)
-            sources += [origins[match.start()]] * len(replacement)
+            written = replacement if isinstance(replacement, str) else replacement(match)
+            pieces.append(written)
+            sources += [origins[match.start()]] * len(written)
             position = match.end()
         pieces.append(text[position:])
         sources += origins[position:]
