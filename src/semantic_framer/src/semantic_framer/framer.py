@@ -339,12 +339,12 @@ def _read_one(
         return Refusal("UNKNOWN_VERB", f'I do not know how to "{clause.lemma}".{hint}')
     readings = readings_of(sentence, clause, lexicon, frames)
     about = tuple(reading for reading in readings if _is_about_subject(reading, clause, frames))
-    if kind.is_fact:
+    if kind.is_fact and clause.lemma != "be":
         # Only a unit that is about its subject tells how something is: "The mug stands on the table."
         if not about:
             return Refusal(*reply_to(kind, _said(sentence, clause)))
         readings = about
-    elif clause.subject:
+    elif kind.acts and clause.subject:
         # Who is to do something is no thing that a unit is about: "could you stand next to the desk".
         readings = tuple(reading for reading in readings if reading not in about) or readings
     if not readings:

@@ -160,11 +160,10 @@ def kinds_of_clauses(
         if clause.verb in decided:  # a verb that is said once for two clauses
             continue
         front = _Front(tree, hidden, clause, tops, lexicon)
-        shared = front.shared_with()
-        verdict = decided.get(shared) if shared else None
-        if verdict is None or front.is_renewed(verdict):
-            verdict = front.verdict()
-        decided[clause.verb] = verdict
+        same, joined = decided.get(front.same_clause()), decided.get(front.joined_to())
+        if same is None and joined is not None and front.is_renewed(joined):
+            joined = None
+        decided[clause.verb] = same or joined or front.verdict()
     return tuple(decided[clause.verb] for clause in clauses)
 
 
@@ -211,17 +210,17 @@ class _Front:
         )
         self._said = self._formula_words()
 
-    def shared_with(self) -> int:
-        """Return the verb of the clause before whose subject and auxiliaries belong to this one as well, 0 for none."""
-        earlier = [verb for verb in sorted(self._tops) if verb < self._clause.verb]
-        same = [verb for verb in earlier if self._tops[verb] == self._top]
-        if same:
-            return same[0]
+    def same_clause(self) -> int:
+        """Return the verb that this one is below, 0 for none: "go" of "go to the kitchen to get the mug"."""
+        return min((verb for verb, top in self._tops.items() if top == self._top and verb < self._clause.verb), default=0)
+
+    def joined_to(self) -> int:
+        """Return the verb before whose subject and auxiliaries may belong to this one as well, 0 for none."""
         top = self._tree.word(self._top)
         if top.deprel != "conj" or not top.head:
             return 0
         owner = _top(self._tree, top.head)
-        return next((verb for verb in reversed(earlier) if self._tops[verb] == owner), 0)
+        return max((verb for verb, top in self._tops.items() if top == owner and verb < self._clause.verb), default=0)
 
     def is_renewed(self, before: KindVerdict) -> bool:
         """Whether a joined clause begins anew: by a subject, an auxiliary, "so" or "but", or as a command behind a
@@ -391,7 +390,7 @@ class _Front:
     def _verb_form(self) -> str:
         word, form, lemma = self._verb, self._verb.form.lower(), self._verb.lemma.lower()
         if lemma == "be":
-            return "BASE" if form == "be" else "BE"
+            return "BASE" if form == "be" and not any(word.upos == "AUX" for word in self._before) else "BE"
         if lemma in words.WISHING and form == lemma:
             return "WISH"
         if form == lemma:
