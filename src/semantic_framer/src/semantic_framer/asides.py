@@ -9,6 +9,7 @@ from dataclasses import replace
 from typing import AbstractSet, FrozenSet, List
 
 from stanford_parser_ros.imperative import LEAD_IN
+from stanford_parser_ros.surroundings import is_opening
 from stanford_parser_ros.tree import DependencyTree, Word
 
 from semantic_framer.clauses import NEGATIONS
@@ -16,52 +17,6 @@ from semantic_framer.lexicon import Lexicon
 from semantic_framer.sentence import ASIDE, HEDGES, QUOTED
 
 _NOT = "(n't|not|nt)"
-_COULD = "(could|can|would|will|might)"
-_YOU = f"({_COULD} you )?(please )?(just )?"
-#: What may lead to a command; a verb of the lexicon must follow.
-_OPENINGS = re.compile(
-    "|".join(
-        [
-            f"why do {_NOT} (you|we)",
-            "(how|what) about (if )?(you|we)",
-            f"i (was|am|'m) (just )?(wondering|hoping) (if |whether |that )?you {_COULD}",
-            f"i wonder (if|whether) you {_COULD}",
-            f"i (was|am|'m) going to ask (if|whether) you {_COULD}",
-            "i (was|am|'m) going to (ask|need|want) you to",
-            "i (am|'m) (asking|begging|telling|ordering|instructing) you to",
-            "i (would |'d )?(really )?(love|like|prefer) for you to",
-            "what i (need|want|would like|'d like) (you to do is|is for you)( to)?",
-            "(your|the) (next |first )?(task|job|mission|order) is( for you)? to",
-            f"do you think (that )?you {_COULD}",
-            "i (think|guess|suppose|believe) (that )?(you|we) (should|could|can|might|must)",
-            "(i think )?(you|we) (had better|'d better|ought to)",
-            "(is it|would it be|will it be) possible (for you )?to",
-            "would it be (ok|okay|fine|alright) for you to",
-            f"(is it|would it be) (possible|ok|okay) if you {_COULD}",
-            f"it (would|'d) be (really |very |so )?(great|nice|good|lovely|kind|helpful|wonderful) if you {_COULD}",
-            f"it (would|'d) (really )?(help|mean)( me| a lot)* if you {_COULD}",
-            f"i (would|'d) (really )?(appreciate|like|love) it if you {_COULD}",
-            "i (would|'d) be (really |very |so )?(grateful|happy|glad) if you (could|would)",
-            "(could|can|may|might) i (please )?(ask|get|trouble|bother) you to",
-            f"{_YOU}do (me|us) (a|the) (big |little |small |quick )?(favor|favour)( and)?",
-            f"{_YOU}be (a|an) (good )?(dear|darling|angel|sweetheart|sport|pal|star|robot) and",
-            f"{_YOU}be (so |very )?(kind|good|nice) (enough )?(as )?(to|and)",
-            f"{_YOU}be (willing|prepared|happy) to",
-            f"{_YOU}(make|be) sure (to|and|that you|you)",
-            f"(please )?do {_NOT} forget to",
-            "(are|would|will|might) you (be )?able to",
-            "(is there )?any chance (that )?you (could|can)",
-            f"{_YOU}go ahead and",
-            "feel free to",
-            "quick",
-            "hurry( up)?( and)?",
-            "help (me|us)( to)?",
-            "let 's",
-            "you know what",
-            "excuse me( but)?",
-        ]
-    )
-)
 #: What may stand in front of a command, behind it, or between commas.
 _ANYWHERE = re.compile(
     "|".join(
@@ -127,7 +82,7 @@ def _opening(tree: DependencyTree, lexicon: Lexicon) -> FrozenSet[int]:
     first = _behind_lead_in(words, 0)
     for behind in range(min(len(words) - 1, first + _LONGEST), first, -1):
         said = words[first:behind]
-        if said[-1].upos == "PUNCT" or not _OPENINGS.fullmatch(_text(said)):
+        if said[-1].upos == "PUNCT" or not is_opening([word.form for word in said]):
             continue
         following = _behind_lead_in(words, behind)
         # "... if you could not turn left" negates as ever.

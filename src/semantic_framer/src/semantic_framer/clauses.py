@@ -20,6 +20,8 @@ _REPORTING_AUXILIARIES = frozenset("did was were is are 's 're am has have had b
 _ASKING = frozenset("where what who whose which how why when".split())
 #: Subordinators that make an action depend on something, or put it off.
 CONDITIONS = frozenset("if when until till unless once after before while whenever as".split())
+#: Joined by one of these a clause is a new one: "I want to go home, *so* open the door".
+RENEWING = frozenset(["so", "but"])
 #: "Follow me no more."
 _NO_MORE = (("no", "more"), ("no", "longer"))
 #: What an action is said to be done with, or to, when it is not to be done: "take no box", "take none of the boxes".
@@ -174,7 +176,11 @@ def _collect(sentence: Sentence, lexicon: Lexicon, word: Word, is_negated: bool,
             child.upos in ("VERB", "AUX") or any(inner.deprel == "cop" for inner in sentence.children(child.index))
         ):
             # "don't move or speak" negates both; "don't move, just speak" is rare, and not acting is the safe reading.
-            _collect(sentence, lexicon, child, is_negated and child.deprel == "conj", found)
+            # "I can't reach it, so open it" does not.
+            is_shared = child.deprel == "conj" and all(
+                other.form.lower() not in RENEWING for other in sentence.children(child.index)
+            )
+            _collect(sentence, lexicon, child, is_negated and is_shared, found)
 
 
 def _is_purpose(sentence: Sentence, lexicon: Lexicon, verb: Word, child: Word) -> bool:

@@ -10,12 +10,11 @@ from stanford_parser_ros.tree import DependencyTree
 from semantic_framer.answers import answer, question_of
 from semantic_framer.asides import with_asides, with_opening_aside
 from semantic_framer.choices import choices_of_clauses, chosen, question_of_choices
-from semantic_framer.clauses import CONDITIONS, WRAPPERS, Clause, find_clauses, whole_sentence
+from semantic_framer.clauses import CONDITIONS, RENEWING, WRAPPERS, Clause, find_clauses, shared_subject, whole_sentence
 from semantic_framer.dialogue import Choice, Context, Pending, is_no
 from semantic_framer.kind_replies import reply_to
 from semantic_framer.lexicon import Lexicon
 from semantic_framer.matching import Reading, rank
-from semantic_framer.mood_words import RENEWING
 from semantic_framer.plain_verbs import with_plain_verbs
 from semantic_framer.quotations import with_quotations
 from semantic_framer.readings import readings_of
@@ -160,13 +159,14 @@ def _read_sentence(
     understood: List[Tuple[Reading, ...]] = []
     for clause, kind in zip(spoken, kinds):
         # "I'm thirsty, bring me water": why somebody asks for something is no step.
+        is_beside = kind.is_background and _is_set_off(sentence, clause, spoken)
         if not (kind.acts or kind.is_fact or kind.kind is UtteranceKind.PROHIBITION):
-            if not (kind.is_background and _is_set_off(sentence, clause, spoken)):
+            if not is_beside:
                 return _left_over(sentence, sorted(clause.positions)), context
             continue
         outcome = _read_one(sentence, clause, kind, lexicon, frames, policy)
         if isinstance(outcome, Refusal):
-            if outcome.code == "REPORT" and any(other.acts for other in kinds):
+            if outcome.code == "REPORT" and any(other.acts for other in kinds) and is_beside:
                 continue
             return outcome, context
         clauses += (clause,)
@@ -338,13 +338,14 @@ def _read_one(
         hint = f' Do you mean {" or ".join(near)}?' if near else ""
         return Refusal("UNKNOWN_VERB", f'I do not know how to "{clause.lemma}".{hint}')
     readings = readings_of(sentence, clause, lexicon, frames)
-    about = tuple(reading for reading in readings if _is_about_subject(reading, clause, frames))
+    subject = clause.subject or shared_subject(sentence, clause.verb)
+    about = tuple(reading for reading in readings if _is_about(reading, subject, frames))
     if kind.is_fact and clause.lemma != "be":
         # Only a unit that is about its subject tells how something is: "The mug stands on the table."
         if not about:
             return Refusal(*reply_to(kind, _said(sentence, clause)))
         readings = about
-    elif kind.acts and clause.subject:
+    elif kind.acts and subject:
         # Who is to do something is no thing that a unit is about: "could you stand next to the desk".
         readings = tuple(reading for reading in readings if reading not in about) or readings
     if not readings:
@@ -382,13 +383,13 @@ def _read_one(
     )
 
 
-def _is_about_subject(reading: Reading, clause: Clause, frames: Mapping[str, SemanticFrame]) -> bool:
-    """Whether the subject is what a frame is about, and not only who does it."""
+def _is_about(reading: Reading, subject: int, frames: Mapping[str, SemanticFrame]) -> bool:
+    """Whether a subject is what a frame is about, and not only who does it."""
     frame = frames[reading.unit.frame_name]
     relations = {relation.name: relation for relation in reading.unit.relations}
     for value in reading.values:
         element = frame.element(value.name)
-        if clause.subject in value.positions and element is not None:
+        if subject in value.positions and element is not None:
             is_required = value.name in relations and relations[value.name].is_required
             return element.is_core or is_required
     return False

@@ -54,15 +54,19 @@ TELLING_ADVERBS: FrozenSet[str] = HABITUAL | NEGATING | QUESTION_WORDS | frozens
 WISHING: FrozenSet[str] = frozenset(["want", "need"])
 #: With these somebody gives an opinion: "I would say ...".
 SAYING: FrozenSet[str] = frozenset("say think guess suppose assume imagine believe mean know do".split())
+#: Behind one of these and a person stands what the person does: "watch me turn left".
+WATCHING: FrozenSet[str] = frozenset("watch see hear observe notice feel make have".split())
 #: Words that stand for an opinion of what was said: "that's fine".
 EVALUATIONS: FrozenSet[str] = frozenset(
     "ok okay fine good great right correct wrong true false nice cool perfect enough bad better all funny awesome amazing".split()
 )
 OPINION_SUBJECTS: FrozenSet[str] = frozenset(["that", "this", "it"])
+#: One is in them, and in no place.
+MOODS: FrozenSet[str] = frozenset("hurry rush mood trouble pain love danger need charge luck panic".split())
 #: Adverbs that are places.
 PLACE_ADVERBS: FrozenSet[str] = frozenset("here there home upstairs downstairs outside inside".split())
-#: Joined by one of these a clause is a new one: "I want to go home, *so* open the door".
-RENEWING: FrozenSet[str] = frozenset(["so", "but"])
+#: Said around a command without making a request of it.
+PADDING: FrozenSet[str] = frozenset("please just really kindly maybe perhaps possibly actually also".split())
 #: An utterance of nothing but these is talk; with what is answered.
 GREETINGS: FrozenSet[str] = frozenset("hello hi hey bye goodbye morning evening night afternoon welcome".split())
 THANKS: FrozenSet[str] = frozenset("thanks thank thankyou cheers".split())

@@ -16,7 +16,7 @@ from stanford_parser_ros.imperative import LEAD_IN
 from stanford_parser_ros.tree import DependencyTree, Word
 
 from semantic_framer import mood_words as words
-from semantic_framer.clauses import Clause
+from semantic_framer.clauses import RENEWING, Clause
 from semantic_framer.lexicon import Lexicon
 from semantic_framer.sentence import ASIDE, HEDGES, is_filler
 
@@ -68,7 +68,7 @@ _LEADING = (
 _MODAL = "(?:can|could|will|would|may|might)"
 #: What somebody is to do, or may do: "you should ...".
 _TO_DO = (
-    "(?:should|must|can|may|could|have to|need to|need|ought to|better|had better|would better|have get-ed to|get-ed to"
+    "(?:should|must|can|may|could|have to|need to|need|ought to|better|had better|would better|(?:have )?get(?:-ed)? to"
     "|are to|might want to)"
 )
 _I = "(?:i|we)"
@@ -154,16 +154,22 @@ def kinds_of_clauses(
     Returns:
         a verdict for each clause
     """
-    tops = {clause.verb: _top(tree, clause.verb) for clause in clauses}
+    tops = _tops(tree, clauses)
     decided: Dict[int, KindVerdict] = {}
     for clause in sorted(clauses, key=lambda clause: clause.verb):
         if clause.verb in decided:  # a verb that is said once for two clauses
             continue
         front = _Front(tree, hidden, clause, tops, lexicon)
         same, joined = decided.get(front.same_clause()), decided.get(front.joined_to())
-        if same is None and joined is not None and front.is_renewed(joined):
+        if same is None and joined is not None and (front.is_watched() or front.is_renewed(joined)):
             joined = None
         decided[clause.verb] = same or joined or front.verdict()
+    if any(verdict.acts for verdict in decided.values()):
+        # "It's late, please open the door": "it" is nothing that was spoken of.
+        for verb, verdict in decided.items():
+            subjects = {child.form.lower() for child in tree.children(tops[verb]) if child.deprel.startswith("nsubj")}
+            if verdict.is_fact and "it" in subjects:
+                decided[verb] = replace(verdict, is_fact=False)
     return tuple(decided[clause.verb] for clause in clauses)
 
 
@@ -206,7 +212,7 @@ class _Front:
         self._before = [word for word in tree.words[first - 1 : clause.verb - 1] if word.index not in hidden]
         self._behind = [word for word in tree.words[clause.verb :] if word.index in inside and word.index not in hidden]
         self._has_aside = any(
-            word.deprel == ASIDE and word.upos != "PUNCT" for word in tree.words[first - 1 : clause.verb - 1]
+            word.deprel == ASIDE and word.form.lower() not in words.PADDING for word in tree.words[first - 1 : clause.verb - 1]
         )
         self._said = self._formula_words()
 
@@ -230,9 +236,9 @@ class _Front:
         if any(word.deprel.startswith("nsubj") or word.deprel.startswith("aux") for word in children):
             return True
         first = self._before[0].form.lower() if self._before else ""
-        if any(child.form.lower() in words.RENEWING for child in children if child.index < self._clause.verb):
+        if any(child.form.lower() in RENEWING for child in children if child.index < self._clause.verb):
             return True
-        if first in words.RENEWING:
+        if first in RENEWING:
             return True
         is_imperative = self._form() == "BASE"
         return is_imperative and before.reason in ("past", "perfect", "state", "fact", "progressive")
@@ -240,6 +246,8 @@ class _Front:
     def verdict(self) -> KindVerdict:
         """Decide by the words in front of the verb."""
         said = self._said
+        if self.is_watched():
+            return KindVerdict(UtteranceKind.REPORT, "complement", (self._clause.verb,))
         start = next((n for n, (text, _) in enumerate(said) if _is_decisive(text)), None)
         has_noun = any(text == "NP" for text, _ in said[: len(said) - 1 if start is None else start])
         if start is None:
@@ -305,13 +313,15 @@ class _Front:
         predicate = self._tree.word(self._top) if self._verb.deprel == "cop" else self._verb
         children = [child for child in self._tree.children(predicate.index)]
         is_place = predicate.form.lower() in words.PLACE_ADVERBS or any(child.deprel == "case" for child in children)
+        is_place &= predicate.lemma.lower() not in words.MOODS
         has_clause = any(child.deprel.split(":")[0] in ("xcomp", "ccomp", "csubj", "advcl") for child in children)
         is_noun = predicate.upos in ("NOUN", "PROPN") and not any(child.deprel == "csubj" for child in children)
         is_person = subject in words.PERSONAL_PRONOUNS
         is_opinion = subject in words.OPINION_SUBJECTS and predicate.form.lower() in words.EVALUATIONS
         if (is_person and not is_place) or is_opinion:
             return KindVerdict(UtteranceKind.TALK, "state", positions)
-        if has_clause and not is_noun:
+        is_for_something = is_place and any(child.deprel == "acl" for child in children)
+        if is_for_something or (has_clause and not is_noun) or (predicate.upos == "VERB" and self._verb.deprel == "cop"):
             return KindVerdict(UtteranceKind.REPORT, "state", positions)
         is_event = set(text.split()) & (_AUXILIARIES | {"not", "been", "being"}) or self._is_participle(predicate)
         is_fact = not is_event and not any(child.form.lower() == "being" for child in children)
@@ -351,7 +361,15 @@ class _Front:
             return KindVerdict(UtteranceKind.REQUEST, "minding", positions)
         if others:
             return KindVerdict(UtteranceKind.TALK, "gerund", positions)
-        return KindVerdict(UtteranceKind.COMMAND, "bare_gerund", positions)
+        return KindVerdict(UtteranceKind.REPORT, "bare_gerund", positions)
+
+    def is_watched(self) -> bool:
+        """Whether a verb says what somebody else does: "watch me *turn left*"."""
+        top = self._tree.word(self._top)
+        head = self._tree.word(top.head) if top.head else top
+        before = self._tree.word(self._verb.index - 1) if self._verb.index > 1 else self._verb
+        is_object = before.head == head.index and before.deprel in ("obj", "iobj") and before.upos in ("PRON", "PROPN")
+        return head.lemma.lower() in words.WATCHING and is_object and self._verb_form() == "BASE"
 
     def _form(self) -> str:
         return self._said[-1][0]
@@ -457,6 +475,19 @@ def _top(tree: DependencyTree, index: int) -> int:
     while word.head and word.deprel.split(":")[0] not in ("conj", "parataxis", "list"):
         word = tree.word(word.head)
     return word.index
+
+
+def _tops(tree: DependencyTree, clauses: Sequence[Clause]) -> Dict[int, int]:
+    """Return the top of each clause by its verb; a verb that is joined to one of no clause belongs to the part of that:
+    "we are going to go ahead and look".
+    """
+    tops = {clause.verb: _top(tree, clause.verb) for clause in clauses}
+    for verb, top in tops.items():
+        word = tree.word(top)
+        while word.deprel == "conj" and _top(tree, word.head) not in tops.values():
+            word = tree.word(_top(tree, word.head))
+        tops[verb] = word.index
+    return tops
 
 
 def _positions(spoken: Sequence[Word]) -> Tuple[int, ...]:

@@ -36,7 +36,7 @@ _SAID_AS_ONE: Dict[str, str] = {
     "whaddya": "what do you",
     "wanna": "want to",
     "gonna": "going to",
-    "gotta": "got to",
+    "gotta": "have to",
     "hafta": "have to",
     "oughta": "ought to",
     "tryna": "trying to",

@@ -9,6 +9,7 @@ from typing import Any, FrozenSet, List, Optional, Tuple
 
 from stanford_parser_ros.imperative import command_verb_position, numbered_noun_position, rerooted
 from stanford_parser_ros.impossible_relations import mended
+from stanford_parser_ros.surroundings import surrounded, surroundings
 from stanford_parser_ros.spelling import Spelling, rewrite
 from stanford_parser_ros.tree import DependencyTree, Word
 
@@ -149,8 +150,11 @@ class Parser:
         spelling = rewrite(text)
         if not any(character.isalnum() for character in spelling.text):
             raise UnparsableText("there are no words in it")
+        around = surroundings(spelling, verbs)
         with self._inference_mode():
-            return self._parse_spelling(text, spelling, verbs)
+            if around is None:
+                return self._parse_spelling(text, spelling, verbs)
+            return surrounded(self._parse_spelling(text, around.command, verbs), around, text)
 
     def _parse_spelling(self, text: str, spelling: Spelling, verbs: FrozenSet[str]) -> DependencyTree:
         document = self._pipeline(spelling.text)
