@@ -45,8 +45,8 @@ SUBORDINATING: FrozenSet[str] = frozenset(["when", "where"])
 SUBORDINATORS: FrozenSet[str] = frozenset(
     "if when while after before because since until till unless once whenever although though as".split()
 )
-#: How often something happens: who says so tells or asks a habit.
-HABITUAL: FrozenSet[str] = frozenset("ever often always usually sometimes already normally rarely seldom generally".split())
+#: How often or whether something happens: who says so tells or asks a habit, or doubts it.
+HABITUAL: FrozenSet[str] = frozenset("ever often always usually sometimes already still even really normally rarely seldom generally".split())
 NEGATING: FrozenSet[str] = frozenset("not never no neither nor".split())
 #: Adverbs that the formulas contain; all others change nothing of the mood.
 TELLING_ADVERBS: FrozenSet[str] = HABITUAL | NEGATING | QUESTION_WORDS | frozenset(["better", "about", "rather"])

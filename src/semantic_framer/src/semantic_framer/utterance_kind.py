@@ -62,7 +62,7 @@ class KindVerdict:
 
 #: What may stand between a formula and the verb: "could you *try to* ...".
 _LEADING = (
-    r"(?:(?:try|remember|manage|go|come|make sure|help (?:me|us)"
+    r"(?:(?:try|remember|go|come|make sure|help (?:me|us)"
     r"|be(?: (?:able|sure|kind|good|nice|willing|ready|careful)(?: enough)?)?)(?: (?:to|PREP))? )*"
 )
 _MODAL = "(?:can|could|will|would|may|might)"
@@ -87,14 +87,14 @@ _ACTING: Tuple[Tuple[str, UtteranceKind, Pattern[str]], ...] = (
     # "Let us turn left"
     _formula("adhortative", UtteranceKind.COMMAND, f"let us {_LEADING}BASE"),
     # "Could you turn left?"
-    _formula("modal_to_addressee", UtteranceKind.REQUEST, f"{_MODAL} (?:you )?(?:NP )?{_LEADING}BASE"),
+    _formula("modal_to_addressee", UtteranceKind.REQUEST, f"(?:can|could|will|would|may) (?:you )?(?:NP )?{_LEADING}BASE"),
     # "Would you mind turning left?"
     _formula("minding", UtteranceKind.REQUEST, "(?:(?:would|do|will) )?(?:you )?mind GERUND"),
     # "Do you think you could turn left?"
     _formula(
         "thought_possible",
         UtteranceKind.REQUEST,
-        f"(?:do )?(?:you )?(?:think|suppose|believe) (?:that )?you {_MODAL} {_LEADING}BASE",
+        f"(?:do )?(?:you )?(?:think|suppose) (?:that )?you {_MODAL} {_LEADING}BASE",
     ),
     # "May I ask you to turn left?"
     _formula(
@@ -345,8 +345,11 @@ class _Front:
             return self._gerund(positions)
         is_spoken_to = not subject or self._tree.word(subject).form.lower() in words.ADDRESSEES | {"robot"}
         if form == "BASE" and (is_spoken_to or subject > self._clause.verb):
+            text = " ".join(word for word, _ in said)
             if said[0][0] == "to" and self._verb.head > self._verb.index:
                 return KindVerdict(UtteranceKind.TALK, "infinitive_subject", positions)
+            if text.endswith(" to BASE") and not _acting(text):
+                return KindVerdict(UtteranceKind.TALK, "infinitive", positions)
             return KindVerdict(UtteranceKind.COMMAND, "imperative", positions)
         if form == "WISH":
             return KindVerdict(UtteranceKind.REQUEST, "wish_for_thing", positions)

@@ -34,7 +34,7 @@ _OPENINGS = re.compile(
             f"{_AM} going to ask (if|whether) you {_COULD}",
             f"{_AM} going to (ask|need|want) you to",
             f"{_I} (am|'m|are|'re) (asking|begging|telling|ordering|instructing|commanding) you to",
-            f"{_I} ({_WOULD} |do |must |have to )?"
+            f"({_I} )?({_WOULD} |do |must |have to )?"
             "(want|need|like|love|prefer|expect|ask|beg|order|command|request|require|urge|instruct|advise|invite) "
             "(for )?you to",
             f"{_I} ({_WOULD} )?(prefer|ask|request|suggest|propose|recommend|insist|demand) (that |it if |if )?"
@@ -63,7 +63,7 @@ _OPENINGS = re.compile(
             f"{_YOU}see to it that you",
             f"{_YOU}go (ahead|on) and",
             f"do {_NOT} forget to",
-            "(are|would|will|might) you (be )?able to",
+            "(are|would|might) you (be )?able to",
             f"(is there )?(any|a) (chance|way|possibility) (that )?you {_COULD}",
             "feel free to",
             "quick",
@@ -76,8 +76,10 @@ _OPENINGS = re.compile(
         ]
     )
 )
+#: In front of a verb they doubt it: "can you really turn".
+_DOUBTING = frozenset(["really", "quite"])
 #: The auxiliary and the subject of the command itself.
-_MODAL = re.compile("(can|could|will|would|may|might) you")
+_MODAL = re.compile("(can|could|will|would|may) you")
 #: In front of a gerund: "would you mind turning left".
 _MINDING = re.compile("(would|do|will) you mind|you (would|do) not mind")
 #: No formula has more words.
@@ -190,6 +192,9 @@ def _front(tokens: Sequence[_Token], start: int, verbs: FrozenSet[str], *, is_mi
             continue
         text = _formula(forms)
         is_modal, minds = _MODAL.fullmatch(text) is not None, _MINDING.fullmatch(text) is not None
+        following = tokens[behind].said if behind < len(tokens) else ""
+        if is_modal and following in _DOUBTING:
+            return None
         found = (
             _front(tokens, behind, verbs, is_minding=minds)
             if is_modal or minds or is_opening(forms) or _POLITE.fullmatch(text)
