@@ -22,8 +22,8 @@ from semantic_framer.verb_matching import match_verbs
 from stanford_parser_ros.model import Parser, UnparsableText, shipped_model_dir
 from stanford_parser_ros.tree import DependencyTree
 
-#: Refusals after which no frame is reported: the person said not to do it, or not at once.
-_NOTHING_MEANT = frozenset(["NEGATED", "CONDITION"])
+#: Refusals after which no frame is reported: the person said not to do it, or not at once, or asked for nothing.
+_NOTHING_MEANT = frozenset(["NEGATED", "CONDITION", "QUESTION", "REPORT", "WISH", "TALK"])
 
 
 @dataclass(frozen=True)
@@ -229,7 +229,7 @@ class Pipeline:
         found = [
             readings_of(sentence, clause, self.knowledge.lexicon, self.knowledge.frames)
             for clause in find_clauses(sentence, self.knowledge.lexicon)
-            if not clause.is_negated and not clause.is_question
+            if not clause.is_negated
         ]
         return tuple(readings[0] for readings in found if readings)
 

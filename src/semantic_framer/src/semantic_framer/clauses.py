@@ -3,7 +3,6 @@
 from dataclasses import dataclass, replace
 from typing import FrozenSet, List, Optional, Set, Tuple
 
-from stanford_parser_ros.imperative import LEAD_IN
 from stanford_parser_ros.tree import Word
 
 from semantic_framer.lexicon import Lexicon
@@ -14,10 +13,6 @@ WRAPPERS = frozenset("want need like mind wish try remember ask love prefer let 
 #: Verbs that only lead to the next one: "go get the mug", "come and help".
 _MOTION = frozenset(["go", "come", "try"])
 NEGATIONS = frozenset("not never n't no dont don't neither nor nobody noone none nothing".split())
-#: Who may be told to act, or may ask for something: any other subject makes a statement ("Bob turned left").
-_ADDRESSEES = frozenset(["you", "robot", "u", "we"])
-_REPORTING_AUXILIARIES = frozenset("did was were is are 's 're am has have had been".split())
-_ASKING = frozenset("where what who whose which how why when".split())
 #: Subordinators that make an action depend on something, or put it off.
 CONDITIONS = frozenset("if when until till unless once after before while whenever as".split())
 #: Joined by one of these a clause is a new one: "I want to go home, *so* open the door".
@@ -40,8 +35,6 @@ class Clause:
         condition: words of a condition ("when I say so"), empty for none
         condition_positions: of those words
         subject: index of the subject, 0 for none
-        is_report: whether it tells or asks what happens ("I turned left", "did you turn left?"), asking for nothing
-        is_question: whether it asks how something is ("where are my keys?", "is the door open?")
         sentence: its relations where they are not those of the parse: the verb is said once for two clauses
     """
 
@@ -52,8 +45,6 @@ class Clause:
     condition: str
     condition_positions: FrozenSet[int]
     subject: int = 0
-    is_report: bool = False
-    is_question: bool = False
     sentence: Optional[Sentence] = None
 
 
@@ -234,7 +225,7 @@ def whole_sentence(sentence: Sentence, verb: int) -> Clause:
     positions = frozenset(word.index for word in sentence.tree.words) - sentence.abandoned
     is_negated = any(_has_negation(sentence, sentence.word(index)) for index in positions)
     clause = clause_of(sentence, verb, positions, is_negated or _is_of_nothing(sentence, positions))
-    return replace(clause, lemma=sentence.word(verb).form.lower(), subject=0, is_report=False)
+    return replace(clause, lemma=sentence.word(verb).form.lower(), subject=0)
 
 
 def clause_of(sentence: Sentence, verb: int, positions: FrozenSet[int], is_negated: bool) -> Clause:
@@ -251,8 +242,6 @@ def clause_of(sentence: Sentence, verb: int, positions: FrozenSet[int], is_negat
         condition=sentence.text(sorted(condition)) if condition else "",
         condition_positions=condition,
         subject=subject,
-        is_report=_is_report(sentence, verb, subject),
-        is_question=_is_question(sentence, verb, positions),
     )
 
 
@@ -267,41 +256,6 @@ def shared_subject(sentence: Sentence, verb: int) -> int:
             if child.deprel.startswith("nsubj"):
                 return child.index
     return 0
-
-
-def _is_report(sentence: Sentence, verb: int, subject: int) -> bool:
-    """Whether a verb tells or asks what happens; "I need ..." and other wishes ask for something.
-
-    Statements with "be" are what units for them are about ("There are two chairs in the kitchen.").
-    """
-    word = sentence.word(verb)
-    if word.deprel == "cop" or word.lemma.lower() == "be":
-        return False
-    if not subject:
-        # "Bob turned left" where the parser takes Bob for the one who is spoken to; "put" and "set" may be commands.
-        return word.xpos in ("VBD", "VBZ") and word.form.lower() != word.lemma.lower()
-    if any(
-        child.deprel in ("aux", "aux:pass") and child.form.lower() in _REPORTING_AUXILIARIES
-        for child in sentence.children(verb)
-    ):
-        return True
-    said = sentence.word(subject).form.lower()
-    if said == "i" and word.lemma.lower() in WRAPPERS:
-        return False
-    return word.xpos == "VBD" or said not in _ADDRESSEES
-
-
-def _is_question(sentence: Sentence, verb: int, positions: FrozenSet[int]) -> bool:
-    """Whether a clause with "be" begins with a form of it, a modal, or a word that asks; "be careful" and "here is the
-    kitchen" ask nothing.
-    """
-    word = sentence.word(verb)
-    said = (sentence.word(index) for index in sorted(positions))
-    spoken = (other for other in said if other.upos not in ("PUNCT", "INTJ", "CCONJ"))
-    first = next((other for other in spoken if other.form.lower() not in LEAD_IN), word)
-    is_first = first.index == verb and word.form.lower() != "be"
-    is_inverted = is_first or (first.deprel == "aux" and first.head in (verb, word.head))
-    return word.lemma.lower() == "be" and (is_inverted or first.form.lower() in _ASKING)
 
 
 def _condition(sentence: Sentence, top: int, positions: FrozenSet[int]) -> FrozenSet[int]:
