@@ -9,6 +9,7 @@ from typing import Any, FrozenSet, List, Optional, Tuple
 
 from stanford_parser_ros.imperative import command_verb_position, numbered_noun_position, rerooted
 from stanford_parser_ros.impossible_relations import mended
+from stanford_parser_ros.run_ons import TaggedWord, cuts, joined, parts
 from stanford_parser_ros.surroundings import surrounded, surroundings
 from stanford_parser_ros.spelling import Spelling, rewrite
 from stanford_parser_ros.tree import DependencyTree, Word
@@ -150,15 +151,22 @@ class Parser:
         spelling = rewrite(text)
         if not any(character.isalnum() for character in spelling.text):
             raise UnparsableText("there are no words in it")
-        around = surroundings(spelling, verbs)
         with self._inference_mode():
-            if around is None:
-                return self._parse_spelling(text, spelling, verbs)
-            return surrounded(self._parse_spelling(text, around.command, verbs), around, text)
+            return self._parse_with_surroundings(text, spelling, verbs)
+
+    def _parse_with_surroundings(self, text: str, spelling: Spelling, verbs: FrozenSet[str]) -> DependencyTree:
+        around = surroundings(spelling, verbs)
+        if around is None:
+            return self._parse_spelling(text, spelling, verbs)
+        return surrounded(self._parse_spelling(text, around.command, verbs), around, text)
 
     def _parse_spelling(self, text: str, spelling: Spelling, verbs: FrozenSet[str]) -> DependencyTree:
         document = self._pipeline(spelling.text)
         sentence = document.sentences[0]
+        found = cuts([TaggedWord(word.text, word.upos, _start(word)) for word in sentence.words], verbs)
+        if found:
+            pieces = [spelling.part(*bounds) for bounds in parts(spelling.text, found)]
+            return joined(text, [self._parse_with_surroundings(text, piece, verbs) for piece in pieces])
         forms = [word.text for word in sentence.words]
         position = command_verb_position(forms, verbs)
         is_retagged = position is not None and sentence.words[position - 1].upos != "VERB"
@@ -173,6 +181,11 @@ class Parser:
             sentence = document.sentences[0]
         tree = mended(_to_tree(text, sentence, spelling))
         return rerooted(tree, position) if position is not None else tree
+
+
+def _start(word: Any) -> int:
+    """Return where a word begins; the words of a multi-word token begin where it does."""
+    return word.start_char if word.start_char is not None else word.parent.start_char
 
 
 def _retag(word: Any, upos: str, xpos: str, feats: str) -> None:

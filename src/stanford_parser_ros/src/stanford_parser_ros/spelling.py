@@ -31,6 +31,10 @@ class Spelling:
     text: str
     origins: Tuple[int, ...]
 
+    def part(self, start: int, end: int) -> "Spelling":
+        """Return what stands between two positions of the rewritten text."""
+        return Spelling(self.text[start:end], self.origins[start : end + 1])
+
 
 def rewrite(said: str) -> Spelling:
     """Rewrite a text, and remember where each character came from."""
