@@ -3,8 +3,9 @@ SHELL := /bin/bash
 .DEFAULT_GOAL := help
 ROBOT ?= turtlebot
 FILTER ?=
+DATA ?=
 
-.PHONY: help setup build demo run test lint bench install clean
+.PHONY: help setup build demo run test acceptance reliability format lint bench install clean
 
 help: ## list the targets
 	@grep -hE '^[a-z]+:.*## ' $(MAKEFILE_LIST) | sed -E 's/^([a-z]+):.*## /  make \1|/' | column -t -s '|'
@@ -14,18 +15,28 @@ setup: ## install system packages and the Python environment (root or sudo)
 
 build: setup ## build the workspace into devel/
 	@scripts/build
+	$(if $(filter build,$(MAKECMDGOALS)),@echo "[build] built; now 'make demo' or 'make run'")
 
 demo: build ## start simulated robots, say the paper's sentences, show what each did
 	@scripts/demo
 
-run: build ## keep the stack up for your own 'rostopic pub' (ROBOT=turtlebot or pr2)
+run: build ## keep the stack up for your own 'rostopic pub' (ROBOT=pr2 for the other robot)
 	@scripts/run robot:=$(ROBOT)
 
-test: build ## run all tests (FILTER=package runs one package's)
-	@scripts/test $(if $(FILTER),-R $(FILTER))
+test: build ## run the tests, at most ten minutes (FILTER=package runs one package's)
+	@scripts/test test $(if $(FILTER),-R $(FILTER))
 
-lint: build ## check packages and launch files with catkin_lint
-	@. scripts/environment.sh && catkin_lint --offline src underlay tests
+acceptance: build ## run full tables and corpora, at most 75 minutes (DATA=folder of corpora, FILTER=package)
+	@ROBOFRAMENET_DATA="$(abspath $(DATA))" scripts/test acceptance $(if $(FILTER),-R $(FILTER))
+
+reliability: build ## run the long tests with faults (FILTER=package)
+	@scripts/test reliability $(if $(FILTER),-R $(FILTER))
+
+format: setup ## format the Python code, and mend what ruff can mend by itself
+	@.venv/bin/ruff check --fix-only --quiet . && .venv/bin/ruff format .
+
+lint: build ## check format, rules, types, packages and launch files; change nothing
+	@scripts/lint
 
 bench: build ## compare with stock Stanza and stock actionlib (EWT=folder: score the parser on the treebank)
 	@EWT="$(abspath $(EWT))" HURIC="$(abspath $(HURIC))" scripts/bench

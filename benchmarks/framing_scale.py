@@ -1,18 +1,19 @@
 #!/usr/bin/env python3
 """How long framing takes with 50 lexical units and with 10,000, in turn in one run, on the same parsed sentences."""
+
 import dataclasses
 import statistics
 import sys
 import time
 from typing import Dict, List, Mapping, Tuple
 
-from roboframenet_tools.understanding import load_knowledge, shipped_domains
+from offline_pipeline.knowledge import load_knowledge, shipped_domains
 from semantic_framer.framer import read
 from semantic_framer.lexicon import Lexicon
 from semantic_frames.frame import SemanticFrame
 from semantic_frames.lexical_unit import LexicalUnit
 from stanford_parser_ros.model import Parser, shipped_model_dir
-from stanford_parser_ros.tree import DependencyTree
+from utterance_passes.tree import DependencyTree
 
 COUNTS = (50, 10000)
 ROUNDS = 40
@@ -59,8 +60,9 @@ def main() -> int:
     few, many = (statistics.median(times_ms[count]) for count in COUNTS)
     is_held = many <= LIMIT * few
     print(
-        f"framing, median of {ROUNDS} rounds over {len(trees)} sentences: {COUNTS[1]} | {COUNTS[0]} units: {many:.3f} | "
-        f"{few:.3f} ms per command, ratio {many / few:.3f}  (at most {LIMIT}: {'held' if is_held else 'MISSED'})"
+        f"framing, median of {ROUNDS} rounds over {len(trees)} sentences: {COUNTS[1]} | {COUNTS[0]} units: "
+        f"{many:.3f} | {few:.3f} ms per command, ratio {many / few:.3f}  "
+        f"(at most {LIMIT}: {'held' if is_held else 'MISSED'})"
     )
     return 0 if is_held else 1
 

@@ -5,6 +5,7 @@ The two are called in turn on the same sentences, so that a machine that is busy
 parsed
 once: the cache of parses does not help.
 """
+
 import itertools
 import statistics
 import subprocess

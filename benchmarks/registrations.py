@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
 """From sentence to goal with 10 registrations and with 1,000, two pipelines side by side, spoken to in turn."""
+
 import os
 import socket
 import statistics
@@ -22,9 +23,10 @@ def measure(count: int) -> None:
     """Register a server for so many frames; then answer each line of the standard input with the milliseconds from
     a sentence to its goal."""
     import rospy
-    from rfnserver import RFNServer
     from roboframenet_msgs.msg import Command
     from std_msgs.msg import String
+
+    from rfnserver import RFNServer
 
     rospy.init_node("measuring")
     goals = threading.Semaphore(0)
@@ -92,7 +94,7 @@ def main() -> int:
     times: Dict[int, List[float]] = {count: [] for count in COUNTS}
     with ExitStack() as stack, tempfile.TemporaryDirectory() as folder:
         write_frames(folder)
-        workers: Dict[int, "subprocess.Popen[str]"] = {}
+        workers: Dict[int, subprocess.Popen[str]] = {}
         for count in COUNTS:
             port = free_port()
             environment = dict(os.environ, ROS_MASTER_URI=f"http://127.0.0.1:{port}")

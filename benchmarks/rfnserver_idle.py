@@ -4,6 +4,7 @@
 Everything idles at the same time for the same seconds, so that a machine that is busy is busy for all. Processor time
 is that of the kernel's account of each process; memory is the proportional set size (shared pages are shared out).
 """
+
 import os
 import socket
 import statistics
@@ -34,6 +35,7 @@ def serve(kind: str, first: int, count: int) -> None:
     import actionlib
     import rospy
     from actionlib_tutorials.msg import FibonacciAction
+
     from rfnserver import RFNServer
 
     rospy.init_node(f"{kind}_{first}_{count}")
@@ -58,6 +60,7 @@ def take_goals(kind: str) -> None:
     import actionlib
     import rospy
     from actionlib_tutorials.msg import FibonacciAction
+
     from rfnserver import RFNServer
 
     rospy.init_node(f"{kind}_goals")
@@ -130,7 +133,8 @@ def free_port() -> int:
 
 def report(what: str, ours: float, theirs: float, unit: str, limit: str, is_held: bool) -> bool:
     print(
-        f"{what:66} {ours:9.3f} | {theirs:9.3f} {unit:6} ratio {ours / theirs:7.3f}  ({limit}: {'held' if is_held else 'MISSED'})"
+        f"{what:66} {ours:9.3f} | {theirs:9.3f} {unit:6} ratio {ours / theirs:7.3f}  "
+        f"({limit}: {'held' if is_held else 'MISSED'})"
     )
     return is_held
 
@@ -163,11 +167,11 @@ def on_demand_files(folder: str) -> str:
     path = os.path.join(folder, "manifests.yaml")
     with open(path, "w", encoding="utf-8") as file:
         file.write("on_demand:\n")
-        for number in range(ON_DEMAND):
-            file.write(
-                f"  - {{frame: frame_{number}, server: server_{number}, "
-                f"run: {{package: rfnserver, executable: ping, name: ping_{number}}}}}\n"
-            )
+        file.writelines(
+            f"  - {{frame: frame_{number}, server: server_{number}, "
+            f"run: {{package: rfnserver, executable: ping, name: ping_{number}}}}}\n"
+            for number in range(ON_DEMAND)
+        )
     return path
 
 
@@ -251,8 +255,8 @@ def idle(stack: ExitStack, folder: str) -> bool:
         ),
     ]
     print(
-        f"{'a bare rospy node | SimpleActionServer, a process each':66} {cpu['bare alone']:9.3f} | {cpu['stock alone']:9.3f} % core ratio "
-        f"{cpu['bare alone'] / cpu['stock alone']:7.3f}"
+        f"{'a bare rospy node | SimpleActionServer, a process each':66} {cpu['bare alone']:9.3f} | "
+        f"{cpu['stock alone']:9.3f} % core ratio {cpu['bare alone'] / cpu['stock alone']:7.3f}"
     )
     return all(held)
 

@@ -1,4 +1,5 @@
 """Installed by catkin only."""
+
 from distutils.core import setup
 
 from catkin_pkg.python_setup import generate_distutils_setup

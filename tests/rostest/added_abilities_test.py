@@ -1,5 +1,6 @@
 #!/usr/bin/python3
 """Frames that nobody can carry out are refused by name; registering a server makes each of them run."""
+
 import unittest
 from typing import Dict, List
 

@@ -1,5 +1,6 @@
 #!/usr/bin/python3
 """Wrong files are refused by file, line and key; nodes that are killed come back, and so does everything they knew."""
+
 import os
 import random
 import signal
@@ -19,7 +20,6 @@ from pipeline import can_do, wait_until
 from roboframenet_demo.ros_pipeline import is_pipeline_complete
 
 NODES = ("frame_registrar", "semantic_framer", "greeting_server")
-ORDERS = 20
 
 
 class FaultsTest(unittest.TestCase):
@@ -85,8 +85,10 @@ class FaultsTest(unittest.TestCase):
             (
                 add_unit,
                 "relation.yaml",
-                "frame_name: turning\nverb: whirl\nframe_element_grammatical_relations:\n"
-                "  - name: angle\n    relation: dirobj\n",
+                (
+                    "frame_name: turning\nverb: whirl\nframe_element_grammatical_relations:\n"
+                    "  - name: angle\n    relation: dirobj\n"
+                ),
                 "UNKNOWN_RELATION",
                 5,
                 "frame_element_grammatical_relations[0].relation",
@@ -106,14 +108,15 @@ class FaultsTest(unittest.TestCase):
         self.assertEqual(reply.outcome, Reply.DONE, reply.sentence)
 
     def test_2_killed_nodes_come_back_with_all_that_they_knew(self) -> None:
+        orders = rospy.get_param("~orders")
         seed = random.SystemRandom().randrange(10**6)
         print(f"seed of the orders: {seed}")
         chance = random.Random(seed)
-        for number in range(ORDERS):
+        for number in range(orders):
             victims = chance.sample(NODES, chance.randint(1, len(NODES)))
             killed = {node: self.kill(node) for node in victims}
             self.assertTrue(
-                wait_until(lambda: all(self.pid(node) not in (0, old) for node, old in killed.items())),
+                wait_until(lambda killed=killed: all(self.pid(node) not in (0, old) for node, old in killed.items())),
                 f"{victims} do not return",
             )
             reply = None

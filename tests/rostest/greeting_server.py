@@ -1,5 +1,6 @@
 #!/usr/bin/python3
 """A server that brings its own frame and lexical unit, and may be killed at any time."""
+
 import os
 import tempfile
 

@@ -1,5 +1,6 @@
 #!/usr/bin/python3
 """Action servers ported by one line: what their old clients see is what it was, and people can use them."""
+
 import os
 import unittest
 from io import BytesIO
@@ -94,7 +95,7 @@ class Client:
 
 
 def story(name: str) -> List[Record]:
-    """What a client of a server goes through: success, abort, a forgotten end, a cancel, a goal that replaces another."""
+    """What a client goes through: success, abort, a forgotten end, a cancel, a goal that replaces another."""
     client = Client(name)
     records = [client.end(client.send(order)) for order in (5, 0, 3)]
     cancelled = client.send(LONG)
@@ -123,9 +124,9 @@ class PortedServersTest(unittest.TestCase):
         cls.frames = RFNServer("frames", lambda frame: None)
         path = os.path.join(os.path.dirname(os.path.abspath(__file__)), "ported", "frames", "counting.yaml")
         assert cls.frames.add_semantic_frame(path), cls.frames.last_error
-        assert can_do(
-            ("computing_fibonacci_sequence", "averaging"), unit_files=("compute.yaml", "average.yaml")
-        ), "the servers did not register"
+        assert can_do(("computing_fibonacci_sequence", "averaging"), unit_files=("compute.yaml", "average.yaml")), (
+            "the servers did not register"
+        )
         # The parser reads the lexicon too, and is at it perhaps.
         cls.text.publish(String(data="Hello."))
         assert wait_until(lambda: cls.replies), "no reply"

@@ -3,7 +3,7 @@
 import ast
 import re
 from pathlib import Path
-from typing import Set
+from typing import Dict, List, Set, Tuple
 
 import pytest
 
@@ -105,3 +105,46 @@ def test_links_of_the_main_readme_lead_somewhere() -> None:
     text = (REPOSITORY / "README.md").read_text(encoding="utf-8")
     links = re.findall(r"\]\((?!https?:)([^)#]+)", text)
     assert links and not [link for link in links if not (REPOSITORY / link).exists()]
+
+
+MESSAGES = REPOSITORY / "src" / "roboframenet_msgs"
+
+
+def interface_files() -> Dict[str, Path]:
+    """Every file of roboframenet_msgs by the name in its README: that of its message; an action has its suffix."""
+    paths = sorted(path for folder in ("msg", "srv", "action") for path in MESSAGES.glob(f"{folder}/*.*"))
+    return {path.name if path.suffix == ".action" else path.stem: path for path in paths}
+
+
+def interface_rows() -> List[Tuple[str, str, List[str], str]]:
+    """Name, whose it is, the columns in between and the meaning of each row of the README."""
+    rows = []
+    for line in (MESSAGES / "README.md").read_text(encoding="utf-8").splitlines():
+        cells = [cell.strip() for cell in line.strip("|").split("|")]
+        if re.match(r"`\w+(\.action)?`$", cells[0]):
+            rows.append((cells[0].strip("`"), cells[1], cells[2:-1], cells[-1]))
+    return rows
+
+
+def says(path: Path, name: str) -> bool:
+    return re.search(rf"\b{name}\b", path.read_text(encoding="utf-8")) is not None
+
+
+def test_readme_lists_every_message_service_and_action_once() -> None:
+    names = [name for name, _, _, _ in interface_rows()]
+    assert sorted(names) == sorted(interface_files())
+
+
+@pytest.mark.parametrize("row", interface_rows(), ids=lambda row: row[0])
+def test_row_of_an_interface_is_true(row: Tuple[str, str, List[str], str]) -> None:
+    name, whose, columns, meaning = row
+    published = (REPOSITORY / "tests" / "unit" / "test_interfaces_2012.py").read_text(encoding="utf-8")
+    bare = name.split(".")[0] + ("Action" if name.endswith(".action") else "")
+    assert whose == ("2012" if f'"{bare}"' in published else "ours")
+    assert meaning
+    for other in re.findall(r"`([\w.]+)`", " ".join(columns)):
+        if other in interface_files():
+            assert says(interface_files()[other], name), f"{other} has no {name}"
+        else:
+            modules = [path for path in (REPOSITORY / "src" / other).glob("src/**/*.py") if says(path, bare)]
+            assert modules, f"{other} does not say {name}"

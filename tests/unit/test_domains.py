@@ -1,12 +1,24 @@
 """Every file of the domains is right, and every example in it is understood as it says."""
 
 import os
+from dataclasses import replace
 from pathlib import Path
-from typing import Dict
+from typing import Dict, List, Sequence, Tuple
 
 import pytest
+from roboframenet_msgs.msg import Clause
 
-from roboframenet_tools.check import Examples, find_problems, load_paths
+from arbitrator.plan import FilledFrame, as_procedure
+from arbitrator.policy import RandomPolicy, arbitrate
+from arbitrator.ros_messages import plan_from_message
+from frame_registrar.graph import FrameGraph
+from frame_registrar.ros_messages import to_clauses, to_plan
+from frame_registrar.search import Refusal, search
+from offline_pipeline.file_checks import Examples, find_problems, load_paths
+from offline_pipeline.knowledge import pretend_servers
+from offline_pipeline.pipeline import Pipeline
+from semantic_framer import ros_messages as framer_messages
+from semantic_framer.framer import Understood, read
 
 DOMAINS = Path(os.path.realpath(__file__)).parents[2] / "src" / "roboframenet_domains" / "domains"
 #: Examples that people say and that are not understood yet, with the reason. One that is understood must leave the
@@ -20,8 +32,13 @@ def loaded():
 
 
 @pytest.fixture(scope="module")
-def examples(loaded):
-    return Examples(loaded[0])
+def pipeline(loaded):
+    return Pipeline(loaded[0])
+
+
+@pytest.fixture(scope="module")
+def examples(loaded, pipeline):
+    return Examples(loaded[0], pipeline)
 
 
 def test_files_are_right(loaded):
@@ -60,3 +77,35 @@ def test_every_example_is_understood_but_those_known(loaded, examples):
                 failing[example.text] = str(problem)
     assert {text: problem for text, problem in failing.items() if text not in KNOWN} == {}
     assert set(KNOWN) - set(failing) == set(), "understood now: take them off the list"
+
+
+def understood(pipeline: Pipeline, text: str) -> Sequence[Clause]:
+    """What the framer sends to the registrar."""
+    tree = pipeline.parse(text)
+    outcome, _ = read(tree, pipeline.knowledge.lexicon, pipeline.knowledge.frames)
+    assert isinstance(outcome, Understood), text
+    return framer_messages.to_clauses(outcome.clauses, tree)
+
+
+def first_of(clauses: Sequence[Clause], graph: FrameGraph, seeds: Sequence[int]) -> List[Tuple[FilledFrame, ...]]:
+    """What the executor would begin with, for each seed of the random policy."""
+    found = search(graph, to_clauses(clauses), max_candidates=64)
+    assert not isinstance(found, Refusal), found
+    plan = plan_from_message(to_plan(clauses, "", found))
+    return [as_procedure(arbitrate(plan, RandomPolicy(seed=seed)))[0] for seed in seeds]
+
+
+def test_lots_never_change_what_an_example_means(loaded, pipeline):
+    """Every frame has a server. Where none has children, there is one way to do what was meant: it is always first."""
+    pretend_servers(pipeline.knowledge.graph)
+    childless = FrameGraph()
+    for frame in loaded[0].frames.values():
+        childless.add(replace(frame, children=()))
+    pretend_servers(childless)
+    for text in dict.fromkeys(example.text for unit in loaded[0].lexicon.units for example in unit.examples):
+        clauses = understood(pipeline, text)
+        assert len(set(first_of(clauses, childless, range(50)))) == 1, text
+        # Children are ways to do it, so lots are drawn; but only between the ways to do what was meant.
+        best = [Clause(words=clause.words, readings=clause.readings[:1]) for clause in clauses]
+        ways = set(first_of(best, pipeline.knowledge.graph, range(50)))
+        assert set(first_of(clauses, pipeline.knowledge.graph, range(50))) <= ways, text

@@ -1,4 +1,5 @@
 """The 2012 messages keep their fields: every published checksum is compared."""
+
 import importlib
 
 import pytest

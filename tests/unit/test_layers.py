@@ -4,7 +4,7 @@ import ast
 import subprocess
 import sys
 from pathlib import Path
-from typing import Iterator, Set
+from typing import Dict, Iterator, List, Set
 
 import pytest
 
@@ -31,8 +31,39 @@ LONGEST_MODULE = 450
 
 def product_modules() -> Iterator[Path]:
     """Every Python module of a package, without tests and without the generated or optional underlay."""
-    for path in sorted(REPOSITORY.glob("src/*/src/**/*.py")):
-        yield path
+    yield from sorted(REPOSITORY.glob("src/*/src/**/*.py"))
+
+
+def module_name(path: Path) -> str:
+    """Return how others import a module."""
+    return path.parent.name if path.name == "__init__.py" else f"{path.parent.name}.{path.stem}"
+
+
+def modules_imported(path: Path, known: Set[str]) -> Set[str]:
+    """Modules of ours that a module imports, also inside functions."""
+    names: Set[str] = set()
+    for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"), str(path))):
+        if isinstance(node, ast.Import):
+            names.update(alias.name for alias in node.names)
+        elif isinstance(node, ast.ImportFrom) and node.level == 0 and node.module:
+            names.update({node.module} | {f"{node.module}.{alias.name}" for alias in node.names})
+    return names & known
+
+
+def circle(graph: Dict[str, Set[str]]) -> List[str]:
+    """Return nodes of which each leads to the next and the last to the first; none when there is no circle."""
+    left = {name: set(names) for name, names in graph.items()}
+    while True:
+        ends = {name for name, names in left.items() if not names & set(left)}
+        if not ends:
+            break
+        left = {name: names for name, names in left.items() if name not in ends}
+    found: List[str] = []
+    name = min(left, default="")
+    while name and name not in found:
+        found.append(name)
+        name = min(left[name] & set(left))
+    return found[found.index(name) :] if name else []
 
 
 def is_shell(path: Path) -> bool:
@@ -68,18 +99,39 @@ def test_core_imports_no_ros(path: Path) -> None:
     [
         "spoken_quantities",
         "semantic_frames",
+        "word_classes",
+        "typed_arguments",
+        "utterance_passes.table",
         "semantic_framer.framer",
+        "offline_pipeline.pipeline",
         "frame_registrar.graph",
         "frame_registrar.search",
         "arbitrator.state_machine",
         "executor.goal_tracking",
         "stage_events.recent",
+        "robot_stop.braking",
+        "robot_stop.servers",
+        "roboframenet_ros.log_thread",
+        "roboframenet_ros.suspension",
+        "stop_server.other_answers",
         "command_server.command_book",
     ],
 )
 def test_importing_a_core_loads_no_ros(package: str) -> None:
     code = f"import sys, {package}; sys.exit('rospy' in sys.modules)"
-    assert subprocess.run([sys.executable, "-c", code], timeout=60).returncode == 0
+    assert subprocess.run([sys.executable, "-c", code], timeout=60, check=False).returncode == 0
+
+
+def test_no_modules_import_each_other_in_a_circle() -> None:
+    paths = {module_name(path): path for path in product_modules()}
+    graph = {name: modules_imported(path, set(paths)) - {name} for name, path in paths.items()}
+    assert sum(map(len, graph.values())) > 100
+    assert circle(graph) == []
+
+
+def test_a_circle_is_found() -> None:
+    assert circle({"a": {"b"}, "b": {"c"}, "c": {"b"}, "d": set()}) == ["b", "c"]
+    assert circle({"a": {"b"}, "b": set()}) == []
 
 
 def test_the_check_itself_finds_an_import_of_rospy(tmp_path: Path) -> None:
@@ -91,3 +143,44 @@ def test_the_check_itself_finds_an_import_of_rospy(tmp_path: Path) -> None:
 @pytest.mark.parametrize("path", product_modules(), ids=lambda path: str(path.relative_to(REPOSITORY / "src")))
 def test_module_fits_in_one_room(path: Path) -> None:
     assert len(path.read_text(encoding="utf-8").splitlines()) <= LONGEST_MODULE
+
+
+def internal_imports(package: Path) -> Dict[str, Set[str]]:
+    """Which modules of a package each of its modules imports."""
+    modules = {path.stem: path for path in package.glob("*.py") if path.name != "__init__.py"}
+    found: Dict[str, Set[str]] = {}
+    for name, path in modules.items():
+        names: Set[str] = set()
+        for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"), str(path))):
+            if isinstance(node, ast.ImportFrom) and node.module == package.name:
+                names.update(alias.name for alias in node.names)
+            elif isinstance(node, ast.ImportFrom) and (node.module or "").startswith(f"{package.name}."):
+                names.add(node.module.split(".")[1])
+        found[name] = names & set(modules)
+    return found
+
+
+def levels(imports: Dict[str, Set[str]]) -> Dict[str, int]:
+    """The level of each module: 1 for one that imports no other.
+
+    Raises:
+        ValueError: modules import each other in a circle
+    """
+    found: Dict[str, int] = {}
+    while len(found) < len(imports):
+        next_ones = [name for name in imports if name not in found and imports[name] <= set(found)]
+        if not next_ones:
+            raise ValueError(f"a circle among {sorted(set(imports) - set(found))}")
+        found.update({name: 1 + max((found[other] for other in imports[name]), default=0) for name in next_ones})
+    return found
+
+
+@pytest.mark.parametrize("name, most", [("semantic_framer", 6), ("utterance_passes", 7), ("offline_pipeline", 3)])
+def test_rooms_have_few_floors(name: str, most: int) -> None:
+    floors = levels(internal_imports(REPOSITORY / "src" / name / "src" / name))
+    assert max(floors.values()) <= most, sorted(floors.items(), key=lambda item: item[1])
+
+
+def test_the_check_itself_finds_a_circle() -> None:
+    with pytest.raises(ValueError, match="circle"):
+        levels({"one": {"other"}, "other": {"one"}, "alone": set()})

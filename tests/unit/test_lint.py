@@ -1,22 +1,57 @@
-"""catkin_lint has nothing to say about packages, CMake files and launch files."""
+"""The linters have nothing to say: the same four checks as ``make lint``."""
 
+import ast
+import os
+import re
 import shutil
 import subprocess
 from pathlib import Path
+from typing import Iterator, Tuple
 
 import pytest
 
 REPOSITORY = Path(__file__).resolve().parents[2]
+#: Checks of scripts/lint, and the program that each runs.
+CHECKS = {"format": "ruff", "rules": "ruff", "types": "mypy", "packages": "catkin_lint"}
 
 
-@pytest.mark.skipif(shutil.which("catkin_lint") is None, reason="catkin_lint is not installed")
-def test_catkin_lint_finds_nothing() -> None:
+@pytest.mark.parametrize("check", CHECKS)
+def test_lint_finds_nothing(check: str) -> None:
+    path = os.pathsep.join([str(REPOSITORY / ".venv" / "bin"), os.environ["PATH"]])
+    if shutil.which(CHECKS[check], path=path) is None:
+        pytest.skip(f"{CHECKS[check]} is not installed: make setup")
     run = subprocess.run(
-        ["catkin_lint", "--offline", "src", "underlay", "tests"],
-        cwd=str(REPOSITORY),
+        [str(REPOSITORY / "scripts" / "lint"), check],
         stdout=subprocess.PIPE,
         stderr=subprocess.STDOUT,
         timeout=300,
         check=False,
     )
     assert run.returncode == 0, run.stdout.decode()
+
+
+def broad_handlers(text: str) -> Iterator[Tuple[int, str]]:
+    """Line number and line of every ``except`` that catches all exceptions."""
+    lines = text.splitlines()
+    for node in ast.walk(ast.parse(text)):
+        if isinstance(node, ast.ExceptHandler):
+            name = node.type.id if isinstance(node.type, ast.Name) else ""
+            if node.type is None or name in ("Exception", "BaseException"):
+                yield node.lineno, lines[node.lineno - 1]
+
+
+def test_a_broad_except_names_its_boundary() -> None:
+    modules = sorted((*REPOSITORY.glob("src/*/src/**/*.py"), *REPOSITORY.glob("underlay/*/src/**/*.py")))
+    unnamed = [
+        f"{path.relative_to(REPOSITORY)}:{number}: {line.strip()}"
+        for path in modules
+        for number, line in broad_handlers(path.read_text(encoding="utf-8"))
+        if not re.search(r"# boundary: \w+", line)
+    ]
+    assert modules
+    assert not unnamed, "say behind 'except' which boundary it is: # boundary: the reason\n" + "\n".join(unnamed)
+
+
+def test_the_check_itself_finds_a_broad_except() -> None:
+    text = "try:\n    pass\nexcept OSError:\n    pass\nexcept Exception as error:\n    pass\n"
+    assert list(broad_handlers(text)) == [(5, "except Exception as error:")]

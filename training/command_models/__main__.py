@@ -27,7 +27,8 @@ def _arguments() -> argparse.ArgumentParser:
     build.add_argument("--jobs", type=int, default=2, help="trainings at once")
     default = trainers.Effort()
     for name, value in vars(default).items():
-        build.add_argument("--%s-steps" % name.replace("_", "-"), type=int, default=value, help="default %d" % value)
+        option = "--" + name.replace("_", "-") + "-steps"
+        build.add_argument(option, type=int, default=value, help=f"default {value}")
     pack = commands.add_parser("pack", help="package the models that a working folder holds by now")
     pack.add_argument("--work", type=Path, required=True)
     pack.add_argument("--out", type=Path, required=True)
@@ -85,7 +86,7 @@ def _score(options: argparse.Namespace) -> None:
     if options.held_out:
         sentences = list(generate.evaluation(options.held_out, options.seed))
         commands = scoring.on_commands(options.model, sentences)
-        figures["generated commands over held-out words (%d), percent" % options.held_out] = commands.percent()
+        figures[f"generated commands over held-out words ({options.held_out}), percent"] = commands.percent()
         for failure in commands.failures[: options.show]:
             print("  " + failure)
         median, high = scoring.latency(options.model, [sentence.text() for sentence in sentences[:200]])
@@ -95,7 +96,7 @@ def _score(options: argparse.Namespace) -> None:
             options.model, options.huric, options.rules
         ).percent()
     for title, found in figures.items():
-        print(title + ": " + ", ".join("%s %.2f" % pair for pair in found.items()))
+        print(title + ": " + ", ".join("{} {:.2f}".format(*pair) for pair in found.items()))
     if options.json:
         options.json.write_text(json.dumps(figures, indent=1) + "\n", encoding="utf-8")
 
@@ -118,7 +119,7 @@ def _generate(options: argparse.Namespace) -> None:
     else:
         mined = mining.mine(options.treebank, lexicon.evaluation_words())
         sentences = generate.training(options.count, options.seed, mined)
-    print("%d sentences in %s" % (write(options.out, sentences), options.out))
+    print(f"{write(options.out, sentences)} sentences in {options.out}")
 
 
 def main(arguments: Optional[List[str]] = None) -> int:
@@ -138,7 +139,7 @@ def main(arguments: Optional[List[str]] = None) -> int:
         else:
             _generate(options)
     except TrainingError as error:
-        sys.stderr.write("command_models: %s\n" % error)
+        sys.stderr.write(f"command_models: {error}\n")
         return 1
     return 0
 

@@ -82,7 +82,7 @@ def prepare_sentences(plan: Plan) -> None:
     lemmas.condense(
         [data / "written.train.conllu", data / "spoken.conllu", data / "commands.conllu"], data / "lemma.train.conllu"
     )
-    tell("      %d written, %d spoken, %d generated sentences" % (len(written), len(spoken), len(commands)))
+    tell(f"      {len(written)} written, {len(spoken)} spoken, {len(commands)} generated sentences")
 
 
 def make_vectors(plan: Plan) -> None:
@@ -224,5 +224,5 @@ def pack_plan(work: Path, out: Path) -> None:
     """Pack whatever models a working folder holds by now: trainers save their best so far."""
     packed = pack(work / "models", out, versions())
     for entry in packed:
-        tell("      %-28s %9d bytes" % (entry.path, entry.size))
-    tell("packed: %.1f MB in %s" % (sum(entry.size for entry in packed) / 1e6, out))
+        tell(f"      {entry.path:<28} {entry.size:9d} bytes")
+    tell(f"packed: {sum(entry.size for entry in packed) / 1e6:.1f} MB in {out}")

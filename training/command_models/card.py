@@ -22,8 +22,8 @@ def section(figures: Mapping[str, Mapping[str, float]], manifest: Mapping[str, o
     files = manifest.get("files")
     if isinstance(files, list):
         lines += ["| file | bytes | md5 |", "| --- | --- | --- |"]
-        lines += ["| %s | %d | %s |" % (entry["path"], entry["bytes"], entry["md5"]) for entry in files]
-        lines += ["| in all | %s | |" % manifest.get("bytes"), ""]
+        lines += [f"| {entry['path']} | {entry['bytes']} | {entry['md5']} |" for entry in files]
+        lines += [f"| in all | {manifest.get('bytes')} | |", ""]
     if RAW in figures:
         lines += [
             "UD_English-EWT test, CoNLL 2018 evaluation (F1). Published: Stanza 1.5.1 on UD 2.12, with character",
@@ -32,14 +32,14 @@ def section(figures: Mapping[str, Mapping[str, float]], manifest: Mapping[str, o
         ]  # fmt: skip
         for metric, published in PUBLISHED.items():
             gold = figures.get(GOLD, {}).get(metric)
-            shown = "%.2f" % gold if gold is not None and metric not in ("Tokens", "Sentences", "Words") else "-"
-            lines.append("| %s | %.2f | %s | %.2f |" % (metric, figures[RAW][metric], shown, published))
+            shown = f"{gold:.2f}" if gold is not None and metric not in ("Tokens", "Sentences", "Words") else "-"
+            lines.append(f"| {metric} | {figures[RAW][metric]:.2f} | {shown} | {published:.2f} |")
         lines.append("")
     for title, found in figures.items():
         if title in (RAW, GOLD):
             continue
-        lines += ["| %s | |" % title, "| --- | --- |"]
-        lines += ["| %s | %.1f |" % pair for pair in found.items()] + [""]
+        lines += [f"| {title} | |", "| --- | --- |"]
+        lines += [f"| {name} | {value:.1f} |" for name, value in found.items()] + [""]
     return "\n".join(lines + [END])
 
 
@@ -50,11 +50,11 @@ def update(card: Path, figures: Path, manifest: Path) -> None:
     """
     for path in (card, figures, manifest):
         if not path.is_file():
-            raise TrainingError("%s: no such file" % path)
+            raise TrainingError(f"{path}: no such file")
     text = card.read_text(encoding="utf-8")
     before, found, rest = text.partition(BEGIN)
     _, closed, after = rest.partition(END)
     if not found or not closed:
-        raise TrainingError("%s: expected the marks %s and %s around the figures" % (card, BEGIN, END))
+        raise TrainingError(f"{card}: expected the marks {BEGIN} and {END} around the figures")
     made = section(json.loads(figures.read_text(encoding="utf-8")), json.loads(manifest.read_text(encoding="utf-8")))
     card.write_text(before + made + after, encoding="utf-8")

@@ -77,14 +77,14 @@ def problems(sentence: Sentence) -> List[str]:
     count = len(sentence.words)
     roots = [place for place, word in enumerate(sentence.words, 1) if word.head == 0]
     if len(roots) != 1:
-        found.append("expected one root, found %d" % len(roots))
+        found.append(f"expected one root, found {len(roots)}")
     for place, word in enumerate(sentence.words, 1):
         if not 0 <= word.head <= count:
-            found.append("word %d: head %d is outside 0..%d" % (place, word.head, count))
+            found.append(f"word {place}: head {word.head} is outside 0..{count}")
         if (word.head == 0) != (word.deprel == "root"):
-            found.append("word %d: head %d does not fit relation %s" % (place, word.head, word.deprel))
+            found.append(f"word {place}: head {word.head} does not fit relation {word.deprel}")
         if not word.form or " " in word.form or not word.upos or not word.xpos:
-            found.append("word %d: empty or spaced column" % place)
+            found.append(f"word {place}: empty or spaced column")
     if found:
         return found
     for place in range(1, count + 1):
@@ -92,14 +92,14 @@ def problems(sentence: Sentence) -> List[str]:
         at = place
         while at:
             if at in seen:
-                found.append("word %d: its governors run in a circle" % place)
+                found.append(f"word {place}: its governors run in a circle")
                 break
             seen.add(at)
             at = sentence.words[at - 1].head
     end = 0
     for span in sentence.spans:
         if not end < span.first < span.last <= count:
-            found.append("token %d-%d is out of order or out of range" % (span.first, span.last))
+            found.append(f"token {span.first}-{span.last} is out of order or out of range")
         end = span.last
     return found
 
@@ -111,7 +111,7 @@ def render(sentence: Sentence) -> str:
     for place, word in enumerate(sentence.words, 1):
         span = starts.get(place)
         if span:
-            lines.append("\t".join(["%d-%d" % (span.first, span.last), span.form] + ["_"] * 7 + [span.misc]))
+            lines.append("\t".join([f"{span.first}-{span.last}", span.form] + ["_"] * 7 + [span.misc]))
         lines.append(
             "\t".join(
                 [
@@ -147,7 +147,7 @@ def read(path: Path) -> Iterator[Sentence]:
     Raises TrainingError with file and line when a row has not ten columns or no number.
     """
     if not path.is_file():
-        raise TrainingError("%s: no such file; expected a CoNLL-U treebank there" % path)
+        raise TrainingError(f"{path}: no such file; expected a CoNLL-U treebank there")
     words: List[Word] = []
     spans: List[Span] = []
     comments: List[str] = []
@@ -165,7 +165,7 @@ def read(path: Path) -> Iterator[Sentence]:
             cells = line.split("\t")
             if len(cells) != COLUMNS:
                 raise TrainingError(
-                    "%s, line %d: expected %d columns, found %d; is this CoNLL-U?" % (path, number, COLUMNS, len(cells))
+                    f"{path}, line {number}: expected {COLUMNS} columns, found {len(cells)}; is this CoNLL-U?"
                 )
             if "." in cells[0]:
                 continue
@@ -176,6 +176,6 @@ def read(path: Path) -> Iterator[Sentence]:
                     continue
                 words.append(Word(cells[1], cells[2], cells[3], cells[4], cells[5], int(cells[6]), cells[7], cells[9]))
             except ValueError:
-                raise TrainingError("%s, line %d: expected numbers in columns 1 and 7" % (path, number)) from None
+                raise TrainingError(f"{path}, line {number}: expected numbers in columns 1 and 7") from None
     if words:
         yield Sentence(tuple(words), tuple(spans), tuple(comments))

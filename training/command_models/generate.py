@@ -111,7 +111,7 @@ def generate(
     while made < count:
         tries += 1
         if tries > 60 * count + 1000:
-            raise TrainingError("the frames yield only %d different sentences; asked for %d" % (made, count))
+            raise TrainingError(f"the frames yield only {made} different sentences; asked for {count}")
         root = build.utterance()
         if len(root.parts()) > LONGEST:
             continue
@@ -128,9 +128,9 @@ def generate(
         seen.add(text)
         wrong = problems(sentence)
         if wrong:
-            raise TrainingError("generated sentence is no tree: %s: %s" % (text, "; ".join(wrong)))
+            raise TrainingError("generated sentence is no tree: {}: {}".format(text, "; ".join(wrong)))
         made += 1
-        yield replace(sentence, comments=("newpar", "sent_id = %s-%06d" % (prefix, made), "text = " + text))
+        yield replace(sentence, comments=("newpar", f"sent_id = {prefix}-{made:06d}", "text = " + text))
 
 
 def training(count: int, seed: int, mined: Mined, wide: float = 0.32) -> Iterator[Sentence]:

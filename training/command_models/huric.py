@@ -58,9 +58,9 @@ def read_folder(folder: Path) -> List[Command]:
         try:
             root = ElementTree.parse(str(path)).getroot()
         except ElementTree.ParseError as error:
-            raise TrainingError("%s: not well-formed XML: %s" % (path, error)) from error
+            raise TrainingError(f"{path}: not well-formed XML: {error}") from error
         for command in root.iter("command"):
-            tokens = [token for token in command.findall("tokens/token")]
+            tokens = command.findall("tokens/token")
             arcs = tuple(
                 (int(arc.get("from", "0")), int(arc.get("to", "0")), arc.get("type", ""))
                 for arc in command.findall("dependencies/dep")
@@ -77,7 +77,7 @@ def read_folder(folder: Path) -> List[Command]:
                 Command(path.stem, tuple(token.get("surface", "") for token in tokens), tags, arcs, frozenset(units))
             )
     if not commands:
-        raise TrainingError("%s: no *.hrc file below; expected a folder of HuRIC 2.1" % folder)
+        raise TrainingError(f"{folder}: no *.hrc file below; expected a folder of HuRIC 2.1")
     return commands
 
 
@@ -129,7 +129,7 @@ def our_arguments(sentence: Sentence) -> Dict[Tuple[int, int], Set[str]]:
         if word.deprel == "vocative":
             add(governor, place, "nsubj")  # HuRIC's scheme has no vocative and writes nsubj
         if word.deprel == "advcl":
-            for at, marker in enumerate(sentence.words, 1):
+            for marker in sentence.words:
                 if marker.head == place and marker.deprel == "mark":
                     add(governor, place, "prep_" + marker.form.lower())
         if word.deprel in ("advmod", "compound:prt") and word.form.lower() in _DIRECTIONS:
@@ -140,14 +140,15 @@ def our_arguments(sentence: Sentence) -> Dict[Tuple[int, int], Set[str]]:
 
 
 def runtime_arguments(source: Path) -> "Reader":
-    """The same by the rule table that robots run: ``source`` is the folder that holds ``stanford_parser_ros``.
+    """The same by the rule table that robots run: ``source`` is the folder that holds ``stanford_parser_ros``, in the
+    source tree; the package ``utterance_passes`` lies beside that one.
 
     Raises TrainingError when there is no such package in it.
     """
     if not (source / "stanford_parser_ros" / "stanford_dependencies.py").is_file():
-        raise TrainingError("%s: no stanford_parser_ros/stanford_dependencies.py below" % source)
-    sys.path.insert(0, str(source.resolve()))
-    conllu = importlib.import_module("stanford_parser_ros.conllu")
+        raise TrainingError(f"{source}: no stanford_parser_ros/stanford_dependencies.py below")
+    sys.path[:0] = [str(source.resolve()), str(source.resolve().parents[1] / "utterance_passes" / "src")]
+    conllu = importlib.import_module("utterance_passes.conllu")
     rules = importlib.import_module("stanford_parser_ros.stanford_dependencies")
 
     def read(sentence: Sentence) -> Dict[Tuple[int, int], Set[str]]:
@@ -173,17 +174,16 @@ class Score:
     def percent(self) -> Dict[str, float]:
         """Figures for the model card."""
         return {
-            "predicate right (of %d)" % self.commands: 100.0 * self.predicates / max(1, self.commands),
-            "arguments attached right (of %d)" % self.arguments: 100.0 * self.attached / max(1, self.arguments),
+            f"predicate right (of {self.commands})": 100.0 * self.predicates / max(1, self.commands),
+            f"arguments attached right (of {self.arguments})": 100.0 * self.attached / max(1, self.arguments),
         }
 
     def lines(self) -> List[str]:
         """The score as a person reads it."""
+        predicates, arguments = self.percent().values()
         return [
-            "predicate right: %d of %d (%.1f %%)"
-            % (self.predicates, self.commands, 100.0 * self.predicates / max(1, self.commands)),
-            "arguments attached right: %d of %d (%.1f %%)"
-            % (self.attached, self.arguments, 100.0 * self.attached / max(1, self.arguments)),
+            f"predicate right: {self.predicates} of {self.commands} ({predicates:.1f} %)",
+            f"arguments attached right: {self.attached} of {self.arguments} ({arguments:.1f} %)",
         ]
 
 
@@ -220,9 +220,7 @@ def score(commands: Iterable[Command], parsed: Iterable[Sentence], read: "Reader
             if wanted == root or wanted in copulas:
                 predicates += 1
             else:
-                failures.append(
-                    "predicate %s, not %s: %s" % (command.tokens[wanted - 1], sentence.words[root - 1].form, text)
-                )
+                failures.append(f"predicate {command.tokens[wanted - 1]}, not {sentence.words[root - 1].form}: {text}")
         ours = read(sentence)
         for governor, dependant, relation in sorted(gold_arguments(command)):
             arguments += 1
@@ -231,8 +229,7 @@ def score(commands: Iterable[Command], parsed: Iterable[Sentence], read: "Reader
                 continue
             word = sentence.words[dependant - 1]
             failures.append(
-                "%s(%s, %s), ours %s of %s: %s"
-                % (
+                "{}({}, {}), ours {} of {}: {}".format(
                     relation,
                     command.tokens[governor - 1],
                     command.tokens[dependant - 1],

@@ -3,7 +3,8 @@
 import math
 from collections import Counter
 from pathlib import Path
-from typing import Counter as Count, Iterable, List, Tuple
+from typing import Counter as Count
+from typing import Iterable, List, Tuple
 
 from .conllu import Sentence, Word, read, write
 

@@ -8,7 +8,8 @@ import random
 from collections import Counter
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Counter as Count, FrozenSet, Iterable, Tuple
+from typing import Counter as Count
+from typing import Dict, FrozenSet, Iterable, Tuple
 
 from .conllu import read
 
@@ -48,7 +49,7 @@ def _kept(counts: Count[str], least: int, banned: FrozenSet[str]) -> Tuple[str, 
 
 def mine(paths: Iterable[Path], banned: FrozenSet[str]) -> Mined:
     """Collect verbs, nouns, names and adjectives; none of the ``banned`` words is among them."""
-    counts = {kind: Counter() for kind in ("t", "i", "n", "p", "a")}  # type: ignore[var-annotated]
+    counts: Dict[str, Count[str]] = {kind: Counter() for kind in ("t", "i", "n", "p", "a")}
     for path in paths:
         for sentence in read(path):
             objects = {word.head for word in sentence.words if word.deprel == "obj"}

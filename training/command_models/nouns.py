@@ -14,7 +14,9 @@ _TENS = "twenty thirty forty fifty sixty seventy eighty ninety".split()
 _DIGITS = "one two three four five six seven eight nine".split()
 _UNITS = {
     "turn": "degree degree degree radian".split(),
-    "move": "metre meter foot centimetre centimeter cm m inch step step yard millimetre mm km mile ft decimetre".split(),
+    "move": (
+        "metre meter foot centimetre centimeter cm m inch step step yard millimetre mm km mile ft decimetre".split()
+    ),
     "time": "second minute hour".split(),
 }
 _ABBREVIATIONS = ("cm", "m", "mm", "km", "ft")
@@ -165,7 +167,7 @@ class Nouns:
                 self.chooser.choice("1 2 3 4 5 8 10 15 20 30 45 60 75 90 100 120 135 180 270 360".split())
             )
         if draw < 0.48:
-            return words.number("%d.%d" % (self.chooser.randrange(10), self.chooser.choice((5, 25, 2, 75, 8))))
+            return words.number(f"{self.chooser.randrange(10)}.{self.chooser.choice((5, 25, 2, 75, 8))}")
         if draw < 0.76:
             return words.number(self.chooser.choice(["one"] + _NUMBER_WORDS))
         if draw < 0.9:

@@ -73,7 +73,7 @@ def pack(trained: Path, target: Path, versions: Dict[str, str]) -> List[Packed]:
     for processor, source, small in _SOURCES:
         path = trained / source
         if not path.is_file():
-            raise TrainingError("%s: no such file; train the %s model first" % (path, processor))
+            raise TrainingError(f"{path}: no such file; train the {processor} model first")
         place = target / "en" / processor
         place.mkdir(parents=True, exist_ok=True)
         out = place / (PACKAGE + ".pt")
@@ -85,10 +85,10 @@ def pack(trained: Path, target: Path, versions: Dict[str, str]) -> List[Packed]:
             shutil.copyfile(str(path), str(out))
         digest = hashlib.md5(out.read_bytes()).hexdigest()
         md5s[processor] = digest
-        packed.append(Packed("en/%s/%s.pt" % (processor, PACKAGE), out.stat().st_size, digest))
+        packed.append(Packed(f"en/{processor}/{PACKAGE}.pt", out.stat().st_size, digest))
     total = sum(entry.size for entry in packed)
     if total > LIMIT:
-        raise TrainingError("the package is %d bytes, the limit is %d; use fewer vectors" % (total, LIMIT))
+        raise TrainingError(f"the package is {total} bytes, the limit is {LIMIT}; use fewer vectors")
     (target / "resources.json").write_text(json.dumps(resources(md5s), indent=2) + "\n", encoding="utf-8")
     manifest = {
         "package": PACKAGE,

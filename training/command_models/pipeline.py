@@ -1,7 +1,7 @@
 """A packaged model at work: parsing with it, offline, as the scores and the tests do."""
 
 from pathlib import Path
-from typing import Iterable, List, Sequence
+from typing import Any, List, Sequence
 
 from .conllu import Sentence, Word
 from .errors import TrainingError
@@ -19,7 +19,7 @@ class Parser:
         Raises TrainingError when the folder holds no package.
         """
         if not (folder / "resources.json").is_file():
-            raise TrainingError("%s: no resources.json there; expected a packaged model (see 'pack')" % folder)
+            raise TrainingError(f"{folder}: no resources.json there; expected a packaged model (see 'pack')")
         import stanza  # slow to import: only where a model is really used
         import torch
 
@@ -46,11 +46,10 @@ class Parser:
         return _converted(self._run(text).sentences[0])
 
 
-def _converted(sentence: object) -> Sentence:
-    words: Iterable = getattr(sentence, "words")
+def _converted(sentence: Any) -> Sentence:  # of Stanza, which has no types
     return Sentence(
         tuple(
             Word(word.text, word.lemma or "_", word.upos, word.xpos or "_", word.feats or "_", word.head, word.deprel)
-            for word in words
+            for word in sentence.words
         )
     )

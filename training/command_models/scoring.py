@@ -111,8 +111,7 @@ def on_commands(model: Path, gold: Iterable[Sentence]) -> Commands:
             labelled += (left.head, left.deprel) == (right.head, right.deprel)
             if (left.head, left.deprel) != (right.head, right.deprel):
                 wrong.append(
-                    "%s %s->%s (gold %s->%s)"
-                    % (
+                    "{} {}->{} (gold {}->{})".format(
                         left.form,
                         right.deprel,
                         two.words[right.head - 1].form if right.head else "ROOT",
@@ -124,7 +123,7 @@ def on_commands(model: Path, gold: Iterable[Sentence]) -> Commands:
                 roots += right.head == 0
         trees += not wrong
         if wrong:
-            failures.append("%s | %s" % (one.text(), "; ".join(wrong)))
+            failures.append("{} | {}".format(one.text(), "; ".join(wrong)))
     return Commands(len(wanted), words, trees, roots, tags, heads, labelled, tuple(failures))
 
 

@@ -45,8 +45,7 @@ class Sentences:
             # what most people say, and what stands in both lexicons
             return words.noun("robot")
         called = self.any(self.nouns.lexicon.robots) if draw < 0.65 else self.nouns.name().form
-        node = words.name(called) if called[0].isupper() else words.noun(called)
-        return node
+        return words.name(called) if called[0].isupper() else words.noun(called)
 
     def addressed(self, root: Node, front: bool = True) -> Node:
         """The utterance with an addressee; the comma belongs to the addressee in front, to the root's end behind."""
@@ -307,7 +306,9 @@ class Sentences:
             head = (
                 self.nouns.place()
                 if self.maybe(0.55)
-                else self.nouns.fixture() if self.maybe(0.5) else self.nouns.thing()
+                else self.nouns.fixture()
+                if self.maybe(0.5)
+                else self.nouns.thing()
             )
             if self.maybe(0.2):
                 head = self.nouns.name()

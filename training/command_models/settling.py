@@ -10,7 +10,7 @@ import io
 import shutil
 import sys
 from pathlib import Path
-from typing import TYPE_CHECKING, Dict, Iterator, List, Sequence
+from typing import TYPE_CHECKING, Any, Dict, Iterator, List, Sequence
 
 if TYPE_CHECKING:
     import torch
@@ -21,7 +21,7 @@ EVERY = 100  # steps between two looks at the development set
 BATCH = 64
 
 
-def _score(trainer: object, data: object, gold: Path) -> float:
+def _score(trainer: Any, data: Any, gold: Path) -> float:  # of Stanza, which has no types
     """Share of development words whose tags and features are all right."""
     from stanza.models import tagger
     from stanza.models.common import utils
@@ -29,13 +29,13 @@ def _score(trainer: object, data: object, gold: Path) -> float:
 
     predictions: List[object] = []
     indices: List[int] = []
-    for batch in data.to_loader(batch_size=BATCH):  # type: ignore[attr-defined]
-        found, extra = trainer.predict(batch, extra_columns=True)  # type: ignore[attr-defined]
+    for batch in data.to_loader(batch_size=BATCH):
+        found, _ = trainer.predict(batch, extra_columns=True)
         predictions += found
         indices.extend(batch.idx)
     predictions = utils.unsort(predictions, indices)
-    tagger.set_predictions(data.doc, trainer, predictions, None)  # type: ignore[attr-defined]
-    text = io.StringIO(format(data.doc, "C") + "\n\n")  # type: ignore[attr-defined]
+    tagger.set_predictions(data.doc, trainer, predictions, None)
+    text = io.StringIO(format(data.doc, "C") + "\n\n")
     return float(scorer.score(text, str(gold), eval_type="AllTags")[2])
 
 
@@ -70,7 +70,7 @@ def settle(source: Path, target: Path, vectors: Path, dev: Path, steps: int, see
             yield from shuffled
 
     best = _score(trainer, checked, dev)
-    print("before: dev_score = %.4f" % best, flush=True)
+    print(f"before: dev_score = {best:.4f}", flush=True)
     # The first steps cost what the optimizer had learned: where they are not made up for, the source stays the best.
     shutil.copyfile(str(source), str(target))
     weights = {name: weight for name, weight in trainer.model.named_parameters() if weight.requires_grad}
@@ -81,11 +81,11 @@ def settle(source: Path, target: Path, vectors: Path, dev: Path, steps: int, see
         for name, weight in weights.items():
             average[name].mul_(decay).add_(weight.detach(), alpha=1.0 - decay)
         if step % 20 == 0:
-            print("Finished STEP %d/%d, loss = %.4f" % (step, steps, loss), flush=True)
+            print(f"Finished STEP {step}/{steps}, loss = {loss:.4f}", flush=True)
         if step % EVERY == 0 or step == steps:
             current = _exchanged(weights, average)
             found = _score(trainer, checked, dev)
-            print("step %d: dev_score = %.4f" % (step, found), flush=True)
+            print(f"step {step}: dev_score = {found:.4f}", flush=True)
             if found >= best:
                 best = found
                 trainer.save(str(target))

@@ -84,7 +84,7 @@ def execute(steps: Sequence[Step], records: Path, jobs: int) -> None:
     """
     records.mkdir(parents=True, exist_ok=True)
     waiting: List[Step] = list(steps)
-    running: Dict["Future[None]", Tuple[Step, float]] = {}
+    running: Dict[Future[None], Tuple[Step, float]] = {}
     finished: Set[str] = set()
     made_by = {path: step.name for step in steps for path in step.outputs}
     with ThreadPoolExecutor(max_workers=jobs) as pool:
@@ -95,36 +95,34 @@ def execute(steps: Sequence[Step], records: Path, jobs: int) -> None:
                     continue
                 waiting.remove(step)
                 if done(step, records):
-                    tell("[%d/%d] %s: done before" % (len(finished) + 1, len(steps), step.name))
+                    tell(f"[{len(finished) + 1}/{len(steps)}] {step.name}: done before")
                     finished.add(step.name)
                     continue
                 missing = [path for path in step.inputs if not path.is_file()]
                 if missing:
-                    raise TrainingError("step %s: input %s is missing" % (step.name, missing[0]))
-                tell("[%d/%d] %s: started" % (len(finished) + len(running) + 1, len(steps), step.name))
+                    raise TrainingError(f"step {step.name}: input {missing[0]} is missing")
+                tell(f"[{len(finished) + len(running) + 1}/{len(steps)}] {step.name}: started")
                 running[pool.submit(step.run)] = (step, time.monotonic())
             if not running:
                 if waiting and all(
                     not {made_by[path] for path in step.inputs if path in made_by} <= finished for step in waiting
                 ):
-                    raise TrainingError("steps wait for each other: %s" % ", ".join(step.name for step in waiting))
+                    names = ", ".join(step.name for step in waiting)
+                    raise TrainingError(f"steps wait for each other: {names}")
                 continue
             ended, _ = wait(running, timeout=REPORT_SECONDS, return_when=FIRST_COMPLETED)
             if not ended:
                 for step, started in running.values():
-                    tell("      %s, %d min: %s" % (step.name, (time.monotonic() - started) / 60, last_line(step.log)))
+                    tell(f"      {step.name}, {int((time.monotonic() - started) / 60)} min: {last_line(step.log)}")
             for future in ended:
                 step, started = running.pop(future)
                 error = future.exception()
                 if error is not None:
-                    raise TrainingError("step %s failed: %s; see %s" % (step.name, error, step.log)) from error
+                    raise TrainingError(f"step {step.name} failed: {error}; see {step.log}") from error
                 absent = [path for path in step.outputs if not path.is_file()]
                 if absent:
-                    raise TrainingError("step %s ended without %s; see %s" % (step.name, absent[0], step.log))
+                    raise TrainingError(f"step {step.name} ended without {absent[0]}; see {step.log}")
                 record = records / (step.name + ".json")
                 record.write_text(json.dumps(fingerprint(step), indent=1), encoding="utf-8")
                 finished.add(step.name)
-                tell(
-                    "[%d/%d] %s: done in %.1f min"
-                    % (len(finished), len(steps), step.name, (time.monotonic() - started) / 60)
-                )
+                tell(f"[{len(finished)}/{len(steps)}] {step.name}: done in {(time.monotonic() - started) / 60:.1f} min")

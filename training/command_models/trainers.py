@@ -126,7 +126,7 @@ def tagger(data: Path, models: Path, effort: Effort, seed: int) -> List[str]:
         "--seed",
         str(seed),
         "--train_file",
-        "%s;%s" % (data / "mixed.train.conllu", data / "spoken.conllu"),
+        "{};{}".format(data / "mixed.train.conllu", data / "spoken.conllu"),
         "--eval_file",
         str(data / "written.dev.conllu"),
         "--wordvec_pretrain_file",
@@ -188,17 +188,17 @@ def preparation(data: Path) -> List[Tuple[List[str], str]]:
     commands: List[Tuple[List[str], str]] = []
     for part in ("train", "dev"):
         stem = data.resolve() / ("mixed." + part)
-        commands.append((_module("utils.datasets.conllu_to_text", "") + ["%s.conllu" % stem, "%s.txt" % stem], part))
+        commands.append((_module("utils.datasets.conllu_to_text", "") + [f"{stem}.conllu", f"{stem}.txt"], part))
         commands.append(
             (
                 _module("utils.datasets.prepare_tokenizer_data", "")
-                + ["%s.txt" % stem, "%s.conllu" % stem, "-o", "%s.toklabels" % stem, "-m", "%s.mwt.json" % stem],
+                + [f"{stem}.txt", f"{stem}.conllu", "-o", f"{stem}.toklabels", "-m", f"{stem}.mwt.json"],
                 part,
             )
         )
     stem = data.resolve() / "mixed.dev"
     commands.append(
-        (_module("utils.datasets.contract_mwt", "") + ["%s.conllu" % stem, "%s.contracted.conllu" % stem], "dev")
+        (_module("utils.datasets.contract_mwt", "") + [f"{stem}.conllu", f"{stem}.contracted.conllu"], "dev")
     )
     return commands
 
@@ -227,5 +227,5 @@ def run(command: List[str], log: Path) -> None:
             check=False,
         )
     if ended.returncode != 0:
-        tail = log.read_text(encoding="utf-8", errors="replace").splitlines()[-3:]
-        raise TrainingError("exit status %d: %s" % (ended.returncode, " / ".join(tail)))
+        tail = " / ".join(log.read_text(encoding="utf-8", errors="replace").splitlines()[-3:])
+        raise TrainingError(f"exit status {ended.returncode}: {tail}")

@@ -31,10 +31,10 @@ class Written:
 
 def written(folder: Path) -> Written:
     """The EWT files of a folder; raises TrainingError naming the missing one."""
-    paths = [folder / ("en_ewt-%s.conllu" % part) for part in ("train", "dev", "test")]
+    paths = [folder / (f"en_ewt-{part}.conllu") for part in ("train", "dev", "test")]
     for path in paths:
         if not path.is_file():
-            raise TrainingError("%s: no such file; expected the folder of UD_English-EWT" % path)
+            raise TrainingError(f"{path}: no such file; expected the folder of UD_English-EWT")
     return Written(*paths)
 
 
@@ -67,7 +67,7 @@ def spoken(folder: Path, banned: FrozenSet[str], seed: int) -> List[Sentence]:
     paths = sorted(folder.glob("**/*.conllu"))
     kept = [sentence for path in paths for sentence in without(read(path), banned) if _usable(sentence)]
     if not kept:
-        raise TrainingError("%s: no usable sentence in *.conllu below; expected UD_English-CHILDES" % folder)
+        raise TrainingError(f"{folder}: no usable sentence in *.conllu below; expected UD_English-CHILDES")
     imperatives = [sentence for sentence in kept if _imperative(sentence)]
     others = [sentence for sentence in kept if not _imperative(sentence)]
     random.Random(seed).shuffle(others)

@@ -50,7 +50,7 @@ def gloss_sentences(folder: Path, seed: int) -> Iterator[List[str]]:
     for kind, frames in _FRAMES.items():
         path = folder / ("data." + kind)
         if not path.is_file():
-            raise TrainingError("%s: no such file; expected WordNet 3.0 (Debian: wordnet-base)" % path)
+            raise TrainingError(f"{path}: no such file; expected WordNet 3.0 (Debian: wordnet-base)")
         with path.open(encoding="utf-8", errors="replace") as stream:
             for line in stream:
                 if line.startswith("  "):
@@ -60,7 +60,7 @@ def gloss_sentences(folder: Path, seed: int) -> Iterator[List[str]]:
                 lemmas = [cells[4 + 2 * at].split("(")[0].replace("_", " ") for at in range(int(cells[3], 16))]
                 definition, _, examples = gloss.strip().partition('; "')
                 for lemma in lemmas:
-                    yield _tokens("%s %s : %s" % (chooser.choice(frames), lemma, definition))
+                    yield _tokens(f"{chooser.choice(frames)} {lemma} : {definition}")
                 for example in re.findall(r'"([^"]+)"', '"' + examples):
                     yield _tokens(example)
 
@@ -95,9 +95,9 @@ def train(treebanks: Iterable[Path], wordnet: Path, target: Path, size: int, see
     )
     words = model.wv.index_to_key[:size]
     with target.open("w", encoding="utf-8") as stream:
-        stream.write("%d %d\n" % (len(words), DIMENSION))
+        stream.write(f"{len(words)} {DIMENSION}\n")
         for word in words:
-            stream.write("%s %s\n" % (word, " ".join("%.5f" % value for value in model.wv[word])))
+            stream.write("{} {}\n".format(word, " ".join(f"{value:.5f}" for value in model.wv[word])))
     return sum(len(sentence) for sentence in sentences)
 
 
@@ -105,7 +105,7 @@ def main(arguments: Sequence[str]) -> int:
     """``vectors WORDNET TARGET SIZE SEED TREEBANK...``: the step as a process of its own."""
     wordnet, target, size, seed = arguments[:4]
     tokens = train([Path(path) for path in arguments[4:]], Path(wordnet), Path(target), int(size), int(seed))
-    print("vectors over %d tokens" % tokens)
+    print(f"vectors over {tokens} tokens")
     return 0
 
 

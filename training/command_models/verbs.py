@@ -172,7 +172,9 @@ class Verbs(Motion):
         goal = (
             self.nouns.person()
             if verb.lemma in ("give", "hand", "pass", "show") or self.maybe(0.2)
-            else self.nouns.place() if self.maybe(0.5) else self.nouns.fixture()
+            else self.nouns.place()
+            if self.maybe(0.5)
+            else self.nouns.fixture()
         )
         if goal.upos == "NOUN":
             goal = self.nouns.located(goal, 0.1)
@@ -315,7 +317,9 @@ class Verbs(Motion):
             of = (
                 self.nouns.person()
                 if self.maybe(0.3)
-                else self.nouns.fixture() if self.maybe(0.5) else self.nouns.place()
+                else self.nouns.fixture()
+                if self.maybe(0.5)
+                else self.nouns.place()
             )
             head = head.post("nmod", of.pre("case", words.adposition("of")))
         return verb.post("obj", head)

@@ -145,7 +145,6 @@ _IRREGULAR_PAST: Dict[str, Tuple[str, str]] = {
     "shut": ("shut", "shut"),
     "wash": ("washed", "washed"),
     "sit": ("sat", "sat"),
-    "leave": ("left", "left"),
     "say": ("said", "said"),
     "tell": ("told", "told"),
     "lose": ("lost", "lost"),
@@ -273,7 +272,7 @@ def present(lemma: str, person: int = 1) -> Node:
     """Present tense: 1st and 2nd person singular, or 3rd singular with its ending."""
     if person == 3:
         return Node(third(lemma), lemma, "VERB", "VBZ", "Mood=Ind|Number=Sing|Person=3|Tense=Pres|VerbForm=Fin")
-    feats = "Mood=Ind|Number=Sing|Person=%d|Tense=Pres|VerbForm=Fin" % person
+    feats = f"Mood=Ind|Number=Sing|Person={person}|Tense=Pres|VerbForm=Fin"
     return Node(lemma, lemma, "VERB", "VBP", feats)
 
 

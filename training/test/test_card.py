@@ -12,10 +12,10 @@ MANIFEST = {"bytes": 7, "files": [{"path": "en/pos/command.pt", "bytes": 7, "md5
 
 @pytest.fixture
 def files(tmp_path):
-    raw = {metric: 50.0 for metric in card.PUBLISHED}
+    raw = dict.fromkeys(card.PUBLISHED, 50.0)
     (tmp_path / "figures.json").write_text(json.dumps({card.RAW: raw, "commands": {"LAS": 91.25}}), encoding="utf-8")
     (tmp_path / "manifest.json").write_text(json.dumps(MANIFEST), encoding="utf-8")
-    text = "# Card\n%s\nstale\n%s\nlast words\n" % (card.BEGIN, card.END)
+    text = f"# Card\n{card.BEGIN}\nstale\n{card.END}\nlast words\n"
     (tmp_path / "MODEL_CARD.md").write_text(text, encoding="utf-8")
     return tmp_path
 

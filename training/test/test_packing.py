@@ -26,9 +26,9 @@ def test_layout_and_index(trained, tmp_path):
     packed = packing.pack(trained, out, {"stanza": "1.15.0"})
     assert len(packed) == 6
     index = json.loads((out / "resources.json").read_text(encoding="utf-8"))["en"]
-    assert index["packages"]["default"] == {
-        processor: packing.PACKAGE for processor in ("tokenize", "mwt", "pos", "lemma", "depparse")
-    }
+    assert index["packages"]["default"] == dict.fromkeys(
+        ("tokenize", "mwt", "pos", "lemma", "depparse"), packing.PACKAGE
+    )
     for entry in packed:
         assert (out / entry.path).stat().st_size == entry.size
         assert steps.digest(out / entry.path) == entry.md5

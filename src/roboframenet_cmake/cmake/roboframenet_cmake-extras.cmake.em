@@ -21,7 +21,12 @@ endfunction()
 
 # roboframenet_add_tests([FOLDER <folder>])
 #
-# Run <folder>/unit with pytest, and every <folder>/rostest/*.test with rostest. The folder is "test".
+# Add the tests of a package, in three tiers (scripts/test runs one). The folder is "test".
+#
+#   <folder>/unit                 pytest; the marks "acceptance" and "reliability" tell what is of another tier than "test"
+#   <folder>/rostest/*.test       rostest, tier "test"
+#   <folder>/acceptance/*.test    rostest, tier "acceptance"
+#   <folder>/reliability/*.test   rostest, tier "reliability"
 function(roboframenet_add_tests)
   if(NOT CATKIN_ENABLE_TESTING)
     return()
@@ -30,18 +35,44 @@ function(roboframenet_add_tests)
   if(NOT ARG_FOLDER)
     set(ARG_FOLDER test)
   endif()
-  set(unit ${CMAKE_CURRENT_SOURCE_DIR}/${ARG_FOLDER}/unit)
-  if(EXISTS ${unit})
-    set(results ${CATKIN_TEST_RESULTS_DIR}/${PROJECT_NAME}/pytest-unit.xml)
-    catkin_run_tests_target("pytest" "unit" "pytest-unit.xml"
-      COMMAND "\"${PYTHON_EXECUTABLE}\" -m pytest -q -p no:cacheprovider --junitxml=${results} ${unit}")
+  file(GLOB unit CONFIGURE_DEPENDS LIST_DIRECTORIES TRUE ${ARG_FOLDER}/unit)
+  if(unit)
+    roboframenet_add_pytest(unit ${unit})
   endif()
-  file(GLOB rostests CONFIGURE_DEPENDS RELATIVE ${CMAKE_CURRENT_SOURCE_DIR} ${ARG_FOLDER}/rostest/*.test)
-  if(rostests)
-    find_package(rostest REQUIRED)
-    foreach(rostest ${rostests})
-      add_rostest(${rostest})
-    endforeach()
+  foreach(tier rostest acceptance reliability)
+    file(GLOB rostests CONFIGURE_DEPENDS RELATIVE ${CMAKE_CURRENT_SOURCE_DIR} ${ARG_FOLDER}/${tier}/*.test)
+    if(rostests)
+      find_package(rostest REQUIRED)
+      get_property(before DIRECTORY PROPERTY TESTS)
+      foreach(rostest ${rostests})
+        add_rostest(${rostest})
+      endforeach()
+      _roboframenet_label_tests(${tier} ${before})
+    endif()
+  endforeach()
+endfunction()
+
+# roboframenet_add_pytest(<name> <folder>)
+#
+# Run the tests below a folder with pytest, in every tier: pytest chooses by their marks.
+function(roboframenet_add_pytest name folder)
+  set(results ${CATKIN_TEST_RESULTS_DIR}/${PROJECT_NAME}/pytest-${name}.xml)
+  get_property(before DIRECTORY PROPERTY TESTS)
+  catkin_run_tests_target("pytest" ${name} "pytest-${name}.xml"
+    COMMAND "\"${PYTHON_EXECUTABLE}\" -m pytest -q -p no:cacheprovider --junitxml=${results} ${folder}")
+  _roboframenet_label_tests(pytest ${before})
+endfunction()
+
+# _roboframenet_label_tests(<label> [<test>...])
+#
+# Label the tests of this folder that are not among the given ones; scripts/test chooses by labels.
+function(_roboframenet_label_tests label)
+  get_property(tests DIRECTORY PROPERTY TESTS)
+  if(ARGN)
+    list(REMOVE_ITEM tests ${ARGN})
+  endif()
+  if(tests)
+    set_tests_properties(${tests} PROPERTIES LABELS ${label})
   endif()
 endfunction()
 

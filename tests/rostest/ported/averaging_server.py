@@ -1,5 +1,6 @@
 #!/usr/bin/python3
 """The server of the actionlib tutorial with a goal callback; the line that makes the server is changed."""
+
 import math
 import os
 

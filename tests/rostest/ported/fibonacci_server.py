@@ -1,5 +1,6 @@
 #!/usr/bin/python3
 """The server of the actionlib tutorial with an execute callback; the line that makes the server is changed."""
+
 import os
 
 import rospy

@@ -7,7 +7,8 @@ What it prints was read through, mended by hand (objects, and three clauses that
 import re
 from typing import Dict, Iterator, Optional, Tuple
 
-from roboframenet_tools.understanding import Pipeline, Understanding, load_knowledge, pretend_servers, shipped_domains
+from offline_pipeline.knowledge import load_knowledge, pretend_servers, shipped_domains
+from offline_pipeline.pipeline import Pipeline, Understanding
 
 from .utterances import Clause
 

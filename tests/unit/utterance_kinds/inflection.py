@@ -88,14 +88,9 @@ def inflect_clause(clause: str) -> Forms:
     if verb in ("high", "low"):  # "high five me": what is inflected is the second word
         second, _, rest = rest.partition(" ")
         five = inflect(second)
-        forms = Forms(
-            *(f"{verb} {form}" for form in (five.base, five.third, five.past, five.participle, five.gerund))
-        )
+        forms = Forms(*(f"{verb} {form}" for form in (five.base, five.third, five.past, five.participle, five.gerund)))
     return Forms(
-        *(
-            f"{form} {rest}".strip()
-            for form in (forms.base, forms.third, forms.past, forms.participle, forms.gerund)
-        )
+        *(f"{form} {rest}".strip() for form in (forms.base, forms.third, forms.past, forms.participle, forms.gerund))
     )
 
 

@@ -4,7 +4,8 @@ from collections import Counter
 from dataclasses import dataclass
 from typing import Dict, Iterable, Iterator, List, Tuple
 
-from roboframenet_tools.understanding import Pipeline, Understanding, load_knowledge, pretend_servers, shipped_domains
+from offline_pipeline.knowledge import load_knowledge, pretend_servers, shipped_domains
+from offline_pipeline.pipeline import Pipeline, Understanding
 
 from .utterances import Utterance
 

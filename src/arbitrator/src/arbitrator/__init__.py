@@ -1,1 +1,1 @@
-"""Orders the ways to carry out a command and forms a SMACH state machine of them."""
+"""Orders the ways to carry out each clause of a command and forms a SMACH state machine of them."""

@@ -1,14 +1,17 @@
-"""The arbitrator node: candidates in, an ordered procedure out."""
+"""The arbitrator node: candidates in, an ordered plan out."""
+
 import time
 from dataclasses import dataclass
 from typing import Optional
 
 import rospy
-from roboframenet_msgs.msg import CommandProcedure, CommandSemanticFrames, Procedure, Reply
-from stage_events.ros_stage import Stage
+from roboframenet_msgs.msg import CommandPlan, CommandSemanticFrames, Procedure, Reply
 
+from arbitrator.plan import describe
 from arbitrator.policy import Policy, PolicyError, arbitrate, load_policy
-from arbitrator.ros_messages import candidates_from_message, procedure_to_message
+from arbitrator.ros_messages import plan_from_message, plan_to_message, procedure_to_message
+from roboframenet_ros.ros_log import log_from_threads
+from stage_events.ros_stage import Stage
 
 # An executor that is just starting must not miss a command. Shorter than the time that it may be silent.
 _LISTENER_TIMEOUT_S = 3.0
@@ -48,45 +51,43 @@ def read_settings() -> Settings:
 
 
 class ArbitratorNode:
-    """Orders the candidates of each command.
+    """Orders the candidates of each clause of a command.
 
-    Subscribes: ``command_semantic_frames``. Publishes: ``command_procedure``, ``procedure``, ``stage_events``.
+    Subscribes: ``command_semantic_frames``. Publishes: ``command_plan``, ``procedure``, ``stage_events``.
     """
 
     def __init__(self, policy: Policy) -> None:
         self._policy = policy
-        self._command_procedure = rospy.Publisher("command_procedure", CommandProcedure, queue_size=100)
+        self._command_plan = rospy.Publisher("command_plan", CommandPlan, queue_size=100)
         self._procedure = rospy.Publisher("procedure", Procedure, queue_size=100)
         self._stage = Stage("arbitrator")
         self._subscriber = rospy.Subscriber(
-            "command_semantic_frames", CommandSemanticFrames, self._on_candidates, queue_size=100)
+            "command_semantic_frames", CommandSemanticFrames, self._on_candidates, queue_size=100
+        )
 
     def _on_candidates(self, message: CommandSemanticFrames) -> None:
-        if not message.candidates.frame_lists:
-            self._stage.ends(message.command, outcome=Reply.REFUSED, code="NO_SERVER",
-                             sentence="Nothing that could carry this out is registered.")
-            return
         try:
-            procedure = arbitrate(candidates_from_message(message), self._policy)
+            plan = arbitrate(plan_from_message(message.plan), self._policy)
         except (ValueError, PolicyError) as error:
             rospy.logerr("cmd=%s cannot be arbitrated: %s", message.command.id, error)
-            self._stage.ends(message.command, outcome=Reply.FAILED, code="STAGE_ERROR",
-                             sentence=f"The candidates could not be put in order: {error}.")
+            self._stage.ends(
+                message.command,
+                outcome=Reply.FAILED,
+                code="STAGE_ERROR",
+                sentence=f"The candidates could not be put in order: {error}.",
+            )
             return
-        answer = procedure_to_message(procedure)
-        ways = len(procedure.sequences)
-        first = ", then ".join(f"{frame.name} by {frame.server}" for frame in procedure.sequences[0].frames)
-        sentence = f"{ways} {'way' if ways == 1 else 'ways'} to do it; first {first}."
+        sentence = describe(plan)
         rospy.loginfo("cmd=%s %s", message.command.id, sentence)
         self._wait_for_executor()
         # The event goes first so that an observer hears the stages in their order.
         self._stage.passes_on(message.command, sentence)
-        self._command_procedure.publish(CommandProcedure(command=message.command, procedure=answer))
-        self._procedure.publish(answer)
+        self._command_plan.publish(CommandPlan(command=message.command, plan=plan_to_message(plan)))
+        self._procedure.publish(procedure_to_message(plan))
 
     def _wait_for_executor(self) -> None:
         end_s = time.monotonic() + _LISTENER_TIMEOUT_S
-        while self._command_procedure.get_num_connections() == 0 and time.monotonic() < end_s:
+        while self._command_plan.get_num_connections() == 0 and time.monotonic() < end_s:
             if rospy.is_shutdown():
                 return
             time.sleep(0.01)
@@ -95,6 +96,7 @@ class ArbitratorNode:
 def main() -> None:
     """Run the node until ROS shuts down; exits with a sentence when a parameter is wrong."""
     rospy.init_node("arbitrator")
+    log_from_threads()
     try:
         settings = read_settings()
         policy = load_policy(settings.policy, seed=settings.policy_seed)

@@ -1,41 +1,22 @@
-"""Policies: in which order the candidates of a command are tried.
+"""Policies: in which order the candidates of a clause are tried.
 
-A policy orders a group of candidates that account for the same share of the sentence. Groups with a larger share
-come first whatever the policy, because a reading that leaves words out is the worse reading.
+A policy orders the ways to *do* what was said, and never the ways to *read* it: it sees one tier of candidates after
+the other, those of one reading, the likeliest first. Within a reading, candidates that account for a larger share of
+the words come first whatever the policy.
 """
+
 import abc
 import importlib
 import itertools
-import math
 import random
-from dataclasses import dataclass
-from typing import Callable, Dict, List, Optional, Sequence as SequenceOf, Tuple
+from dataclasses import replace
+from typing import Callable, Dict, List, Optional, Sequence, Tuple
 
-from arbitrator.procedure import Procedure, Sequence
-
-
-@dataclass(frozen=True)
-class Candidate:
-    """One way to carry a command out.
-
-    Attributes:
-        sequence: the frames, in order
-        coverage: share of the content words of the sentence that it accounts for, 0 to 1
-
-    Raises:
-        ValueError: coverage is not finite or not from 0 to 1
-    """
-
-    sequence: Sequence
-    coverage: float
-
-    def __post_init__(self) -> None:
-        if not (math.isfinite(self.coverage) and 0.0 <= self.coverage <= 1.0):
-            raise ValueError(f"coverage must be 0 to 1, got {self.coverage}")
+from arbitrator.plan import Candidate, Do, Plan
 
 
 class Policy(abc.ABC):
-    """Orders candidates of equal coverage. Subclass it for a policy of your own.
+    """Orders candidates of one reading. Subclass it for a policy of your own.
 
     The constructor takes no argument but ``seed``.
     """
@@ -49,7 +30,7 @@ class Policy(abc.ABC):
         self.seed = seed
 
     @abc.abstractmethod
-    def order(self, candidates: SequenceOf[Candidate]) -> List[Candidate]:
+    def order(self, candidates: Sequence[Candidate]) -> List[Candidate]:
         """Return the same candidates, each once, in the order in which they are to be tried."""
 
 
@@ -60,7 +41,7 @@ class RandomPolicy(Policy):
         super().__init__(seed=seed)
         self._random = random.Random(seed)
 
-    def order(self, candidates: SequenceOf[Candidate]) -> List[Candidate]:
+    def order(self, candidates: Sequence[Candidate]) -> List[Candidate]:
         """Shuffle."""
         shuffled = list(candidates)
         self._random.shuffle(shuffled)
@@ -70,7 +51,7 @@ class RandomPolicy(Policy):
 class InOrderPolicy(Policy):
     """The order in which the registrar found them."""
 
-    def order(self, candidates: SequenceOf[Candidate]) -> List[Candidate]:
+    def order(self, candidates: Sequence[Candidate]) -> List[Candidate]:
         """Leave them as they are."""
         return list(candidates)
 
@@ -78,12 +59,12 @@ class InOrderPolicy(Policy):
 class FewestStepsPolicy(Policy):
     """The shortest sequence first: fewer servers can fail."""
 
-    def order(self, candidates: SequenceOf[Candidate]) -> List[Candidate]:
+    def order(self, candidates: Sequence[Candidate]) -> List[Candidate]:
         """Sort by the number of frames; equal ones stay in the order of the registrar."""
-        return sorted(candidates, key=lambda candidate: len(candidate.sequence.frames))
+        return sorted(candidates, key=lambda candidate: len(candidate.frames))
 
 
-# most_coverage is what every policy starts from; with no lots drawn inside a group it is the stable form of it.
+# most_coverage is what every policy starts from; with no lots drawn inside a tier it is the stable form of it.
 POLICIES: Dict[str, Callable[..., Policy]] = {
     "random": RandomPolicy,
     "in_order": InOrderPolicy,
@@ -127,33 +108,43 @@ def load_policy(name: str, *, seed: Optional[int] = None) -> Policy:
         raise PolicyError(f"policy {name!r} cannot be made: {type(error).__name__}: {error}") from error
 
 
-def _same_candidates(one: SequenceOf[Candidate], other: SequenceOf[Candidate]) -> bool:
+def _tier(candidate: Candidate) -> Tuple[int, float]:
+    return candidate.preference, -candidate.coverage
+
+
+def _same_candidates(one: Sequence[Candidate], other: Sequence[Candidate]) -> bool:
     return sorted(map(id, one)) == sorted(map(id, other))
 
 
-def arbitrate(candidates: SequenceOf[Candidate], policy: Policy) -> Procedure:
-    """Order candidates into a procedure: largest coverage first, groups of equal coverage as the policy says.
+def arbitrate(plan: Plan, policy: Policy) -> Plan:
+    """Order the candidates of each clause of a plan by :func:`order`; raises PolicyError like it."""
+    if isinstance(plan, Do):
+        return replace(plan, candidates=order(plan.candidates, policy))
+    return replace(plan, children=tuple(arbitrate(child, policy) for child in plan.children))
+
+
+def order(candidates: Sequence[Candidate], policy: Policy) -> Tuple[Candidate, ...]:
+    """Order the candidates of a clause: the likeliest reading first, then coverage; what is equal as the policy says.
 
     Args:
-        candidates: at least one
-        policy: orders each group of equal coverage
+        candidates: of one clause
+        policy: orders the candidates of each tier
 
     Raises:
-        ValueError: no candidates
         PolicyError: the policy raised, or returned other candidates than it was given
     """
-    # sorted() is stable, so the policy sees each group in the order of the registrar.
-    ranked = sorted(candidates, key=lambda candidate: -candidate.coverage)
+    # sorted() is stable, so the policy sees each tier in the order of the registrar.
+    ranked = sorted(candidates, key=_tier)
     ordered: List[Candidate] = []
-    for _, members in itertools.groupby(ranked, key=lambda candidate: candidate.coverage):
-        group: Tuple[Candidate, ...] = tuple(members)
+    for _, members in itertools.groupby(ranked, key=_tier):
+        tier = tuple(members)
         try:
-            answer = list(policy.order(group))
+            answer = list(policy.order(tier))
         except Exception as error:  # boundary: a policy of the user's may raise anything
             raise PolicyError(f"policy {type(policy).__name__} failed: {type(error).__name__}: {error}") from error
-        if not _same_candidates(group, answer):
+        if not _same_candidates(tier, answer):
             raise PolicyError(
-                f"policy {type(policy).__name__} must return each of the {len(group)} candidates once, "
-                f"got {len(answer)}")
+                f"policy {type(policy).__name__} must return each of the {len(tier)} candidates once, got {len(answer)}"
+            )
         ordered.extend(answer)
-    return Procedure(sequences=tuple(candidate.sequence for candidate in ordered))
+    return tuple(ordered)

@@ -1,10 +1,59 @@
-"""Procedures between messages and values."""
-from typing import List
+"""Plans between messages and values."""
+
+from dataclasses import fields
+from typing import Iterable, List
 
 from roboframenet_msgs import msg
 
-from arbitrator.policy import Candidate
-from arbitrator.procedure import FilledElement, FilledFrame, Procedure, Sequence
+from arbitrator.plan import Candidate, FilledElement, FilledFrame, Plan, as_procedure
+from arbitrator.plan_nodes import CARRIED_OUT, Kind, Node, from_nodes, to_nodes
+
+#: Fields of a node that mean something to the kinds that are carried out. The strings in the frames stand for the
+#: arguments.
+_READ = {field.name for field in fields(Node)} | {"arguments"}
+_NOTHING_SET = msg.PlanNode()
+
+
+def plan_from_message(message: msg.Plan) -> Plan:
+    """Turn a message into a value.
+
+    Raises:
+        ValueError: the nodes are no tree, a candidate is malformed, or something is asked for that nothing carries out;
+            the text says which and why
+    """
+    if message.beginning != msg.Plan.REPLACE:
+        raise ValueError(
+            f"the plan begins in the way {message.beginning}; nothing carries out other ways than 0 (REPLACE)"
+        )
+    return from_nodes([_node_from_message(position, node) for position, node in enumerate(message.nodes)])
+
+
+def _node_from_message(position: int, message: msg.PlanNode) -> Node:
+    try:
+        candidates = tuple(candidate_from_message(candidate) for candidate in message.candidates)
+    except ValueError as error:
+        raise ValueError(f"node {position} of the plan is wrong: {error}") from error
+    unread = [name for name in message.__slots__ if name not in _READ and _is_set(message, name)]
+    if message.kind in CARRIED_OUT and unread:
+        raise ValueError(
+            f"node {position} of the plan sets {', '.join(unread)}; a {Kind(message.kind).name} has no use for it"
+        )
+    return Node(kind=message.kind, label=message.label, children=tuple(message.children), candidates=candidates)
+
+
+def _is_set(message: msg.PlanNode, name: str) -> bool:
+    value, nothing = getattr(message, name), getattr(_NOTHING_SET, name)
+    # An array of numbers that came over the wire is a tuple.
+    return bool(value != nothing and not (nothing == [] and len(value) == 0))
+
+
+def candidate_from_message(message: msg.PlanCandidate) -> Candidate:
+    """Turn a message into a value; raises ValueError for a malformed candidate or frame."""
+    return Candidate(
+        frames=tuple(frame_from_message(frame) for frame in message.frames),
+        coverage=message.coverage,
+        preference=message.preference,
+    )
 
 
 def frame_from_message(message: msg.FilledSemanticFrame) -> FilledFrame:
@@ -17,43 +66,51 @@ def frame_from_message(message: msg.FilledSemanticFrame) -> FilledFrame:
     if len(servers) != 1:
         raise ValueError(f"frame {message.name!r} must name exactly one action server, got {servers}")
     return FilledFrame(
-        name=message.name, server=servers[0],
-        frame_elements=tuple(FilledElement(element.name, element.argument) for element in message.frame_elements))
+        name=message.name,
+        server=servers[0],
+        frame_elements=tuple(FilledElement(element.name, element.argument) for element in message.frame_elements),
+    )
 
 
-def sequence_from_message(message: msg.FilledSemanticFrameList) -> Sequence:
-    """Turn a message into a value; raises ValueError like `frame_from_message` and for an empty sequence."""
-    return Sequence(frames=tuple(frame_from_message(frame) for frame in message.frames))
+def plan_to_message(plan: Plan) -> msg.Plan:
+    """Turn a value into a message."""
+    return msg.Plan(
+        nodes=[
+            msg.PlanNode(
+                kind=node.kind,
+                label=node.label,
+                children=list(node.children),
+                candidates=[candidate_to_message(candidate) for candidate in node.candidates],
+            )
+            for node in to_nodes(plan)
+        ]
+    )
 
 
-def procedure_from_message(message: msg.Procedure) -> Procedure:
-    """Turn a message into a value; raises ValueError like `sequence_from_message` and for an empty procedure."""
-    return Procedure(sequences=tuple(sequence_from_message(entry) for entry in message.frame_lists))
-
-
-def candidates_from_message(message: msg.CommandSemanticFrames) -> List[Candidate]:
-    """Turn the registrar's message into candidates.
-
-    Raises:
-        ValueError: as many coverages as candidates are expected; or a candidate is malformed
-    """
-    frame_lists = message.candidates.frame_lists
-    if len(frame_lists) != len(message.coverage):
-        raise ValueError(f"{len(frame_lists)} candidates with {len(message.coverage)} coverages")
-    return [Candidate(sequence=sequence_from_message(frames), coverage=coverage)
-            for frames, coverage in zip(frame_lists, message.coverage)]
+def candidate_to_message(candidate: Candidate) -> msg.PlanCandidate:
+    """Turn a value into a message."""
+    return msg.PlanCandidate(
+        frames=_frames_to_messages(candidate.frames), coverage=candidate.coverage, preference=candidate.preference
+    )
 
 
 def frame_to_message(frame: FilledFrame) -> msg.FilledSemanticFrame:
     """Turn a value into a message."""
     return msg.FilledSemanticFrame(
-        name=frame.name, action_server_topics=[frame.server],
-        frame_elements=[msg.FilledFrameElement(name=element.name, argument=element.argument)
-                        for element in frame.frame_elements])
+        name=frame.name,
+        action_server_topics=[frame.server],
+        frame_elements=[
+            msg.FilledFrameElement(name=element.name, argument=element.argument) for element in frame.frame_elements
+        ],
+    )
 
 
-def procedure_to_message(procedure: Procedure) -> msg.Procedure:
-    """Turn a value into a message."""
-    return msg.Procedure(frame_lists=[
-        msg.FilledSemanticFrameList(frames=[frame_to_message(frame) for frame in sequence.frames])
-        for sequence in procedure.sequences])
+def procedure_to_message(plan: Plan) -> msg.Procedure:
+    """Return what the message of 2012 can say of a plan."""
+    return msg.Procedure(
+        frame_lists=[msg.FilledSemanticFrameList(frames=_frames_to_messages(frames)) for frames in as_procedure(plan)]
+    )
+
+
+def _frames_to_messages(frames: Iterable[FilledFrame]) -> List[msg.FilledSemanticFrame]:
+    return [frame_to_message(frame) for frame in frames]

@@ -1,5 +1,6 @@
 #!/usr/bin/python3
 """The node: one procedure or one final event for each command."""
+
 import threading
 import time
 import unittest
@@ -7,8 +8,17 @@ import unittest
 import rospy
 import rostest
 from roboframenet_msgs.msg import (
-    Command, CommandProcedure, CommandSemanticFrames, FilledSemanticFrame, FilledSemanticFrameList, Procedure, Reply,
-    StageEvent)
+    Command,
+    CommandPlan,
+    CommandSemanticFrames,
+    FilledSemanticFrame,
+    Plan,
+    PlanCandidate,
+    PlanNode,
+    Procedure,
+    Reply,
+    StageEvent,
+)
 
 
 def wait_until(condition, timeout_s=60.0):
@@ -20,9 +30,18 @@ def wait_until(condition, timeout_s=60.0):
     return condition()
 
 
-def candidate(*servers):
-    return FilledSemanticFrameList(frames=[
-        FilledSemanticFrame(name="turning", action_server_topics=[server] if server else []) for server in servers])
+def candidate(*servers, coverage=1.0, preference=0):
+    return PlanCandidate(
+        coverage=coverage,
+        preference=preference,
+        frames=[
+            FilledSemanticFrame(name="turning", action_server_topics=[server] if server else []) for server in servers
+        ],
+    )
+
+
+def servers_of(node):
+    return [[frame.action_server_topics[0] for frame in candidate.frames] for candidate in node.candidates]
 
 
 class ArbitratorNodeTest(unittest.TestCase):
@@ -32,63 +51,107 @@ class ArbitratorNodeTest(unittest.TestCase):
 
     def setUp(self):
         self._lock = threading.Lock()
-        self.procedures, self.plain, self.events = [], [], []
+        self.plans, self.procedures, self.events = [], [], []
         self._subscribers = [
-            rospy.Subscriber("command_procedure", CommandProcedure, self.procedures.append),
-            rospy.Subscriber("procedure", Procedure, self.plain.append),
-            rospy.Subscriber("stage_events", StageEvent, self.events.append)]
+            rospy.Subscriber("command_plan", CommandPlan, self.plans.append),
+            rospy.Subscriber("procedure", Procedure, self.procedures.append),
+            rospy.Subscriber("stage_events", StageEvent, self.events.append),
+        ]
         self._publisher = rospy.Publisher("command_semantic_frames", CommandSemanticFrames, queue_size=100)
-        self.assertTrue(wait_until(lambda: self._publisher.get_num_connections() == 1 and all(
-            subscriber.get_num_connections() == 1 for subscriber in self._subscribers)))
+        self.assertTrue(
+            wait_until(
+                lambda: (
+                    self._publisher.get_num_connections() == 1
+                    and all(subscriber.get_num_connections() == 1 for subscriber in self._subscribers)
+                )
+            )
+        )
 
     def tearDown(self):
         for subscriber in self._subscribers:
             subscriber.unregister()
 
-    def send(self, command_id, candidates, coverage):
-        message = CommandSemanticFrames(command=Command(id=command_id, text="turn"), coverage=coverage)
-        message.candidates.frame_lists = candidates
-        self._publisher.publish(message)
+    def send(self, command_id, *candidates):
+        """Send a command of one clause."""
+        self.send_plan(command_id, PlanNode(kind=PlanNode.DO, label="turn", candidates=candidates))
+
+    def send_plan(self, command_id, *nodes):
+        self._publisher.publish(
+            CommandSemanticFrames(command=Command(id=command_id, text="turn"), plan=Plan(nodes=nodes))
+        )
 
     def events_of(self, command_ids):
         # What another test ended a moment ago is told again to each new listener.
         return [event for event in list(self.events) if event.command.id in command_ids]
 
-    def test_order_by_coverage_then_policy(self):
-        self.send("one", [candidate("a"), candidate("b"), candidate("c", "d")], [0.5, 1.0, 1.0])
-        self.assertTrue(wait_until(lambda: self.procedures and self.plain and self.events_of(["one"])))
-        procedure = self.procedures[0]
-        self.assertEqual("one", procedure.command.id)
+    def test_order_by_reading_then_coverage_then_policy(self):
+        self.send(
+            "one", candidate("a", coverage=0.5), candidate("b"), candidate("c", "d"), candidate("e", preference=1)
+        )
+        self.assertTrue(wait_until(lambda: self.plans and self.procedures and self.events_of(["one"])))
+        message = self.plans[0]
+        self.assertEqual("one", message.command.id)
+        (node,) = message.plan.nodes
+        self.assertEqual((PlanNode.DO, "turn"), (node.kind, node.label))
+        self.assertEqual([["b"], ["c", "d"], ["a"], ["e"]], servers_of(node))
+        self.assertEqual([1.0, 1.0, 0.5, 1.0], [candidate.coverage for candidate in node.candidates])
+        self.assertEqual([0, 0, 0, 1], [candidate.preference for candidate in node.candidates])
         self.assertEqual(
-            [["b"], ["c", "d"], ["a"]],
-            [[frame.action_server_topics[0] for frame in entry.frames] for entry in procedure.procedure.frame_lists])
-        self.assertEqual(procedure.procedure, self.plain[0])
+            [candidate.frames for candidate in node.candidates],
+            [entry.frames for entry in self.procedures[0].frame_lists],
+        )
         self.assertFalse(self.events_of(["one"])[0].is_final)
+
+    def test_each_clause_is_ordered_for_itself(self):
+        leaves = [
+            PlanNode(kind=PlanNode.DO, label=label, candidates=candidates)
+            for label, candidates in (
+                ("ping", [candidate("p")]),
+                ("wave", [candidate("w", preference=1), candidate("v")]),
+            )
+        ]
+        # The children need not stand behind each other.
+        self.send_plan(
+            "two", PlanNode(kind=PlanNode.SEQUENCE, label="ping and wave", children=[2, 1]), leaves[1], leaves[0]
+        )
+        self.assertTrue(wait_until(lambda: self.plans and self.procedures))
+        nodes = self.plans[0].plan.nodes
+        self.assertEqual(["ping and wave", "ping", "wave"], [node.label for node in nodes])
+        self.assertEqual([1, 2], list(nodes[0].children))
+        self.assertEqual([[["p"]], [["v"], ["w"]]], [servers_of(node) for node in nodes[1:]])
+        self.assertEqual(
+            [["p", "v"], ["p", "w"]],
+            [[frame.action_server_topics[0] for frame in entry.frames] for entry in self.procedures[0].frame_lists],
+        )
 
     def test_a_listener_that_connects_late_hears_how_a_command_ended(self):
         events = self._subscribers.pop()
         events.unregister()
-        self.send("unheard", [], [])
-        self.send("after_it", [candidate("a")], [1.0])
+        self.send("unheard")
+        self.send("after_it", candidate("a"))
         # One thread takes both, in their order.
-        self.assertTrue(wait_until(lambda: self.procedures))
+        self.assertTrue(wait_until(lambda: self.plans))
         del self.events[:]
         self._subscribers.append(rospy.Subscriber("stage_events", StageEvent, self.events.append))
         self.assertTrue(wait_until(lambda: "unheard" in [event.command.id for event in self.events if event.is_final]))
 
     def test_what_cannot_be_arbitrated_ends_with_one_final_event(self):
-        self.send("none", [], [])
-        self.send("no_server", [candidate("")], [1.0])
-        self.send("no_frames", [candidate()], [1.0])
-        self.send("coverage", [candidate("a")], [])
-        names = ["none", "no_server", "no_frames", "coverage"]
-        self.assertTrue(wait_until(lambda: len(self.events_of(names)) >= 4))
+        self.send("none")
+        self.send("no_server", candidate(""))
+        self.send("no_frames", candidate())
+        self.send("coverage", candidate("a", coverage=2.0))
+        self.send_plan("no_nodes")
+        self.send_plan(
+            "circle", PlanNode(kind=PlanNode.SEQUENCE, children=[1]), PlanNode(kind=PlanNode.SEQUENCE, children=[0])
+        )
+        self.send_plan("unknown", PlanNode(kind=200, candidates=[candidate("a")]))
+        names = ["none", "no_server", "no_frames", "coverage", "no_nodes", "circle", "unknown"]
+        self.assertTrue(wait_until(lambda: len(self.events_of(names)) >= len(names)))
         events = self.events_of(names)
         self.assertEqual(names, [event.command.id for event in events])
         self.assertTrue(all(event.is_final and event.reply.sentence for event in events))
-        self.assertEqual([Reply.REFUSED] + [Reply.FAILED] * 3, [event.reply.outcome for event in events])
-        self.assertEqual(["NO_SERVER"] + ["STAGE_ERROR"] * 3, [event.reply.code for event in events])
-        self.assertFalse(self.procedures)
+        self.assertEqual({(Reply.FAILED, "STAGE_ERROR")}, {(event.reply.outcome, event.reply.code) for event in events})
+        self.assertFalse(self.plans)
 
 
 if __name__ == "__main__":

@@ -1,21 +1,22 @@
 """Order of the candidates."""
+
 import math
 import sys
 import types
 
 import pytest
 
-from arbitrator.policy import Candidate, POLICIES, Policy, PolicyError, arbitrate, load_policy
-from arbitrator.procedure import FilledFrame, Procedure, Sequence
+from arbitrator.plan import Candidate, Do, FilledFrame, InSequence
+from arbitrator.policy import POLICIES, Policy, PolicyError, arbitrate, load_policy, order
 
 
-def make_candidate(name, coverage=1.0, steps=1):
+def make_candidate(name, coverage=1.0, steps=1, preference=0):
     frame = FilledFrame(name=name, frame_elements=(), server=f"{name}_server")
-    return Candidate(sequence=Sequence(frames=(frame,) * steps), coverage=coverage)
+    return Candidate(frames=(frame,) * steps, coverage=coverage, preference=preference)
 
 
-def names(procedure):
-    return [sequence.frames[0].name for sequence in procedure.sequences]
+def names(candidates):
+    return [candidate.frames[0].name for candidate in candidates]
 
 
 MANY = [make_candidate(f"frame{index}") for index in range(20)]
@@ -23,37 +24,54 @@ MANY = [make_candidate(f"frame{index}") for index in range(20)]
 
 def test_random_policy_with_a_seed_repeats_itself():
     one, other = load_policy("random", seed=7), load_policy("random", seed=7)
-    first = [names(arbitrate(MANY, one)) for _ in range(3)]
-    assert first == [names(arbitrate(MANY, other)) for _ in range(3)]
+    first = [names(order(MANY, one)) for _ in range(3)]
+    assert first == [names(order(MANY, other)) for _ in range(3)]
     assert first[0] != first[1]
 
 
 def test_random_policy_gives_every_candidate_the_first_place():
     policy = load_policy("random", seed=1)
-    firsts = {names(arbitrate(MANY[:4], policy))[0] for _ in range(200)}
+    firsts = {names(order(MANY[:4], policy))[0] for _ in range(200)}
     assert firsts == {"frame0", "frame1", "frame2", "frame3"}
 
 
 @pytest.mark.parametrize("name", sorted(POLICIES))
 def test_every_policy_tries_the_larger_coverage_first(name):
     candidates = [make_candidate("low", 0.5), make_candidate("high", 1.0), make_candidate("middle", 0.75)]
-    assert names(arbitrate(candidates, load_policy(name))) == ["high", "middle", "low"]
+    assert names(order(candidates, load_policy(name))) == ["high", "middle", "low"]
+
+
+@pytest.mark.parametrize("name", sorted(POLICIES))
+@pytest.mark.parametrize("seed", range(50))
+def test_no_policy_draws_lots_between_readings(name, seed):
+    candidates = [
+        make_candidate("third", 1.0, preference=2),
+        make_candidate("second", 1.0, preference=1),
+        make_candidate("first", 0.5, steps=3),
+    ]
+    assert names(order(candidates, load_policy(name, seed=seed))) == ["first", "second", "third"]
+
+
+def test_random_policy_draws_lots_within_a_reading():
+    candidates = [make_candidate("a"), make_candidate("b"), make_candidate("z", preference=1)]
+    orders = {tuple(names(order(candidates, load_policy("random", seed=seed)))) for seed in range(50)}
+    assert orders == {("a", "b", "z"), ("b", "a", "z")}
 
 
 @pytest.mark.parametrize("name", ["in_order", "most_coverage"])
 def test_stable_policies_keep_the_order_of_the_registrar(name):
     candidates = [make_candidate("c", 0.5), make_candidate("b"), make_candidate("d", 0.5), make_candidate("a")]
-    assert names(arbitrate(candidates, load_policy(name))) == ["b", "a", "c", "d"]
+    assert names(order(candidates, load_policy(name))) == ["b", "a", "c", "d"]
 
 
 def test_fewest_steps_prefers_short_sequences():
     candidates = [make_candidate("long", steps=3), make_candidate("short"), make_candidate("medium", steps=2)]
-    assert names(arbitrate(candidates, load_policy("fewest_steps"))) == ["short", "medium", "long"]
+    assert names(order(candidates, load_policy("fewest_steps"))) == ["short", "medium", "long"]
 
 
 def test_two_equal_candidates_both_stay():
     twin = make_candidate("twin")
-    assert names(arbitrate([twin, twin], load_policy("random"))) == ["twin", "twin"]
+    assert names(order([twin, twin], load_policy("random"))) == ["twin", "twin"]
 
 
 class Reverse(Policy):
@@ -83,14 +101,21 @@ def own_module(monkeypatch):
 
 
 def test_own_policy_is_loaded_by_name(own_module):
-    assert names(arbitrate(MANY[:3], load_policy("own_policies:Reverse"))) == ["frame2", "frame1", "frame0"]
+    assert names(order(MANY[:3], load_policy("own_policies:Reverse"))) == ["frame2", "frame1", "frame0"]
 
 
-@pytest.mark.parametrize("name,part", [
-    ("randm", "random"), ("", "random"), (":X", "package.module:ClassName"),
-    ("no_such_module_here:X", "cannot import"), ("own_policies:Missing", "has no 'Missing'"),
-    ("own_policies:not_a_class", "subclass"), ("own_policies:Unmade", "cannot be made"),
-])
+@pytest.mark.parametrize(
+    "name,part",
+    [
+        ("randm", "random"),
+        ("", "random"),
+        (":X", "package.module:ClassName"),
+        ("no_such_module_here:X", "cannot import"),
+        ("own_policies:Missing", "has no 'Missing'"),
+        ("own_policies:not_a_class", "subclass"),
+        ("own_policies:Unmade", "cannot be made"),
+    ],
+)
 def test_wrong_policy_is_refused_with_the_reason(own_module, name, part):
     with pytest.raises(PolicyError, match=part):
         load_policy(name)
@@ -99,7 +124,7 @@ def test_wrong_policy_is_refused_with_the_reason(own_module, name, part):
 @pytest.mark.parametrize("policy,part", [(Forgetful(), "each of the 2 candidates"), (Broken(), "KeyError: 'no table'")])
 def test_policy_that_misbehaves_is_named(policy, part):
     with pytest.raises(PolicyError, match=part):
-        arbitrate(MANY[:2], policy)
+        order(MANY[:2], policy)
 
 
 @pytest.mark.parametrize("coverage", [-0.1, 1.1, math.nan, math.inf])
@@ -108,10 +133,19 @@ def test_coverage_out_of_range_is_refused(coverage):
         make_candidate("x", coverage)
 
 
-def test_empty_values_are_refused():
-    for make in (lambda: Procedure(sequences=()), lambda: Sequence(frames=()),
-                 lambda: FilledFrame(name="", frame_elements=(), server="s"),
-                 lambda: FilledFrame(name="f", frame_elements=(), server=""),
-                 lambda: arbitrate([], load_policy("in_order"))):
-        with pytest.raises(ValueError):
-            make()
+def test_negative_preference_is_refused():
+    with pytest.raises(ValueError, match="preference"):
+        make_candidate("x", preference=-1)
+
+
+def test_clauses_are_ordered_each_for_itself():
+    one = Do("one", (make_candidate("b", 0.5), make_candidate("a")))
+    two = Do("two", (make_candidate("d", preference=1), make_candidate("c")))
+    plan = arbitrate(InSequence("all", (one, InSequence("inner", (two, one)))), load_policy("in_order"))
+    inner = plan.children[1]
+    assert [names(part.candidates) for part in (plan.children[0],) + inner.children] == [
+        ["a", "b"],
+        ["c", "d"],
+        ["a", "b"],
+    ]
+    assert (plan.label, inner.label, plan.children[0].label) == ("all", "inner", "one")

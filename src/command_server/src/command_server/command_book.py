@@ -1,13 +1,15 @@
 """The book of commands: which are open, what ends them, and when a stage has been silent for too long."""
+
 import enum
 import time
 from dataclasses import dataclass, replace
-from typing import Callable, Dict, List, Mapping, Optional, Tuple
+from typing import AbstractSet, Callable, Dict, List, Mapping, Optional, Tuple
 
 # In the order in which a command passes them.
 STAGES: Tuple[str, ...] = ("stanford_parser_ros", "semantic_framer", "frame_registrar", "arbitrator", "executor")
 OWN_STAGE = "command_server"
 STOP_STAGE = "stop_server"
+EXECUTOR_STAGE = STAGES[-1]
 
 
 class Outcome(enum.IntEnum):
@@ -55,6 +57,21 @@ class Ending:
 
 
 @dataclass(frozen=True)
+class Verdict:
+    """How a command will be answered, once what it has started is cancelled: an `Ending` to be."""
+
+    outcome: Outcome
+    stage: str
+    code: str
+    sentence: str
+
+
+RESTARTED = Verdict(
+    Outcome.FAILED, OWN_STAGE, "RESTARTED", "The command server was restarted; say it again if it is still wanted."
+)
+
+
+@dataclass(frozen=True)
 class OpenCommand:
     """A command without a reply.
 
@@ -63,12 +80,19 @@ class OpenCommand:
         awaited_stage: the stage that must say something next
         deadline_s: when that stage counts as silent, monotonic seconds
         is_with_executor: whether the executor has said that it carries the command out
+        verdict: set while what the command has started is being cancelled
     """
 
     command: CommandText
     awaited_stage: str
     deadline_s: float
     is_with_executor: bool = False
+    verdict: Optional[Verdict] = None
+
+    @property
+    def may_have_started(self) -> bool:
+        """Whether the executor may have sent goals for it."""
+        return self.awaited_stage == EXECUTOR_STAGE
 
 
 def refusal_of_text(text: str, *, max_length: int) -> Optional[Tuple[str, str]]:
@@ -141,7 +165,21 @@ class CommandBook:
         if command.command_id in self._open:
             raise ValueError(f"command {command.command_id!r} is open already")
         self._open[command.command_id] = OpenCommand(
-            command=command, awaited_stage=STAGES[0], deadline_s=self._now() + self._timeouts_s[STAGES[0]])
+            command=command, awaited_stage=STAGES[0], deadline_s=self._now() + self._timeouts_s[STAGES[0]]
+        )
+
+    def adopt(self, command: CommandText, *, timeout_s: float) -> None:
+        """Take in a command that the last run left open; it will be answered as restarted.
+
+        Args:
+            command: what was said
+            timeout_s: how long it may take to cancel what it has started
+
+        Raises:
+            ValueError: a command with this id is open
+        """
+        self.open(command)
+        self._condemn(replace(self._open[command.command_id], awaited_stage=EXECUTOR_STAGE), RESTARTED, timeout_s)
 
     def progress(self, command_id: str, stage: str) -> bool:
         """Note that a stage passed the command on, or, the executor, that it still runs.
@@ -154,50 +192,147 @@ class CommandBook:
         entry = self._open.get(command_id)
         if entry is None or stage not in STAGES:
             return False
+        if entry.verdict is not None:
+            return True
         awaited = stage_after(stage)
         if STAGES.index(awaited) < STAGES.index(entry.awaited_stage):
             return True
         self._open[command_id] = replace(
-            entry, awaited_stage=awaited, deadline_s=self._now() + self._timeouts_s[awaited],
-            is_with_executor=entry.is_with_executor or stage == STAGES[-1])
+            entry,
+            awaited_stage=awaited,
+            deadline_s=self._now() + self._timeouts_s[awaited],
+            is_with_executor=entry.is_with_executor or stage == STAGES[-1],
+        )
         return True
 
     def finish(self, ending: Ending) -> Optional[Ending]:
         """Close a command.
 
         Returns:
-            the ending with the command as it was opened; None when the command is not open: the ending is a later one
+            the ending with the command as it was opened; None when the command is not open: the ending is a later one;
+            also None while it is being cancelled, which `finish_condemned` ends, unless it was done before
         """
-        entry = self._open.pop(ending.command.command_id, None)
-        return None if entry is None else replace(ending, command=entry.command)
+        entry = self._open.get(ending.command.command_id)
+        if entry is None or (entry.verdict is not None and ending.outcome is not Outcome.DONE):
+            return None
+        del self._open[ending.command.command_id]
+        return replace(ending, command=entry.command)
 
-    def finish_overdue(self) -> List[Ending]:
-        """Close every command whose stage has been silent for too long."""
+    def condemn_silent(self, *, timeout_s: float) -> List[OpenCommand]:
+        """Find every command whose stage has been silent for too long; each is found once.
+
+        Each must now be cancelled, and then closed by `finish_condemned`.
+
+        Args:
+            timeout_s: how long it may take to cancel what it has started
+        """
         now_s = self._now()
         return [
-            self._close(entry, Outcome.FAILED, stage=entry.awaited_stage, code="STAGE_SILENT",
-                        sentence=f"{entry.awaited_stage} did not answer within "
-                                 f"{self._timeouts_s[entry.awaited_stage]:g} s.")
-            for entry in self.open_commands if now_s >= entry.deadline_s]
+            self._condemn(
+                entry,
+                Verdict(
+                    Outcome.FAILED,
+                    entry.awaited_stage,
+                    "STAGE_SILENT",
+                    f"{entry.awaited_stage} did not answer within {self._timeouts_s[entry.awaited_stage]:g} s.",
+                ),
+                timeout_s,
+            )
+            for entry in self.open_commands
+            if entry.verdict is None and now_s >= entry.deadline_s
+        ]
 
-    def finish_stopped(self, stop_stamp_ns: int, *, stage: str = STOP_STAGE) -> List[Ending]:
-        """Close every command that was said at or before a stop."""
+    def finish_condemned(self, command_id: str, remark: str = "") -> Optional[Ending]:
+        """Close a command that has been cancelled.
+
+        Args:
+            command_id: its id
+            remark: what became of it, a sentence that follows the verdict; empty for none
+
+        Returns:
+            its ending; None when it is not open any more, or has no verdict
+        """
+        entry = self._open.get(command_id)
+        if entry is None or entry.verdict is None:
+            return None
+        del self._open[command_id]
+        return _ending_of(entry, entry.verdict, remark)
+
+    def overdue_condemned(self) -> List[str]:
+        """Ids of the commands that should have been cancelled by now."""
+        now_s = self._now()
         return [
-            self._close(entry, Outcome.SUPERSEDED, stage=stage, code="STOPPED", sentence="Stopped.")
-            for entry in self.open_commands if entry.command.stamp_ns <= stop_stamp_ns]
+            entry.command.command_id
+            for entry in self.open_commands
+            if entry.verdict is not None and now_s >= entry.deadline_s
+        ]
+
+    def postpone(self, duration_s: float) -> None:
+        """This process did not run for a while: no stage can be blamed for that time."""
+        for command_id, entry in self._open.items():
+            self._open[command_id] = replace(entry, deadline_s=entry.deadline_s + duration_s)
+
+    def begin(self, command: CommandText) -> None:
+        """A command that waited here is sent now: it has a new stamp, and its first stage must speak from now on."""
+        entry = self._open.get(command.command_id)
+        if entry is not None:
+            self._open[command.command_id] = replace(
+                entry, command=command, deadline_s=self._now() + self._timeouts_s[STAGES[0]]
+            )
+
+    def extend(self, command_id: str, *, timeout_s: float) -> None:
+        """Blame no stage for a command before that time: it waits for something else."""
+        entry = self._open.get(command_id)
+        if entry is not None:
+            self._open[command_id] = replace(entry, deadline_s=self._now() + timeout_s)
+
+    def finish_stopped(
+        self, stop_stamp_ns: int, *, stage: str = STOP_STAGE, spared: AbstractSet[str] = frozenset()
+    ) -> List[Ending]:
+        """Close every command that was said at or before a stop, except those with the ids in `spared`."""
+        return [
+            self._close(entry, Outcome.SUPERSEDED, stage=stage, code="STOPPED", sentence="A stop ended it.")
+            for entry in self.open_commands
+            if entry.command.stamp_ns <= stop_stamp_ns and entry.command.command_id not in spared
+        ]
 
     def next_deadline_s(self) -> Optional[float]:
-        """When `finish_overdue` may have something to do, monotonic seconds; None when nothing is open."""
+        """When a command may be overdue, monotonic seconds; None when nothing is open."""
         return min((entry.deadline_s for entry in self._open.values()), default=None)
 
     def _close(self, entry: OpenCommand, outcome: Outcome, *, stage: str, code: str, sentence: str) -> Ending:
         del self._open[entry.command.command_id]
         return Ending(command=entry.command, outcome=outcome, stage=stage, code=code, sentence=sentence)
 
+    def _condemn(self, entry: OpenCommand, verdict: Verdict, timeout_s: float) -> OpenCommand:
+        condemned = replace(entry, verdict=verdict, deadline_s=self._now() + timeout_s)
+        self._open[entry.command.command_id] = condemned
+        return condemned
 
-def endings_after_restart(commands: Tuple[CommandText, ...]) -> List[Ending]:
-    """What the commands hear that were open when the command server died."""
-    return [
-        Ending(command=command, outcome=Outcome.FAILED, stage=OWN_STAGE, code="RESTARTED",
-               sentence="The command server was restarted; say it again if it is still wanted.")
-        for command in commands]
+
+def _ending_of(entry: OpenCommand, verdict: Verdict, remark: str) -> Ending:
+    return Ending(
+        command=entry.command,
+        outcome=verdict.outcome,
+        stage=verdict.stage,
+        code=verdict.code,
+        sentence=f"{verdict.sentence} {remark}".strip(),
+    )
+
+
+def ending_at_shutdown(command: CommandText) -> Ending:
+    """Return what an open command hears when the command server shuts down."""
+    sentence = "The command server shuts down; the executor was told to cancel it."
+    return Ending(command=command, outcome=Outcome.FAILED, stage=OWN_STAGE, code="RESTARTED", sentence=sentence)
+
+
+def ending_of_silent_stop(stop: CommandText, *, timeout_s: float, standing: str) -> Ending:
+    """Return what a stop hears that the stop server did not answer.
+
+    Args:
+        stop: the stop
+        timeout_s: how long the stop server had
+        standing: who obeys, as a sentence
+    """
+    sentence = f"{STOP_STAGE} did not answer within {timeout_s:g} s; {OWN_STAGE} took its place. {standing}"
+    return Ending(command=stop, outcome=Outcome.FAILED, stage=STOP_STAGE, code="STAGE_SILENT", sentence=sentence)

@@ -2,109 +2,144 @@
 
 Callbacks only enqueue; one worker thread owns the commands.
 """
-import queue
+
 import threading
 import time
 import uuid
 from collections import deque
-from dataclasses import dataclass
-from typing import Deque, List, Optional, Tuple, Union
+from dataclasses import replace
+from typing import Deque, Dict, Tuple, Union
 
-import actionlib
-import rosgraph
 import rospy
-from roboframenet_msgs.msg import Command, CommandStatus, Reply, StageEvent, StopReport
+from roboframenet_msgs.msg import Command, Reply, StageEvent, StopReport
 from std_msgs.msg import String
 
+from command_server.command_behind import command_behind
 from command_server.command_book import (
-    CommandBook, CommandText, Ending, OWN_STAGE, Outcome, STOP_STAGE, endings_after_restart, refusal_of_text,
-    stamp_after)
+    OWN_STAGE,
+    STOP_STAGE,
+    CommandBook,
+    CommandText,
+    Ending,
+    Outcome,
+    ending_at_shutdown,
+    ending_of_silent_stop,
+    refusal_of_text,
+    stamp_after,
+)
+from command_server.follow_ups import FollowUps
+from command_server.inbox import Inbox
 from command_server.ros_action_door import ActionDoor
-from command_server.ros_messages import (
-    command_from_message, command_to_message, ending_from_message, ending_to_message)
+from command_server.ros_cancel_topic import CancelTopic
+from command_server.ros_events import Braking, GoalCancelled, Said
+from command_server.ros_left_over import EXECUTOR_TIMEOUT_S, LeftOver
+from command_server.ros_messages import command_to_message, ending_of_event, reply_of_stopped
 from command_server.ros_open_commands import OpenCommandStore
+from command_server.ros_replies import Replies
+from command_server.ros_settings import read_brake_settings, read_settings
 from command_server.settings import Settings
 from command_server.stop_book import StopBook
-from command_server.stop_words import is_stop
+from command_server.stop_words import find_cry
+from command_server.withdrawals import WITHDRAWING, Withdrawals
+from roboframenet_ros.ros_log import log_from_threads
+from roboframenet_ros.suspension import SuspensionWatch
+from robot_stop.braking import Finding, StopOrder
+from robot_stop.ros_brake import Brake, Braked
+from robot_stop.sentences import may_still_move, sentence_of
+from robot_stop.settings import BrakeSettings
 
 _SAVE_TIMEOUT_S = 0.5
 _LONGEST_WAIT_S = 0.2
-# How long replies of the last run wait for listeners that still start and connect.
-_LISTENER_TIMEOUT_S = 10.0
 _JOIN_TIMEOUT_S = 5.0
+# A turn of the worker that takes longer means that the process did not run.
+_LONGEST_TURN_S = 2.0
+# A stop is answered within so many of its time-outs: one for its report, one for its reply.
+_WAIT_FOR_STOP = 3.0
+# How long a brake may take to say who obeys, on top of its own time-out.
+_BRAKE_SLACK_S = 1.0
+# Time for what was published last to leave the process.
+_FLUSH_S = 0.1
+# Name of the stop of what the last run left; the others have that of their command.
+_RESTART_KEY = "restart"
 
 
-@dataclass(frozen=True)
-class _Said:
-    """A text or a goal, with the time of its arrival."""
-
-    text: str
-    arrival_ns: int
-    handle: Optional[actionlib.ServerGoalHandle] = None
-
-
-@dataclass(frozen=True)
-class _GoalCancelled:
-    """The client of a goal asked to cancel it."""
-
-    command_id: str
-
-
-_Event = Union[_Said, _GoalCancelled, StageEvent, StopReport, None]
+_Event = Union[Said, GoalCancelled, StageEvent, StopReport, Braked, Finding, None]
 
 
 class CommandServerNode:
     """Owns the commands.
 
     Subscribes: ``text``, ``stage_events``, ``stop_report``. Publishes: ``command_text``, ``command_cancel``, ``reply``,
-    ``status`` (latched). Actions: ``command``.
+    ``status`` (latched), and what a `Brake` does. Actions: ``command``.
     """
 
-    def __init__(self, settings: Settings) -> None:
+    def __init__(self, settings: Settings, brake_settings: BrakeSettings) -> None:
         self._settings = settings
+        self._brake_settings = brake_settings
         self._book = CommandBook(settings.stage_timeouts_s)
         self._stops = StopBook(timeout_s=settings.stop_timeout_s)
+        self._last_stop_ns = 0
+        self._follow_ups = FollowUps(pause_s=settings.pause_after_stop_s)
+        self._withdrawals = Withdrawals(timeout_s=settings.cancel_timeout_s)
         self._store = OpenCommandStore()
         self._saved: Tuple[CommandText, ...] = ()
+        self._is_saving_late = False
         self._unsent: Deque[CommandText] = deque()
         self._run_tag = uuid.uuid4().hex[:8]
         self._text_count = 0
         self._last_stamp_ns = 0
-        self._sentence = "Ready."
-        self._last_reply = Reply()
-        self._is_status_due = True
-        self._events: "queue.Queue[_Event]" = queue.Queue()
+        self._events: Inbox[_Event] = Inbox()
+        self._suspension = SuspensionWatch(longest_turn_s=_LONGEST_TURN_S)
         self._worker = threading.Thread(target=self._work, name="command_server_worker")
 
         self._command_text = rospy.Publisher("command_text", Command, queue_size=1000)
-        self._command_cancel = rospy.Publisher("command_cancel", Command, queue_size=1000)
-        self._reply = rospy.Publisher("reply", Reply, queue_size=1000)
-        self._status = rospy.Publisher("status", CommandStatus, queue_size=1, latch=True)
-        self._left_over: Deque[Ending] = deque(endings_after_restart(self._store.load()))
-        self._left_over_end_s = time.monotonic() + _LISTENER_TIMEOUT_S
+        self._cancels = CancelTopic()
+        self._replies = Replies()
+        self._brake = Brake(brake_settings, on_braked=self._events.put, on_finding=self._events.put)
+        self._brakings: Dict[str, Braking] = {}
+        self._brake_answer_s = brake_settings.confirmation_timeout_s + _BRAKE_SLACK_S
+        self._start_ns = _now_ns()
+        left_over = self._store.load()
+        self._left_over = LeftOver(left_over, self._replies.publisher)
+        for command in left_over:
+            self._book.adopt(command, timeout_s=EXECUTOR_TIMEOUT_S + self._brake_answer_s)
+            self._cancels.cancel(command)
         self._door = ActionDoor(
-            on_goal=lambda handle: self._events.put(_Said(handle.get_goal().text, _now_ns(), handle)),
-            on_cancel=lambda command_id: self._events.put(_GoalCancelled(command_id)))
+            on_goal=lambda handle: self._events.put(Said(handle.get_goal().text, _now_ns(), handle)),
+            on_cancel=lambda command_id: self._events.put(GoalCancelled(command_id)),
+        )
 
     def start(self) -> None:
         """Open the doors."""
         rospy.on_shutdown(self._shutdown)
+        self._brake.start()
         self._worker.start()
         self._subscribers = [
             rospy.Subscriber("stage_events", StageEvent, self._events.put),
             rospy.Subscriber("stop_report", StopReport, self._events.put),
-            rospy.Subscriber("text", String, lambda message: self._events.put(_Said(message.data, _now_ns())))]
+            rospy.Subscriber("text", String, lambda message: self._events.put(Said(message.data, _now_ns()))),
+        ]
         self._door.start()
 
     def _shutdown(self) -> None:
         self._events.put(None)
         self._worker.join(_JOIN_TIMEOUT_S)
+        self._brake.close(timeout_s=1.0)
         self._door.shutdown()
         self._store.close(timeout_s=1.0)
 
     def _work(self) -> None:
         while True:
-            events = self._take_events()
+            events = self._events.take(
+                longest_wait_s=_LONGEST_WAIT_S,
+                deadlines_s=(
+                    self._book.next_deadline_s(),
+                    self._stops.next_deadline_s(),
+                    self._follow_ups.next_due_s(),
+                    self._withdrawals.next_deadline_s(),
+                ),
+            )
+            self._excuse_suspension()
             for event in events:
                 if event is None:
                     self._answer_all_at_shutdown()
@@ -112,44 +147,43 @@ class CommandServerNode:
                 try:
                     self._handle(event)
                 except Exception as error:  # boundary: one event must not end the answers to all others
-                    rospy.logerr("command_server could not handle a %s: %s: %s",
-                                 type(event).__name__, type(error).__name__, error)
-            for ending in self._book.finish_overdue():
+                    rospy.logerr(
+                        "command_server could not handle a %s: %s: %s",
+                        type(event).__name__,
+                        type(error).__name__,
+                        error,
+                    )
+            self._cancel_silent()
+            self._stop_in_place()
+            for command in self._follow_ups.take_due():
+                self._book.begin(command)
+                self._unsent.append(command)
+            for ending in self._withdrawals.take_overdue():
+                self._conclude(ending)
+            if self._left_over.take_brake(is_executor_connected=self._cancels.is_heard):
+                self._brake.stop(StopOrder(key=_RESTART_KEY, stamp_ns=self._start_ns, is_for_frames_only=True))
+            for ending in self._left_over.take_answers():
                 self._answer(ending)
-            for stop in self._stops.take_overdue():
-                self._answer_silent_stop(stop.command_id, stop.text)
-            self._answer_left_over()
             self._save()
             self._send()
-            self._publish_status()
-
-    def _take_events(self) -> List[_Event]:
-        deadline_s = self._book.next_deadline_s()
-        wait_s = _LONGEST_WAIT_S
-        if deadline_s is not None:
-            wait_s = min(wait_s, max(0.001, deadline_s - time.monotonic()))
-        try:
-            events = [self._events.get(timeout=wait_s)]
-        except queue.Empty:
-            return []
-        while len(events) < 1000:
-            try:
-                events.append(self._events.get_nowait())
-            except queue.Empty:
-                break
-        return events
+            self._replies.publish_status(self._book.open_commands)
 
     def _handle(self, event: _Event) -> None:
-        if isinstance(event, _Said):
+        if isinstance(event, Said):
             self._hear(event)
-        elif isinstance(event, _GoalCancelled):
-            self._cancel(event.command_id)
+        elif isinstance(event, GoalCancelled):
+            self._cancel(self._door.command_of(event.command_id))
         elif isinstance(event, StageEvent):
             self._hear_stage(event)
         elif isinstance(event, StopReport):
             self._hear_stop_report(event)
+        elif isinstance(event, Braked):
+            if event.order.key in self._brakings:
+                self._brakings[event.order.key] = Braking(braked=event)
+        elif isinstance(event, Finding):
+            self._hear_finding(event)
 
-    def _hear(self, said: _Said) -> None:
+    def _hear(self, said: Said) -> None:
         self._last_stamp_ns = stamp_after(said.arrival_ns, self._last_stamp_ns)
         if said.handle is not None:
             command_id = said.handle.get_goal_id().id
@@ -158,57 +192,102 @@ class CommandServerNode:
             self._text_count += 1
             command_id = f"text-{self._run_tag}-{self._text_count}"
         refusal = refusal_of_text(said.text, max_length=self._settings.max_text_length)
-        command = CommandText(command_id=command_id, stamp_ns=self._last_stamp_ns,
-                              text=said.text[:self._settings.max_text_length])
+        command = CommandText(
+            command_id=command_id, stamp_ns=self._last_stamp_ns, text=said.text[: self._settings.max_text_length]
+        )
         rospy.loginfo("cmd=%s heard %r", command_id, command.text)
-        if is_stop(said.text):
-            self._hear_stop(command, is_action=said.handle is not None)
+        cry = find_cry(said.text)
+        if cry is not None:
+            # What is cut off must not become another command.
+            self._hear_stop(
+                command,
+                behind="" if command.text != said.text else command_behind(cry.rest),
+                is_action=said.handle is not None,
+                heard_s=said.arrival_s,
+            )
         elif refusal is not None:
             self._answer_at_once(command, Outcome.REFUSED, code=refusal[0], sentence=refusal[1])
         elif len(self._book.open_commands) >= self._settings.max_open_commands:
-            self._answer_at_once(command, Outcome.FAILED, code="STAGE_ERROR",
-                                 sentence="Too many commands wait already.")
+            self._answer_at_once(
+                command, Outcome.FAILED, code="STAGE_ERROR", sentence="Too many commands wait already."
+            )
         else:
             self._book.open(command)
             self._unsent.append(command)
-            self._note(f"Heard {command.text!r}.")
+            self._replies.note(f"Heard {command.text!r}.")
 
-    def _hear_stop(self, command: CommandText, *, is_action: bool) -> None:
+    def _hear_stop(self, command: CommandText, *, behind: str, is_action: bool, heard_s: float) -> None:
         # The stop server and the executor have heard it as well; but a command that was said just before the stop may
         # have reached this node after the stop server's report, so every open one is cancelled by name.
         for entry in self._book.open_commands:
-            self._command_cancel.publish(command_to_message(entry.command))
+            self._cancels.cancel(entry.command)
         for ending in self._book.finish_stopped(command.stamp_ns):
             self._answer(ending)
-        if self._stops.hear_stop(command.command_id, command.text, is_action=is_action) is not None and is_action:
-            self._door.finish(self._last_reply_to(command.command_id), command_id=command.command_id)
+        self._replies.note(f"Stopping; then {behind!r}." if behind else "Stopping.")
+        if behind:
+            follow_up = self._follow_ups.add(behind, stop=command, stop_stamp_ns=self._last_stop_ns)
+            self._book.open(follow_up)
+            self._book.extend(
+                follow_up.command_id,
+                timeout_s=_WAIT_FOR_STOP * self._settings.stop_timeout_s
+                + self._brake_answer_s
+                + self._settings.pause_after_stop_s,
+            )
+            if is_action:
+                self._door.hand_over(command.command_id, command_id=follow_up.command_id)
+        early = self._stops.hear_stop(
+            command.command_id, command.text, stamp_ns=command.stamp_ns, is_action=is_action, heard_s=heard_s
+        )
+        if early is not None:
+            is_last = self._replies.last_reply.command.id == early
+            self._pass_on_answer(command.command_id, self._replies.last_reply if is_last else reply_of_stopped(early))
 
-    def _last_reply_to(self, command_id: str) -> Reply:
-        """The reply of the report that came before its goal."""
-        if self._last_reply.command.id == command_id:
-            return self._last_reply
-        return Reply(command=Command(id=command_id), outcome=Reply.DONE, stage=STOP_STAGE, code="DONE",
-                     sentence="Stopped.", stamp=rospy.Time.now())
+    def _pass_on_answer(self, stop_id: str, reply: Reply) -> None:
+        """The stop server has replied to a stop: its goal ends, and the command behind it begins."""
+        self._door.finish(reply, command_id=stop_id)
+        for ending in self._follow_ups.hear_answer(
+            stop_id, is_stopped=reply.outcome == Reply.DONE, reason=reply.sentence
+        ):
+            self._conclude(ending)
 
     def _hear_stop_report(self, report: StopReport) -> None:
-        for ending in self._book.finish_stopped(report.stop_stamp.to_nsec()):
+        self._last_stop_ns = report.stop_stamp.to_nsec()
+        spared = self._follow_ups.spared_by(report.command.text, self._last_stop_ns)
+        for ending in self._book.finish_stopped(self._last_stop_ns, spared=spared):
             self._answer(ending)
-        stop = self._stops.hear_report(report.command.id, report.command.text)
-        if stop is not None and stop.is_action:
-            self._door.finish(report.reply, command_id=stop.command_id)
-        self._last_reply = report.reply
-        self._note(report.reply.sentence)
+        stop = None
+        if report.reply.command.id:
+            stop = self._stops.hear_reply(report.reply.command.id, report.reply.command.text)
+            if stop is not None:
+                self._pass_on_answer(stop.command_id, report.reply)
+            self._replies.last_reply = report.reply
+            self._replies.note(report.reply.sentence)
+        elif report.sentence:
+            self._replies.note(report.sentence)
+        else:
+            stop = self._stops.hear_report(report.command.id, report.command.text)
+            self._replies.note("Stopping.")
+        if stop is not None:
+            self._brake.release(stop.command_id)
+            self._brakings.pop(stop.command_id, None)
 
     def _cancel(self, command_id: str) -> None:
         entry = self._book.get(command_id)
         if entry is None:
             return
-        self._command_cancel.publish(command_to_message(entry.command))
-        if entry.is_with_executor:
+        self._cancels.cancel(entry.command)
+        if entry.may_have_started:
             # The executor ends it when the robot has stopped; its silence is watched as ever.
             return
-        self._conclude(Ending(command=entry.command, outcome=Outcome.SUPERSEDED, stage=OWN_STAGE, code="STOPPED",
-                              sentence="Cancelled before it began."))
+        self._conclude(
+            Ending(
+                command=entry.command,
+                outcome=Outcome.SUPERSEDED,
+                stage=OWN_STAGE,
+                code="STOPPED",
+                sentence="Cancelled before it began.",
+            )
+        )
 
     def _hear_stage(self, event: StageEvent) -> None:
         if self._book.get(event.command.id) is None:
@@ -217,16 +296,29 @@ class CommandServerNode:
         self._door.feed_back(event)
         if not event.is_final:
             self._book.progress(event.command.id, event.stage)
-            self._note(event.sentence)
+            self._replies.note(event.sentence)
             return
-        try:
-            ending = ending_from_message(event.reply)
-        except ValueError as error:
-            ending = Ending(command=command_from_message(event.command), outcome=Outcome.FAILED, stage=event.stage,
-                            code="STAGE_ERROR", sentence=f"{event.stage} ended it with a malformed reply: {error}.")
-        # The event says which command it is about; a reply that was filled in carelessly must not end another.
-        self._conclude(Ending(command=command_from_message(event.command), outcome=ending.outcome, stage=ending.stage,
-                              code=ending.code, sentence=ending.sentence))
+        ending = ending_of_event(event)
+        if ending.code not in WITHDRAWING or not self._withdraw(ending):
+            self._conclude(ending)
+
+    def _withdraw(self, ending: Ending) -> bool:
+        """End what a prohibition or a correction is against; returns whether its reply must wait for that."""
+        entry = self._book.get(ending.command.command_id)
+        if entry is None or self._withdrawals.is_waiting(entry.command.command_id):
+            return True
+        older = [
+            other.command
+            for other in self._book.open_commands
+            if other.command.stamp_ns < entry.command.stamp_ns
+            and not self._withdrawals.is_waiting(other.command.command_id)
+        ]
+        if older:
+            self._withdrawals.begin(replace(ending, command=entry.command), older)
+            self._book.extend(entry.command.command_id, timeout_s=2.0 * self._settings.cancel_timeout_s)
+        for command in older:
+            self._cancel(command.command_id)
+        return bool(older)
 
     def _conclude(self, ending: Ending) -> None:
         """Close an open command and answer it; nothing when it is closed already."""
@@ -237,48 +329,88 @@ class CommandServerNode:
     def _answer_at_once(self, command: CommandText, outcome: Outcome, *, code: str, sentence: str) -> None:
         self._answer(Ending(command=command, outcome=outcome, stage=OWN_STAGE, code=code, sentence=sentence))
 
-    def _answer_silent_stop(self, command_id: str, text: str) -> None:
-        self._answer(Ending(
-            command=CommandText(command_id=command_id, stamp_ns=self._last_stamp_ns, text=text),
-            outcome=Outcome.FAILED, stage=STOP_STAGE, code="STAGE_SILENT",
-            sentence=f"{STOP_STAGE} did not answer within {self._settings.stop_timeout_s:g} s; "
-                     "the executor was told to cancel what it runs."))
+    def _excuse_suspension(self) -> None:
+        """Blame nobody for the time in which this process did not run: what they said meanwhile is still to be read."""
+        away_s = self._suspension.turn()
+        if away_s:
+            rospy.logwarn("this process did not run for %.1f s", away_s)
+            self._book.postpone(away_s)
+            self._stops.postpone(away_s)
+
+    def _cancel_silent(self) -> None:
+        """Close commands whose stage is silent: whatever they have started is cancelled before they are answered."""
+        for entry in self._book.condemn_silent(timeout_s=self._brake_answer_s):
+            command_id = entry.command.command_id
+            self._cancels.cancel(entry.command)
+            if not entry.may_have_started:
+                self._answer_condemned(command_id, "It has not begun, and will not.")
+                continue
+            # An executor that hangs cannot cancel its goals.
+            self._brake.stop(StopOrder(key=command_id, stamp_ns=_now_ns(), is_for_frames_only=True))
+        for command_id in self._book.overdue_condemned():
+            self._answer_condemned(command_id, "Whether the robot still moves is not known.")
+
+    def _stop_in_place(self) -> None:
+        """Carry out the stops that the stop server does not."""
+        for stop in self._stops.take_silent(brake_s=self._brake_answer_s):
+            self._brakings[stop.command_id] = Braking()
+            self._brake.stop(StopOrder(key=stop.command_id, stamp_ns=stop.stamp_ns))
+            rospy.logerr("cmd=%s %s does not answer: this node stops the robot", stop.command_id, STOP_STAGE)
+        for stop in self._stops.take_overdue():
+            braking = self._brakings.pop(stop.command_id, Braking())
+            standing = "Whether the robot still moves is not known."
+            if braking.braked is not None and braking.finding is not None:
+                standing = sentence_of(
+                    braking.finding,
+                    server_count=len(braking.braked.cancelled),
+                    limit_s=self._brake_settings.zero_velocity_limit_s,
+                )
+            command = CommandText(command_id=stop.command_id, stamp_ns=stop.stamp_ns, text=stop.text)
+            self._answer(ending_of_silent_stop(command, timeout_s=self._settings.stop_timeout_s, standing=standing))
+            self._pass_on_answer(stop.command_id, self._replies.last_reply)
+
+    def _hear_finding(self, finding: Finding) -> None:
+        """The brake says who obeys."""
+        key, is_stopped = finding.order.key, finding.obedience.is_complete
+        if key in self._brakings:
+            self._brakings[key] = Braking(braked=self._brakings[key].braked, finding=finding)
+        if not finding.is_first:
+            self._replies.note("The robot stands now." if is_stopped else may_still_move(finding.obedience))
+            return
+        remark = (
+            "What the command had started is stopped: zero velocity, and no goal goes on."
+            if is_stopped
+            else may_still_move(finding.obedience)
+        )
+        for entry in self._book.open_commands:
+            if key in (entry.command.command_id, _RESTART_KEY) and entry.command.stamp_ns <= finding.order.stamp_ns:
+                self._answer_condemned(entry.command.command_id, remark)
+
+    def _answer_condemned(self, command_id: str, remark: str) -> None:
+        ending = self._book.finish_condemned(command_id, remark)
+        if ending is not None:
+            self._answer(ending)
 
     def _answer(self, ending: Ending) -> None:
         """Give the one reply to a command that is closed, or was never opened."""
+        self._follow_ups.forget(ending.command.command_id)
+        if not self._left_over.hold(ending):
+            self._publish_reply(ending)
+        for held in self._withdrawals.hear_end(ending):
+            self._conclude(held)
+
+    def _publish_reply(self, ending: Ending) -> None:
         self._unsent = deque(command for command in self._unsent if command != ending.command)
-        reply = ending_to_message(ending)
-        rospy.loginfo("cmd=%s -> %s %s (%s) %s", ending.command.command_id, ending.outcome.name, ending.code,
-                      ending.stage, ending.sentence)
-        self._reply.publish(reply)
-        self._door.finish(reply, command_id=ending.command.command_id)
-        self._last_reply = reply
-        self._note(ending.sentence)
-
-    def _answer_left_over(self) -> None:
-        if not self._left_over:
-            return
-        if time.monotonic() < self._left_over_end_s and not self._has_every_listener():
-            return
-        while self._left_over:
-            self._answer(self._left_over.popleft())
-
-    def _has_every_listener(self) -> bool:
-        """Whether everybody whom the master knows to listen is connected; nobody at all has only not come yet."""
-        try:
-            _, subscriptions, _ = rosgraph.Master(rospy.get_name()).getSystemState()
-        except Exception as error:  # boundary: the master may be away in any way that XML-RPC knows
-            rospy.logdebug("the listeners of replies are not known: %s", error)
-            return False
-        listeners = dict(subscriptions).get(self._reply.resolved_name, [])
-        return 0 < len(listeners) <= self._reply.get_num_connections()
+        self._door.finish(self._replies.publish(ending), command_id=ending.command.command_id)
 
     def _save(self) -> None:
-        commands = tuple(entry.command for entry in self._book.open_commands)
-        if self._left_over:
-            commands = tuple(ending.command for ending in self._left_over) + commands
-        if commands != self._saved and not self._store.save(commands, timeout_s=_SAVE_TIMEOUT_S):
-            rospy.logwarn_throttle(10.0, "the master is slow to keep the open commands")
+        commands = self._left_over.commands + tuple(entry.command for entry in self._book.open_commands)
+        if commands != self._saved:
+            # With a master that hangs nobody waits again and again.
+            is_saved = self._store.save(commands, timeout_s=0.0 if self._is_saving_late else _SAVE_TIMEOUT_S)
+            self._is_saving_late = not is_saved
+            if not is_saved:
+                rospy.logwarn_throttle(10.0, "the master is slow to keep the open commands")
         self._saved = commands
 
     def _send(self) -> None:
@@ -286,26 +418,16 @@ class CommandServerNode:
         while self._unsent and self._command_text.get_num_connections() > 0:
             self._command_text.publish(command_to_message(self._unsent.popleft()))
 
-    def _note(self, sentence: str) -> None:
-        self._sentence = sentence
-        self._is_status_due = True
-
-    def _publish_status(self) -> None:
-        if not self._is_status_due:
-            return
-        self._is_status_due = False
-        entries = self._book.open_commands
-        self._status.publish(CommandStatus(
-            stamp=rospy.Time.now(), active=[command_to_message(entry.command) for entry in entries],
-            stage=entries[-1].awaited_stage if entries else self._last_reply.stage, sentence=self._sentence,
-            last_reply=self._last_reply))
-
     def _answer_all_at_shutdown(self) -> None:
-        for entry in self._book.open_commands:
-            self._conclude(Ending(command=entry.command, outcome=Outcome.FAILED, stage=OWN_STAGE, code="RESTARTED",
-                                  sentence="The command server shuts down."))
-        while self._left_over:
-            self._answer(self._left_over.popleft())
+        open_commands = self._book.open_commands
+        for entry in open_commands:
+            self._cancels.cancel(entry.command)
+        if open_commands:
+            time.sleep(_FLUSH_S)
+        for entry in open_commands:
+            self._conclude(ending_at_shutdown(entry.command))
+        for ending in self._left_over.take_answers(is_last_chance=True):
+            self._answer(ending)
         self._save()
 
 
@@ -313,28 +435,15 @@ def _now_ns() -> int:
     return rospy.Time.now().to_nsec()
 
 
-def read_settings() -> Settings:
-    """Read the private parameters.
-
-    Raises:
-        ValueError: a parameter is out of its range
-    """
-    return Settings(
-        stage_timeout_s=rospy.get_param("~stage_timeout_s", Settings.stage_timeout_s),
-        executor_timeout_s=rospy.get_param("~executor_timeout_s", Settings.executor_timeout_s),
-        stop_timeout_s=rospy.get_param("~stop_timeout_s", Settings.stop_timeout_s),
-        max_text_length=rospy.get_param("~max_text_length", Settings.max_text_length),
-        max_open_commands=rospy.get_param("~max_open_commands", Settings.max_open_commands))
-
-
 def main() -> None:
     """Run the node until ROS shuts down; exits with a sentence when a parameter is wrong."""
     rospy.init_node("command_server")
+    log_from_threads()
     try:
-        settings = read_settings()
+        settings, brake_settings = read_settings(), read_brake_settings()
     except ValueError as error:
         rospy.logfatal("%s", error)
         raise SystemExit(f"command_server: {error}") from error
     rospy.loginfo("command_server: %s", settings)
-    CommandServerNode(settings).start()
+    CommandServerNode(settings, brake_settings).start()
     rospy.spin()

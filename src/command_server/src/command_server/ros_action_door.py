@@ -1,4 +1,5 @@
 """The door for programs: many goals of the action `command` in flight at once."""
+
 from typing import Callable, Dict
 
 import actionlib
@@ -13,8 +14,9 @@ class ActionDoor:
     thread that owns the commands.
     """
 
-    def __init__(self, *, on_goal: Callable[[actionlib.ServerGoalHandle], None],
-                 on_cancel: Callable[[str], None]) -> None:
+    def __init__(
+        self, *, on_goal: Callable[[actionlib.ServerGoalHandle], None], on_cancel: Callable[[str], None]
+    ) -> None:
         """Make the server without starting it.
 
         Args:
@@ -22,9 +24,14 @@ class ActionDoor:
             on_cancel: is given the id of a goal whose client asks to cancel it
         """
         self._handles: Dict[str, actionlib.ServerGoalHandle] = {}
+        self._heirs: Dict[str, str] = {}
         self._server = actionlib.ActionServer(
-            "command", ExecuteCommandAction, on_goal, lambda handle: on_cancel(handle.get_goal_id().id),
-            auto_start=False)
+            "command",
+            ExecuteCommandAction,
+            on_goal,
+            lambda handle: on_cancel(handle.get_goal_id().id),
+            auto_start=False,
+        )
 
     def start(self) -> None:
         """Begin to take goals."""
@@ -40,6 +47,15 @@ class ActionDoor:
         self._handles[handle.get_goal_id().id] = handle
         handle.set_accepted()
 
+    def hand_over(self, goal_id: str, *, command_id: str) -> None:
+        """Let a goal end with another command, the one behind the stop that it began with."""
+        self._handles[command_id] = self._handles.pop(goal_id)
+        self._heirs[goal_id] = command_id
+
+    def command_of(self, goal_id: str) -> str:
+        """Return the id of the command that a goal ends with: its own, unless it was handed over."""
+        return self._heirs.get(goal_id, goal_id)
+
     def feed_back(self, event: StageEvent) -> None:
         """Tell the client what a stage said; nothing for commands that came by text."""
         handle = self._handles.get(event.command.id)
@@ -54,7 +70,9 @@ class ActionDoor:
         handle = self._handles.pop(command_id, None)
         if handle is None:
             return
+        self._heirs.pop(handle.get_goal_id().id, None)
         end = {Reply.DONE: handle.set_succeeded, Reply.SUPERSEDED: handle.set_canceled}.get(
-            reply.outcome, handle.set_aborted)
+            reply.outcome, handle.set_aborted
+        )
         end(ExecuteCommandResult(reply=reply), reply.sentence)
         rospy.logdebug("goal %s ended", command_id)

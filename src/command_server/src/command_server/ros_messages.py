@@ -1,8 +1,11 @@
 """Commands and endings between messages and values."""
-import rospy
-from roboframenet_msgs.msg import Command, Reply
 
-from command_server.command_book import CommandText, Ending, Outcome
+from dataclasses import replace
+
+import rospy
+from roboframenet_msgs.msg import Command, Reply, StageEvent
+
+from command_server.command_book import STOP_STAGE, CommandText, Ending, Outcome
 
 
 def time_from_ns(stamp_ns: int) -> rospy.Time:
@@ -26,11 +29,50 @@ def ending_from_message(message: Reply) -> Ending:
     Raises:
         ValueError: no such outcome
     """
-    return Ending(command=command_from_message(message.command), outcome=Outcome(message.outcome),
-                  stage=message.stage, code=message.code, sentence=message.sentence)
+    return Ending(
+        command=command_from_message(message.command),
+        outcome=Outcome(message.outcome),
+        stage=message.stage,
+        code=message.code,
+        sentence=message.sentence,
+    )
+
+
+def ending_of_event(event: StageEvent) -> Ending:
+    """How a stage ended a command, by its final event; a reply that nobody can read ends it as well."""
+    # The event says which command it is about; a reply that was filled in carelessly must not end another.
+    command = command_from_message(event.command)
+    try:
+        return replace(ending_from_message(event.reply), command=command)
+    except ValueError as error:
+        return Ending(
+            command=command,
+            outcome=Outcome.FAILED,
+            stage=event.stage,
+            code="STAGE_ERROR",
+            sentence=f"{event.stage} ended it with a malformed reply: {error}.",
+        )
 
 
 def ending_to_message(ending: Ending) -> Reply:
     """Turn a value into a message, stamped now."""
-    return Reply(command=command_to_message(ending.command), outcome=int(ending.outcome), stage=ending.stage,
-                 code=ending.code, sentence=ending.sentence, stamp=rospy.Time.now())
+    return Reply(
+        command=command_to_message(ending.command),
+        outcome=int(ending.outcome),
+        stage=ending.stage,
+        code=ending.code,
+        sentence=ending.sentence,
+        stamp=rospy.Time.now(),
+    )
+
+
+def reply_of_stopped(command_id: str) -> Reply:
+    """The reply to a stop that was answered before it was heard here."""
+    return Reply(
+        command=Command(id=command_id),
+        outcome=Reply.DONE,
+        stage=STOP_STAGE,
+        code="DONE",
+        sentence="Stopped.",
+        stamp=rospy.Time.now(),
+    )

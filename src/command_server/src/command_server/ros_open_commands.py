@@ -1,4 +1,5 @@
 """Open commands on the parameter server, for the command server that is started again."""
+
 from typing import Tuple
 
 import rospy
@@ -16,18 +17,21 @@ class OpenCommandStore:
     def load(self) -> Tuple[CommandText, ...]:
         """The commands that were open when the last command server ended; empty, with a warning, if unreadable."""
         try:
-            return tuple(
+            commands = [
                 CommandText(command_id=str(entry["id"]), stamp_ns=int(entry["stamp_ns"]), text=str(entry["text"]))
-                for entry in self._record.load() or ())
+                for entry in self._record.load() or ()
+            ]
+            return tuple({command.command_id: command for command in commands}.values())
         except (ValueError, KeyError, TypeError) as error:
             rospy.logwarn("the open commands of the last run cannot be read: %s", error)
             return ()
 
     def save(self, commands: Tuple[CommandText, ...], *, timeout_s: float) -> bool:
         """Have the commands written; returns whether they were, within the time."""
-        return self._record.save([
-            {"id": command.command_id, "stamp_ns": command.stamp_ns, "text": command.text} for command in commands],
-            timeout_s=timeout_s)
+        return self._record.save(
+            [{"id": command.command_id, "stamp_ns": command.stamp_ns, "text": command.text} for command in commands],
+            timeout_s=timeout_s,
+        )
 
     def close(self, *, timeout_s: float) -> None:
         """End the writing."""

@@ -1,4 +1,5 @@
 """A value on the parameter server, for the node that is started again."""
+
 import json
 import threading
 import time
@@ -69,7 +70,7 @@ class ParameterRecord:
             try:
                 rospy.set_param(self._parameter, wanted)
             except Exception as error:  # boundary: the master may be away in any way that XML-RPC knows
-                rospy.logwarn_throttle(10.0, "%s cannot be kept: %s" % (self._parameter, error))
+                rospy.logwarn_throttle(10.0, f"{self._parameter} cannot be kept: {error}")
                 with self._changed:
                     self._changed.wait(_RETRY_S)
                 continue

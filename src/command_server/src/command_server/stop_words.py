@@ -1,88 +1,310 @@
-"""Whether an utterance means: stop, whatever you are doing.
+"""What people cry when a robot must stop, by words alone.
 
-The short way of "Stop." must not wait for a parser, so this looks at words alone. It is a closed rule: every word
-must be known, because "Stop at the kitchen." and "Don't stop." are commands of another kind. A word that does not fit
-sends the utterance the long way.
+The short way of "Stop." must not wait for a parser, a file or another node, and does not know what runs: so every word
+that it needs stands in `cries`. An utterance is a cry where a phrase of `CRIES` stands at the front of one of its
+sentences, or behind nothing but fillers, politeness, a name or a warning, and what follows does not make another
+command of it: "stop, you will hit the lamp" is a cry, "stop at the door" and "wait for me" are not.
 """
-import re
-import unicodedata
-from typing import FrozenSet, List, Tuple
 
-STOP_WORDS: FrozenSet[str] = frozenset({"stop", "halt", "freeze", "abort", "whoa", "estop"})
+from typing import Dict, FrozenSet, Iterable, List, Mapping, Optional, Sequence, Tuple
 
-# Each of these means stop as a whole.
-STOP_PHRASES: Tuple[Tuple[str, ...], ...] = (
-    ("e", "stop"), ("emergency", "stop"), ("emergency", "halt"), ("full", "stop"), ("stand", "still"),
-    ("hold", "still"), ("don't", "move"), ("do", "not", "move"))
+from command_server.cries import (
+    AMOUNTS,
+    BEFORE_PLACES,
+    BLOCKING,
+    CLAUSES,
+    COMMAND_VERBS,
+    COMPOUNDS,
+    CONDITIONS,
+    CRIES,
+    ENGLISH,
+    FILLER_PHRASES,
+    FILLERS,
+    IMPERSONAL,
+    LEADS,
+    LENGTHS,
+    NO_CONDITIONS,
+    NO_NAMES,
+    NO_PLACES,
+    OBJECTS,
+    OPENINGS,
+    PLACES,
+    SAYING,
+    SET_OFF,
+    SOFT,
+    STRONG,
+    SUBJECTS,
+    TAIL_WORDS,
+    TRAILS,
+    TYPED,
+    VERBS_OF_IT,
+    WARNINGS,
+    WEAK_OBJECTS,
+    Cry,
+    Kind,
+    Tail,
+)
+from command_server.spoken_words import plain_text, tokens_of
 
-# Words that change nothing, before or after.
-FILLERS: FrozenSet[str] = frozenset({
-    "please", "robot", "now", "right", "immediately", "hey", "oh", "ok", "okay", "no", "just", "at", "once", "you",
-    "the", "it", "that", "this", "everything", "all", "here", "there", "where", "are", "instantly", "quickly",
-    "ah", "god", "my", "i", "said"})
-
-# What a robot that moves may be told to stop: "stop turning left" stops, so the words behind these are free.
-ACTIVITIES: FrozenSet[str] = frozenset({
-    "moving", "going", "driving", "turning", "rotating", "spinning", "rolling", "running", "walking", "following",
-    "coming", "approaching", "navigating", "backing", "reversing", "doing", "working"})
-
-# An activity followed by one of these goes on to ask for something else, which must not be lost.
-_CONTINUATIONS: FrozenSet[str] = frozenset({
-    "and", "then", "but", "until", "when", "if", "after", "before", "while", "unless"})
-
-# Fillers that do not carry a stop by themselves: "stop at" or "stop the" is the beginning of something longer.
-_OPEN_ENDS: FrozenSet[str] = frozenset({"at", "the", "my", "where", "i", "said"})
-
-# A longer utterance is not a cry.
-_MOST_WORDS = 12
+Phrase = Tuple[str, ...]
 
 
-def _words(text: str) -> List[str]:
-    plain = unicodedata.normalize("NFKC", text).replace("\u2019", "'").replace("\u2018", "'").lower()
-    return re.findall(r"\w+(?:'\w+)*", plain)
+def _by_first_word(phrases: Iterable[str]) -> Mapping[str, Tuple[Phrase, ...]]:
+    """Return phrases by their first word, the longest first."""
+    found: Dict[str, List[Phrase]] = {}
+    for phrase in phrases:
+        words = tuple(phrase.split())
+        found.setdefault(words[0], []).append(words)
+    return {first: tuple(sorted(of_it, key=len, reverse=True)) for first, of_it in found.items()}
 
 
-def _without_stops(words: List[str]) -> Tuple[List[str], bool]:
-    """Take the stop words and phrases out; say whether there were any."""
-    rest: List[str] = []
-    found = False
-    index = 0
-    while index < len(words):
-        phrase = next((phrase for phrase in STOP_PHRASES if tuple(words[index:index + len(phrase)]) == phrase), None)
-        if phrase is not None:
-            found = True
-            index += len(phrase)
+#: No name of the robot begins so, nor does a warning: "at the door, stop", "turn left, stop".
+_NO_ADDRESS: FrozenSet[str] = (
+    PLACES
+    | CONDITIONS
+    | BLOCKING
+    | COMMAND_VERBS
+    | (AMOUNTS - {"a", "and"})
+    | {"first", "next", "last", "to", "from", "with"}
+)
+_NOT_FIRST = NO_NAMES | SAYING | COMMAND_VERBS | {"one"}
+# Words; who says more fillers than that has cried before them.
+_LONGEST_WARNING = 12
+_LONGEST_TRAIL = 24
+_PAUSES = frozenset(",.")
+_ADDRESSING = (FILLERS - WARNINGS) | {","}
+_AUXILIARIES = frozenset("do does did will would can could should must may might need".split())
+_ENTRIES: Mapping[Phrase, Tuple[Kind, Tail]] = {
+    tuple(phrase.split()): (kind, tail) for kind, tail, phrases in CRIES for phrase in phrases.split(";")
+}
+_CRIES = _by_first_word(" ".join(phrase) for phrase in _ENTRIES)
+_OPENINGS = _by_first_word(FILLER_PHRASES + LEADS + OPENINGS)
+_LEADS = _by_first_word(FILLER_PHRASES + LEADS)
+_TRAILS = _by_first_word(FILLER_PHRASES + TRAILS)
+_NO_PLACES = _by_first_word(NO_PLACES + NO_CONDITIONS)
+
+
+def _phrase_at(words: Sequence[str], position: int, phrases: Mapping[str, Tuple[Phrase, ...]]) -> int:
+    """Return the number of words of the longest phrase that stands at a position, 0 for none."""
+    if position >= len(words):
+        return 0
+    return next(
+        (
+            len(phrase)
+            for phrase in phrases.get(words[position], ())
+            if tuple(words[position : position + len(phrase)]) == phrase
+        ),
+        0,
+    )
+
+
+def _slips() -> Mapping[str, Kind]:
+    """Return what a slip of the finger makes of a cry: two letters swapped, one left out or typed twice."""
+    found: Dict[str, Kind] = {}
+    for word, kind in TYPED.items():
+        swapped = {word[:at] + word[at + 1] + word[at] + word[at + 2 :] for at in range(len(word) - 1)}
+        short = {word[:at] + word[at + 1 :] for at in range(len(word))}
+        double = {word[:at] + word[at] + word[at:] for at in range(len(word))}
+        found.update({slip: kind for slip in swapped | short | double if slip != word and slip not in ENGLISH})
+    return found
+
+
+_SLIPS = _slips()
+
+
+class _Sentence:
+    """A sentence in plain words, with "," for pauses."""
+
+    def __init__(self, words: Sequence[str], *, is_first: bool) -> None:
+        self._words = list(words)
+        self._openings = _OPENINGS if is_first else _LEADS
+        self._fronts = self._find_fronts()
+        self._first_block = next((at for at, word in enumerate(words) if word in BLOCKING), len(words))
+        # Where the sentence begins behind "hey robot,".
+        self._start = next((at for at, word in enumerate(words) if word not in _ADDRESSING), len(words))
+        self._is_warning = self._start < len(words) and words[self._start] in WARNINGS
+
+    def cry(self) -> Optional[Tuple[Kind, int]]:
+        """Return the kind of the first cry and the position behind it."""
+        for position in range(len(self._words)):
+            for phrase in _CRIES.get(self._words[position], ()):
+                end = position + len(phrase)
+                kind, tail = _ENTRIES[phrase]
+                if (
+                    tuple(self._words[position:end]) == phrase
+                    and self._may_begin(position, phrase)
+                    and self._may_end(end, tail, phrase)
+                ):
+                    return kind, end
+        return None
+
+    def _find_fronts(self) -> Mapping[int, bool]:
+        """Return the positions before which only a name, fillers and leads stand, and whether there is a name."""
+        position, has_name, has_lead = 0, False, False
+        fronts: Dict[int, bool] = {}
+        while position < len(self._words):
+            fronts[position] = has_name
+            word = self._words[position]
+            length = _phrase_at(self._words, position, self._openings)
+            if not length and word not in FILLERS and word != ",":
+                if has_name or has_lead or not word.isalpha() or word in _NOT_FIRST:
+                    break
+                has_name = True
+            has_lead = has_lead or length > 0
+            position += max(length, 1)
+        return fronts
+
+    def _may_begin(self, position: int, phrase: Phrase) -> bool:
+        is_strong = phrase[0] in STRONG
+        has_name = self._fronts.get(position)
+        if has_name is not None:
+            # "Rosie stop" and "Rosie hold on", but not "warm enough".
+            return is_strong or not has_name or (len(phrase) > 1 and phrase[0] != "no" and phrase != ("do", "not"))
+        if not self._start < position <= min(self._first_block, self._start + _LONGEST_WARNING):
+            return False
+        before = self._words[self._start : position]
+        last = next((word for word in reversed(before) if word != ","), "")
+        if before[-1] == "," and last not in ("not", "never", "to", "and", "or"):
+            # "My dear robot, stop"; "the lamp, stop": but not "at the door, stop".
+            return self._is_warning or (len(before) <= 4 and before[0] not in _NO_ADDRESS)
+        return (
+            is_strong
+            and not self._is_negated(position)
+            and (
+                self._is_set_off(before)
+                or self._is_guided(before)
+                or (
+                    last not in NO_NAMES
+                    and (self._is_warning or self._words[position + 1 : position + 2] == [phrase[0]])
+                )
+            )
+        )
+
+    def _is_negated(self, position: int) -> bool:
+        """Whether it is said not to: "don't ever stop"."""
+        return any(
+            self._words[at] == "not" and self._words[at - 1] in _AUXILIARIES
+            for at in range(max(1, position - 3), position)
+        )
+
+    @staticmethod
+    def _is_set_off(before: Sequence[str]) -> bool:
+        """Whether an interjection stands before a cry; "no" is none in "there is no stop here"."""
+        is_determiner = before[-1] == "no" and before[-2:-1] and before[-2] in ("is", "are", "have", "has", "see")
+        return before[-1] in SET_OFF and not is_determiner
+
+    @staticmethod
+    def _is_guided(before: Sequence[str]) -> bool:
+        """Whether a robot is guided by words that are said again and again: "back back back stop"."""
+        return any(
+            len(before) % length == 0 and list(before) == list(before[:length]) * (len(before) // length)
+            for length in (1, 2, 3)
+            if 2 * length <= len(before)
+        )
+
+    def _may_end(self, end: int, tail: Tail, phrase: Phrase) -> bool:
+        if tail is Tail.ANYTHING:
+            return not self._goes_on_as_command(end)
+        if tail in (Tail.OBJECT, Tail.NEEDS_OBJECT):
+            behind = self._behind_object(end)
+            if tail is Tail.NEEDS_OBJECT and behind == end:
+                return False
+            end = behind
+        position = end
+        while position < min(len(self._words), end + _LONGEST_TRAIL):
+            word = self._words[position]
+            if tail is not Tail.NOTHING and (
+                _phrase_at(self._words, position, _CRIES)
+                or self._is_clause(position)
+                or word in TAIL_WORDS.get(tail, ())
+            ):
+                return True
+            if (
+                tail is Tail.ACTIVITY
+                and position == end
+                and ((word.endswith("ing") and len(word) > 4) or word in ("it", "that", "this"))
+            ):
+                return True
+            is_again = tuple(self._words[position : position + len(phrase)]) == phrase
+            length = len(phrase) if is_again else _phrase_at(self._words, position, _TRAILS)
+            if not length and word not in FILLERS and word != ",":
+                return False
+            position += max(length, 1)
+        return True
+
+    def _is_clause(self, position: int) -> bool:
+        """Whether something else is said from here on: "wait, I see", "wait it's hot"."""
+        word = self._words[position]
+        is_impersonal = word in IMPERSONAL and self._words[position + 1 : position + 2]
+        return word == "," or word in CLAUSES or bool(is_impersonal and self._words[position + 1] in VERBS_OF_IT)
+
+    def _behind_object(self, position: int) -> int:
+        """Return the position behind what was asked for ("the last command", "what I said"), the same for none."""
+        end = position
+        while (
+            end < len(self._words)
+            and self._words[end] in OBJECTS
+            and (self._words[end] not in SUBJECTS or "what" in self._words[position:end])
+        ):
+            end += 1
+        return position if set(self._words[position:end]) <= WEAK_OBJECTS else end
+
+    def _goes_on_as_command(self, position: int) -> bool:
+        """Whether a place, a distance, a time or a condition follows: "stop at the door", "stop when you see me"."""
+        words = self._words
+        if position < len(words) and words[position] in COMPOUNDS:
+            return True
+        while position < len(words) and words[position] in BEFORE_PLACES:
+            position += 1
+        if position < len(words) and words[position] in PLACES:
+            return not _phrase_at(words, position, _NO_PLACES)
+        behind = position
+        while behind < len(words) and (words[behind] in AMOUNTS or words[behind][0].isdigit()):
+            behind += 1
+        if position < behind < len(words) and words[behind] in LENGTHS:
+            return True
+        for word, following, at in zip(words[position:], words[position + 1 :], range(position, len(words))):
+            if word in CLAUSES or word == "," or (word, following) == ("it", "is"):
+                return False
+            is_after = word == "after" and (following in AMOUNTS or following.isdigit())
+            if is_after or (word in CONDITIONS and at + 2 < len(words)):
+                return not _phrase_at(words, at, _NO_PLACES)
+        return False
+
+
+def find_cry(text: str) -> Optional[Cry]:
+    """Find out whether an utterance stops the robot.
+
+    Args:
+        text: in any spelling; of a very long one only the beginning counts
+    Returns:
+        the cry; None where the utterance goes the long way
+    """
+    said, unquoted = plain_text(text)
+    spoken = tokens_of(unquoted)
+    # "Just a moment" is a cry of its own.
+    tokens = [
+        token
+        for token, following in zip(spoken, spoken[1:] + spoken[:1])
+        if token.word not in SOFT or (token.word == "just" and following.word == "a")
+    ]
+    different = {token.word for token in tokens} - _PAUSES
+    if len(different) == 1 and different <= _SLIPS.keys():
+        return Cry(_SLIPS[different.pop()])
+    if different.isdisjoint(_CRIES):
+        return None
+    words = [token.word for token in tokens]
+    ends = [at for at, word in enumerate(words) if word == "."] + [len(words)]
+    for first, last in zip([0] + [end + 1 for end in ends], ends):
+        if _CRIES.keys().isdisjoint(words[first:last]):
             continue
-        if words[index] in STOP_WORDS:
-            found = True
-        else:
-            rest.append(words[index])
-        index += 1
-    return rest, found
-
-
-def _stops_an_activity(words: List[str]) -> bool:
-    for index in range(len(words) - 1):
-        if words[index] == "stop" and words[index + 1] in ACTIVITIES:
-            before, after = words[:index], words[index + 2:]
-            return set(before) <= FILLERS | STOP_WORDS and not set(after) & _CONTINUATIONS
-    return False
+        found = _Sentence(words[first:last], is_first=first == 0).cry()
+        if found is not None:
+            kind, end = found
+            return Cry(kind, said[tokens[first + end - 1].end :])
+    return None
 
 
 def is_stop(text: str) -> bool:
-    """Whether the text says stop and nothing else.
-
-    Args:
-        text: an utterance in any spelling; punctuation, case and repetition do not matter
-    """
-    words = _words(text)
-    if not words or len(words) > _MOST_WORDS:
-        # "Stop stop stop ..." may be as long as the person has breath.
-        return bool(words) and set(words) <= STOP_WORDS
-    if _stops_an_activity(words):
-        return True
-    rest, found = _without_stops(words)
-    if not found or not set(rest) <= FILLERS:
-        return False
-    # "at once", "where you are" and "I said stop" are whole; "stop at" and "stop the" wait for more.
-    return words[-1] not in _OPEN_ENDS
+    """Whether an utterance stops the robot: `find_cry` without its kind."""
+    return find_cry(text) is not None

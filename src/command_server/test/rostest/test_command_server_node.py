@@ -1,5 +1,6 @@
 #!/usr/bin/python3
 """The node: whatever the stages do, one reply to each command."""
+
 import collections
 import os
 import signal
@@ -13,7 +14,14 @@ import rospy
 import rostest
 from actionlib_msgs.msg import GoalStatus
 from roboframenet_msgs.msg import (
-    Command, CommandStatus, ExecuteCommandAction, ExecuteCommandGoal, Reply, StageEvent, StopReport)
+    Command,
+    CommandStatus,
+    ExecuteCommandAction,
+    ExecuteCommandGoal,
+    Reply,
+    StageEvent,
+    StopReport,
+)
 from std_msgs.msg import String
 
 
@@ -40,11 +48,18 @@ class CommandServerNodeTest(unittest.TestCase):
         cls.subscribers = [
             rospy.Subscriber("command_text", Command, cls.on_command),
             rospy.Subscriber("command_cancel", Command, cls.cancelled.append),
-            rospy.Subscriber("status", CommandStatus, cls.statuses.append)]
+            rospy.Subscriber("status", CommandStatus, cls.statuses.append),
+        ]
         cls.client = actionlib.ActionClient("command", ExecuteCommandAction)
-        assert wait_until(lambda: all(end.get_num_connections() == 1 for end in cls.subscribers + [
-            cls.events, cls.reports, cls.text, cls.reply_subscriber]))
+        assert wait_until(
+            lambda: all(
+                end.get_num_connections() == 1
+                for end in cls.subscribers + [cls.events, cls.reports, cls.text, cls.reply_subscriber]
+            )
+        )
         assert cls.client.wait_for_server(rospy.Duration(60))
+        # A stop would end what is left over as well.
+        assert wait_until(lambda: [reply for reply in list(cls.replies) if reply.command.id == "left_over"])
 
     @classmethod
     def on_command(cls, command):
@@ -55,15 +70,29 @@ class CommandServerNodeTest(unittest.TestCase):
         if command.text.startswith("hang in the executor"):
             cls.send_event(command, "executor")
             return
+        if command.text.startswith(("don't", "no, ")):
+            code = "NEGATED" if command.text.startswith("don't") else "CORRECTION"
+            cls.send_event(command, "semantic_framer", is_final=True, outcome=Reply.REFUSED, code=code)
+            return
         cls.send_event(command, "semantic_framer")
         for _ in range(2 if command.text.startswith("twice") else 1):
             cls.send_event(command, "executor", is_final=True)
 
     @classmethod
-    def send_event(cls, command, stage, is_final=False):
-        reply = Reply(command=command, outcome=Reply.DONE, stage=stage, code="DONE", sentence=f"did {command.text}")
-        cls.events.publish(StageEvent(command=command, stage=stage, stamp=rospy.Time.now(), sentence="at it",
-                                      is_final=is_final, reply=reply if is_final else Reply()))
+    def send_event(cls, command, stage, is_final=False, outcome=Reply.DONE, code="DONE", sentence=""):
+        reply = Reply(
+            command=command, outcome=outcome, stage=stage, code=code, sentence=sentence or f"did {command.text}"
+        )
+        cls.events.publish(
+            StageEvent(
+                command=command,
+                stage=stage,
+                stamp=rospy.Time.now(),
+                sentence="at it",
+                is_final=is_final,
+                reply=reply if is_final else Reply(),
+            )
+        )
 
     def say(self, text):
         self.text.publish(String(text))
@@ -85,8 +114,9 @@ class CommandServerNodeTest(unittest.TestCase):
         self.assertTrue(wait_until(lambda: [r for r in self.replies if r.command.id == "left_over"]))
         (reply,) = [reply for reply in self.replies if reply.command.id == "left_over"]
         self.assertEqual((Reply.FAILED, "RESTARTED"), (reply.outcome, reply.code))
-        self.assertEqual(("say \x07 it", 5, 7),
-                         (reply.command.text, reply.command.stamp.secs, reply.command.stamp.nsecs))
+        self.assertEqual(
+            ("say \x07 it", 5, 7), (reply.command.text, reply.command.stamp.secs, reply.command.stamp.nsecs)
+        )
 
     def test_flood_gets_one_reply_each(self):
         texts = [f"flood {index}" for index in range(50)]
@@ -117,8 +147,9 @@ class CommandServerNodeTest(unittest.TestCase):
     def test_silent_stage_is_named(self):
         self.say("silent one")
         reply = self.wait_for_reply("silent one")
-        self.assertEqual((Reply.FAILED, "STAGE_SILENT", "stanford_parser_ros"),
-                         (reply.outcome, reply.code, reply.stage))
+        self.assertEqual(
+            (Reply.FAILED, "STAGE_SILENT", "stanford_parser_ros"), (reply.outcome, reply.code, reply.stage)
+        )
 
     def test_texts_that_are_no_commands_are_refused(self):
         self.say("   ")
@@ -128,22 +159,30 @@ class CommandServerNodeTest(unittest.TestCase):
         self.assertEqual((Reply.REFUSED, "TEXT_TOO_LONG"), (reply.outcome, reply.code))
 
     def test_goal_gets_feedback_and_the_reply(self):
+        text = "hang in the executor until there is feedback"
         feedback, ends = [], []
         handle = self.client.send_goal(
-            ExecuteCommandGoal(text="by action"), feedback_cb=lambda _, message: feedback.append(message.event),
-            transition_cb=lambda goal: ends.append(goal) if goal.get_comm_state() == actionlib.CommState.DONE else None)
+            ExecuteCommandGoal(text=text),
+            feedback_cb=lambda _, message: feedback.append(message.event),
+            transition_cb=lambda goal: ends.append(goal) if goal.get_comm_state() == actionlib.CommState.DONE else None,
+        )
+        # A client hears no feedback any more once it has the result, which comes by another connection.
+        self.assertTrue(wait_until(lambda: feedback))
+        command = next(command for command in self.heard if command.text == text)
+        self.send_event(command, "executor", is_final=True)
         self.assertTrue(wait_until(lambda: ends))
         self.assertEqual(GoalStatus.SUCCEEDED, handle.get_terminal_state())
-        self.assertEqual("did by action", handle.get_result().reply.sentence)
-        self.assertTrue(wait_until(lambda: feedback))
-        self.assertEqual(handle.get_result().reply.command.id, self.wait_for_reply("by action").command.id)
+        self.assertEqual(f"did {text}", handle.get_result().reply.sentence)
+        self.assertEqual(handle.get_result().reply.command.id, self.wait_for_reply(text).command.id)
 
     def test_many_goals_in_flight(self):
         handles = [self.client.send_goal(ExecuteCommandGoal(text=f"goal {index}")) for index in range(8)]
-        self.assertTrue(wait_until(lambda: all(
-            handle.get_comm_state() == actionlib.CommState.DONE for handle in handles)))
-        self.assertEqual([f"goal {index}" for index in range(8)],
-                         [handle.get_result().reply.command.text for handle in handles])
+        self.assertTrue(
+            wait_until(lambda: all(handle.get_comm_state() == actionlib.CommState.DONE for handle in handles))
+        )
+        self.assertEqual(
+            [f"goal {index}" for index in range(8)], [handle.get_result().reply.command.text for handle in handles]
+        )
 
     def test_cancelled_goal_stops_its_command(self):
         handle = self.client.send_goal(ExecuteCommandGoal(text="silent goal"))
@@ -151,15 +190,21 @@ class CommandServerNodeTest(unittest.TestCase):
         handle.cancel()
         self.assertTrue(wait_until(lambda: handle.get_comm_state() == actionlib.CommState.DONE))
         self.assertEqual(GoalStatus.PREEMPTED, handle.get_terminal_state())
-        self.assertEqual((Reply.SUPERSEDED, "STOPPED"),
-                         (handle.get_result().reply.outcome, handle.get_result().reply.code))
+        self.assertEqual(
+            (Reply.SUPERSEDED, "STOPPED"), (handle.get_result().reply.outcome, handle.get_result().reply.code)
+        )
         self.assertTrue(wait_until(lambda: [c for c in self.cancelled if c.text == "silent goal"]))
 
     def test_cancelled_goal_that_runs_waits_for_the_executor(self):
         handle = self.client.send_goal(ExecuteCommandGoal(text="hang in the executor"))
-        self.assertTrue(wait_until(lambda: any(
-            status.stage == "executor" and [c for c in status.active if c.text == "hang in the executor"]
-            for status in self.statuses)))
+        self.assertTrue(
+            wait_until(
+                lambda: any(
+                    status.stage == "executor" and [c for c in status.active if c.text == "hang in the executor"]
+                    for status in self.statuses
+                )
+            )
+        )
         handle.cancel()
         self.assertTrue(wait_until(lambda: [c for c in self.cancelled if c.text == "hang in the executor"]))
         self.assertFalse(self.replies_to("hang in the executor"))
@@ -180,11 +225,166 @@ class CommandServerNodeTest(unittest.TestCase):
         self.assertFalse(self.replies_to("Halt!"))
         self.assertTrue(wait_until(lambda: self.statuses[-1].active == []))
 
-    def report_stop(self, command_id, text):
+    def report_stop(self, command_id, text, outcome=Reply.DONE, code="DONE"):
+        """Reply as the stop server does; returns the stamp of the stop."""
         now = rospy.Time.now()
         command = Command(id=command_id, stamp=now, text=text)
-        self.reports.publish(StopReport(command=command, stop_stamp=now, reply=Reply(
-            command=command, outcome=Reply.DONE, stage="stop_server", code="DONE", sentence="Stopped by report.")))
+        self.reports.publish(
+            StopReport(
+                command=command,
+                stop_stamp=now,
+                reply=Reply(
+                    command=command, outcome=outcome, stage="stop_server", code=code, sentence="Stopped by report."
+                ),
+            )
+        )
+        return now
+
+    def run_in_executor(self, text):
+        """Say a command that runs until it is told to end; returns it as it was sent."""
+        self.say(text)
+        self.assertTrue(
+            wait_until(
+                lambda: any(
+                    status.stage == "executor" and [c for c in status.active if c.text == text]
+                    for status in self.statuses
+                )
+            )
+        )
+        return next(command for command in self.heard if command.text == text)
+
+    def end_in_executor(self, command):
+        """End a command once it is cancelled, as the executor does."""
+        self.assertTrue(wait_until(lambda: [c for c in self.cancelled if c.id == command.id]))
+        self.send_event(
+            command, "executor", is_final=True, outcome=Reply.SUPERSEDED, code="STOPPED", sentence="Stopped."
+        )
+
+    def active_texts(self):
+        return [command.text for status in self.statuses[-1:] for command in status.active]
+
+    def test_prohibition_ends_what_runs_and_says_so(self):
+        command = self.run_in_executor("hang in the executor, forbidden")
+        self.say("silent behind it")
+        self.assertTrue(wait_until(lambda: "silent behind it" in self.active_texts()))
+        self.say("don't hang")
+        # What has not begun ends at once; what runs is waited for.
+        self.assertEqual("STOPPED", self.wait_for_reply("silent behind it").code)
+        self.fence()
+        self.assertFalse(self.replies_to("don't hang"))
+        self.end_in_executor(command)
+        reply = self.wait_for_reply("don't hang")
+        self.assertEqual((Reply.REFUSED, "NEGATED", "semantic_framer"), (reply.outcome, reply.code, reply.stage))
+        self.assertEqual(
+            'I do not begin "silent behind it". I stopped "hang in the executor, forbidden". You said not to.',
+            reply.sentence,
+        )
+        self.assertEqual(Reply.SUPERSEDED, self.wait_for_reply("hang in the executor, forbidden").outcome)
+        self.fence()
+        self.assertEqual(1, len(self.replies_to("don't hang")))
+
+    def test_correction_ends_what_runs_and_asks_on(self):
+        command = self.run_in_executor("hang in the executor, wrongly")
+        self.say("no, the office")
+        self.end_in_executor(command)
+        reply = self.wait_for_reply("no, the office")
+        self.assertEqual((Reply.REFUSED, "CORRECTION"), (reply.outcome, reply.code))
+        self.assertEqual('I stopped "hang in the executor, wrongly". did no, the office', reply.sentence)
+
+    def test_prohibition_of_what_is_already_done_is_refused(self):
+        self.say("soon done")
+        self.wait_for_reply("soon done")
+        self.say("don't do anything")
+        reply = self.wait_for_reply("don't do anything")
+        self.assertEqual(
+            (Reply.REFUSED, "NEGATED", "did don't do anything"), (reply.outcome, reply.code, reply.sentence)
+        )
+
+    def test_executor_that_does_not_end_it_makes_the_prohibition_fail(self):
+        command = self.run_in_executor("hang in the executor, deaf")
+        self.say("don't be deaf")
+        reply = self.wait_for_reply("don't be deaf")
+        self.assertEqual((Reply.FAILED, "NOT_STOPPED"), (reply.outcome, reply.code))
+        self.assertIn('"hang in the executor, deaf"', reply.sentence)
+        self.end_in_executor(command)
+        self.wait_for_reply("hang in the executor, deaf")
+
+    def test_stop_ends_a_prohibition_that_waits(self):
+        self.run_in_executor("hang in the executor, stopped")
+        self.say("don't go on")
+        self.assertTrue(wait_until(lambda: "don't go on" in self.active_texts()))
+        self.say("stop it, stop")
+        self.assertEqual("STOPPED", self.wait_for_reply("don't go on").code)
+        self.assertEqual("STOPPED", self.wait_for_reply("hang in the executor, stopped").code)
+        self.report_stop("stop_of_two", "stop it, stop")
+        self.fence()
+        self.assertEqual(1, len(self.replies_to("don't go on")))
+
+    def test_command_behind_a_stop_begins_when_the_stop_is_answered(self):
+        self.say("Stop and come back.")
+        self.assertTrue(wait_until(lambda: "come back." in self.active_texts()))
+        self.fence()
+        self.assertFalse([command for command in self.heard if command.text == "come back."])
+        stamp = self.report_stop("stop_before_coming", "Stop and come back.")
+        reply = self.wait_for_reply("come back.")
+        self.assertEqual((Reply.DONE, "did come back."), (reply.outcome, reply.sentence))
+        self.assertGreater(reply.command.stamp, stamp)
+        self.fence()
+        self.assertEqual([reply.command.id], [c.id for c in self.heard if c.text == "come back."])
+        # The reply to the stop is the stop server's.
+        self.assertFalse(self.replies_to("Stop and come back."))
+
+    def test_command_behind_a_stop_does_not_begin_when_the_robot_does_not_stop(self):
+        self.say("halt, then leap")
+        self.report_stop("stop_in_vain", "halt, then leap", outcome=Reply.FAILED, code="NOT_STOPPED")
+        reply = self.wait_for_reply("leap")
+        self.assertEqual((Reply.FAILED, "NOT_STOPPED"), (reply.outcome, reply.code))
+        self.fence()
+        self.assertFalse([command for command in self.heard if command.text == "leap"])
+
+    def test_next_stop_ends_the_command_behind_a_stop(self):
+        self.say("stop and jump")
+        self.assertTrue(wait_until(lambda: "jump" in self.active_texts()))
+        self.say("no, no, stop!")
+        self.assertEqual("STOPPED", self.wait_for_reply("jump").code)
+        self.report_stop("stop_before_jump", "stop and jump")
+        self.report_stop("stop_after_jump", "no, no, stop!")
+        self.fence()
+        self.assertFalse([command for command in self.heard if command.text == "jump"])
+
+    def test_warning_behind_a_stop_is_no_command(self):
+        self.say("stop, you will hit the lamp")
+        self.report_stop("stop_before_lamp", "stop, you will hit the lamp")
+        self.fence()
+        self.assertFalse([command for command in self.heard if "lamp" in command.text])
+
+    def test_goal_with_a_command_behind_a_stop_ends_with_that_command(self):
+        feedback = []
+        handle = self.client.send_goal(
+            ExecuteCommandGoal(text="Stop and crawl."), feedback_cb=lambda _, message: feedback.append(message.event)
+        )
+        goal_id = handle.comm_state_machine.action_goal.goal_id.id
+        self.assertTrue(wait_until(lambda: "crawl." in self.active_texts()))
+        self.report_stop(goal_id, "Stop and crawl.")
+        self.assertTrue(wait_until(lambda: handle.get_comm_state() == actionlib.CommState.DONE))
+        reply = handle.get_result().reply
+        self.assertEqual(
+            ("crawl.", "did crawl.", GoalStatus.SUCCEEDED),
+            (reply.command.text, reply.sentence, handle.get_terminal_state()),
+        )
+        self.assertNotEqual(goal_id, reply.command.id)
+        self.assertTrue(wait_until(lambda: [event for event in feedback if event.command.id == reply.command.id]))
+
+    def test_cancelled_goal_ends_the_command_behind_its_stop(self):
+        handle = self.client.send_goal(ExecuteCommandGoal(text="Stop and silently go."))
+        self.assertTrue(wait_until(lambda: "silently go." in self.active_texts()))
+        handle.cancel()
+        self.assertTrue(wait_until(lambda: handle.get_comm_state() == actionlib.CommState.DONE))
+        self.assertEqual("silently go.", handle.get_result().reply.command.text)
+        self.assertEqual(GoalStatus.PREEMPTED, handle.get_terminal_state())
+        self.report_stop(handle.comm_state_machine.action_goal.goal_id.id, "Stop and silently go.")
+        self.fence()
+        self.assertFalse([command for command in self.heard if command.text == "silently go."])
 
     def test_stop_goal_takes_the_reply_of_the_report(self):
         handle = self.client.send_goal(ExecuteCommandGoal(text="Abort!"))

@@ -1,11 +1,20 @@
 """Every command is closed exactly once."""
+
 import random
 
 import pytest
 
 from command_server.command_book import (
-    CommandBook, CommandText, Ending, Outcome, STAGES, endings_after_restart, refusal_of_text, stage_after,
-    stamp_after)
+    RESTARTED,
+    STAGES,
+    CommandBook,
+    CommandText,
+    Ending,
+    Outcome,
+    refusal_of_text,
+    stage_after,
+    stamp_after,
+)
 
 
 class Clock:
@@ -23,7 +32,7 @@ def clock():
 
 @pytest.fixture
 def book(clock):
-    return CommandBook({stage: 2.0 for stage in STAGES}, now=clock)
+    return CommandBook(dict.fromkeys(STAGES, 2.0), now=clock)
 
 
 def make_command(name, stamp_ns=0):
@@ -57,21 +66,66 @@ def test_same_id_twice_is_an_error(book):
         book.open(make_command("a"))
 
 
-@pytest.mark.parametrize("passed,silent", [
-    ([], STAGES[0]), (STAGES[:1], STAGES[1]), (STAGES[:2], STAGES[2]), (STAGES[:4], STAGES[4]), (STAGES, STAGES[4])])
+@pytest.mark.parametrize(
+    "passed,silent",
+    [([], STAGES[0]), (STAGES[:1], STAGES[1]), (STAGES[:2], STAGES[2]), (STAGES[:4], STAGES[4]), (STAGES, STAGES[4])],
+)
 def test_the_silent_stage_is_named(book, clock, passed, silent):
     book.open(make_command("a"))
     for stage in passed:
         clock.now_s += 1.5
-        assert not book.finish_overdue()
+        assert not book.condemn_silent(timeout_s=1.0)
         book.progress("a", stage)
     clock.now_s += 1.99
-    assert not book.finish_overdue()
+    assert not book.condemn_silent(timeout_s=1.0)
     clock.now_s += 0.02
-    (end,) = book.finish_overdue()
+    (entry,) = book.condemn_silent(timeout_s=1.0)
+    assert entry.may_have_started == (silent == "executor")
+    assert not book.condemn_silent(timeout_s=1.0)
+    end = book.finish_condemned("a", "It stands.")
     assert (end.outcome, end.code, end.stage) == (Outcome.FAILED, "STAGE_SILENT", silent)
-    assert silent in end.sentence
-    assert not book.finish_overdue()
+    assert end.sentence == f"{silent} did not answer within 2 s. It stands."
+    assert book.finish_condemned("a") is None
+
+
+def test_condemned_command_does_not_come_back_to_life(book, clock):
+    book.open(make_command("a"))
+    clock.now_s += 2.0
+    book.condemn_silent(timeout_s=1.0)
+    assert book.progress("a", "executor")
+    assert not book.overdue_condemned()
+    clock.now_s += 1.0
+    assert book.overdue_condemned() == ["a"]
+
+
+def test_command_that_was_done_before_it_was_cancelled_is_done(book, clock):
+    book.open(make_command("a"))
+    clock.now_s += 2.0
+    book.condemn_silent(timeout_s=1.0)
+    assert book.finish(ending("a", Outcome.DONE)).outcome == Outcome.DONE
+
+
+def test_executor_that_stops_a_condemned_command_does_not_answer_it(book, clock):
+    book.open(make_command("a"))
+    clock.now_s += 2.0
+    book.condemn_silent(timeout_s=1.0)
+    assert book.finish(ending("a", Outcome.SUPERSEDED)) is None
+    assert book.finish_condemned("a").code == "STAGE_SILENT"
+
+
+def test_command_without_a_verdict_is_not_closed_as_cancelled(book):
+    book.open(make_command("a"))
+    assert book.finish_condemned("a") is None
+    assert book.get("a") is not None
+
+
+def test_nobody_is_silent_while_this_process_does_not_run(book, clock):
+    book.open(make_command("a"))
+    clock.now_s += 60.0
+    book.postpone(60.0)
+    assert not book.condemn_silent(timeout_s=1.0)
+    clock.now_s += 2.0
+    assert book.condemn_silent(timeout_s=1.0)
 
 
 def test_executor_keeps_a_command_alive(book, clock):
@@ -79,7 +133,7 @@ def test_executor_keeps_a_command_alive(book, clock):
     for _ in range(50):
         clock.now_s += 1.0
         book.progress("a", "executor")
-        assert not book.finish_overdue()
+        assert not book.condemn_silent(timeout_s=1.0)
     assert book.get("a").is_with_executor
 
 
@@ -127,10 +181,17 @@ def test_text_of_the_greatest_length_passes():
     assert refusal_of_text("x" * 10, max_length=10) is None
 
 
-def test_restart_answers_every_command():
-    ends = endings_after_restart((make_command("a"), make_command("b")))
-    assert [(end.command.command_id, end.code, end.outcome) for end in ends] == [
-        ("a", "RESTARTED", Outcome.FAILED), ("b", "RESTARTED", Outcome.FAILED)]
+def test_command_of_the_last_run_is_cancelled_and_answered(book, clock):
+    book.adopt(make_command("a"), timeout_s=3.0)
+    assert book.get("a").may_have_started
+    clock.now_s += 2.9
+    assert not book.condemn_silent(timeout_s=1.0)
+    assert not book.overdue_condemned()
+    clock.now_s += 0.2
+    assert book.overdue_condemned() == ["a"]
+    end = book.finish_condemned("a", "It stands.")
+    assert (end.code, end.outcome) == ("RESTARTED", Outcome.FAILED)
+    assert end.sentence == f"{RESTARTED.sentence} It stands."
 
 
 def test_stage_after():
@@ -140,7 +201,7 @@ def test_stage_after():
 def test_any_order_of_events_gives_one_reply_each(clock):
     for seed in range(200):
         lots = random.Random(seed)
-        book = CommandBook({stage: 2.0 for stage in STAGES}, now=clock)
+        book = CommandBook(dict.fromkeys(STAGES, 2.0), now=clock)
         replies = []
         names = [f"c{index}" for index in range(5)]
         for stamp_ns, name in enumerate(names):
@@ -154,15 +215,19 @@ def test_any_order_of_events_gives_one_reply_each(clock):
                 book.progress(name, lots.choice(STAGES))
             elif step == 2:
                 clock.now_s += lots.random()
-                replies += book.finish_overdue()
+                book.condemn_silent(timeout_s=1.0)
+                replies += filter(None, [book.finish_condemned(name)])
             elif lots.random() < 0.1:
                 replies += book.finish_stopped(lots.randrange(5))
         clock.now_s += 10.0
-        replies += book.finish_overdue()
+        book.condemn_silent(timeout_s=1.0)
+        replies += filter(None, [book.finish_condemned(entry.command.command_id) for entry in book.open_commands])
         assert sorted(end.command.command_id for end in replies) == names, f"seed {seed}"
 
 
-@pytest.mark.parametrize("arrival_ns,last_ns,stamp_ns", [
-    (5, 0, 5), (5, 5, 6), (4, 5, 6), (0, 10_000_000_000, 0), (9_500_000_000, 10_000_000_000, 10_000_000_001)])
+@pytest.mark.parametrize(
+    "arrival_ns,last_ns,stamp_ns",
+    [(5, 0, 5), (5, 5, 6), (4, 5, 6), (0, 10_000_000_000, 0), (9_500_000_000, 10_000_000_000, 10_000_000_001)],
+)
 def test_stamps_of_commands_grow_unless_the_clock_is_set_back(arrival_ns, last_ns, stamp_ns):
     assert stamp_after(arrival_ns, last_ns) == stamp_ns

@@ -1,1 +1,1 @@
-"""Runs one procedure at a time and preempts the one before."""
+"""Runs one plan at a time and preempts the one before."""

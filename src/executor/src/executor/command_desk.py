@@ -2,6 +2,7 @@
 
 A desk is a value; each function gives the next desk and what is to be done, in order.
 """
+
 import enum
 from collections import OrderedDict
 from dataclasses import dataclass, replace
@@ -78,11 +79,12 @@ class Desk(Generic[Job]):
     cancelled_ids: Tuple[str, ...] = ()
 
 
-Step = Tuple[Desk, Tuple[object, ...]]
+#: The next desk, and what is to be done.
+Step = Tuple[Desk[Job], Tuple[object, ...]]
 
 
-def order_arrives(desk: Desk[Job], order: Order[Job], *, now_ns: int) -> Step:
-    """A procedure came.
+def order_arrives(desk: Desk[Job], order: Order[Job], *, now_ns: int) -> Step[Job]:
+    """A plan came.
 
     Args:
         desk: the desk
@@ -92,8 +94,7 @@ def order_arrives(desk: Desk[Job], order: Order[Job], *, now_ns: int) -> Step:
     if desk.stop_stamp_ns is not None and now_ns < desk.stop_stamp_ns:
         desk = replace(desk, stop_stamp_ns=None)
     key = order.key
-    if key.command_id in desk.cancelled_ids or (
-            desk.stop_stamp_ns is not None and key.stamp_ns <= desk.stop_stamp_ns):
+    if key.command_id in desk.cancelled_ids or (desk.stop_stamp_ns is not None and key.stamp_ns <= desk.stop_stamp_ns):
         return desk, (Supersede(order, Cause.STOPPED),)
     newest = desk.waiting or desk.running
     if newest is None:
@@ -104,33 +105,33 @@ def order_arrives(desk: Desk[Job], order: Order[Job], *, now_ns: int) -> Step:
     if desk.waiting is not None:
         actions += (Supersede(desk.waiting, Cause.NEW_COMMAND),)
     if desk.running is not None and desk.cause is None:
-        desk = replace(desk, cause=Cause.NEW_COMMAND)
         actions += (Preempt(desk.running, Cause.NEW_COMMAND),)
+        desk = replace(desk, cause=Cause.NEW_COMMAND)
     return replace(desk, waiting=order), actions
 
 
-def command_ended(desk: Desk[Job]) -> Step:
+def command_ended(desk: Desk[Job]) -> Step[Job]:
     """The running order has ended, by itself or because it was preempted."""
     if desk.waiting is None:
         return replace(desk, running=None, cause=None), ()
     return replace(desk, running=desk.waiting, waiting=None, cause=None), (Start(desk.waiting),)
 
 
-def stop_heard(desk: Desk[Job], stop_stamp_ns: int) -> Step:
+def stop_heard(desk: Desk[Job], stop_stamp_ns: int) -> Step[Job]:
     """Somebody said stop."""
     if desk.stop_stamp_ns is None or stop_stamp_ns > desk.stop_stamp_ns:
         desk = replace(desk, stop_stamp_ns=stop_stamp_ns)
     return _end_some(desk, lambda key: key.stamp_ns <= stop_stamp_ns)
 
 
-def command_cancelled(desk: Desk[Job], command_id: str) -> Step:
+def command_cancelled(desk: Desk[Job], command_id: str) -> Step[Job]:
     """One command must not act any more, whether it runs, waits or is still to come."""
     # An ordered dict keeps the ids single and in their order, so that the oldest is forgotten first.
     ids = tuple(OrderedDict.fromkeys(desk.cancelled_ids + (command_id,)))[-_MOST_CANCELLED:]
     return _end_some(replace(desk, cancelled_ids=ids), lambda key: key.command_id == command_id)
 
 
-def _end_some(desk: Desk[Job], is_meant: Callable[[CommandKey], bool]) -> Step:
+def _end_some(desk: Desk[Job], is_meant: Callable[[CommandKey], bool]) -> Step[Job]:
     actions: Tuple[object, ...] = ()
     if desk.waiting is not None and is_meant(desk.waiting.key):
         actions += (Supersede(desk.waiting, Cause.STOPPED),)

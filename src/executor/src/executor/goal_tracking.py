@@ -3,9 +3,10 @@
 The functions take what happened and the time, and give the next value. Nothing here waits: the caller asks `tick`
 again when `next_deadline_s` has come.
 """
+
 import enum
 from dataclasses import dataclass, replace
-from typing import Dict, List, Optional
+from typing import Dict, Optional, Sequence
 
 
 class GoalStatusCode(enum.IntEnum):
@@ -23,16 +24,23 @@ class GoalStatusCode(enum.IntEnum):
     LOST = 9
 
 
-TERMINAL_STATUSES = frozenset({
-    GoalStatusCode.PREEMPTED, GoalStatusCode.SUCCEEDED, GoalStatusCode.ABORTED, GoalStatusCode.REJECTED,
-    GoalStatusCode.RECALLED, GoalStatusCode.LOST})
+TERMINAL_STATUSES = frozenset(
+    {
+        GoalStatusCode.PREEMPTED,
+        GoalStatusCode.SUCCEEDED,
+        GoalStatusCode.ABORTED,
+        GoalStatusCode.REJECTED,
+        GoalStatusCode.RECALLED,
+        GoalStatusCode.LOST,
+    }
+)
 
 
 class Phase(enum.Enum):
     """Where the goal is."""
 
-    SENT = "sent"              # not accepted yet; a pending goal waits in the server
-    ACCEPTED = "accepted"      # the server carries it out
+    SENT = "sent"  # not accepted yet; a pending goal waits in the server
+    ACCEPTED = "accepted"  # the server carries it out
     CANCELLING = "cancelling"  # cancels go out until the server ends it
     CONCLUDING = "concluding"  # the status is terminal, the result is missing
     ENDED = "ended"
@@ -43,7 +51,7 @@ class Outcome(enum.Enum):
 
     SUCCEEDED = "succeeded"
     FAILED = "failed"
-    PREEMPTED = "preempted"    # because we asked
+    PREEMPTED = "preempted"  # because we asked
     TAKEN_AWAY = "taken_away"  # somebody else cancelled it
 
 
@@ -285,7 +293,7 @@ def _end(goal: Goal, outcome: Outcome, reason: str) -> Goal:
     return replace(goal, phase=Phase.ENDED, outcome=outcome, reason=reason)
 
 
-def describe_failures(goals: List[Goal]) -> str:
+def describe_failures(goals: Sequence[Goal]) -> str:
     """A sentence that names each server that failed and why; empty when none did."""
     clauses = [f"{goal.server} {goal.reason}" for goal in goals if goal.outcome is Outcome.FAILED]
     return as_sentence("; ".join(clauses)) if clauses else ""

@@ -1,7 +1,8 @@
-"""The executor node: one procedure at a time, the newest command first.
+"""The executor node: one plan at a time, the newest command first.
 
 Callbacks only enqueue; one worker thread owns the commands, one more thread runs the machine.
 """
+
 import queue
 import threading
 import time
@@ -9,23 +10,38 @@ from dataclasses import dataclass
 from typing import Optional, Union
 
 import rospy
-from arbitrator.procedure import Procedure
-from arbitrator.ros_messages import procedure_from_message
-from roboframenet_msgs.msg import Command, CommandProcedure, StopReport
-from stage_events.ros_stage import Stage
+from roboframenet_msgs.msg import Command, CommandPlan, StopReport
 
+from arbitrator.plan import Plan
+from arbitrator.ros_messages import plan_from_message
 from executor.command_desk import (
-    CommandKey, Desk, Order, Preempt, Start, Step, Supersede, command_cancelled, command_ended, order_arrives,
-    stop_heard)
+    CommandKey,
+    Desk,
+    Order,
+    Preempt,
+    Start,
+    Step,
+    Supersede,
+    command_cancelled,
+    command_ended,
+    order_arrives,
+    stop_heard,
+)
 from executor.goal_tracking import GoalDeadlines
 from executor.replies import Ending, ending_of_malformed, ending_of_run, ending_of_unstarted
 from executor.ros_action_clients import ActionClients
 from executor.ros_command_run import CommandRun, RunResult
+from executor.ros_introspection import Introspection
 from executor.ros_reconfigure import SettingsKeeper
 from executor.ros_running_goals import RunningGoals
+from roboframenet_ros.ros_log import log_from_threads
+from roboframenet_ros.suspension import SuspensionWatch
+from stage_events.ros_stage import Stage
 
 # Less than the second that the stage promises, so that a busy machine keeps the promise too.
 _EVENT_PERIOD_S = 0.5
+# A turn of the worker that takes longer means that the process did not run.
+_LONGEST_TURN_S = 1.0
 
 
 @dataclass(frozen=True)
@@ -56,13 +72,22 @@ class Settings:
     introspection: bool = True
 
     def __post_init__(self) -> None:
-        for name in ("acceptance_timeout_s", "silence_timeout_s", "preempt_timeout_s", "cancel_period_s",
-                     "result_timeout_s", "settings_timeout_s"):
+        for name in (
+            "acceptance_timeout_s",
+            "silence_timeout_s",
+            "preempt_timeout_s",
+            "cancel_period_s",
+            "result_timeout_s",
+            "settings_timeout_s",
+        ):
             value = getattr(self, name)
             if isinstance(value, bool) or not isinstance(value, (int, float)) or not 0.05 <= value <= 600.0:
                 raise ValueError(f"~{name} must be 0.05 to 600 s, got {value!r}")
-        if isinstance(self.max_clients, bool) or not isinstance(self.max_clients, int) or not (
-                1 <= self.max_clients <= 1000):
+        if (
+            isinstance(self.max_clients, bool)
+            or not isinstance(self.max_clients, int)
+            or not (1 <= self.max_clients <= 1000)
+        ):
             raise ValueError(f"~max_clients must be an integer from 1 to 1000, got {self.max_clients!r}")
         if not isinstance(self.introspection, bool):
             raise ValueError(f"~introspection must be true or false, got {self.introspection!r}")
@@ -71,16 +96,20 @@ class Settings:
     def deadlines(self) -> GoalDeadlines:
         """The deadlines of each goal."""
         return GoalDeadlines(
-            acceptance_s=self.acceptance_timeout_s, silence_s=self.silence_timeout_s, preempt_s=self.preempt_timeout_s,
-            cancel_period_s=self.cancel_period_s, result_s=self.result_timeout_s)
+            acceptance_s=self.acceptance_timeout_s,
+            silence_s=self.silence_timeout_s,
+            preempt_s=self.preempt_timeout_s,
+            cancel_period_s=self.cancel_period_s,
+            result_s=self.result_timeout_s,
+        )
 
 
 @dataclass(frozen=True)
 class _Job:
-    """What the desk keeps for the shell: the command as it came, and its procedure."""
+    """What the desk keeps for the shell: the command as it came, and its plan."""
 
     command: Command
-    procedure: Procedure
+    plan: Plan
 
 
 @dataclass(frozen=True)
@@ -99,14 +128,14 @@ class _RunEnded:
     result: RunResult
 
 
-_Event = Union[CommandProcedure, StopReport, Command, _Note, _RunEnded, None]
+_Event = Union[CommandPlan, StopReport, Command, _Note, _RunEnded, None]
 
 
 class ExecutorNode:
-    """Carries out procedures.
+    """Carries out plans.
 
-    Subscribes: ``command_procedure``, ``command_cancel``, ``stop_report``. Publishes: ``stage_events``.
-    Calls the action servers that the procedures name.
+    Subscribes: ``command_plan``, ``command_cancel``, ``stop_report``. Publishes: ``stage_events``.
+    Calls the action servers that the plans name.
     """
 
     def __init__(self, settings: Settings) -> None:
@@ -114,10 +143,12 @@ class ExecutorNode:
         self._clients = ActionClients(max_kept=settings.max_clients)
         self._server_settings = SettingsKeeper(timeout_s=settings.settings_timeout_s)
         self._running_goals = RunningGoals()
+        self._introspection = Introspection(is_enabled=settings.introspection)
+        self._suspension = SuspensionWatch(longest_turn_s=_LONGEST_TURN_S)
         self._desk: Desk[_Job] = Desk()
         self._run: Optional[CommandRun] = None
         self._next_event_s = 0.0
-        self._inbox: "queue.Queue[_Event]" = queue.Queue()
+        self._inbox: queue.Queue[_Event] = queue.Queue()
         self._stage = Stage("executor")
         self._worker = threading.Thread(target=self._work, name="executor_worker")
 
@@ -130,7 +161,8 @@ class ExecutorNode:
         self._subscribers = [
             rospy.Subscriber("stop_report", StopReport, self._inbox.put),
             rospy.Subscriber("command_cancel", Command, self._inbox.put),
-            rospy.Subscriber("command_procedure", CommandProcedure, self._inbox.put)]
+            rospy.Subscriber("command_plan", CommandPlan, self._inbox.put),
+        ]
 
     def _shutdown(self) -> None:
         self._inbox.put(None)
@@ -141,21 +173,24 @@ class ExecutorNode:
             try:
                 event = self._inbox.get(timeout=_EVENT_PERIOD_S / 2.0)
             except queue.Empty:
+                self._suspension.turn()
                 self._tell_that_it_runs()
                 continue
             if event is None:
                 self._end_all()
                 return
+            self._suspension.turn()
             try:
                 self._handle(event)
             except Exception as error:  # boundary: one message must not end the work on all others
-                rospy.logerr("executor could not handle a %s: %s: %s",
-                             type(event).__name__, type(error).__name__, error)
+                rospy.logerr(
+                    "executor could not handle a %s: %s: %s", type(event).__name__, type(error).__name__, error
+                )
             self._tell_that_it_runs()
 
     def _handle(self, event: _Event) -> None:
-        if isinstance(event, CommandProcedure):
-            self._hear_procedure(event)
+        if isinstance(event, CommandPlan):
+            self._hear_plan(event)
         elif isinstance(event, StopReport):
             self._follow(stop_heard(self._desk, event.stop_stamp.to_nsec()))
         elif isinstance(event, Command):
@@ -166,14 +201,14 @@ class ExecutorNode:
         elif isinstance(event, _RunEnded):
             self._hear_end(event)
 
-    def _hear_procedure(self, message: CommandProcedure) -> None:
+    def _hear_plan(self, message: CommandPlan) -> None:
         try:
-            procedure = procedure_from_message(message.procedure)
+            plan = plan_from_message(message.plan)
         except ValueError as error:
             self._end(message.command, ending_of_malformed(str(error)))
             return
         key = CommandKey(command_id=message.command.id, stamp_ns=message.command.stamp.to_nsec())
-        order = Order(key=key, job=_Job(command=message.command, procedure=procedure))
+        order = Order(key=key, job=_Job(command=message.command, plan=plan))
         self._follow(order_arrives(self._desk, order, now_ns=rospy.Time.now().to_nsec()))
 
     def _hear_end(self, ended: _RunEnded) -> None:
@@ -181,7 +216,7 @@ class ExecutorNode:
             return
         order, cause = self._desk.running, self._desk.cause
         self._run = None
-        ending = ending_of_run(ended.result.outcome, ended.result.goals, cause=cause, error=ended.result.error)
+        ending = ending_of_run(ended.result.outcome, ended.result.clauses, cause=cause, error=ended.result.error)
         self._end(order.job.command, ending)
         self._follow(command_ended(self._desk))
 
@@ -200,11 +235,16 @@ class ExecutorNode:
     def _start_run(self, order: "Order[_Job]") -> None:
         rospy.loginfo("cmd=%s begins", order.key.command_id)
         self._run = CommandRun(
-            order.job.procedure, clients=self._clients, settings=self._server_settings,
-            running_goals=self._running_goals, deadlines=self._settings.deadlines,
+            order.job.plan,
+            clients=self._clients,
+            settings=self._server_settings,
+            running_goals=self._running_goals,
+            deadlines=self._settings.deadlines,
             on_note=lambda sentence: self._inbox.put(_Note(run, sentence)),
             on_end=lambda ended, result: self._inbox.put(_RunEnded(ended, result)),
-            is_introspected=self._settings.introspection)
+            introspection=self._introspection,
+            suspension=self._suspension,
+        )
         run = self._run
         run.start()
 
@@ -255,12 +295,14 @@ def read_settings() -> Settings:
         result_timeout_s=rospy.get_param("~result_timeout_s", Settings.result_timeout_s),
         settings_timeout_s=rospy.get_param("~settings_timeout_s", Settings.settings_timeout_s),
         max_clients=rospy.get_param("~max_clients", Settings.max_clients),
-        introspection=rospy.get_param("~introspection", Settings.introspection))
+        introspection=rospy.get_param("~introspection", Settings.introspection),
+    )
 
 
 def main() -> None:
     """Run the node until ROS shuts down; exits with a sentence when a parameter is wrong."""
     rospy.init_node("executor")
+    log_from_threads()
     try:
         settings = read_settings()
     except ValueError as error:

@@ -1,7 +1,8 @@
 """What the executor tells the person about the end of a command."""
+
 import enum
 from dataclasses import dataclass
-from typing import Optional, Sequence
+from typing import Iterable, Optional, Sequence, Tuple
 
 from executor.command_desk import Cause
 from executor.goal_tracking import Goal, Outcome, describe_failures
@@ -13,6 +14,21 @@ class ReplyOutcome(enum.IntEnum):
     DONE = 0
     FAILED = 1
     SUPERSEDED = 4
+
+
+@dataclass(frozen=True)
+class ClauseRun:
+    """What became of a clause.
+
+    Attributes:
+        label: its words
+        outcome: succeeded, aborted or preempted; empty when it did not begin, or did not end
+        goals: every goal that was tried, in order
+    """
+
+    label: str
+    outcome: str
+    goals: Tuple[Goal, ...] = ()
 
 
 @dataclass(frozen=True)
@@ -33,31 +49,60 @@ def ending_of_unstarted(cause: Cause) -> Ending:
 
 
 def ending_of_malformed(error: str) -> Ending:
-    """The end of a command whose procedure cannot be read."""
-    return Ending(ReplyOutcome.FAILED, "STAGE_ERROR", f"The procedure cannot be carried out: {error}.")
+    """The end of a command whose plan cannot be read."""
+    return Ending(ReplyOutcome.FAILED, "STAGE_ERROR", f"The plan cannot be carried out: {error}.")
 
 
-def ending_of_run(outcome: str, goals: Sequence[Goal], *, cause: Optional[Cause], error: str) -> Ending:
+def ending_of_run(outcome: str, clauses: Sequence[ClauseRun], *, cause: Optional[Cause], error: str) -> Ending:
     """The end of a command that began.
 
     Args:
         outcome: of the machine: succeeded, aborted or preempted; empty when it broke
-        goals: every goal that was tried, in order
+        clauses: of the plan, in order
         cause: why it was asked to end, None if it was not
         error: why the machine broke, empty if it did not
     """
+    goals = [goal for clause in clauses for goal in clause.goals]
     failures = describe_failures(goals)
     if error:
-        return Ending(ReplyOutcome.FAILED, "STAGE_ERROR", f"The state machine broke: {error}. {failures}".strip())
+        sentence = f"The state machine broke: {error}. {failures} {_done_before(clauses)}"
+        return Ending(ReplyOutcome.FAILED, "STAGE_ERROR", " ".join(sentence.split()))
     if outcome == "succeeded":
         # Also when it was asked to end: it was faster.
         return Ending(ReplyOutcome.DONE, "DONE", f"Done; but before, {failures}" if failures else "Done.")
     # A server that ignored the cancel may still move the robot; the person must know which one.
-    orphans = " ".join(f"{goal.server} {goal.reason}." for goal in goals
-                       if goal.is_orphaned and goal.outcome is Outcome.PREEMPTED)
+    orphans = " ".join(
+        f"{goal.server} {goal.reason}." for goal in goals if goal.is_orphaned and goal.outcome is Outcome.PREEMPTED
+    )
     if cause is not None:
-        return Ending(ReplyOutcome.SUPERSEDED, cause.value, f"{_SENTENCE_OF[cause]} {orphans}".strip())
+        sentence = f"{_SENTENCE_OF[cause]} {orphans} {_done_before(clauses)}"
+        return Ending(ReplyOutcome.SUPERSEDED, cause.value, " ".join(sentence.split()))
     if outcome == "preempted":
         taken = " ".join(f"{goal.server} {goal.reason}." for goal in goals if goal.outcome is Outcome.TAKEN_AWAY)
-        return Ending(ReplyOutcome.SUPERSEDED, "STOPPED", f"Somebody else cancelled it: {taken}".strip())
-    return Ending(ReplyOutcome.FAILED, "ALL_CANDIDATES_FAILED", f"Nothing that could do it succeeded: {failures}")
+        sentence = f"Somebody else cancelled it: {taken} {_done_before(clauses)}"
+        return Ending(ReplyOutcome.SUPERSEDED, "STOPPED", " ".join(sentence.split()))
+    return Ending(ReplyOutcome.FAILED, "ALL_CANDIDATES_FAILED", _failure(clauses))
+
+
+def _failure(clauses: Sequence[ClauseRun]) -> str:
+    """What was done and what was not: 'I have done "ping", but I could not do "wave at Alice": ...'."""
+    failed = next((clause for clause in clauses if clause.outcome == "aborted"), None)
+    if len(clauses) == 1 or failed is None:
+        failures = describe_failures([goal for clause in clauses for goal in clause.goals])
+        return f"Nothing that could do it succeeded: {failures}"
+    done = _labels(clause for clause in clauses if clause.outcome == "succeeded")
+    left = _labels(clause for clause in clauses if not clause.outcome)
+    subject = f"I have done {done}, but I" if done else "I"
+    rest = f" I did not begin {left}." if left else ""
+    return f'{subject} could not do "{failed.label}": {describe_failures(failed.goals)}{rest}'
+
+
+def _done_before(clauses: Sequence[ClauseRun]) -> str:
+    """What was done of several clauses, as a sentence; empty for nothing."""
+    done = _labels(clause for clause in clauses if clause.outcome == "succeeded") if len(clauses) > 1 else ""
+    return f"I have done {done} before." if done else ""
+
+
+def _labels(clauses: Iterable[ClauseRun]) -> str:
+    quoted = [f'"{clause.label}"' for clause in clauses]
+    return ", ".join(quoted[:-1]) + " and " + quoted[-1] if len(quoted) > 1 else "".join(quoted)

@@ -1,10 +1,12 @@
 """Connections to action servers, kept while they are in use."""
+
 import threading
 from collections import OrderedDict
 from typing import List, Optional
 
-from rfnserver.ros_action_connection import ActionConnection
 from roboframenet_msgs.msg import FilledSemanticFrameAction
+
+from rfnserver.ros_action_connection import ActionConnection
 
 
 class ActionClients:
@@ -18,7 +20,7 @@ class ActionClients:
         """
         self._max_kept = max_kept
         self._lock = threading.Lock()
-        self._connections: "OrderedDict[str, ActionConnection]" = OrderedDict()
+        self._connections: OrderedDict[str, ActionConnection] = OrderedDict()
 
     def get(self, server: str, *, timeout_s: float) -> Optional[ActionConnection]:
         """The connection to a server, made if need be.
@@ -56,8 +58,9 @@ class ActionClients:
             dropped = []
             while len(self._connections) > self._max_kept:
                 dropped.append(self._connections.popitem(last=False)[1])
-        for connection in dropped:
-            connection.close()
+        if dropped:
+            # To close asks the master, which may hang.
+            threading.Thread(target=self._close_all, args=(dropped,), name="close_connections", daemon=True).start()
         return made[0]
 
     def close(self) -> None:
@@ -65,5 +68,9 @@ class ActionClients:
         with self._lock:
             connections = list(self._connections.values())
             self._connections.clear()
+        self._close_all(connections)
+
+    @staticmethod
+    def _close_all(connections: List[ActionConnection]) -> None:
         for connection in connections:
             connection.close()

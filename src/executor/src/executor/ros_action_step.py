@@ -1,4 +1,6 @@
 """A SMACH state that has one action server carry out one frame."""
+
+import contextlib
 import queue
 import threading
 import time
@@ -7,11 +9,12 @@ from typing import Callable, Optional
 
 import actionlib
 import rospy
+from roboframenet_msgs.msg import FilledSemanticFrameGoal
+
 import smach
-from arbitrator.procedure import FilledFrame
+from arbitrator.plan import FilledFrame
 from arbitrator.ros_messages import frame_to_message
 from arbitrator.state_machine import OUTCOMES
-
 from executor import goal_tracking as tracking
 from executor.goal_tracking import Goal, GoalDeadlines, Outcome
 from executor.ros_action_clients import ActionClients
@@ -19,10 +22,12 @@ from executor.ros_reconfigure import SettingsKeeper
 from executor.ros_running_goals import RunningGoals
 from executor.settings import SettingsError
 from rfnserver.ros_action_connection import ActionConnection, SentGoal
-from roboframenet_msgs.msg import FilledSemanticFrameGoal
+from roboframenet_ros.suspension import SuspensionWatch
 
 # The longest that a preemption can go unseen.
 _LONGEST_WAIT_S = 0.1
+# A process that was suspended finds full sockets: what they hold is read within this time.
+_WAKE_S = 0.5
 
 # What the machine makes of each end. A goal that somebody else took away must not start the next candidate.
 SMACH_OUTCOME_OF = {
@@ -43,8 +48,9 @@ class StepContext:
         running_goals: what must be cancelled if this process is killed
         deadlines: of each goal
         is_preempt_asked: set when the run is to end
+        suspension: says whether this process has just woken
         on_begin: is told the frame of each step that begins
-        on_end: is told each goal that has ended
+        on_end: is told each goal that has ended, with its frame and the number of its clause
     """
 
     clients: ActionClients
@@ -52,8 +58,9 @@ class StepContext:
     running_goals: RunningGoals
     deadlines: GoalDeadlines
     is_preempt_asked: threading.Event
+    suspension: SuspensionWatch
     on_begin: Callable[[FilledFrame], None]
-    on_end: Callable[[FilledFrame, Goal], None]
+    on_end: Callable[[FilledFrame, int, Goal], None]
 
 
 @dataclass(frozen=True)
@@ -76,16 +83,17 @@ class ActionStep(smach.State):
     Callbacks only enqueue; the thread that executes the state owns everything else and waits with deadlines.
     """
 
-    def __init__(self, frame: FilledFrame, context: StepContext) -> None:
+    def __init__(self, frame: FilledFrame, clause: int, context: StepContext) -> None:
         super().__init__(outcomes=list(OUTCOMES))
         self._frame = frame
+        self._clause = clause
         self._context = context
 
     def execute(self, userdata: smach.UserData) -> str:
         """Carry the frame out; returns succeeded, aborted or preempted."""
         self._context.on_begin(self._frame)
         goal = self._carry_out()
-        self._context.on_end(self._frame, goal)
+        self._context.on_end(self._frame, self._clause, goal)
         outcome = SMACH_OUTCOME_OF[goal.outcome]
         if outcome == "preempted" and self.preempt_requested():
             self.service_preempt()
@@ -95,8 +103,15 @@ class ActionStep(smach.State):
     def _is_to_end(self) -> bool:
         return self._context.is_preempt_asked.is_set() or self.preempt_requested()
 
+    def _read_news(self) -> bool:
+        """After a suspension, let what was said meanwhile arrive: the command may be closed; returns whether it is."""
+        if self._context.suspension.is_just_awake(within_s=_WAKE_S):
+            self._context.is_preempt_asked.wait(_WAKE_S)
+        return self._is_to_end
+
     def _carry_out(self) -> Goal:
         server, deadlines = self._frame.server, self._context.deadlines
+        self._read_news()
         began_s = time.monotonic()
         if self._is_to_end:
             return tracking.preempt_unsent(server, deadlines, now_s=began_s)
@@ -106,28 +121,31 @@ class ActionStep(smach.State):
             return tracking.fail_unsent(server, deadlines, f"cannot be reached: {error}", now_s=began_s)
         if connection is None:
             return tracking.fail_unsent(
-                server, deadlines, "cannot be reached: the master does not answer", now_s=began_s)
+                server, deadlines, "cannot be reached: the master does not answer", now_s=began_s
+            )
         while not connection.is_ready():
             if self._is_to_end:
                 return tracking.preempt_unsent(server, deadlines, now_s=time.monotonic())
             if time.monotonic() - began_s >= deadlines.acceptance_s:
                 return tracking.fail_unsent(
-                    server, deadlines, f"is not there: no answer within {deadlines.acceptance_s:g} s",
-                    now_s=time.monotonic())
+                    server,
+                    deadlines,
+                    f"is not there: no answer within {deadlines.acceptance_s:g} s",
+                    now_s=time.monotonic(),
+                )
             self._context.is_preempt_asked.wait(0.01)
         owner = f"{self._frame.name} by {server}"
         try:
             self._context.settings.apply(server, owner=owner)
         except SettingsError as error:
-            return tracking.fail_unsent(server, deadlines, f"cannot have its settings: {error}",
-                                        now_s=time.monotonic())
+            return tracking.fail_unsent(server, deadlines, f"cannot have its settings: {error}", now_s=time.monotonic())
         try:
             return self._send_and_follow(connection)
         finally:
             self._context.settings.restore(owner=owner)
 
     def _send_and_follow(self, connection: ActionConnection) -> Goal:
-        inbox: "queue.Queue[object]" = queue.Queue()
+        inbox: queue.Queue[object] = queue.Queue()
 
         def on_sign() -> None:
             inbox.put(_Sign())
@@ -139,12 +157,15 @@ class ActionStep(smach.State):
             connection.unlisten(on_sign)
             self._context.running_goals.clear()
 
-    def _follow(self, connection: ActionConnection, inbox: "queue.Queue[object]",
-                on_sign: Callable[[], None]) -> Goal:
+    def _follow(self, connection: ActionConnection, inbox: "queue.Queue[object]", on_sign: Callable[[], None]) -> Goal:
+        if self._read_news():
+            return tracking.preempt_unsent(self._frame.server, self._context.deadlines, now_s=time.monotonic())
         goal = tracking.send(self._frame.server, self._context.deadlines, now_s=time.monotonic())
         sent: SentGoal = connection.send(
             FilledSemanticFrameGoal(frame=frame_to_message(self._frame)),
-            on_transition=lambda handle: inbox.put(_read_transition(handle)), on_feedback=lambda _: on_sign())
+            on_transition=lambda handle: inbox.put(_read_transition(handle)),
+            on_feedback=lambda _: on_sign(),
+        )
         self._context.running_goals.note(self._frame.server, sent.goal_id)
         while True:
             if self._is_to_end:
@@ -157,17 +178,19 @@ class ActionStep(smach.State):
             if goal.is_ended:
                 return goal
             wait_s = min(_LONGEST_WAIT_S, max(0.001, tracking.next_deadline_s(goal) - time.monotonic()))
-            try:
+            with contextlib.suppress(queue.Empty):
                 goal = _apply(goal, inbox.get(timeout=wait_s))
-            except queue.Empty:
-                pass
 
 
 def _read_transition(handle: actionlib.ClientGoalHandle) -> _Transition:
     is_done = handle.get_comm_state() == actionlib.CommState.DONE
     result = handle.get_result() if is_done else None
-    return _Transition(status=handle.get_goal_status(), is_done=is_done, text=handle.get_goal_status_text(),
-                       success=None if result is None else bool(result.success))
+    return _Transition(
+        status=handle.get_goal_status(),
+        is_done=is_done,
+        text=handle.get_goal_status_text(),
+        success=None if result is None else bool(result.success),
+    )
 
 
 def _apply(goal: Goal, heard: object) -> Goal:

@@ -1,20 +1,26 @@
-"""One procedure that is being carried out, in a thread of its own."""
+"""One plan that is being carried out, in a thread of its own."""
+
 import threading
 import time
 from dataclasses import dataclass
-from typing import Callable, List, Optional, Tuple
+from typing import Callable, Dict, List, Optional, Tuple
 
 import rospy
-import smach
-import smach_ros
-from arbitrator.procedure import FilledFrame, Procedure
-from arbitrator.state_machine import build_state_machine
 
+import smach
+from arbitrator.plan import FilledFrame, Plan, clauses
+from arbitrator.state_machine import build_state_machine, plan_label
 from executor.goal_tracking import Goal, GoalDeadlines, as_sentence
+from executor.replies import ClauseRun
 from executor.ros_action_clients import ActionClients
 from executor.ros_action_step import ActionStep, StepContext
+from executor.ros_introspection import Introspection
 from executor.ros_reconfigure import SettingsKeeper
 from executor.ros_running_goals import RunningGoals
+from roboframenet_ros.suspension import SuspensionWatch
+
+#: Introspection has a thread for each machine, and each candidate is one.
+_MOST_SHOWN = 256
 
 
 @dataclass(frozen=True)
@@ -23,46 +29,64 @@ class RunResult:
 
     Attributes:
         outcome: succeeded, aborted or preempted; empty when the machine broke
-        goals: every goal that was tried, in order
+        clauses: of the plan, in order
         error: why the machine broke, empty if it did not
     """
 
     outcome: str
-    goals: Tuple[Goal, ...]
+    clauses: Tuple[ClauseRun, ...]
     error: str = ""
 
 
 class CommandRun:
-    """Runs the SMACH machine of a procedure and shows it to smach_viewer."""
+    """Runs the SMACH machine of a plan and shows it to smach_viewer."""
 
-    def __init__(self, procedure: Procedure, *, clients: ActionClients, settings: SettingsKeeper,
-                 running_goals: RunningGoals, deadlines: GoalDeadlines, on_note: Callable[[str], None],
-                 on_end: Callable[["CommandRun", RunResult], None], is_introspected: bool) -> None:
+    def __init__(
+        self,
+        plan: Plan,
+        *,
+        clients: ActionClients,
+        settings: SettingsKeeper,
+        running_goals: RunningGoals,
+        deadlines: GoalDeadlines,
+        on_note: Callable[[str], None],
+        on_end: Callable[["CommandRun", RunResult], None],
+        introspection: Introspection,
+        suspension: SuspensionWatch,
+    ) -> None:
         """Prepare; `start` begins.
 
         Args:
-            procedure: what to carry out
+            plan: what to carry out
             clients: connections to servers
             settings: what the servers need of other nodes
             running_goals: what must be cancelled if this process is killed
             deadlines: of each goal
             on_note: is told, from the thread of the run, what happens, as a sentence
             on_end: is told, as the last thing in the thread of the run, how it ended
-            is_introspected: publish the topics of smach_viewer
+            introspection: shows the machine
+            suspension: says whether this process has just woken
         """
-        self._procedure = procedure
+        self._plan = plan
         self._on_note = on_note
         self._on_end = on_end
-        self._is_introspected = is_introspected
-        self._goals: List[Goal] = []
+        self._introspection = introspection
+        self._goals: Dict[int, List[Goal]] = {}
+        self._outcomes: Dict[int, str] = {}
         self._step = "about to begin"
         self._step_since_s = time.monotonic()
         self._is_preempt_asked = threading.Event()
         self._machine: Optional[smach.StateMachine] = None
         self._context = StepContext(
-            clients=clients, settings=settings, running_goals=running_goals, deadlines=deadlines,
+            clients=clients,
+            settings=settings,
+            running_goals=running_goals,
+            deadlines=deadlines,
             is_preempt_asked=self._is_preempt_asked,
-            on_begin=self._begin_step, on_end=self._end_step)
+            suspension=suspension,
+            on_begin=self._begin_step,
+            on_end=self._end_step,
+        )
         self._thread = threading.Thread(target=self._run, name="command_run", daemon=True)
 
     def start(self) -> None:
@@ -90,34 +114,41 @@ class CommandRun:
         self._step, self._step_since_s = f"{frame.name} by {frame.server}", time.monotonic()
         self._on_note(f"The server {frame.server} begins the frame {frame.name}.")
 
-    def _end_step(self, frame: FilledFrame, goal: Goal) -> None:
-        self._goals.append(goal)
+    def _end_step(self, frame: FilledFrame, clause: int, goal: Goal) -> None:
+        self._goals.setdefault(clause, []).append(goal)
         how = f"{frame.server} {goal.reason}" if goal.reason else f"{frame.server} has done {frame.name}"
         rospy.loginfo("%s -> %s: %s", frame.name, goal.outcome.value, how)
         self._on_note(as_sentence(f"The server {how}"))
 
     def _run(self) -> None:
         outcome, error = "", ""
-        viewer = None
         try:
-            self._machine = build_state_machine(self._procedure, lambda frame: ActionStep(frame, self._context))
-            viewer = self._show()
+            self._machine = build_state_machine(
+                self._plan,
+                lambda frame, clause: ActionStep(frame, clause, self._context),
+                on_clause_end=self._outcomes.__setitem__,
+            )
+            self._show(self._machine)
             outcome = self._machine.execute()
         except Exception as fault:  # boundary: whatever breaks the machine, the command must be answered
             rospy.logerr("the machine broke: %s: %s", type(fault).__name__, fault)
             error = f"{type(fault).__name__}: {fault}"
         finally:
-            self._on_end(self, RunResult(outcome=outcome, goals=tuple(self._goals), error=error))
-            if viewer is not None:
-                viewer.stop()
+            self._on_end(self, RunResult(outcome=outcome, clauses=self._clause_runs(), error=error))
+            self._introspection.hide()
 
-    def _show(self) -> Optional[smach_ros.IntrospectionServer]:
-        if not self._is_introspected:
-            return None
-        try:
-            viewer = smach_ros.IntrospectionServer("executor", self._machine, "/PROCEDURE")
-            viewer.start()
-        except Exception as fault:  # boundary: nothing that only looks on may keep a command from running
-            rospy.logwarn("smach_viewer will see nothing: %s: %s", type(fault).__name__, fault)
-            return None
-        return viewer
+    def _clause_runs(self) -> Tuple[ClauseRun, ...]:
+        return tuple(
+            ClauseRun(
+                label=clause.label, outcome=self._outcomes.get(number, ""), goals=tuple(self._goals.get(number, ()))
+            )
+            for number, clause in enumerate(clauses(self._plan))
+        )
+
+    def _show(self, machine: smach.StateMachine) -> None:
+        parts = clauses(self._plan)
+        machines = 1 + len(parts) + sum(len(part.candidates) for part in parts)
+        if machines > _MOST_SHOWN:
+            rospy.loginfo("introspection is off for a plan of %d machines", machines)
+            return
+        self._introspection.show(machine, label=plan_label(self._plan))

@@ -1,16 +1,27 @@
 """Applies and restores settings of nodes through dynamic_reconfigure."""
+
 import threading
 from dataclasses import replace
 from typing import Callable, Dict, List, Sequence, Set, Tuple, TypeVar
 
 import rospy
-from command_server.ros_record import ParameterRecord
 from dynamic_reconfigure.msg import BoolParameter, Config, DoubleParameter, IntParameter, StrParameter
 from dynamic_reconfigure.srv import Reconfigure
 
+from command_server.ros_record import ParameterRecord
 from executor.settings import (
-    HeldSetting, Setting, SettingsError, Value, check_needs, differs, fit_value, from_record, read_needs, to_record,
-    unknown_setting)
+    HeldSetting,
+    Setting,
+    SettingsError,
+    Value,
+    check_needs,
+    differs,
+    fit_value,
+    from_record,
+    read_needs,
+    to_record,
+    unknown_setting,
+)
 
 _RETRY_S = 1.0
 _LONGEST_RETRY_S = 16.0
@@ -110,10 +121,12 @@ class SettingsKeeper:
         Raises:
             SettingsError: not possible; nothing stays applied
         """
-        found = _within(self._timeout_s, lambda: rospy.get_param(f"{server}/required_settings", None),
-                        f"settings of {server}")
-        needs = [replace(setting, node=rospy.resolve_name(setting.node))
-                 for setting in read_needs(found, server=server)]
+        found = _within(
+            self._timeout_s, lambda: rospy.get_param(f"{server}/required_settings", None), f"settings of {server}"
+        )
+        needs = [
+            replace(setting, node=rospy.resolve_name(setting.node)) for setting in read_needs(found, server=server)
+        ]
         if not needs:
             return
         with self._lock:
@@ -141,8 +154,11 @@ class SettingsKeeper:
             known = self._held.get(setting.place)
             # A value that still waits to be restored is what the setting was before anybody changed it.
             former = waiting[setting.place].value if setting.place in waiting else current[setting.name]
-            self._held[setting.place] = HeldSetting(setting=setting, former=former, owners=(owner,)) if (
-                known is None) else replace(known, owners=known.owners + (owner,))
+            self._held[setting.place] = (
+                HeldSetting(setting=setting, former=former, owners=(owner,))
+                if (known is None)
+                else replace(known, owners=known.owners + (owner,))
+            )
         self._left_over = [setting for setting in self._left_over if setting.place not in self._held]
         # First the record, then the change: a kill in between restores what has not changed.
         self._save()
@@ -192,7 +208,8 @@ class SettingsKeeper:
 
     def _save(self) -> None:
         record = to_record(self._held) + [
-            {"node": setting.node, "name": setting.name, "former": setting.value} for setting in self._left_over]
+            {"node": setting.node, "name": setting.name, "former": setting.value} for setting in self._left_over
+        ]
         if not self._record.save(record, timeout_s=_SAVE_TIMEOUT_S):
             rospy.logwarn("the master is slow to keep the settings")
 

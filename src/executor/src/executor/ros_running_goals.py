@@ -1,10 +1,12 @@
 """Goals that must not outlive the executor."""
+
 import threading
 import time
 from typing import Optional, Sequence, Tuple
 
 import rospy
 from actionlib_msgs.msg import GoalID
+
 from command_server.ros_record import ParameterRecord
 
 _SAVE_TIMEOUT_S = 0.2
@@ -27,7 +29,8 @@ class RunningGoals:
             return
         if left_over:
             self._thread = threading.Thread(
-                target=self._cancel, args=(left_over,), name="cancel_left_over", daemon=True)
+                target=self._cancel, args=(left_over,), name="cancel_left_over", daemon=True
+            )
             self._thread.start()
 
     def note(self, server: str, goal_id: str) -> None:
@@ -45,8 +48,10 @@ class RunningGoals:
         self._record.close(timeout_s=timeout_s)
 
     def _cancel(self, left_over: Sequence[Tuple[str, str]]) -> None:
-        publishers = [(rospy.Publisher(f"{server}/cancel", GoalID, queue_size=10), server, goal_id)
-                      for server, goal_id in left_over]
+        publishers = [
+            (rospy.Publisher(f"{server}/cancel", GoalID, queue_size=10), server, goal_id)
+            for server, goal_id in left_over
+        ]
         end_s = time.monotonic() + _CONNECT_TIMEOUT_S
         for publisher, server, goal_id in publishers:
             while publisher.get_num_connections() == 0 and time.monotonic() < end_s:

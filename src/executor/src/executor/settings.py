@@ -3,9 +3,10 @@
 A setting belongs to a node that can be reconfigured. Before a step the settings of its server are applied, after it
 the former values come back.
 """
+
 import math
 from dataclasses import dataclass
-from typing import Dict, List, Mapping, Optional, Sequence, Tuple, Union
+from typing import Any, Dict, List, Mapping, Optional, Sequence, Tuple, Union
 
 Value = Union[bool, int, float, str]
 
@@ -66,15 +67,21 @@ def read_needs(found: object, *, server: str) -> Tuple[Setting, ...]:
         raise SettingsError(f"required_settings of {server}: expected a list, found {found!r}")
     needs: List[Setting] = []
     for entry in found:
-        if not (isinstance(entry, Mapping) and set(entry) == {"node", "settings"} and isinstance(
-                entry["settings"], Mapping) and isinstance(entry["node"], str) and entry["node"]):
-            raise SettingsError(
-                f"required_settings of {server}: expected node and a mapping settings, found {entry!r}")
+        if not (
+            isinstance(entry, Mapping)
+            and set(entry) == {"node", "settings"}
+            and isinstance(entry["settings"], Mapping)
+            and isinstance(entry["node"], str)
+            and entry["node"]
+        ):
+            raise SettingsError(f"required_settings of {server}: expected node and a mapping settings, found {entry!r}")
         for name, value in entry["settings"].items():
             is_number = isinstance(value, (int, float)) and math.isfinite(value)
             if not (isinstance(value, (bool, str)) or is_number):
-                raise SettingsError(f"required_settings of {server}, {entry['node']}, {name}: expected a bool, "
-                                    f"a number or a string, found {value!r}")
+                raise SettingsError(
+                    f"required_settings of {server}, {entry['node']}, {name}: expected a bool, "
+                    f"a number or a string, found {value!r}"
+                )
             needs.append(Setting(node=entry["node"], name=str(name), value=value))
     return tuple(needs)
 
@@ -92,12 +99,15 @@ def check_needs(needs: Sequence[Setting], held: Mapping[Tuple[str, str], HeldSet
     wanted: Dict[Tuple[str, str], Value] = {}
     for setting in needs:
         if wanted.setdefault(setting.place, setting.value) != setting.value:
-            raise SettingsError(f"{setting.name} of {setting.node} is to be {wanted[setting.place]!r} "
-                                f"and {setting.value!r} at once")
+            raise SettingsError(
+                f"{setting.name} of {setting.node} is to be {wanted[setting.place]!r} and {setting.value!r} at once"
+            )
         other = held.get(setting.place)
         if other is not None and other.setting.value != setting.value:
-            raise SettingsError(f"{setting.name} of {setting.node} is to be {setting.value!r}, but "
-                                f"{', '.join(other.owners)} needs {other.setting.value!r}")
+            raise SettingsError(
+                f"{setting.name} of {setting.node} is to be {setting.value!r}, but "
+                f"{', '.join(other.owners)} needs {other.setting.value!r}"
+            )
 
 
 def fit_value(setting: Setting, current: Value) -> Value:
@@ -119,18 +129,16 @@ def fit_value(setting: Setting, current: Value) -> Value:
     else:
         fits, fitted = True, float(value)
     if not fits:
-        raise SettingsError(
-            f"{setting.name} of {setting.node} takes {type(current).__name__}, found {setting.value!r}")
+        raise SettingsError(f"{setting.name} of {setting.node} takes {type(current).__name__}, found {setting.value!r}")
     return fitted
 
 
 def to_record(held: Mapping[Tuple[str, str], HeldSetting]) -> List[Dict[str, Value]]:
     """What must outlive the executor: the former values."""
-    return [{"node": entry.setting.node, "name": entry.setting.name, "former": entry.former}
-            for entry in held.values()]
+    return [{"node": entry.setting.node, "name": entry.setting.name, "former": entry.former} for entry in held.values()]
 
 
-def from_record(found: object) -> Tuple[Setting, ...]:
+def from_record(found: Any) -> Tuple[Setting, ...]:
     """The former values that a record holds, as settings to apply.
 
     Raises:
@@ -139,8 +147,9 @@ def from_record(found: object) -> Tuple[Setting, ...]:
     if found is None:
         return ()
     try:
-        return tuple(Setting(node=str(entry["node"]), name=str(entry["name"]), value=entry["former"])
-                     for entry in found)  # type: ignore[attr-defined]
+        return tuple(
+            Setting(node=str(entry["node"]), name=str(entry["name"]), value=entry["former"]) for entry in found
+        )
     except (KeyError, TypeError) as error:
         raise SettingsError(f"the record of settings cannot be read: {error!r}") from error
 

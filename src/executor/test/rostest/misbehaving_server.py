@@ -3,6 +3,7 @@
 
 The name of the frame is the behaviour. Each goal that begins or ends is told on `server_log` as "SERVER WHAT FRAME".
 """
+
 import os
 import threading
 import time
@@ -19,7 +20,8 @@ class MisbehavingServer:
         self._name, self._log = name, log
         self._cancelled = {}
         self._server = actionlib.ActionServer(
-            name, FilledSemanticFrameAction, self._on_goal, self._on_cancel, auto_start=False)
+            name, FilledSemanticFrameAction, self._on_goal, self._on_cancel, auto_start=False
+        )
         self._server.start()
         rospy.on_shutdown(self._server.status_timer.shutdown)
 

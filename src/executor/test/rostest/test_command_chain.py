@@ -1,5 +1,6 @@
 #!/usr/bin/python3
 """Command server, arbitrator, executor and stop server together: one reply to each text."""
+
 import collections
 import os
 import signal
@@ -12,7 +13,15 @@ import rospy
 import rostest
 from geometry_msgs.msg import Twist
 from roboframenet_msgs.msg import (
-    Command, CommandSemanticFrames, FilledSemanticFrame, FilledSemanticFrameList, Reply, StageEvent)
+    Command,
+    CommandSemanticFrames,
+    FilledSemanticFrame,
+    Plan,
+    PlanCandidate,
+    PlanNode,
+    Reply,
+    StageEvent,
+)
 from std_msgs.msg import String
 
 STAGES = ("stanford_parser_ros", "semantic_framer", "frame_registrar")
@@ -38,16 +47,21 @@ class CommandChainTest(unittest.TestCase):
         subscribers = [
             rospy.Subscriber("command_text", Command, cls.on_command),
             rospy.Subscriber("server_log", String, lambda message: cls.log.append(message.data)),
-            rospy.Subscriber("cmd_vel", Twist, cls.velocities.append)]
+        ]
+        velocities = rospy.Subscriber("cmd_vel", Twist, cls.velocities.append)
         replies = rospy.Subscriber("reply", Reply, cls.replies.append)
-        assert wait_until(lambda: all(entity.get_num_connections() == 1 for entity in subscribers + [
-            cls.frames, cls.events]))
-        assert wait_until(lambda: replies.get_num_connections() == 2 and cls.text.get_num_connections() == 2)
+        assert wait_until(
+            lambda: all(entity.get_num_connections() == 1 for entity in subscribers + [cls.frames, cls.events])
+        )
+        # The command server and the stop server.
+        assert wait_until(lambda: all(entity.get_num_connections() == 2 for entity in (velocities, replies, cls.text)))
         # What is published before its listener has connected is lost.
-        for connection in (("/arbitrator", "command_procedure", "/executor"),
-                           ("/command_server", "command_cancel", "/executor"),
-                           ("/stop_server", "stop_report", "/executor"),
-                           ("/stop_server", "stop_report", "/command_server")):
+        for connection in (
+            ("/arbitrator", "command_plan", "/executor"),
+            ("/command_server", "command_cancel", "/executor"),
+            ("/stop_server", "stop_report", "/executor"),
+            ("/stop_server", "stop_report", "/command_server"),
+        ):
             assert wait_until(lambda connection=connection: cls.is_heard(*connection)), connection
 
     @staticmethod
@@ -63,16 +77,34 @@ class CommandChainTest(unittest.TestCase):
 
     @classmethod
     def on_command(cls, command):
-        """Text "run one, succeed two / abort one": candidates separated by slashes, frames by commas."""
+        """Text "run one, succeed two / fail one; run two": semicolons separate clauses, slashes their candidates, and
+        commas frames. A step that fails is not called "abort" there: that is a cry, and stops.
+        """
         for stage in STAGES:
             cls.events.publish(StageEvent(command=command, stage=stage, stamp=rospy.Time.now(), sentence="at it"))
-        message = CommandSemanticFrames(command=command)
-        for candidate in command.text.split("/"):
-            steps = [step.split() for step in candidate.split(",")]
-            message.candidates.frame_lists.append(FilledSemanticFrameList(frames=[
-                FilledSemanticFrame(name=behaviour, action_server_topics=[server]) for behaviour, server in steps]))
-            message.coverage.append(1.0)
-        cls.frames.publish(message)
+        clauses = command.text.split(";")
+        nodes = [PlanNode(kind=PlanNode.SEQUENCE, label=command.text, children=range(1, len(clauses) + 1))]
+        for clause in clauses:
+            ways = [[step.split() for step in candidate.split(",")] for candidate in clause.split("/")]
+            nodes.append(
+                PlanNode(
+                    kind=PlanNode.DO,
+                    label=clause.strip(),
+                    candidates=[
+                        PlanCandidate(
+                            coverage=1.0,
+                            frames=[
+                                FilledSemanticFrame(
+                                    name="abort" if behaviour == "fail" else behaviour, action_server_topics=[server]
+                                )
+                                for behaviour, server in steps
+                            ],
+                        )
+                        for steps in ways
+                    ],
+                )
+            )
+        cls.frames.publish(CommandSemanticFrames(command=command, plan=Plan(nodes=nodes)))
 
     def setUp(self):
         for known in (self.replies, self.log, self.velocities):
@@ -82,21 +114,50 @@ class CommandChainTest(unittest.TestCase):
         return [reply for reply in list(self.replies) if reply.command.text == text]
 
     def wait_for_replies(self, text, count=1):
-        self.assertTrue(wait_until(lambda: len(self.replies_to(text)) >= count),
-                        f"{len(self.replies_to(text))} of {count} replies to {text!r}")
+        self.assertTrue(
+            wait_until(lambda: len(self.replies_to(text)) >= count),
+            f"{len(self.replies_to(text))} of {count} replies to {text!r}",
+        )
         return self.replies_to(text)
 
     def wait_for_log(self, line):
         self.assertTrue(wait_until(lambda: line in self.log), f"{line!r} is not in {self.log}")
 
     def test_next_candidate_after_a_failed_second_step(self):
-        text = "succeed one, abort two / succeed one, succeed two"
+        text = "succeed one, fail two / succeed one, succeed two"
         self.text.publish(text)
         self.assertEqual(Reply.DONE, self.wait_for_replies(text)[0].outcome)
         # Replies and log come on connections of their own.
         self.wait_for_log("two ends succeed")
-        self.assertEqual(["one", "two", "one", "two"],
-                         [line.split()[0] for line in self.log if line.split()[1] == "begins"])
+        self.assertEqual(
+            ["one", "two", "one", "two"], [line.split()[0] for line in self.log if line.split()[1] == "begins"]
+        )
+
+    def begun(self):
+        return [line for line in self.log if line.split()[1] == "begins"]
+
+    def test_clause_that_was_done_is_not_done_again(self):
+        text = "succeed one; fail two / reject one / succeed two"
+        self.text.publish(text)
+        reply = self.wait_for_replies(text)[0]
+        self.assertEqual(Reply.DONE, reply.outcome)
+        self.wait_for_log("two ends succeed")
+        self.assertEqual(
+            ["one begins succeed", "two begins abort", "one begins reject", "two begins succeed"], self.begun()
+        )
+        self.assertIn("two aborted", reply.sentence)
+
+    def test_clause_that_cannot_be_done_says_what_was_done(self):
+        text = "succeed one; fail two / reject one; succeed two"
+        self.text.publish(text)
+        reply = self.wait_for_replies(text)[0]
+        self.assertEqual((Reply.FAILED, "ALL_CANDIDATES_FAILED"), (reply.outcome, reply.code))
+        self.assertEqual(
+            'I have done "succeed one", but I could not do "fail two / reject one": two aborted: aborted as asked '
+            'for; one rejected the goal: rejected as asked for. I did not begin "succeed two".',
+            reply.sentence,
+        )
+        self.assertEqual(["one begins succeed", "two begins abort", "one begins reject"], self.begun())
 
     def test_new_command_preempts(self):
         self.text.publish("run one")
@@ -130,7 +191,7 @@ class CommandChainTest(unittest.TestCase):
         self.wait_for_replies("run one", count=20)
         self.wait_for_replies("run two", count=5)
         self.assertEqual({Reply.SUPERSEDED}, {reply.outcome for reply in self.replies if "run" in reply.command.text})
-        self.assertTrue(wait_until(lambda: self.is_nothing_running()))
+        self.assertTrue(wait_until(self.is_nothing_running))
         # Nothing that was said before the stop begins after it.
         self.text.publish("succeed two")
         self.assertEqual("DONE", self.wait_for_replies("succeed two")[0].code)

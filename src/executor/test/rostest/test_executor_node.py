@@ -1,5 +1,6 @@
 #!/usr/bin/python3
 """The node with servers that misbehave: one final event for each command, and the right server runs."""
+
 import time
 import unittest
 
@@ -8,8 +9,19 @@ import rospy
 import rostest
 from actionlib_msgs.msg import GoalID
 from roboframenet_msgs.msg import (
-    Command, CommandProcedure, FilledFrameElement, FilledSemanticFrame, FilledSemanticFrameAction,
-    FilledSemanticFrameList, Reply, StageEvent, StopReport)
+    Command,
+    CommandPlan,
+    FilledFrameElement,
+    FilledSemanticFrame,
+    FilledSemanticFrameAction,
+    Plan,
+    PlanCandidate,
+    PlanNode,
+    Reply,
+    StageEvent,
+    StopReport,
+)
+from smach_msgs.msg import SmachContainerStructure
 from std_msgs.msg import String
 
 
@@ -23,8 +35,22 @@ def wait_until(condition, timeout_s=60.0):
 
 
 def frame(behaviour, server, seconds="0"):
-    return FilledSemanticFrame(name=behaviour, action_server_topics=[server] if server else [],
-                               frame_elements=[FilledFrameElement("seconds", seconds)])
+    return FilledSemanticFrame(
+        name=behaviour,
+        action_server_topics=[server] if server else [],
+        frame_elements=[FilledFrameElement("seconds", seconds)],
+    )
+
+
+def clause(label, ways):
+    """A clause; each way is a list of frames."""
+    return PlanNode(
+        kind=PlanNode.DO, label=label, candidates=[PlanCandidate(frames=frames, coverage=1.0) for frames in ways]
+    )
+
+
+def join(label, *children):
+    return PlanNode(kind=PlanNode.SEQUENCE, label=label, children=children)
 
 
 class ExecutorNodeTest(unittest.TestCase):
@@ -34,30 +60,42 @@ class ExecutorNodeTest(unittest.TestCase):
     def setUpClass(cls):
         rospy.init_node("test_executor_node")
         cls.events, cls.log = [], []
-        cls.procedures = rospy.Publisher("command_procedure", CommandProcedure, queue_size=1000)
+        cls.plans = rospy.Publisher("command_plan", CommandPlan, queue_size=1000)
         cls.stops = rospy.Publisher("stop_report", StopReport, queue_size=10)
         cls.cancels = rospy.Publisher("command_cancel", Command, queue_size=10)
         cls.server_cancel = rospy.Publisher("one/cancel", GoalID, queue_size=10)
         subscribers = [rospy.Subscriber("stage_events", StageEvent, cls.events.append)]
         log = rospy.Subscriber("server_log", String, lambda message: cls.log.append(message.data))
-        assert wait_until(lambda: all(entity.get_num_connections() == 1 for entity in subscribers + [
-            cls.procedures, cls.stops, cls.cancels]))
+        assert wait_until(
+            lambda: all(
+                entity.get_num_connections() == 1 for entity in subscribers + [cls.plans, cls.stops, cls.cancels]
+            )
+        )
         assert wait_until(lambda: log.get_num_connections() == 3 and cls.server_cancel.get_num_connections() == 1)
 
     def setUp(self):
         del self.log[:]
 
-    def send(self, sequences, stamp=None):
+    def send(self, ways, stamp=None):
+        """Send a command of one clause."""
+        return self.send_nodes([clause("do it", ways)], stamp)
+
+    def send_clauses(self, *ways_by_label):
+        """Send a command of several clauses."""
+        leaves = [clause(label, ways) for label, ways in ways_by_label]
+        return self.send_nodes([join("do it all", *range(1, len(leaves) + 1))] + leaves)
+
+    def send_nodes(self, nodes, stamp=None):
         type(self).count += 1
         command = Command(id=f"{self.id()}_{self.count}", text="do it", stamp=stamp or rospy.Time.now())
-        message = CommandProcedure(command=command)
-        message.procedure.frame_lists = [FilledSemanticFrameList(frames=frames) for frames in sequences]
-        self.procedures.publish(message)
+        self.plans.publish(CommandPlan(command=command, plan=Plan(nodes=nodes)))
         return command
 
+    def begun(self):
+        return [line for line in self.log if line.split()[1] == "begins"]
+
     def events_of(self, command, is_final):
-        return [event for event in list(self.events)
-                if event.command.id == command.id and event.is_final == is_final]
+        return [event for event in list(self.events) if event.command.id == command.id and event.is_final == is_final]
 
     def wait_for_reply(self, command):
         self.assertTrue(wait_until(lambda: self.events_of(command, True)), f"no final event of {command.id}")
@@ -76,8 +114,9 @@ class ExecutorNodeTest(unittest.TestCase):
         command = self.send([[frame("succeed", "one"), frame("succeed", "two"), frame("succeed", "three")]])
         self.assert_reply(command, Reply.DONE, "DONE")
         self.wait_for_log("three ends succeed")
-        self.assertEqual([f"{server} {what} succeed" for server in ("one", "two", "three") for what in (
-            "begins", "ends")], self.log)
+        self.assertEqual(
+            [f"{server} {what} succeed" for server in ("one", "two", "three") for what in ("begins", "ends")], self.log
+        )
 
     def test_second_candidate_runs_when_the_first_aborts(self):
         command = self.send([[frame("abort", "one")], [frame("succeed", "two")]])
@@ -85,25 +124,28 @@ class ExecutorNodeTest(unittest.TestCase):
         self.wait_for_log("two ends succeed")
 
     def test_next_candidate_starts_from_its_first_frame(self):
-        command = self.send([[frame("succeed", "one"), frame("abort", "two")],
-                             [frame("succeed", "one"), frame("succeed", "three")]])
+        command = self.send(
+            [[frame("succeed", "one"), frame("abort", "two")], [frame("succeed", "one"), frame("succeed", "three")]]
+        )
         self.assert_reply(command, Reply.DONE, "DONE", "two aborted")
         self.wait_for_log("three ends succeed")
-        self.assertEqual(["one", "two", "one", "three"],
-                         [line.split()[0] for line in self.log if line.split()[1] == "begins"])
+        self.assertEqual(
+            ["one", "two", "one", "three"], [line.split()[0] for line in self.log if line.split()[1] == "begins"]
+        )
 
     def test_every_way_to_fail_is_named_and_the_next_candidate_runs(self):
         for behaviour, server, part in (
-                ("abort", "one", "one aborted: aborted as asked for"),
-                ("reject", "one", "one rejected the goal: rejected as asked for"),
-                ("unsuccessful", "one", "its result says that it did not succeed"),
-                ("lose", "one", "one lost the goal"),
-                ("drop_result", "one", "one said SUCCEEDED but sent no result"),
-                ("raise", "one", "one did not accept the goal"),
-                ("succeed", "nobody", "nobody is not there"),
-                ("succeed", "not a name", "not a name cannot be reached"),
-                ("freeze", "freezing", "freezing was silent"),
-                ("die", "mortal", "mortal was silent")):
+            ("abort", "one", "one aborted: aborted as asked for"),
+            ("reject", "one", "one rejected the goal: rejected as asked for"),
+            ("unsuccessful", "one", "its result says that it did not succeed"),
+            ("lose", "one", "one lost the goal"),
+            ("drop_result", "one", "one said SUCCEEDED but sent no result"),
+            ("raise", "one", "one did not accept the goal"),
+            ("succeed", "nobody", "nobody is not there"),
+            ("succeed", "not a name", "not a name cannot be reached"),
+            ("freeze", "freezing", "freezing was silent"),
+            ("die", "mortal", "mortal was silent"),
+        ):
             with self.subTest(behaviour=behaviour, server=server):
                 command = self.send([[frame(behaviour, server)], [frame("succeed", "two")]])
                 self.assert_reply(command, Reply.DONE, "DONE", part)
@@ -182,16 +224,113 @@ class ExecutorNodeTest(unittest.TestCase):
 
     def test_events_come_while_it_runs(self):
         command = self.send([[frame("run", "one")]])
-        self.assertTrue(wait_until(lambda: len(
-            [event for event in self.events_of(command, False) if "run by one" in event.sentence]) >= 4))
+        self.assertTrue(
+            wait_until(
+                lambda: len([event for event in self.events_of(command, False) if "run by one" in event.sentence]) >= 4
+            )
+        )
         stamps = [event.stamp.to_sec() for event in self.events_of(command, False)]
         self.assertEqual(sorted(stamps), stamps)
         self.cancels.publish(command)
         self.wait_for_reply(command)
 
-    def test_malformed_procedures_are_answered(self):
-        for sequences in ([], [[]], [[frame("succeed", "")]]):
-            self.assert_reply(self.send(sequences), Reply.FAILED, "STAGE_ERROR")
+    def test_malformed_plans_are_answered_with_the_reason(self):
+        good = clause("x", [[frame("succeed", "one")]])
+        for nodes, part in (
+            ([], "the plan has no nodes"),
+            ([clause("x", [])], "a clause has no candidates"),
+            ([clause("x", [[]])], "a candidate has no frames"),
+            ([clause("x", [[frame("succeed", "")]])], "exactly one action server"),
+            ([join("x")], "a sequence has no children"),
+            ([join("x", 1, 7), good], "no such node"),
+            ([join("x", 1, 1), good], "node 1 of the plan has two parents"),
+            ([join("x", 1), good, good], "do not hang on its root"),
+            ([join("x", 1), good, join("y", 3), join("z", 2)], "nodes 2, 3 of the plan do not hang on its root"),
+            ([join("x", 1), join("y", 0)], "the root for a child"),
+            ([join("x", index + 1) for index in range(900)] + [good], "more than 32 levels"),
+            ([good] * 2000, "the plan has 2000 nodes"),
+            ([PlanNode(kind=99)], "is of the kind 99"),
+        ):
+            with self.subTest(part=part):
+                self.assert_reply(self.send_nodes(nodes), Reply.FAILED, "STAGE_ERROR", part)
+        self.assertEqual([], self.log)
+
+    def test_failover_stays_in_its_clause(self):
+        # "Ping and wave at Alice.", with three servers for waving, two of which fail.
+        command = self.send_clauses(
+            ("Ping", [[frame("succeed", "one")], [frame("succeed", "three")]]),
+            ("wave at Alice", [[frame("abort", "two")], [frame("reject", "three")], [frame("succeed", "two")]]),
+        )
+        self.assert_reply(command, Reply.DONE, "DONE", "two aborted", "three rejected the goal")
+        self.wait_for_log("two ends succeed")
+        self.assertEqual(
+            ["one begins succeed", "two begins abort", "three begins reject", "two begins succeed"], self.begun()
+        )
+
+    def test_failover_starts_the_sequence_of_its_clause_again(self):
+        command = self.send_clauses(
+            ("Ping", [[frame("succeed", "one")]]),
+            (
+                "fetch it",
+                [
+                    [frame("succeed", "two"), frame("abort", "three")],
+                    [frame("succeed", "two"), frame("succeed", "three")],
+                ],
+            ),
+        )
+        self.assert_reply(command, Reply.DONE, "DONE", "three aborted")
+        self.wait_for_log("three ends succeed")
+        self.assertEqual(["one", "two", "three", "two", "three"], [line.split()[0] for line in self.begun()])
+
+    def test_clause_that_fails_ends_the_plan_and_the_reply_says_what_was_done(self):
+        command = self.send_clauses(
+            ("Ping", [[frame("succeed", "one")]]),
+            ("wave at Alice", [[frame("abort", "two")]]),
+            ("go home", [[frame("succeed", "three")]]),
+        )
+        self.assert_reply(
+            command,
+            Reply.FAILED,
+            "ALL_CANDIDATES_FAILED",
+            'I have done "Ping", but I could not do "wave at Alice": two aborted: aborted as asked for. '
+            'I did not begin "go home".',
+        )
+        self.assertEqual(["one begins succeed", "two begins abort"], self.begun())
+
+    def test_new_command_in_each_clause_leaves_the_rest(self):
+        for number in range(3):
+            with self.subTest(clause=number):
+                del self.log[:]
+                behaviours = ["succeed"] * number + ["run"] + ["succeed"] * (2 - number)
+                old = self.send_clauses(
+                    *(
+                        (f"part {index}", [[frame(behaviour, "one")], [frame(behaviour, "three")]])
+                        for index, behaviour in enumerate(behaviours)
+                    )
+                )
+                self.wait_for_log("one begins run")
+                new = self.send([[frame("succeed", "two")]])
+                self.assert_reply(old, Reply.SUPERSEDED, "NEW_COMMAND", *(f'"part {index}"' for index in range(number)))
+                self.assert_reply(new, Reply.DONE, "DONE")
+                self.wait_for_log("two ends succeed")
+                self.assertEqual(
+                    ["one begins succeed"] * number + ["one begins run", "two begins succeed"], self.begun()
+                )
+
+    def test_viewer_sees_the_words_of_the_clauses(self):
+        seen = {}
+        viewer = rospy.Subscriber(
+            "executor/smach/container_structure",
+            SmachContainerStructure,
+            lambda structure: seen.update({structure.path: structure.children}),
+        )
+        command = self.send_clauses(("Ping", [[frame("run", "one")]]), ("wave at Alice", [[frame("succeed", "two")]]))
+        self.assertTrue(wait_until(lambda: "/do it all/2 wave at Alice/candidate_1" in seen), seen)
+        self.assertEqual(["1 Ping", "2 wave at Alice"], seen["/do it all"])
+        self.assertEqual(["1_succeed_by_two"], seen["/do it all/2 wave at Alice/candidate_1"])
+        self.cancels.publish(command)
+        self.wait_for_reply(command)
+        viewer.unregister()
 
     def test_more_servers_than_connections(self):
         for _ in range(3):

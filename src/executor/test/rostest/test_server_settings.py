@@ -1,5 +1,6 @@
 #!/usr/bin/python3
 """Settings of another node: applied for the step, restored however it ends."""
+
 import os
 import signal
 import time
@@ -12,7 +13,15 @@ import rostest
 from dynamic_reconfigure.msg import Config
 from dynamic_reconfigure.srv import Reconfigure
 from roboframenet_msgs.msg import (
-    Command, CommandProcedure, FilledSemanticFrame, FilledSemanticFrameList, Reply, StageEvent)
+    Command,
+    CommandPlan,
+    FilledSemanticFrame,
+    Plan,
+    PlanCandidate,
+    PlanNode,
+    Reply,
+    StageEvent,
+)
 from std_msgs.msg import String
 
 BEFORE = {"exposure": 10, "gain": 1.0, "auto_gain": True}
@@ -34,17 +43,22 @@ class ServerSettingsTest(unittest.TestCase):
     def setUpClass(cls):
         rospy.init_node("test_server_settings")
         cls.replies, cls.log = [], []
-        cls.procedures = rospy.Publisher("command_procedure", CommandProcedure, queue_size=10)
+        cls.plans = rospy.Publisher("command_plan", CommandPlan, queue_size=10)
         cls.cancels = rospy.Publisher("command_cancel", Command, queue_size=10)
         cls.events = rospy.Subscriber(
-            "stage_events", StageEvent, lambda event: cls.replies.append(event.reply) if event.is_final else None)
+            "stage_events", StageEvent, lambda event: cls.replies.append(event.reply) if event.is_final else None
+        )
         log = rospy.Subscriber("server_log", String, lambda message: cls.log.append(message.data))
         cls.cameras = []
         for camera in ("camera", "other_camera"):
             rospy.wait_for_service(f"{camera}/set_parameters", timeout=60.0)
             cls.cameras.append(rospy.ServiceProxy(f"{camera}/set_parameters", Reconfigure))
-        assert wait_until(lambda: all(entity.get_num_connections() == 1 for entity in (
-            cls.procedures, cls.cancels, cls.events)) and log.get_num_connections() == 2)
+        assert wait_until(
+            lambda: (
+                all(entity.get_num_connections() == 1 for entity in (cls.plans, cls.cancels, cls.events))
+                and log.get_num_connections() == 2
+            )
+        )
 
     def setUp(self):
         del self.log[:]
@@ -56,21 +70,28 @@ class ServerSettingsTest(unittest.TestCase):
         return {entry.name: entry.value for entry in config.ints + config.doubles + config.bools}
 
     def assert_cameras(self, *expected):
-        self.assertTrue(wait_until(lambda: [self.settings(0), self.settings(1)] == list(expected)),
-                        f"{[self.settings(0), self.settings(1)]}")
+        self.assertTrue(
+            wait_until(lambda: [self.settings(0), self.settings(1)] == list(expected)),
+            f"{[self.settings(0), self.settings(1)]}",
+        )
 
     def send(self, *steps):
         type(self).count += 1
         command = Command(id=f"{self.id()}_{self.count}", stamp=rospy.Time.now(), text="photograph it")
-        message = CommandProcedure(command=command)
-        message.procedure.frame_lists = [FilledSemanticFrameList(frames=[
-            FilledSemanticFrame(name=behaviour, action_server_topics=[server])]) for behaviour, server in steps]
-        self.procedures.publish(message)
+        node = PlanNode(
+            kind=PlanNode.DO,
+            label=command.text,
+            candidates=[
+                PlanCandidate(coverage=1.0, frames=[FilledSemanticFrame(name=behaviour, action_server_topics=[server])])
+                for behaviour, server in steps
+            ],
+        )
+        self.plans.publish(CommandPlan(command=command, plan=Plan(nodes=[node])))
         return command
 
     def wait_for_reply(self, command):
         self.assertTrue(wait_until(lambda: [r for r in self.replies if r.command.id == command.id]))
-        return [reply for reply in self.replies if reply.command.id == command.id][0]
+        return next(reply for reply in self.replies if reply.command.id == command.id)
 
     def run_photo(self):
         command = self.send(("run", "photo"))
@@ -87,13 +108,16 @@ class ServerSettingsTest(unittest.TestCase):
     def test_restored_on_success_and_abort(self):
         for behaviour, outcome in (("succeed", Reply.DONE), ("abort", Reply.FAILED)):
             self.assertEqual(outcome, self.wait_for_reply(self.send((behaviour, "photo"))).outcome)
-            self.assertTrue(wait_until(lambda: f"photo begins {behaviour}" in self.log))
+            self.assertTrue(wait_until(lambda begun=f"photo begins {behaviour}": begun in self.log))
             self.assert_cameras(BEFORE, BEFORE)
 
     def test_step_whose_settings_cannot_be_had_fails_and_the_next_runs(self):
-        for server, part in (("greedy", "/camera took 100 for exposure, not 1000"),
-                             ("mistyped", "/camera has no setting expsure; it has auto_gain, exposure, gain"),
-                             ("wrong", "expected node and a mapping settings"), ("homeless", "/nowhere")):
+        for server, part in (
+            ("greedy", "/camera took 100 for exposure, not 1000"),
+            ("mistyped", "/camera has no setting expsure; it has auto_gain, exposure, gain"),
+            ("wrong", "expected node and a mapping settings"),
+            ("homeless", "/nowhere"),
+        ):
             with self.subTest(server=server):
                 reply = self.wait_for_reply(self.send(("succeed", server), ("succeed", "plain")))
                 self.assertEqual(Reply.DONE, reply.outcome)

@@ -1,11 +1,22 @@
 """Which command runs, in every order of events."""
+
 import random
 
 import pytest
 
 from executor.command_desk import (
-    Cause, CommandKey, Desk, Order, Preempt, Start, Supersede, command_cancelled, command_ended, order_arrives,
-    stop_heard)
+    Cause,
+    CommandKey,
+    Desk,
+    Order,
+    Preempt,
+    Start,
+    Supersede,
+    command_cancelled,
+    command_ended,
+    order_arrives,
+    stop_heard,
+)
 
 
 def order(name, stamp_ns):

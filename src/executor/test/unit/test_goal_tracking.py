@@ -1,4 +1,5 @@
 """Every way in which a goal can go and end."""
+
 import random
 
 import pytest
@@ -29,23 +30,29 @@ def test_status_numbers_are_those_of_actionlib():
 
 def test_mapping_of_terminal_states_is_total():
     assert set(tracking.OUTCOME_OF_STATUS) == tracking.TERMINAL_STATUSES
-    assert tracking.TERMINAL_STATUSES == set(GoalStatusCode) - {
-        GoalStatusCode.PENDING, GoalStatusCode.ACTIVE, GoalStatusCode.PREEMPTING, GoalStatusCode.RECALLING}
+    assert (
+        set(GoalStatusCode)
+        - {GoalStatusCode.PENDING, GoalStatusCode.ACTIVE, GoalStatusCode.PREEMPTING, GoalStatusCode.RECALLING}
+        == tracking.TERMINAL_STATUSES
+    )
 
 
-@pytest.mark.parametrize("status,success,outcome,reason", [
-    (GoalStatusCode.SUCCEEDED, True, Outcome.SUCCEEDED, ""),
-    (GoalStatusCode.SUCCEEDED, False, Outcome.FAILED, "its result says that it did not succeed"),
-    (GoalStatusCode.SUCCEEDED, None, Outcome.FAILED, "sent no result"),
-    (GoalStatusCode.ABORTED, False, Outcome.FAILED, "aborted: wheel stuck"),
-    (GoalStatusCode.ABORTED, True, Outcome.FAILED, "aborted: wheel stuck"),
-    (GoalStatusCode.REJECTED, None, Outcome.FAILED, "rejected the goal: wheel stuck"),
-    (GoalStatusCode.LOST, None, Outcome.FAILED, "lost the goal: wheel stuck"),
-    (GoalStatusCode.PREEMPTED, None, Outcome.TAKEN_AWAY, "was preempted: wheel stuck"),
-    (GoalStatusCode.RECALLED, None, Outcome.TAKEN_AWAY, "was cancelled before it began: wheel stuck"),
-    (GoalStatusCode.ACTIVE, True, Outcome.FAILED, "not terminal"),
-    (99, True, Outcome.FAILED, "99"),
-])
+@pytest.mark.parametrize(
+    "status,success,outcome,reason",
+    [
+        (GoalStatusCode.SUCCEEDED, True, Outcome.SUCCEEDED, ""),
+        (GoalStatusCode.SUCCEEDED, False, Outcome.FAILED, "its result says that it did not succeed"),
+        (GoalStatusCode.SUCCEEDED, None, Outcome.FAILED, "sent no result"),
+        (GoalStatusCode.ABORTED, False, Outcome.FAILED, "aborted: wheel stuck"),
+        (GoalStatusCode.ABORTED, True, Outcome.FAILED, "aborted: wheel stuck"),
+        (GoalStatusCode.REJECTED, None, Outcome.FAILED, "rejected the goal: wheel stuck"),
+        (GoalStatusCode.LOST, None, Outcome.FAILED, "lost the goal: wheel stuck"),
+        (GoalStatusCode.PREEMPTED, None, Outcome.TAKEN_AWAY, "was preempted: wheel stuck"),
+        (GoalStatusCode.RECALLED, None, Outcome.TAKEN_AWAY, "was cancelled before it began: wheel stuck"),
+        (GoalStatusCode.ACTIVE, True, Outcome.FAILED, "not terminal"),
+        (99, True, Outcome.FAILED, "99"),
+    ],
+)
 def test_result_ends_the_goal(status, success, outcome, reason):
     goal = result(accepted(), status, success, "wheel stuck.")
     assert goal.is_ended
@@ -145,9 +152,15 @@ def test_terminal_status_without_result_is_waited_for_and_then_counted():
     assert not cancels
 
 
-@pytest.mark.parametrize("status,outcome", [
-    (GoalStatusCode.ABORTED, Outcome.FAILED), (GoalStatusCode.REJECTED, Outcome.FAILED),
-    (GoalStatusCode.PREEMPTED, Outcome.TAKEN_AWAY), (GoalStatusCode.RECALLED, Outcome.TAKEN_AWAY)])
+@pytest.mark.parametrize(
+    "status,outcome",
+    [
+        (GoalStatusCode.ABORTED, Outcome.FAILED),
+        (GoalStatusCode.REJECTED, Outcome.FAILED),
+        (GoalStatusCode.PREEMPTED, Outcome.TAKEN_AWAY),
+        (GoalStatusCode.RECALLED, Outcome.TAKEN_AWAY),
+    ],
+)
 def test_other_terminal_status_without_result(status, outcome):
     goal, _ = run_clock(tracking.hear_status(accepted(), status, now_s=102.0), 102.0, until_s=200.0)
     assert goal.outcome is outcome
@@ -169,8 +182,11 @@ def test_goals_that_were_never_sent():
 
 
 def test_failures_are_described_by_server():
-    goals = [result(accepted(), GoalStatusCode.ABORTED, text="no odometry"), result(
-        accepted(), GoalStatusCode.SUCCEEDED, True), tracking.fail_unsent("arm", DEADLINES, "is not there", now_s=0.0)]
+    goals = [
+        result(accepted(), GoalStatusCode.ABORTED, text="no odometry"),
+        result(accepted(), GoalStatusCode.SUCCEEDED, True),
+        tracking.fail_unsent("arm", DEADLINES, "is not there", now_s=0.0),
+    ]
     assert tracking.describe_failures(goals) == "turn_server aborted: no odometry; arm is not there."
     assert tracking.describe_failures(goals[1:2]) == ""
 

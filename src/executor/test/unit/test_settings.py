@@ -1,10 +1,20 @@
 """Settings of other nodes: reading, conflicts, types, the record."""
+
 import json
 
 import pytest
 
 from executor.settings import (
-    HeldSetting, Setting, SettingsError, check_needs, differs, fit_value, from_record, read_needs, to_record)
+    HeldSetting,
+    Setting,
+    SettingsError,
+    check_needs,
+    differs,
+    fit_value,
+    from_record,
+    read_needs,
+    to_record,
+)
 
 EXPOSURE = Setting(node="/camera", name="exposure", value=20)
 
@@ -15,13 +25,20 @@ def test_needs_are_read():
     assert read_needs([], server="photo") == ()
 
 
-@pytest.mark.parametrize("found,part", [
-    ({"/camera": {"exposure": 20}}, "a list"), ([1], "expected node"), ([{"node": "/camera"}], "expected node"),
-    ([{"node": "/camera", "settings": 3}], "expected node"), ([{"node": "", "settings": {}}], "expected node"),
-    ([{"node": "/camera", "settings": {}, "more": 1}], "more"),
-    ([{"node": "/camera", "settings": {"exposure": [1]}}], "/camera, exposure"),
-    ([{"node": "/camera", "settings": {"exposure": float("nan")}}], "exposure"),
-    ([{"node": "/camera", "settings": {"exposure": None}}], "exposure")])
+@pytest.mark.parametrize(
+    "found,part",
+    [
+        ({"/camera": {"exposure": 20}}, "a list"),
+        ([1], "expected node"),
+        ([{"node": "/camera"}], "expected node"),
+        ([{"node": "/camera", "settings": 3}], "expected node"),
+        ([{"node": "", "settings": {}}], "expected node"),
+        ([{"node": "/camera", "settings": {}, "more": 1}], "more"),
+        ([{"node": "/camera", "settings": {"exposure": [1]}}], "/camera, exposure"),
+        ([{"node": "/camera", "settings": {"exposure": float("nan")}}], "exposure"),
+        ([{"node": "/camera", "settings": {"exposure": None}}], "exposure"),
+    ],
+)
 def test_wrong_needs_are_refused_with_their_place(found, part):
     with pytest.raises(SettingsError, match=f"photo.*{part}"):
         read_needs(found, server="photo")
@@ -45,8 +62,9 @@ def test_conflict_within_one_step():
         check_needs([EXPOSURE, Setting("/camera", "exposure", 30)], {})
 
 
-@pytest.mark.parametrize("value,current,fitted", [
-    (20, 1.5, 20.0), (20.0, 3, 20), (True, False, True), ("a", "b", "a"), (2.5, 1.0, 2.5)])
+@pytest.mark.parametrize(
+    "value,current,fitted", [(20, 1.5, 20.0), (20.0, 3, 20), (True, False, True), ("a", "b", "a"), (2.5, 1.0, 2.5)]
+)
 def test_value_takes_the_type_of_the_node(value, current, fitted):
     result = fit_value(Setting("/n", "s", value), current)
     assert result == fitted and type(result) is type(fitted)

@@ -5,6 +5,7 @@ from enum import Enum
 from typing import Any, Dict, List, Mapping, Optional, Tuple
 
 import yaml
+
 from semantic_frames.marked_yaml import Reader, describe
 from semantic_frames.problem import FileRefused
 

@@ -4,15 +4,15 @@ from typing import Any, List, Tuple
 
 import rosgraph
 import rospy
-from rfnserver import RFNServer
-from rfnserver.arguments import ArgumentError
-from rfnserver.ros_frame_entrance import GoalMaker, check_frame, conclude
 from roboframenet_msgs.msg import FilledSemanticFrame, FilledSemanticFrameFeedback
-from semantic_frames.problem import FileRefused
-from semantic_frames.source_files import read_text
 
 from frame_bindings.binding_file import Binding, load_bindings
 from frame_bindings.ros_targets import TARGET_OF_KIND, UnknownType
+from rfnserver import RFNServer
+from rfnserver.arguments import ArgumentError
+from rfnserver.ros_frame_entrance import GoalMaker, check_frame, conclude
+from semantic_frames.problem import FileRefused
+from semantic_frames.source_files import read_text
 
 
 class BoundServer:

@@ -10,11 +10,11 @@ import roslib.message
 import rospy
 import rosservice
 from actionlib_msgs.msg import GoalStatus
+
+from frame_bindings.binding_file import Binding, Kind
 from rfnserver.ros_deadline import ServiceError, call_service
 from rfnserver.ros_goal_forwarding import POLL_S, ForwardedEnd, ForwardingDeadlines, GoalForwarder
 from rfnserver.ros_goal_messages import goal_type_of
-
-from frame_bindings.binding_file import Binding, Kind
 
 IsToEnd = Callable[[], bool]
 
@@ -79,7 +79,7 @@ class ServiceTarget:
 
     def carry_out(self, message: Any, is_to_end: IsToEnd, on_feedback: Callable[[Any], None]) -> ForwardedEnd:
         """Call the service. A call that is under way cannot be taken back: on a preemption it is left alone."""
-        answers: "queue.Queue[Any]" = queue.Queue()
+        answers: queue.Queue[Any] = queue.Queue()
 
         def call() -> None:
             try:

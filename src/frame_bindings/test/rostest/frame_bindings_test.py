@@ -1,5 +1,6 @@
 #!/usr/bin/python3
 """Frames bound to a stock action server, a service and a topic, none of which knows anything of frames."""
+
 import threading
 import time
 import unittest

@@ -3,6 +3,7 @@
 from typing import Tuple
 
 import pytest
+
 from frame_bindings.binding_file import Kind, load_bindings
 from semantic_frames.problem import FileRefused
 

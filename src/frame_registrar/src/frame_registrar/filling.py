@@ -1,5 +1,6 @@
 """Fills frames: from a lexical unit, and from a parent frame by the relations of its child."""
 
+import operator
 from dataclasses import dataclass
 from typing import Mapping, Optional, Tuple
 
@@ -13,6 +14,7 @@ from semantic_frames.frame import (
     ValueCondition,
 )
 from spoken_quantities import QuantityError, parse_measure, parse_number
+from word_classes import without_determiner
 
 
 @dataclass(frozen=True)
@@ -95,10 +97,10 @@ def _check_amount(frame: SemanticFrame, element: FrameElement, argument: str, fi
         code = "LIMIT" if error.code == "NOT_FINITE" else "VALUE_NOT_ALLOWED"
         raise Unfillable(code, f"I cannot use the {words(element.name)} of {words(frame.name)}: {error}") from error
     for limit, is_beyond, word in (
-        (element.maximum, lambda bound: amount > bound, "more"),
-        (element.minimum, lambda bound: amount < bound, "less"),
+        (element.maximum, operator.gt, "more"),
+        (element.minimum, operator.lt, "less"),
     ):
-        if limit is not None and is_beyond(limit):
+        if limit is not None and is_beyond(amount, limit):
             said = " ".join(part for part in (argument, filled.argument(element.unit_element)) if part)
             raise Unfillable(
                 "LIMIT",
@@ -144,9 +146,7 @@ def unmet_condition(parent: FilledFrame, child: RelatedFrame) -> Optional[ValueC
 
 def bare(argument: str) -> str:
     """Return an argument as value conditions compare it: lower case, without a determiner ("a glass", "The glass")."""
-    said = argument.strip().lower()
-    first, _, rest = said.partition(" ")
-    return rest if first in ("the", "a", "an", "some", "this", "that") and rest else said
+    return without_determiner(argument).lower()
 
 
 def words(name: str) -> str:

@@ -3,6 +3,7 @@
 from typing import Dict, FrozenSet, List, Mapping, Optional, Set, Tuple
 
 import networkx
+
 from semantic_frames.frame import ConstantArgument, ElementMapping, RelatedFrame, SemanticFrame
 from semantic_frames.marked_yaml import did_you_mean
 from semantic_frames.problem import FileRefused, Problem
@@ -168,7 +169,8 @@ def _relation_problems(
             line=line,
             key=f"children {child.name} child_name",
             found=f"'{relation.child_name}'",
-            expected=f"an element of {target.name}, which {parent.name} names as its child: {', '.join(names) or 'it has none'}",
+            expected=f"an element of {target.name}, which {parent.name} names as its child: "
+            f"{', '.join(names) or 'it has none'}",
             hint=did_you_mean(relation.child_name, names),
         )
         for relation in child.frame_element_relations

@@ -15,6 +15,8 @@ from roboframenet_msgs.msg import (
     FilledSemanticFrameListList,
     FrameCallback,
     FrameCatalogue,
+    Plan,
+    PlanNode,
     Reply,
     SourceFile,
 )
@@ -29,15 +31,16 @@ from roboframenet_msgs.srv import (
     RegisterWithFrameRequest,
     RegisterWithFrameResponse,
 )
+
+from frame_registrar.graph import FrameGraph
+from frame_registrar.ros_liveness import LivenessWatch
+from frame_registrar.ros_messages import to_clauses, to_empty_frame, to_file_problems, to_frame_lists, to_plan
+from frame_registrar.search import Refusal, combinations, reply_outcome, search
+from roboframenet_ros.ros_log import log_from_threads
 from semantic_frames import FileRefused, Problem, load_frame
 from semantic_frames.frame import SemanticFrame
 from semantic_frames.source_files import FRAMES_FOLDER, read_text, replace_problems, yaml_files
 from stage_events.ros_stage import Stage
-
-from frame_registrar.graph import FrameGraph
-from frame_registrar.ros_liveness import LivenessWatch
-from frame_registrar.ros_messages import to_clauses, to_empty_frame, to_file_problems, to_frame_lists
-from frame_registrar.search import Candidate, Refusal, search
 
 #: Kept on the master by the node for itself: files that were added while it ran.
 ADDED_FRAMES = "~_added_frames"
@@ -49,7 +52,7 @@ class Settings:
 
     Attributes:
         frame_paths: files, and folders with folders named ``frames``
-        max_candidates: the search ends when so many are found
+        max_candidates: the search for a clause ends when so many are found
         liveness_period_s: pause between two rounds of asking the servers
         liveness_timeout_s: how long a node may take to answer
     """
@@ -80,7 +83,7 @@ class Settings:
 
 
 class FrameRegistrar:
-    """Keeps the graph of frames and answers each command with candidates or a refusal.
+    """Keeps the graph of frames and answers each command with the candidates of its clauses or a refusal.
 
     Subscribes:
         command_lexical_units (CommandLexicalUnits)
@@ -158,7 +161,7 @@ class FrameRegistrar:
 
     def _on_add_frame(self, request: AddFrameRequest) -> AddFrameResponse:
         path = request.absolute_file_path
-        # Of two files that are added at once neither may be lost from the parameter, and no command waits for the master.
+        # Of two files added at once neither may be lost from the parameter, and no command waits for the master.
         with self._adding:
             is_added = self._add_file(path)
             if is_added:
@@ -175,7 +178,9 @@ class FrameRegistrar:
     def _on_register(self, request: RegisterWithFrameRequest) -> RegisterWithFrameResponse:
         server = request.callback_topic
         if server.strip() and (server.startswith("~") or not rosgraph.names.is_legal_name(server)):
-            errors: Tuple[str, ...] = (f"'{server}' is no name of an action server: a graph name without '~' is expected",)
+            errors: Tuple[str, ...] = (
+                f"'{server}' is no name of an action server: a graph name without '~' is expected",
+            )
         else:
             with self._lock:
                 errors = self._graph.register(request.frame_name, server)
@@ -218,6 +223,8 @@ class FrameRegistrar:
 
     def _on_command(self, message: CommandLexicalUnits) -> None:
         try:
+            if message.plan.nodes:
+                raise ValueError("the clauses of the command belong together in a way that nothing carries out yet.")
             with self._lock:
                 outcome = search(self._graph, to_clauses(message.clauses), max_candidates=self._settings.max_candidates)
         except Exception as error:  # boundary: whatever fails here, the command gets its reply
@@ -231,36 +238,40 @@ class FrameRegistrar:
             return
         if isinstance(outcome, Refusal):
             rospy.loginfo("cmd=%s refused: %s", message.command.id, outcome.sentence)
-            is_question = outcome.code == "MISSING_ELEMENT"
             self._stage.ends(
                 message.command,
-                outcome=Reply.NEEDS_INFORMATION if is_question else Reply.REFUSED,
+                outcome=getattr(Reply, reply_outcome(outcome)),
                 code=outcome.code,
                 sentence=outcome.sentence,
             )
             return
-        lists = to_frame_lists(outcome)
-        self._stage.passes_on(message.command, describe(outcome))
-        self._candidates_2012.publish(lists)
-        self._candidates.publish(
-            CommandSemanticFrames(
-                command=message.command, candidates=lists, coverage=[candidate.coverage for candidate in outcome]
-            )
-        )
+        plan = to_plan(message.clauses, message.command.text, outcome)
+        self._stage.passes_on(message.command, describe(plan))
+        self._candidates_2012.publish(to_frame_lists(combinations(outcome, self._settings.max_candidates)))
+        self._candidates.publish(CommandSemanticFrames(command=message.command, plan=plan))
 
 
-def describe(candidates: Tuple[Candidate, ...]) -> str:
-    """Return candidates in words: "2 candidates: turning @ turning; ..."."""
+def describe(plan: Plan) -> str:
+    """Return the candidates of a plan in words: "2 candidates: turning @ turning; ..."."""
+    leaves = [node for node in plan.nodes if node.kind == PlanNode.DO]
+    if len(leaves) == 1:
+        return _describe_candidates(leaves[0])
+    return "; then ".join(f'"{leaf.label}": {_describe_candidates(leaf)}' for leaf in leaves)
+
+
+def _describe_candidates(leaf: PlanNode) -> str:
     shown = "; ".join(
-        ", then ".join(f"{frame.name} @ {frame.server}" for frame in candidate.frames) for candidate in candidates[:3]
+        ", then ".join(f"{frame.name} @ {frame.action_server_topics[0]}" for frame in candidate.frames)
+        for candidate in leaf.candidates[:3]
     )
-    count = f"{len(candidates)} candidate{'s' if len(candidates) > 1 else ''}"
-    return f"{count}: {shown}{'; ...' if len(candidates) > 3 else ''}"
+    count = len(leaf.candidates)
+    return f"{count} candidate{'s' if count > 1 else ''}: {shown}{'; ...' if count > 3 else ''}"
 
 
 def main() -> None:
     """Run the node."""
     rospy.init_node("frame_registrar")
+    log_from_threads()
     try:
         FrameRegistrar(Settings.from_parameters())
     except ValueError as error:

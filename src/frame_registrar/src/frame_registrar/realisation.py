@@ -3,8 +3,6 @@
 from dataclasses import dataclass, replace
 from typing import Dict, Iterator, List, Optional, Sequence, Tuple
 
-from semantic_frames.frame import RelatedFrame
-
 from frame_registrar.filling import (
     FilledFrame,
     Unfillable,
@@ -15,6 +13,7 @@ from frame_registrar.filling import (
     words,
 )
 from frame_registrar.graph import FrameGraph
+from semantic_frames.frame import RelatedFrame
 
 Frames = Tuple[FilledFrame, ...]
 
@@ -125,7 +124,9 @@ class Realiser:
         sequences = []
         is_meant = False
         for sequence in frame.children if frame is not None else ():
-            conditions = [condition for condition in (unmet_condition(filled, child) for child in sequence) if condition]
+            conditions = [
+                condition for condition in (unmet_condition(filled, child) for child in sequence) if condition
+            ]
             if conditions:
                 if self._is_offered(sequence):
                     unmet.setdefault(conditions[0].parent_name, []).extend(conditions[0].child_values)

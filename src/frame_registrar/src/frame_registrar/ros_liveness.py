@@ -9,7 +9,6 @@ from xml.parsers.expat import ExpatError
 import rosgraph
 import rospy
 
-
 #: What asking a node may end in. The port of a dead node may belong to somebody who speaks no XML-RPC by now.
 _NO_ANSWER = (OSError, HTTPException, ExpatError, xmlrpc.client.Error, rosgraph.MasterException)
 

@@ -12,11 +12,15 @@ from roboframenet_msgs.msg import (
     FilledSemanticFrame,
     FilledSemanticFrameList,
     FilledSemanticFrameListList,
+    Plan,
+    PlanCandidate,
+    PlanNode,
 )
+
+from frame_registrar.filling import FilledFrame
+from frame_registrar.search import Argument, Candidate, Reading
 from semantic_frames import Problem
 from semantic_frames.frame import SemanticFrame
-
-from frame_registrar.search import Argument, Candidate, Reading
 
 
 def to_clauses(clauses: Iterable[Clause]) -> List[List[Reading]]:
@@ -37,28 +41,59 @@ def _to_reading(message: object) -> Reading:
                 conjunction=value.conjunction if value else "",
             )
         )
-    return Reading(frame_name=message.lexical_unit.frame_name, arguments=tuple(arguments), coverage=message.coverage)
-
-
-def to_frame_lists(candidates: Sequence[Candidate]) -> FilledSemanticFrameListList:
-    """Return candidates as the 2012 message."""
-    return FilledSemanticFrameListList(
-        frame_lists=[
-            FilledSemanticFrameList(
-                frames=[
-                    FilledSemanticFrame(
-                        name=frame.name,
-                        frame_elements=[
-                            FilledFrameElement(name=name, argument=argument) for name, argument in frame.arguments
-                        ],
-                        action_server_topics=[frame.server],
-                    )
-                    for frame in candidate.frames
-                ]
-            )
-            for candidate in candidates
-        ]
+    return Reading(
+        frame_name=message.lexical_unit.frame_name,
+        arguments=tuple(arguments),
+        coverage=message.coverage,
+        preference=message.preference,
     )
+
+
+def to_plan(clauses: Sequence[Clause], text: str, found: Sequence[Sequence[Candidate]]) -> Plan:
+    """Return a plan.
+
+    Args:
+        clauses: that were asked for
+        text: of the whole command
+        found: candidates of each clause
+    """
+    leaves = [
+        PlanNode(
+            kind=PlanNode.DO,
+            label=clause.words or text,
+            candidates=[
+                PlanCandidate(
+                    frames=_to_frames(candidate.frames),
+                    coverage=candidate.coverage,
+                    preference=candidate.preference,
+                )
+                for candidate in candidates
+            ],
+        )
+        for clause, candidates in zip(clauses, found)
+    ]
+    if len(leaves) == 1:
+        return Plan(nodes=leaves)
+    root = PlanNode(kind=PlanNode.SEQUENCE, label=text, children=list(range(1, len(leaves) + 1)))
+    return Plan(nodes=[root] + leaves)
+
+
+def to_frame_lists(sequences: Iterable[Sequence[FilledFrame]]) -> FilledSemanticFrameListList:
+    """Return sequences of frames as the 2012 message."""
+    return FilledSemanticFrameListList(
+        frame_lists=[FilledSemanticFrameList(frames=_to_frames(frames)) for frames in sequences]
+    )
+
+
+def _to_frames(frames: Iterable[FilledFrame]) -> List[FilledSemanticFrame]:
+    return [
+        FilledSemanticFrame(
+            name=frame.name,
+            frame_elements=[FilledFrameElement(name=name, argument=argument) for name, argument in frame.arguments],
+            action_server_topics=[frame.server],
+        )
+        for frame in frames
+    ]
 
 
 def to_empty_frame(frame: SemanticFrame) -> EmptySemanticFrame:

@@ -1,16 +1,15 @@
 """Searches the graph of frames for everything that is able to do what was said."""
 
 from dataclasses import dataclass, replace
-from itertools import islice
+from itertools import islice, product
 from typing import Dict, Iterator, List, Sequence, Tuple, Union
-
-from semantic_frames.frame import ListPolicy, SemanticFrame
 
 from frame_registrar.filling import Unfillable, fill, words
 from frame_registrar.graph import FrameGraph
 from frame_registrar.realisation import Frames, Realiser, Refusal
+from semantic_frames.frame import ListPolicy, SemanticFrame
 
-__all__ = ["Argument", "Candidate", "Reading", "Refusal", "search"]
+__all__ = ["Argument", "Candidate", "Reading", "Refusal", "combinations", "reply_outcome", "search"]
 
 
 @dataclass(frozen=True)
@@ -38,24 +37,28 @@ class Reading:
         frame_name: the frame that the verb evokes
         arguments: of its elements
         coverage: share of the clause's content words that it accounts for, 0 to 1
+        preference: 0 is meant most likely, then 1; alternatives that were said ("or") are one reading
     """
 
     frame_name: str
     arguments: Tuple[Argument, ...] = ()
     coverage: float = 1.0
+    preference: int = 0
 
 
 @dataclass(frozen=True)
 class Candidate:
-    """Frames that, carried out in this order, do what was said; each names its server.
+    """Frames that, carried out in this order, do what a clause says; each names its server.
 
     Attributes:
         frames: at least one
-        coverage: smallest coverage of the readings that it comes from
+        coverage: of the reading that it comes from
+        preference: of that reading; every candidate of 0 is to be tried before those of 1
     """
 
     frames: Frames
     coverage: float
+    preference: int = 0
 
 
 #: When several readings fail, the reason that tells the person most comes first.
@@ -65,38 +68,50 @@ _MOST_EXAMINED = 100_000
 _NOTHING_UNDERSTOOD = Refusal("NO_READING", "I understood nothing that I could do.")
 
 
+def reply_outcome(refusal: Refusal) -> str:
+    """Return the outcome that a command ends with in the registrar: the name of a constant of ``Reply``."""
+    return "NEEDS_INFORMATION" if refusal.code == "MISSING_ELEMENT" else "REFUSED"
+
+
 def search(
     graph: FrameGraph, clauses: Sequence[Sequence[Reading]], *, max_candidates: int
-) -> Union[Tuple[Candidate, ...], Refusal]:
-    """Find every way to carry out the clauses of a sentence, one after the other.
+) -> Union[Tuple[Tuple[Candidate, ...], ...], Refusal]:
+    """Find every way to carry out each clause of a sentence.
 
     Args:
         graph: frames and servers
         clauses: in the order in which they are to be done; the readings of each are alternatives
-        max_candidates: the search ends when so many are found
+        max_candidates: the search for a clause ends when so many are found
     Returns:
-        candidates, those of a higher coverage first; a refusal when there is none
+        candidates of each clause, those of the likeliest reading first; a refusal when a clause has none
     """
     realiser = Realiser(graph)
-    by_clause: List[List[Candidate]] = []
+    by_clause: List[Tuple[Candidate, ...]] = []
     for readings in clauses:
         found = _of_clause(realiser, readings, max_candidates)
         if isinstance(found, Refusal):
             return found
         by_clause.append(found)
-    candidates = list(islice(_concatenations(by_clause), max_candidates))
-    if not candidates:
-        return _NOTHING_UNDERSTOOD
-    return tuple(sorted(candidates, key=lambda candidate: -candidate.coverage))
+    return tuple(by_clause) or _NOTHING_UNDERSTOOD
+
+
+def combinations(by_clause: Sequence[Sequence[Candidate]], most: int) -> Tuple[Frames, ...]:
+    """Return what 2012 published: sequences of frames that do all clauses, so many at most."""
+    products = islice(product(*by_clause), most)
+    return tuple(tuple(frame for candidate in found for frame in candidate.frames) for found in products)
+
+
+def _order(reading: Reading) -> Tuple[int, float]:
+    return reading.preference, -reading.coverage
 
 
 def _of_clause(
     realiser: Realiser, readings: Sequence[Reading], max_candidates: int
-) -> Union[List[Candidate], Refusal]:
-    """Find the ways to carry out one clause, readings of a higher coverage first, none of them twice."""
+) -> Union[Tuple[Candidate, ...], Refusal]:
+    """Find the ways to carry out one clause, the likeliest reading first, none of them twice."""
     found: Dict[Frames, Candidate] = {}
     refusals: List[Refusal] = []
-    for reading in sorted(readings, key=lambda reading: -reading.coverage):
+    for reading in sorted(readings, key=_order):
         frame = realiser.graph.frame(reading.frame_name)
         if frame is None:
             name = words(reading.frame_name)
@@ -113,28 +128,21 @@ def _of_clause(
             is_realised = False
             for frames in islice(realiser.realise(filled), _MOST_EXAMINED):
                 is_realised = True
-                found.setdefault(frames, Candidate(frames=frames, coverage=reading.coverage))
+                found.setdefault(frames, Candidate(frames, reading.coverage, reading.preference))
                 if len(found) >= max_candidates:
-                    return list(found.values())
+                    return tuple(found.values())
             if not is_realised:
                 refusals += realiser.why_not(filled)
     if found:
-        return list(found.values())
+        return tuple(found.values())
     if realiser.is_cut:
-        return Refusal("TOO_MANY_CANDIDATES", "There are more ways to do that than I can look at, and none works so far.")
-    # min() keeps the first of equals: the reading of the higher coverage.
-    return min(refusals, key=lambda refusal: _REASONS.index(refusal.code), default=_NOTHING_UNDERSTOOD)
-
-
-def _concatenations(by_clause: Sequence[Sequence[Candidate]]) -> Iterator[Candidate]:
-    if not by_clause:
-        return
-    for first in by_clause[0]:
-        if len(by_clause) == 1:
-            yield first
-            continue
-        for rest in _concatenations(by_clause[1:]):
-            yield Candidate(frames=first.frames + rest.frames, coverage=min(first.coverage, rest.coverage))
+        return Refusal(
+            "TOO_MANY_CANDIDATES", "There are more ways to do that than I can look at, and none works so far."
+        )
+    if not refusals:
+        return _NOTHING_UNDERSTOOD
+    # min() keeps the first of equals: the likeliest reading.
+    return min(refusals, key=lambda refusal: _REASONS.index(refusal.code))
 
 
 def _tasks(frame: SemanticFrame, reading: Reading) -> Iterator[List[Dict[str, str]]]:
@@ -149,7 +157,7 @@ def _tasks(frame: SemanticFrame, reading: Reading) -> Iterator[List[Dict[str, st
     if repeated is None:
         yield [{argument.name: argument.text for argument in reading.arguments}]
         return
-    parts = [list(_tasks(frame, _with(reading, repeated, item)))[0] for item in repeated.items]
+    parts = [next(_tasks(frame, _with(reading, repeated, item))) for item in repeated.items]
     yield [arguments for part in parts for arguments in part]
 
 

@@ -1,5 +1,6 @@
 #!/usr/bin/python3
 """Action servers as actionlib has them: they register nowhere and know nothing of the registrar."""
+
 import actionlib
 import rospy
 from roboframenet_msgs.msg import FilledSemanticFrameAction

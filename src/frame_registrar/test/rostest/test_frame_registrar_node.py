@@ -1,5 +1,6 @@
 #!/usr/bin/python3
 """The node: its services, a command in and candidates out, files that are wrong, and what is killed."""
+
 import os
 import signal
 import tempfile
@@ -23,6 +24,8 @@ from roboframenet_msgs.msg import (
     FilledSemanticFrameListList,
     FrameCatalogue,
     LexicalUnitReading,
+    Plan,
+    PlanNode,
     Reply,
     StageEvent,
 )
@@ -89,25 +92,26 @@ class FrameRegistrarTest(unittest.TestCase):
         answer = self.call("register_with_frame", RegisterWithFrame, frame, server)
         self.assertTrue(answer.success, answer.error)
 
+    def clause(self, frame: str, words: str = "", **arguments: str) -> Clause:
+        elements = [FilledFrameElement(name=name, argument=argument) for name, argument in arguments.items()]
+        unit = FilledLexicalUnit(frame_name=frame, verb="do", frame_elements=elements)
+        return Clause(words=words, readings=[LexicalUnitReading(lexical_unit=unit, coverage=1.0)])
+
     def command(self, frame: str, **arguments: str) -> object:
+        """Send a command of one clause; return its candidates, or its final event."""
+        return self.send([self.clause(frame, **arguments)])
+
+    def send(self, clauses: List[Clause], plan: Optional[Plan] = None) -> object:
         """Send a command; return its candidates, or its final event."""
         type(self).number += 1
         command_id = f"command_{self.number}"
-        elements = [FilledFrameElement(name=name, argument=argument) for name, argument in arguments.items()]
-        unit = FilledLexicalUnit(frame_name=frame, verb="do", frame_elements=elements)
-        self.units.publish(
-            CommandLexicalUnits(
-                command=Command(id=command_id),
-                clauses=[Clause(readings=[LexicalUnitReading(lexical_unit=unit, coverage=1.0)])],
-            )
-        )
+        command = Command(id=command_id, text="do it")
+        self.units.publish(CommandLexicalUnits(command=command, clauses=clauses, plan=plan or Plan()))
         answers: List[object] = []
 
         def is_answered() -> bool:
             answers[:] = [message for message in list(self.candidates) if message.command.id == command_id]
-            answers.extend(
-                event for event in list(self.events) if event.command.id == command_id and event.is_final
-            )
+            answers.extend(event for event in list(self.events) if event.command.id == command_id and event.is_final)
             return bool(answers)
 
         self.assertTrue(wait_until(is_answered), f"no answer to {command_id}")
@@ -119,11 +123,15 @@ class FrameRegistrarTest(unittest.TestCase):
         answer = self.command(frame, **arguments)
         if isinstance(answer, StageEvent):
             return []
-        lists = answer.candidates.frame_lists
-        for frames in lists:
-            for filled in frames.frames:
+        (node,) = answer.plan.nodes
+        self.assertEqual((node.kind, node.label, list(node.children)), (PlanNode.DO, "do it", []))
+        return self.servers_of(node)
+
+    def servers_of(self, node: PlanNode) -> List[List[str]]:
+        for candidate in node.candidates:
+            for filled in candidate.frames:
                 self.assertEqual(len(filled.action_server_topics), 1)
-        return [[filled.action_server_topics[0] for filled in frames.frames] for frames in lists]
+        return [[filled.action_server_topics[0] for filled in candidate.frames] for candidate in node.candidates]
 
     def is_alive(self, server: str) -> Optional[bool]:
         """What the catalogue says of a server, None for one that it does not have."""
@@ -152,6 +160,32 @@ class FrameRegistrarTest(unittest.TestCase):
 
         self.assertTrue(wait_until(lambda: arguments_2012() == ["3 feet"]), arguments_2012())
         self.assertTrue(wait_until(lambda: self.is_alive("second") is True))
+
+    def test_clauses_that_belong_together_in_a_way_of_their_own_are_refused(self) -> None:
+        plan = Plan(nodes=[PlanNode(kind=PlanNode.WHENEVER, children=[1, 2]), PlanNode(), PlanNode()])
+        event = self.send([self.clause("nodding", "the bell rings"), self.clause("humming", "hum")], plan)
+        self.assertIsInstance(event, StageEvent)
+        self.assertEqual((event.reply.outcome, event.reply.code), (Reply.FAILED, "STAGE_ERROR"))
+        self.assertIn("belong together", event.reply.sentence)
+
+    def test_each_clause_of_a_command_has_its_own_candidates(self) -> None:
+        for name in ("nodding", "humming"):
+            self.assertTrue(self.add_frame(f"{name}.yaml", f"name: {name}\n"))
+        for frame, server in (("nodding", "steady"), ("humming", "steady"), ("humming", "second")):
+            self.register(frame, server)
+        clauses = [self.clause("nodding", "nod"), self.clause("humming", "hum a tune")]
+        nodes = self.send(clauses).plan.nodes
+        self.assertEqual([node.kind for node in nodes], [PlanNode.SEQUENCE, PlanNode.DO, PlanNode.DO])
+        self.assertEqual([node.label for node in nodes], ["do it", "nod", "hum a tune"])
+        self.assertEqual([list(node.children) for node in nodes], [[1, 2], [], []])
+        self.assertEqual([self.servers_of(node) for node in nodes], [[], [["steady"]], [["steady"], ["second"]]])
+
+        def told_in_2012() -> List[List[str]]:
+            sequences = [frames for message in list(self.candidates_2012) for frames in message.frame_lists]
+            servers = [[frame.action_server_topics[0] for frame in frames.frames] for frames in sequences]
+            return [names for names in servers if len(names) == 2]
+
+        self.assertTrue(wait_until(lambda: told_in_2012() == [["steady", "steady"], ["steady", "second"]]))
 
     def test_refusal_tells_the_limit(self) -> None:
         event = self.command("moving", distance="3 miles")
@@ -223,9 +257,7 @@ class FrameRegistrarTest(unittest.TestCase):
 
     def test_killed_registrar_knows_what_was_added_to_it(self) -> None:
         names = [f"added_{index}" for index in range(6)]
-        threads = [
-            threading.Thread(target=self.add_frame, args=(f"{name}.yaml", f"name: {name}\n")) for name in names
-        ]
+        threads = [threading.Thread(target=self.add_frame, args=(f"{name}.yaml", f"name: {name}\n")) for name in names]
         for thread in threads:
             thread.start()
         for thread in threads:
@@ -240,8 +272,10 @@ class FrameRegistrarTest(unittest.TestCase):
             self.assertEqual(self.call("get_empty_frame", GetEmptyFrame, name).frame.name, name)
         self.assertTrue(
             wait_until(
-                lambda: [problem.code for problem in self.problems.problems if "vanishing" in problem.path]
-                == ["UNREADABLE"]
+                lambda: (
+                    [problem.code for problem in self.problems.problems if "vanishing" in problem.path]
+                    == ["UNREADABLE"]
+                )
             )
         )
         self.register(names[0], "steady")

@@ -1,5 +1,7 @@
 """The graph of frames: adding, replacing, registering."""
+
 import pytest
+
 from frame_registrar.graph import FrameGraph
 from semantic_frames import FileRefused, load_frame
 
@@ -49,8 +51,11 @@ def test_replacing_a_frame_may_break_what_was_a_cycle() -> None:
 
 
 def test_unknown_element_of_a_child_is_refused_whichever_comes_last() -> None:
-    parent = frame("name: p\nframe_elements: [{name: x}]\nchildren:\n  - name: c\n    frame_element_relations:\n"
-                   "      - {parent_name: x, child_name: thme}\n", "p.yaml")
+    parent = frame(
+        "name: p\nframe_elements: [{name: x}]\nchildren:\n  - name: c\n    frame_element_relations:\n"
+        "      - {parent_name: x, child_name: thme}\n",
+        "p.yaml",
+    )
     child = frame("name: c\nframe_elements: [{name: theme}]\n", "c.yaml")
     for first, second in ((parent, child), (child, parent)):
         graph = FrameGraph()

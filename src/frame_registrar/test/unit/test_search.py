@@ -2,12 +2,13 @@
 
 import itertools
 import random
-from typing import Dict, List, Tuple
+from typing import Dict, List, Sequence, Tuple, Union
 
 import pytest
+
 from frame_registrar import realisation
 from frame_registrar.graph import FrameGraph
-from frame_registrar.search import Argument, Candidate, Reading, Refusal, search
+from frame_registrar.search import Argument, Candidate, Reading, Refusal, combinations, search
 from semantic_frames import load_frame
 
 MOVING = """
@@ -50,8 +51,16 @@ def moving_graph() -> FrameGraph:
     )
 
 
-def servers_of(candidates: Tuple[Candidate, ...]) -> List[Tuple[str, ...]]:
-    return [tuple(frame.server for frame in candidate.frames) for candidate in candidates]
+def only(found: Union[Tuple[Tuple[Candidate, ...], ...], Refusal]) -> Tuple[Candidate, ...]:
+    """Candidates of the only clause."""
+    assert not isinstance(found, Refusal), found
+    (candidates,) = found
+    return candidates
+
+
+def servers_of(found: Union[Tuple[Tuple[Candidate, ...], ...], Refusal]) -> List[Tuple[str, ...]]:
+    """Servers of each candidate of the only clause."""
+    return [tuple(frame.server for frame in candidate.frames) for candidate in only(found)]
 
 
 @pytest.mark.parametrize(
@@ -63,7 +72,7 @@ def test_value_condition_chooses_the_child(direction: str, server: str) -> None:
         moving_graph(), [[reading("moving", direction=direction, distance="3", unit="feet")]], max_candidates=9
     )
     assert servers_of(found) == [(server,)]
-    assert found[0].frames[0].arguments == (("distance", "3"),)
+    assert only(found)[0].frames[0].arguments == (("distance", "3"),)
 
 
 def test_default_fills_what_was_not_said() -> None:
@@ -74,11 +83,11 @@ def test_default_fills_what_was_not_said() -> None:
 @pytest.mark.parametrize(
     "arguments, code",
     [
-        (dict(distance="3", unit="kilometres"), "LIMIT"),
-        (dict(distance="1e400", unit="metres"), "LIMIT"),
-        (dict(distance="3", unit="parsecs"), "VALUE_NOT_ALLOWED"),
-        (dict(unit="metres"), "MISSING_ELEMENT"),
-        (dict(distance="3", unit="metres", direction="sideways"), "VALUE_NOT_ALLOWED"),
+        ({"distance": "3", "unit": "kilometres"}, "LIMIT"),
+        ({"distance": "1e400", "unit": "metres"}, "LIMIT"),
+        ({"distance": "3", "unit": "parsecs"}, "VALUE_NOT_ALLOWED"),
+        ({"unit": "metres"}, "MISSING_ELEMENT"),
+        ({"distance": "3", "unit": "metres", "direction": "sideways"}, "VALUE_NOT_ALLOWED"),
     ],
 )
 def test_refusal_tells_why(arguments: Dict[str, str], code: str) -> None:
@@ -121,20 +130,25 @@ def test_sequence_gives_all_combinations_in_order() -> None:
     ]
 
 
+def sequence_of(names: Sequence[str]) -> str:
+    """YAML of the frames that do a task one after the other."""
+    return f"[{', '.join(f'{{name: {name}}}' for name in names)}]"
+
+
 def test_search_is_lazy_and_bounded() -> None:
     names = [f"m{index}" for index in range(40)]
     graph = graph_of(
-        "name: a\nchildren: [[%s]]\n" % ", ".join("{name: %s}" % name for name in names),
+        f"name: a\nchildren: [{sequence_of(names)}]\n",
         *[f"name: {name}\n" for name in names],
         servers=tuple((name, f"{name}_{index}") for name in names for index in range(2)),
     )
-    assert len(search(graph, [[reading("a")]], max_candidates=64)) == 64
+    assert len(only(search(graph, [[reading("a")]], max_candidates=64))) == 64
 
 
 def test_sequence_with_one_member_that_nobody_can_do_ends_at_once() -> None:
     names = [f"m{index}" for index in range(60)]
     graph = graph_of(
-        "name: a\nchildren: [[%s, {name: last}]]\n" % ", ".join("{name: %s}" % name for name in names),
+        f"name: a\nchildren: [{sequence_of([*names, 'last'])}]\n",
         "name: last\n",
         *[f"name: {name}\n" for name in names],
         servers=tuple((name, f"{name}_{index}") for name in names for index in range(2)),
@@ -175,9 +189,7 @@ def test_value_that_no_child_stands_for_is_told_with_those_that_do() -> None:
 def test_child_that_is_meant_but_has_no_server_is_what_is_missing() -> None:
     graph = moving_graph()
     graph.set_dead(frozenset(["backward_server"]))
-    refusal = search(
-        graph, [[reading("moving", distance="3", unit="metres", direction="backward")]], max_candidates=9
-    )
+    refusal = search(graph, [[reading("moving", distance="3", unit="metres", direction="backward")]], max_candidates=9)
     assert isinstance(refusal, Refusal) and refusal.code == "NO_SERVER"
     assert 'registered for "moving" or "moving_backward".' in refusal.sentence
 
@@ -207,9 +219,43 @@ def test_higher_coverage_comes_first() -> None:
     assert servers_of(found) == [("b1",), ("a1",)]
 
 
-def test_clauses_are_one_candidate() -> None:
+def test_likelier_reading_comes_first_whatever_it_covers() -> None:
     graph = graph_of("name: a\n", "name: b\n", servers=(("a", "a1"), ("b", "b1"), ("b", "b2")))
-    assert servers_of(search(graph, [[reading("a")], [reading("b")]], max_candidates=9)) == [("a1", "b1"), ("a1", "b2")]
+    readings = [Reading("a", preference=1), Reading("b", coverage=0.5)]
+    found = search(graph, [readings], max_candidates=9)
+    assert servers_of(found) == [("b1",), ("b2",), ("a1",)]
+    assert [candidate.preference for candidate in only(found)] == [0, 0, 1]
+    assert servers_of(search(graph, [readings], max_candidates=2)) == [("b1",), ("b2",)]
+
+
+def test_items_of_or_are_alternatives_of_one_reading() -> None:
+    said = Argument("theme", "the mug or the plate", ("the mug", "the plate"), "or")
+    graph = graph_of(TAKING % "repeat", servers=(("taking", "s"),))
+    found = search(graph, [[Reading("taking", (said,), preference=3)]], max_candidates=9)
+    assert [candidate.preference for candidate in only(found)] == [3, 3]
+
+
+def test_frames_of_two_readings_are_of_the_likelier() -> None:
+    graph = graph_of("name: a\nchildren: [{name: b}]\n", "name: b\n", servers=(("b", "s"),))
+    found = search(graph, [[Reading("a", preference=1), Reading("b")]], max_candidates=9)
+    assert [(candidate.frames[0].name, candidate.preference) for candidate in only(found)] == [("b", 0)]
+
+
+def test_each_clause_has_its_own_candidates() -> None:
+    graph = graph_of("name: a\n", "name: b\n", servers=(("a", "a1"), ("a", "a2"), ("b", "b1"), ("b", "b2")))
+    found = search(graph, [[reading("a")], [reading("b")]], max_candidates=2)
+    assert not isinstance(found, Refusal)
+    assert [servers_of((candidates,)) for candidates in found] == [[("a1",), ("a2",)], [("b1",), ("b2",)]]
+    told_in_2012 = [[frame.server for frame in frames] for frames in combinations(found, 3)]
+    assert told_in_2012 == [["a1", "b1"], ["a1", "b2"], ["a2", "b1"]]
+
+
+def test_many_clauses_cost_no_product() -> None:
+    graph = graph_of("name: a\n", servers=tuple(("a", f"a{number}") for number in range(64)))
+    found = search(graph, [[reading("a")]] * 40, max_candidates=64)
+    assert not isinstance(found, Refusal)
+    assert [len(candidates) for candidates in found] == [64] * 40
+    assert len(combinations(found, 64)) == 64
 
 
 def test_clause_that_nobody_can_do_refuses_the_sentence() -> None:
@@ -233,7 +279,7 @@ def test_lists(policy: str, conjunction: str, expected: List[List[str]]) -> None
     graph = graph_of(TAKING % policy, servers=(("taking", "s"),))
     said = Argument("theme", f"the mug {conjunction} the plate", ("the mug", "the plate"), conjunction)
     found = search(graph, [[Reading("taking", (said,))]], max_candidates=9)
-    assert [[frame.argument("theme") for frame in candidate.frames] for candidate in found] == expected
+    assert [[frame.argument("theme") for frame in candidate.frames] for candidate in only(found)] == expected
 
 
 def brute_force(
@@ -262,8 +308,7 @@ def test_search_finds_what_brute_force_finds(seed: int) -> None:
     texts = [
         f"name: {name}\n"
         + (
-            "children: [%s]\n"
-            % ", ".join("[%s]" % ", ".join("{name: %s}" % child for child in sequence) for sequence in children[name])
+            f"children: [{', '.join(sequence_of(sequence) for sequence in children[name])}]\n"
             if children.get(name)
             else ""
         )

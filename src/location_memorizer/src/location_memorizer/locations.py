@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from typing import Any, Dict, Mapping
 
 import yaml
+
 from rfnserver.places import location_name
 
 

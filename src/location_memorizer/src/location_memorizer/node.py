@@ -7,12 +7,12 @@ from typing import Dict, Optional
 
 import rospy
 from geometry_msgs.msg import PoseStamped, PoseWithCovarianceStamped
-from rfnserver import RFNServer
-from rfnserver.places import location_name
 from roboframenet_msgs.msg import FilledSemanticFrame, Locations
 
 from location_memorizer.locations import Location, LocationFileError, read_locations, write_locations
 from location_memorizer.srv import GetLocation, GetLocationRequest, GetLocationResponse
+from rfnserver import RFNServer
+from rfnserver.places import location_name
 
 
 def to_pose(location: Location) -> PoseStamped:
@@ -51,7 +51,9 @@ class LocationMemorizer:
         self._lock = threading.Lock()
         self._here: Optional[Location] = None
         self._memory_file = os.path.expanduser(
-            rospy.get_param(parameters + "memory_file", os.path.join(os.environ.get("ROS_HOME", "~/.ros"), "locations.yaml"))
+            rospy.get_param(
+                parameters + "memory_file", os.path.join(os.environ.get("ROS_HOME", "~/.ros"), "locations.yaml")
+            )
         )
         places_file = rospy.get_param(parameters + "places_file", "")
         self._places = self._read(places_file) if places_file else {}

@@ -1,5 +1,6 @@
 #!/usr/bin/python3
 """Places: refused without a pose, remembered with one, and still known when the node was killed and came back."""
+
 import os
 import signal
 import time
@@ -12,14 +13,13 @@ import rosgraph
 import rospy
 from actionlib_msgs.msg import GoalStatus
 from geometry_msgs.msg import PoseWithCovarianceStamped
+from location_memorizer.srv import GetLocation, GetLocationResponse
 from roboframenet_msgs.msg import (
     FilledFrameElement,
     FilledSemanticFrame,
     FilledSemanticFrameAction,
     FilledSemanticFrameGoal,
 )
-
-from location_memorizer.srv import GetLocation, GetLocationResponse
 
 
 def wait_until(condition: Callable[[], bool], timeout_s: float = 60.0) -> bool:

@@ -3,6 +3,7 @@
 import math
 
 import pytest
+
 from location_memorizer.locations import (
     Location,
     LocationFileError,
@@ -40,7 +41,7 @@ def test_writing_leaves_no_other_file(tmp_path) -> None:
 def test_bad_file_is_refused_by_name(text: str, tmp_path) -> None:
     path = tmp_path / "places.yaml"
     path.write_text(text, encoding="utf-8")
-    with pytest.raises(LocationFileError, match="places.yaml"):
+    with pytest.raises(LocationFileError, match=r"places\.yaml"):
         read_locations(str(path))
 
 

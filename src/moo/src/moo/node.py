@@ -4,12 +4,12 @@ import os
 import tempfile
 
 import rospy
-from rfnserver import RFNServer
 from roboframenet_msgs.msg import FilledSemanticFrame
-from utter.ros_voice import Voice
-from utter.sound_process import wave_command
 
 from moo.sound import moo, write_wave
+from rfnserver import RFNServer
+from utter.ros_voice import Voice
+from utter.sound_process import wave_command
 
 
 class MooServer:

@@ -1,4 +1,5 @@
 """The sound of a cow, as numbers."""
+
 import math
 import struct
 import wave

@@ -3,6 +3,7 @@
 import wave
 
 import pytest
+
 from moo.sound import SAMPLE_RATE_HZ, moo, write_wave
 
 

@@ -3,6 +3,7 @@
 The newest wins: a claim revokes the one before it, and is granted when that one has been released, which its holder
 does after it has stopped the base.
 """
+
 import threading
 import time
 from typing import Callable, Optional

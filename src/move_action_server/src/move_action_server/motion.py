@@ -2,6 +2,7 @@
 
 Forward and left are positive (REP 103). Nothing here waits or reads a clock: the caller passes the time.
 """
+
 import enum
 import math
 from dataclasses import dataclass
@@ -71,9 +72,9 @@ class MotionProfile:
         for name in ("max_amount", "speed_per_s", "acceleration_per_s2", "creep_per_s", "tolerance"):
             value = getattr(self, name)
             if not (isinstance(value, (int, float)) and math.isfinite(value) and value > 0.0):
-                raise ValueError("%s must be a positive number, got %r" % (name, value))
+                raise ValueError(f"{name} must be a positive number, got {value!r}")
         if self.creep_per_s > self.speed_per_s:
-            raise ValueError("creep_per_s %g is above speed_per_s %g" % (self.creep_per_s, self.speed_per_s))
+            raise ValueError(f"creep_per_s {self.creep_per_s:g} is above speed_per_s {self.speed_per_s:g}")
 
 
 @dataclass(frozen=True)
@@ -85,9 +86,11 @@ class MotionSettings:
     """
 
     straight: MotionProfile = MotionProfile(
-        max_amount=20.0, speed_per_s=0.3, acceleration_per_s2=0.5, creep_per_s=0.02, tolerance=0.002)
+        max_amount=20.0, speed_per_s=0.3, acceleration_per_s2=0.5, creep_per_s=0.02, tolerance=0.002
+    )
     turn: MotionProfile = MotionProfile(
-        max_amount=20.0 * math.pi, speed_per_s=1.0, acceleration_per_s2=1.5, creep_per_s=0.06, tolerance=0.003)
+        max_amount=20.0 * math.pi, speed_per_s=1.0, acceleration_per_s2=1.5, creep_per_s=0.06, tolerance=0.003
+    )
     aim_share: float = 0.005
     """The base stops when it is within this share of the amount."""
     accept_share: float = 0.02
@@ -97,16 +100,19 @@ class MotionSettings:
 
     def __post_init__(self) -> None:
         if not 0.0 < self.aim_share <= self.accept_share < 1.0:
-            raise ValueError("shares must be 0 < aim_share <= accept_share < 1, got %r and %r"
-                             % (self.aim_share, self.accept_share))
+            raise ValueError(
+                f"shares must be 0 < aim_share <= accept_share < 1, got {self.aim_share!r} and {self.accept_share!r}"
+            )
         for name in ("odometry_timeout_s", "stall_timeout_s"):
             value = getattr(self, name)
             if not (isinstance(value, (int, float)) and math.isfinite(value) and 0.1 <= value <= 60.0):
-                raise ValueError("%s must be 0.1 to 60 s, got %r" % (name, value))
+                raise ValueError(f"{name} must be 0.1 to 60 s, got {value!r}")
         # Between two samples the base must turn by less than half a turn, or nobody can tell which way it went.
         if self.turn.speed_per_s * self.odometry_timeout_s >= math.pi:
-            raise ValueError("turning with %g rad/s for odometry_timeout_s %g is half a turn or more"
-                             % (self.turn.speed_per_s, self.odometry_timeout_s))
+            raise ValueError(
+                f"turning with {self.turn.speed_per_s:g} rad/s for odometry_timeout_s {self.odometry_timeout_s:g} "
+                "is half a turn or more"
+            )
 
     def profile_of(self, kind: MotionKind) -> MotionProfile:
         """Return the profile of a kind of motion."""
@@ -116,18 +122,17 @@ class MotionSettings:
 def describe_amount(goal: MotionGoal) -> str:
     """Say an amount in words for a person."""
     if goal.kind is MotionKind.STRAIGHT:
-        return "%.4g m" % goal.amount
-    return "%.4g rad (%.4g degrees)" % (goal.amount, math.degrees(goal.amount))
+        return f"{goal.amount:.4g} m"
+    return f"{goal.amount:.4g} rad ({math.degrees(goal.amount):.4g} degrees)"
 
 
 def check_goal(goal: MotionGoal, *, settings: MotionSettings) -> Optional[str]:
     """Return the reason why a goal must not be driven, or None."""
     if not math.isfinite(goal.amount):
         return "the amount is not a finite number"
-    limit = settings.profile_of(goal.kind).max_amount
-    if abs(goal.amount) > limit:
-        return "%s is more than the limit of %s" % (
-            describe_amount(goal), describe_amount(MotionGoal(kind=goal.kind, amount=limit)))
+    limit = MotionGoal(kind=goal.kind, amount=settings.profile_of(goal.kind).max_amount)
+    if abs(goal.amount) > limit.amount:
+        return f"{describe_amount(goal)} is more than the limit of {describe_amount(limit)}"
     return None
 
 
@@ -213,8 +218,9 @@ class Motion:
         """
         if self._goal.kind is MotionKind.TURN:
             return self._turned_rad
-        return ((self._last.x_m - self._start.x_m) * math.cos(self._start.yaw_rad)
-                + (self._last.y_m - self._start.y_m) * math.sin(self._start.yaw_rad))
+        return (self._last.x_m - self._start.x_m) * math.cos(self._start.yaw_rad) + (
+            self._last.y_m - self._start.y_m
+        ) * math.sin(self._start.yaw_rad)
 
     def observe(self, sample: OdometrySample, *, now_s: float) -> None:
         """Take an odometry sample. One that is not finite counts as none."""
@@ -224,10 +230,14 @@ class Motion:
         if not 0.0 < passed_s <= self._settings.odometry_timeout_s:
             # A clock that stands or jumps (a simulation that was started again): the time of arrival has to do.
             passed_s = max(0.0, now_s - self._sample_s)
-        limit_m, limit_rad = (self.JUMP + 3.0 * profile.speed_per_s * passed_s
-                              for profile in (self._settings.straight, self._settings.turn))
-        if (math.hypot(sample.x_m - self._last.x_m, sample.y_m - self._last.y_m) > limit_m
-                or abs(wrap(sample.yaw_rad - self._last.yaw_rad)) > limit_rad):
+        limit_m, limit_rad = (
+            self.JUMP + 3.0 * profile.speed_per_s * passed_s
+            for profile in (self._settings.straight, self._settings.turn)
+        )
+        if (
+            math.hypot(sample.x_m - self._last.x_m, sample.y_m - self._last.y_m) > limit_m
+            or abs(wrap(sample.yaw_rad - self._last.yaw_rad)) > limit_rad
+        ):
             self._fail("odometry has jumped: nobody knows how far the base has gone")
             return
         self._elapsed_s += passed_s
@@ -262,17 +272,19 @@ class Motion:
             self._fail("odometry is lost: no sample for %.1f s" % (now_s - self._sample_s))
             return
         if now_s > self._end_s:
-            self._fail("out of time after %s of %s" % (self._describe(self.progress), describe_amount(self._goal)))
+            self._fail(f"out of time after {self._describe(self.progress)} of {describe_amount(self._goal)}")
             return
         progress = self.progress
         if abs(progress - self._stall_progress) >= self._profile.tolerance or self._state is MotionState.SETTLING:
             self._stall_begin_s, self._stall_progress = now_s, progress
         elif now_s - self._stall_begin_s > self._settings.stall_timeout_s:
-            self._fail("the base does not move: odometry stands at %s of %s"
-                       % (self._describe(progress), describe_amount(self._goal)))
+            self._fail(
+                f"the base does not move: odometry stands at {self._describe(progress)} "
+                f"of {describe_amount(self._goal)}"
+            )
             return
         # Twice the way to the first braking is farther than any start can slip back.
-        slip = 2.0 * self._profile.speed_per_s ** 2 / self._profile.acceleration_per_s2
+        slip = 2.0 * self._profile.speed_per_s**2 / self._profile.acceleration_per_s2
         if math.copysign(1.0, self._goal.amount) * progress < -slip:
             self._fail("the base moves the wrong way: odometry and velocity disagree about the sign")
 
@@ -291,7 +303,7 @@ class Motion:
         self._step_elapsed_s = self._elapsed_s
         profile = self._profile
         # Each correction is made more gently than the one before: however late odometry is, they come to an end.
-        gentleness = 0.5 ** self._corrections
+        gentleness = 0.5**self._corrections
         to_brake = max(0.0, abs(error) - abs(self._speed_per_s) * self.REACTION_S)
         fastest = gentleness * min(profile.speed_per_s, math.sqrt(2.0 * profile.acceleration_per_s2 * to_brake))
         wanted = math.copysign(max(profile.creep_per_s, fastest), error)
@@ -324,8 +336,7 @@ class Motion:
         elif abs(error) <= self._accept:
             self._state = MotionState.ARRIVED
         else:
-            self._fail("the base comes no nearer than %s to %s"
-                       % (self._describe(abs(error)), describe_amount(self._goal)))
+            self._fail(f"the base comes no nearer than {self._describe(abs(error))} to {describe_amount(self._goal)}")
 
     def _command(self) -> MotionCommand:
         if self._goal.kind is MotionKind.TURN:

@@ -48,7 +48,7 @@ class Settings:
         for name in ("claim_timeout_s", "feedback_period_s"):
             value = getattr(self, name)
             if not (isinstance(value, (int, float)) and math.isfinite(value) and 0.05 <= value <= 60.0):
-                raise ValueError("~%s must be 0.05 to 60 s, got %r" % (name, value))
+                raise ValueError(f"~{name} must be 0.05 to 60 s, got {value!r}")
 
 
 def read_settings() -> Settings:
@@ -96,7 +96,9 @@ def sample_of(message: Odometry) -> OdometrySample:
 
 
 class LatestOdometry:
-    """The newest usable odometry sample; wakes whoever waits for the next one. Subscribes ``odom`` (nav_msgs/Odometry).
+    """The newest usable odometry sample; wakes whoever waits for the next one.
+
+    Subscribes ``odom`` (nav_msgs/Odometry).
     """
 
     def __init__(self) -> None:
@@ -262,7 +264,7 @@ class MoveActionServer:
         if start is None:
             if server.is_preempt_requested():
                 return Ending(Outcome.PREEMPTED, "cancelled before the first odometry")
-            return Ending(Outcome.ABORTED, "no odometry on %s" % self._odometry.topic)
+            return Ending(Outcome.ABORTED, f"no odometry on {self._odometry.topic}")
         motion = Motion(goal, settings=motion_settings, start=start, now_s=time.monotonic())
         rospy.loginfo("%s: %s", goal.kind.value, describe_amount(goal))
         feedback_s = -math.inf
@@ -276,7 +278,7 @@ class MoveActionServer:
             self._publish(step.command)
             if step.state is MotionState.ARRIVED:
                 done = MotionGoal(kind=goal.kind, amount=motion.progress)
-                return Ending(Outcome.SUCCEEDED, "%s by odometry" % describe_amount(done))
+                return Ending(Outcome.SUCCEEDED, f"{describe_amount(done)} by odometry")
             if step.state is MotionState.FAILED:
                 return Ending(Outcome.ABORTED, step.reason)
             if now_s - feedback_s >= self._settings.feedback_period_s:

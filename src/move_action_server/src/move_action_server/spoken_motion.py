@@ -1,14 +1,15 @@
 """What was said, as a motion: arguments of a frame in, metres and radians out."""
+
 import math
 from typing import Mapping
 
 from move_action_server.motion import MotionGoal, MotionKind
 from spoken_quantities import QuantityError, parse_measure
+from word_classes import word_class
 
-LEFT_WORDS = ("left", "counterclockwise", "anticlockwise")
-RIGHT_WORDS = ("right", "clockwise")
+LEFTWARD = word_class("leftward")
+RIGHTWARD = word_class("rightward")
 AROUND = "around"
-QUARTER_TURN_RAD = math.pi / 2.0
 
 
 class NotUnderstood(ValueError):
@@ -27,7 +28,7 @@ def _amount(arguments: Mapping[str, str], *, element: str, quantity: str, questi
         raise NotUnderstood(question)
     try:
         if unit and parse_measure(number).quantity == "number":
-            number = "%s %s" % (number, unit)
+            number = f"{number} {unit}"
         return parse_measure(number, quantity=quantity).si_amount
     except QuantityError as error:
         raise NotUnderstood(str(error)) from error
@@ -58,25 +59,21 @@ def backward_goal(arguments: Mapping[str, str]) -> MotionGoal:
 def turn_goal(arguments: Mapping[str, str]) -> MotionGoal:
     """Read turning(direction, angle, angle_unit). A negative angle turns the other way.
 
-    "Turn around" is half a turn to the left. The frame fills an angle that was not said with a quarter turn, so with
-    this direction a quarter turn counts as not said.
+    "Around" is to the left, by half a turn where no angle is given.
 
     Raises:
         NotUnderstood: no number, no unit, no angle, or no direction
     """
     direction = arguments.get("direction", "").strip().lower()
     if direction == AROUND:
-        angle_rad = math.pi
-        if arguments.get("angle", "").strip():
-            said_rad = _angle_rad(arguments)
-            angle_rad = said_rad if not math.isclose(said_rad, QUARTER_TURN_RAD, rel_tol=1e-6) else math.pi
-        return MotionGoal(kind=MotionKind.TURN, amount=angle_rad)
-    if direction in LEFT_WORDS:
+        is_said = bool(arguments.get("angle", "").strip())
+        return MotionGoal(kind=MotionKind.TURN, amount=_angle_rad(arguments) if is_said else math.pi)
+    if direction in LEFTWARD:
         return MotionGoal(kind=MotionKind.TURN, amount=_angle_rad(arguments))
-    if direction in RIGHT_WORDS:
+    if direction in RIGHTWARD:
         return MotionGoal(kind=MotionKind.TURN, amount=-_angle_rad(arguments))
     if direction:
-        raise NotUnderstood('I cannot turn "%s", only left, right or around.' % direction)
+        raise NotUnderstood(f'I cannot turn "{direction}", only left, right or around.')
     raise NotUnderstood("Should I turn left or right?")
 
 

@@ -1,5 +1,6 @@
 #!/usr/bin/python3
 """Whoever dies in mid-motion: the base stops, and the goal ends if there is somebody left to end it."""
+
 import os
 import signal
 import sys
@@ -15,7 +16,11 @@ from actionlib_msgs.msg import GoalStatus
 from geometry_msgs.msg import Twist
 from nav_msgs.msg import Odometry
 from roboframenet_msgs.msg import (
-    FilledFrameElement, FilledSemanticFrame, FilledSemanticFrameAction, FilledSemanticFrameGoal)
+    FilledFrameElement,
+    FilledSemanticFrame,
+    FilledSemanticFrameAction,
+    FilledSemanticFrameGoal,
+)
 
 DEADLINE_S = 60.0
 
@@ -66,9 +71,13 @@ class TestDying(unittest.TestCase):
 
     def move(self):
         """Send a long way, and wait until the base moves."""
-        frame = FilledSemanticFrame(name="moving_forward", frame_elements=[
-            FilledFrameElement(name="distance", argument="18"),
-            FilledFrameElement(name="distance_unit", argument="metres")])
+        frame = FilledSemanticFrame(
+            name="moving_forward",
+            frame_elements=[
+                FilledFrameElement(name="distance", argument="18"),
+                FilledFrameElement(name="distance_unit", argument="metres"),
+            ],
+        )
         handle = self.client.send_goal(FilledSemanticFrameGoal(frame=frame))
         self.assertTrue(wait_until(lambda: self.speed > 0.1), self.last_command)
         return handle

@@ -1,5 +1,6 @@
 #!/usr/bin/python3
 """Goals as the executor sends them, to the real node, measured by the odometry of a simulated base."""
+
 import math
 import sys
 import threading
@@ -13,11 +14,21 @@ from actionlib_msgs.msg import GoalStatus
 from geometry_msgs.msg import Twist
 from nav_msgs.msg import Odometry
 from roboframenet_msgs.msg import (
-    FilledFrameElement, FilledSemanticFrame, FilledSemanticFrameAction, FilledSemanticFrameGoal)
+    FilledFrameElement,
+    FilledSemanticFrame,
+    FilledSemanticFrameAction,
+    FilledSemanticFrameGoal,
+)
 
 DEADLINE_S = 60.0
-FINAL = (GoalStatus.SUCCEEDED, GoalStatus.ABORTED, GoalStatus.PREEMPTED, GoalStatus.REJECTED, GoalStatus.RECALLED,
-         GoalStatus.LOST)
+FINAL = (
+    GoalStatus.SUCCEEDED,
+    GoalStatus.ABORTED,
+    GoalStatus.PREEMPTED,
+    GoalStatus.REJECTED,
+    GoalStatus.RECALLED,
+    GoalStatus.LOST,
+)
 
 
 def wait_until(condition, timeout_s=DEADLINE_S):
@@ -34,14 +45,19 @@ class Goal:
     """One goal, watched by its handle."""
 
     def __init__(self, client, frame_name, arguments):
-        frame = FilledSemanticFrame(name=frame_name, frame_elements=[
-            FilledFrameElement(name=name, argument=argument) for name, argument in arguments.items()])
+        frame = FilledSemanticFrame(
+            name=frame_name,
+            frame_elements=[FilledFrameElement(name=name, argument=argument) for name, argument in arguments.items()],
+        )
         self.handle = client.send_goal(FilledSemanticFrameGoal(frame=frame))
 
     def is_final(self):
         """Tell whether the goal has ended."""
-        return self.handle.get_terminal_state() in FINAL if self.handle.get_comm_state() == actionlib.CommState.DONE \
+        return (
+            self.handle.get_terminal_state() in FINAL
+            if self.handle.get_comm_state() == actionlib.CommState.DONE
             else False
+        )
 
     def outcome(self):
         """Wait for the end, and return the state and the text."""
@@ -170,10 +186,11 @@ class TestMoveActionServer(unittest.TestCase):
         """Too far, too much, no number, no unit."""
         before = self.position, self.turned_rad
         for frame_name, arguments, words in (
-                ("moving_forward", {"distance": "3", "distance_unit": "kilometres"}, "more than the limit"),
-                ("turning", {"direction": "left", "angle": "1e400", "angle_unit": "degrees"}, "count"),
-                ("turning", {"direction": "left", "angle": "3"}, "unit"),
-                ("moving_backward", {}, "How far")):
+            ("moving_forward", {"distance": "3", "distance_unit": "kilometres"}, "more than the limit"),
+            ("turning", {"direction": "left", "angle": "1e400", "angle_unit": "degrees"}, "count"),
+            ("turning", {"direction": "left", "angle": "3"}, "unit"),
+            ("moving_backward", {}, "How far"),
+        ):
             state, text = self.start(frame_name, **arguments).outcome()
             self.assertEqual(GoalStatus.ABORTED, state, text)
             self.assertIn(words, text)

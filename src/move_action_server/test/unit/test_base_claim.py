@@ -1,4 +1,5 @@
 """One base for several servers."""
+
 import threading
 import time
 

@@ -42,7 +42,7 @@ def test_distances(distance, unit, metres):
         ("clockwise", "1", "radian", -1.0),
         ("counterclockwise", "1", "radian", 1.0),
         ("around", "", "", math.pi),
-        ("around", "90", "degrees", math.pi),
+        ("around", "90", "degrees", math.pi / 2),
         ("around", "360", "degrees", 2 * math.pi),
         ("left", "120 degrees", "", math.radians(120)),
     ],

@@ -1,19 +1,24 @@
 """RFNServers for the props: high five, low five, pound and hug."""
+
 import threading
 from typing import Callable, List, Tuple
 
 import rospkg
 import rospy
 import yaml
-from rfnserver import RFNServer
 from roboframenet_msgs.msg import FilledSemanticFrame
 
 from pr2_props.props import PropError, read_limits, read_props
 from pr2_props.ros_arms import ArmError, Arms
+from rfnserver import RFNServer
 
 #: Action names and frames; "high_five" is the action name of 2012.
 SERVERS: Tuple[Tuple[str, str], ...] = (
-    ("high_five", "high_fiving"), ("low_five", "low_fiving"), ("pound", "pounding"), ("hug", "hugging"))
+    ("high_five", "high_fiving"),
+    ("low_five", "low_fiving"),
+    ("pound", "pounding"),
+    ("hug", "hugging"),
+)
 
 
 class PropsServer:

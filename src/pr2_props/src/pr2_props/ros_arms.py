@@ -1,4 +1,5 @@
 """The arms of a PR2, through their trajectory controllers."""
+
 import queue
 import threading
 import time
@@ -82,7 +83,7 @@ class Arms:
             rospy.logerr("the arms are not in the safe pose: %s", error)
 
     def _run(self, name: str, poses: Mapping[Arm, Sequence[Pose]], *, is_wanted: Callable[[], bool]) -> bool:
-        ended: "queue.Queue[Tuple[Arm, actionlib.ClientGoalHandle]]" = queue.Queue()
+        ended: queue.Queue[Tuple[Arm, actionlib.ClientGoalHandle]] = queue.Queue()
         handles = {arm: self._send(name, arm, poses[arm], ended) for arm in poses}
         end = time.monotonic() + max(trajectory[-1].at_s for trajectory in poses.values()) + self._server_timeout_s
         try:
@@ -126,8 +127,9 @@ class Arms:
 
 def _message(arm: Arm, poses: Sequence[Pose]) -> JointTrajectory:
     points = [
-        JointTrajectoryPoint(positions=pose.positions_rad, velocities=[0.0] * len(JOINTS),
-                             time_from_start=rospy.Duration(pose.at_s))
+        JointTrajectoryPoint(
+            positions=pose.positions_rad, velocities=[0.0] * len(JOINTS), time_from_start=rospy.Duration(pose.at_s)
+        )
         for pose in poses
     ]
     return JointTrajectory(joint_names=joint_names(arm), points=points)

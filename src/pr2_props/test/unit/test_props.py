@@ -1,9 +1,11 @@
 """Trajectories and limits of the arms."""
+
 import math
 from pathlib import Path
 
 import pytest
 import yaml
+
 from pr2_props.props import JOINTS, Arm, Pose, PropError, check, joint_names, read_limits, read_props
 
 CONFIG = Path(__file__).resolve().parents[2] / "config"
@@ -13,8 +15,7 @@ SAFE = PROPS.safe_rad[Arm.RIGHT]
 
 
 def moved(joint: str, position: float) -> Pose:
-    return Pose(at_s=10.0, positions_rad=tuple(
-        position if name == joint else safe for name, safe in zip(JOINTS, SAFE)))
+    return Pose(at_s=10.0, positions_rad=tuple(position if name == joint else safe for name, safe in zip(JOINTS, SAFE)))
 
 
 def test_every_joint_of_both_arms_has_a_limit() -> None:
@@ -27,13 +28,16 @@ def test_prop_ends_in_the_safe_pose(name: str) -> None:
         assert poses[-1].positions_rad == PROPS.safe_rad[arm]
 
 
-@pytest.mark.parametrize("pose, message", [
-    (moved("elbow_flex_joint", 0.0), "r_elbow_flex_joint"),
-    (moved("shoulder_lift_joint", 1.5), "r_shoulder_lift_joint"),
-    (moved("forearm_roll_joint", math.nan), "r_forearm_roll_joint"),
-    (Pose(at_s=0.01, positions_rad=moved("elbow_flex_joint", -0.2).positions_rad), "rad/s"),
-    (Pose(at_s=0.0, positions_rad=SAFE), "time must go on"),
-])
+@pytest.mark.parametrize(
+    "pose, message",
+    [
+        (moved("elbow_flex_joint", 0.0), "r_elbow_flex_joint"),
+        (moved("shoulder_lift_joint", 1.5), "r_shoulder_lift_joint"),
+        (moved("forearm_roll_joint", math.nan), "r_forearm_roll_joint"),
+        (Pose(at_s=0.01, positions_rad=moved("elbow_flex_joint", -0.2).positions_rad), "rad/s"),
+        (Pose(at_s=0.0, positions_rad=SAFE), "time must go on"),
+    ],
+)
 def test_check_refuses_what_a_joint_may_not_do(pose: Pose, message: str) -> None:
     with pytest.raises(PropError, match=message):
         check("test", Arm.RIGHT, SAFE, [pose], LIMITS)

@@ -1,4 +1,5 @@
 """Action servers that register for semantic frames."""
+
 from rfnserver.rfnserver import RFNActionServer, RFNServer
 
 __all__ = ["RFNActionServer", "RFNServer"]

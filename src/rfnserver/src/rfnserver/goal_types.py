@@ -29,13 +29,13 @@ PLACE_TYPES = (
 )
 #: By the name of a field's type, as message definitions write it.
 FILLING_OF_TYPE: Dict[str, Filling] = {
-    **{name: Filling.INTEGER for name in _INTEGERS},
+    **dict.fromkeys(_INTEGERS, Filling.INTEGER),
     "float32": Filling.FLOAT,
     "float64": Filling.FLOAT,
     "bool": Filling.BOOLEAN,
     "string": Filling.STRING,
     "duration": Filling.DURATION,
-    **{name: Filling.PLACE for name in PLACE_TYPES},
+    **dict.fromkeys(PLACE_TYPES, Filling.PLACE),
 }
 
 

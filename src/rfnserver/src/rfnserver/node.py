@@ -1,4 +1,5 @@
 """The node ``ping``: answers "Ping." with the servers that are alive."""
+
 import threading
 from typing import Optional
 

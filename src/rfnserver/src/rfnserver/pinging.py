@@ -1,4 +1,5 @@
 """What the robot says to "Ping."."""
+
 from typing import Iterable, Tuple
 
 

@@ -89,7 +89,7 @@ class RFNServer(_Registering, QuietSimpleActionServer):
     def __init__(
         self,
         name: str,
-        ActionSpec: Any = None,  # the argument's name is that of SimpleActionServer
+        ActionSpec: Any = None,  # noqa: N803 (the name is SimpleActionServer's)
         execute_cb: Optional[Callable[[Any], None]] = None,
         auto_start: bool = True,
         *,
@@ -159,8 +159,8 @@ class RFNActionServer(_Registering, QuietActionServer):
 
     def __init__(
         self,
-        ns: str,  # the arguments' names are those of ActionServer
-        ActionSpec: Any,
+        ns: str,  # the names of the arguments are ActionServer's
+        ActionSpec: Any,  # noqa: N803
         goal_cb: Callable[[Any], None],
         cancel_cb: Optional[Callable[[Any], None]] = None,
         auto_start: bool = True,

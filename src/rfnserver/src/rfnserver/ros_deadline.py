@@ -1,4 +1,5 @@
 """Service calls that end: rospy's own wait for ever when the other side hangs."""
+
 import queue
 import threading
 from typing import Any, Optional, Tuple
@@ -38,7 +39,7 @@ def call_service(
         rospy.wait_for_service(name, timeout=timeout_s)
     except rospy.ROSException as error:
         raise ServiceError(f"the service {name} is not there (waited {timeout_s:g} s)") from error
-    answers: "queue.Queue[Tuple[bool, Any]]" = queue.Queue()
+    answers: queue.Queue[Tuple[bool, Any]] = queue.Queue()
 
     def call() -> None:
         try:

@@ -35,7 +35,7 @@ class ForwardedEnd:
     """How a forwarded goal ended.
 
     Attributes:
-        status: one of actionlib_msgs/GoalStatus; PREEMPTED only when that was asked for
+        status: one of actionlib_msgs/GoalStatus; PREEMPTED when that was asked for, here or by somebody else
         text: why, empty when there is nothing to say
         result: of the server, None when it sent none
     """
@@ -79,7 +79,7 @@ class GoalForwarder:
             return ForwardedEnd(
                 GoalStatus.LOST, f"{self._server} is not there (waited {self._deadlines.server_s:g} s)."
             )
-        ended: "queue.Queue[actionlib.ClientGoalHandle]" = queue.Queue()
+        ended: queue.Queue[actionlib.ClientGoalHandle] = queue.Queue()
 
         def on_transition(handle: actionlib.ClientGoalHandle) -> None:
             if handle.get_comm_state() == actionlib.CommState.DONE:
@@ -124,7 +124,7 @@ class GoalForwarder:
             return ForwardedEnd(status, text, handle.get_result())
         if status in (GoalStatus.PREEMPTED, GoalStatus.RECALLED):
             return ForwardedEnd(
-                GoalStatus.ABORTED, text or f"somebody else stopped {self._server}", handle.get_result()
+                GoalStatus.PREEMPTED, text or f"somebody else stopped {self._server}", handle.get_result()
             )
         named = actionlib.TerminalState.to_string(status).lower()
         return ForwardedEnd(status, text or f"{self._server} ended the goal as {named}", handle.get_result())

@@ -8,6 +8,8 @@ from typing import Any, Callable, Optional
 import actionlib
 import rospy
 
+from roboframenet_ros.ros_log import log_from_threads
+
 #: The waiting thread wakes up so often although nobody notified it, seconds: a guard, not a rhythm.
 WAKE_UP_S = 5.0
 #: Changes of the status within so long go into one message, seconds.
@@ -28,7 +30,8 @@ class QuietActionServer(actionlib.ActionServer):
     _published_s = float("-inf")
 
     def initialize(self) -> None:
-        """Set up the topics, without the status timer."""
+        """Set up the topics, without the status timer, and a log that holds no goal up."""
+        log_from_threads()
         super().initialize()
         if self.status_timer is not None:
             self.status_timer.shutdown()
@@ -114,7 +117,7 @@ class QuietSimpleActionServer(actionlib.SimpleActionServer):
     def __init__(
         self,
         name: str,
-        ActionSpec: Any,  # the argument's name is the base class's
+        ActionSpec: Any,  # noqa: N803 (the name is the base class's)
         execute_cb: Optional[Callable[[Any], None]] = None,
         auto_start: bool = True,
     ) -> None:
@@ -128,7 +131,7 @@ class QuietSimpleActionServer(actionlib.SimpleActionServer):
         if auto_start:
             self.start()
 
-    def executeLoop(self) -> None:  # the name is the base class's
+    def executeLoop(self) -> None:  # noqa: N802 (the name is the base class's)
         """Wait for goals and run the callback, until shutdown.
 
         The stock loop looks for a goal before it takes the lock and then sleeps a tenth of a second: a goal that comes

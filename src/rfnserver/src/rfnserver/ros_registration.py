@@ -1,4 +1,5 @@
 """Keeps a server known to the registrar and the framer, also when they restart."""
+
 import os
 import threading
 from typing import Any, Callable, Dict, List, Optional, Set, Tuple
@@ -91,9 +92,12 @@ class Registration:
 
     def _on_catalogue(self, message: FrameCatalogue) -> None:
         knowledge = Knowledge(
-            id=message.registrar_id, files=frozenset(file.path for file in message.files),
-            registrations=frozenset(callback.frame_name for callback in message.callbacks
-                                    if callback.callback_topic == self._server_name))
+            id=message.registrar_id,
+            files=frozenset(file.path for file in message.files),
+            registrations=frozenset(
+                callback.frame_name for callback in message.callbacks if callback.callback_topic == self._server_name
+            ),
+        )
         with self._condition:
             self._registrar = knowledge
             self._is_stale = True
@@ -141,8 +145,13 @@ class Registration:
             fault = self._find_fault(wish.subject)
             if fault:
                 return fault
-            response = call_service("register_with_frame", RegisterWithFrame, timeout_s=SERVICE_TIMEOUT_S,
-                                    frame_name=wish.subject, callback_topic=self._server_name)
+            response = call_service(
+                "register_with_frame",
+                RegisterWithFrame,
+                timeout_s=SERVICE_TIMEOUT_S,
+                frame_name=wish.subject,
+                callback_topic=self._server_name,
+            )
             return "" if response.success else "; ".join(response.error) or "refused"
         service: Any = AddFrame if wish.kind is WishKind.FRAME_FILE else AddLexicalUnit
         response = call_service(wish.kind.value, service, timeout_s=SERVICE_TIMEOUT_S, absolute_file_path=wish.subject)

@@ -53,12 +53,14 @@ def forgotten(
     """
     missing = []
     for wish in wishes:
-        if wish.kind is WishKind.FRAME_FILE and registrar is not None and wish.subject not in registrar.files:
-            missing.append(wish)
-        elif (
-            wish.kind is WishKind.REGISTRATION and registrar is not None and wish.subject not in registrar.registrations
+        if (
+            (wish.kind is WishKind.FRAME_FILE and registrar is not None and wish.subject not in registrar.files)
+            or (
+                wish.kind is WishKind.REGISTRATION
+                and registrar is not None
+                and wish.subject not in registrar.registrations
+            )
+            or (wish.kind is WishKind.LEXICAL_UNIT_FILE and framer is not None and wish.subject not in framer.files)
         ):
-            missing.append(wish)
-        elif wish.kind is WishKind.LEXICAL_UNIT_FILE and framer is not None and wish.subject not in framer.files:
             missing.append(wish)
     return tuple(missing)

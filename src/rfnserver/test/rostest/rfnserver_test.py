@@ -1,5 +1,6 @@
 #!/usr/bin/python3
 """RFNServer against a registrar that lives in the test: goals, preemption, registration."""
+
 import threading
 import time
 import unittest

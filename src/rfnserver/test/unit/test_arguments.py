@@ -4,6 +4,7 @@ import math
 from types import SimpleNamespace
 
 import pytest
+
 from rfnserver.arguments import ArgumentError, angle_rad, argument, duration_s, length_m, number, required
 
 

@@ -4,6 +4,7 @@ import math
 from typing import Any, Dict
 
 import pytest
+
 from rfnserver.arguments import ArgumentError
 from rfnserver.goal_binding import BindingError, BoundElement, goal_values, plan_goal
 from rfnserver.goal_types import FILLING_OF_TYPE, Filling, GoalField
@@ -104,7 +105,7 @@ def test_what_cannot_be_mapped_is_said_by_field(mapping: Dict[str, Any], core: s
 
 def test_a_name_that_fits_two_fields_has_to_be_mapped() -> None:
     fields = (GoalField("first.speed", "float64", {}), GoalField("second.speed", "float64", {}))
-    with pytest.raises(BindingError, match="first.speed and second.speed"):
+    with pytest.raises(BindingError, match=r"first\.speed and second\.speed"):
         plan_goal(fields, [BoundElement("speed", is_core=True)])
     plan = plan_goal(fields, [BoundElement("speed", is_core=True)], mapping={"second.speed": "speed"})
     assert [source.field.path for source in plan.sources] == ["second.speed"]

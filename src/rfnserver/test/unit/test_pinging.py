@@ -1,4 +1,5 @@
 """The answer to a ping."""
+
 from rfnserver.pinging import ping_sentence
 
 

@@ -1,14 +1,23 @@
 """From words to places."""
+
 import pytest
+
 from rfnserver.places import UnknownPlace, destination_name, location_name, nearest_names
 
 KNOWN = ("office", "roger's office", "kitchen", "fridge")
 
 
-@pytest.mark.parametrize("words, name", [
-    ("the office", "office"), ("Office", "office"), ("to the fridge", "fridge"), ("Roger's office", "roger's office"),
-    ("in front of the fridge", "fridge"), ("into the kitchen", "kitchen"),
-])
+@pytest.mark.parametrize(
+    "words, name",
+    [
+        ("the office", "office"),
+        ("Office", "office"),
+        ("to the fridge", "fridge"),
+        ("Roger's office", "roger's office"),
+        ("in front of the fridge", "fridge"),
+        ("into the kitchen", "kitchen"),
+    ],
+)
 def test_destination_name(words: str, name: str) -> None:
     assert destination_name(words, KNOWN) == name
 

@@ -1,4 +1,5 @@
 """What registrar and framer have forgotten."""
+
 from rfnserver.wishes import Knowledge, Wish, WishKind, forgotten
 
 FRAME = Wish(WishKind.FRAME_FILE, "/a/frame.yaml")

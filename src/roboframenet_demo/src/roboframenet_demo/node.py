@@ -7,14 +7,14 @@ from typing import List, Optional, Sequence, Tuple
 
 import rospy
 import yaml
+from roboframenet_msgs.msg import FilledSemanticFrameActionFeedback, Reply, StageEvent
+from std_msgs.msg import String
 
 from roboframenet_demo.ros_conversation import Conversation
 from roboframenet_demo.ros_observer import RobotObserver
 from roboframenet_demo.ros_pipeline import is_pipeline_complete
 from roboframenet_demo.script import Line, judge, read_line
 from roboframenet_demo.table import format_table
-from roboframenet_msgs.msg import FilledSemanticFrameActionFeedback, Reply, StageEvent
-from std_msgs.msg import String
 
 OUTCOME_NAMES = {
     Reply.DONE: "DONE",
@@ -115,10 +115,10 @@ class Demonstration:
             reading.clauses[0].readings[0].source if reading and reading.clauses and reading.clauses[0].readings else ""
         )
         domain = source.split("/")[-3] if source.count("/") >= 3 else ""
-        procedure = self._conversation.procedure(reply.command.id)
-        if procedure is None or not procedure.procedure.frame_lists:
+        plan = self._conversation.plan(reply.command.id)
+        if plan is None:
             return "", "", domain
-        frames = procedure.procedure.frame_lists[0].frames
+        frames = [frame for node in plan.plan.nodes for candidate in node.candidates[:1] for frame in candidate.frames]
         text = "; ".join(
             f"{frame.name}({', '.join(f'{e.name}={e.argument}' for e in frame.frame_elements)})" for frame in frames
         )

@@ -5,9 +5,8 @@ import time
 from typing import Callable, Dict, List, Optional
 
 import rospy
+from roboframenet_msgs.msg import CommandLexicalUnits, CommandPlan, FrameCatalogue, Reply, StageEvent
 from std_msgs.msg import String
-
-from roboframenet_msgs.msg import CommandLexicalUnits, CommandProcedure, FrameCatalogue, Reply, StageEvent
 
 
 class Conversation:
@@ -16,7 +15,7 @@ class Conversation:
     Publishes:
         text (std_msgs/String)
     Subscribes:
-        stage_events, reply, frame_catalogue, command_lexical_units, command_procedure
+        stage_events, reply, frame_catalogue, command_lexical_units, command_plan
     """
 
     def __init__(self, on_event: Callable[[StageEvent], None]) -> None:
@@ -24,8 +23,8 @@ class Conversation:
         Args:
             on_event: called with every stage event, from a thread of rospy
         """
-        self._replies: "queue.Queue[Reply]" = queue.Queue()
-        self._procedures: Dict[str, CommandProcedure] = {}
+        self._replies: queue.Queue[Reply] = queue.Queue()
+        self._plans: Dict[str, CommandPlan] = {}
         self._readings: Dict[str, CommandLexicalUnits] = {}
         self._registered_s: Optional[float] = None
         self._text = rospy.Publisher("text", String, queue_size=10)
@@ -34,7 +33,7 @@ class Conversation:
             rospy.Subscriber("frame_catalogue", FrameCatalogue, self._on_catalogue, queue_size=1),
             rospy.Subscriber("reply", Reply, self._replies.put, queue_size=100),
             rospy.Subscriber("command_lexical_units", CommandLexicalUnits, self._on_reading, queue_size=100),
-            rospy.Subscriber("command_procedure", CommandProcedure, self._on_procedure, queue_size=100),
+            rospy.Subscriber("command_plan", CommandPlan, self._on_plan, queue_size=100),
         ]
 
     def wait_until_heard(self, listeners: int, timeout_s: float) -> bool:
@@ -76,9 +75,9 @@ class Conversation:
                 replies[reply.command.text] = reply
         return replies
 
-    def procedure(self, command_id: str) -> Optional[CommandProcedure]:
+    def plan(self, command_id: str) -> Optional[CommandPlan]:
         """Return what the arbitrator made of a command, None for nothing."""
-        return self._procedures.get(command_id)
+        return self._plans.get(command_id)
 
     def reading(self, command_id: str) -> Optional[CommandLexicalUnits]:
         """Return what the framer made of a command, None for nothing."""
@@ -91,5 +90,5 @@ class Conversation:
     def _on_reading(self, message: CommandLexicalUnits) -> None:
         self._readings[message.command.id] = message
 
-    def _on_procedure(self, message: CommandProcedure) -> None:
-        self._procedures[message.command.id] = message
+    def _on_plan(self, message: CommandPlan) -> None:
+        self._plans[message.command.id] = message

@@ -15,7 +15,7 @@ STAGE_TOPICS = (
     "command_parse",
     "command_lexical_units",
     "command_semantic_frames",
-    "command_procedure",
+    "command_plan",
 )
 #: What goes past the pipeline, or back.
 OTHER_TOPICS = ("command_cancel", "stop_report", "stage_events", "reply", "lexicon", "frame_catalogue")

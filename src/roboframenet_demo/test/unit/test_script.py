@@ -1,5 +1,7 @@
 """The verdicts of the demonstration."""
+
 import pytest
+
 from roboframenet_demo.script import Interruption, Line, Measured, Observation, judge, read_line
 from roboframenet_demo.table import format_table
 
@@ -22,16 +24,19 @@ def test_judge_minds_a_base_that_rolls_on() -> None:
     assert not judge(Line(text="Ping."), "DONE", Observation(is_still=False))[0]
 
 
-@pytest.mark.parametrize("expected, observation, is_right", [
-    ({Measured.SAID: "moo"}, Observation(said=("Mooo!",)), True),
-    ({Measured.SAID: "moo"}, Observation(), False),
-    ({Measured.REACHED: [1.0, 2.0]}, Observation(position_m=(1.1, 2.0)), True),
-    ({Measured.REACHED: [1.0, 2.0]}, Observation(position_m=(2.1, 2.0)), False),
-    ({Measured.FOLLOWED_M: 1.0}, Observation(driven_m=1.5), True),
-    ({Measured.ARM_MOVED_RAD: 0.5}, Observation(arm_moved_rad=0.2), False),
-    ({Measured.ARM_OFFSET_RAD: 0.05}, Observation(arm_offset_rad=0.2), False),
-    ({Measured.ARM_OFFSET_RAD: 0.05}, Observation(arm_offset_rad=0.01), True),
-])
+@pytest.mark.parametrize(
+    "expected, observation, is_right",
+    [
+        ({Measured.SAID: "moo"}, Observation(said=("Mooo!",)), True),
+        ({Measured.SAID: "moo"}, Observation(), False),
+        ({Measured.REACHED: [1.0, 2.0]}, Observation(position_m=(1.1, 2.0)), True),
+        ({Measured.REACHED: [1.0, 2.0]}, Observation(position_m=(2.1, 2.0)), False),
+        ({Measured.FOLLOWED_M: 1.0}, Observation(driven_m=1.5), True),
+        ({Measured.ARM_MOVED_RAD: 0.5}, Observation(arm_moved_rad=0.2), False),
+        ({Measured.ARM_OFFSET_RAD: 0.05}, Observation(arm_offset_rad=0.2), False),
+        ({Measured.ARM_OFFSET_RAD: 0.05}, Observation(arm_offset_rad=0.01), True),
+    ],
+)
 def test_judge_knows_every_measure(expected: dict, observation: Observation, is_right: bool) -> None:
     assert judge(Line(text="x", expected=expected), "DONE", observation)[0] is is_right
 

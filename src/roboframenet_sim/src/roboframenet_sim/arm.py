@@ -68,13 +68,13 @@ def arm_limits(prefix: str) -> Dict[str, JointLimit]:
     for name, limit in RIGHT_LIMITS.items():
         if prefix == "l" and name in MIRRORED:
             limit = JointLimit(-limit.upper_rad, -limit.lower_rad, limit.speed_rad_per_s)
-        limits["%s_%s_joint" % (prefix, name)] = limit
+        limits[f"{prefix}_{name}_joint"] = limit
     return limits
 
 
 def tucked_positions(prefix: str) -> Dict[str, float]:
     """Return where the joints of an arm of a PR2 are at the start, by the full name of the joint."""
-    return {"%s_%s_joint" % (prefix, name): position for name, position in TUCKED_RAD.items()}
+    return {f"{prefix}_{name}_joint": position for name, position in TUCKED_RAD.items()}
 
 
 class Arm:
@@ -91,7 +91,7 @@ class Arm:
     def __init__(self, limits: Dict[str, JointLimit], *, positions_rad: Dict[str, float]) -> None:
         self.limits = dict(limits)
         self.positions_rad = {name: positions_rad[name] for name in limits}
-        self.velocities_rad_per_s = {name: 0.0 for name in limits}
+        self.velocities_rad_per_s = dict.fromkeys(limits, 0.0)
         self._trajectory: Optional[Trajectory] = None
         self._begin: Tuple[float, ...] = ()
         self._elapsed_s = 0.0
@@ -99,7 +99,7 @@ class Arm:
     def check(self, trajectory: Trajectory) -> Optional[str]:
         """Return why a trajectory cannot be followed from here, or None."""
         if sorted(trajectory.joint_names) != sorted(self.limits):
-            return "the joints must be %s, got %s" % (
+            return "the joints must be {}, got {}".format(
                 ", ".join(self.limits),
                 ", ".join(trajectory.joint_names) or "none",
             )
@@ -108,33 +108,21 @@ class Arm:
         before = TrajectoryPoint(tuple(self.positions_rad[name] for name in trajectory.joint_names), 0.0)
         for number, point in enumerate(trajectory.points):
             if len(point.positions_rad) != len(trajectory.joint_names):
-                return "point %d has %d positions for %d joints" % (
-                    number,
-                    len(point.positions_rad),
-                    len(trajectory.joint_names),
-                )
+                positions, joints = len(point.positions_rad), len(trajectory.joint_names)
+                return f"point {number} has {positions} positions for {joints} joints"
             if not all(math.isfinite(value) for value in (*point.positions_rad, point.time_s)):
-                return "point %d has numbers that are not finite" % number
+                return f"point {number} has numbers that are not finite"
             if point.time_s < before.time_s or (number and point.time_s == before.time_s):
-                return "point %d is not later than the one before it" % number
+                return f"point {number} is not later than the one before it"
             for name, old_rad, new_rad in zip(trajectory.joint_names, before.positions_rad, point.positions_rad):
                 limit = self.limits[name]
                 if not limit.lower_rad <= new_rad <= limit.upper_rad:
-                    return "point %d: %s at %.3f rad is outside of %.3f to %.3f" % (
-                        number,
-                        name,
-                        new_rad,
-                        limit.lower_rad,
-                        limit.upper_rad,
-                    )
+                    range_rad = f"{limit.lower_rad:.3f} to {limit.upper_rad:.3f}"
+                    return f"point {number}: {name} at {new_rad:.3f} rad is outside of {range_rad}"
                 way_rad = abs(new_rad - old_rad)
                 reach_rad = limit.speed_rad_per_s * self.SPEED_TOLERANCE * (point.time_s - before.time_s)
                 if way_rad > max(reach_rad, self.GOAL_TOLERANCE_RAD):
-                    return "point %d: %s would have to be faster than %.2f rad/s" % (
-                        number,
-                        name,
-                        limit.speed_rad_per_s,
-                    )
+                    return f"point {number}: {name} would have to be faster than {limit.speed_rad_per_s:.2f} rad/s"
             before = point
         return None
 

@@ -60,9 +60,9 @@ class BaseLimits:
         ):
             value = getattr(self, name)
             if not (math.isfinite(value) and value > 0.0):
-                raise ValueError("%s must be a positive number, got %r" % (name, value))
+                raise ValueError(f"{name} must be a positive number, got {value!r}")
         if not 0.0 <= self.velocity_noise <= 1.0:
-            raise ValueError("velocity_noise must be 0 to 1, got %r" % self.velocity_noise)
+            raise ValueError(f"velocity_noise must be 0 to 1, got {self.velocity_noise!r}")
 
 
 def clamp(value: float, *, limit: float) -> float:
@@ -138,7 +138,7 @@ class DifferentialBase:
             duration_s: finite and not negative; long steps are cut, so that the command timeout is kept exactly
         """
         if not (math.isfinite(duration_s) and duration_s >= 0.0):
-            raise ValueError("duration_s must be a finite number and not negative, got %r" % duration_s)
+            raise ValueError(f"duration_s must be a finite number and not negative, got {duration_s!r}")
         pieces = max(1, math.ceil(duration_s / self.MAX_STEP_S - 1e-9))
         for _ in range(pieces):
             self._step(duration_s / pieces)

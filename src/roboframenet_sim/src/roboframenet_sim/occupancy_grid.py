@@ -1,11 +1,15 @@
 """Where the floor is taken: a grid of cells."""
+
 import math
 from dataclasses import dataclass
-from typing import Tuple
+from typing import TYPE_CHECKING, Tuple
 
 import numpy as np
 
 from roboframenet_sim.room import Room
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
 
 Cell = Tuple[int, int]
 """Row (along y) and column (along x)."""
@@ -21,17 +25,21 @@ class OccupancyGrid:
     resolution_m: float
     origin_x_m: float
     origin_y_m: float
-    is_taken: np.ndarray
+    is_taken: "NDArray[np.bool_]"
 
     def cell_of(self, x_m: float, y_m: float) -> Cell:
         """Return the cell of a point, which may lie outside of the grid."""
-        return (math.floor((y_m - self.origin_y_m) / self.resolution_m),
-                math.floor((x_m - self.origin_x_m) / self.resolution_m))
+        return (
+            math.floor((y_m - self.origin_y_m) / self.resolution_m),
+            math.floor((x_m - self.origin_x_m) / self.resolution_m),
+        )
 
     def centre_of(self, cell: Cell) -> Tuple[float, float]:
         """Return x and y of the centre of a cell, in metres."""
-        return (self.origin_x_m + (cell[1] + 0.5) * self.resolution_m,
-                self.origin_y_m + (cell[0] + 0.5) * self.resolution_m)
+        return (
+            self.origin_x_m + (cell[1] + 0.5) * self.resolution_m,
+            self.origin_y_m + (cell[0] + 0.5) * self.resolution_m,
+        )
 
     def is_cell_free(self, cell: Cell) -> bool:
         """Tell whether a cell is on the grid and not taken."""
@@ -47,12 +55,12 @@ class OccupancyGrid:
         reach = math.ceil(radius_m / self.resolution_m)
         rows, columns = self.is_taken.shape
         padded = np.ones((rows + 2 * reach, columns + 2 * reach), dtype=bool)
-        padded[reach:reach + rows, reach:reach + columns] = self.is_taken
+        padded[reach : reach + rows, reach : reach + columns] = self.is_taken
         grown = np.zeros_like(self.is_taken)
         for down in range(-reach, reach + 1):
             for right in range(-reach, reach + 1):
                 if math.hypot(down, right) * self.resolution_m <= radius_m:
-                    grown |= padded[reach + down:reach + down + rows, reach + right:reach + right + columns]
+                    grown |= padded[reach + down : reach + down + rows, reach + right : reach + right + columns]
         return OccupancyGrid(self.resolution_m, self.origin_x_m, self.origin_y_m, grown)
 
 

@@ -1,4 +1,5 @@
 """Driving along a path: pose in, velocity out."""
+
 import math
 from dataclasses import dataclass
 from typing import List, Optional, Sequence, Tuple
@@ -27,7 +28,7 @@ class FollowingLimits:
     def __post_init__(self) -> None:
         for name, value in vars(self).items():
             if not (isinstance(value, (int, float)) and math.isfinite(value) and value > 0.0):
-                raise ValueError("%s must be a positive number, got %r" % (name, value))
+                raise ValueError(f"{name} must be a positive number, got {value!r}")
 
 
 def wrap(angle_rad: float) -> float:
@@ -47,8 +48,9 @@ class PathFollower:
     CREEP_M_PER_S = 0.05
     CREEP_RAD_PER_S = 0.1
 
-    def __init__(self, corners: Sequence[Tuple[float, float]], *, yaw_rad: float,
-                 limits: FollowingLimits = FollowingLimits()) -> None:
+    def __init__(
+        self, corners: Sequence[Tuple[float, float]], *, yaw_rad: float, limits: FollowingLimits = FollowingLimits()
+    ) -> None:
         self._ahead: List[Tuple[float, float]] = list(corners)
         self._yaw_rad = yaw_rad
         self._limits = limits
@@ -83,7 +85,11 @@ class PathFollower:
             self._is_turning = False
         if self._is_turning:
             return Velocity(angular_rad_per_s=self._turn_rate(error)) if error else STANDING
-        speed = max(self.CREEP_M_PER_S, min(limits.linear_m_per_s,
-                                            0.8 * math.sqrt(2.0 * limits.deceleration_m_per_s2 * distance_m)))
-        return Velocity(linear_m_per_s=speed * math.cos(error),
-                        angular_rad_per_s=clamp(limits.turn_gain_per_s * error, limit=limits.angular_rad_per_s))
+        speed = max(
+            self.CREEP_M_PER_S,
+            min(limits.linear_m_per_s, 0.8 * math.sqrt(2.0 * limits.deceleration_m_per_s2 * distance_m)),
+        )
+        return Velocity(
+            linear_m_per_s=speed * math.cos(error),
+            angular_rad_per_s=clamp(limits.turn_gain_per_s * error, limit=limits.angular_rad_per_s),
+        )

@@ -41,7 +41,7 @@ class PersonSettings:
     def __post_init__(self) -> None:
         for name, value in vars(self).items():
             if not (isinstance(value, (int, float)) and math.isfinite(value) and value > 0.0):
-                raise ValueError("%s must be a positive number, got %r" % (name, value))
+                raise ValueError(f"{name} must be a positive number, got {value!r}")
 
 
 class Person:
@@ -58,6 +58,7 @@ class Person:
         self.walked_m = 0.0
         self._act = PersonAct.STAND
         self._speed_m_per_s = 0.0
+        self.pose = robot
         self._come(robot)
 
     @property

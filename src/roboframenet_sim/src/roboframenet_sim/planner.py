@@ -1,4 +1,5 @@
 """The shortest way on an occupancy grid: A*, then the corners that matter."""
+
 import heapq
 import math
 from typing import Dict, List, Sequence, Tuple
@@ -31,7 +32,7 @@ def nearest_free_cell(grid: OccupancyGrid, *, near: Cell, reach_m: float) -> Cel
         best = int(distances.argmin())
         if distances[best] * grid.resolution_m <= reach_m:
             return int(free[best, 0]), int(free[best, 1])
-    raise NoPath("the robot stands in something, with no free floor within %g m" % reach_m)
+    raise NoPath(f"the robot stands in something, with no free floor within {reach_m:g} m")
 
 
 def _search(grid: OccupancyGrid, *, start: Cell, goal: Cell) -> List[Cell]:
@@ -59,8 +60,11 @@ def _search(grid: OccupancyGrid, *, start: Cell, goal: Cell) -> List[Cell]:
             if beside in done or not grid.is_cell_free(beside):
                 continue
             # A diagonal step must not cut a corner.
-            if down and right and not (grid.is_cell_free((cell[0] + down, cell[1]))
-                                       and grid.is_cell_free((cell[0], cell[1] + right))):
+            if (
+                down
+                and right
+                and not (grid.is_cell_free((cell[0] + down, cell[1])) and grid.is_cell_free((cell[0], cell[1] + right)))
+            ):
                 continue
             new_cost = cost[cell] + length
             if new_cost < cost.get(beside, math.inf):
@@ -74,8 +78,10 @@ def is_clear(grid: OccupancyGrid, begin: Point, end: Point) -> bool:
     """Tell whether the straight line between two points is free."""
     length_m = math.hypot(end[0] - begin[0], end[1] - begin[1])
     pieces = max(1, math.ceil(length_m / (grid.resolution_m / 4.0)))
-    return all(grid.is_free(begin[0] + (end[0] - begin[0]) * index / pieces,
-                            begin[1] + (end[1] - begin[1]) * index / pieces) for index in range(pieces + 1))
+    return all(
+        grid.is_free(begin[0] + (end[0] - begin[0]) * index / pieces, begin[1] + (end[1] - begin[1]) * index / pieces)
+        for index in range(pieces + 1)
+    )
 
 
 def _straighten(grid: OccupancyGrid, points: Sequence[Point]) -> List[Point]:
@@ -109,7 +115,7 @@ def plan(grid: OccupancyGrid, *, start: Point, goal: Point, escape_m: float = 0.
         raise NoPath("the start or the goal is no finite number")
     goal_cell = grid.cell_of(*goal)
     if not grid.is_cell_free(goal_cell):
-        raise NoPath("at x %.2f, y %.2f the robot would stand in something or outside of the map" % goal)
+        raise NoPath("at x {:.2f}, y {:.2f} the robot would stand in something or outside of the map".format(*goal))
     start_cell = nearest_free_cell(grid, near=grid.cell_of(*start), reach_m=escape_m)
     cells = _search(grid, start=start_cell, goal=goal_cell)
     points = [grid.centre_of(cell) for cell in cells[1:-1]] + [goal]

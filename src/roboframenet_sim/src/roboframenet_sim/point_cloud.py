@@ -3,13 +3,17 @@
 Everything that is seen stands upright, so the distance to it depends on the column of the image alone: the picture is
 the outer product of a few rows and columns, without a loop over pixels.
 """
+
 import math
 from dataclasses import dataclass
-from typing import Optional
+from typing import TYPE_CHECKING, Any, Optional
 
 import numpy as np
 
 from roboframenet_sim.base import Pose
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
 
 
 @dataclass(frozen=True)
@@ -32,9 +36,9 @@ class Camera:
         for name in ("width_px", "height_px"):
             value = getattr(self, name)
             if not (isinstance(value, int) and 2 <= value <= 4096):
-                raise ValueError("%s must be 2 to 4096, got %r" % (name, value))
+                raise ValueError(f"{name} must be 2 to 4096, got {value!r}")
         if not 0.0 < self.nearest_m < self.farthest_m:
-            raise ValueError("the camera sees from %r to %r m: nothing" % (self.nearest_m, self.farthest_m))
+            raise ValueError(f"the camera sees from {self.nearest_m!r} to {self.farthest_m!r} m: nothing")
 
     @property
     def focal_px(self) -> float:
@@ -55,20 +59,22 @@ class Cylinder:
 NO_WALLS = np.zeros((0, 4))
 
 
-def _depth_of_cylinder(cylinder: Cylinder, *, pose: Pose, slopes: np.ndarray) -> np.ndarray:
+def _depth_of_cylinder(cylinder: Cylinder, *, pose: Pose, slopes: "NDArray[np.float32]") -> "NDArray[np.floating[Any]]":
     cos, sin = math.cos(pose.yaw_rad), math.sin(pose.yaw_rad)
     dx, dy = cylinder.x_m - pose.x_m, cylinder.y_m - pose.y_m
     ahead, left = cos * dx + sin * dy, cos * dy - sin * dx
     # |(t, -slope t) - (ahead, left)| = radius, solved for the nearer t.
-    a = 1.0 + slopes ** 2
+    a = 1.0 + slopes**2
     b = ahead - slopes * left
-    rest = b ** 2 - a * (ahead ** 2 + left ** 2 - cylinder.radius_m ** 2)
+    rest = b**2 - a * (ahead**2 + left**2 - cylinder.radius_m**2)
     with np.errstate(invalid="ignore"):
         depth = (b - np.sqrt(rest)) / a
     return np.where((rest >= 0.0) & (depth > 0.0), depth, np.inf)
 
 
-def _depth_of_walls(walls: np.ndarray, *, pose: Pose, slopes: np.ndarray) -> np.ndarray:
+def _depth_of_walls(
+    walls: "NDArray[np.float64]", *, pose: Pose, slopes: "NDArray[np.float32]"
+) -> "NDArray[np.floating[Any]]":
     if not len(walls):
         return np.full(slopes.shape, np.inf)
     cos, sin = math.cos(pose.yaw_rad), math.sin(pose.yaw_rad)
@@ -81,11 +87,19 @@ def _depth_of_walls(walls: np.ndarray, *, pose: Pose, slopes: np.ndarray) -> np.
     with np.errstate(divide="ignore", invalid="ignore"):
         share = first / (first - second)
         depth = ahead[:, :1] + share * (ahead[:, 1:] - ahead[:, :1])
-    return np.where((first * second <= 0.0) & (depth > 0.0), depth, np.inf).min(axis=0)
+    hits: NDArray[np.floating[Any]] = np.where((first * second <= 0.0) & (depth > 0.0), depth, np.inf)
+    nearest: NDArray[np.floating[Any]] = hits.min(axis=0)
+    return nearest
 
 
-def render(camera: Camera, *, pose: Pose, person: Optional[Cylinder] = None, walls: np.ndarray = NO_WALLS,
-           wall_height_m: float = 2.0) -> np.ndarray:
+def render(
+    camera: Camera,
+    *,
+    pose: Pose,
+    person: Optional[Cylinder] = None,
+    walls: "NDArray[np.float64]" = NO_WALLS,
+    wall_height_m: float = 2.0,
+) -> "NDArray[np.float32]":
     """Return what the camera sees.
 
     Args:

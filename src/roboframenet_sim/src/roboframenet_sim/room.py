@@ -1,10 +1,14 @@
 """A room: walls and boxes, read from YAML."""
+
 import math
 from dataclasses import dataclass
-from typing import Callable, Dict, List, Sequence, Tuple, TypeVar
+from typing import TYPE_CHECKING, Callable, Dict, List, Sequence, Tuple, TypeVar
 
 import numpy as np
 import yaml
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
 
 Value = TypeVar("Value")
 
@@ -13,7 +17,7 @@ class RoomError(ValueError):
     """A room file that is wrong, with the file, the line, the key, and what was expected."""
 
     def __init__(self, *, path: str, line: int, key: str, message: str) -> None:
-        super().__init__("%s:%d: %s: %s" % (path, line, key, message))
+        super().__init__(f"{path}:{line}: {key}: {message}")
         self.line = line
         self.key = key
 
@@ -38,13 +42,17 @@ class Room:
     walls: Tuple[Tuple[float, float, float, float], ...]
     boxes: Tuple[Box, ...]
 
-    def all_walls(self) -> np.ndarray:
+    def all_walls(self) -> "NDArray[np.float64]":
         """Return the walls, with the outer ones, and the sides of the boxes, as an (n, 4) array."""
         rectangles = [(self.x_m, self.y_m)] + [(box.x_m, box.y_m) for box in self.boxes]
         sides: List[Sequence[float]] = list(self.walls)
         for (left, right), (low, high) in rectangles:
-            sides += [(left, low, right, low), (right, low, right, high), (right, high, left, high),
-                      (left, high, left, low)]
+            sides += [
+                (left, low, right, low),
+                (right, low, right, high),
+                (right, high, left, high),
+                (left, high, left, low),
+            ]
         return np.array(sides, dtype=float)
 
 
@@ -68,11 +76,11 @@ class _Reader:
             if name in result:
                 raise self.error(key_node, name, "written twice")
             if keys and name not in keys:
-                raise self.error(key_node, name, "unknown key, expected one of: %s" % ", ".join(keys))
+                raise self.error(key_node, name, "unknown key, expected one of: {}".format(", ".join(keys)))
             result[name] = value
         missing = [name for name in keys if name not in result]
         if missing:
-            raise self.error(node, key, "missing: %s" % ", ".join(missing))
+            raise self.error(node, key, "missing: {}".format(", ".join(missing)))
         return result
 
     def number(self, node: yaml.Node, key: str) -> float:
@@ -82,27 +90,27 @@ class _Reader:
         except ValueError:
             value = math.nan
         if not math.isfinite(value):
-            raise self.error(node, key, "expected a finite number, found %r" % (node.value,))
+            raise self.error(node, key, f"expected a finite number, found {node.value!r}")
         return value
 
     def numbers(self, node: yaml.Node, key: str, *, count: int) -> Tuple[float, ...]:
         """Read a list of a number of finite numbers."""
         if not isinstance(node, yaml.SequenceNode) or len(node.value) != count:
-            raise self.error(node, key, "expected a list of %d numbers" % count)
+            raise self.error(node, key, f"expected a list of {count} numbers")
         return tuple(self.number(entry, key) for entry in node.value)
 
     def span(self, node: yaml.Node, key: str) -> Tuple[float, float]:
         """Read a pair of numbers, the smaller first."""
         low, high = self.numbers(node, key, count=2)
         if low >= high:
-            raise self.error(node, key, "expected the smaller number first, found %g, %g" % (low, high))
+            raise self.error(node, key, f"expected the smaller number first, found {low:g}, {high:g}")
         return low, high
 
     def positive(self, node: yaml.Node, key: str) -> float:
         """Read a positive number."""
         value = self.number(node, key)
         if value <= 0.0:
-            raise self.error(node, key, "expected a positive number, found %g" % value)
+            raise self.error(node, key, f"expected a positive number, found {value:g}")
         return value
 
     def items(self, node: yaml.Node, key: str, read: Callable[[yaml.Node], Value]) -> Tuple[Value, ...]:
@@ -126,26 +134,36 @@ def load_room(text: str, *, path: str) -> Room:
         root = yaml.compose(text, Loader=yaml.SafeLoader)
     except yaml.MarkedYAMLError as error:
         line = error.problem_mark.line + 1 if error.problem_mark else 1
-        raise RoomError(path=path, line=line, key="-", message="no YAML: %s" % error.problem) from error
+        raise RoomError(path=path, line=line, key="-", message=f"no YAML: {error.problem}") from error
     if root is None:
         raise RoomError(path=path, line=1, key="-", message="empty file")
     top = reader.mapping(root, "room", keys=("resolution_m", "wall_thickness_m", "bounds", "walls", "boxes"))
     bounds = reader.mapping(top["bounds"], "bounds", keys=("x_m", "y_m"))
     x_m, y_m = reader.span(bounds["x_m"], "bounds/x_m"), reader.span(bounds["y_m"], "bounds/y_m")
 
+    def read_wall(node: yaml.Node) -> Tuple[float, float, float, float]:
+        from_x_m, from_y_m, to_x_m, to_y_m = reader.numbers(node, "walls", count=4)
+        return from_x_m, from_y_m, to_x_m, to_y_m
+
     def read_box(node: yaml.Node) -> Box:
         entry = reader.mapping(node, "boxes", keys=("name", "x_m", "y_m"))
-        return Box(name=str(entry["name"].value), x_m=reader.span(entry["x_m"], "boxes/x_m"),
-                   y_m=reader.span(entry["y_m"], "boxes/y_m"))
+        return Box(
+            name=str(entry["name"].value),
+            x_m=reader.span(entry["x_m"], "boxes/x_m"),
+            y_m=reader.span(entry["y_m"], "boxes/y_m"),
+        )
 
     resolution_m = reader.positive(top["resolution_m"], "resolution_m")
-    if (x_m[1] - x_m[0]) * (y_m[1] - y_m[0]) / resolution_m ** 2 > 4e6:
+    if (x_m[1] - x_m[0]) * (y_m[1] - y_m[0]) / resolution_m**2 > 4e6:
         raise reader.error(top["resolution_m"], "resolution_m", "more than four million cells")
     return Room(
-        resolution_m=resolution_m, wall_thickness_m=reader.positive(top["wall_thickness_m"], "wall_thickness_m"),
-        x_m=x_m, y_m=y_m,
-        walls=reader.items(top["walls"], "walls", lambda node: reader.numbers(node, "walls", count=4)),  # type: ignore
-        boxes=reader.items(top["boxes"], "boxes", read_box))
+        resolution_m=resolution_m,
+        wall_thickness_m=reader.positive(top["wall_thickness_m"], "wall_thickness_m"),
+        x_m=x_m,
+        y_m=y_m,
+        walls=reader.items(top["walls"], "walls", read_wall),
+        boxes=reader.items(top["boxes"], "boxes", read_box),
+    )
 
 
 def load_room_file(path: str) -> Room:

@@ -34,7 +34,7 @@ class BaseSettings:
             ("start_yaw_rad", self.start.yaw_rad),
         ):
             if not (isinstance(value, (int, float)) and math.isfinite(value)):
-                raise ValueError("~%s must be a finite number, got %r" % (name, value))
+                raise ValueError(f"~{name} must be a finite number, got {value!r}")
         if not (self.odom_frame and self.base_frame):
             raise ValueError("~odom_frame and ~base_frame must not be empty")
 

@@ -1,4 +1,5 @@
 """A simulated person and the depth camera that sees it, on their topics."""
+
 import math
 import sys
 import threading
@@ -35,16 +36,18 @@ class CameraSettings:
 
     def __post_init__(self) -> None:
         if not (isinstance(self.rate_hz, (int, float)) and 0.1 <= self.rate_hz <= 60.0):
-            raise ValueError("~camera_rate_hz must be 0.1 to 60, got %r" % self.rate_hz)
+            raise ValueError(f"~camera_rate_hz must be 0.1 to 60, got {self.rate_hz!r}")
 
 
 def read_camera_settings() -> CameraSettings:
     """Read the parameters of the camera."""
     return CameraSettings(
-        camera=Camera(width_px=rospy.get_param("~camera_width_px", 160),
-                      height_px=rospy.get_param("~camera_height_px", 120)),
+        camera=Camera(
+            width_px=rospy.get_param("~camera_width_px", 160), height_px=rospy.get_param("~camera_height_px", 120)
+        ),
         rate_hz=rospy.get_param("~camera_rate_hz", 10.0),
-        frame=str(rospy.get_param("~camera_frame", "camera_depth_optical_frame")))
+        frame=str(rospy.get_param("~camera_frame", "camera_depth_optical_frame")),
+    )
 
 
 def read_person_settings() -> PersonSettings:
@@ -53,7 +56,8 @@ def read_person_settings() -> PersonSettings:
         distance_m=rospy.get_param("~person_distance_m", PersonSettings.distance_m),
         path_m=rospy.get_param("~person_path_m", PersonSettings.path_m),
         radius_m=rospy.get_param("~person_radius_m", PersonSettings.radius_m),
-        speed_m_per_s=rospy.get_param("~person_speed_m_per_s", PersonSettings.speed_m_per_s))
+        speed_m_per_s=rospy.get_param("~person_speed_m_per_s", PersonSettings.speed_m_per_s),
+    )
 
 
 def message_of_cloud(cloud: np.ndarray, *, header: Header) -> PointCloud2:
@@ -67,10 +71,19 @@ def message_of_cloud(cloud: np.ndarray, *, header: Header) -> PointCloud2:
     packed = np.zeros((height, width, POINT_STEP_BYTES // 4), dtype=np.float32)
     packed[..., :3] = cloud
     return PointCloud2(
-        header=header, height=height, width=width, is_bigendian=sys.byteorder == "big", is_dense=False,
-        fields=[PointField(name=name, offset=4 * index, datatype=PointField.FLOAT32, count=1)
-                for index, name in enumerate("xyz")],
-        point_step=POINT_STEP_BYTES, row_step=POINT_STEP_BYTES * width, data=packed.tobytes())
+        header=header,
+        height=height,
+        width=width,
+        is_bigendian=sys.byteorder == "big",
+        is_dense=False,
+        fields=[
+            PointField(name=name, offset=4 * index, datatype=PointField.FLOAT32, count=1)
+            for index, name in enumerate("xyz")
+        ],
+        point_step=POINT_STEP_BYTES,
+        row_step=POINT_STEP_BYTES * width,
+        data=packed.tobytes(),
+    )
 
 
 class RosPerson:
@@ -83,8 +96,9 @@ class RosPerson:
         ``camera/depth/points`` (sensor_msgs/PointCloud2) while somebody listens
     """
 
-    def __init__(self, settings: CameraSettings, *, person: Optional[Person], fixed_frame: str, robot: Pose,
-                 walls: np.ndarray) -> None:
+    def __init__(
+        self, settings: CameraSettings, *, person: Optional[Person], fixed_frame: str, robot: Pose, walls: np.ndarray
+    ) -> None:
         self._settings = settings
         self._person = person
         self._fixed_frame = fixed_frame
@@ -119,9 +133,16 @@ class RosPerson:
             if self._person is not None:
                 self._person.step(duration_s)
             person = self._person if self._person is not None and self._person.is_present else None
-            body = None if person is None else Cylinder(
-                x_m=person.pose.x_m, y_m=person.pose.y_m, radius_m=person.settings.body_radius_m,
-                height_m=person.settings.height_m)
+            body = (
+                None
+                if person is None
+                else Cylinder(
+                    x_m=person.pose.x_m,
+                    y_m=person.pose.y_m,
+                    radius_m=person.settings.body_radius_m,
+                    height_m=person.settings.height_m,
+                )
+            )
         self._since_image_s += duration_s
         if self._since_image_s + 1e-9 < 1.0 / self._settings.rate_hz:
             return
@@ -139,8 +160,14 @@ class RosPerson:
         publish(self._pose, pose)
         if not self._marker.get_num_connections():
             return
-        marker = Marker(header=pose.header, ns="person", type=Marker.CYLINDER, action=Marker.ADD,
-                        color=ColorRGBA(r=0.9, g=0.5, b=0.2, a=0.8), lifetime=rospy.Duration(1.0))
+        marker = Marker(
+            header=pose.header,
+            ns="person",
+            type=Marker.CYLINDER,
+            action=Marker.ADD,
+            color=ColorRGBA(r=0.9, g=0.5, b=0.2, a=0.8),
+            lifetime=rospy.Duration(1.0),
+        )
         marker.pose = pose.pose
         marker.pose.position.z = body.height_m / 2.0
         marker.scale.x = marker.scale.y = 2.0 * body.radius_m

@@ -1,4 +1,5 @@
 """The node move_base_sim: navigation on the floor plan of a room, with the action and topics of move_base and amcl."""
+
 import math
 import os
 import threading
@@ -42,24 +43,30 @@ class NavigationSettings:
     limits: FollowingLimits
 
     def __post_init__(self) -> None:
-        for name, low, high in (("inflation_radius_m", 0.0, 2.0), ("odometry_timeout_s", 0.1, 60.0),
-                                ("stuck_timeout_s", 0.5, 600.0)):
+        for name, low, high in (
+            ("inflation_radius_m", 0.0, 2.0),
+            ("odometry_timeout_s", 0.1, 60.0),
+            ("stuck_timeout_s", 0.5, 600.0),
+        ):
             value = getattr(self, name)
             if not (isinstance(value, (int, float)) and low <= value <= high):
-                raise ValueError("~%s must be %g to %g, got %r" % (name, low, high, value))
+                raise ValueError(f"~{name} must be {low:g} to {high:g}, got {value!r}")
 
 
 def read_settings() -> NavigationSettings:
     """Read the private parameters."""
     shipped = os.path.join(rospkg.RosPack().get_path("roboframenet_sim"), "config", "room.yaml")
     return NavigationSettings(
-        room=str(rospy.get_param("~room", shipped)), map_frame=str(rospy.get_param("~map_frame", "map")),
+        room=str(rospy.get_param("~room", shipped)),
+        map_frame=str(rospy.get_param("~map_frame", "map")),
         inflation_radius_m=rospy.get_param("~inflation_radius_m", 0.4),
         odometry_timeout_s=rospy.get_param("~odometry_timeout_s", 1.0),
         stuck_timeout_s=rospy.get_param("~stuck_timeout_s", 10.0),
         limits=FollowingLimits(
             linear_m_per_s=rospy.get_param("~linear_speed_m_per_s", FollowingLimits.linear_m_per_s),
-            angular_rad_per_s=rospy.get_param("~angular_speed_rad_per_s", FollowingLimits.angular_rad_per_s)))
+            angular_rad_per_s=rospy.get_param("~angular_speed_rad_per_s", FollowingLimits.angular_rad_per_s),
+        ),
+    )
 
 
 class BadPose(ValueError):
@@ -72,9 +79,9 @@ def yaw_of(rotation: Quaternion) -> float:
     Raises:
         BadPose: no rotation, or not about the vertical axis
     """
-    length = math.sqrt(rotation.x ** 2 + rotation.y ** 2 + rotation.z ** 2 + rotation.w ** 2)
+    length = math.sqrt(rotation.x**2 + rotation.y**2 + rotation.z**2 + rotation.w**2)
     if not 0.9 < length < 1.1:
-        raise BadPose("the orientation is no rotation: its quaternion has length %.3g" % length)
+        raise BadPose(f"the orientation is no rotation: its quaternion has length {length:.3g}")
     if math.hypot(rotation.x, rotation.y) > 0.05:
         raise BadPose("the orientation is not about the vertical axis")
     return 2.0 * math.atan2(rotation.z, rotation.w)
@@ -197,11 +204,16 @@ class MoveBaseSim:
             if odometry is None or now_s - odometry[1] > self._settings.odometry_timeout_s:
                 raise NoPath("no odometry: the robot does not know where it is")
             if target.header.frame_id not in ("", self._settings.map_frame, odometry[2]):
-                raise NoPath('a goal in the frame "%s" cannot be used, only in "%s"'
-                             % (target.header.frame_id, self._settings.map_frame))
+                raise NoPath(
+                    f'a goal in the frame "{target.header.frame_id}" cannot be used, '
+                    f'only in "{self._settings.map_frame}"'
+                )
             yaw_rad = yaw_of(target.pose.orientation)
-            corners = plan(self._floor, start=(odometry[0].x_m, odometry[0].y_m),
-                           goal=(target.pose.position.x, target.pose.position.y))
+            corners = plan(
+                self._floor,
+                start=(odometry[0].x_m, odometry[0].y_m),
+                goal=(target.pose.position.x, target.pose.position.y),
+            )
         except (NoPath, BadPose) as error:
             rospy.logwarn("no plan: %s", error)
             self._server.set_aborted(text=str(error))
@@ -233,8 +245,10 @@ class MoveBaseSim:
         if now_s - seen_s > self._settings.odometry_timeout_s:
             return "odometry is lost"
         mark, mark_s = self._mark
-        if (math.hypot(pose.x_m - mark.x_m, pose.y_m - mark.y_m) > self.STUCK_M
-                or abs(math.remainder(pose.yaw_rad - mark.yaw_rad, 2.0 * math.pi)) > self.STUCK_RAD):
+        if (
+            math.hypot(pose.x_m - mark.x_m, pose.y_m - mark.y_m) > self.STUCK_M
+            or abs(math.remainder(pose.yaw_rad - mark.yaw_rad, 2.0 * math.pi)) > self.STUCK_RAD
+        ):
             self._mark = (pose, now_s)
         elif now_s - mark_s > self._settings.stuck_timeout_s:
             return "the robot is stuck"

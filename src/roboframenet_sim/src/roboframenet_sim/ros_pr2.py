@@ -1,4 +1,5 @@
 """The node pr2_sim: arms and base of a PR2 on the topics and actions of the real one."""
+
 from typing import Dict
 
 import actionlib
@@ -21,8 +22,11 @@ def trajectory_of(goal: JointTrajectoryGoal) -> Trajectory:
     """Read a goal. Velocities and accelerations of the points are left out: the arm goes straight between them."""
     return Trajectory(
         joint_names=tuple(goal.trajectory.joint_names),
-        points=tuple(TrajectoryPoint(positions_rad=tuple(point.positions), time_s=point.time_from_start.to_sec())
-                     for point in goal.trajectory.points))
+        points=tuple(
+            TrajectoryPoint(positions_rad=tuple(point.positions), time_s=point.time_from_start.to_sec())
+            for point in goal.trajectory.points
+        ),
+    )
 
 
 class ArmController:
@@ -83,9 +87,11 @@ class Pr2Sim:
         self._base = RosBase(settings, base=base, command_topic="base_controller/command")
         self._joints = rospy.Publisher("joint_states", JointState, queue_size=10)
         self._arms: Dict[str, Arm] = {
-            prefix: Arm(arm_limits(prefix), positions_rad=tucked_positions(prefix)) for prefix in ("r", "l")}
-        self._controllers = [ArmController("%s_arm_controller/joint_trajectory_action" % prefix, arm)
-                             for prefix, arm in self._arms.items()]
+            prefix: Arm(arm_limits(prefix), positions_rad=tucked_positions(prefix)) for prefix in ("r", "l")
+        }
+        self._controllers = [
+            ArmController(f"{prefix}_arm_controller/joint_trajectory_action", arm) for prefix, arm in self._arms.items()
+        ]
 
     def step(self, duration_s: float, stamp: rospy.Time) -> None:
         """Let time pass."""

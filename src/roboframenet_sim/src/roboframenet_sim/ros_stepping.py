@@ -29,10 +29,10 @@ class SteppingSettings:
         for name, low, high in (("rate_hz", 1.0, 1000.0), ("rate_factor", 0.01, 100.0)):
             value = getattr(self, name)
             if not (isinstance(value, (int, float)) and math.isfinite(value) and low <= value <= high):
-                raise ValueError("~%s must be %g to %g, got %r" % (name, low, high, value))
+                raise ValueError(f"~{name} must be {low:g} to {high:g}, got {value!r}")
         if self.rate_factor != 1.0 and not self.is_clock:
             raise ValueError(
-                "~rate_factor other than 1 needs /use_sim_time and ~publish_clock, got %r" % self.rate_factor
+                f"~rate_factor other than 1 needs /use_sim_time and ~publish_clock, got {self.rate_factor!r}"
             )
 
 
@@ -82,9 +82,7 @@ class Stepper:
 
     def _run_as_clock(self) -> None:
         period_s = 1.0 / self._settings.rate_hz
-        steps = 0
-        for _ in self._periods(period_s / self._settings.rate_factor):
-            steps += 1
+        for steps, _ in enumerate(self._periods(period_s / self._settings.rate_factor), start=1):
             stamp = rospy.Time.from_sec(steps * period_s)
             publish(self._clock, Clock(clock=stamp))
             self._step(period_s, stamp)
@@ -136,7 +134,7 @@ def run_until_shutdown(loop: Callable[[], None]) -> None:
         except Exception as error:  # boundary: a thread that dies silently would leave a dead robot
             if not rospy.is_shutdown():
                 rospy.logfatal("%s", traceback.format_exc())
-                rospy.signal_shutdown("%s: %s" % (type(error).__name__, error))
+                rospy.signal_shutdown(f"{type(error).__name__}: {error}")
 
     thread = threading.Thread(target=run, daemon=True)
     thread.start()

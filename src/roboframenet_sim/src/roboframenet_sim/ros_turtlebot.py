@@ -1,4 +1,5 @@
 """The node turtlebot_sim: a Turtlebot on the topics of the real one."""
+
 import rospy
 
 from roboframenet_sim.base import DifferentialBase
@@ -37,8 +38,12 @@ class TurtlebotSim:
         base = DifferentialBase(settings.limits, pose=settings.start, seed=settings.seed, is_free=is_free)
         self._base = RosBase(settings, base=base, command_topic="cmd_vel")
         self._person = RosPerson(
-            camera_settings, person=Person(person_settings, robot=settings.start) if is_person else None,
-            fixed_frame=settings.odom_frame, robot=settings.start, walls=walls)
+            camera_settings,
+            person=Person(person_settings, robot=settings.start) if is_person else None,
+            fixed_frame=settings.odom_frame,
+            robot=settings.start,
+            walls=walls,
+        )
 
     def step(self, duration_s: float, stamp: rospy.Time) -> None:
         """Let time pass."""

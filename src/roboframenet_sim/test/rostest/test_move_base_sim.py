@@ -1,5 +1,6 @@
 #!/usr/bin/python3
 """Navigation as its clients see it: round obstacles, preempted, walled in."""
+
 import math
 import os
 import sys
@@ -38,15 +39,21 @@ class TestMoveBaseSim(unittest.TestCase):
         cls.odometry, cls.amcl_pose, cls.map, cls.last_command = None, None, None, None
         cls.subscribers = [
             rospy.Subscriber("odom", Odometry, lambda message: setattr(cls, "odometry", message), queue_size=1),
-            rospy.Subscriber("amcl_pose", PoseWithCovarianceStamped,
-                             lambda message: setattr(cls, "amcl_pose", message), queue_size=1),
+            rospy.Subscriber(
+                "amcl_pose", PoseWithCovarianceStamped, lambda message: setattr(cls, "amcl_pose", message), queue_size=1
+            ),
             rospy.Subscriber("map", OccupancyGrid, lambda message: setattr(cls, "map", message), queue_size=1),
-            rospy.Subscriber("cmd_vel", Twist, lambda message: setattr(
-                cls, "last_command", (message.linear.x, message.angular.z)), queue_size=100)]
+            rospy.Subscriber(
+                "cmd_vel",
+                Twist,
+                lambda message: setattr(cls, "last_command", (message.linear.x, message.angular.z)),
+                queue_size=100,
+            ),
+        ]
         cls.client = actionlib.ActionClient("move_base", MoveBaseAction)
         cls.walled_in = actionlib.ActionClient("walled_in/move_base", MoveBaseAction)
         for client in (cls.client, cls.walled_in):
-            assert wait_until(lambda: client.wait_for_server(rospy.Duration(1.0)))
+            assert wait_until(lambda client=client: client.wait_for_server(rospy.Duration(1.0)))
         assert wait_until(lambda: cls.odometry is not None and cls.amcl_pose is not None)
         with open(PLACES, encoding="utf-8") as file:
             cls.places = yaml.safe_load(file)
@@ -68,8 +75,12 @@ class TestMoveBaseSim(unittest.TestCase):
         """The table at the kitchen's door is in the way of the place behind it."""
         feedback = []
         place = self.places["table"]
-        handle = self.go(place["x"], place["y"], place["heading"],
-                         feedback_cb=lambda _, message: feedback.append(message.base_position.pose.position.x))
+        handle = self.go(
+            place["x"],
+            place["y"],
+            place["heading"],
+            feedback_cb=lambda _, message: feedback.append(message.base_position.pose.position.x),
+        )
         self.assertEqual((GoalStatus.SUCCEEDED, "the goal is reached"), self.outcome(handle))
         position = self.odometry.pose.pose.position
         self.assertLess(math.hypot(position.x - place["x"], position.y - place["y"]), 0.1)
@@ -89,8 +100,12 @@ class TestMoveBaseSim(unittest.TestCase):
 
     def test_goals_that_cannot_be_are_aborted_with_the_reason(self):
         """In a wall, outside, in another frame."""
-        for x_m, y_m, frame, words in ((2.0, -3.0, "map", "stand in something"), (50.0, 0.0, "map", "outside"),
-                                       (math.nan, 0.0, "map", "finite"), (0.0, 0.0, "moon", '"moon"')):
+        for x_m, y_m, frame, words in (
+            (2.0, -3.0, "map", "stand in something"),
+            (50.0, 0.0, "map", "outside"),
+            (math.nan, 0.0, "map", "finite"),
+            (0.0, 0.0, "moon", '"moon"'),
+        ):
             state, text = self.outcome(self.go(x_m, y_m, frame=frame))
             self.assertEqual(GoalStatus.ABORTED, state, text)
             self.assertIn(words, text)

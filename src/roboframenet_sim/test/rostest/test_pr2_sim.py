@@ -1,5 +1,6 @@
 #!/usr/bin/python3
 """The arms and the base of the simulated PR2, as its clients see them."""
+
 import sys
 import time
 import unittest
@@ -40,7 +41,7 @@ class TestPr2Sim(unittest.TestCase):
         cls.joint_states = rospy.Subscriber("joint_states", JointState, cls.on_joints, queue_size=1)
         cls.odom = rospy.Subscriber("odom", Odometry, cls.on_odometry, queue_size=1000)
         cls.arms = {
-            prefix: actionlib.ActionClient("%s_arm_controller/joint_trajectory_action" % prefix, JointTrajectoryAction)
+            prefix: actionlib.ActionClient(f"{prefix}_arm_controller/joint_trajectory_action", JointTrajectoryAction)
             for prefix in ("r", "l")
         }
         for client in cls.arms.values():
@@ -62,7 +63,7 @@ class TestPr2Sim(unittest.TestCase):
     def send(self, positions, seconds, prefix="r"):
         """Send a trajectory of one point."""
         goal = JointTrajectoryGoal()
-        goal.trajectory.joint_names = ["%s_%s_joint" % (prefix, suffix) for suffix in SUFFIXES]
+        goal.trajectory.joint_names = [f"{prefix}_{suffix}_joint" for suffix in SUFFIXES]
         goal.trajectory.points = [JointTrajectoryPoint(positions=positions, time_from_start=rospy.Duration(seconds))]
         return self.arms[prefix].send_goal(goal)
 
@@ -74,7 +75,7 @@ class TestPr2Sim(unittest.TestCase):
     def is_at(self, positions, prefix="r"):
         """Tell whether the joints are there."""
         return all(
-            abs(self.positions["%s_%s_joint" % (prefix, suffix)] - position) < 0.02
+            abs(self.positions[f"{prefix}_{suffix}_joint"] - position) < 0.02
             for suffix, position in zip(SUFFIXES, positions)
         )
 

@@ -1,4 +1,5 @@
 """An arm with limits."""
+
 import math
 
 import pytest
@@ -13,8 +14,10 @@ def arm():
 
 
 def trajectory(*points, names=("a", "b")):
-    return Trajectory(joint_names=tuple(names), points=tuple(
-        TrajectoryPoint(positions_rad=tuple(positions), time_s=time_s) for positions, time_s in points))
+    return Trajectory(
+        joint_names=tuple(names),
+        points=tuple(TrajectoryPoint(positions_rad=tuple(positions), time_s=time_s) for positions, time_s in points),
+    )
 
 
 def run(moved, seconds, step_s=0.01):
@@ -61,13 +64,22 @@ def test_new_trajectory_starts_where_the_arm_is():
     assert moved.positions_rad["a"] == pytest.approx(0.0)
 
 
-@pytest.mark.parametrize("wrong,words", [
-    (trajectory(), "no points"), (trajectory(((0.0,), 1.0)), "1 positions for 2"),
-    (trajectory(((1.5, 0.0), 3.0)), "outside of -1.000 to 1.000"), (trajectory(((1.0, 0.0), 0.5)), "faster"),
-    (trajectory(((0.5, 0.0), 1.0), ((-0.9, 0.0), 1.5)), "point 1: a would have to be faster"),
-    (trajectory(((0.5, 0.0), 1.0), ((0.5, 0.0), 1.0)), "not later"), (trajectory(((0.5, 0.0), -1.0)), "not later"),
-    (trajectory(((math.nan, 0.0), 1.0)), "finite"), (trajectory(((0.5, 0.0), math.inf)), "finite"),
-    (trajectory(((0.1,), 1.0), names=("a",)), "joints must be a, b"), (trajectory(((0.0, 0.5), 0.0)), "faster")])
+@pytest.mark.parametrize(
+    "wrong,words",
+    [
+        (trajectory(), "no points"),
+        (trajectory(((0.0,), 1.0)), "1 positions for 2"),
+        (trajectory(((1.5, 0.0), 3.0)), "outside of -1.000 to 1.000"),
+        (trajectory(((1.0, 0.0), 0.5)), "faster"),
+        (trajectory(((0.5, 0.0), 1.0), ((-0.9, 0.0), 1.5)), "point 1: a would have to be faster"),
+        (trajectory(((0.5, 0.0), 1.0), ((0.5, 0.0), 1.0)), "not later"),
+        (trajectory(((0.5, 0.0), -1.0)), "not later"),
+        (trajectory(((math.nan, 0.0), 1.0)), "finite"),
+        (trajectory(((0.5, 0.0), math.inf)), "finite"),
+        (trajectory(((0.1,), 1.0), names=("a",)), "joints must be a, b"),
+        (trajectory(((0.0, 0.5), 0.0)), "faster"),
+    ],
+)
 def test_trajectory_that_cannot_be_followed(wrong, words):
     moved = arm()
     assert words in moved.check(wrong)

@@ -1,4 +1,5 @@
 """Planning and path following on small grids."""
+
 import math
 
 import numpy as np

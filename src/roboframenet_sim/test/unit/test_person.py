@@ -1,4 +1,5 @@
 """The person's walk."""
+
 import math
 
 import pytest

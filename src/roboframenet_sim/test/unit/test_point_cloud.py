@@ -1,4 +1,5 @@
 """The depth camera against geometry."""
+
 import math
 
 import numpy as np
@@ -32,8 +33,9 @@ def test_person_straight_ahead_is_as_far_as_the_skin():
 @pytest.mark.parametrize("yaw_rad", [0.0, 0.7, -2.5])
 def test_person_to_the_left_is_at_negative_x(yaw_rad):
     ahead, left = 0.9, 0.25
-    person = person_at(ahead * math.cos(yaw_rad) - left * math.sin(yaw_rad),
-                       ahead * math.sin(yaw_rad) + left * math.cos(yaw_rad))
+    person = person_at(
+        ahead * math.cos(yaw_rad) - left * math.sin(yaw_rad), ahead * math.sin(yaw_rad) + left * math.cos(yaw_rad)
+    )
     cloud = render(CAMERA, pose=Pose(yaw_rad=yaw_rad), person=person)
     seen = cloud[:61][np.isfinite(cloud[:61, :, 2])]
     assert seen[:, 0].mean() == pytest.approx(-0.25, abs=0.06)

@@ -1,4 +1,5 @@
 """The room file and its grid."""
+
 import os
 
 import pytest
@@ -26,17 +27,21 @@ def test_room_is_read():
     assert len(room.all_walls()) == 1 + 4 + 4
 
 
-@pytest.mark.parametrize("change,line,key,words", [
-    (("[2, 0, 2, 2]", "[2, 0, 2]"), 5, "walls", "list of 4"),
-    (("[2, 0, 2, 2]", "[2, 0, 2, far]"), 5, "walls", "'far'"),
-    (("resolution_m: 0.1", "resolution_m: .nan"), 1, "resolution_m", "finite"),
-    (("resolution_m: 0.1", "resolution_m: 0.0001"), 1, "resolution_m", "cells"),
-    (("wall_thickness_m: 0.1", "wall_thickness_m: -1"), 2, "wall_thickness_m", "positive"),
-    (("[0, 4]", "[4, 0]"), 3, "bounds/x_m", "smaller"),
-    (("boxes:", "boxen:"), 6, "boxen", "expected one of"),
-    (("name: chest", "nome: chest"), 7, "nome", "unknown"),
-    (("walls:", "bounds:"), 4, "bounds", "twice"),
-    (("walls:\n", "walls: {\n"), 5, "-", "no YAML")])
+@pytest.mark.parametrize(
+    "change,line,key,words",
+    [
+        (("[2, 0, 2, 2]", "[2, 0, 2]"), 5, "walls", "list of 4"),
+        (("[2, 0, 2, 2]", "[2, 0, 2, far]"), 5, "walls", "'far'"),
+        (("resolution_m: 0.1", "resolution_m: .nan"), 1, "resolution_m", "finite"),
+        (("resolution_m: 0.1", "resolution_m: 0.0001"), 1, "resolution_m", "cells"),
+        (("wall_thickness_m: 0.1", "wall_thickness_m: -1"), 2, "wall_thickness_m", "positive"),
+        (("[0, 4]", "[4, 0]"), 3, "bounds/x_m", "smaller"),
+        (("boxes:", "boxen:"), 6, "boxen", "expected one of"),
+        (("name: chest", "nome: chest"), 7, "nome", "unknown"),
+        (("walls:", "bounds:"), 4, "bounds", "twice"),
+        (("walls:\n", "walls: {\n"), 5, "-", "no YAML"),
+    ],
+)
 def test_wrong_file_names_line_and_key(change, line, key, words):
     with pytest.raises(RoomError) as caught:
         load_room(SMALL.replace(*change), path="small.yaml")

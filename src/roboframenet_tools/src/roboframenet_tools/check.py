@@ -3,13 +3,8 @@
 import argparse
 import os
 import sys
-from typing import Iterable, List, Optional, Tuple
 
-from roboframenet_tools.understanding import Knowledge, Pipeline, load_files, pretend_servers
-from semantic_frames import Problem, check_lexical_unit
-from semantic_frames.lexical_unit import Example, LexicalUnit
-from semantic_frames.source_files import FRAMES_FOLDER, LEXICAL_UNITS_FOLDER, yaml_files
-from semantic_framer.framer import Understood, read
+from offline_pipeline.file_checks import Examples, example_problems, find_problems, load_paths
 from stanford_parser_ros.model import ModelError
 
 EXAMPLES = """examples:
@@ -59,107 +54,3 @@ def run(arguments: argparse.Namespace) -> int:
         print(problem)
     print(f"{len(checked)} files, {len(problems)} problems")
     return 1 if problems else 0
-
-
-def load_paths(paths: Iterable[str], others: Iterable[str] = ()) -> Tuple[Knowledge, Tuple[str, ...]]:
-    """Read files and folders.
-
-    Args:
-        paths: files and folders to check; a file with a key ``frame_name`` is a lexical unit file
-        others: folders that they may refer to
-    Returns:
-        everything that was read, and the paths of the files to check
-    """
-    frames: List[str] = []
-    units: List[str] = []
-    for path in paths:
-        if os.path.isdir(path):
-            frames += yaml_files([path], FRAMES_FOLDER)
-            units += yaml_files([path], LEXICAL_UNITS_FOLDER)
-        else:
-            (units if _is_unit_file(path) else frames).append(os.path.abspath(path))
-    checked = tuple(dict.fromkeys(frames + units))
-    frames += yaml_files(others, FRAMES_FOLDER)
-    units += yaml_files(others, LEXICAL_UNITS_FOLDER)
-    return load_files(dict.fromkeys(frames), dict.fromkeys(units)), checked
-
-
-def _is_unit_file(path: str) -> bool:
-    if os.path.basename(os.path.dirname(os.path.abspath(path))) == LEXICAL_UNITS_FOLDER:
-        return True
-    with open(path, encoding="utf-8", errors="replace") as file:
-        return any(line.lstrip("- ").startswith("frame_name:") for line in file)
-
-
-def find_problems(knowledge: Knowledge, checked: Tuple[str, ...]) -> List[Problem]:
-    """Return what is wrong with the checked files: their form, cycles, unknown frames, children and elements."""
-    problems = list(knowledge.problems) + list(knowledge.graph.unknown_children())
-    for unit in knowledge.lexicon.units:
-        problems += check_lexical_unit(unit, knowledge.frames)
-    # A frame that was refused has its own problem; that others name it is none.
-    refused = {f"'{name}'" for name in knowledge.read_names - set(knowledge.frames)}
-    return sorted(
-        (
-            problem
-            for problem in problems
-            if problem.path in checked and not (problem.code == "UNKNOWN_FRAME" and problem.found in refused)
-        ),
-        key=lambda problem: (problem.path, problem.line),
-    )
-
-
-class Examples:
-    """Runs examples of lexical units; the parser is loaded once."""
-
-    def __init__(self, knowledge: Knowledge, pipeline: Optional[Pipeline] = None) -> None:
-        """
-        Raises:
-            ModelError: the models cannot be loaded
-        """
-        pretend_servers(knowledge.graph)
-        self.knowledge = knowledge
-        self._pipeline = pipeline or Pipeline(knowledge)
-
-    def problem(self, unit: LexicalUnit, example: Example) -> Optional[Problem]:
-        """Return why an example is not understood as its unit says, None if it is.
-
-        It is when it is one clause and one of the readings that are offered has the unit's frame and the expected
-        arguments.
-        """
-        outcome, _ = read(self._pipeline.parse(example.text), self.knowledge.lexicon, self.knowledge.frames)
-        if not isinstance(outcome, Understood):
-            found = f"{outcome.code}: {outcome.sentence}"
-        else:
-            for reading in outcome.clauses[0] if len(outcome.clauses) == 1 else ():
-                arguments = {value.name: value.argument for value in reading.values}
-                if reading.unit.frame_name == unit.frame_name and all(
-                    arguments.get(name) == text for name, text in example.frame_elements.items()
-                ):
-                    return None
-            found = "; ".join(
-                f"{readings[0].unit.frame_name}("
-                + ", ".join(f"{value.name}={value.argument}" for value in readings[0].values)
-                + ")"
-                for readings in outcome.clauses
-            )
-        expected = ", ".join(f"{name}={text}" for name, text in example.frame_elements.items())
-        return Problem(
-            "EXAMPLE_NOT_UNDERSTOOD",
-            unit.path,
-            example.line,
-            f'"{example.text}"',
-            found,
-            f"{unit.frame_name}({expected})",
-            "'rfn explain' shows why",
-        )
-
-
-def example_problems(examples: Examples, checked: Tuple[str, ...]) -> List[Problem]:
-    """Run the examples of every checked unit."""
-    found = [
-        examples.problem(unit, example)
-        for unit in examples.knowledge.lexicon.units
-        if unit.path in checked
-        for example in unit.examples
-    ]
-    return [problem for problem in found if problem is not None]

@@ -13,6 +13,7 @@ from typing import List, Optional, Sequence
 COMMANDS = (
     ("say", "roboframenet_tools.ros_say", "say a sentence to the robot and see what comes of it"),
     ("explain", "roboframenet_tools.explain", "show how a sentence is understood, without running it"),
+    ("passes", "roboframenet_tools.passes", "list the rules that rewrite a sentence, and what each does to a corpus"),
     ("check", "roboframenet_tools.check", "check frame and lexical unit files"),
     (
         "list",
@@ -23,8 +24,8 @@ COMMANDS = (
     ("new", "roboframenet_tools.new", "make the files of a new frame: frame, lexical unit, RFNServer, test"),
     ("port", "roboframenet_tools.port", "show or make the one-line change from an action server to an RFNServer"),
     ("doctor", "roboframenet_tools.doctor", "look for what keeps the system from working"),
-    ("learn", "roboframenet_tools.learn", "learn lexical units from annotated sentences"),
-    ("score", "roboframenet_tools.score", "score the understanding of a public corpus: HuRIC, tagE, SCOUT"),
+    ("learn", "frame_learning.learn_command", "learn lexical units from annotated sentences"),
+    ("score", "frame_learning.score_command", "score the understanding of a public corpus"),
     ("completion", "roboframenet_tools.completion", "print the completion of rfn for bash"),
 )
 #: Exit status when whoever read the output has gone ("rfn score ... | head"): that of a program ended by SIGPIPE.
@@ -78,4 +79,5 @@ def _run(words: List[str]) -> int:
         parser.print_help()
         return 2
     module = next(module for name, module, _ in COMMANDS if name == arguments.command)
-    return importlib.import_module(module).run(arguments)
+    status: int = importlib.import_module(module).run(arguments)
+    return status

@@ -1,4 +1,5 @@
 """``rfn completion``: prints what bash needs to complete ``rfn``."""
+
 import argparse
 import importlib
 
@@ -22,6 +23,7 @@ def run(arguments: argparse.Namespace) -> int:
 def script() -> str:
     """Return the bash function; options are those that the subcommands declare."""
     from roboframenet_tools.cli import COMMANDS
+
     cases = []
     for name, module, _ in COMMANDS:
         parser = argparse.ArgumentParser()
@@ -32,8 +34,14 @@ def script() -> str:
         options = [option for option in parser._option_string_actions if option.startswith("--")]
         cases.append(f'    {name}) COMPREPLY=($(compgen -W "{" ".join(options)}" -- "$word")) ;;')
     names = " ".join(name for name, _, _ in COMMANDS)
-    return "\n".join([
-        "_rfn() {", '  local word="${COMP_WORDS[COMP_CWORD]}"',
-        f'  if [ "$COMP_CWORD" -eq 1 ]; then COMPREPLY=($(compgen -W "{names}" -- "$word")); return; fi',
-        '  [[ "$word" == -* ]] || return 0', '  case "${COMP_WORDS[1]}" in'] + cases + [
-        "  esac", "}", "complete -o default -F _rfn rfn", ""])
+    return "\n".join(
+        [
+            "_rfn() {",
+            '  local word="${COMP_WORDS[COMP_CWORD]}"',
+            f'  if [ "$COMP_CWORD" -eq 1 ]; then COMPREPLY=($(compgen -W "{names}" -- "$word")); return; fi',
+            '  [[ "$word" == -* ]] || return 0',
+            '  case "${COMP_WORDS[1]}" in',
+        ]
+        + cases
+        + ["  esac", "}", "complete -o default -F _rfn rfn", ""]
+    )

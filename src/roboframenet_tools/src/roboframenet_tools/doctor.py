@@ -4,9 +4,9 @@ import argparse
 import importlib
 import os
 import sys
-from dataclasses import dataclass
 from typing import List
 
+from roboframenet_tools.finding import Finding
 from stanford_parser_ros.model import ModelError, check_model_folder, shipped_model_dir
 
 EXAMPLES = """examples:
@@ -15,19 +15,6 @@ EXAMPLES = """examples:
 
 exit status: 0 everything is well, 1 a problem
 """
-
-
-@dataclass(frozen=True)
-class Finding:
-    """One thing that was looked at; ``advice`` is empty when it is well."""
-
-    subject: str
-    found: str
-    advice: str = ""
-
-    def __str__(self) -> str:
-        text = f"{'problem' if self.advice else 'ok':<8} {self.subject:<14} {self.found}"
-        return f"{text}\n{'':<24}-> {self.advice}" if self.advice else text
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:

@@ -3,7 +3,7 @@
 from typing import List, Tuple
 from xml.sax.saxutils import escape
 
-from stanford_parser_ros.tree import DependencyTree, Word
+from utterance_passes.tree import DependencyTree, Word
 
 
 def _levels(tree: DependencyTree) -> List[Tuple[Word, int]]:
@@ -58,19 +58,24 @@ def svg_arcs(tree: DependencyTree) -> str:
     pitch, step = 110, 34
     levels = _levels(tree)
     base = 40 + step * max((level for _, level in levels), default=1)
+    width, height = pitch * len(tree.words), base + 60
     parts = [
-        f'<svg xmlns="http://www.w3.org/2000/svg" width="{pitch * len(tree.words)}" height="{base + 60}" font-family="sans-serif">',
-        '<defs><marker id="tip" markerWidth="8" markerHeight="8" refX="4" refY="4" orient="auto">'
-        '<path d="M0,0 L8,4 L0,8 z"/></marker></defs>',
+        f'<svg xmlns="http://www.w3.org/2000/svg" width="{width}" height="{height}" font-family="sans-serif">',
+        (
+            '<defs><marker id="tip" markerWidth="8" markerHeight="8" refX="4" refY="4" orient="auto">'
+            '<path d="M0,0 L8,4 L0,8 z"/></marker></defs>'
+        ),
     ]
     for word, level in levels:
         start, end = (pitch * index - pitch // 2 for index in (word.head, word.index))
         top = base - step * level
         parts.append(
-            f'<path d="M{start},{base} L{start},{top} L{end},{top} L{end},{base - 4}" fill="none" stroke="#456" marker-end="url(#tip)"/>'
+            f'<path d="M{start},{base} L{start},{top} L{end},{top} L{end},{base - 4}"'
+            ' fill="none" stroke="#456" marker-end="url(#tip)"/>'
         )
         parts.append(
-            f'<text x="{(start + end) // 2}" y="{top - 4}" font-size="12" text-anchor="middle">{escape(word.deprel)}</text>'
+            f'<text x="{(start + end) // 2}" y="{top - 4}" font-size="12" text-anchor="middle">'
+            f"{escape(word.deprel)}</text>"
         )
     for word in tree.words:
         x = pitch * word.index - pitch // 2

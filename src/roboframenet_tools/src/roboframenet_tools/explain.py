@@ -5,26 +5,29 @@ import json
 import sys
 from typing import List
 
+from frame_registrar.search import Candidate
+from offline_pipeline.knowledge import load_knowledge, pretend_servers, shipped_domains
+from offline_pipeline.pipeline import Pipeline, Understanding, to_json
 from roboframenet_tools.drawing import draw_arcs, svg_arcs
-from roboframenet_tools.understanding import (
-    Knowledge,
-    Pipeline,
-    Understanding,
-    load_knowledge,
-    pretend_servers,
-    shipped_domains,
-    to_json,
-)
 from stanford_parser_ros.model import ModelError
+from utterance_passes.table import PASSES
+from utterance_passes.trace import TraceLine
 
 EXAMPLES = """examples:
   rfn explain "Bring me the mug from the kitchen."
   rfn explain --svg parse.svg "Turn left 120 degrees."
+  rfn explain --without quotations "Tell her lunch is ready."
   rfn explain --live "Go to the office."
+  rfn explain --live
   rfn explain --batch sentences.txt --json > understood.jsonl
+
+With --live a sentence is explained with what the running graph knows, and is not carried out; without a sentence each
+command that the graph hears is explained by its own nodes, until Ctrl-C.
 
 exit status: 0 it would be done (a batch: every line has its object), 1 it would not, 2 wrong usage
 """
+#: Columns of the name of a rule.
+_RULE_WIDTH = 22
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
@@ -35,7 +38,12 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         "--domains", action="append", metavar="FOLDER", help="folder of frames and units (default: those shipped)"
     )
     parser.add_argument(
-        "--live", action="store_true", help="frames, units and servers of the running graph; needs a ROS master"
+        "--live",
+        action="store_true",
+        help="frames, units, servers and parameters of the running graph; without a sentence, what the graph hears",
+    )
+    parser.add_argument(
+        "--without", action="append", default=[], metavar="PASS", help="switch a pass off ('rfn passes' lists them)"
     )
     parser.add_argument("--svg", metavar="FILE", help="also draw the parse into this file")
     parser.add_argument("--batch", metavar="FILE", help="one sentence a line; '-' reads standard input")
@@ -44,12 +52,17 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 def run(arguments: argparse.Namespace) -> int:
     """Explain one sentence or many; return the exit status."""
-    if bool(arguments.text) == bool(arguments.batch):
-        print("rfn explain: give a sentence or --batch FILE", file=sys.stderr)
+    is_following = arguments.live and not arguments.text and not arguments.batch
+    unknown = set(arguments.without) - {one.name for one in PASSES}
+    if (bool(arguments.text) == bool(arguments.batch) and not is_following) or unknown:
+        what = f"no pass is named {', '.join(sorted(unknown))}" if unknown else "give a sentence or --batch FILE"
+        print(f"rfn explain: {what}", file=sys.stderr)
         return 2
     try:
+        if is_following:
+            return _follow()
         lines = _lines(arguments.batch) if arguments.batch else [" ".join(arguments.text)]
-        pipeline = Pipeline(_knowledge(arguments))
+        pipeline = _pipeline(arguments)
     except (OSError, ModelError, LookupError) as error:
         print(f"rfn explain: {error}", file=sys.stderr)
         return 2
@@ -65,7 +78,7 @@ def run(arguments: argparse.Namespace) -> int:
         return 0
     if arguments.svg and understanding.tree is not None:
         with open(arguments.svg, "w", encoding="utf-8") as file:
-            file.write(svg_arcs(understanding.tree))
+            file.write(svg_arcs(understanding.tree_read or understanding.tree))
     return 0 if understanding.reply.code == "DONE" else 1
 
 
@@ -80,48 +93,56 @@ def _lines(path: str) -> List[str]:
     return [line.rstrip("\r") for line in (lines[:-1] if not lines[-1] else lines)]
 
 
-def _knowledge(arguments: argparse.Namespace) -> Knowledge:
+def _pipeline(arguments: argparse.Namespace) -> Pipeline:
+    without = frozenset(arguments.without)
     if arguments.live:
-        from roboframenet_tools.ros_graph import live_knowledge
+        from roboframenet_tools.ros_graph import live_knowledge, live_parameters
 
-        return live_knowledge(timeout_s=10.0)
+        knowledge = live_knowledge(timeout_s=10.0)
+        return Pipeline(knowledge, parameters=live_parameters(), without=without, is_traced=not arguments.json)
     knowledge = load_knowledge(arguments.domains or [shipped_domains()])
     pretend_servers(knowledge.graph)
-    return knowledge
+    return Pipeline(knowledge, without=without, is_traced=not arguments.json)
+
+
+def _follow() -> int:
+    """Print what the stages of the running graph tell of each command, until the person ends it."""
+    from roboframenet_tools.ros_graph import live_traces
+
+    for text in live_traces():
+        print(text, flush=True)
+    return 0
+
+
+def _steps(candidate: Candidate) -> str:
+    return ", then ".join(
+        f"{frame.name}({', '.join(f'{name}={text}' for name, text in frame.arguments)}) on {frame.server}"
+        for frame in candidate.frames
+    )
 
 
 def describe(understanding: Understanding) -> str:
-    """Return the explanation for a person."""
+    """Return the explanation for a person: the tree that was read, and what each rule did in the run that decided."""
     lines = [understanding.text.strip(), ""]
-    if understanding.tree is not None:
-        lines += [draw_arcs(understanding.tree), ""]
-    for number, attempts in enumerate(understanding.attempts, start=1):
-        lines.append(f"clause {number}: {len(attempts)} lexical units tried")
-        for attempt in attempts:
-            place = f"{attempt.unit.path.rsplit('/', 1)[-1]}:{attempt.unit.line}"
-            elements = (
-                ", ".join(f"{value.name}={value.argument}" for value in attempt.reading.values)
-                if attempt.reading
-                else ""
-            )
-            verdict = "no" if attempt.reading is None else "incomplete" if attempt.wanted else "fits"
-            lines.append(f"  {verdict:<10} {attempt.verb} -> {attempt.unit.frame_name}({elements})  [{place}]")
-            lines += [f"             no {relations} for {element}" for element, relations in attempt.wanted]
-            if attempt.reading is not None and attempt.reading.left_over and understanding.tree is not None:
-                words = understanding.tree.words
-                left = [words[index - 1].form for index in attempt.reading.left_over if index <= len(words)]
-                lines.append(f"             left over: {' '.join(left)}")
+    tree = understanding.tree_read or understanding.tree
+    if tree is not None:
+        lines += [draw_arcs(tree), ""]
+    lines += [describe_line(line) for line in understanding.trace]
     if understanding.readings:
         lines.append("frames reached: " + ", then ".join(reading.unit.frame_name for reading in understanding.readings))
-    for reading in understanding.descriptions:
-        elements = ", ".join(f"{value.name}={value.argument}" for value in reading.values)
-        lines.append(f"said on the way: {reading.unit.frame_name}({elements})")
-    for number, candidate in enumerate(understanding.candidates, start=1):
-        steps = ", then ".join(
-            f"{frame.name}({', '.join(f'{name}={text}' for name, text in frame.arguments)}) on {frame.server}"
-            for frame in candidate.frames
-        )
-        lines.append(f"{'would run' if number == 1 else 'otherwise'}: {steps}")
+    lines += [f"said on the way: {reading}" for reading in understanding.descriptions]
+    for number, (reading, candidates) in enumerate(zip(understanding.readings, understanding.candidates), start=1):
+        if len(understanding.candidates) > 1:
+            lines.append(f'clause {number}, "{reading.clause_text}"')
+        lines += [
+            f"{'otherwise' if is_behind else 'would run'}: {_steps(candidate)}"
+            for is_behind, candidate in enumerate(candidates)
+        ]
     reply = understanding.reply
     lines.append(f"reply: {reply.outcome.lower().replace('_', ' ')} [{reply.code}] {reply.sentence}")
     return "\n".join(lines)
+
+
+def describe_line(line: TraceLine) -> str:
+    """Return a line of the trace, the names of the rules below each other."""
+    return f"  {line.rule:<{_RULE_WIDTH}} {line.what}"

@@ -2,11 +2,11 @@
 
 import argparse
 import sys
-from typing import Dict, List, Mapping
+from typing import Dict, List, Mapping, Tuple
 from xml.sax.saxutils import escape
 
 from frame_registrar.graph import FrameGraph
-from roboframenet_tools.understanding import load_knowledge, shipped_domains
+from offline_pipeline.knowledge import load_knowledge, shipped_domains
 
 EXAMPLES = """examples:
   rfn graph --svg frames.svg
@@ -54,7 +54,7 @@ def dot(graph: FrameGraph) -> str:
     return "\n".join(lines + ["}"]) + "\n"
 
 
-def _edges(graph: FrameGraph) -> List[tuple]:
+def _edges(graph: FrameGraph) -> List[Tuple[str, str, str]]:
     """Parent, child, and for a sequence its number and the step in it: "1.2"."""
     return [
         (frame.name, child.name, f"{number}.{step}" if len(sequence) > 1 else "")
@@ -97,7 +97,10 @@ def svg(graph: FrameGraph) -> str:
         rows[column] = rows.get(column, 0) + 1
     width, height = 20 + 240 * (last + 1), 40 + 34 * max(rows.values(), default=0)
     parts = [
-        f'<svg xmlns="http://www.w3.org/2000/svg" width="{width}" height="{height}" font-family="sans-serif" font-size="12">'
+        (
+            f'<svg xmlns="http://www.w3.org/2000/svg" width="{width}" height="{height}"'
+            ' font-family="sans-serif" font-size="12">'
+        )
     ]
     for parent, child, label in edges:
         (x, y), (to_x, to_y) = place[parent], place[child]

@@ -4,10 +4,10 @@ import argparse
 import os
 import sys
 from dataclasses import dataclass
-from typing import List, Optional, Sequence, Tuple
+from typing import Dict, List, Optional, Sequence, Tuple
 
 from frame_registrar.graph import FrameGraph
-from roboframenet_tools.understanding import Knowledge, load_knowledge, shipped_domains
+from offline_pipeline.knowledge import Knowledge, load_knowledge, shipped_domains
 
 EXAMPLES = """examples:
   rfn list
@@ -71,7 +71,7 @@ def is_grounded(graph: FrameGraph, name: str) -> bool:
 
 def count(knowledge: Knowledge, live: Optional[FrameGraph]) -> Tuple[Domain, ...]:
     """Count frames and units by the folder that their files lie in."""
-    domains = {}
+    domains: Dict[str, List[str]] = {}
     for name, frame in knowledge.frames.items():
         domains.setdefault(_domain(frame.path), []).append(name)
     return tuple(

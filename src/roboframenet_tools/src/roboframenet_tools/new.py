@@ -1,4 +1,5 @@
 """``rfn new``: the files that a new frame needs, ready to be filled in."""
+
 import argparse
 import os
 import re
@@ -64,7 +65,7 @@ if __name__ == "__main__":
 _TEST = '''"""The files of the frame {name} are right, and its examples are understood."""
 from pathlib import Path
 
-from roboframenet_tools.check import Examples, example_problems, find_problems, load_paths
+from offline_pipeline.file_checks import Examples, example_problems, find_problems, load_paths
 
 
 def test_files_and_examples():
@@ -119,6 +120,10 @@ def scaffold(name: str, verb: str) -> Dict[str, str]:
     if not re.fullmatch(r"[a-z]+( [a-z]+)*", verb):
         raise ValueError(f"'{verb}' is no verb: lower case words, such as 'pick up' (give it with --verb)")
     words = {"name": name, "verb": verb, "capital": verb.capitalize()}
-    templates = {f"frames/{name}.yaml": _FRAME, f"lexical_units/{name}.yaml": _UNIT, f"nodes/{name}_server": _SERVER,
-                 f"test/test_{name}.py": _TEST}
+    templates = {
+        f"frames/{name}.yaml": _FRAME,
+        f"lexical_units/{name}.yaml": _UNIT,
+        f"nodes/{name}_server": _SERVER,
+        f"test/test_{name}.py": _TEST,
+    }
     return {path: template.format(**words) for path, template in templates.items()}

@@ -127,7 +127,8 @@ def port(text: str) -> Ported:
     for site in reversed(sites):
         _put(lines, site.expression, f"{module}.{site.name}")
     if insert_at is not None:
-        ending = re.search(r"[\r\n]*$", lines[max(0, insert_at - 1)]).group() or "\n"
+        before = lines[max(0, insert_at - 1)]
+        ending = before[len(before.rstrip("\r\n")) :] or "\n"
         lines.insert(insert_at, f"import rfnserver{ending}")
     servers = tuple(dict.fromkeys(site.server for site in sites if site.server)) or ("server",)
     return Ported("".join(lines), servers)
@@ -208,7 +209,7 @@ def _sites(tree: ast.Module, names: Dict[str, str]) -> Iterator[Site]:
     servers = {
         node.value: _dotted(node.target if isinstance(node, ast.AnnAssign) else node.targets[0])
         for node in ast.walk(tree)
-        if isinstance(node, (ast.Assign, ast.AnnAssign))
+        if isinstance(node, (ast.Assign, ast.AnnAssign)) and node.value is not None
     }
     for value in servers:
         yield from site(value)
@@ -243,7 +244,7 @@ def _module_name(tree: ast.Module, first_line: int) -> Tuple[str, Optional[int]]
         is_docstring = position == 0 and ast.get_docstring(tree) is not None
         # What shares its line with an import ("import roslib; roslib.load_manifest(...)") belongs to it.
         if is_docstring or isinstance(node, (ast.Import, ast.ImportFrom)) or (place and node.lineno <= place):
-            place = node.end_lineno
+            place = node.end_lineno or node.lineno
     _refuse_other_meaning(tree)
     if place == 0 and tree.body:
         # Behind the comments at the top: one may be the interpreter, one the encoding.
@@ -265,12 +266,13 @@ def _refuse_other_meaning(tree: ast.Module) -> None:
         elif isinstance(node, ast.Import):
             bound = [alias.asname or "" for alias in node.names if alias.name != "rfnserver"]
         if "rfnserver" in bound:
-            raise PortError(f"line {node.lineno}: the name rfnserver stands for something else; nothing is changed")
+            line = getattr(node, "lineno", 0)
+            raise PortError(f"line {line}: the name rfnserver stands for something else; nothing is changed")
 
 
 def _put(lines: List[str], expression: ast.expr, text: str) -> None:
     """Replace an expression in the lines."""
-    first, last = expression.lineno - 1, expression.end_lineno - 1
+    first, last = expression.lineno - 1, (expression.end_lineno or expression.lineno) - 1
     # Columns of ast count bytes of UTF-8.
     before = lines[first].encode("utf-8")[: expression.col_offset].decode("utf-8")
     behind = lines[last].encode("utf-8")[expression.end_col_offset :].decode("utf-8")

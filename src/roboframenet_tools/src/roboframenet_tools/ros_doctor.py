@@ -6,7 +6,7 @@ import rosgraph
 import rosnode
 import rospy
 
-from roboframenet_tools.doctor import Finding
+from roboframenet_tools.finding import Finding
 
 #: Nodes of the pipeline; the names are those of the launch file.
 PIPELINE = (

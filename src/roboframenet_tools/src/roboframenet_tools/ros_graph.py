@@ -1,11 +1,15 @@
 """Frames, lexical units and servers of the running graph."""
-from typing import Tuple
+
+import queue
+from typing import Iterator, Tuple
 
 import rosgraph
 import rospy
+from roboframenet_msgs.msg import FrameCatalogue, Lexicon, StageEvent
 
-from roboframenet_msgs.msg import FrameCatalogue, Lexicon
-from roboframenet_tools.understanding import Knowledge, load_texts
+from offline_pipeline.knowledge import Knowledge, load_texts
+from offline_pipeline.pipeline import Parameters
+from semantic_framer.outcome import Alternatives, LeftOverWords, Policy
 
 
 def is_master_up() -> bool:
@@ -24,17 +28,74 @@ def live_knowledge(*, timeout_s: float) -> Knowledge:
     if not is_master_up():
         raise LookupError("no ROS master answers: start the pipeline, or leave --live away")
     try:
-        rospy.init_node("rfn", anonymous=True, disable_signals=True)
+        _join()
         catalogue = rospy.wait_for_message("frame_catalogue", FrameCatalogue, timeout=timeout_s)
         lexicon = rospy.wait_for_message("lexicon", Lexicon, timeout=timeout_s)
     except rospy.ROSException as error:
         raise LookupError(f"the pipeline is not up: {error}") from error
-    knowledge = load_texts([(file.path, lambda file=file: file.text) for file in catalogue.files],
-                           [(file.path, lambda file=file: file.text) for file in lexicon.files])
+    knowledge = load_texts(
+        [(file.path, lambda file=file: file.text) for file in catalogue.files],
+        [(file.path, lambda file=file: file.text) for file in lexicon.files],
+    )
     for callback in catalogue.callbacks:
         if callback.is_alive:
             knowledge.graph.register(callback.frame_name, callback.callback_topic)
     return knowledge
+
+
+def _join() -> None:
+    if not rospy.core.is_initialized():
+        rospy.init_node("rfn", anonymous=True, disable_signals=True)
+
+
+def live_parameters() -> Parameters:
+    """Read what the running nodes were started with; defaults where a node has no such parameter.
+
+    Raises:
+        LookupError: a value that the node would not take
+    """
+    try:
+        policy = Policy(
+            left_over_words=LeftOverWords(rospy.get_param("semantic_framer/left_over_words", "strict")),
+            alternatives=Alternatives(rospy.get_param("semantic_framer/alternatives", "either")),
+        )
+        default = Parameters()
+        return Parameters(
+            max_text_length=int(rospy.get_param("command_server/max_text_length", default.max_text_length)),
+            policy=policy,
+            max_candidates=int(rospy.get_param("frame_registrar/max_candidates", default.max_candidates)),
+        )
+    except ValueError as error:
+        raise LookupError(f"a parameter of the running graph is wrong: {error}") from error
+
+
+def live_traces() -> Iterator[str]:
+    """What the stages tell of each command, as it passes them.
+
+    Raises:
+        LookupError: no master
+    """
+    if not is_master_up():
+        raise LookupError("no ROS master answers: start the pipeline, or give a sentence and leave --live away")
+    _join()
+    events: queue.Queue[StageEvent] = queue.Queue()
+    subscriber = rospy.Subscriber("stage_events", StageEvent, events.put, queue_size=100)
+    try:
+        while not rospy.is_shutdown():
+            try:
+                yield describe_event(events.get(timeout=1.0))
+            except queue.Empty:
+                continue
+    except KeyboardInterrupt:
+        return
+    finally:
+        subscriber.unregister()
+
+
+def describe_event(event: StageEvent) -> str:
+    """Return what a stage tells of a command, with the lines of its trace."""
+    lines = [f'"{event.command.text}" {event.stage}: {event.sentence}']
+    return "\n".join(lines + [f"  {line}" for line in event.trace.splitlines()])
 
 
 #: Subscribed by a PR2, real or simulated; a robot that takes velocities and has no such arm counts as a Turtlebot.
@@ -45,6 +106,6 @@ def robots_up() -> Tuple[str, ...]:
     """Return the robots in the running graph, by what is subscribed to in each namespace."""
     _, subscribers, _ = rosgraph.Master("/rfn").getSystemState()
     topics = [topic for topic, nodes in subscribers if nodes]
-    arms = {topic[:-len(_ARM_GOAL)] for topic in topics if topic.endswith("/" + _ARM_GOAL)}
-    bases = {topic[:-len("cmd_vel")] for topic in topics if topic.endswith("/cmd_vel")}
+    arms = {topic[: -len(_ARM_GOAL)] for topic in topics if topic.endswith("/" + _ARM_GOAL)}
+    bases = {topic[: -len("cmd_vel")] for topic in topics if topic.endswith("/cmd_vel")}
     return ("turtlebot",) * len(bases - arms) + ("pr2",) * len(arms)

@@ -8,8 +8,8 @@ from typing import Tuple, Union
 
 import actionlib
 import rospy
-
 from roboframenet_msgs.msg import ExecuteCommandAction, ExecuteCommandFeedback, ExecuteCommandGoal, Reply
+
 from roboframenet_tools.saying import EXIT_STATUS, NO_REPLY, Answer, Outcome, Stage, format_answer, format_stage
 
 EXAMPLES = """examples:
@@ -50,7 +50,7 @@ def run(arguments: argparse.Namespace) -> int:
     client = actionlib.ActionClient("command", ExecuteCommandAction)
     if not client.wait_for_server(rospy.Duration(arguments.wait)):
         return _complain(f"no command server within {arguments.wait:g} s: is the pipeline up ('make run')?")
-    arrived: "queue.Queue[Union[Stage, Tuple[int, Reply]]]" = queue.Queue()
+    arrived: queue.Queue[Union[Stage, Tuple[int, Reply]]] = queue.Queue()
 
     def on_transition(handle: actionlib.ClientGoalHandle) -> None:
         if handle.get_comm_state() == actionlib.CommState.DONE:

@@ -3,12 +3,18 @@
 import json
 
 import pytest
+from roboframenet_msgs.msg import Command, StageEvent
 
+from offline_pipeline.knowledge import load_knowledge, pretend_servers, shipped_domains
+from offline_pipeline.pipeline import Pipeline, to_json
 from roboframenet_tools import explain
+from roboframenet_tools.cli import main
 from roboframenet_tools.drawing import draw_arcs, svg_arcs
 from roboframenet_tools.explain import describe
-from roboframenet_tools.understanding import Pipeline, load_knowledge, pretend_servers, shipped_domains, to_json
-from stanford_parser_ros.tree import DependencyTree, Word
+from roboframenet_tools.passes import effects_of
+from roboframenet_tools.ros_graph import describe_event
+from utterance_passes.table import PASSES
+from utterance_passes.tree import DependencyTree, Word
 
 TREE = DependencyTree(
     "Take it", (Word(1, "Take", "take", "VERB", "VB", "", 0, "root"), Word(2, "it", "it", "PRON", "PRP", "", 1, "obj"))
@@ -19,7 +25,7 @@ TREE = DependencyTree(
 def pipeline():
     knowledge = load_knowledge([shipped_domains()])
     pretend_servers(knowledge.graph)
-    return Pipeline(knowledge)
+    return Pipeline(knowledge, is_traced=True)
 
 
 def test_json_of_a_command(pipeline):
@@ -40,15 +46,25 @@ def test_what_is_said_on_the_way_is_no_step(pipeline):
         ("bringing", False),
         ("being_located", True),
     ]
-    assert {step.name for candidate in understanding.candidates for step in candidate.frames}.isdisjoint(
-        {"being_located"}
-    )
+    steps = [step for candidates in understanding.candidates for candidate in candidates for step in candidate.frames]
+    assert "being_located" not in [step.name for step in steps]
     assert "said on the way: being_located(theme=that, location=the bathroom)" in describe(understanding)
     assert to_json(pipeline.understand("Don't bring me the towel that is in the bathroom."))["frames"] == []
 
 
+def test_each_clause_has_its_own_candidates(pipeline):
+    understanding = pipeline.understand("Take the mug, then go to the kitchen.")
+    assert [[step.name for step in candidates[0].frames] for candidates in understanding.candidates] == [
+        ["taking"],
+        ["navigating_to_location"],
+    ]
+    explanation = describe(understanding)
+    assert 'clause 1, "Take the mug"\nwould run: taking(theme=the mug) on taking\notherwise: grasping' in explanation
+    assert 'clause 2, "go to the kitchen"\nwould run: navigating_to_location(goal=the kitchen)' in explanation
+
+
 def test_negated_command_reaches_no_frame(pipeline):
-    result = to_json(pipeline.understand("Don't move."))
+    result = to_json(pipeline.understand("Don't say hello."))
     assert result["frames"] == []
     assert result["reply"]["code"] == "NEGATED"
 
@@ -59,20 +75,49 @@ def test_missing_relation_is_named(pipeline):
     assert "no dobj" in describe(understanding)
 
 
+def test_the_run_that_decided_is_shown(pipeline):
+    text = describe(pipeline.understand("Tell her lunch is ready, then take a right."))
+    assert "quotations" in text and "her: nmod:poss(lunch) -> iobj(Tell)" in text
+    assert "side_is_no_thing" in text
+    # The arcs are those of the tree that was read.
+    assert "flat:quoted" in text
+
+
+@pytest.mark.parametrize("words", [["--without", "nonsense", "Go."], [], ["Go.", "--batch", "file"]])
+def test_wrong_usage(words, capsys):
+    assert main(["explain", *words]) == 2
+    assert "rfn explain:" in capsys.readouterr().err
+
+
+def test_without_a_pass(capsys):
+    assert main(["explain", "--without", "particles_on_the_way", "go up to the desk"]) == 1
+    assert "left over: up" in capsys.readouterr().out
+
+
+def test_passes_are_listed_in_their_order(capsys):
+    assert main(["passes"]) == 0
+    assert [line.split()[0] for line in capsys.readouterr().out.splitlines()] == [one.name for one in PASSES]
+
+
+def test_the_effect_of_a_pass_is_counted(pipeline):
+    said = ["Go up to the desk.", "Tell her lunch is ready.", "Turn left."]
+    effects = {effect.name: effect for effect in effects_of(pipeline, said, [one.name for one in PASSES])}
+    assert len(effects) == len(PASSES)
+    assert effects["particles_on_the_way"].changed == ("Go up to the desk.",)
+    assert [text for text, _, _ in effects["quotations"].read_otherwise] == ["Tell her lunch is ready."]
+    assert effects["dashes"].changed == ()
+
+
+def test_an_event_of_a_stage_is_shown_with_its_trace():
+    event = StageEvent(command=Command(text="Go."), stage="semantic_framer", sentence="going()", trace="one: a\ntwo: b")
+    assert describe_event(event) == '"Go." semantic_framer: going()\n  one: a\n  two: b'
+
+
 @pytest.mark.parametrize(
     "line", ["", "   ", "?!", "\x00", "\t", "😀", "a" * 300, "(calibrate)", "<no speech>", "\u2028go\ufffd"]
 )
 def test_no_line_raises(pipeline, line):
     json.dumps(to_json(pipeline.understand(line)))
-
-
-def test_an_error_becomes_a_reply(pipeline, monkeypatch):
-    def fail(text):
-        raise RuntimeError("broken")
-
-    monkeypatch.setattr(pipeline, "understand", fail)
-    result = to_json(pipeline.understand_safely("Turn left."))
-    assert result["reply"] == {"outcome": "FAILED", "code": "STAGE_ERROR", "sentence": "RuntimeError: broken"}
 
 
 def test_a_batch_has_a_line_for_each_line(tmp_path):

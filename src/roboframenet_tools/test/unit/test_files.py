@@ -1,4 +1,5 @@
 """Checking, counting, drawing and making files."""
+
 import subprocess
 import sys
 from types import SimpleNamespace
@@ -6,8 +7,8 @@ from xml.etree import ElementTree
 
 import pytest
 
+from offline_pipeline.file_checks import find_problems, load_paths
 from roboframenet_tools import doctor, new
-from roboframenet_tools.check import find_problems, load_paths
 from roboframenet_tools.cli import COMMANDS, OUTPUT_CLOSED, main
 from roboframenet_tools.completion import script
 from roboframenet_tools.graph import dot, layers, svg
@@ -28,7 +29,7 @@ def chain(tmp_path):
 
 def test_unknown_child_has_its_line(tmp_path):
     write(tmp_path, "a", "name: a\nchildren:\n  - name: nowhere\n")
-    problem, = find_problems(*load_paths([str(tmp_path)]))
+    (problem,) = find_problems(*load_paths([str(tmp_path)]))
     assert (problem.code, problem.line) == ("UNKNOWN_FRAME", 3)
 
 
@@ -59,7 +60,7 @@ def test_grounded_through_a_child(chain):
     assert not is_grounded(knowledge.graph, "a")
     knowledge.graph.register("b", "b")
     assert is_grounded(knowledge.graph, "a")
-    domain, = count(knowledge, knowledge.graph)
+    (domain,) = count(knowledge, knowledge.graph)
     assert (domain.frames, domain.units, domain.grounded) == (2, 0, 2)
     assert "52" in table([domain], ("pr2",))
 
@@ -91,7 +92,12 @@ def test_output_that_nobody_reads_ends_quietly(words):
     reader = subprocess.Popen([sys.executable, "-c", ""], stdin=subprocess.PIPE)
     reader.wait(timeout=60)
     result = subprocess.run(
-        [sys.executable, "-c", code, *words], stdout=reader.stdin, stderr=subprocess.PIPE, text=True, timeout=120
+        [sys.executable, "-c", code, *words],
+        stdout=reader.stdin,
+        stderr=subprocess.PIPE,
+        text=True,
+        timeout=120,
+        check=False,
     )
     reader.stdin.close()
     assert (result.returncode, result.stderr) == (OUTPUT_CLOSED, "")

@@ -32,7 +32,7 @@ if __name__ == '__main__':
   rospy.init_node('fibonacci')
   server = FibonacciAction(rospy.get_name())
   rospy.spin()
-"""
+"""  # noqa: E501 (laid out as its authors did)
 AVERAGING = '''"""Averages."""
 import rospy
 from actionlib import SimpleActionServer

@@ -1,12 +1,20 @@
 """What rfn say prints and returns."""
+
 import json
 
 import pytest
+
 from roboframenet_tools.cli import COMMANDS, main
 from roboframenet_tools.saying import EXIT_STATUS, Answer, Outcome, Stage, format_answer, format_stage
 
-ANSWER = Answer(id="1", text="Fly.", outcome=Outcome.REFUSED, stage="semantic_framer", code="UNKNOWN_VERB",
-                sentence='I do not know "fly".')
+ANSWER = Answer(
+    id="1",
+    text="Fly.",
+    outcome=Outcome.REFUSED,
+    stage="semantic_framer",
+    code="UNKNOWN_VERB",
+    sentence='I do not know "fly".',
+)
 
 
 def test_only_done_exits_with_zero() -> None:
@@ -27,7 +35,8 @@ def test_json_answer_is_one_object() -> None:
 
 def test_json_stage_is_one_object() -> None:
     assert json.loads(format_stage(Stage("executor", "goal sent"), as_json=True)) == {
-        "event": {"stage": "executor", "sentence": "goal sent"}}
+        "event": {"stage": "executor", "sentence": "goal sent"}
+    }
 
 
 def test_help_lists_every_command(capsys: pytest.CaptureFixture) -> None:

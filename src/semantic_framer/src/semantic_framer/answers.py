@@ -1,19 +1,23 @@
 """What is asked for where something is missing, and what of the next utterance answers it."""
 
-from typing import Dict, List, Mapping, Optional, Sequence, Tuple
+from typing import Dict, List, Optional, Sequence, Tuple
 
+from semantic_framer.dialogue import Pending, is_yes
+from semantic_framer.frame_roles import MESSAGE
+from semantic_framer.framed_lexicon import FramedLexicon
+from semantic_framer.reading import ElementValue, Reading, with_value
+from semantic_framer.sentence import Sentence
+from semantic_framer.values import amount_value, phrase_value, unit_value
 from semantic_frames.frame import FrameElement, SemanticFrame
 from semantic_frames.lexical_unit import ArgumentForm
+from utterance_passes.clauses import find_clauses
+from utterance_passes.measures import find_amounts
+from utterance_passes.verb_matching import match_verbs
+from word_classes import word_class
 
-from semantic_framer.clauses import CONDITIONS, NEGATIONS, find_clauses
-from semantic_framer.dialogue import Pending, is_yes
-from semantic_framer.lexicon import Lexicon
-from semantic_framer.matching import Reading, with_value
-from semantic_framer.measures import find_amounts
-from semantic_framer.sentence import Sentence
-from semantic_framer.times import find_times
-from semantic_framer.values import ElementValue, amount_value, phrase_value, unit_value
-from semantic_framer.verb_matching import match_verbs
+_ARTICLES = word_class("articles")
+#: A word that makes an utterance more than an answer.
+_NO_ANSWER = word_class("negations") | word_class("conditions")
 
 
 def question_for(element: FrameElement) -> str:
@@ -32,28 +36,27 @@ def question_of(readings: Sequence[Reading]) -> str:
 
 
 def answer(
-    sentence: Sentence, pending: Pending, lexicon: Lexicon, frames: Mapping[str, SemanticFrame], *, is_strict: bool
+    sentence: Sentence, pending: Pending, known: FramedLexicon, *, is_strict: bool
 ) -> Optional[Tuple[Tuple[Reading, ...], ...]]:
     """Take an utterance as the answer to the open question.
 
     Args:
         sentence: the utterance
         pending: the question
-        lexicon: lexical units; an utterance with one of their verbs is a command, and no answer
-        frames: by name
+        known: lexical units and frames; an utterance with one of their verbs is a command, and no answer
         is_strict: whether every content word must be of the answer
     Returns:
         the clauses with what was answered; None when it is no answer, or says more than one
     """
-    if any(reading.unit.frame_name not in frames for readings in pending.clauses for reading in readings):
+    if any(reading.unit.frame_name not in known.frames for readings in pending.clauses for reading in readings):
         return None
     if not pending.elements:
         return pending.clauses if is_yes(sentence.tree.text) else None
-    if any(match_verbs(sentence, clause, lexicon) for clause in find_clauses(sentence, lexicon)):
+    if any(match_verbs(sentence.tree, clause, known) for clause in find_clauses(sentence.tree, known)):
         return None
     fitting: Dict[bool, List[Reading]] = {True: [], False: []}
     for reading, name in zip(pending.clauses[pending.clause], pending.elements):
-        frame = frames[reading.unit.frame_name]
+        frame = known.frames[reading.unit.frame_name]
         values = _values(sentence, pending, frame, name, is_strict)
         element = frame.element(name)
         for value in values:
@@ -77,7 +80,7 @@ def _values(
     """Return what an utterance fills an element with, and the element of its unit; nothing where it does not fit."""
     element = frame.element(name)
     values = _fragment_values(sentence, frame, element) if element is not None else []
-    is_quoted = element is not None and element.framenet == "Message"
+    is_quoted = element is not None and element.framenet == MESSAGE
     if element is None or not values or not (is_quoted or _is_all_said(sentence, values, is_strict)):
         return []
     if pending.choices and not any(_is_choice(values[0], choice) for choice in pending.choices):
@@ -92,10 +95,10 @@ def _values(
 def _is_all_said(sentence: Sentence, values: List[ElementValue], is_strict: bool) -> bool:
     """Whether values are all that an answer says: no "not", no condition, no time, no word of another matter."""
     used = frozenset(position for value in values for position in value.positions)
-    if find_times(sentence):
+    if sentence.tree.times:
         return False
     for word in sentence.tree.words:
-        if word.form.lower() in NEGATIONS | CONDITIONS:
+        if word.form.lower() in _NO_ANSWER:
             return False
         if word.index not in used and is_strict and sentence.is_content(word.index):
             return False
@@ -105,18 +108,17 @@ def _is_all_said(sentence: Sentence, values: List[ElementValue], is_strict: bool
 def _is_choice(value: ElementValue, choice: str) -> bool:
     """Whether an answer names one of the things that were offered: "the plate", "plate"."""
     said, offered = value.phrase.lower().split(), choice.lower().split()
-    articles = ("a", "an", "the")
-    return [word for word in said if word not in articles] == [word for word in offered if word not in articles]
+    return [word for word in said if word not in _ARTICLES] == [word for word in offered if word not in _ARTICLES]
 
 
 def _fragment_values(sentence: Sentence, frame: SemanticFrame, element: FrameElement) -> List[ElementValue]:
     positions = [word.index for word in sentence.tree.words if word.upos not in ("PUNCT", "INTJ")]
-    amounts = find_amounts(sentence, positions)
+    amounts = find_amounts(sentence.tree, [word.index for word in sentence.tree.words])
     if element.quantity is not None:
-        for amount in amounts:
-            values = [amount_value(sentence, element.name, amount, is_whole=not element.unit_element)]
+        for amount in amounts if not any(amount.is_doubtful for amount in amounts) else ():
+            values = [amount_value(sentence.tree, element.name, amount, is_whole=not element.unit_element)]
             if element.unit_element and amount.unit:
-                values.append(unit_value(sentence, element.unit_element, amount))
+                values.append(unit_value(sentence.tree, element.unit_element, amount))
             return values
         return []
     # "Three feet" is no place and no thing.
@@ -124,6 +126,6 @@ def _fragment_values(sentence: Sentence, frame: SemanticFrame, element: FrameEle
     is_unit = any(other.unit_element == element.name for other in frame.frame_elements)
     if not positions or (is_measure and not is_unit):
         return []
-    heads = [word for word in sentence.children(0)]
+    heads = list(sentence.children(0))
     head = heads[0].index if heads and heads[0].index in positions else positions[0]
-    return [phrase_value(sentence, element.name, head, ArgumentForm.PHRASE, frozenset())]
+    return [phrase_value(sentence.tree, element.name, head, ArgumentForm.PHRASE, frozenset())]

@@ -2,16 +2,26 @@
 
 from typing import Iterable, List, Optional, Sequence, Tuple
 
-from semantic_framer.asides import set_aside
-from semantic_framer.clauses import Clause, find_clauses
-from semantic_framer.dialogue import Choice, is_yes
-from semantic_framer.lexicon import Lexicon
-from semantic_framer.verb_matching import match_verbs
-from semantic_framer.sentence import HARMLESS, Sentence
+from semantic_framer.dialogue import is_yes
+from semantic_framer.reading import Reading
+from semantic_framer.sentence import Sentence
+from utterance_passes.clauses import Clause, find_clauses
+from utterance_passes.measures import find_amounts
+from utterance_passes.tree import ABANDONED
+from utterance_passes.tree_edits import set_aside
+from utterance_passes.utterance_pass import Choice
+from utterance_passes.verb_matching import match_verbs
+from utterance_passes.vocabulary import Vocabulary, is_verb
+from word_classes import word_class, word_list
 
-_ORDINALS = {"first": 0, "former": 0, "second": 1, "third": 2, "last": -1, "latter": -1}
-_ARTICLES = frozenset(["a", "an", "the"])
-_OF_CHOICES = frozenset(["one", "option", "reading", "choice"])
+_CHOICE_NOUNS = word_class("choice_nouns")
+_ORDINALS = {
+    "former": 0,
+    **{word: place for place, word in enumerate(word_list("ordinals"))},
+    **dict.fromkeys(word_list("last_ordinals"), -1),
+}
+#: Words that tell no choice apart.
+_COMMON = word_class("articles") | (word_class("harmless") - frozenset(_ORDINALS))
 
 
 def question_of_choices(choices: Sequence[Choice]) -> str:
@@ -20,7 +30,7 @@ def question_of_choices(choices: Sequence[Choice]) -> str:
     return f"Do you mean {quoted[0]}?" if len(quoted) == 1 else f"Which do you mean: {' or '.join(quoted)}?"
 
 
-def choices_of_clauses(sentence: Sentence, clauses: Sequence[Clause], lexicon: Lexicon) -> Tuple[Choice, ...]:
+def choices_of_clauses(sentence: Sentence, clauses: Sequence[Clause], vocabulary: Vocabulary) -> Tuple[Choice, ...]:
     """Return the clauses where a person left the choice between them, "turn left or go back"; none where not."""
     verbs = {clause.verb for clause in clauses}
     if not any(
@@ -31,29 +41,55 @@ def choices_of_clauses(sentence: Sentence, clauses: Sequence[Clause], lexicon: L
     for clause in clauses:
         said = [index for index in sorted(clause.positions) if sentence.word(index).deprel not in ("punct", "cc")]
         others = frozenset(word.index for word in sentence.tree.words) - frozenset(said)
-        choices.append(Choice(sentence.text(said), set_aside(sentence.tree, others, lexicon, "reparandum")))
+        tree = set_aside(sentence.tree, others, ABANDONED, lambda word: is_verb(vocabulary, word))
+        choices.append(Choice(sentence.text(said), tree))
     return tuple(choices)
 
 
-def chosen(sentence: Sentence, choices: Sequence[Choice], lexicon: Lexicon) -> Optional[Choice]:
+def choices_of_amounts(sentence: Sentence, readings: Sequence[Reading], vocabulary: Vocabulary) -> Tuple[Choice, ...]:
+    """Return the amounts where a person left the choice between them, "ten to fifteen degrees"; none where not.
+
+    Args:
+        sentence: the sentence
+        readings: the best one of each clause
+        vocabulary: its verbs tell what the root is
+    """
+    ranges = [amount for reading in readings for amount in reading.unread if amount.ends]
+    if len(ranges) != 1:
+        return ()
+    choices = []
+    for end in ranges[0].ends:
+        dropped = frozenset(ranges[0].positions) - frozenset(end)
+        tree = set_aside(sentence.tree, dropped, ABANDONED, lambda word: is_verb(vocabulary, word))
+        words = [word.index for word in tree.words if word.upos != "PUNCT" or word.index in end]
+        said = [index for index in words if index not in dropped | sentence.abandoned]
+        amounts = [amount for amount in find_amounts(tree, said) if set(amount.positions) & set(end)]
+        if any(amount.is_doubtful or bool(amount.unit) != bool(ranges[0].unit) for amount in amounts):
+            # "A metre or two": the second has no unit of its own.
+            return ()
+        choices.append(Choice(sentence.text(said), tree))
+    return tuple(choices)
+
+
+def chosen(sentence: Sentence, choices: Sequence[Choice], vocabulary: Vocabulary) -> Optional[Choice]:
     """Find which of the readings that were offered an utterance picks.
 
     Args:
         sentence: the utterance: one of the readings or a part of it that the others do not have, "the second one", or
             "yes" where only one was offered
         choices: the readings
-        lexicon: an utterance with one of its verbs is a command of its own, and picks a reading only as a whole
+        vocabulary: an utterance with one of its verbs is a command of its own, and picks a reading only as a whole
     Returns:
         the reading; None where it picks none, or more than one
     """
     if len(choices) == 1 and is_yes(sentence.tree.text):
         return choices[0]
     said = _words(word.form for word in sentence.tree.words if word.upos not in ("PUNCT", "INTJ"))
-    ordinal = [word for word in said if word not in _OF_CHOICES]
+    ordinal = [word for word in said if word not in _CHOICE_NOUNS]
     if len(ordinal) == 1 and ordinal[0] in _ORDINALS and _ORDINALS[ordinal[0]] < len(choices) > 1:
         return choices[_ORDINALS[ordinal[0]]]
     whole = [choice for choice in choices if _words(choice.text.split()) == said]
-    if any(match_verbs(sentence, clause, lexicon) for clause in find_clauses(sentence, lexicon)):
+    if any(match_verbs(sentence.tree, clause, vocabulary) for clause in find_clauses(sentence.tree, vocabulary)):
         return whole[0] if whole else None
     picked = whole or [choice for choice in choices if said and _is_part(said, _words(choice.text.split()))]
     return picked[0] if len(picked) == 1 else None
@@ -61,7 +97,7 @@ def chosen(sentence: Sentence, choices: Sequence[Choice], lexicon: Lexicon) -> O
 
 def _words(forms: Iterable[str]) -> List[str]:
     lower = [form.lower().strip(".,;:!?") for form in forms]
-    return [form for form in lower if form and form not in _ARTICLES | (HARMLESS - frozenset(_ORDINALS))]
+    return [form for form in lower if form and form not in _COMMON]
 
 
 def _is_part(said: Sequence[str], of: Sequence[str]) -> bool:

@@ -1,16 +1,15 @@
 """What a sentence says of things on the way: "the tv that is on the table" is located, though nobody asks for that."""
 
-from typing import List, Mapping, Sequence, Tuple
+from typing import List, Sequence, Tuple
 
-from semantic_frames.frame import SemanticFrame
-
-from semantic_framer.clauses import Clause, clause_of
-from semantic_framer.lexicon import Lexicon
-from semantic_framer.matching import Reading, read_clause
+from semantic_framer.framed_lexicon import FramedLexicon
+from semantic_framer.matching import read_clause
+from semantic_framer.reading import Reading, rank
 from semantic_framer.sentence import Sentence
+from utterance_passes.clauses import Clause, clause_of
+from word_classes import word_class
 
-#: They only join a relative clause to its noun: "the bathroom where the door is on the right".
-_RELATIVE_ADVERBS = frozenset(["where", "when", "why"])
+_RELATIVE_ADVERBS = word_class("relative_adverbs")
 
 
 def relative_clauses(sentence: Sentence, clauses: Sequence[Clause]) -> Tuple[Clause, ...]:
@@ -34,13 +33,11 @@ def relative_clauses(sentence: Sentence, clauses: Sequence[Clause]) -> Tuple[Cla
                 for index in sentence.subtree(word.index)
                 if sentence.word(index).form.lower() not in _RELATIVE_ADVERBS
             )
-            found.append(clause_of(sentence, verb.index, positions, False))
+            found.append(clause_of(sentence.tree, verb.index, positions, False))
     return tuple(clause for clause in found if clause.subject)
 
 
-def descriptions(
-    sentence: Sentence, clauses: Sequence[Clause], lexicon: Lexicon, frames: Mapping[str, SemanticFrame]
-) -> Tuple[Reading, ...]:
+def descriptions(sentence: Sentence, clauses: Sequence[Clause], known: FramedLexicon) -> Tuple[Reading, ...]:
     """Return the frames that relative clauses evoke; they are no steps of what is asked for.
 
     Only a unit that asks for the subject is about what is, and no command: "the mug that stands on the table".
@@ -49,10 +46,10 @@ def descriptions(
     for clause in relative_clauses(sentence, clauses):
         readings = [
             reading
-            for reading in read_clause(sentence, clause, lexicon, frames)
+            for reading in read_clause(sentence, clause, known)
             if not reading.missing
             and not reading.left_over
             and any(clause.subject in value.positions for value in reading.values)
         ]
-        found += readings[:1]
+        found += sorted(readings, key=rank)[:1]
     return tuple(found)

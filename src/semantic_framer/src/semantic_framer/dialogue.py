@@ -3,60 +3,16 @@
 from dataclasses import dataclass, replace
 from typing import Optional, Tuple
 
-from stanford_parser_ros.tree import DependencyTree
+from semantic_framer.reading import Reading
+from utterance_passes.utterance_pass import Choice
+from word_classes import word_class
 
-from semantic_framer.matching import Reading
-
-#: Words that stand for something said before.
-PRONOUNS = frozenset(["it", "them", "that", "this", "those", "these", "one", "ones"])
+PRONOUNS = word_class("pronouns")
+#: Of them, those that may be what was said.
+DEMONSTRATIVES = word_class("demonstrative_pronouns")
 PLACE_PRONOUNS = frozenset(["there"])
-YES = frozenset(
-    [
-        "yes",
-        "yeah",
-        "yep",
-        "sure",
-        "ok",
-        "okay",
-        "right",
-        "correct",
-        "affirmative",
-        "do it",
-        "go ahead",
-        "yes please",
-        "yes do it",
-        "yes go ahead",
-        "please do",
-    ]
-)
-NO = frozenset(
-    [
-        "no",
-        "nope",
-        "cancel",
-        "never mind",
-        "nevermind",
-        "don't",
-        "do not",
-        "negative",
-        "no thanks",
-        "no thank you",
-        "forget it",
-    ]
-)
-
-
-@dataclass(frozen=True)
-class Choice:
-    """One of several readings of a sentence that a person may choose from.
-
-    Attributes:
-        text: as it is offered
-        tree: the sentence with the words that do not belong to the reading abandoned
-    """
-
-    text: str
-    tree: DependencyTree
+_AGREEMENTS = word_class("agreements")
+_REFUSALS = word_class("refusals")
 
 
 @dataclass(frozen=True)
@@ -103,12 +59,12 @@ class Context:
 
 def is_yes(text: str) -> bool:
     """Whether an utterance agrees."""
-    return _bare(text) in YES
+    return _bare(text) in _AGREEMENTS
 
 
 def is_no(text: str) -> bool:
     """Whether an utterance declines."""
-    return _bare(text) in NO
+    return _bare(text) in _REFUSALS
 
 
 def _bare(text: str) -> str:

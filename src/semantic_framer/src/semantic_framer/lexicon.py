@@ -73,6 +73,10 @@ class Lexicon:
         """Units of a verb, particle included."""
         return tuple(self._by_verb.get(verb, ()))
 
+    def lists_of(self, verb: str) -> Tuple[Tuple[str, ...], ...]:
+        """The words that units of a verb list for an element, one entry for each such element."""
+        return tuple(relation.words for unit in self.units_of(verb) for relation in unit.relations if relation.words)
+
     def verbs_beginning_with(self, word: str) -> Tuple[str, ...]:
         """Verbs whose first word is this one, those of more words first: "pick up" before "pick"."""
         return tuple(sorted(self._by_first_word.get(word, ()), key=lambda verb: (-len(verb.split()), verb)))

@@ -4,10 +4,9 @@ import threading
 from dataclasses import dataclass
 from typing import Callable, ContextManager, Iterable, List, Mapping, Tuple
 
+from semantic_framer.lexicon import Lexicon
 from semantic_frames import FileRefused, Problem
 from semantic_frames.source_files import read_text, replace_problems
-
-from semantic_framer.lexicon import Lexicon
 
 
 @dataclass(frozen=True)

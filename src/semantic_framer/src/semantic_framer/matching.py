@@ -1,128 +1,104 @@
 """Matches lexical units against a clause: which words fill which frame element."""
 
-from dataclasses import dataclass, replace
-from typing import Dict, FrozenSet, List, Mapping, Optional, Set, Tuple
-
-from semantic_frames.frame import FrameElement, Quantity, SemanticFrame
-from semantic_frames.lexical_unit import ArgumentForm, ElementRelation, LexicalUnit
-from semantic_frames.relation_names import MEASURE
+from dataclasses import replace
+from typing import Dict, FrozenSet, List, Optional, Sequence, Set, Tuple
 
 from semantic_framer.attachment import (
-    OF_PLACE,
+    is_direction,
     is_of_one_direction,
+    is_postmodifier_of,
     is_side_of_something,
     places_before,
     preposition_of,
-    tells_which,
     words_before,
     words_before_amount,
 )
-from semantic_framer.clauses import Clause, shared_subject
-from semantic_framer.lexicon import Lexicon
-from semantic_framer.measures import Amount, find_amounts
+from semantic_framer.frame_roles import DESCRIBED, DIRECTION, MESSAGE
+from semantic_framer.framed_lexicon import FramedLexicon
+from semantic_framer.measured_elements import measured_elements, measures_as_in_2012, numeral_at
+from semantic_framer.reading import ElementValue, Reading
 from semantic_framer.sentence import Sentence
-from semantic_framer.verb_matching import VerbMatch, match_verbs
-from semantic_framer.values import ElementValue, amount_value, given_value, phrase_value, unit_value
+from semantic_framer.values import amount_value, given_value, phrase_value, unit_value
+from semantic_frames.frame import FrameElement, SemanticFrame
+from semantic_frames.lexical_unit import ArgumentForm, ElementRelation, LexicalUnit
+from semantic_frames.relation_names import MEASURE
+from utterance_passes.clauses import Clause, shared_subject
+from utterance_passes.measures import Amount, amounts_of
+from utterance_passes.trace import Trace
+from utterance_passes.verb_matching import VerbMatch, match_verbs
+from word_classes import word_class
 
 #: A phrase with one of these hangs on the verb, if the unit asks for it, even where the parser hung it on the object:
 #: "bring the mug to the table". The others ("on", "in", "near") do so only for a core or required element: "put the
 #: mug on the table".
-DIRECTIONAL = frozenset("to into onto towards toward from for with by as through via out_of off off_of".split())
-#: Elements that a verb is about, without a tool or company: a phrase with "with" describes them.
-_DESCRIBED = frozenset(["Cotheme", "Category", "Item"])
-
-_MEASURES_OF_2012 = frozenset(["num", "number", "nummod", "tmod", "npadvmod"])
-
-
-@dataclass(frozen=True)
-class Reading:
-    """One way to understand a clause.
-
-    Attributes:
-        unit: the lexical unit
-        verb: as the unit has it, "pick up"
-        verb_positions: words of the verb in the sentence
-        values: of the elements, in the order of the frame
-        missing: core elements that nothing fills
-        left_over: content words that nothing accounts for, by position
-        coverage: share of the content words that the reading accounts for, 0 to 1
-        listed: words that the unit lists for its elements, by position: "low five"
-    """
-
-    unit: LexicalUnit
-    verb: str
-    verb_positions: Tuple[int, ...]
-    values: Tuple[ElementValue, ...]
-    missing: Tuple[FrameElement, ...]
-    left_over: Tuple[int, ...]
-    coverage: float
-    listed: FrozenSet[int] = frozenset()
-
-    @property
-    def asked(self) -> Tuple[FrameElement, ...]:
-        """Missing elements that a person is asked for: a unit is said together with its amount."""
-        units = frozenset(element.unit_element for element in self.missing)
-        return tuple(element for element in self.missing if element.name not in units)
-
-    def value(self, name: str) -> Optional[ElementValue]:
-        """Return the value of an element, None for an empty one."""
-        return next((value for value in self.values if value.name == name), None)
+DIRECTIONAL = frozenset(phrase.replace(" ", "_") for phrase in word_class("directional_prepositions"))
+_DESTINATION_ADVERBS = word_class("destination_adverbs")
+_PLACE_PREPOSITIONS = word_class("place_prepositions")
+#: So many relations or words that were looked for in vain are written down.
+_SHOWN = 8
 
 
 def read_clause(
-    sentence: Sentence, clause: Clause, lexicon: Lexicon, frames: Mapping[str, SemanticFrame]
+    sentence: Sentence, clause: Clause, known: FramedLexicon, trace: Optional[Trace] = None
 ) -> Tuple[Reading, ...]:
     """Try every lexical unit of a clause's verb.
 
     Args:
         sentence: the sentence
         clause: one of its clauses
-        lexicon: lexical units
-        frames: by name; units of frames that are not known are left out
+        known: lexical units; those of frames that are not known are left out
+        trace: where each unit is written, and what it looked for in vain; None for nowhere
     Returns:
-        readings, the best first by :func:`rank`
+        readings in the order of the lexicon
     """
-    sentence = clause.sentence or sentence
-    amounts = find_amounts(sentence, sorted(clause.positions - {clause.verb}))
+    amounts = amounts_of(sentence.tree, clause.positions, clause.verb)
     readings = []
-    for match in match_verbs(sentence, clause, lexicon):
-        for unit in lexicon.units_of(match.verb):
-            frame = frames.get(unit.frame_name)
+    for match in match_verbs(sentence.tree, clause, known):
+        for unit in known.lexicon.units_of(match.verb):
+            frame = known.frames.get(unit.frame_name)
             if frame is None:
                 continue
-            reading = _Filling(sentence, clause, unit, frame, match, amounts).reading()
+            filling = _Filling(sentence, clause, unit, frame, match, amounts)
+            reading = filling.reading()
+            if trace is not None:
+                _write(trace, sentence, match, unit, reading, filling.unfilled())
             if reading is not None:
                 readings.append(reading)
-    different = {
-        (reading.unit.frame_name, frozenset((value.name, value.argument) for value in reading.values)): reading
-        for reading in sorted(readings, key=rank, reverse=True)
-    }
-    return tuple(sorted(different.values(), key=rank))
+    return tuple(readings)
 
 
-def rank(reading: Reading) -> Tuple[bool, int, int, int, int, bool, int, int]:
-    """Order readings: the smallest is the best.
-
-    All core elements filled; fewest words left over; most elements filled; fewest missing; longest verb. Of units that
-    are equal so far ("take the box" takes it, and may bring it somewhere) the one is meant that the verb names: the
-    first verb of a unit is what the unit is about. Then the one of which fewest elements stay empty, then the one that
-    lists the verb earlier.
-    """
-    unit = reading.unit
-    said = sum(1 for value in reading.values if value.positions)
-    required = sum(1 for relation in unit.relations if relation.is_required)
-    filled = frozenset(value.name for value in reading.values)
-    position = unit.verbs.index(reading.verb) if reading.verb in unit.verbs else len(unit.verbs)
-    return (
-        bool(reading.missing),
-        len(reading.left_over),
-        -(said + required),
-        len(reading.asked),
-        -len(reading.verb.split()),
-        position > 0,
-        sum(1 for relation in unit.relations if relation.name not in filled),
-        position,
+def _write(
+    trace: Trace,
+    sentence: Sentence,
+    match: VerbMatch,
+    unit: LexicalUnit,
+    reading: Optional[Reading],
+    unfilled: Tuple[ElementRelation, ...],
+) -> None:
+    """Write that a unit was tried, and why it does not fit."""
+    missing = frozenset(element.name for element in reading.missing) if reading else frozenset()
+    looked_for = [
+        f"no {_some(' or ', list(map(str, relation.relations)))}"
+        + (f" ({_some(', ', relation.words)})" if relation.words else "")
+        + f" for {relation.name}"
+        for relation in unfilled
+        if (reading is None and relation.is_required) or relation.name in missing
+    ]
+    verdict = "no" if reading is None else "incomplete" if looked_for or missing else "fits"
+    left_over = sentence.text(reading.left_over) if reading else ""
+    parts = [verdict] + looked_for + ([f"left over: {left_over}"] if left_over else [])
+    place = f"{unit.path.rsplit('/', 1)[-1]}:{unit.line}"
+    trace.add(
+        "unit",
+        f"{match.verb} -> {reading or unit.frame_name}",
+        after="; ".join(parts) + f" [{place}]",
+        positions=match.positions,
     )
+
+
+def _some(separator: str, texts: Sequence[str]) -> str:
+    """Return the first of some texts, and that there are more."""
+    return separator.join(texts[:_SHOWN]) + (f"{separator}..." if len(texts) > _SHOWN else "")
 
 
 class _Filling:
@@ -145,33 +121,30 @@ class _Filling:
         self._amounts = amounts
         self._heads: Dict[str, int] = {}
         self._listed: Dict[str, FrozenSet[int]] = {}
-        self._amount_of: Dict[str, Amount] = {}
-        self._subject = clause.subject or shared_subject(sentence, clause.verb)
-        #: In 2012 a unit asked for the number and for what it counts by their relations.
-        self._is_measuring_of_2012 = any(
-            path.steps[-1] in _MEASURES_OF_2012 and not relation.words
-            for relation in unit.relations
-            for path in relation.relations
-        )
+        measured = measured_elements(sentence, unit, frame, match.positions, amounts)
+        self._amount_of = measured.amount_of
+        self._unread = measured.unread
+        #: Numbers of several words, in units of 2012.
+        self._numeral_of: Dict[str, Amount] = {}
+        self._subject = clause.subject or shared_subject(sentence.tree, clause.verb)
+        self._is_measuring_of_2012 = measures_as_in_2012(unit)
 
     def reading(self) -> Optional[Reading]:
         """Return the reading; None when a required relation does not match."""
-        self._take_amounts()
         for wants_core in (True, False):
             for relation in self._unit.relations:
                 element = self._frame.element(relation.name)
                 is_first = relation.is_required or bool(relation.words) or (element is not None and element.is_core)
-                if relation.name not in self._heads and relation.name not in self._amount_of and is_first == wants_core:
+                if not self._is_taken(relation.name) and relation.name not in self._unread and is_first == wants_core:
                     self._take_phrase(relation)
-        if any(
-            relation.is_required and relation.name not in self._heads and relation.name not in self._amount_of
-            for relation in self._unit.relations
-        ):
+        if any(relation.is_required and not self._is_taken(relation.name) for relation in self._unit.relations):
             return None
         values = self._values()
         names = {value.name for value in values}
         missing = tuple(
-            element for element in self._frame.frame_elements if element.is_core and element.name not in names
+            element
+            for element in self._frame.frame_elements
+            if (element.is_core or element.name in self._unread) and element.name not in names
         )
         left_over, coverage = self._coverage(values)
         return Reading(
@@ -183,37 +156,27 @@ class _Filling:
             left_over=left_over,
             coverage=coverage,
             listed=frozenset().union(*self._listed.values()),
+            unread=tuple(dict.fromkeys(amount for amounts in self._unread.values() for amount in amounts)),
         )
 
-    def _take_amounts(self) -> None:
-        """Give each amount to the first element that measures it and asks for a measure."""
-        free = list(self._amounts)
-        wanting = [
-            relation.name
-            for relation in self._unit.relations
-            if any(path.steps[-1] == MEASURE for path in relation.relations)
-        ]
-        for name in wanting:
-            element = self._frame.element(name)
-            if element is None or element.quantity is None:
-                continue
-            amount = next((amount for amount in free if amount.quantity == element.quantity.value), None) or next(
-                (amount for amount in free if not amount.unit and element.quantity is not Quantity.NUMBER), None
-            )
-            if amount is None:
-                continue
-            free.remove(amount)
-            self._amount_of[name] = amount
-            if element.unit_element and amount.unit:
-                self._amount_of[element.unit_element] = amount
+    def unfilled(self) -> Tuple[ElementRelation, ...]:
+        """Return the relations that found nothing."""
+        return tuple(relation for relation in self._unit.relations if not self._is_taken(relation.name))
+
+    def _is_taken(self, name: str) -> bool:
+        return name in self._heads or name in self._amount_of or name in self._numeral_of
 
     def _take_phrase(self, relation: ElementRelation) -> None:
         is_wanted = relation.is_required or self._is_core(relation.name)
         # "Put it on the bench in the kitchen": of the places the first is meant, the others tell more of it.
-        static = [path for path in relation.relations if preposition_of(path.steps[0]).split("_")[0] in OF_PLACE]
+        static = [
+            path for path in relation.relations if preposition_of(path.steps[0]).split("_")[0] in _PLACE_PREPOSITIONS
+        ]
         places = sorted(head for path in static for head in self._follow(path.steps, is_wanted))
         if relation.after_place:
-            places = [head for head in places if set(places_before(self._sentence, head)) & set(relation.after_place)]
+            places = [
+                head for head in places if set(places_before(self._sentence.tree, head)) & set(relation.after_place)
+            ]
         for path in relation.relations:
             if path in static:
                 heads = places if path == static[0] else []
@@ -226,6 +189,13 @@ class _Filling:
                 if relation.words and not listed:
                     continue
                 is_adverb = relation.argument is ArgumentForm.PHRASE and self._is_only_an_adverb(head, path.steps)
+                numeral = numeral_at(head, path, self._amounts) if not relation.words else None
+                if numeral is not None and numeral.is_doubtful:
+                    self._unread[relation.name] = (numeral,)
+                    return
+                if numeral is not None:
+                    self._numeral_of[relation.name] = numeral
+                    return
                 if not relation.words and (self._is_in_a_measure(head) or is_adverb):
                     continue
                 self._heads[relation.name] = head
@@ -235,8 +205,15 @@ class _Filling:
     def _is_in_a_measure(self, head: int) -> bool:
         """Whether a word measures ("two degrees"), and so is no thing; a bare number may be one ("give me 5")."""
         return any(head in amount.positions for amount in self._amount_of.values()) or any(
-            head in amount.positions and amount.unit for amount in self._amounts if not self._is_measuring_of_2012
+            head in amount.positions and (amount.unit or self._is_end(amount, head))
+            for amount in self._amounts
+            if not self._is_measuring_of_2012
         )
+
+    def _is_end(self, amount: Amount, head: int) -> bool:
+        """Whether a word is the end of a range, and its preposition is of the range: "fifteen" of "ten to fifteen"."""
+        cases = [child.index for child in self._sentence.children(head) if child.deprel == "case"]
+        return amount.is_doubtful and bool(cases) and cases[0] in amount.positions
 
     def _is_core(self, name: str) -> bool:
         element = self._frame.element(name)
@@ -247,7 +224,7 @@ class _Filling:
 
     def _listed_words(self, head: int, words: Tuple[str, ...]) -> FrozenSet[int]:
         """Return the words, up to a head, that a relation lists, the most first ("low five"); none if it lists none."""
-        if is_side_of_something(self._sentence, head):
+        if is_side_of_something(self._sentence.tree, head):
             return frozenset()
         for length in range(max((len(listed.split()) for listed in words), default=0), 0, -1):
             positions = range(max(1, head - length + 1), head + 1)
@@ -257,15 +234,7 @@ class _Filling:
 
     def _is_only_an_adverb(self, head: int, steps: Tuple[str, ...]) -> bool:
         """Whether an adverb that says how ("slowly", "forward") would become an argument that says what or where."""
-        return steps[-1] in ("advmod", "prt") and self._sentence.word(head).form.lower() not in (
-            "here",
-            "there",
-            "home",
-            "upstairs",
-            "downstairs",
-            "outside",
-            "inside",
-        )
+        return steps[-1] in ("advmod", "prt") and self._sentence.word(head).form.lower() not in _DESTINATION_ADVERBS
 
     def _follow(self, steps: Tuple[str, ...], is_core: bool) -> List[int]:
         """Return the words at the end of a chain of relations that starts at the verb."""
@@ -313,19 +282,28 @@ class _Filling:
     def _values(self) -> Tuple[ElementValue, ...]:
         verb_words = frozenset(self._match.positions)
         amount_words = frozenset(position for amount in self._amount_of.values() for position in amount.positions)
+        amount_words |= frozenset(
+            position
+            for amount in self._numeral_of.values()
+            for position in amount.positions
+            if position != amount.unit_position
+        )
         values: List[ElementValue] = []
         for element in self._frame.frame_elements:
             if element.name in self._amount_of:
                 amount = self._amount_of[element.name]
                 is_unit = any(other.unit_element == element.name for other in self._frame.frame_elements)
                 values.append(
-                    unit_value(self._sentence, element.name, amount)
+                    unit_value(self._sentence.tree, element.name, amount)
                     if is_unit
-                    else amount_value(self._sentence, element.name, amount, is_whole=not element.unit_element)
+                    else amount_value(self._sentence.tree, element.name, amount, is_whole=not element.unit_element)
                 )
-                before = words_before_amount(self._sentence, min(amount.positions))
+                before = words_before_amount(self._sentence.tree, min(amount.positions))
                 if not is_unit:
                     values[-1] = replace(values[-1], positions=tuple(sorted(before)) + values[-1].positions)
+            elif element.name in self._numeral_of:
+                numeral = self._numeral_of[element.name]
+                values.append(amount_value(self._sentence.tree, element.name, numeral, is_whole=False))
             elif element.name in self._heads:
                 head = self._heads[element.name]
                 others = [
@@ -339,14 +317,23 @@ class _Filling:
                 relation = next(relation for relation in self._unit.relations if relation.name == element.name)
                 attached = self._listed[element.name] | self._places_behind(head, element, left_out)
                 attached |= self._words_before(head, left_out)
-                values.append(phrase_value(self._sentence, element.name, head, relation.argument, left_out, attached))
-            elif element.default:
+                values.append(
+                    phrase_value(self._sentence.tree, element.name, head, relation.argument, left_out, attached)
+                )
+            elif element.default and not self._is_said_otherwise(element):
                 values.append(given_value(element.name, element.default))
         return tuple(values)
 
+    def _is_said_otherwise(self, element: FrameElement) -> bool:
+        """Whether something was said for an element that could not fill it: what is meant else is not meant then."""
+        if element.framenet != DIRECTION:
+            return element.name in self._unread
+        understood = frozenset(self._match.positions).union(*map(self._sentence.subtree, self._heads.values()))
+        return any(is_direction(self._sentence.tree, index) for index in self._clause.positions - understood)
+
     def _places_behind(self, head: int, element: FrameElement, left_out: FrozenSet[int]) -> FrozenSet[int]:
         """Return the phrases of place directly behind a noun that fill nothing: "the mug on the table"."""
-        if self._sentence.word(head).upos != "NOUN" or element.framenet == "Message":
+        if self._sentence.word(head).upos != "NOUN" or element.framenet == MESSAGE:
             return frozenset()
         noun = self._sentence.subtree(head) - left_out
         taken = frozenset(self._heads.values())
@@ -356,7 +343,7 @@ class _Filling:
             positions = self._sentence.subtree(phrase.index).difference(*map(self._sentence.subtree, inner))
             if (
                 min(positions) == max(noun | found) + 1
-                and tells_which(self._sentence, phrase.index, head, element.framenet in _DESCRIBED)
+                and is_postmodifier_of(self._sentence.tree, phrase.index, head, element.framenet in DESCRIBED)
                 and not positions & (taken | left_out)
                 and positions <= self._clause.positions
                 and not self._is_in_a_measure(phrase.index)
@@ -368,7 +355,7 @@ class _Filling:
         """Return the adverb in front of the preposition of a phrase: "close" of "close to the door"."""
         phrase = self._sentence.subtree(head) - left_out
         free = self._clause.positions - left_out - frozenset(self._heads.values())
-        return words_before(self._sentence, self._clause.verb, min(phrase), free) if phrase else frozenset()
+        return words_before(self._sentence.tree, self._clause.verb, min(phrase), free) if phrase else frozenset()
 
     def _outside(self, head: int) -> FrozenSet[int]:
         """Words below a head that belong to other clauses or to a condition."""
@@ -380,7 +367,8 @@ class _Filling:
         used: Set[int] = set(self._match.positions)
         for value in values:
             used.update(value.positions)
-            if value.head_position:
+            # A measure has its number, its unit and hedges; what else hangs on it is said for itself.
+            if value.head_position and not value.unit and not value.quantity:
                 # Words between the verb and its argument that only carry the argument: "to", "the".
                 used.update(child.index for child in self._sentence.children(value.head_position))
         content = [
@@ -396,8 +384,12 @@ class _Filling:
             if index not in used
             and index != self._subject
             and not self._hangs_on_used(index, used)
-            and not is_of_one_direction(self._sentence, index, used)
+            and not is_of_one_direction(self._sentence.tree, index, used)
         )
+        unread = [amount for amounts in self._unread.values() for amount in amounts]
+        unread += [amount for amount in self._amounts if amount.is_doubtful]
+        said = {index for amount in unread for index in amount.positions if self._sentence.word(index).upos != "PUNCT"}
+        left_over = tuple(sorted((said - used).union(left_over)))
         return left_over, 1.0 - len(left_over) / (len(content) + 1)
 
     def _hangs_on_used(self, index: int, used: Set[int]) -> bool:
@@ -405,13 +397,3 @@ class _Filling:
         word = self._sentence.word(index)
         # A number is no part of a name: "five foot thirteen" must not be five feet.
         return word.deprel in ("compound", "flat", "goeswith", "fixed") and word.head in used and word.upos != "NUM"
-
-
-def with_value(reading: Reading, value: ElementValue) -> Reading:
-    """Fill an element of a reading that nothing filled, or replace what filled it."""
-    kept = tuple(other for other in reading.values if other.name != value.name)
-    return replace(
-        reading,
-        values=kept + (value,),
-        missing=tuple(element for element in reading.missing if element.name != value.name),
-    )

@@ -3,7 +3,7 @@
 import threading
 import time
 import uuid
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Dict, List, Tuple
 
 import rospy
@@ -15,25 +15,31 @@ from roboframenet_msgs.msg import (
     FileProblems,
     FilledLexicalUnitList,
     FrameCatalogue,
-    Lexicon as LexiconMessage,
     Reply,
     SourceFile,
+    StopReport,
+)
+from roboframenet_msgs.msg import (
+    Lexicon as LexiconMessage,
 )
 from roboframenet_msgs.srv import AddLexicalUnit, AddLexicalUnitRequest, AddLexicalUnitResponse
+
+from roboframenet_ros.ros_log import log_from_threads
+from semantic_framer.behaviour_2012 import Arguments, Questions, with_habits
+from semantic_framer.dialogue import Context
+from semantic_framer.framed_lexicon import FramedLexicon
+from semantic_framer.framer import Outcome, hear
+from semantic_framer.lexicon import Lexicon
+from semantic_framer.lexicon_files import LexiconFiles, LexiconState
+from semantic_framer.outcome import Alternatives, LeftOverWords, Policy, Refusal, Understood, reply_outcome
+from semantic_framer.ros_messages import to_clauses, to_filled_units
 from semantic_frames import FileRefused, load_frame
 from semantic_frames.frame import SemanticFrame
 from semantic_frames.source_files import LEXICAL_UNITS_FOLDER, yaml_files
 from stage_events.ros_stage import Stage
 from stanford_parser_ros.ros_messages import to_tree
-from stanford_parser_ros.tree import DependencyTree
-
-from semantic_framer.dialogue import Context
-from semantic_framer.framer import Alternatives, LeftOverWords, Outcome, Policy, Question, Refusal, Understood, read
-from semantic_framer.lexicon import Lexicon
-from semantic_framer.lexicon_files import LexiconFiles, LexiconState
-from semantic_framer.matching import Reading
-from semantic_framer.ros_messages import to_clauses, to_filled_units
-from semantic_framer.sentence import Sentence
+from utterance_passes.trace import Trace
+from utterance_passes.tree import DependencyTree
 
 #: Kept on the master by the node for itself: files that were added while it ran.
 ADDED_LEXICAL_UNITS = "~_added_lexical_units"
@@ -48,10 +54,16 @@ class Settings:
     Attributes:
         lexical_unit_paths: files, and folders with folders named ``lexical_units``
         policy: how careful to be
+        trace: whether what each rule did goes with each command
+        arguments: which words become arguments
+        questions: what to do when something must be known first
     """
 
     lexical_unit_paths: Tuple[str, ...]
     policy: Policy
+    trace: bool
+    arguments: Arguments
+    questions: Questions
 
     @classmethod
     def from_parameters(cls) -> "Settings":
@@ -71,6 +83,9 @@ class Settings:
                 alternatives=Alternatives(rospy.get_param("~alternatives", "either")),
                 question_timeout_s=timeout_s,
             ),
+            trace=bool(rospy.get_param("~trace", True)),
+            arguments=Arguments(rospy.get_param("~arguments", "phrases")),
+            questions=Questions(rospy.get_param("~questions", "ask")),
         )
 
 
@@ -78,10 +93,10 @@ class SemanticFramer:
     """Understands one command after the other.
 
     Subscribes:
-        command_parse (CommandParse), frame_catalogue (FrameCatalogue, latched)
+        command_parse (CommandParse), frame_catalogue (FrameCatalogue, latched), stop_report (StopReport)
     Publishes:
-        command_lexical_units (CommandLexicalUnits), filled_lexical_units (FilledLexicalUnitList), lexicon (Lexicon, latched),
-        file_problems (FileProblems, latched), stage_events (StageEvent)
+        command_lexical_units (CommandLexicalUnits), filled_lexical_units (FilledLexicalUnitList),
+        lexicon (Lexicon, latched), file_problems (FileProblems, latched), stage_events (StageEvent)
     Services:
         add_lexical_unit
     Parameters: see :class:`Settings`.
@@ -94,6 +109,7 @@ class SemanticFramer:
         self._frames: Dict[str, SemanticFrame] = {}
         self._frame_of_file: Dict[Tuple[str, str], SemanticFrame] = {}
         self._context = Context()
+        self._context_stamp = self._stop_stamp = rospy.Time()
         self._id = uuid.uuid4().hex
         self._units = rospy.Publisher("command_lexical_units", CommandLexicalUnits, queue_size=100)
         self._units_2012 = rospy.Publisher("filled_lexical_units", FilledLexicalUnitList, queue_size=100)
@@ -107,6 +123,7 @@ class SemanticFramer:
         self._subscribers = [
             rospy.Subscriber("frame_catalogue", FrameCatalogue, self._on_catalogue, queue_size=1),
             rospy.Subscriber("command_parse", CommandParse, self._on_command, queue_size=100),
+            rospy.Subscriber("stop_report", StopReport, self._on_stop, queue_size=100),
         ]
         self._service = rospy.Service("add_lexical_unit", AddLexicalUnit, self._on_add_lexical_unit)
         rospy.loginfo(
@@ -165,10 +182,17 @@ class SemanticFramer:
             self._frames = {frame.name: frame for frame in of_file.values()}
             self._lock.notify_all()
 
+    def _on_stop(self, report: StopReport) -> None:
+        """A question that was open when somebody said stop is not answered by what is said later."""
+        with self._lock:
+            self._stop_stamp = report.stop_stamp
+            if self._context_stamp <= report.stop_stamp:
+                self._context = replace(self._context, pending=None)
+
     def _on_command(self, message: CommandParse) -> None:
         try:
             tree = to_tree(message.command.text, message.words)
-            outcome = self._read(tree)
+            outcome, trace = self._read(tree, message.command.stamp)
         except Exception as error:  # boundary: whatever fails here, the command gets its reply
             rospy.logerr("cmd=%s failed", message.command.id, exc_info=True)
             self._end(
@@ -178,62 +202,63 @@ class SemanticFramer:
                 sentence=f"The semantic framer failed: {type(error).__name__}: {error}",
             )
             return
-        if isinstance(outcome, Refusal):
-            self._end(message.command, outcome=Reply.REFUSED, code=outcome.code, sentence=outcome.sentence)
-        elif isinstance(outcome, Question):
-            self._end(message.command, outcome=Reply.NEEDS_INFORMATION, code=outcome.code, sentence=outcome.sentence)
+        if isinstance(outcome, Understood):
+            self._pass_on(message, outcome, tree, trace)
         else:
-            self._pass_on(message, outcome, Sentence(tree))
+            kind = getattr(Reply, reply_outcome(outcome))
+            self._end(message.command, outcome=kind, code=outcome.code, sentence=outcome.sentence, trace=trace)
 
-    def _read(self, tree: DependencyTree) -> Outcome:
+    def _read(self, tree: DependencyTree, stamp: rospy.Time) -> Tuple[Outcome, str]:
+        """Return what came of an utterance, and what each rule did."""
         end = time.monotonic() + CATALOGUE_DELAY_S
         with self._lock:
             while True:
                 frames = self._frames
-                outcome, context = read(
+                trace = Trace() if self._settings.trace else None
+                heard = hear(
                     tree,
-                    self._lexicon,
-                    frames,
+                    FramedLexicon(self._lexicon, frames),
                     context=self._context,
                     policy=self._settings.policy,
                     now_s=time.monotonic(),
+                    trace=trace,
                 )
+                outcome = heard.outcome
                 if (
                     not isinstance(outcome, Refusal)
                     or outcome.code != "UNKNOWN_FRAME"
                     or not self._lock.wait_for(
-                        lambda: self._frames is not frames, timeout=max(0.0, end - time.monotonic())
+                        lambda read_with=frames: self._frames is not read_with, timeout=max(0.0, end - time.monotonic())
                     )
                 ):
-                    self._context = context
-                    return outcome
+                    outcome, context = with_habits(
+                        outcome, heard.context, arguments=self._settings.arguments, questions=self._settings.questions
+                    )
+                    # A clock that was set back makes all stamps early; a command that is stopped already asks nothing.
+                    is_stopped = stamp <= self._stop_stamp <= rospy.Time.now() and not self._stop_stamp.is_zero()
+                    self._context = replace(context, pending=None) if is_stopped else context
+                    self._context_stamp = stamp
+                    return outcome, str(trace) if trace is not None else ""
 
-    def _pass_on(self, message: CommandParse, understood: Understood, sentence: Sentence) -> None:
-        described = "; then ".join(
-            " or ".join(describe(reading) for reading in readings[:3]) for readings in understood.clauses
-        )
+    def _pass_on(self, message: CommandParse, understood: Understood, tree: DependencyTree, trace: str) -> None:
+        described = "; then ".join(" or ".join(map(str, readings[:3])) for readings in understood.clauses)
         self._stage.passes_on(
             message.command,
             " ".join(part for part in (described, understood.warning and f"({understood.warning})") if part),
+            trace=trace,
         )
         self._units_2012.publish(to_filled_units(understood.clauses))
-        self._units.publish(
-            CommandLexicalUnits(command=message.command, clauses=to_clauses(understood.clauses, sentence))
-        )
+        self._units.publish(CommandLexicalUnits(command=message.command, clauses=to_clauses(understood.clauses, tree)))
 
-    def _end(self, command: Command, *, outcome: int, code: str, sentence: str) -> None:
+    def _end(self, command: Command, *, outcome: int, code: str, sentence: str, trace: str = "") -> None:
         rospy.loginfo("cmd=%s ends here: %s", command.id, sentence)
-        self._stage.ends(command, outcome=outcome, code=code, sentence=sentence)
-
-
-def describe(reading: Reading) -> str:
-    """Return a reading in a line: "turning(direction=left, angle=120)"."""
-    return f"{reading.unit.frame_name}({', '.join(f'{value.name}={value.argument}' for value in reading.values)})"
+        self._stage.ends(command, outcome=outcome, code=code, sentence=sentence, trace=trace)
 
 
 def main() -> None:
     """Run the node."""
     rospy.init_node("semantic_framer")
+    log_from_threads()
     try:
         SemanticFramer(Settings.from_parameters())
     except ValueError as error:

@@ -1,94 +1,153 @@
-"""Which of the readings that the lexicon allows can be meant."""
+"""The readings of a clause that may be meant, and what a person hears where there are none."""
 
-from dataclasses import replace
-from typing import FrozenSet, Mapping, Tuple
+from dataclasses import dataclass, replace
+from typing import FrozenSet, Optional, Tuple, Union
 
-from semantic_frames.frame import SemanticFrame
-from semantic_frames.lexical_unit import ArgumentForm
-
-from semantic_framer.attachment import is_side_of_something
-from semantic_framer.clauses import Clause
-from semantic_framer.lexicon import Lexicon
-from semantic_framer.matching import Reading, rank, read_clause
-from semantic_framer.mending import DEGREES
-from semantic_framer.references import NO_THINGS, PLACES
+from semantic_framer.frame_roles import NAME
+from semantic_framer.matching import read_clause
+from semantic_framer.outcome import Refusal
+from semantic_framer.reading import Reading, rank, without_duplicates
 from semantic_framer.sentence import Sentence
-from semantic_framer.values import ElementValue
+from semantic_framer.verdicts import (
+    CLAUSE_VERDICTS,
+    DOMINATED,
+    PLAUSIBILITY,
+    READING_VERDICTS,
+    Case,
+    ClauseCase,
+    ClauseVerdict,
+    ReadingVerdict,
+    drop,
+)
+from semantic_frames.lexical_unit import ArgumentForm
+from utterance_passes.clauses import Clause
+from utterance_passes.trace import Trace
+from utterance_passes.tree import DependencyTree
+from utterance_passes.verb_matching import match_verbs
+from word_classes import word_class
 
 #: Phrases of their own below a noun: "a left *at the door*".
 _PHRASES = frozenset(["nmod", "obl", "acl", "advcl", "appos"])
 #: Which of several is meant: "the *second* left".
 _CHOOSING = frozenset(["amod", "nummod"])
-_SIDES = frozenset(["left", "right"])
+_INDEFINITE_ARTICLES = word_class("indefinite_articles")
+#: Join a clause to the one before it: "go to the kitchen *to* get the mug".
+_JOINING = frozenset(["and", "to"])
+_LEFT_AND_RIGHT = word_class("left_and_right")
+_SAID_AROUND = word_class("harmless")
 
 
-def readings_of(
-    sentence: Sentence, clause: Clause, lexicon: Lexicon, frames: Mapping[str, SemanticFrame]
-) -> Tuple[Reading, ...]:
-    """Return the ways to understand a clause, the best first.
+@dataclass(frozen=True)
+class ClauseReadings:
+    """What came of a clause.
 
-    Those that take words for things which are none are left out, unless their unit lists them ("give me 5"): a number
-    for the place of something ("set the thermostat to 20"), a side or a degree for a thing ("take a right", "move a
-    bit"), a number that another unit of the verb measures with ("turn one eighty" is half a turn, and no device called
-    "one eighty"), and a noun that is part of another unit's verb ("take a look").
+    Attributes:
+        clause: the clause
+        plausible: readings that may be meant, the best first, whatever became of the clause
+        kept: those of them that no verdict drops
+        refusal: why none is kept; None where there are some
     """
-    sentence = clause.sentence or sentence
+
+    clause: Clause
+    plausible: Tuple[Reading, ...]
+    kept: Tuple[Reading, ...]
+    refusal: Optional[Refusal] = None
+
+
+def readings_of_clause(of: Case, clause: Clause, trace: Optional[Trace] = None) -> ClauseReadings:
+    """Read one clause.
+
+    Args:
+        of: the sentence around it
+        clause: the clause
+        trace: where each unit, verdict and rank is written; None for nowhere
+    """
+    case = ClauseCase(of, clause, match_verbs(of.sentence.tree, clause, of.known))
+    if trace is not None:
+        trace.add("clause", clause.lemma, after=case.said, positions=clause.positions)
+    for verdict in CLAUSE_VERDICTS:
+        refusal = verdict.refuse(case)
+        if refusal is not None:
+            return _refused(case, (), verdict, refusal, trace)
+    plausible = kept = plausible_readings(case, trace)
+    for reading_verdict in READING_VERDICTS:
+        kept = drop([reading_verdict], case, kept, kept, trace)
+        refusal = None if kept else reading_verdict.refuse(case)
+        if refusal is not None:
+            return _refused(case, plausible, reading_verdict, refusal, trace)
+    if trace is not None:
+        for number, reading in enumerate(kept, start=1):
+            trace.add(
+                "rank",
+                str(reading),
+                after=f"{number}. of {len(kept)} ({rank(reading)})",
+                positions=reading.verb_positions,
+            )
+    return ClauseReadings(clause, plausible, kept)
+
+
+def _refused(
+    case: ClauseCase,
+    plausible: Tuple[Reading, ...],
+    verdict: Union[ClauseVerdict, ReadingVerdict],
+    refusal: Refusal,
+    trace: Optional[Trace],
+) -> ClauseReadings:
+    if trace is not None:
+        trace.add(verdict.name, case.clause.lemma, after=f"refused. {verdict.reason}", positions=case.clause.positions)
+    return ClauseReadings(case.clause, plausible, (), refusal)
+
+
+def plausible_readings(case: ClauseCase, trace: Optional[Trace] = None) -> Tuple[Reading, ...]:
+    """Return the ways to understand a clause, the best first, without those that take words for what they are not."""
     readings = tuple(
-        _with_phrases_left_over(sentence, reading) for reading in read_clause(sentence, clause, lexicon, frames)
+        _with_phrases_left_over(case.sentence, reading)
+        for reading in without_duplicates(read_clause(case.sentence, case.clause, case.of.known, trace))
     )
-    measured = frozenset().union(*(_measured(reading) for reading in readings))
-    verbal = frozenset(
-        position
-        for reading in readings
-        for position in reading.verb_positions
-        if sentence.word(position).upos in ("NOUN", "PROPN", "NUM")
+    plausible = drop(PLAUSIBILITY, case, readings, readings, trace)
+    listed = frozenset().union(*(reading.listed for reading in plausible))
+    text = _clause_text(case.sentence.tree, case.clause)
+    judged = (
+        replace(reading, unlikely=_unlikely(case, reading, listed), clause_text=text)
+        for reading in drop(DOMINATED, case, plausible, plausible, trace)
     )
-    kept = tuple(
-        reading
-        for reading in readings
-        if not any(
-            value.head_position in verbal - frozenset(reading.verb_positions)
-            or (value.head_position in measured - _measured(reading) and not _is_phrase(sentence, value))
-            or _is_no_thing(sentence, reading, value, frames[reading.unit.frame_name])
-            for value in reading.values
-            if value.head_position and value.head_position not in reading.listed
-        )
-    )
-    listed = frozenset().union(*(reading.listed for reading in kept))
-    return tuple(sorted((_with_coverage(sentence, clause, reading, listed) for reading in kept), key=rank))
+    return tuple(sorted(judged, key=rank))
 
 
-def _with_coverage(sentence: Sentence, clause: Clause, reading: Reading, listed: FrozenSet[int]) -> Reading:
-    """Count words as accounted for by half that a reading takes for any thing where another one lists them: a high five
-    can be given like a mug, but is not meant so.
+def _clause_text(tree: DependencyTree, clause: Clause) -> str:
+    """Return the words of a clause, without what joins it to the one before and what is said around it."""
+    around = tree.abandoned | tree.fillers
+    said = [
+        index
+        for index in sorted(clause.positions)
+        if index in tree.quoted
+        or (index not in around and tree.word(index).deprel not in ("punct", "cc", "discourse", "vocative"))
+    ]
+    while said and said[0] != clause.verb and tree.word(said[0]).form.lower() in _SAID_AROUND | _JOINING:
+        del said[0]
+    return tree.text_of(said)
+
+
+def _unlikely(case: ClauseCase, reading: Reading, listed: FrozenSet[int]) -> int:
+    """Count the words that fill an element which they are hardly meant for.
+
+    A word that another unit lists is hardly any thing: a high five can be given like a mug, but is not meant so. "A
+    kitchen" is hardly the name of a place, as "the kitchen" is; it tells of what kind the place is.
     """
-    heads = frozenset(value.head_position for value in reading.values)
-    halves = heads & (listed - reading.listed)
-    content = sum(1 for index in clause.positions - {clause.verb} if sentence.is_content(index))
-    return replace(reading, coverage=reading.coverage - 0.5 * len(halves) / (content + 1)) if halves else reading
+    frame = case.of.known.frames[reading.unit.frame_name]
+    names = frozenset(element.name for element in frame.frame_elements if element.framenet == NAME)
+    return sum(
+        value.head_position in listed - reading.listed
+        or (value.name in names and _is_indefinite(case.sentence, value.head_position))
+        for value in reading.values
+        if value.head_position
+    )
 
 
-def _measured(reading: Reading) -> FrozenSet[int]:
-    return frozenset(position for value in reading.values if value.quantity for position in value.positions)
-
-
-def _is_phrase(sentence: Sentence, value: ElementValue) -> bool:
-    return any(child.deprel == "case" for child in sentence.children(value.head_position))
-
-
-def _is_no_thing(sentence: Sentence, reading: Reading, value: ElementValue, frame: SemanticFrame) -> bool:
-    """Whether a word fills an element that it cannot fill."""
-    word = sentence.word(value.head_position)
-    names = {element.name: element.framenet for element in frame.frame_elements if element.quantity is None}
-    name = names.get(value.name)
-    if name is None or value.quantity:
-        return False
-    if name in PLACES and word.upos == "NUM":
-        return any(names.get(other.name) == "Theme" and len(other.positions) > 0 for other in reading.values)
-    if word.form.lower() in DEGREES and not any(child.deprel == "nmod" for child in sentence.children(word.index)):
-        return True
-    is_side = word.form.lower() in _SIDES and not is_side_of_something(sentence, word.index)
-    return is_side and word.deprel == "obj" and name not in PLACES | NO_THINGS
+def _is_indefinite(sentence: Sentence, head: int) -> bool:
+    return any(
+        child.deprel == "det" and child.form.lower() in _INDEFINITE_ARTICLES for child in sentence.children(head)
+    )
 
 
 def _with_phrases_left_over(sentence: Sentence, reading: Reading) -> Reading:
@@ -98,7 +157,7 @@ def _with_phrases_left_over(sentence: Sentence, reading: Reading) -> Reading:
         relation = next((relation for relation in reading.unit.relations if relation.name == value.name), None)
         if relation is None or not relation.words or relation.argument is not ArgumentForm.HEAD:
             continue
-        is_side = value.head.lower() in _SIDES
+        is_side = value.head.lower() in _LEFT_AND_RIGHT
         whole = sentence.subtree(value.head_position)
         phrases = [
             sentence.subtree(child.index)

@@ -3,29 +3,14 @@
 from dataclasses import replace
 from typing import Mapping, Union
 
+from semantic_framer.dialogue import DEMONSTRATIVES, PLACE_PRONOUNS, PRONOUNS, Context
+from semantic_framer.frame_roles import NO_THINGS, PLACES
+from semantic_framer.reading import ElementValue, Reading
+from semantic_framer.values import resolved
 from semantic_frames.frame import SemanticFrame
+from word_classes import word_class
 
-from semantic_framer.dialogue import PLACE_PRONOUNS, PRONOUNS, Context
-from semantic_framer.matching import Reading
-from semantic_framer.values import ElementValue, resolved
-
-#: Frame elements that are places, and not things, by FrameNet's names.
-PLACES = frozenset(["Goal", "Source", "Location", "Ground", "Area", "Place", "Path"])
-#: Frame elements that are neither things nor places.
-NO_THINGS = frozenset(
-    [
-        "Manner",
-        "Direction",
-        "Distance",
-        "Angle",
-        "Duration",
-        "Recipient",
-        "Beneficiary",
-        "Addressee",
-        "Agent",
-        "Message",
-    ]
-)
+_PARTICIPANTS = word_class("participants")
 
 
 def resolve(reading: Reading, context: Context) -> Union[Reading, ElementValue]:
@@ -36,7 +21,7 @@ def resolve(reading: Reading, context: Context) -> Union[Reading, ElementValue]:
         relation = next((relation for relation in reading.unit.relations if relation.name == value.name), None)
         # "This place" is what was said; a unit that lists nothing but pronouns wants what they stand for.
         is_fixed = relation is not None and bool(set(relation.words) - PRONOUNS)
-        if word in PRONOUNS and value.positions and not is_fixed and word not in ("this", "one", "that"):
+        if word in PRONOUNS - DEMONSTRATIVES and value.positions and not is_fixed:
             # "Go near the radio and switch it on": a place is a thing too.
             if not context.thing and not context.place:
                 return value
@@ -56,6 +41,6 @@ def remember(reading: Reading, frames: Mapping[str, SemanticFrame], context: Con
             continue
         if element.framenet in PLACES:
             context = replace(context, place=value.argument)
-        elif element.framenet not in NO_THINGS and value.argument.lower() not in ("me", "you", "us"):
+        elif element.framenet not in NO_THINGS and value.argument.lower() not in _PARTICIPANTS:
             context = replace(context, thing=value.argument)
     return context

@@ -11,14 +11,19 @@ from roboframenet_msgs.msg import (
     LexicalUnitReading,
 )
 
-from semantic_framer.matching import Reading
-from semantic_framer.sentence import Sentence
-from semantic_framer.values import ElementValue
+from semantic_framer.reading import ElementValue, Reading
+from utterance_passes.tree import DependencyTree
 
 
-def to_clauses(clauses: Sequence[Tuple[Reading, ...]], sentence: Sentence) -> Sequence[Clause]:
+def to_clauses(clauses: Sequence[Tuple[Reading, ...]], tree: DependencyTree) -> Sequence[Clause]:
     """Return readings as messages."""
-    return [Clause(readings=[_reading(reading, sentence) for reading in readings]) for readings in clauses]
+    return [
+        Clause(
+            words=readings[0].clause_text,
+            readings=[_reading(reading, tree, preference) for preference, reading in enumerate(readings)],
+        )
+        for readings in clauses
+    ]
 
 
 def to_filled_units(clauses: Sequence[Tuple[Reading, ...]]) -> FilledLexicalUnitList:
@@ -34,14 +39,15 @@ def _unit(reading: Reading) -> FilledLexicalUnit:
     )
 
 
-def _reading(reading: Reading, sentence: Sentence) -> LexicalUnitReading:
-    count = len(sentence.tree.words)
+def _reading(reading: Reading, tree: DependencyTree, preference: int) -> LexicalUnitReading:
+    count = len(tree.words)
     return LexicalUnitReading(
         lexical_unit=_unit(reading),
         values=[_value(value) for value in reading.values],
         verb_position=reading.verb_positions[0],
-        left_over=[sentence.word(index).form for index in reading.left_over if index <= count],
+        left_over=[tree.word(index).form for index in reading.left_over if index <= count],
         coverage=reading.coverage,
+        preference=preference,
         source=reading.unit.path,
     )
 

@@ -1,13 +1,12 @@
 """What fills a frame element: the words, and what they mean."""
 
-import math
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import FrozenSet, List, Tuple
 
+from semantic_framer.reading import ElementValue
 from semantic_frames.lexical_unit import ArgumentForm
-
-from semantic_framer.measures import Amount
-from semantic_framer.sentence import Sentence
+from utterance_passes.measures import Amount
+from utterance_passes.tree import DependencyTree
 
 #: Relations of words that stand at the front of a phrase and are no part of it.
 _BEFORE_A_PHRASE = frozenset(["cc", "discourse", "mark"])
@@ -15,29 +14,8 @@ _BEFORE_A_PHRASE = frozenset(["cc", "discourse", "mark"])
 _OF_VERBS = frozenset(["by"])
 
 
-@dataclass(frozen=True)
-class ElementValue:
-    """The argument of a frame element; the fields are those of ``roboframenet_msgs/FrameElementValue``."""
-
-    name: str
-    argument: str
-    head: str = ""
-    phrase: str = ""
-    possessor: str = ""
-    determiner: str = ""
-    adjectives: Tuple[str, ...] = ()
-    amount: float = math.nan
-    unit: str = ""
-    quantity: str = ""
-    si_amount: float = math.nan
-    conjunction: str = ""
-    items: Tuple[str, ...] = ()
-    positions: Tuple[int, ...] = ()
-    head_position: int = 0
-
-
 def phrase_value(
-    sentence: Sentence,
+    tree: DependencyTree,
     name: str,
     head: int,
     form: ArgumentForm,
@@ -47,7 +25,7 @@ def phrase_value(
     """Make the value of a phrase.
 
     Args:
-        sentence: the sentence
+        tree: the sentence
         name: of the frame element
         head: index of the head word
         form: which words become the argument
@@ -56,26 +34,24 @@ def phrase_value(
     Returns:
         the value; its positions include a preposition at the front, its argument does not
     """
-    conjuncts = [
-        child for child in sentence.children(head) if child.deprel == "conj" and child.upos not in ("VERB", "AUX")
-    ]
-    left_out |= sentence.abandoned | sentence.fillers - {head}
-    positions = sorted((sentence.subtree(head) - left_out) | attached)
+    conjuncts = [child for child in tree.children(head) if child.deprel == "conj" and child.upos not in ("VERB", "AUX")]
+    left_out |= tree.abandoned | tree.fillers - {head}
+    positions = sorted((tree.subtree(head) - left_out) | attached)
     # In "whether it is on the table" the preposition is what is asked about.
-    is_clause = any(child.deprel == "cop" and child.index in positions for child in sentence.children(head))
-    prepositions = frozenset() if is_clause else _prepositions(sentence, head)
-    while len(positions) > 1 and sentence.word(positions[-1]).upos == "PUNCT":
+    is_clause = any(child.deprel == "cop" and child.index in positions for child in tree.children(head))
+    prepositions = frozenset() if is_clause else _prepositions(tree, head)
+    while len(positions) > 1 and tree.word(positions[-1]).upos == "PUNCT":
         positions.pop()
     while (
         len(positions) > 1
         and positions[0] not in prepositions
-        and (sentence.word(positions[0]).upos == "PUNCT" or sentence.word(positions[0]).deprel in _BEFORE_A_PHRASE)
+        and (tree.word(positions[0]).upos == "PUNCT" or tree.word(positions[0]).deprel in _BEFORE_A_PHRASE)
     ):
         positions.pop(0)
     if prepositions and positions[0] < min(prepositions):
         prepositions |= frozenset(index for index in attached if index < min(prepositions))
     bare = [index for index in positions if index not in prepositions]
-    children = sentence.children(head)
+    children = tree.children(head)
     conjunction = ""
     items: Tuple[str, ...] = ()
     if conjuncts:
@@ -83,18 +59,18 @@ def phrase_value(
             (
                 inner.form.lower()
                 for conjunct in conjuncts
-                for inner in sentence.children(conjunct.index)
+                for inner in tree.children(conjunct.index)
                 if inner.deprel == "cc"
             ),
             "and",
         )
-        items = _items(sentence, head, [conjunct.index for conjunct in conjuncts], left_out | prepositions, attached)
-    phrase_argument = sentence.text(bare)
+        items = _items(tree, head, [conjunct.index for conjunct in conjuncts], left_out | prepositions, attached)
+    phrase_argument = tree.text_of(bare)
     return ElementValue(
         name=name,
-        argument=phrase_argument if form is ArgumentForm.PHRASE else sentence.word(head).form,
-        head=sentence.word(head).form,
-        phrase=sentence.text(positions),
+        argument=phrase_argument if form is ArgumentForm.PHRASE else tree.word(head).form,
+        head=tree.word(head).form,
+        phrase=tree.text_of(positions),
         possessor=next((child.form for child in children if child.deprel == "nmod:poss"), ""),
         determiner=next((child.form for child in children if child.deprel == "det"), ""),
         adjectives=tuple(child.form for child in children if child.deprel == "amod"),
@@ -105,42 +81,40 @@ def phrase_value(
     )
 
 
-def _prepositions(sentence: Sentence, head: int) -> FrozenSet[int]:
+def _prepositions(tree: DependencyTree, head: int) -> FrozenSet[int]:
     found: List[int] = []
-    for child in sentence.children(head):
+    for child in tree.children(head):
         # "By crossing the hall": a preposition of a verb is a mark.
         is_preposition = child.deprel == "case" or (child.deprel == "mark" and child.form.lower() in _OF_VERBS)
         if is_preposition and child.index < head:
-            found += sentence.subtree(child.index)
+            found += tree.subtree(child.index)
     return frozenset(found)
 
 
 def _items(
-    sentence: Sentence, head: int, conjuncts: List[int], left_out: FrozenSet[int], attached: FrozenSet[int]
+    tree: DependencyTree, head: int, conjuncts: List[int], left_out: FrozenSet[int], attached: FrozenSet[int]
 ) -> Tuple[str, ...]:
-    later = frozenset(index for conjunct in conjuncts for index in sentence.subtree(conjunct))
-    groups = [sentence.subtree(head) - later - left_out] + [
-        sentence.subtree(conjunct) - left_out for conjunct in conjuncts
-    ]
+    later = frozenset(index for conjunct in conjuncts for index in tree.subtree(conjunct))
+    groups = [tree.subtree(head) - later - left_out] + [tree.subtree(conjunct) - left_out for conjunct in conjuncts]
     groups[-1] |= attached
     items = []
     for item, group in zip([head] + conjuncts, groups):
-        own = _prepositions(sentence, item)
+        own = _prepositions(tree, item)
         words = [
             index
             for index in sorted(group)
-            if sentence.word(index).upos != "PUNCT" and sentence.word(index).deprel != "cc" and index not in own
+            if tree.word(index).upos != "PUNCT" and tree.word(index).deprel != "cc" and index not in own
         ]
         if words:
-            items.append(sentence.text(words))
+            items.append(tree.text_of(words))
     return tuple(items)
 
 
-def amount_value(sentence: Sentence, name: str, amount: Amount, *, is_whole: bool) -> ElementValue:
+def amount_value(tree: DependencyTree, name: str, amount: Amount, *, is_whole: bool) -> ElementValue:
     """Make the value of an amount.
 
     Args:
-        sentence: the sentence
+        tree: the sentence
         name: of the frame element
         amount: as it was found
         is_whole: whether the argument is the amount with its unit ("5 minutes") or the number alone ("120")
@@ -151,8 +125,8 @@ def amount_value(sentence: Sentence, name: str, amount: Amount, *, is_whole: boo
     return ElementValue(
         name=name,
         argument=whole if is_whole else amount.digits(),
-        head=sentence.word(amount.positions[-1]).form,
-        phrase=sentence.text(amount.positions),
+        head=tree.word(amount.positions[-1]).form,
+        phrase=tree.text_of(amount.positions),
         amount=amount.amount,
         unit=amount.unit,
         quantity=amount.quantity,
@@ -162,7 +136,7 @@ def amount_value(sentence: Sentence, name: str, amount: Amount, *, is_whole: boo
     )
 
 
-def unit_value(sentence: Sentence, name: str, amount: Amount) -> ElementValue:
+def unit_value(tree: DependencyTree, name: str, amount: Amount) -> ElementValue:
     """Make the value of the unit of an amount."""
     return ElementValue(
         name=name,

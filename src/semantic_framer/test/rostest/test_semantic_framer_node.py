@@ -19,6 +19,7 @@ from roboframenet_msgs.msg import (
     Reply,
     SourceFile,
     StageEvent,
+    StopReport,
 )
 from roboframenet_msgs.srv import AddLexicalUnit
 from stanford_parser_msgs.msg import UniversalWord
@@ -29,6 +30,8 @@ UNIT = (
     "    - {name: direction, relation: advmod, words: [left, right]}\n"
     "- frame_name: unheard_of\n  verb: vanish\n"
 )
+#: Of a command that says no time.
+NO_STAMP = rospy.Time()
 
 
 def wait_until(condition, timeout_s=60.0):
@@ -54,10 +57,11 @@ class SemanticFramerNodeTest(unittest.TestCase):
             rospy.Subscriber("file_problems", FileProblems, cls.problems.append),
         ]
         cls.parses = rospy.Publisher("command_parse", CommandParse, queue_size=10)
+        cls.stops = rospy.Publisher("stop_report", StopReport, queue_size=10)
         cls.catalogue = rospy.Publisher("frame_catalogue", FrameCatalogue, queue_size=1, latch=True)
         rospy.wait_for_service("add_lexical_unit", timeout=60.0)
         cls.add = rospy.ServiceProxy("add_lexical_unit", AddLexicalUnit)
-        connected = [cls.parses, cls.catalogue] + cls.subscribers
+        connected = [cls.parses, cls.stops, cls.catalogue] + cls.subscribers
         assert wait_until(lambda: all(end.get_num_connections() for end in connected))
         assert cls.add(absolute_file_path=cls.file("units.yaml", UNIT)).success
         cls.catalogue.publish(FrameCatalogue(registrar_id="test", files=[SourceFile(path="turning.yaml", text=FRAME)]))
@@ -73,18 +77,16 @@ class SemanticFramerNodeTest(unittest.TestCase):
             stream.write(text)
         return path
 
-    def say(self, command_id, *rows):
+    def say(self, command_id, *rows, stamp=NO_STAMP):
         """Publish a parse; each row is form, lemma, part of speech, tag, head, relation."""
         words = []
         for index, row in enumerate(rows, start=1):
             form, lemma, upos, xpos, head, deprel = row.split()
             words.append(
-                UniversalWord(
-                    index=index, form=form, lemma=lemma, upos=upos, xpos=xpos, head=int(head), deprel=deprel
-                )
+                UniversalWord(index=index, form=form, lemma=lemma, upos=upos, xpos=xpos, head=int(head), deprel=deprel)
             )
         text = " ".join(word.form for word in words)
-        self.parses.publish(CommandParse(command=Command(id=command_id, text=text), words=words))
+        self.parses.publish(CommandParse(command=Command(id=command_id, stamp=stamp, text=text), words=words))
 
     def events_of(self, command_id):
         return [event for event in list(self.events) if event.command.id == command_id]
@@ -105,7 +107,24 @@ class SemanticFramerNodeTest(unittest.TestCase):
         self.assertEqual(("turning", "turn"), (unit.frame_name, unit.verb))
         self.assertEqual([("direction", "left")], [(e.name, e.argument) for e in unit.frame_elements])
         self.assertEqual([unit], self.units_2012[0].lexical_units)
-        self.assertFalse(self.events_of("turn")[0].is_final)
+        event = self.events_of("turn")[0]
+        self.assertFalse(event.is_final)
+        rules = [line.partition(":")[0] for line in event.trace.splitlines()]
+        self.assertEqual(["clause", "unit", "rank", "outcome"], rules)
+
+    def test_refusal_has_a_trace(self):
+        self.say("refused", "never never ADV RB 2 advmod", "turn turn VERB VB 0 root")
+        self.ending("refused")
+        self.assertIn("negated: turn: refused.", self.events_of("refused")[0].trace)
+
+    def test_trace_can_be_switched_off(self):
+        events = []
+        subscriber = rospy.Subscriber("quiet/stage_events", StageEvent, events.append)
+        parses = rospy.Publisher("quiet/command_parse", CommandParse, queue_size=1)
+        self.assertTrue(wait_until(lambda: subscriber.get_num_connections() and parses.get_num_connections()))
+        parses.publish(CommandParse(command=Command(id="quiet", text="")))
+        self.assertTrue(wait_until(lambda: events))
+        self.assertEqual(("NO_VERB", ""), (events[0].reply.code, events[0].trace))
 
     def test_negated_command_is_refused(self):
         self.say("not", "never never ADV RB 2 advmod", "turn turn VERB VB 0 root", "left left ADV RB 2 advmod")
@@ -122,6 +141,27 @@ class SemanticFramerNodeTest(unittest.TestCase):
         self.assertEqual((Reply.NEEDS_INFORMATION, "MISSING_ELEMENT"), (reply.outcome, reply.code))
         self.say("answer", "right right ADV RB 0 root")
         self.assertTrue(wait_until(lambda: any(message.command.id == "answer" for message in self.units)))
+
+    def test_question_from_before_a_stop_is_answered_by_nothing(self):
+        before = rospy.Time.now()
+        self.stops.publish(StopReport(stop_stamp=before + rospy.Duration(1e-6)))
+        answers = []
+        # The report and the parses come on connections of their own.
+        self.assertTrue(wait_until(lambda: self.is_refused_as_answer(answers, before)))
+
+    def is_refused_as_answer(self, answers, stamp):
+        """Ask a question that was said at a time, and answer it; whether nothing comes of the answer."""
+        number = len(answers)
+        self.say(f"asked{number}", "turn turn VERB VB 0 root", stamp=stamp)
+        self.say(f"answer{number}", "right right ADV RB 0 root")
+        self.assertTrue(wait_until(lambda: self.events_of(f"answer{number}")))
+        answers.append(self.events_of(f"answer{number}")[0])
+        return answers[-1].is_final and answers[-1].reply.code == "NO_VERB"
+
+    def test_correction_is_marked(self):
+        self.say("correction", "not not PART RB 2 advmod", "there there ADV RB 0 root")
+        reply = self.ending("correction")
+        self.assertEqual((Reply.REFUSED, "CORRECTION"), (reply.outcome, reply.code))
 
     def test_command_without_words_is_answered(self):
         self.say("empty")

@@ -4,6 +4,7 @@ from pathlib import Path
 from typing import Callable, Dict, Tuple
 
 import pytest
+
 from semantic_framer.dialogue import Context
 from semantic_framer.framer import Outcome, Policy, read
 from semantic_framer.lexicon import Lexicon

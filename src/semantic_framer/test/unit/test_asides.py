@@ -4,6 +4,7 @@ import itertools
 from typing import Any, Dict
 
 import pytest
+
 from semantic_framer.framer import Outcome, Question, Refusal, Understood
 
 OPENINGS = (

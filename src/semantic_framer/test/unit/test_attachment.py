@@ -3,13 +3,18 @@
 from typing import Dict, Tuple
 
 import pytest
-from semantic_framer.clauses import find_clauses
+
 from semantic_framer.descriptions import descriptions
+from semantic_framer.framed_lexicon import FramedLexicon
 from semantic_framer.framer import Policy, Refusal, Understood, read
 from semantic_framer.lexicon import Lexicon
 from semantic_framer.sentence import Sentence
 from semantic_frames import load_frame
-from stanford_parser_ros.conllu import from_conllu
+from utterance_passes.clauses import find_clauses
+from utterance_passes.conllu import from_conllu
+from utterance_passes.running import run_tree_passes
+from utterance_passes.table import PARSE_CORRECTING_PASSES
+from utterance_passes.vocabulary import Verbs
 
 FRAMES = {
     frame.name: frame
@@ -19,7 +24,10 @@ FRAMES = {
             "name: taking\nframe_elements:\n  - {name: theme, is_core: True}\n  - {name: source, is_core: False}\n",
             "name: saying\nframe_elements:\n  - {name: message, is_core: True, framenet: Message}\n",
             "name: bringing\nframe_elements:\n  - {name: theme, is_core: True}\n  - {name: goal, is_core: False}\n",
-            "name: being_located\nframe_elements:\n  - {name: theme, is_core: True}\n  - {name: location, is_core: True}\n",
+            (
+                "name: being_located\nframe_elements:\n  - {name: theme, is_core: True}\n"
+                "  - {name: location, is_core: True}\n"
+            ),
             "name: releasing\nframe_elements:\n  - {name: theme, is_core: True}\n",
         )
     )
@@ -56,7 +64,8 @@ UNITS = """
 """
 ROWS = (
     "1 {verb} {verb} VERB VB _ 0 root _ _\n2 the the DET DT _ 3 det _ _\n3 mug mug NOUN NN _ 1 obj _ _"
-    "\n4 {preposition} {preposition} ADP IN _ 6 case _ _\n5 the the DET DT _ 6 det _ _\n6 table table NOUN NN _ 1 obl _ _"
+    "\n4 {preposition} {preposition} ADP IN _ 6 case _ _\n5 the the DET DT _ 6 det _ _"
+    "\n6 table table NOUN NN _ 1 obl _ _"
 )
 
 
@@ -115,7 +124,8 @@ def test_unit_that_the_verb_names_comes_first(
         )
     frames = {
         name: load_frame(
-            f"name: {name}\nframe_elements:\n  - {{name: theme, is_core: True}}\n  - {{name: source, is_core: False}}\n",
+            f"name: {name}\nframe_elements:\n  - {{name: theme, is_core: True}}\n"
+            "  - {name: source, is_core: False}\n",
             "frame.yaml",
         )
         for name, _, _ in (first, second)
@@ -146,7 +156,8 @@ def test_second_place_is_where_it_shall_be(
     head: int, relation: str, first: str, second: str, arguments: Dict[str, str]
 ) -> None:
     rows = ROWS.format(verb="take", preposition=first) + (
-        f"\n7 {second} {second} ADP IN _ 9 case _ _\n8 the the DET DT _ 9 det _ _\n9 shelf shelf NOUN NN _ {head} {relation} _ _"
+        f"\n7 {second} {second} ADP IN _ 9 case _ _\n8 the the DET DT _ 9 det _ _"
+        f"\n9 shelf shelf NOUN NN _ {head} {relation} _ _"
     )
     assert filled(rows) == arguments
 
@@ -159,7 +170,7 @@ def described(relative: str) -> Tuple[Dict[str, str], ...]:
     )
     predicate = next(line.split()[0] for line in relative.splitlines() if "acl:relcl" in line)
     sentence = Sentence(from_conllu(rows.format(predicate=predicate)))
-    found = descriptions(sentence, find_clauses(sentence), lexicon(), FRAMES)
+    found = descriptions(sentence, find_clauses(sentence.tree), FramedLexicon(lexicon(), FRAMES))
     return tuple({value.name: value.argument for value in reading.values} for reading in found)
 
 
@@ -198,7 +209,7 @@ LET_GO = (
 
 def test_verb_of_several_words_is_one_verb_where_the_lexicon_has_it() -> None:
     assert filled(LET_GO) == {"theme": "the rope"}
-    assert [clause.lemma for clause in find_clauses(Sentence(from_conllu(LET_GO)))] == ["go"]
+    assert [clause.lemma for clause in find_clauses(from_conllu(LET_GO))] == ["go"]
 
 
 def test_modal_without_a_verb_is_a_noun() -> None:
@@ -214,4 +225,5 @@ def test_modal_with_a_subject_is_no_noun() -> None:
         "1 lift lift VERB VB _ 0 root _ _\n2 mugs mug NOUN NNS _ 1 obj _ _\n3 can can AUX MD _ 1 parataxis _ _"
         "\n4 you you PRON PRP _ 3 nsubj _ _"
     )
-    assert {word.upos for word in Sentence(from_conllu(rows)).tree.words} == {"VERB", "NOUN", "AUX", "PRON"}
+    tree = run_tree_passes(from_conllu(rows), Verbs(), PARSE_CORRECTING_PASSES)
+    assert {word.upos for word in tree.words} == {"VERB", "NOUN", "AUX", "PRON"}

@@ -3,6 +3,7 @@
 from typing import Any, Dict, List, Tuple
 
 import pytest
+
 from semantic_framer.framer import LeftOverWords, Policy, Question, Refusal, Understood
 
 
@@ -62,11 +63,11 @@ def test_answer_picks_a_reading(understand: Any, said: str, answer: str, done: L
 @pytest.mark.parametrize(
     "said, answer, code",
     [
-        (MUG_OR_OFFICE, "no", "NEGATED"),
+        (MUG_OR_OFFICE, "no", "DECLINED"),
         (MUG_OR_OFFICE, "the office", "NO_VERB"),
         (MUG_OR_OFFICE, "the third one", "NO_VERB"),
-        (MUG_OR_OFFICE, "yes", "TALK"),
-        (MUG_OR_OFFICE, "not to the office", "NO_VERB"),
+        (MUG_OR_OFFICE, "yes", "NO_VERB"),
+        (MUG_OR_OFFICE, "not to the office", "CORRECTION"),
         ("turn left tomorrow, no, go to the kitchen", "the first", "CONDITION"),
     ],
 )

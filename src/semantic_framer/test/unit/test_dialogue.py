@@ -4,12 +4,13 @@ from dataclasses import replace
 from typing import Any, Dict, List, Tuple
 
 import pytest
+
 from semantic_framer.dialogue import Context
 from semantic_framer.framer import Alternatives, LeftOverWords, Policy, Question, Refusal, Understood, read
 from semantic_framer.lexicon import Lexicon
 from semantic_frames import load_frame
 from semantic_frames.frame import SemanticFrame
-from stanford_parser_ros.conllu import from_conllu
+from utterance_passes.conllu import from_conllu
 
 FRAMES = {
     frame.name: frame
@@ -121,7 +122,7 @@ GO = "1 Go go VERB VB _ 0 root _ _"
         ("1 mugs mug NOUN NNS _ 0 root _ _", [("taking", {"theme": "mugs"})]),
     ],
 )
-def test_answer_tells_which_of_several_readings_was_meant(reply: str, done: List[Any]) -> None:
+def test_answer_is_postmodifier_of_of_several_readings_was_meant(reply: str, done: List[Any]) -> None:
     made = Lexicon()
     made.add_file(TWO_WAYS, "units.yaml")
     question, context = read(from_conllu(GO), made, FRAMES)
@@ -147,7 +148,7 @@ def test_what_several_readings_have_in_common_is_asked_once() -> None:
 
 def test_no_ends_a_question() -> None:
     _, declined, late = hear(MOVE, "1 no no INTJ UH _ 0 root _ _", TWO_METRES)
-    assert isinstance(declined, Refusal) and declined.code == "NEGATED"
+    assert isinstance(declined, Refusal) and declined.code == "DECLINED"
     assert isinstance(late, Refusal)
 
 
@@ -246,9 +247,7 @@ def test_nobody_is_a_negation() -> None:
     assert isinstance(outcome, Refusal) and outcome.code == "NEGATED"
 
 
-YOU_TURN_LEFT = (
-    "1 You you PRON PRP _ 2 nsubj _ _\n2 turn turn VERB VBP _ 0 root _ _\n3 left left ADV RB _ 2 advmod _ _"
-)
+YOU_TURN_LEFT = "1 You you PRON PRP _ 2 nsubj _ _\n2 turn turn VERB VBP _ 0 root _ _\n3 left left ADV RB _ 2 advmod _ _"
 
 
 @pytest.mark.parametrize("rows", [TURN_LEFT, YOU_TURN_LEFT])

@@ -1,8 +1,8 @@
 """Phrases that hang on the verb, and tell which thing is meant."""
 
-from semantic_framer.attachment import is_side_of_something, tells_which, words_before, words_before_amount
+from semantic_framer.attachment import is_postmodifier_of, is_side_of_something, words_before, words_before_amount
 from semantic_framer.sentence import Sentence
-from stanford_parser_ros.conllu import from_conllu
+from utterance_passes.conllu import from_conllu
 
 
 def sentence(*rows: str) -> Sentence:
@@ -32,14 +32,14 @@ FOLLOW_THE_GUY_WITH_A_HAT = (
 )
 
 
-def test_a_place_behind_a_thing_tells_which_one():
-    assert tells_which(sentence(*CLOSE_THE_DOOR_ON_THE_RIGHT), 6, 3, is_described=False)
+def test_a_place_behind_a_thing_is_postmodifier_of_one():
+    assert is_postmodifier_of(sentence(*CLOSE_THE_DOOR_ON_THE_RIGHT), 6, 3, is_described=False)
 
 
 def test_with_describes_only_what_the_verb_is_about():
     follow = sentence(*FOLLOW_THE_GUY_WITH_A_HAT)
-    assert tells_which(follow, 6, 3, is_described=True)
-    assert not tells_which(follow, 6, 3, is_described=False)
+    assert is_postmodifier_of(follow, 6, 3, is_described=True)
+    assert not is_postmodifier_of(follow, 6, 3, is_described=False)
 
 
 def test_a_direction_is_a_side_where_of_follows():

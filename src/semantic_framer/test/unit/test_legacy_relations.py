@@ -3,14 +3,18 @@
 from typing import Tuple
 
 import pytest
+
 from semantic_framer.framer import LeftOverWords, Policy, Understood, read
 from semantic_framer.lexicon import Lexicon
 from semantic_frames import load_frame
-from stanford_parser_ros.conllu import from_conllu
 from stanford_parser_ros.stanford_dependencies import RULES
+from utterance_passes.conllu import from_conllu
 
 FRAME = load_frame("name: scene\nframe_elements:\n  - {name: filler, is_core: True}\n", "frame.yaml")
-UNIT = "frame_name: scene\nverb: act\nframe_element_grammatical_relations:\n  - {name: filler, relation: %s, words: [thing]}\n"
+UNIT = (
+    "frame_name: scene\nverb: act\n"
+    "frame_element_grammatical_relations:\n  - {name: filler, relation: %s, words: [thing]}\n"
+)
 #: Relations between two clauses, or of the root itself, fill nothing.
 NO_ARGUMENTS = {
     "root",

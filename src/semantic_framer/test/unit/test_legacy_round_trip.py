@@ -5,13 +5,14 @@ the shipped models; where no sentence of a command has the relation, or the mode
 from typing import Any, Dict, Tuple
 
 import pytest
+
 from semantic_framer.framer import LeftOverWords, Policy, Understood, read
 from semantic_framer.lexicon import Lexicon
 from semantic_frames import load_frame
-from stanford_parser_ros.conllu import from_conllu
 from stanford_parser_ros.model import Parser
 from stanford_parser_ros.stanford_dependencies import RULES
-from stanford_parser_ros.tree import DependencyTree
+from utterance_passes.conllu import from_conllu
+from utterance_passes.tree import DependencyTree
 
 FRAME = load_frame("name: scene\nframe_elements:\n  - {name: filler, is_core: True}\n", "scene.yaml")
 UNIT = """
@@ -114,8 +115,10 @@ TREES: Tuple[Tuple[str, str, str], ...] = (
     # The models hang "because of" and the like as one preposition with two words.
     (
         "prep_because_of",
-        "1 Act act VERB VB _ 0 root _ _\n2 because because ADP IN _ 4 case _ _\n3 of of ADP IN _ 2 fixed _ _"
-        "\n4 rain rain NOUN NN _ 1 obl _ _",
+        (
+            "1 Act act VERB VB _ 0 root _ _\n2 because because ADP IN _ 4 case _ _\n3 of of ADP IN _ 2 fixed _ _"
+            "\n4 rain rain NOUN NN _ 1 obl _ _"
+        ),
         "rain",
     ),
     # Relations of speech that did not come out right.

@@ -3,25 +3,23 @@
 from typing import List, Tuple
 
 import pytest
+
 from semantic_framer.dialogue import is_no, is_yes
 from semantic_framer.lexicon import Lexicon
-from semantic_framer.measures import find_amounts
-from semantic_framer.sentence import Sentence
 from semantic_frames import FileRefused
-from stanford_parser_ros.tree import DependencyTree, Word
+from utterance_passes.measures import find_amounts
+from utterance_passes.tree import DependencyTree, Word
 
 
-def sentence_of(text: str) -> Sentence:
+def sentence_of(text: str) -> DependencyTree:
     """A sentence without structure: every word hangs on the first."""
     forms = text.split()
-    return Sentence(
-        DependencyTree(
-            text=text,
-            words=tuple(
-                Word(index, form, form.lower(), "NOUN" if form == "times" else "X", "", "", 0 if index == 1 else 1, "dep")
-                for index, form in enumerate(forms, start=1)
-            ),
-        )
+    return DependencyTree(
+        text=text,
+        words=tuple(
+            Word(index, form, form.lower(), "NOUN" if form == "times" else "X", "", "", 0 if index == 1 else 1, "dep")
+            for index, form in enumerate(forms, start=1)
+        ),
     )
 
 

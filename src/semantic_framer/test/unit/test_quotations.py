@@ -3,6 +3,7 @@
 from typing import Any, Dict
 
 import pytest
+
 from semantic_framer.framer import Refusal, Understood
 
 

@@ -3,17 +3,21 @@
 from typing import Any, Dict, List, Tuple
 
 import pytest
+
 from semantic_framer.framer import Question, Refusal, Understood, read
 from semantic_framer.lexicon import Lexicon
-from semantic_framer.repairs import repaired
-from semantic_framer.sentence import Sentence
 from semantic_frames import load_frame
-from stanford_parser_ros.conllu import from_conllu
-from stanford_parser_ros.tree import DependencyTree
+from utterance_passes.conllu import from_conllu
+from utterance_passes.running import run_tree_passes
+from utterance_passes.table import CORRECTION_PASSES
 
 UNITS = """
-- {frame_name: turning, verb: turn, frame_element_grammatical_relations: [{name: direction, relation: advmod, words: [left, right]}]}
-- {frame_name: taking, verb: take, frame_element_grammatical_relations: [{name: theme, relation: dobj, argument: phrase}]}
+- frame_name: turning
+  verb: turn
+  frame_element_grammatical_relations: [{name: direction, relation: advmod, words: [left, right]}]
+- frame_name: taking
+  verb: take
+  frame_element_grammatical_relations: [{name: theme, relation: dobj, argument: phrase}]
 """
 FRAMES = {
     name: load_frame(f"name: {name}\nframe_elements:\n  - {{name: {element}, is_core: True}}\n", "frame.yaml")
@@ -45,10 +49,9 @@ ROOT_BEHIND = (
 @pytest.mark.parametrize("rows", [NO_RIGHT, I_MEAN_RIGHT, ROOT_BEHIND])
 def test_correction_takes_the_place_of_what_it_corrects(rows: str) -> None:
     tree = from_conllu(rows)
-    corrected = repaired(tree, lexicon())
-    assert isinstance(corrected, DependencyTree)
+    corrected = run_tree_passes(tree, lexicon(), CORRECTION_PASSES)
     assert [word.form for word in corrected.words] == [word.form for word in tree.words]
-    assert Sentence(corrected).abandoned == frozenset(range(2, len(tree.words)))
+    assert corrected.abandoned == frozenset(range(2, len(tree.words)))
     assert sum(1 for word in corrected.words if word.head == 0) == 1
     outcome, _ = read(tree, lexicon(), FRAMES)
     assert isinstance(outcome, Understood)
@@ -57,12 +60,12 @@ def test_correction_takes_the_place_of_what_it_corrects(rows: str) -> None:
 
 def test_sentence_without_a_correction_is_left_as_it_is() -> None:
     tree = from_conllu(TURN_LEFT)
-    assert repaired(tree, lexicon()) is tree
+    assert run_tree_passes(tree, lexicon(), CORRECTION_PASSES) is tree
 
 
 def test_command_that_is_taken_back_altogether() -> None:
     outcome, _ = read(from_conllu(TURN_LEFT + "\n3 no no INTJ UH _ 1 discourse _ _"), lexicon(), FRAMES)
-    assert isinstance(outcome, Refusal) and outcome.code == "NEGATED"
+    assert isinstance(outcome, Refusal) and outcome.code == "DECLINED"
 
 
 def test_answer_that_is_corrected_is_not_taken() -> None:
@@ -176,7 +179,7 @@ def test_correction_does_not_lose_a_condition_or_a_time(understand: Any, text: s
 )
 def test_words_that_correct_nothing_do_not_make_a_command(understand: Any, text: str) -> None:
     outcome, _ = understand(text)
-    assert isinstance(outcome, Refusal) and outcome.code == "NEGATED"
+    assert isinstance(outcome, Refusal) and outcome.code in ("NEGATED", "DECLINED")
 
 
 TERMS = ("no", ", no,", "sorry", ", sorry,", "I mean", "uh I mean", "no wait", "no, I mean", "or rather", "uh no sorry")

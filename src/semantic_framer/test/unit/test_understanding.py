@@ -4,6 +4,7 @@ import itertools
 from typing import Any, Dict, List, Tuple
 
 import pytest
+
 from semantic_framer.framer import Alternatives, LeftOverWords, Policy, Question, Refusal, Understood
 
 

@@ -1,4 +1,5 @@
 """Semantic frames and lexical units as values, and the YAML files that robot programmers write."""
+
 from semantic_frames.frame_file import load_frame
 from semantic_frames.lexical_unit_file import check_lexical_unit, load_lexical_units
 from semantic_frames.problem import FileRefused, Problem

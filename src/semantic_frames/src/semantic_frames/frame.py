@@ -1,4 +1,5 @@
 """Semantic frames as values: what a frame file says, checked and without its spelling."""
+
 from dataclasses import dataclass
 from enum import Enum
 from typing import Optional, Tuple, Union

@@ -1,10 +1,9 @@
 """Frame files: one semantic frame each, as in 2012, with additions."""
 
 import math
-from typing import Callable, Dict, List, Optional, Tuple
+from typing import Callable, Dict, FrozenSet, List, Optional, Tuple
 
 import yaml
-from spoken_quantities import QuantityError, parse_measure, parse_number
 
 from semantic_frames.frame import (
     ConstantArgument,
@@ -18,6 +17,7 @@ from semantic_frames.frame import (
     ValueCondition,
 )
 from semantic_frames.marked_yaml import Reader, describe, did_you_mean, line_of
+from spoken_quantities import QuantityError, parse_measure, parse_number
 
 FRAME_KEYS = ("name", "description", "frame_elements", "children", "framenet", "on_list", "confirm")
 ELEMENT_KEYS = (
@@ -191,7 +191,7 @@ def _relation(reader: Reader, node: yaml.Node, key: str, names: List[str]) -> Op
     def text(name: str) -> str:
         return reader.name(entries.get(name), f"{key}.{name}")
 
-    makers: Dict[frozenset, Callable[[], FrameElementRelation]] = {
+    makers: Dict[FrozenSet[str], Callable[[], FrameElementRelation]] = {
         frozenset(("parent_name", "child_name")): lambda: ElementMapping(text("parent_name"), text("child_name")),
         frozenset(("parent_name", "child_value")): lambda: ValueCondition(
             text("parent_name"), reader.texts(entries["child_value"], f"{key}.child_value")

@@ -1,4 +1,5 @@
 """Lexical units as values: a verb, the frame it evokes, and which grammatical relation fills which element."""
+
 from dataclasses import dataclass, field
 from enum import Enum
 from typing import Mapping, Tuple

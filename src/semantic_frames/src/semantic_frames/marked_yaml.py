@@ -87,7 +87,7 @@ class Reader:
                             )
                         ]
                     )
-            root = yaml.compose(text, Loader=yaml.SafeLoader)
+            root: Optional[yaml.Node] = yaml.compose(text, Loader=yaml.SafeLoader)
         except yaml.YAMLError as error:
             mark = getattr(error, "problem_mark", None)
             reason = getattr(error, "problem", None) or getattr(error, "reason", None) or str(error).split("\n")[0]

@@ -1,4 +1,5 @@
 """What is wrong with a file that a robot programmer wrote."""
+
 from dataclasses import dataclass
 from typing import Sequence, Tuple
 

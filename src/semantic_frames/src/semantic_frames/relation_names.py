@@ -1,20 +1,22 @@
 """Names of grammatical relations that a lexical unit may use.
 
-Universal Dependencies v2 (universaldependencies.org/u/dep) and the Stanford Dependencies manual (de Marneffe and Manning,
-2008, revised 2013), basic and collapsed.
+Universal Dependencies v2 (universaldependencies.org/u/dep) and the Stanford Dependencies manual (de Marneffe and
+Manning, 2008, revised 2013), basic and collapsed.
 """
 
 import re
 from typing import FrozenSet
 
 UNIVERSAL: FrozenSet[str] = frozenset(
-    "nsubj obj iobj csubj ccomp xcomp obl vocative expl dislocated advcl advmod discourse aux cop mark nmod appos nummod acl "
-    "amod det clf case conj cc fixed flat compound list parataxis orphan goeswith reparandum punct root dep".split()
+    "nsubj obj iobj csubj ccomp xcomp obl vocative expl dislocated advcl advmod discourse aux cop mark nmod appos "
+    "nummod acl amod det clf case conj cc fixed flat compound list parataxis orphan goeswith reparandum punct "
+    "root dep".split()
 )
 STANFORD: FrozenSet[str] = frozenset(
-    "abbrev acomp advcl advmod agent amod appos attr aux auxpass cc ccomp complm conj cop csubj csubjpass dep det discourse dobj "
-    "expl goeswith infmod iobj mark mwe neg nn npadvmod nsubj nsubjpass num number parataxis partmod pcomp pobj poss possessive "
-    "preconj predet prep prepc prt punct purpcl quantmod rcmod ref rel root tmod vmod vocative xcomp xsubj".split()
+    "abbrev acomp advcl advmod agent amod appos attr aux auxpass cc ccomp complm conj cop csubj csubjpass dep det "
+    "discourse dobj expl goeswith infmod iobj mark mwe neg nn npadvmod nsubj nsubjpass num number parataxis "
+    "partmod pcomp pobj poss possessive preconj predet prep prepc prt punct purpcl quantmod rcmod ref rel root "
+    "tmod vmod vocative xcomp xsubj".split()
 )
 #: Measures hang on the verb in several ways ("3 feet" as obl:unmarked, dobj, tmod): this name stands for all of them.
 MEASURE = "measure"

@@ -1,6 +1,7 @@
 """Frame files: what loads, and what is said of those that do not."""
 
 import pytest
+
 from semantic_frames import FileRefused, load_frame
 from semantic_frames.frame import ConstantArgument, ElementMapping, ListPolicy, Quantity, ValueCondition
 
@@ -45,8 +46,8 @@ def test_frame_with_name_and_description_only() -> None:
 
 def test_list_among_children_is_a_sequence() -> None:
     frame = load_frame(
-        "name: a\nframe_elements: [{name: x}]\nchildren:\n  - - name: b\n    - name: c\n      frame_element_relations:\n"
-        "        - {parent_value: fast, child_name: speed}\n  - name: d\n",
+        "name: a\nframe_elements: [{name: x}]\nchildren:\n  - - name: b\n    - name: c\n"
+        "      frame_element_relations:\n        - {parent_value: fast, child_name: speed}\n  - name: d\n",
         "a.yaml",
     )
     assert [[child.name for child in sequence] for sequence in frame.children] == [["b", "c"], ["d"]]
@@ -55,8 +56,9 @@ def test_list_among_children_is_a_sequence() -> None:
 
 def test_additions_are_read() -> None:
     frame = load_frame(
-        "name: a\non_list: together\nconfirm: yes\nframenet: Motion\nframe_elements:\n  - name: d\n    quantity: length\n"
-        "    unit_element: u\n    minimum: -1\n    maximum: 20 metres\n  - name: u\n    values: [on, off]\n",
+        "name: a\non_list: together\nconfirm: yes\nframenet: Motion\nframe_elements:\n  - name: d\n"
+        "    quantity: length\n    unit_element: u\n    minimum: -1\n    maximum: 20 metres\n"
+        "  - name: u\n    values: [on, off]\n",
         "a.yaml",
     )
     element = frame.frame_elements[0]

@@ -1,6 +1,7 @@
 """Lexical unit files: what loads, and what is said of those that do not."""
 
 import pytest
+
 from semantic_frames import FileRefused, check_lexical_unit, load_frame, load_lexical_units
 from semantic_frames.lexical_unit import ArgumentForm
 from semantic_frames.relation_names import is_relation_name
@@ -28,8 +29,8 @@ def test_file_of_2012_loads_unchanged() -> None:
 def test_list_of_units_chains_and_alternatives() -> None:
     units = load_lexical_units(
         "- frame_name: a\n  verb: [go, Walk  up]\n  frame_element_grammatical_relations:\n"
-        "    - name: x\n      relation: [dobj/poss, prep_of]\n      argument: phrase\n      words: [On]\n      required: True\n"
-        "      after_place: [On, in]\n"
+        "    - name: x\n      relation: [dobj/poss, prep_of]\n      argument: phrase\n      words: [On]\n"
+        "      required: True\n      after_place: [On, in]\n"
         "  examples:\n    - text: Go.\n      frame_elements: {x: y}\n- frame_name: b\n  verb: come\n",
         "u.yaml",
     )
@@ -63,14 +64,19 @@ def test_list_of_units_chains_and_alternatives() -> None:
             "frame_element_grammatical_relations[0].relation",
         ),
         (
-            "frame_name: a\nverb: go\nframe_element_grammatical_relations:\n  - {name: x, relation: dobj, argument: word}",
+            (
+                "frame_name: a\nverb: go\nframe_element_grammatical_relations:\n"
+                "  - {name: x, relation: dobj, argument: word}"
+            ),
             "UNKNOWN_VALUE",
             4,
             "frame_element_grammatical_relations[0].argument",
         ),
         (
-            "frame_name: a\nverb: go\nframe_element_grammatical_relations:\n  - name: x\n    relation:\n      - dobj\n"
-            "      - dirobj\n",
+            (
+                "frame_name: a\nverb: go\nframe_element_grammatical_relations:\n"
+                "  - name: x\n    relation:\n      - dobj\n      - dirobj\n"
+            ),
             "UNKNOWN_RELATION",
             7,
             "frame_element_grammatical_relations[0].relation[1]",

@@ -1,6 +1,7 @@
 """Finding and reading files."""
 
 import pytest
+
 from semantic_frames import FileRefused, Problem
 from semantic_frames.source_files import FRAMES_FOLDER, read_text, replace_problems, yaml_files
 

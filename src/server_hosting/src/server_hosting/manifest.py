@@ -5,6 +5,7 @@ from typing import Dict, List, Mapping, Optional, Sequence, Tuple
 from xml.sax.saxutils import quoteattr
 
 import yaml
+
 from semantic_frames.marked_yaml import Reader, line_of
 
 MANIFEST_KEYS = ("frame", "frames", "server", "launch", "run", "start_timeout_s", "idle_s")

@@ -1,5 +1,6 @@
 """The node ``on_demand``: carries out frames by servers that it starts when they are needed."""
 
+import contextlib
 import queue
 import threading
 import time
@@ -8,21 +9,21 @@ from typing import Dict, List, Optional, Union
 
 import rospy
 from actionlib_msgs.msg import GoalStatus, GoalStatusArray
-from rfnserver import RFNServer
-from rfnserver.ros_frame_entrance import conclude
-from rfnserver.ros_goal_forwarding import ForwardedEnd, ForwardingDeadlines, GoalForwarder
 from roboframenet_msgs.msg import (
     FilledSemanticFrame,
     FilledSemanticFrameAction,
     FilledSemanticFrameFeedback,
     FilledSemanticFrameGoal,
 )
+
+from rfnserver import RFNServer
+from rfnserver.ros_frame_entrance import conclude
+from rfnserver.ros_goal_forwarding import ForwardedEnd, ForwardingDeadlines, GoalForwarder
 from semantic_frames.problem import FileRefused
 from semantic_frames.source_files import read_text
-
 from server_hosting.manifest import Manifest, by_frame, load_manifests
 from server_hosting.residence import Residence
-from server_hosting.ros_launching import LaunchError, Launched
+from server_hosting.ros_launching import Launched, LaunchError
 
 #: How often the main thread looks whether a server may go or has died, seconds.
 LOOK_S = 0.5
@@ -119,7 +120,7 @@ class OnDemand:
             manifests: by frame
         """
         self._manifests = manifests
-        self._inbox: "queue.Queue[Union[_Need, _Release]]" = queue.Queue()
+        self._inbox: queue.Queue[Union[_Need, _Release]] = queue.Queue()
         self._lock = threading.Lock()
         self._servers: Dict[str, _Server] = {}
         self._forwarders: Dict[str, GoalForwarder] = {}
@@ -136,10 +137,8 @@ class OnDemand:
     def run(self) -> None:
         """Start and end servers, in the main thread as roslaunch wants it, until the node is shut down."""
         while not rospy.is_shutdown():
-            try:
+            with contextlib.suppress(queue.Empty):
                 self._handle(self._inbox.get(timeout=LOOK_S))
-            except queue.Empty:
-                pass
             for server in self._servers.values():
                 server.look(time.monotonic())
         for server in self._servers.values():

@@ -1,5 +1,6 @@
 #!/usr/bin/python3
 """Servers that are started by the first goal, kept, and ended; and many servers in one process."""
+
 import time
 import unittest
 from typing import Any, Callable, Tuple

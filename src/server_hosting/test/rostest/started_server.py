@@ -1,5 +1,6 @@
 #!/usr/bin/python3
 """A server that is started on demand: it waits as long as the frame says, or dies at it."""
+
 import os
 import sys
 import time

@@ -1,6 +1,7 @@
 """The command line of a host."""
 
 import pytest
+
 from server_hosting.hosted import Hosted, HostedError, read_hosted
 
 

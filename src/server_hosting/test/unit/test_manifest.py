@@ -3,6 +3,7 @@
 import xml.etree.ElementTree
 
 import pytest
+
 from semantic_frames.problem import FileRefused
 from server_hosting.manifest import by_frame, load_manifests
 from server_hosting.residence import Residence

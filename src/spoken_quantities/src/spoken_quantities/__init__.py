@@ -1,4 +1,5 @@
 """Numbers, lengths, angles and durations in English words, and what they are in SI units."""
+
 from spoken_quantities.measure import Measure, parse_measure
 from spoken_quantities.numbers import QuantityError, number_words, parse_number
 from spoken_quantities.units import Unit, find_unit, units_of

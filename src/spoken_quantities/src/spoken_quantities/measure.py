@@ -12,6 +12,10 @@ from spoken_quantities.units import Unit, find_unit, units_of
 _JOINED = re.compile(r"^([+-]?[\d.,]+)\s*([^\d\s.,+-].*)$")
 #: Words between the number and its unit that carry nothing: "half a metre", "a couple of metres".
 _FILLERS = ("of a", "of an", "of the", "of", "a", "an")
+#: Words between the number and its unit that change nothing: "a full turn", "two more metres".
+_EMPHASIS = ("full", "whole", "complete", "entire", "more", "further", "additional", "extra")
+#: "90-degree", "two-metre".
+_HYPHEN_BEFORE_UNIT = re.compile(r"(?<=[\w])-(?=([a-z]+)$)", re.IGNORECASE)
 #: "5ft 6in", "5'6\"", "1h30": numbers and units may touch.
 _BETWEEN_DIGITS_AND_UNITS = re.compile(r"(?<=\d)(?=[a-z'\"])|(?<=[a-z'\"])(?=\d)")
 #: What a bare number behind a unit counts: so many of it make one, and it is not said of fewer. "Five foot six" is six
@@ -111,6 +115,7 @@ def _amount_behind(words: List[str], unit: Unit) -> Optional[float]:
 def _parse_single(text: str, quantity: Optional[str], default_unit: str) -> Measure:
     """Read a measure in one unit; the arguments and errors of :func:`parse_measure`."""
     words = " ".join(text.replace("°", " ° ").split())
+    words = _HYPHEN_BEFORE_UNIT.sub(lambda hyphen: " " if find_unit(hyphen.group(1)) else "-", words)
     if not words:
         raise QuantityError("NOT_A_NUMBER", "No amount was said.")
     joined = _JOINED.match(words)
@@ -124,9 +129,14 @@ def _parse_single(text: str, quantity: Optional[str], default_unit: str) -> Meas
         number_text = words if last.lower() == "feet" or (last.lower().endswith("s") and len(last) > 2) else "one"
     elif unit is None and default_unit and quantity != "number":
         unit = find_unit(default_unit)
+    if unit is not None and number_text.rpartition(" ")[2].lower() in _EMPHASIS:
+        number_text = number_text.rpartition(" ")[0]
     for filler in _FILLERS:
-        if number_text.lower().endswith(" " + filler) and not number_text.lower().startswith("a couple"):
-            number_text = number_text[: -len(filler) - 1]
+        counted = number_text[: -len(filler) - 1].lower()
+        is_filler = number_text.lower() == f"{counted} {filler}" and not counted.startswith("a couple")
+        # "Minus a metre" has no other number.
+        if is_filler and counted not in ("minus", "plus", "negative"):
+            number_text = counted
             break
     try:
         amount = parse_number(number_text)
@@ -135,7 +145,7 @@ def _parse_single(text: str, quantity: Optional[str], default_unit: str) -> Meas
             raise QuantityError("UNKNOWN_UNIT", f'I do not know the unit "{last}".') from error
         raise
     if unit is None:
-        if quantity in (None, "number"):
+        if quantity is None or quantity == "number":
             return Measure(amount=amount, unit="", quantity="number", si_amount=amount)
         raise QuantityError(
             "MISSING_UNIT", f'"{text.strip()}" needs a unit, such as {", ".join(units_of(quantity)[:3])}.'

@@ -1,4 +1,5 @@
 """Units that people say, and what they are in the units of REP 103: metres, radians, seconds."""
+
 import math
 from dataclasses import dataclass
 from typing import Dict, Optional, Tuple
@@ -26,7 +27,7 @@ _SPELLINGS: Tuple[Tuple[Unit, str], ...] = (
     (Unit("decimetre", "length", 0.1), "decimetre decimetres decimeter decimeters dm"),
     (Unit("kilometre", "length", 1000.0), "kilometre kilometres kilometer kilometers km"),
     (Unit("foot", "length", 0.3048), "foot feet ft '"),
-    (Unit("inch", "length", 0.0254), "inch inches in \""),
+    (Unit("inch", "length", 0.0254), 'inch inches in "'),
     (Unit("yard", "length", 0.9144), "yard yards yd"),
     (Unit("mile", "length", 1609.344), "mile miles mi"),
     (Unit("degree", "angle", math.pi / 180.0), "degree degrees deg °"),

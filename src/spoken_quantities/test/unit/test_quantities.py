@@ -5,6 +5,7 @@ import random
 from typing import List
 
 import pytest
+
 from spoken_quantities import QuantityError, find_unit, number_words, parse_measure, parse_number, units_of
 
 ONES = (
@@ -253,7 +254,22 @@ def test_unit_alone_in_the_singular_is_one_of_it(text: str, metres: float) -> No
 @pytest.mark.parametrize("seed", range(5))
 def test_any_text_is_a_finite_number_or_refused_with_a_reason(seed: int) -> None:
     chance = random.Random(seed)
-    parts = list(number_words()) + ["a", "an", "and", "of", "point", "-", "/", "2", "50", "1e9", "\u00b2", "feet", "-3", ""]
+    parts = list(number_words()) + [
+        "a",
+        "an",
+        "and",
+        "of",
+        "point",
+        "-",
+        "/",
+        "2",
+        "50",
+        "1e9",
+        "\u00b2",
+        "feet",
+        "-3",
+        "",
+    ]
     for _ in range(2000):
         text = " ".join(chance.choice(parts) for _ in range(chance.randint(0, 6)))
         for read in (parse_number, lambda said: parse_measure(said).si_amount):

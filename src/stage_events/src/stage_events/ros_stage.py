@@ -6,6 +6,7 @@ from typing import Callable
 import rospy
 from roboframenet_msgs.msg import Command, Reply, StageEvent
 
+from stage_events.bounded_text import bounded
 from stage_events.recent import Recent
 
 # As long as the command server waits for a stage by default: after that it has answered without the event.
@@ -36,18 +37,21 @@ class Stage(rospy.SubscribeListener):
             "stage_events", StageEvent, subscriber_listener=self, queue_size=2 * _MAX_COUNT
         )
 
-    def passes_on(self, command: Command, sentence: str) -> None:
+    def passes_on(self, command: Command, sentence: str, *, trace: str = "") -> None:
         """Say what the stage made of a command that goes on.
 
         Args:
             command: as it came
             sentence: for the person
+            trace: what each rule of the stage did, one a line
         """
-        event = StageEvent(command=command, stage=self._name, stamp=rospy.Time.now(), sentence=sentence)
+        event = StageEvent(
+            command=command, stage=self._name, stamp=rospy.Time.now(), sentence=sentence, trace=bounded(trace)
+        )
         with self._lock:
             self._publisher.publish(event)
 
-    def ends(self, command: Command, *, outcome: int, code: str, sentence: str) -> None:
+    def ends(self, command: Command, *, outcome: int, code: str, sentence: str, trace: str = "") -> None:
         """Say that a command ends in the stage.
 
         Args:
@@ -55,10 +59,19 @@ class Stage(rospy.SubscribeListener):
             outcome: one of the constants of Reply
             code: stable name of the reason
             sentence: for the person
+            trace: what each rule of the stage did, one a line
         """
         now = rospy.Time.now()
         reply = Reply(command=command, outcome=outcome, stage=self._name, code=code, sentence=sentence, stamp=now)
-        event = StageEvent(command=command, stage=self._name, stamp=now, sentence=sentence, is_final=True, reply=reply)
+        event = StageEvent(
+            command=command,
+            stage=self._name,
+            stamp=now,
+            sentence=sentence,
+            is_final=True,
+            reply=reply,
+            trace=bounded(trace),
+        )
         with self._lock:
             self._final_events.add(event)
             self._publisher.publish(event)

@@ -1,5 +1,6 @@
 #!/usr/bin/python3
 """A stage's last word reaches whoever listens, also who connects after it was said."""
+
 import threading
 import time
 import unittest
@@ -7,6 +8,7 @@ import unittest
 import rospy
 import rostest
 from roboframenet_msgs.msg import Command, Reply, StageEvent
+
 from stage_events.ros_stage import Stage
 
 
@@ -50,10 +52,22 @@ class StageTest(unittest.TestCase):
         self.assertEqual(StageEvent(command=command, stage="executor", stamp=first.stamp, sentence="At it."), first)
         self.assertEqual(
             StageEvent(
-                command=command, stage="executor", stamp=last.stamp, sentence="Nobody can wave.", is_final=True,
-                reply=Reply(command=command, outcome=Reply.REFUSED, stage="executor", code="NO_SERVER",
-                            sentence="Nobody can wave.", stamp=last.stamp)),
-            last)
+                command=command,
+                stage="executor",
+                stamp=last.stamp,
+                sentence="Nobody can wave.",
+                is_final=True,
+                reply=Reply(
+                    command=command,
+                    outcome=Reply.REFUSED,
+                    stage="executor",
+                    code="NO_SERVER",
+                    sentence="Nobody can wave.",
+                    stamp=last.stamp,
+                ),
+            ),
+            last,
+        )
 
     def mine(self, command_id):
         return [event for event in list(self.heard) if event.command.id == command_id]
@@ -68,9 +82,12 @@ class StageTest(unittest.TestCase):
 
     def test_nothing_is_lost_while_somebody_connects(self):
         said = {f"many_{number}" for number in range(300)}
-        speaker = threading.Thread(target=lambda: [
-            self.stage.ends(Command(id=name), outcome=Reply.DONE, code="DONE", sentence="Done.")
-            for name in sorted(said)])
+        speaker = threading.Thread(
+            target=lambda: [
+                self.stage.ends(Command(id=name), outcome=Reply.DONE, code="DONE", sentence="Done.")
+                for name in sorted(said)
+            ]
+        )
         speaker.start()
         self.listen()
         speaker.join(30.0)

@@ -7,12 +7,12 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, FrozenSet, List, Optional, Tuple
 
-from stanford_parser_ros.imperative import command_verb_position, numbered_noun_position, rerooted
-from stanford_parser_ros.impossible_relations import mended
-from stanford_parser_ros.run_ons import TaggedWord, cuts, joined, parts
-from stanford_parser_ros.surroundings import surrounded, surroundings
-from stanford_parser_ros.spelling import Spelling, rewrite
-from stanford_parser_ros.tree import DependencyTree, Word
+from utterance_passes.running import run_tag_passes, run_text_passes, run_tree_passes
+from utterance_passes.spelling import Spelling
+from utterance_passes.table import PARSER_TREE_PASSES, TAG_PASSES, TEXT_PASSES
+from utterance_passes.trace import Trace, TraceLine
+from utterance_passes.tree import DependencyTree, Word
+from utterance_passes.vocabulary import Verbs
 
 PROCESSORS = "tokenize,mwt,pos,lemma,depparse"
 #: Used where the package has it: official packages do, the shipped one does not.
@@ -27,6 +27,11 @@ class ModelError(RuntimeError):
 
 class UnparsableText(ValueError):
     """The text holds no words."""
+
+    @property
+    def refusal(self) -> Tuple[str, str]:
+        """Code and sentence of the reply."""
+        return "EMPTY_TEXT", f"I cannot read that: {self}."
 
 
 @dataclass(frozen=True)
@@ -72,6 +77,19 @@ def processors_of(folder: Path) -> str:
     return PROCESSORS + (f",{CONSTITUENCY}" if any((folder / "en" / CONSTITUENCY).glob("*.pt")) else "")
 
 
+@dataclass(frozen=True)
+class Parse:
+    """A parse, and what the passes of the parser did on the way.
+
+    Attributes:
+        tree: Universal Dependencies; positions of characters are those of the text as it was said
+        trace: what each pass changed
+    """
+
+    tree: DependencyTree
+    trace: Tuple[TraceLine, ...]
+
+
 class Parser:
     """Parses sentences with one Stanza package; nothing is ever downloaded."""
 
@@ -115,7 +133,7 @@ class Parser:
                 f"the models in {model_dir} (package '{package}') cannot be loaded: {type(error).__name__}: {error}"
             ) from error
         models_done = time.monotonic()
-        self._cache: "OrderedDict[Tuple[str, FrozenSet[str]], DependencyTree]" = OrderedDict()
+        self._cache: OrderedDict[Tuple[str, FrozenSet[str], FrozenSet[str]], Parse] = OrderedDict()
         self._cache_size = cache_size
         self.parse(WARM_UP)
         self.load_times = LoadTimes(
@@ -136,60 +154,56 @@ class Parser:
         Raises:
             UnparsableText: no words
         """
-        key = (text, verbs)
-        tree = self._cache.get(key)
-        if tree is None:
-            tree = self._parse(text, verbs)
-            self._cache[key] = tree
+        return self.traced(text, verbs).tree
+
+    def traced(self, text: str, verbs: FrozenSet[str] = frozenset(), *, without: FrozenSet[str] = frozenset()) -> Parse:
+        """Parse one utterance, and tell what the passes of the parser did.
+
+        Args:
+            text: as it was said
+            verbs: as for :meth:`parse`
+            without: names of passes that are switched off
+        Raises:
+            UnparsableText: no words
+        """
+        key = (text, verbs, without)
+        parse = self._cache.get(key)
+        if parse is None:
+            parse = self._parse(text, verbs, without)
+            self._cache[key] = parse
             if len(self._cache) > self._cache_size:
                 self._cache.popitem(last=False)
         else:
             self._cache.move_to_end(key)
-        return tree
+        return parse
 
-    def _parse(self, text: str, verbs: FrozenSet[str]) -> DependencyTree:
-        spelling = rewrite(text)
+    def _parse(self, text: str, verbs: FrozenSet[str], without: FrozenSet[str]) -> Parse:
+        trace = Trace()
+        spelling = run_text_passes(text, TEXT_PASSES, without=without, trace=trace)
         if not any(character.isalnum() for character in spelling.text):
             raise UnparsableText("there are no words in it")
+        vocabulary = Verbs(verbs)
         with self._inference_mode():
-            return self._parse_with_surroundings(text, spelling, verbs)
-
-    def _parse_with_surroundings(self, text: str, spelling: Spelling, verbs: FrozenSet[str]) -> DependencyTree:
-        around = surroundings(spelling, verbs)
-        if around is None:
-            return self._parse_spelling(text, spelling, verbs)
-        return surrounded(self._parse_spelling(text, around.command, verbs), around, text)
-
-    def _parse_spelling(self, text: str, spelling: Spelling, verbs: FrozenSet[str]) -> DependencyTree:
-        document = self._pipeline(spelling.text)
-        sentence = document.sentences[0]
-        found = cuts([TaggedWord(word.text, word.upos, _start(word)) for word in sentence.words], verbs)
-        if found:
-            pieces = [spelling.part(*bounds) for bounds in parts(spelling.text, found)]
-            return joined(text, [self._parse_with_surroundings(text, piece, verbs) for piece in pieces])
-        forms = [word.text for word in sentence.words]
-        position = command_verb_position(forms, verbs)
-        is_retagged = position is not None and sentence.words[position - 1].upos != "VERB"
-        if is_retagged:
-            _retag(sentence.words[position - 1], "VERB", "VB", "Mood=Imp|Person=2|VerbForm=Fin")
-        noun = numbered_noun_position(forms, [word.upos for word in sentence.words], verbs)
-        if noun is not None:
-            _retag(sentence.words[noun - 2], "ADP", "IN", "")
-            _retag(sentence.words[noun - 1], "NOUN", "NN", "Number=Sing")
-        if is_retagged or noun is not None:
-            document = self._pipeline.processors["depparse"].process(document)
-            sentence = document.sentences[0]
-        tree = mended(_to_tree(text, sentence, spelling))
-        return rerooted(tree, position) if position is not None else tree
-
-
-def _start(word: Any) -> int:
-    """Return where a word begins; the words of a multi-word token begin where it does."""
-    return word.start_char if word.start_char is not None else word.parent.start_char
-
-
-def _retag(word: Any, upos: str, xpos: str, feats: str) -> None:
-    word.upos, word.xpos, word.feats, word.lemma = upos, xpos, feats or None, word.text.lower()
+            document = self._pipeline(spelling.text)
+            words = document.sentences[0].words
+            # Without a verb nothing is known better than by the tagger.
+            retags = run_tag_passes(
+                [word.text for word in words],
+                [word.upos for word in words],
+                vocabulary,
+                TAG_PASSES if verbs else (),
+                without=without,
+                trace=trace,
+            )
+            for retag in retags:
+                word = words[retag.position - 1]
+                word.upos, word.xpos, word.feats = retag.upos, retag.xpos, retag.feats or None
+                word.lemma = word.text.lower()
+            if retags:
+                document = self._pipeline.processors["depparse"].process(document)
+            tree = _to_tree(text, document.sentences[0], spelling)
+        tree = run_tree_passes(tree, vocabulary, PARSER_TREE_PASSES, without=without, trace=trace)
+        return Parse(tree, trace.lines)
 
 
 def _to_tree(text: str, sentence: Any, spelling: Spelling) -> DependencyTree:

@@ -9,14 +9,15 @@ from typing import Dict, FrozenSet
 import rospkg
 import rospy
 from roboframenet_msgs.msg import Command, CommandParse, Lexicon, Reply
-from semantic_frames import FileRefused, load_lexical_units
-from stage_events.ros_stage import Stage
 from stanford_parser_msgs.msg import Parse
 
+from roboframenet_ros.ros_log import log_from_threads
+from semantic_frames import FileRefused, load_lexical_units
+from stage_events.ros_stage import Stage
 from stanford_parser_ros.model import ModelError, Parser, UnparsableText, shipped_model_dir
 from stanford_parser_ros.ros_messages import to_command_parse
 from stanford_parser_ros.stanford_dependencies import collapsed
-from stanford_parser_ros.tree import DependencyTree
+from utterance_passes.tree import DependencyTree
 
 #: How often the worker looks whether it has to end, seconds.
 WAKE_UP_S = 1.0
@@ -32,6 +33,7 @@ class Settings:
         threads: of torch
         cache_size: so many parses are kept
         queue_size: so many commands may wait; one more is refused
+        trace: whether what the passes did goes with each command
     """
 
     model_dir: Path
@@ -39,6 +41,7 @@ class Settings:
     threads: int
     cache_size: int
     queue_size: int
+    trace: bool
 
     def __post_init__(self) -> None:
         for name, value, largest in (
@@ -63,6 +66,7 @@ class Settings:
             threads=int(rospy.get_param("~threads", 1)),
             cache_size=int(rospy.get_param("~cache_size", 256)),
             queue_size=int(rospy.get_param("~queue_size", 100)),
+            trace=bool(rospy.get_param("~trace", True)),
         )
 
 
@@ -81,6 +85,7 @@ class ParserNode:
         Raises:
             ModelError: the models cannot be loaded
         """
+        self._settings = settings
         # Whoever listens connects while the models load: the first parse must not find nobody.
         self._parses = rospy.Publisher("command_parse", CommandParse, queue_size=100)
         self._parses_2012 = rospy.Publisher("parse", Parse, queue_size=100)
@@ -96,13 +101,11 @@ class ParserNode:
             cache_size=settings.cache_size,
         )
         times = self._parser.load_times
-        self._commands: "queue.Queue[Command]" = queue.Queue(settings.queue_size)
+        self._commands: queue.Queue[Command] = queue.Queue(settings.queue_size)
         self._worker = threading.Thread(target=self._run, name="parser", daemon=True)
         self._worker.start()
         rospy.on_shutdown(lambda: self._worker.join(2.0 * WAKE_UP_S))
-        self._subscriber = rospy.Subscriber(
-            "command_text", Command, self._on_command, queue_size=settings.queue_size
-        )
+        self._subscriber = rospy.Subscriber("command_text", Command, self._on_command, queue_size=settings.queue_size)
         rospy.loginfo(
             "ready after %.1f s (torch %.1f, Stanza %.1f, models %.1f, first parse %.1f): %s",
             times.total_s,
@@ -150,12 +153,11 @@ class ParserNode:
 
     def _parse(self, command: Command) -> None:
         try:
-            tree = self._parser.parse(command.text, self._verbs)
-            message = to_command_parse(command, tree)
+            parse = self._parser.traced(command.text, self._verbs)
+            message = to_command_parse(command, parse.tree)
         except UnparsableText as reason:
-            self._stage.ends(
-                command, outcome=Reply.REFUSED, code="EMPTY_TEXT", sentence=f"I cannot read that: {reason}."
-            )
+            code, sentence = reason.refusal
+            self._stage.ends(command, outcome=Reply.REFUSED, code=code, sentence=sentence)
             return
         except Exception as error:  # boundary: whatever Stanza does with a text, the command gets its reply
             rospy.logerr("cmd=%s cannot be parsed", command.id, exc_info=True)
@@ -166,7 +168,8 @@ class ParserNode:
                 sentence=f"The parser failed: {type(error).__name__}: {error}",
             )
             return
-        self._stage.passes_on(command, describe(tree))
+        trace = "\n".join(map(str, parse.trace)) if self._settings.trace else ""
+        self._stage.passes_on(command, describe(parse.tree), trace=trace)
         self._parses_2012.publish(message.parse)
         self._parses.publish(message)
 
@@ -184,6 +187,7 @@ def describe(tree: DependencyTree) -> str:
 def main() -> None:
     """Run the node."""
     rospy.init_node("stanford_parser_ros")
+    log_from_threads()
     try:
         ParserNode(Settings.from_parameters())
     except (ModelError, ValueError) as error:

@@ -9,7 +9,7 @@ PP around the preposition and the rest.
 from dataclasses import dataclass
 from typing import Any, Dict, List, Tuple
 
-from stanford_parser_ros.tree import DependencyTree, Word
+from utterance_passes.tree import DependencyTree, Word
 
 _PHRASE_OF_UPOS: Dict[str, str] = {
     "NOUN": "NP",
@@ -42,10 +42,10 @@ class Tree:
         self.score = score
         self.word = word
         self.word_index = word_index
-        self.children: List["Tree"] = []
+        self.children: List[Tree] = []
 
     def __repr__(self) -> str:
-        inside = self.word if self.word else " ".join(repr(child) for child in self.children)
+        inside = self.word or " ".join(repr(child) for child in self.children)
         return f"({self.tag} {inside})"
 
 

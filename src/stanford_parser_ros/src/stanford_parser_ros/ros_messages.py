@@ -7,7 +7,7 @@ from stanford_parser_msgs.msg import Dependency, Parse, SquashedParseTreeNode, U
 
 from stanford_parser_ros.phrase_tree import constant_of_tag, phrase_tree, squash
 from stanford_parser_ros.stanford_dependencies import collapsed
-from stanford_parser_ros.tree import DependencyTree, Word
+from utterance_passes.tree import DependencyTree, Word
 
 
 def to_command_parse(command: Command, tree: DependencyTree) -> CommandParse:

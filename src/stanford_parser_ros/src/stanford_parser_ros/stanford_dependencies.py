@@ -1,14 +1,14 @@
 """From Universal Dependencies (v2) to the typed dependencies of the Stanford Dependencies manual.
 
 Sources: M.-C. de Marneffe and C. Manning, *Stanford typed dependencies manual* (2008, revised 2013) for the names and
-    for
-collapsing; universaldependencies.org/u/dep and /en/dep for the relations that come in.
+for collapsing; universaldependencies.org/u/dep and /en/dep for the relations that come in.
 """
 
 from dataclasses import dataclass
 from typing import Dict, FrozenSet, List, Optional, Set, Tuple
 
-from stanford_parser_ros.tree import DependencyTree, Word
+from utterance_passes.tree import DependencyTree, Word
+from word_classes import word_class, word_list
 
 #: Universal relation -> Stanford names. The first is the name that is written into ``Parse``; a lexical unit may use
 #: any.
@@ -70,17 +70,10 @@ RULES: Dict[str, Tuple[str, ...]] = {
     "clf": ("dep",),
 }
 #: Nouns that make a prepositional phrase one preposition: "in front of the fridge" -> prep_in_front_of(go, fridge).
-COMPLEX_PREPOSITIONS: Dict[Tuple[str, str], str] = {
-    ("in", "front"): "in_front_of",
-    ("on", "top"): "on_top_of",
-    ("at", "back"): "at_back_of",
-    ("in", "back"): "in_back_of",
-    ("in", "middle"): "in_middle_of",
-    ("on", "side"): "on_side_of",
-    ("by", "side"): "by_side_of",
-    ("at", "end"): "at_end_of",
+_COMPLEX_PREPOSITIONS: Dict[Tuple[str, ...], str] = {
+    tuple(phrase.split()[:2]): phrase.replace(" ", "_") for phrase in word_list("complex_prepositions")
 }
-NEGATIONS = {"not", "never", "n't"}
+_NEGATING_ADVERBS = word_class("negating_adverbs")
 
 
 @dataclass(frozen=True)
@@ -126,7 +119,7 @@ def preposition(tree: DependencyTree, word: Word) -> str:
 def stanford_names(tree: DependencyTree, word: Word) -> Tuple[str, ...]:
     """Return the Stanford names of the relation of a word to its head, the one that is written first in front."""
     lemma = word.lemma.lower()
-    if word.deprel == "advmod" and (lemma in NEGATIONS or word.form.lower() in NEGATIONS):
+    if word.deprel == "advmod" and (lemma in _NEGATING_ADVERBS or word.form.lower() in _NEGATING_ADVERBS):
         return ("neg", "advmod")
     if word.deprel == "mark" and word.form.lower() == "to":
         return ("aux", "mark")
@@ -185,7 +178,7 @@ def _all_names(tree: DependencyTree, word: Word) -> FrozenSet[str]:
 
 
 def _complex_preposition(tree: DependencyTree, word: Word) -> Optional[Tuple[int, FrozenSet[str]]]:
-    joined = COMPLEX_PREPOSITIONS.get((preposition(tree, word), word.lemma.lower()))
+    joined = _COMPLEX_PREPOSITIONS.get((preposition(tree, word), word.lemma.lower()))
     if joined is None:
         return None
     inner = next((child for child in tree.children(word.index) if preposition(tree, child) == "of"), None)

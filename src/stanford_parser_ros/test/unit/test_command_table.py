@@ -4,6 +4,7 @@ from pathlib import Path
 from typing import List, Tuple
 
 import pytest
+
 from stanford_parser_ros.model import Parser, shipped_model_dir
 from stanford_parser_ros.stanford_dependencies import arcs
 

@@ -4,6 +4,7 @@ import socket
 from pathlib import Path
 
 import pytest
+
 from stanford_parser_ros.model import ModelError, Parser, UnparsableText, shipped_model_dir
 
 

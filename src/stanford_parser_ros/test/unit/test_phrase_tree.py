@@ -1,16 +1,18 @@
 """Phrase trees: projected, flattened, rebuilt."""
 
 import pytest
-from stanford_parser_msgs.msg import Parse
-from stanford_parser_ros import unsquash_tree
-from stanford_parser_ros.conllu import from_conllu
-from stanford_parser_ros.phrase_tree import constant_of_tag, from_brackets, phrase_tree, squash, unsquash
-from stanford_parser_ros.tree import DependencyTree
-from stanford_parser_ros.ros_messages import to_parse, to_tree, to_command_parse
 from roboframenet_msgs.msg import Command
+from stanford_parser_msgs.msg import Parse
+
+from stanford_parser_ros import unsquash_tree
+from stanford_parser_ros.phrase_tree import constant_of_tag, from_brackets, phrase_tree, squash, unsquash
+from stanford_parser_ros.ros_messages import to_command_parse, to_parse, to_tree
+from utterance_passes.conllu import from_conllu
+from utterance_passes.tree import DependencyTree
 
 TREE = from_conllu(
-    "1 Go go VERB VB _ 0 root _ _\n2 to to ADP IN _ 4 case _ _\n3 the the DET DT _ 4 det _ _\n4 office office NOUN NN _ 1 obl _ _"
+    "1 Go go VERB VB _ 0 root _ _\n2 to to ADP IN _ 4 case _ _\n3 the the DET DT _ 4 det _ _"
+    "\n4 office office NOUN NN _ 1 obl _ _"
 )
 BRACKETS = "(ROOT (S (VP (VB Go) (PP (IN to) (NP (DT the) (NN office))))))"
 

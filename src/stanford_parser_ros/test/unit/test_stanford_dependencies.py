@@ -3,9 +3,10 @@
 from typing import Set, Tuple
 
 import pytest
-from stanford_parser_ros.conllu import from_conllu, to_conllu
+
 from stanford_parser_ros.stanford_dependencies import RULES, arcs, basic, collapsed
-from stanford_parser_ros.tree import DependencyTree
+from utterance_passes.conllu import from_conllu, to_conllu
+from utterance_passes.tree import DependencyTree
 
 
 def tree_of(*rows: str) -> DependencyTree:

@@ -1,173 +1,215 @@
 """The stop server node: "Stop." without parser, framer, registrar, arbitrator or executor.
 
-Callbacks only enqueue; one worker thread stops the robot.
+Callbacks only enqueue; the thread of the brake stops the robot and answers.
 """
+
 import queue
 import threading
-import time
 import uuid
 from dataclasses import dataclass
-from typing import List, Optional
+from typing import Dict, Optional
 
 import rospy
-from actionlib_msgs.msg import GoalID
-from command_server.stop_words import is_stop
-from geometry_msgs.msg import Twist
 from roboframenet_msgs.msg import Command, ExecuteCommandActionGoal, FrameCatalogue, Reply, StopReport
 from std_msgs.msg import String
 
-from stop_server.ros_cancel_publishers import CancelPublishers
+from command_server.stop_words import is_stop
+from roboframenet_ros.ros_log import log_from_threads
+from robot_stop.braking import Finding, StopOrder
+from robot_stop.ros_brake import Brake, Braked
+from robot_stop.sentences import sentence_of
+from robot_stop.settings import BrakeSettings
+from stop_server.other_answers import OtherAnswers
 from stop_server.ros_stopping_frame import SERVER, StoppingFrame
-from stop_server.settings import Settings
-from stop_server.stop_window import StopWindow
 
 STAGE = "stop_server"
-_IDLE_WAIT_S = 0.5
 _JOIN_TIMEOUT_S = 2.0
+# Stops whose reports may still be repeated.
+_MOST_TOLD = 1000
 
 
 @dataclass(frozen=True)
 class _StopHeard:
-    """A stop: `text` as it was said, `command_id` of a goal or empty, `is_frame` when it came as a frame."""
+    """A stop: `text` as it was said, `command_id` of a goal or empty, `findings` of one that came as a frame."""
 
     text: str
     stamp: rospy.Time
     command_id: str = ""
-    is_frame: bool = False
+    findings: "Optional[queue.Queue[Finding]]" = None
+
+
+@dataclass(frozen=True)
+class _Told:
+    """What of a stop the next reports repeat."""
+
+    heard: _StopHeard
+    command: Command
+    braked: Braked
 
 
 class StopServerNode:
     """Stops the robot.
 
-    Subscribes: ``text``, ``command/goal``, ``frame_catalogue``. Publishes: ``stop_report``, ``reply``,
-    ``<server>/cancel`` of every action server, zero velocity. Actions: ``stopping``.
+    Subscribes: ``text``, ``command/goal``, ``frame_catalogue``, ``reply``. Publishes: ``stop_report``, ``reply``,
+    ``<server>/cancel`` of the action servers, zero velocity. Actions: ``stopping``.
     """
 
-    def __init__(self, settings: Settings) -> None:
-        self._period_s = 1.0 / settings.zero_velocity_rate_hz
-        self._window = StopWindow(duration_s=settings.zero_velocity_duration_s)
-        self._last_stop: Optional[_StopHeard] = None
+    def __init__(self, settings: BrakeSettings) -> None:
+        self._settings = settings
         self._run_tag = uuid.uuid4().hex[:8]
+        self._lock = threading.Lock()
         self._count = 0
-        self._stops: "queue.Queue[Optional[_StopHeard]]" = queue.Queue()
-        self._velocities = [rospy.Publisher(topic, Twist, queue_size=1) for topic in settings.velocity_topics]
+        self._heard: Dict[str, _StopHeard] = {}
+        # Owned by the thread of the brake.
+        self._told: Dict[str, _Told] = {}
+        self._others = OtherAnswers()
         self._reply = rospy.Publisher("reply", Reply, queue_size=100)
         self._report = rospy.Publisher("stop_report", StopReport, queue_size=100)
-        self._cancels = CancelPublishers(
-            also_cancel=tuple(rospy.resolve_name(name) for name in settings.also_cancel),
-            refresh_period_s=settings.refresh_period_s, master_timeout_s=settings.master_timeout_s)
+        self._brake = Brake(settings, on_braked=self._report_stop, on_finding=self._report_finding)
         self._own_server = rospy.resolve_name(SERVER)
         self._frame = StoppingFrame(self._stop_for_frame)
-        self._worker = threading.Thread(target=self._work, name="stop_server_worker")
 
     def start(self) -> None:
         """Begin to hear."""
         rospy.on_shutdown(self._shutdown)
-        self._worker.start()
-        self._cancels.start()
+        self._brake.start()
         self._subscribers = [
+            rospy.Subscriber("reply", Reply, self._hear_reply),
             rospy.Subscriber("text", String, lambda message: self._hear(message.data, "")),
-            rospy.Subscriber("command/goal", ExecuteCommandActionGoal,
-                             lambda message: self._hear(message.goal.text, message.goal_id.id)),
-            rospy.Subscriber("frame_catalogue", FrameCatalogue, self._hear_catalogue)]
+            rospy.Subscriber(
+                "command/goal",
+                ExecuteCommandActionGoal,
+                lambda message: self._hear(message.goal.text, message.goal_id.id),
+            ),
+            rospy.Subscriber("frame_catalogue", FrameCatalogue, self._hear_catalogue),
+        ]
         self._frame.start()
 
     def _shutdown(self) -> None:
-        self._stops.put(None)
-        self._worker.join(_JOIN_TIMEOUT_S)
-        self._cancels.close(timeout_s=_JOIN_TIMEOUT_S)
+        self._brake.close(timeout_s=_JOIN_TIMEOUT_S)
         self._frame.close(timeout_s=_JOIN_TIMEOUT_S)
 
     def _hear(self, text: str, command_id: str) -> None:
         if is_stop(text):
-            self._stops.put(_StopHeard(text=text, stamp=rospy.Time.now(), command_id=command_id))
+            self._stop(_StopHeard(text=text, stamp=rospy.Time.now(), command_id=command_id))
+
+    def _stop(self, heard: _StopHeard, *, except_server: str = "") -> None:
+        with self._lock:
+            self._count += 1
+            key = f"stop-{self._run_tag}-{self._count}"
+            self._heard[key] = heard
+        self._brake.stop(StopOrder(key=key, stamp_ns=heard.stamp.to_nsec(), except_server=except_server))
+
+    def _hear_reply(self, reply: Reply) -> None:
+        if reply.stage == STAGE and reply._connection_header["callerid"] != rospy.get_name():
+            with self._lock:
+                self._others.note(reply.command.id, reply.command.text, stamp_ns=reply.command.stamp.to_nsec())
 
     def _hear_catalogue(self, catalogue: FrameCatalogue) -> None:
-        self._cancels.set_registered(frozenset(
-            rospy.resolve_name(callback.callback_topic) for callback in catalogue.callbacks if callback.callback_topic))
+        self._brake.servers.set_registered(
+            frozenset(
+                rospy.resolve_name(callback.callback_topic)
+                for callback in catalogue.callbacks
+                if callback.callback_topic
+            )
+        )
 
-    def _stop_for_frame(self) -> None:
-        # The executor has preempted what ran before; what moves the robot without it is stopped here.
-        self._stops.put(_StopHeard(text="", stamp=rospy.Time.now(), is_frame=True))
+    def _stop_for_frame(self) -> str:
+        """Stop what the executor has not preempted; returns why the robot may still move, empty when it stands."""
+        findings: queue.Queue[Finding] = queue.Queue()
+        self._stop(_StopHeard(text="", stamp=rospy.Time.now(), findings=findings), except_server=self._own_server)
+        try:
+            finding = findings.get(timeout=self._settings.confirmation_timeout_s + _JOIN_TIMEOUT_S)
+        except queue.Empty:
+            return "The stop server hangs."
+        return "" if finding.obedience.is_complete else self._sentence_of(finding, server_count=0)
 
-    def _work(self) -> None:
-        while True:
-            try:
-                heard = self._stops.get(timeout=self._period_s if self._window.is_open else _IDLE_WAIT_S)
-            except queue.Empty:
-                heard = None
-                if not self._window.is_open:
-                    continue
-            else:
-                if heard is None:
-                    return
-            try:
-                if heard is not None:
-                    self._stop(heard)
-                else:
-                    self._repeat()
-            except Exception as error:  # boundary: whatever is wrong with one stop, the next one must be heard
-                rospy.logerr("stop_server: %s: %s", type(error).__name__, error)
+    def _report_stop(self, braked: Braked) -> None:
+        """Tell at once that commands up to now must not act."""
+        key = braked.order.key
+        with self._lock:
+            heard = self._heard.pop(key)
+        told = _Told(
+            heard=heard, braked=braked, command=Command(id=heard.command_id or key, stamp=heard.stamp, text=heard.text)
+        )
+        self._told[key] = told
+        while len(self._told) > _MOST_TOLD:
+            del self._told[next(iter(self._told))]
+        if heard.findings is None:
+            # The executor must not start the next step.
+            self._report.publish(self._report_of(told))
+        rospy.loginfo("stopped in %.1f ms, cancelled %s", 1000.0 * braked.took_s, list(braked.cancelled))
 
-    def _stop(self, heard: _StopHeard) -> None:
-        began_s = time.monotonic()
-        self._publish_zero_velocity()
-        if heard.is_frame:
-            cancelled = self._cancels.cancel(GoalID(stamp=heard.stamp), except_server=self._own_server)
-        else:
-            # The empty id cancels every goal, also those whose stamp comes from a clock that is ahead.
-            cancelled = self._cancels.cancel(GoalID())
-        self._last_stop = heard
-        self._window.open()
-        self._cancels.refresh_soon()
-        rospy.loginfo("stopped in %.1f ms, cancelled %s", 1000.0 * (time.monotonic() - began_s), cancelled)
-        if not heard.is_frame:
-            self._answer(heard, cancelled)
+    def _report_finding(self, finding: Finding) -> None:
+        """Answer a stop when it is known who obeys, and tell when that changes."""
+        told = self._told[finding.order.key]
+        sentence = self._sentence_of(finding, server_count=len(told.braked.cancelled))
+        if told.heard.findings is not None:
+            if finding.is_first:
+                told.heard.findings.put(finding)
+        elif not finding.is_first or not self._is_answered(told):
+            report = self._report_of(told, finding=finding, sentence=sentence)
+            if finding.is_first:
+                report.reply = Reply(
+                    command=told.command,
+                    stage=STAGE,
+                    sentence=sentence,
+                    stamp=rospy.Time.now(),
+                    outcome=Reply.DONE if finding.obedience.is_complete else Reply.FAILED,
+                    code="DONE" if finding.obedience.is_complete else "NOT_STOPPED",
+                )
+            self._report.publish(report)
+            if finding.is_first:
+                self._reply.publish(report.reply)
+        if not finding.is_first or not finding.obedience.is_complete:
+            rospy.logwarn("%s", sentence)
 
-    def _repeat(self) -> None:
-        """Stop what was starting, or on its way, when the stop was heard."""
-        self._publish_zero_velocity()
-        stop = self._last_stop
-        # A cancel without a stamp would take a command with it that was given after the stop.
-        if stop is not None and not stop.stamp.is_zero():
-            self._cancels.cancel(GoalID(stamp=stop.stamp), except_server=self._own_server if stop.is_frame else "")
+    def _report_of(self, told: _Told, *, finding: Optional[Finding] = None, sentence: str = "") -> StopReport:
+        return StopReport(
+            command=told.command,
+            stop_stamp=told.heard.stamp,
+            cancelled_servers=list(told.braked.cancelled),
+            disobeying=[] if finding is None else list(finding.obedience.names),
+            sentence=sentence,
+        )
 
-    def _publish_zero_velocity(self) -> None:
-        for publisher in self._velocities:
-            publisher.publish(Twist())
+    def _sentence_of(self, finding: Finding, *, server_count: int) -> str:
+        return sentence_of(finding, server_count=server_count, limit_s=self._settings.zero_velocity_limit_s)
 
-    def _answer(self, heard: _StopHeard, cancelled: List[str]) -> None:
-        self._count += 1
-        command_id = heard.command_id or f"stop-{self._run_tag}-{self._count}"
-        command = Command(id=command_id, stamp=heard.stamp, text=heard.text)
-        servers = f"{len(cancelled)} action server{'' if len(cancelled) == 1 else 's'}"
-        reply = Reply(command=command, outcome=Reply.DONE, stage=STAGE, code="DONE",
-                      sentence=f"Stopped: zero velocity, and every goal of {servers} cancelled.",
-                      stamp=rospy.Time.now())
-        # The executor must not start the next step: the report goes first.
-        self._report.publish(StopReport(
-            command=command, stop_stamp=heard.stamp, cancelled_servers=cancelled, reply=reply))
-        self._reply.publish(reply)
+    def _is_answered(self, told: _Told) -> bool:
+        """Whether the command server, to which this node seemed silent, has replied already."""
+        with self._lock:
+            return self._others.take(
+                told.heard.command_id,
+                told.heard.text,
+                stamp_ns=told.heard.stamp.to_nsec(),
+                is_just_awake=told.braked.is_just_awake,
+            )
 
 
-def read_settings() -> Settings:
+def read_settings() -> BrakeSettings:
     """Read the private parameters.
 
     Raises:
         ValueError: a parameter is out of its range
     """
-    return Settings(
-        velocity_topics=rospy.get_param("~velocity_topics", Settings.velocity_topics),
-        zero_velocity_duration_s=rospy.get_param("~zero_velocity_duration_s", Settings.zero_velocity_duration_s),
-        zero_velocity_rate_hz=rospy.get_param("~zero_velocity_rate_hz", Settings.zero_velocity_rate_hz),
-        also_cancel=rospy.get_param("~also_cancel", Settings.also_cancel),
-        refresh_period_s=rospy.get_param("~refresh_period_s", Settings.refresh_period_s),
-        master_timeout_s=rospy.get_param("~master_timeout_s", Settings.master_timeout_s))
+    defaults = BrakeSettings
+    return BrakeSettings(
+        velocity_topics=rospy.get_param("~velocity_topics", defaults.velocity_topics),
+        zero_velocity_duration_s=rospy.get_param("~zero_velocity_duration_s", defaults.zero_velocity_duration_s),
+        zero_velocity_limit_s=rospy.get_param("~zero_velocity_limit_s", defaults.zero_velocity_limit_s),
+        zero_velocity_rate_hz=rospy.get_param("~zero_velocity_rate_hz", defaults.zero_velocity_rate_hz),
+        confirmation_timeout_s=rospy.get_param("~confirmation_timeout_s", defaults.confirmation_timeout_s),
+        also_cancel=rospy.get_param("~also_cancel", defaults.also_cancel),
+        refresh_period_s=rospy.get_param("~refresh_period_s", defaults.refresh_period_s),
+        master_timeout_s=rospy.get_param("~master_timeout_s", defaults.master_timeout_s),
+    )
 
 
 def main() -> None:
     """Run the node until ROS shuts down; exits with a sentence when a parameter is wrong."""
     rospy.init_node("stop_server")
+    log_from_threads()
     try:
         settings = read_settings()
     except ValueError as error:

@@ -18,11 +18,12 @@ class StoppingFrame:
     The import and the registration may take long or fail, and the short way must not wait for either.
     """
 
-    def __init__(self, stop: Callable[[], None]) -> None:
+    def __init__(self, stop: Callable[[], str]) -> None:
         """Prepare the thread.
 
         Args:
-            stop: stops the robot; called from a thread of the action server
+            stop: stops the robot and says why it may still move, empty when it stands; called from a thread of the
+                action server
         """
         self._stop = stop
         self._thread = threading.Thread(target=self._offer, name="stopping_frame", daemon=True)
@@ -52,7 +53,10 @@ class StoppingFrame:
         """Stop; "wait for two minutes" also keeps still for so long, unless another command comes."""
         from rfnserver.arguments import ArgumentError, argument, duration_s
 
-        self._stop()
+        reason = self._stop()
+        if reason:
+            server.set_aborted(None, reason)
+            return
         if not argument(frame, "duration"):
             return
         try:

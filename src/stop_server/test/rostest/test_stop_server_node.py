@@ -1,5 +1,6 @@
 #!/usr/bin/python3
 """The node, with the rest of the pipeline dead."""
+
 import threading
 import time
 import unittest
@@ -7,12 +8,19 @@ import unittest
 import actionlib
 import rospy
 import rostest
-from actionlib_msgs.msg import GoalID, GoalStatus
 from actionlib.msg import TestAction, TestGoal
+from actionlib_msgs.msg import GoalID, GoalStatus
 from geometry_msgs.msg import Twist
 from roboframenet_msgs.msg import (
-    ExecuteCommandActionGoal, FilledSemanticFrameAction, FilledSemanticFrameGoal, FrameCallback, FrameCatalogue, Reply,
-    StopReport)
+    ExecuteCommandActionGoal,
+    FilledSemanticFrame,
+    FilledSemanticFrameAction,
+    FilledSemanticFrameGoal,
+    FrameCallback,
+    FrameCatalogue,
+    Reply,
+    StopReport,
+)
 from std_msgs.msg import String
 
 
@@ -31,7 +39,8 @@ class Mover:
     def __init__(self, name, action):
         self.name = rospy.resolve_name(name)
         self.server = actionlib.ActionServer(
-            name, action, lambda handle: handle.set_accepted(), lambda handle: handle.set_canceled(), auto_start=False)
+            name, action, lambda handle: handle.set_accepted(), lambda handle: handle.set_canceled(), auto_start=False
+        )
         self.server.start()
         rospy.on_shutdown(self.server.status_timer.shutdown)
         self.client = actionlib.ActionClient(name, action)
@@ -52,12 +61,14 @@ class StopServerNodeTest(unittest.TestCase):
             rospy.Subscriber("reply", Reply, cls.replies.append),
             rospy.Subscriber("stop_report", StopReport, cls.reports.append),
             rospy.Subscriber("cmd_vel", Twist, cls.velocities.append),
-            rospy.Subscriber("other_cmd_vel", Twist, cls.other_velocities.append)]
+            rospy.Subscriber("other_cmd_vel", Twist, cls.other_velocities.append),
+        ]
         cls.text = rospy.Publisher("text", String, queue_size=100)
         cls.goal = rospy.Publisher("command/goal", ExecuteCommandActionGoal, queue_size=10)
         cls.catalogue = rospy.Publisher("frame_catalogue", FrameCatalogue, queue_size=1, latch=True)
-        assert wait_until(lambda: all(
-            entity.get_num_connections() == 1 for entity in subscribers + [cls.text, cls.goal]))
+        assert wait_until(
+            lambda: all(entity.get_num_connections() == 1 for entity in subscribers + [cls.text, cls.goal])
+        )
         cls.movers = [Mover("turn_server", FilledSemanticFrameAction), Mover("drive_server", FilledSemanticFrameAction)]
         cls.navigation = Mover("navigation_stack", TestAction)
         cls.registered = Mover("registered_server", TestAction)
@@ -70,9 +81,12 @@ class StopServerNodeTest(unittest.TestCase):
 
     def answer_to(self, text):
         """Wait for reply and report to what was just said: those to the stop of another test may come late."""
+
         def answers():
-            return ([reply for reply in list(self.replies) if reply.command.text == text],
-                    [report for report in list(self.reports) if report.command.text == text])
+            return (
+                [reply for reply in list(self.replies) if reply.command.text == text],
+                [report for report in list(self.reports) if report.reply.command.text == text],
+            )
 
         self.assertTrue(wait_until(lambda: all(answers())), answers())
         replies, reports = answers()
@@ -90,8 +104,9 @@ class StopServerNodeTest(unittest.TestCase):
         handles += [mover.start_goal(TestGoal()) for mover in (self.navigation, self.registered)]
         stranger = self.stranger.start_goal(TestGoal())
         self.text.publish("STOP!!")
-        self.assertTrue(wait_until(lambda: all(
-            handle.get_comm_state() == actionlib.CommState.DONE for handle in handles)))
+        self.assertTrue(
+            wait_until(lambda: all(handle.get_comm_state() == actionlib.CommState.DONE for handle in handles))
+        )
         self.assertEqual({GoalStatus.PREEMPTED}, {handle.get_terminal_state() for handle in handles})
         self.assertEqual(GoalStatus.ACTIVE, stranger.get_goal_status())
         stranger.cancel()
@@ -150,6 +165,61 @@ class StopServerNodeTest(unittest.TestCase):
             return mover.client.send_goal(FilledSemanticFrameGoal())
         finally:
             mover.client.manager._generate_id = plain_id
+
+    def test_frame_of_stopping_succeeds_when_the_robot_stands_and_says_why_when_it_does_not(self):
+        client = actionlib.ActionClient("stopping", FilledSemanticFrameAction)
+        self.assertTrue(client.wait_for_server(rospy.Duration(60.0)))
+        mover = self.movers[1]
+        self.wait_until_server_is_known(mover)
+        moving = mover.start_goal(FilledSemanticFrameGoal())
+        goal = FilledSemanticFrameGoal(frame=FilledSemanticFrame(name="stopping"))
+        stopping = client.send_goal(goal)
+        self.assertTrue(wait_until(lambda: stopping.get_comm_state() == actionlib.CommState.DONE))
+        self.assertEqual(GoalStatus.SUCCEEDED, stopping.get_terminal_state(), stopping.get_goal_status_text())
+        self.assertTrue(wait_until(lambda: moving.get_comm_state() == actionlib.CommState.DONE))
+        self.assertEqual(GoalStatus.PREEMPTED, moving.get_terminal_state())
+        twist = Twist()
+        twist.angular.z = 0.3
+        velocity = rospy.Publisher("other_cmd_vel", Twist, queue_size=1)
+        driver = rospy.Timer(rospy.Duration(0.05), lambda _: velocity.publish(twist))
+        try:
+            self.assertTrue(wait_until(lambda: twist in self.other_velocities))
+            stopping = client.send_goal(goal)
+            self.assertTrue(wait_until(lambda: stopping.get_comm_state() == actionlib.CommState.DONE))
+        finally:
+            driver.shutdown()
+            velocity.unregister()
+        self.assertEqual(GoalStatus.ABORTED, stopping.get_terminal_state())
+        self.assertIn(f"{rospy.get_name()} publishes velocities on /other_cmd_vel", stopping.get_goal_status_text())
+
+    def test_server_whose_goal_does_not_end_is_named(self):
+        stubborn = actionlib.ActionServer(
+            "stubborn", FilledSemanticFrameAction, lambda handle: handle.set_accepted(), auto_start=False
+        )
+        stubborn.start()
+        rospy.on_shutdown(stubborn.status_timer.shutdown)
+        client = actionlib.ActionClient("stubborn", FilledSemanticFrameAction)
+        self.assertTrue(client.wait_for_server(rospy.Duration(60.0)))
+        self.assertTrue(wait_until(lambda: stubborn.cancel_sub.get_num_connections() == 2))
+        handle = client.send_goal(FilledSemanticFrameGoal())
+        self.assertTrue(wait_until(lambda: handle.get_goal_status() == GoalStatus.ACTIVE))
+        self.text.publish("Whoa!")
+        reply, report = self.answer_to("Whoa!")
+        self.assertEqual((Reply.FAILED, "NOT_STOPPED"), (reply.outcome, reply.code))
+        self.assertIn("/stubborn has not ended its goal", reply.sentence)
+        self.assertEqual(["/stubborn"], report.disobeying)
+        # It ends late, which is said without a second reply.
+        for tracker in stubborn.status_list:
+            actionlib.ServerGoalHandle(tracker, stubborn).set_canceled()
+        self.assertTrue(
+            wait_until(
+                lambda: any(
+                    report.sentence == "Stopped now: everybody obeys." and report.command.text == "Whoa!"
+                    for report in list(self.reports)
+                )
+            )
+        )
+        self.assertEqual(1, len([reply for reply in self.replies if reply.command.text == "Whoa!"]))
 
     def test_server_that_starts_later_is_found(self):
         late = Mover("late_server", FilledSemanticFrameAction)

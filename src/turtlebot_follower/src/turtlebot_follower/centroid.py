@@ -2,11 +2,15 @@
 
 The cloud is in the optical frame of the camera (REP 103): x right, y down, z forward, metres.
 """
+
 import math
 from dataclasses import dataclass
-from typing import Mapping, Optional
+from typing import TYPE_CHECKING, Mapping, Optional
 
 import numpy as np
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
 
 
 @dataclass(frozen=True)
@@ -29,9 +33,9 @@ class Box:
     def __post_init__(self) -> None:
         for name, value in vars(self).items():
             if not (isinstance(value, (int, float)) and math.isfinite(value)):
-                raise ValueError("%s must be a finite number, got %r" % (name, value))
-        if not (self.min_x_m < self.max_x_m and self.min_y_m < self.max_y_m and 0.0 < self.max_z_m):
-            raise ValueError("the box has no room: %s" % self)
+                raise ValueError(f"{name} must be a finite number, got {value!r}")
+        if not (self.min_x_m < self.max_x_m and self.min_y_m < self.max_y_m and self.max_z_m > 0.0):
+            raise ValueError(f"the box has no room: {self}")
 
 
 @dataclass(frozen=True)
@@ -51,8 +55,18 @@ FLOAT32 = 7
 """Code of PointField for four-byte floats."""
 
 
-def points_of(data: bytes, *, height: int, width: int, point_step: int, row_step: int, is_bigendian: bool,
-              offsets: Mapping[str, int], datatypes: Mapping[str, int], pixel_step: int = 1) -> np.ndarray:
+def points_of(
+    data: bytes,
+    *,
+    height: int,
+    width: int,
+    point_step: int,
+    row_step: int,
+    is_bigendian: bool,
+    offsets: Mapping[str, int],
+    datatypes: Mapping[str, int],
+    pixel_step: int = 1,
+) -> "NDArray[np.void]":
     """Look at the points of a PointCloud2 without copying them.
 
     Args:
@@ -72,22 +86,28 @@ def points_of(data: bytes, *, height: int, width: int, point_step: int, row_step
     """
     for axis in "xyz":
         if axis not in offsets:
-            raise CloudError('the cloud has no field "%s"' % axis)
+            raise CloudError(f'the cloud has no field "{axis}"')
         if datatypes.get(axis) != FLOAT32:
-            raise CloudError('the field "%s" is no float32' % axis)
+            raise CloudError(f'the field "{axis}" is no float32')
         if not 0 <= offsets[axis] <= point_step - 4:
-            raise CloudError('the field "%s" lies outside of the point' % axis)
+            raise CloudError(f'the field "{axis}" lies outside of the point')
     if row_step < width * point_step or len(data) < row_step * height:
-        raise CloudError("%d bytes are too few for %d rows of %d points" % (len(data), height, width))
+        raise CloudError(f"{len(data)} bytes are too few for {height} rows of {width} points")
     order = ">" if is_bigendian else "<"
-    point = np.dtype({"names": list("xyz"), "formats": [order + "f4"] * 3,
-                      "offsets": [offsets[axis] for axis in "xyz"], "itemsize": point_step})
-    rows = np.ndarray(shape=(height, width), dtype=point, buffer=data, strides=(row_step, point_step))
+    point = np.dtype(
+        {
+            "names": list("xyz"),
+            "formats": [order + "f4"] * 3,
+            "offsets": [offsets[axis] for axis in "xyz"],
+            "itemsize": point_step,
+        }
+    )
+    rows: NDArray[np.void] = np.ndarray(shape=(height, width), dtype=point, buffer=data, strides=(row_step, point_step))
     # An unorganised cloud is one long row.
     return rows[::pixel_step, ::pixel_step] if height > 1 else rows[:, ::pixel_step]
 
 
-def centroid(points: np.ndarray, *, box: Box, min_share: float) -> Optional[Centroid]:
+def centroid(points: "NDArray[np.void]", *, box: Box, min_share: float) -> Optional[Centroid]:
     """Return the middle of the points in the box.
 
     Args:
@@ -102,9 +122,14 @@ def centroid(points: np.ndarray, *, box: Box, min_share: float) -> Optional[Cent
     # Few points are near: what is tested first thins out the rest. Comparisons with not-a-number are false.
     with np.errstate(invalid="ignore"):
         near = points[(points["z"] < box.max_z_m) & (points["z"] > 0.0)]
-        inside = near[(near["x"] > box.min_x_m) & (near["x"] < box.max_x_m)
-                      & (-near["y"] > box.min_y_m) & (-near["y"] < box.max_y_m)]
+        inside = near[
+            (near["x"] > box.min_x_m)
+            & (near["x"] < box.max_x_m)
+            & (-near["y"] > box.min_y_m)
+            & (-near["y"] < box.max_y_m)
+        ]
     if len(inside) < max(1.0, min_share * points.size):
         return None
-    return Centroid(x_m=float(inside["x"].mean(dtype=np.float64)), z_m=float(inside["z"].mean(dtype=np.float64)),
-                    count=len(inside))
+    return Centroid(
+        x_m=float(inside["x"].mean(dtype=np.float64)), z_m=float(inside["z"].mean(dtype=np.float64)), count=len(inside)
+    )

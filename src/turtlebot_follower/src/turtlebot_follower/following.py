@@ -36,7 +36,7 @@ class FollowingSettings:
         ):
             value = getattr(self, name)
             if not (isinstance(value, (int, float)) and low <= value <= high):
-                raise ValueError("%s must be %g to %g, got %r" % (name, low, high, value))
+                raise ValueError(f"{name} must be {low:g} to {high:g}, got {value!r}")
 
 
 class Sight(enum.Enum):

@@ -1,4 +1,5 @@
 """The node turtlebot_follower: "Follow me." as an RFNServer."""
+
 import enum
 import math
 import threading
@@ -48,24 +49,27 @@ class Settings:
     def __post_init__(self) -> None:
         modes = [mode.value for mode in Mode]
         if self.mode not in modes:
-            raise ValueError("~mode must be one of %s, got %r" % (", ".join(modes), self.mode))
+            raise ValueError("~mode must be one of {}, got {!r}".format(", ".join(modes), self.mode))
         if self.mode == Mode.LAUNCH.value and not self.launchfile:
             raise ValueError("~mode launch needs ~launchfile")
         for name in ("service_timeout_s", "odometry_timeout_s"):
             value = getattr(self, name)
             if not (isinstance(value, (int, float)) and math.isfinite(value) and 0.1 <= value <= 60.0):
-                raise ValueError("~%s must be 0.1 to 60 s, got %r" % (name, value))
+                raise ValueError(f"~{name} must be 0.1 to 60 s, got {value!r}")
         if not (isinstance(self.pixel_step, int) and 1 <= self.pixel_step <= 32):
-            raise ValueError("~pixel_step must be 1 to 32, got %r" % self.pixel_step)
+            raise ValueError(f"~pixel_step must be 1 to 32, got {self.pixel_step!r}")
 
 
 def read_settings() -> Settings:
     """Read the private parameters."""
     return Settings(
-        mode=str(rospy.get_param("~mode", Mode.OWN.value)), launchfile=str(rospy.get_param("~launchfile", "")),
+        mode=str(rospy.get_param("~mode", Mode.OWN.value)),
+        launchfile=str(rospy.get_param("~launchfile", "")),
         service=str(rospy.get_param("~service", "turtlebot_follower/change_state")),
-        service_timeout_s=rospy.get_param("~service_timeout_s", 2.0), pixel_step=rospy.get_param("~pixel_step", 2),
-        odometry_timeout_s=rospy.get_param("~odometry_timeout_s", 0.5))
+        service_timeout_s=rospy.get_param("~service_timeout_s", 2.0),
+        pixel_step=rospy.get_param("~pixel_step", 2),
+        odometry_timeout_s=rospy.get_param("~odometry_timeout_s", 0.5),
+    )
 
 
 @dataclass(frozen=True)
@@ -84,13 +88,20 @@ def tuning_of(config: Any) -> Tuning:
         ValueError: a box without room
     """
     return Tuning(
-        box=Box(min_x_m=config.min_x, max_x_m=config.max_x, min_y_m=config.min_y, max_y_m=config.max_y,
-                max_z_m=config.max_z),
+        box=Box(
+            min_x_m=config.min_x, max_x_m=config.max_x, min_y_m=config.min_y, max_y_m=config.max_y, max_z_m=config.max_z
+        ),
         following=FollowingSettings(
-            goal_z_m=config.goal_z, z_scale_per_s=config.z_scale, x_scale_rad_per_m_s=config.x_scale,
-            speed_share=config.speed_share, max_linear_m_per_s=config.max_linear_m_per_s,
-            max_angular_rad_per_s=config.max_angular_rad_per_s, lost_timeout_s=config.lost_timeout_s),
-        min_share=config.min_share)
+            goal_z_m=config.goal_z,
+            z_scale_per_s=config.z_scale,
+            x_scale_rad_per_m_s=config.x_scale,
+            speed_share=config.speed_share,
+            max_linear_m_per_s=config.max_linear_m_per_s,
+            max_angular_rad_per_s=config.max_angular_rad_per_s,
+            lost_timeout_s=config.lost_timeout_s,
+        ),
+        min_share=config.min_share,
+    )
 
 
 @dataclass(frozen=True)
@@ -176,11 +187,16 @@ class TurtlebotFollower:
         tuning = self._tuning
         try:
             points = points_of(
-                message.data, height=message.height, width=message.width, point_step=message.point_step,
-                row_step=message.row_step, is_bigendian=bool(message.is_bigendian),
+                message.data,
+                height=message.height,
+                width=message.width,
+                point_step=message.point_step,
+                row_step=message.row_step,
+                is_bigendian=bool(message.is_bigendian),
                 offsets={field.name: field.offset for field in message.fields},
                 datatypes={field.name: field.datatype for field in message.fields},
-                pixel_step=self._settings.pixel_step)
+                pixel_step=self._settings.pixel_step,
+            )
         except CloudError as error:
             rospy.logerr_throttle(5.0, "%s", error)
             return
@@ -200,11 +216,13 @@ class TurtlebotFollower:
             if self._settings.mode == Mode.OWN.value:
                 problem = self._follow_oneself()
             elif self._settings.mode == Mode.SERVICE.value:
-                problem = self._let_follow(ServiceFollower(
-                    self._settings.service, timeout_s=self._settings.service_timeout_s))
+                problem = self._let_follow(
+                    ServiceFollower(self._settings.service, timeout_s=self._settings.service_timeout_s)
+                )
             else:
-                problem = self._let_follow(LaunchFollower(
-                    self._settings.launchfile, timeout_s=self._settings.service_timeout_s))
+                problem = self._let_follow(
+                    LaunchFollower(self._settings.launchfile, timeout_s=self._settings.service_timeout_s)
+                )
         finally:
             self._publish(FollowingStep(0.0, 0.0, Sight.UNSEEN))
             self._idle.set()
@@ -224,8 +242,15 @@ class TurtlebotFollower:
             self._picture = None
         subscribers = [
             rospy.Subscriber("odom", Odometry, self._take_odometry, queue_size=1, tcp_nodelay=True),
-            rospy.Subscriber("camera/depth/points", PointCloud2, self._take_cloud, queue_size=1,
-                             buff_size=self.CLOUD_BUFFER_BYTES, tcp_nodelay=True)]
+            rospy.Subscriber(
+                "camera/depth/points",
+                PointCloud2,
+                self._take_cloud,
+                queue_size=1,
+                buff_size=self.CLOUD_BUFFER_BYTES,
+                tcp_nodelay=True,
+            ),
+        ]
         try:
             return self._follow_pictures(subscribers[1].resolved_name)
         finally:
@@ -246,8 +271,12 @@ class TurtlebotFollower:
                 last_number, picture_s = picture.number, now_s
                 driven_m_per_s, driven_s = self._driven
                 is_fresh = now_s - driven_s <= self._settings.odometry_timeout_s
-                step = follower.observe(picture.person, stamp_s=picture.stamp_s,
-                                        driven_m_per_s=driven_m_per_s if is_fresh else None, now_s=now_s)
+                step = follower.observe(
+                    picture.person,
+                    stamp_s=picture.stamp_s,
+                    driven_m_per_s=driven_m_per_s if is_fresh else None,
+                    now_s=now_s,
+                )
                 self._publish(step)
             elif now_s - picture_s > 3.0 * self.WAIT_S:
                 step = follower.wait(now_s=now_s)
@@ -256,8 +285,8 @@ class TurtlebotFollower:
                 continue
             if step.sight is Sight.LOST:
                 if last_number == 0:
-                    return "I see nothing: no point cloud on %s." % topic
-                return "I have lost you: nobody was before me for %g seconds." % follower.settings.lost_timeout_s
+                    return f"I see nothing: no point cloud on {topic}."
+                return f"I have lost you: nobody was before me for {follower.settings.lost_timeout_s:g} seconds."
             if now_s - feedback_s >= self.FEEDBACK_S:
                 feedback_s = now_s
                 self._server.publish_feedback(FilledSemanticFrameFeedback(is_succeeding=step.sight is Sight.SEEN))

@@ -61,9 +61,9 @@ class ServiceFollower:
         thread.start()
         thread.join(2.0 * self._timeout_s)
         if not answers:
-            raise FollowerError("the service %s does not answer" % self._service)
+            raise FollowerError(f"the service {self._service} does not answer")
         if answers[0] != SetFollowStateResponse.OK:
-            raise FollowerError("the service %s: %s" % (self._service, answers[0]))
+            raise FollowerError(f"the service {self._service}: {answers[0]}")
 
 
 class LaunchFollower:
@@ -86,14 +86,14 @@ class LaunchFollower:
             FollowerError: no such file, or no roslaunch
         """
         if not os.path.isfile(self._path):
-            raise FollowerError("~launchfile: there is no file %r" % self._path)
+            raise FollowerError(f"~launchfile: there is no file {self._path!r}")
         try:
             # A group of its own: the interrupt of a terminal must not reach it before stop() does.
             self._process = subprocess.Popen(
                 ["roslaunch", self._path], stdin=subprocess.DEVNULL, start_new_session=True
             )
         except OSError as error:
-            raise FollowerError("roslaunch cannot be started: %s" % error) from error
+            raise FollowerError(f"roslaunch cannot be started: {error}") from error
 
     def stop(self) -> None:
         """End all that was launched."""
@@ -115,5 +115,5 @@ class LaunchFollower:
     def problem(self) -> str:
         """Return why it does not follow any more, or nothing."""
         if self._process is not None and self._process.poll() is not None:
-            return "the launch file ended with status %d" % self._process.returncode
+            return f"the launch file ended with status {self._process.returncode}"
         return ""

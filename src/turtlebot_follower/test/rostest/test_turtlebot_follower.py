@@ -1,5 +1,6 @@
 #!/usr/bin/python3
 """Following a simulated person, as the executor asks for it."""
+
 import math
 import sys
 import threading

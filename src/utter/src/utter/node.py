@@ -4,9 +4,9 @@ import datetime
 from typing import Callable
 
 import rospy
-from rfnserver import RFNServer
 from roboframenet_msgs.msg import FilledSemanticFrame
 
+from rfnserver import RFNServer
 from utter.ros_voice import Voice
 from utter.speech import NothingToSay, spoken_text, told_fact
 

@@ -1,4 +1,5 @@
 """The voice of the robot: every text on a topic, and aloud where the machine can."""
+
 from typing import Callable, List, Optional
 
 import rospy

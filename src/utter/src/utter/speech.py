@@ -1,12 +1,15 @@
 """What to say: from the elements of a filled frame to a sentence."""
+
 import datetime
-import re
 from typing import Optional
+
+from word_classes import without_determiner, word_class
 
 #: Nobody listens to more.
 LONGEST_TEXT = 500
-_DETERMINER = re.compile(r"^(the|a|an|this|that|my|your|our|their)\s+", re.IGNORECASE)
-_LISTENER = {"me", "us", "you", ""}
+_DETERMINERS = word_class("determiners_and_possessives")
+#: Nobody is called by these.
+_PARTICIPANTS = word_class("participants")
 
 
 class NothingToSay(ValueError):
@@ -29,9 +32,9 @@ def spoken_text(message: str, addressee: str = "") -> str:
         raise NothingToSay("There is nothing to say.")
     if len(words) > LONGEST_TEXT:
         raise NothingToSay(f"That is too long to say: {len(words)} characters, at most {LONGEST_TEXT}.")
-    name = _DETERMINER.sub("", addressee.strip())
+    name = without_determiner(addressee, _DETERMINERS)
     end = "" if words[-1] in "!?" else "."
-    called = f", {name}" if name.lower() not in _LISTENER else ""
+    called = f", {name}" if name and name.lower() not in _PARTICIPANTS else ""
     return words[0].upper() + words[1:].rstrip("!?") + called + (end or words[-1])
 
 
@@ -44,7 +47,7 @@ def told_fact(message: str, now: datetime.datetime) -> str:
     Raises:
         NothingToSay: the robot does not know it
     """
-    topic = _DETERMINER.sub("", message.strip().lower())
+    topic = without_determiner(message.lower(), _DETERMINERS)
     facts = {
         "time": f"It is {now:%H:%M}.",
         "date": f"It is {now:%A}, {now.day} {now:%B %Y}.",

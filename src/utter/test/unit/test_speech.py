@@ -1,21 +1,26 @@
 """What the robot says."""
+
 import datetime
 import sys
 
 import pytest
+
 from utter.sound_process import run_bounded
 from utter.speech import NothingToSay, spoken_text, told_fact
 
 NOON = datetime.datetime(2026, 11, 21, 12, 0)
 
 
-@pytest.mark.parametrize("message, addressee, said", [
-    ("hello", "the class", "Hello, class."),
-    ("hello", "", "Hello."),
-    ("good morning", "me", "Good morning."),
-    ("who is there?", "", "Who is there?"),
-    ("hello", "Roger", "Hello, Roger."),
-])
+@pytest.mark.parametrize(
+    "message, addressee, said",
+    [
+        ("hello", "the class", "Hello, class."),
+        ("hello", "", "Hello."),
+        ("good morning", "me", "Good morning."),
+        ("who is there?", "", "Who is there?"),
+        ("hello", "Roger", "Hello, Roger."),
+    ],
+)
 def test_spoken_text(message: str, addressee: str, said: str) -> None:
     assert spoken_text(message, addressee) == said
 

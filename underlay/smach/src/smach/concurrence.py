@@ -1,4 +1,5 @@
 """Concurrence: all states at once."""
+
 import threading
 import time
 import traceback
@@ -17,6 +18,7 @@ SHUTDOWN_POLL_S = 0.2
 SHUTDOWN_GRACE_S = 5.0
 
 ChildOutcomes = Dict[str, Optional[str]]
+ChildTerminationCallback = Callable[[ChildOutcomes], Union[bool, List[str]]]
 
 
 class ConcurrentStateError(InvalidUserCodeError, InvalidStateError):
@@ -39,10 +41,16 @@ class Concurrence(Container):
             returns True to preempt the states that still run, a list of labels to preempt only those, else False
     """
 
-    def __init__(self, outcomes: Iterable[str], default_outcome: str, input_keys: Iterable[str] = (),
-                 output_keys: Iterable[str] = (), outcome_map: Optional[Mapping[str, Mapping[str, str]]] = None,
-                 outcome_cb: Optional[Callable[[ChildOutcomes], Optional[str]]] = None,
-                 child_termination_cb: Optional[Callable[[ChildOutcomes], Union[bool, List[str]]]] = None) -> None:
+    def __init__(
+        self,
+        outcomes: Iterable[str],
+        default_outcome: str,
+        input_keys: Iterable[str] = (),
+        output_keys: Iterable[str] = (),
+        outcome_map: Optional[Mapping[str, Mapping[str, str]]] = None,
+        outcome_cb: Optional[Callable[[ChildOutcomes], Optional[str]]] = None,
+        child_termination_cb: Optional[ChildTerminationCallback] = None,
+    ) -> None:
         super().__init__(outcomes, input_keys, output_keys)
         self._outcome_map = {outcome: dict(children) for outcome, children in (outcome_map or {}).items()}
         self.register_outcomes(self._outcome_map)
@@ -108,7 +116,8 @@ class Concurrence(Container):
             self._errors = {}
             self._threads = {
                 label: threading.Thread(target=self._run, args=(label,), name=f"concurrence_{label}", daemon=True)
-                for label in self._states}
+                for label in self._states
+            }
             self._is_running = True
         try:
             self.call_start_cbs()
@@ -136,15 +145,21 @@ class Concurrence(Container):
     def _run(self, label: str) -> None:
         """Thread of one state."""
         state = self._states[label]
-        view = Remapper(self.userdata, state.get_registered_input_keys(), state.get_registered_output_keys(),
-                        self._remappings[label])
-        outcome, failure = None, None
+        view = Remapper(
+            self.userdata,
+            state.get_registered_input_keys(),
+            state.get_registered_output_keys(),
+            self._remappings[label],
+        )
+        outcome: Optional[str] = None
+        failure: Optional[Exception] = None
         try:
             outcome = state.execute(view)
             # None is what containers say when the program ends.
             if outcome not in state.get_registered_outcomes() and not (outcome is None and is_shutdown()):
-                failure = InvalidTransitionError(f"the outcome '{outcome}' is not registered: "
-                                                 f"{sorted(state.get_registered_outcomes())}")
+                failure = InvalidTransitionError(
+                    f"the outcome '{outcome}' is not registered: {sorted(state.get_registered_outcomes())}"
+                )
         except Exception as error:  # boundary: a state is code of the user
             failure = error
             logerr(f"Concurrent state '{label}' raised:\n{traceback.format_exc()}")
@@ -158,11 +173,11 @@ class Concurrence(Container):
             outcomes = dict(self._outcomes_by_label)
         self.call_transition_cbs()
         if self._child_termination_cb is not None:
-            self._ask_child_termination_cb(label, outcomes)
+            self._ask_child_termination_cb(self._child_termination_cb, label, outcomes)
 
-    def _ask_child_termination_cb(self, label: str, outcomes: ChildOutcomes) -> None:
+    def _ask_child_termination_cb(self, cb: ChildTerminationCallback, label: str, outcomes: ChildOutcomes) -> None:
         try:
-            answer = self._child_termination_cb(outcomes)
+            answer = cb(outcomes)
         except Exception as error:  # boundary: the callback is code of the user
             logerr(f"The child termination callback raised:\n{traceback.format_exc()}")
             with self._lock:
@@ -201,8 +216,10 @@ class Concurrence(Container):
                 raise InvalidUserCodeError(f"The outcome callback raised:\n{traceback.format_exc()}") from error
             if outcome:
                 if outcome not in self.get_registered_outcomes():
-                    raise InvalidTransitionError(f"The outcome callback returned '{outcome}', which is not registered: "
-                                                 f"{sorted(self.get_registered_outcomes())}")
+                    raise InvalidTransitionError(
+                        f"The outcome callback returned '{outcome}', which is not registered: "
+                        f"{sorted(self.get_registered_outcomes())}"
+                    )
                 return outcome
         for outcome, children in self._outcome_map.items():
             if all(outcomes[label] == child_outcome for label, child_outcome in children.items()):
@@ -257,8 +274,11 @@ class Concurrence(Container):
         with self._lock:
             if not self._is_running:
                 return []
-            return [label for label, outcome in self._outcomes_by_label.items()
-                    if outcome is None and label not in self._errors]
+            return [
+                label
+                for label, outcome in self._outcomes_by_label.items()
+                if outcome is None and label not in self._errors
+            ]
 
     def get_initial_states(self) -> List[str]:
         """Labels of all states."""
@@ -266,5 +286,8 @@ class Concurrence(Container):
 
     def get_internal_edges(self) -> List[Tuple[str, str, str]]:
         """The outcome map as (outcome of a state, its label, outcome of the container)."""
-        return [(child_outcome, label, outcome)
-                for outcome, children in self._outcome_map.items() for label, child_outcome in children.items()]
+        return [
+            (child_outcome, label, outcome)
+            for outcome, children in self._outcome_map.items()
+            for label, child_outcome in children.items()
+        ]

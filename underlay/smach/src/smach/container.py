@@ -1,4 +1,5 @@
 """Container: a state that holds other states."""
+
 import contextlib
 import threading
 import traceback
@@ -9,14 +10,20 @@ from smach.log import logerr, logwarn
 from smach.state import State
 from smach.user_data import UserData
 
+
 # Each thread builds its own containers: `with` blocks of two threads do not see each other.
-_construction = threading.local()
+class _Construction(threading.local):
+    """The containers that a thread has open, the innermost last."""
+
+    def __init__(self) -> None:
+        self.stack: List[Container] = []
+
+
+_construction = _Construction()
 
 
 def _opened_containers() -> List["Container"]:
     """Containers that this thread has open, the innermost last."""
-    if not hasattr(_construction, "stack"):
-        _construction.stack = []
     return _construction.stack
 
 
@@ -27,8 +34,13 @@ class Container(State):
     which its input keys are copied when it starts and from which its output keys are copied when it ends.
     """
 
-    def __init__(self, outcomes: Iterable[str] = (), input_keys: Iterable[str] = (),
-                 output_keys: Iterable[str] = (), io_keys: Iterable[str] = ()) -> None:
+    def __init__(
+        self,
+        outcomes: Iterable[str] = (),
+        input_keys: Iterable[str] = (),
+        output_keys: Iterable[str] = (),
+        io_keys: Iterable[str] = (),
+    ) -> None:
         super().__init__(outcomes, input_keys, output_keys, io_keys)
         self.userdata = UserData()
         # Guards what request_preempt, introspection and the running thread share. Reentrant: callbacks of the user
@@ -202,7 +214,7 @@ class Container(State):
         else:
             # The container is not complete: what raised is the error to report, not what is missing.
             opened = _opened_containers()
-            del opened[opened.index(self):]
+            del opened[opened.index(self) :]
 
     @classmethod
     def _currently_opened_container(cls) -> Any:
@@ -214,10 +226,12 @@ class Container(State):
         opened = _opened_containers()
         if not opened:
             raise InvalidConstructionError(
-                f"No container is open in this thread: call {cls.__name__}'s class methods in its `with` block.")
+                f"No container is open in this thread: call {cls.__name__}'s class methods in its `with` block."
+            )
         if not isinstance(opened[-1], cls):
             raise InvalidConstructionError(
-                f"The container that is open is a {type(opened[-1]).__name__}, not a {cls.__name__}.")
+                f"The container that is open is a {type(opened[-1]).__name__}, not a {cls.__name__}."
+            )
         return opened[-1]
 
     @classmethod

@@ -1,4 +1,5 @@
 """Iterator: one state, once for each item."""
+
 import traceback
 from typing import Any, Callable, Dict, Iterable, List, Mapping, Optional, Tuple, Union
 
@@ -27,8 +28,15 @@ class Iterator(Container):
         exhausted_outcome: outcome when there are no more items
     """
 
-    def __init__(self, outcomes: Iterable[str], input_keys: Iterable[str], output_keys: Iterable[str],
-                 it: Items = (), it_label: str = "it_data", exhausted_outcome: str = "exhausted") -> None:
+    def __init__(
+        self,
+        outcomes: Iterable[str],
+        input_keys: Iterable[str],
+        output_keys: Iterable[str],
+        it: Items = (),
+        it_label: str = "it_data",
+        exhausted_outcome: str = "exhausted",
+    ) -> None:
         super().__init__(outcomes, input_keys, output_keys)
         self.register_outcomes([exhausted_outcome])
         self._items = it
@@ -45,9 +53,13 @@ class Iterator(Container):
         self._items, self._items_label = it, it_label
 
     @staticmethod
-    def set_contained_state(label: str, state: State, loop_outcomes: Iterable[str] = (),
-                            break_outcomes: Iterable[str] = (),
-                            final_outcome_map: Optional[Mapping[str, str]] = None) -> None:
+    def set_contained_state(
+        label: str,
+        state: State,
+        loop_outcomes: Iterable[str] = (),
+        break_outcomes: Iterable[str] = (),
+        final_outcome_map: Optional[Mapping[str, str]] = None,
+    ) -> None:
         """Set the state of the iterator that is open.
 
         Args:
@@ -78,7 +90,8 @@ class Iterator(Container):
         if unknown:
             raise InvalidTransitionError(
                 f"Iterator failed consistency check: state '{self._label}' has no outcomes {unknown}; its outcomes "
-                f"are: {sorted(registered)}")
+                f"are: {sorted(registered)}"
+            )
 
     def _ends(self, outcome: str) -> bool:
         return outcome in self._break_outcomes or bool(self._loop_outcomes and outcome not in self._loop_outcomes)
@@ -94,17 +107,19 @@ class Iterator(Container):
             InvalidTransitionError: the state returned an outcome that it did not register, or the iteration ended with
                 one that is not an outcome of the iterator
         """
-        if not self._is_consistent():
+        if not self._is_consistent() or self._state is None:
             return None
         with self._lock:
             self._is_running = True
         try:
             self._copy_input_keys(parent_ud, self.userdata)
             self.call_start_cbs()
-            outcome = self._iterate()
+            outcome = self._iterate(self._state)
             if outcome is not None and outcome not in self.get_registered_outcomes():
-                raise InvalidTransitionError(f"The iteration of '{self._label}' ended with '{outcome}', which is no "
-                                             f"outcome of the iterator: {sorted(self.get_registered_outcomes())}")
+                raise InvalidTransitionError(
+                    f"The iteration of '{self._label}' ended with '{outcome}', which is no "
+                    f"outcome of the iterator: {sorted(self.get_registered_outcomes())}"
+                )
             self._copy_output_keys(self.userdata, parent_ud)
             if outcome is not None:
                 self.call_termination_cbs([self._label], outcome)
@@ -116,8 +131,7 @@ class Iterator(Container):
     def _next_items(self) -> Iterable[Any]:
         """The items, with an error of the user's code told as such."""
         try:
-            for item in (self._items() if callable(self._items) else self._items):
-                yield item
+            yield from (self._items() if callable(self._items) else self._items)
         except Exception as error:  # boundary: the items come from code of the user
             raise InvalidUserCodeError(f"The items of the iterator raised:\n{traceback.format_exc()}") from error
 
@@ -125,9 +139,8 @@ class Iterator(Container):
         """Outcome of the iterator for the outcome that ended the iteration."""
         return self._final_outcome_map.get(outcome, outcome)
 
-    def _iterate(self) -> Optional[str]:
+    def _iterate(self, state: State) -> Optional[str]:
         """Outcome of the iterator, or None when the program shuts down."""
-        state = self._state
         keys = dict.fromkeys(state.get_registered_input_keys() + (self._items_label,))
         view = Remapper(self.userdata, keys, state.get_registered_output_keys())
         for item in self._next_items():
@@ -140,7 +153,7 @@ class Iterator(Container):
                 state.recall_preempt()
                 if self._preempt_requested:
                     state.request_preempt()
-            outcome = self._execute_child(view)
+            outcome = self._execute_child(state, view)
             if outcome is None:
                 return None
             with self._lock:
@@ -159,8 +172,7 @@ class Iterator(Container):
             self.call_transition_cbs()
         return self._final(self._exhausted_outcome)
 
-    def _execute_child(self, view: Remapper) -> Optional[str]:
-        state = self._state
+    def _execute_child(self, state: State, view: Remapper) -> Optional[str]:
         try:
             outcome = state.execute(view)
         except InvalidUserCodeError:
@@ -168,12 +180,15 @@ class Iterator(Container):
             raise
         except Exception as error:  # boundary: a state is code of the user
             raise InvalidUserCodeError(
-                f"State '{self._label}' of type {type(state).__name__} raised:\n{traceback.format_exc()}") from error
+                f"State '{self._label}' of type {type(state).__name__} raised:\n{traceback.format_exc()}"
+            ) from error
         if outcome is None and is_shutdown():
             return None
         if outcome not in state.get_registered_outcomes():
-            raise InvalidTransitionError(f"State '{self._label}' ended with the outcome '{outcome}', which is not "
-                                         f"registered: {sorted(state.get_registered_outcomes())}")
+            raise InvalidTransitionError(
+                f"State '{self._label}' ended with the outcome '{outcome}', which is not "
+                f"registered: {sorted(state.get_registered_outcomes())}"
+            )
         return outcome
 
     def request_preempt(self) -> None:

@@ -1,4 +1,5 @@
 """Where SMACH writes what it does: the standard logger "smach", or functions that the user gives."""
+
 import logging
 from typing import Callable
 
@@ -10,10 +11,11 @@ LogFunction = Callable[[str], None]
 class _Loggers:
     """The four functions in use; the program has one log, so this is one object."""
 
-    info: LogFunction = staticmethod(_LOGGER.info)
-    warn: LogFunction = staticmethod(_LOGGER.warning)
-    debug: LogFunction = staticmethod(_LOGGER.debug)
-    error: LogFunction = staticmethod(_LOGGER.error)
+    def __init__(self) -> None:
+        self.info: LogFunction = _LOGGER.info
+        self.warn: LogFunction = _LOGGER.warning
+        self.debug: LogFunction = _LOGGER.debug
+        self.error: LogFunction = _LOGGER.error
 
 
 _loggers = _Loggers()

@@ -1,4 +1,5 @@
 """Sequence: a state machine whose states follow each other in the order in which they are added."""
+
 from typing import Any, Iterable, Mapping, Optional
 
 from smach.state import State
@@ -12,14 +13,23 @@ class Sequence(StateMachine):
     transition of its own.
     """
 
-    def __init__(self, outcomes: Iterable[str], connector_outcome: str, input_keys: Iterable[str] = (),
-                 output_keys: Iterable[str] = ()) -> None:
+    def __init__(
+        self,
+        outcomes: Iterable[str],
+        connector_outcome: str,
+        input_keys: Iterable[str] = (),
+        output_keys: Iterable[str] = (),
+    ) -> None:
         super().__init__(outcomes, input_keys, output_keys)
         self._connector_outcome = connector_outcome
 
     @staticmethod
-    def add(label: str, state: State, transitions: Optional[Mapping[str, Optional[str]]] = None,
-            remapping: Optional[Mapping[str, str]] = None) -> Any:
+    def add(
+        label: str,
+        state: State,
+        transitions: Optional[Mapping[str, Optional[str]]] = None,
+        remapping: Optional[Mapping[str, str]] = None,
+    ) -> Any:
         """Add a state to the sequence that is open; see StateMachine.add."""
         sequence = Sequence._currently_opened_container()
         return StateMachine.add_auto(label, state, [sequence._connector_outcome], transitions, remapping)

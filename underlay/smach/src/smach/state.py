@@ -1,7 +1,8 @@
 """State: something that runs once and ends with one of its outcomes."""
+
 from typing import Any, Callable, Iterable, Mapping, Optional, Tuple
 
-from smach.util import has_smach_interface
+from smach.util import SmachInterface
 
 
 class State:
@@ -14,8 +15,13 @@ class State:
         io_keys: userdata that the state reads and writes
     """
 
-    def __init__(self, outcomes: Iterable[str] = (), input_keys: Iterable[str] = (),
-                 output_keys: Iterable[str] = (), io_keys: Iterable[str] = ()) -> None:
+    def __init__(
+        self,
+        outcomes: Iterable[str] = (),
+        input_keys: Iterable[str] = (),
+        output_keys: Iterable[str] = (),
+        io_keys: Iterable[str] = (),
+    ) -> None:
         # Dictionaries keep the order in which the user named things; the values do not matter.
         self._outcomes = dict.fromkeys(outcomes)
         self._input_keys = dict.fromkeys(input_keys)
@@ -23,11 +29,14 @@ class State:
         self.register_io_keys(io_keys)
         self._preempt_requested = False
 
-    def execute(self, ud: Any) -> str:
+    def execute(self, ud: Any) -> Optional[str]:
         """Do the work and return an outcome; a subclass says how.
 
         Args:
             ud: userdata with the declared keys
+
+        Returns:
+            one of the outcomes; None from a container that could not run or whose program ends
         """
         raise NotImplementedError(f"{type(self).__name__} does not say what it executes")
 
@@ -89,15 +98,21 @@ class CBState(State):
         cb_kwargs: more keyword arguments
     """
 
-    def __init__(self, cb: Callable[..., str], cb_args: Iterable[Any] = (),
-                 cb_kwargs: Optional[Mapping[str, Any]] = None, outcomes: Iterable[str] = (),
-                 input_keys: Iterable[str] = (), output_keys: Iterable[str] = (),
-                 io_keys: Iterable[str] = ()) -> None:
+    def __init__(
+        self,
+        cb: Callable[..., str],
+        cb_args: Iterable[Any] = (),
+        cb_kwargs: Optional[Mapping[str, Any]] = None,
+        outcomes: Iterable[str] = (),
+        input_keys: Iterable[str] = (),
+        output_keys: Iterable[str] = (),
+        io_keys: Iterable[str] = (),
+    ) -> None:
         super().__init__(outcomes, input_keys, output_keys, io_keys)
         self._cb = cb
         self._cb_args = tuple(cb_args)
         self._cb_kwargs = dict(cb_kwargs or {})
-        if has_smach_interface(cb):
+        if isinstance(cb, SmachInterface):
             self.register_outcomes(cb.get_registered_outcomes())
             self.register_input_keys(cb.get_registered_input_keys())
             self.register_output_keys(cb.get_registered_output_keys())

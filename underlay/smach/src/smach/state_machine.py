@@ -1,4 +1,5 @@
 """StateMachine: one state after the other, as the outcomes say."""
+
 import traceback
 from typing import Any, Dict, Iterable, List, Mapping, Optional, Tuple
 
@@ -20,8 +21,9 @@ class StateMachine(Container):
     it too; when it does not, the next state is asked before it starts.
     """
 
-    def __init__(self, outcomes: Iterable[str], input_keys: Iterable[str] = (),
-                 output_keys: Iterable[str] = ()) -> None:
+    def __init__(
+        self, outcomes: Iterable[str], input_keys: Iterable[str] = (), output_keys: Iterable[str] = ()
+    ) -> None:
         super().__init__(outcomes, input_keys, output_keys)
         self._states: Dict[str, State] = {}
         self._transitions: Dict[str, Dict[str, Optional[str]]] = {}
@@ -36,8 +38,12 @@ class StateMachine(Container):
     # Construction
 
     @staticmethod
-    def add(label: str, state: State, transitions: Optional[Mapping[str, Optional[str]]] = None,
-            remapping: Optional[Mapping[str, str]] = None) -> State:
+    def add(
+        label: str,
+        state: State,
+        transitions: Optional[Mapping[str, Optional[str]]] = None,
+        remapping: Optional[Mapping[str, str]] = None,
+    ) -> State:
         """Add a state to the machine that is open. The first state added is the initial one.
 
         Args:
@@ -58,16 +64,26 @@ class StateMachine(Container):
         return state
 
     @staticmethod
-    def add_auto(label: str, state: State, connector_outcomes: Iterable[str],
-                 transitions: Optional[Mapping[str, Optional[str]]] = None,
-                 remapping: Optional[Mapping[str, str]] = None) -> State:
+    def add_auto(
+        label: str,
+        state: State,
+        connector_outcomes: Iterable[str],
+        transitions: Optional[Mapping[str, Optional[str]]] = None,
+        remapping: Optional[Mapping[str, str]] = None,
+    ) -> State:
         """Add a state whose connector outcomes lead to the state that is added next; else like add()."""
         machine = StateMachine._currently_opened_container()
         machine._add(label, state, transitions, remapping, tuple(connector_outcomes))
         return state
 
-    def _add(self, label: str, state: State, transitions: Optional[Mapping[str, Optional[str]]],
-             remapping: Optional[Mapping[str, str]], connector_outcomes: Tuple[str, ...] = ()) -> None:
+    def _add(
+        self,
+        label: str,
+        state: State,
+        transitions: Optional[Mapping[str, Optional[str]]],
+        remapping: Optional[Mapping[str, str]],
+        connector_outcomes: Tuple[str, ...] = (),
+    ) -> None:
         given = dict(transitions or {})
         self._check_child(label, state, self._states)
         self.check_state_spec(label, state, given)
@@ -89,7 +105,8 @@ class StateMachine(Container):
         for outcome in transitions:
             if outcome not in registered:
                 raise InvalidTransitionError(
-                    f"State '{label}' has no outcome '{outcome}'; its outcomes are: {sorted(registered)}")
+                    f"State '{label}' has no outcome '{outcome}'; its outcomes are: {sorted(registered)}"
+                )
 
     def check_consistency(self) -> None:
         """Check that there is an initial state and that every outcome leads somewhere.
@@ -107,11 +124,15 @@ class StateMachine(Container):
             if target not in self._states and target not in ends and outcome not in ends:
                 problems.append(f"Outcome '{outcome}' of state '{label}' leads to '{target}', which is missing.")
             elif target not in self._states and target not in ends:
-                problems.append(f"Outcome '{outcome}' of state '{label}' leads to '{target}', which is neither a "
-                                "state nor an outcome of the machine.")
+                problems.append(
+                    f"Outcome '{outcome}' of state '{label}' leads to '{target}', which is neither a "
+                    "state nor an outcome of the machine."
+                )
         if problems:
-            raise InvalidTransitionError("State machine failed consistency check: " + "\n\t".join(
-                problems + [f"Available states: {sorted(self._states)}", f"Outcomes: {sorted(ends)}"]))
+            raise InvalidTransitionError(
+                "State machine failed consistency check: "
+                + "\n\t".join(problems + [f"Available states: {sorted(self._states)}", f"Outcomes: {sorted(ends)}"])
+            )
 
     # Running
 
@@ -136,8 +157,9 @@ class StateMachine(Container):
             self._current_label = self._initial_state_label
         try:
             self._copy_input_keys(parent_ud, self.userdata)
-            loginfo(f"State machine starting in initial state '{self._current_label}' with userdata: "
-                    f"{self.userdata.keys()}")
+            loginfo(
+                f"State machine starting in initial state '{self._current_label}' with userdata: {self.userdata.keys()}"
+            )
             self.call_start_cbs()
             outcome = None
             while outcome is None and not is_shutdown():
@@ -154,6 +176,7 @@ class StateMachine(Container):
         """Run the current state and move on; return the outcome of the machine, or None to go on."""
         with self._lock:
             label = self._current_label
+            assert label is not None, "execute() sets the first label, and each step the next"
             state = self._states[label]
             if self._preempt_requested:
                 self._hand_on_preempt(label, state)
@@ -163,7 +186,8 @@ class StateMachine(Container):
         if outcome not in state.get_registered_outcomes():
             raise InvalidTransitionError(
                 f"State '{label}' of type {type(state).__name__} ended with the outcome '{outcome}', which is not "
-                f"registered; its outcomes are: {sorted(state.get_registered_outcomes())}")
+                f"registered; its outcomes are: {sorted(state.get_registered_outcomes())}"
+            )
         target = self._target(label, outcome)
         if target in self._states:
             loginfo(f"State machine transitioning '{label}':'{outcome}'-->'{target}'")
@@ -188,11 +212,16 @@ class StateMachine(Container):
             return outcome
         raise InvalidTransitionError(
             f"Outcome '{outcome}' of state '{label}' leads to '{target}', which is neither a state nor an outcome of "
-            "the machine.")
+            "the machine."
+        )
 
     def _execute_child(self, label: str, state: State) -> Optional[str]:
-        view = Remapper(self.userdata, state.get_registered_input_keys(), state.get_registered_output_keys(),
-                        self._remappings[label])
+        view = Remapper(
+            self.userdata,
+            state.get_registered_input_keys(),
+            state.get_registered_output_keys(),
+            self._remappings[label],
+        )
         try:
             return state.execute(view)
         except InvalidUserCodeError:
@@ -200,7 +229,8 @@ class StateMachine(Container):
             raise
         except Exception as error:  # boundary: a state is code of the user
             raise InvalidUserCodeError(
-                f"State '{label}' of type {type(state).__name__} raised:\n{traceback.format_exc()}") from error
+                f"State '{label}' of type {type(state).__name__} raised:\n{traceback.format_exc()}"
+            ) from error
 
     # Preemption; each with the lock held
 
@@ -216,8 +246,9 @@ class StateMachine(Container):
         try:
             state.request_preempt()
         except Exception:  # boundary: a state is code of the user
-            logerr(f"A state of type {type(state).__name__} raised when it was asked to stop:\n"
-                   f"{traceback.format_exc()}")
+            logerr(
+                f"A state of type {type(state).__name__} raised when it was asked to stop:\n{traceback.format_exc()}"
+            )
 
     def _hand_on_preempt(self, label: str, state: State) -> None:
         """Before `state` starts: end the request when the last state serviced it, else ask `state`."""
@@ -273,5 +304,8 @@ class StateMachine(Container):
 
     def get_internal_edges(self) -> List[Tuple[str, str, str]]:
         """Transitions as (outcome, label of the state, label of the next state or outcome of the machine)."""
-        return [(outcome, label, outcome if target is None else target)
-                for label, transitions in self._transitions.items() for outcome, target in transitions.items()]
+        return [
+            (outcome, label, outcome if target is None else target)
+            for label, transitions in self._transitions.items()
+            for outcome, target in transitions.items()
+        ]

@@ -1,8 +1,9 @@
 """Userdata: named values that states hand on, and the view of them that one state gets."""
+
 import copy
 import enum
 import types
-from typing import Any, Dict, Iterable, List, Mapping, Optional
+from typing import Any, Dict, FrozenSet, Iterable, List, Mapping, Optional, SupportsIndex
 
 from smach.exceptions import InvalidUserCodeError
 
@@ -95,8 +96,17 @@ class Remapper:
         remapping: from a name of the state to the name in `ud`, where they differ
     """
 
-    def __init__(self, ud: Any, input_keys: Iterable[str] = (), output_keys: Iterable[str] = (),
-                 remapping: Optional[Mapping[str, str]] = None) -> None:
+    _input_keys: FrozenSet[str]
+    _output_keys: FrozenSet[str]
+    _remapping: Dict[str, str]
+
+    def __init__(
+        self,
+        ud: Any,
+        input_keys: Iterable[str] = (),
+        output_keys: Iterable[str] = (),
+        remapping: Optional[Mapping[str, str]] = None,
+    ) -> None:
         object.__setattr__(self, "_ud", ud)
         object.__setattr__(self, "_input_keys", frozenset(input_keys))
         object.__setattr__(self, "_output_keys", frozenset(output_keys))
@@ -109,7 +119,8 @@ class Remapper:
         if key not in self._input_keys:
             raise InvalidUserCodeError(
                 f"Reading userdata key '{key}', but the only input keys that this state declared are: "
-                f"{sorted(self._input_keys)}")
+                f"{sorted(self._input_keys)}"
+            )
         value = self._ud[self._remap(key)]
         return value if key in self._output_keys else get_const(value)
 
@@ -117,7 +128,8 @@ class Remapper:
         if key not in self._output_keys:
             raise InvalidUserCodeError(
                 f"Writing userdata key '{key}', but the only output keys that this state declared are: "
-                f"{sorted(self._output_keys)}")
+                f"{sorted(self._output_keys)}"
+            )
         self._ud[self._remap(key)] = value
 
     def keys(self) -> List[str]:
@@ -164,6 +176,7 @@ def _forward(name: str) -> Any:
         # A viewed operand is compared as what it stands for.
         plain = [object.__getattribute__(arg, "_obj") if type(arg) is Const else arg for arg in args]
         return getattr(type(self._obj), name)(self._obj, *plain)
+
     call.__name__ = name
     return call
 
@@ -207,15 +220,35 @@ class Const:
     def __deepcopy__(self, memo: Dict[int, Any]) -> Any:
         return copy.deepcopy(self._obj, memo)
 
-    def __reduce_ex__(self, protocol: int) -> Any:
+    def __reduce_ex__(self, protocol: SupportsIndex) -> Any:
         return self._obj.__reduce_ex__(protocol)
 
     def __bool__(self) -> bool:
         return bool(self._obj)
 
 
-for _name in ("__eq__", "__ne__", "__lt__", "__le__", "__gt__", "__ge__", "__hash__", "__len__", "__contains__",
-              "__str__", "__repr__", "__add__", "__sub__", "__mul__", "__truediv__", "__neg__", "__abs__",
-              "__int__", "__float__", "__index__", "__format__"):
+for _name in (
+    "__eq__",
+    "__ne__",
+    "__lt__",
+    "__le__",
+    "__gt__",
+    "__ge__",
+    "__hash__",
+    "__len__",
+    "__contains__",
+    "__str__",
+    "__repr__",
+    "__add__",
+    "__sub__",
+    "__mul__",
+    "__truediv__",
+    "__neg__",
+    "__abs__",
+    "__int__",
+    "__float__",
+    "__index__",
+    "__format__",
+):
     setattr(Const, _name, _forward(_name))
 del _name

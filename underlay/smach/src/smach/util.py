@@ -1,12 +1,14 @@
 """Callbacks that declare their outcomes and keys, and the check for the end of the program."""
+
 import functools
-from typing import Any, Callable, Iterable, Optional, Tuple
+from typing import Any, Callable, Iterable, Optional, Protocol, Tuple, runtime_checkable
 
 
 class _ShutdownCheck:
     """Tells whether the program ends; the program has one end, so this is one object."""
 
-    check: Callable[[], bool] = staticmethod(lambda: False)
+    def __init__(self) -> None:
+        self.check: Callable[[], bool] = lambda: False
 
 
 _shutdown = _ShutdownCheck()
@@ -22,10 +24,23 @@ def is_shutdown() -> bool:
     return bool(_shutdown.check())
 
 
+@runtime_checkable
+class SmachInterface(Protocol):
+    """What declares input keys, output keys and outcomes as a state does."""
+
+    def get_registered_input_keys(self) -> Iterable[str]:
+        """Keys that are read."""
+
+    def get_registered_output_keys(self) -> Iterable[str]:
+        """Keys that are written."""
+
+    def get_registered_outcomes(self) -> Iterable[str]:
+        """Outcomes that may be returned."""
+
+
 def has_smach_interface(obj: Any) -> bool:
     """Tell whether an object declares input keys, output keys and outcomes as a state does."""
-    return all(hasattr(obj, name) for name in (
-        "get_registered_input_keys", "get_registered_output_keys", "get_registered_outcomes"))
+    return isinstance(obj, SmachInterface)
 
 
 class CBInterface:
@@ -34,9 +49,14 @@ class CBInterface:
     Calls go to the callback unchanged. As an attribute of a class it binds to the instance like a method.
     """
 
-    def __init__(self, cb: Callable[..., Any], outcomes: Optional[Iterable[str]] = None,
-                 input_keys: Optional[Iterable[str]] = None, output_keys: Optional[Iterable[str]] = None,
-                 io_keys: Optional[Iterable[str]] = None) -> None:
+    def __init__(
+        self,
+        cb: Callable[..., Any],
+        outcomes: Optional[Iterable[str]] = None,
+        input_keys: Optional[Iterable[str]] = None,
+        output_keys: Optional[Iterable[str]] = None,
+        io_keys: Optional[Iterable[str]] = None,
+    ) -> None:
         self._cb = cb
         self._outcomes = tuple(outcomes or ())
         self._input_keys = tuple(input_keys or ()) + tuple(io_keys or ())
@@ -67,10 +87,19 @@ class CBInterface:
 class cb_interface:  # noqa: N801 (the documented name of the decorator)
     """Decorator that gives a callback its outcomes and keys; see CBInterface."""
 
-    def __init__(self, outcomes: Optional[Iterable[str]] = None, input_keys: Optional[Iterable[str]] = None,
-                 output_keys: Optional[Iterable[str]] = None, io_keys: Optional[Iterable[str]] = None) -> None:
-        self._declared = {"outcomes": tuple(outcomes or ()), "input_keys": tuple(input_keys or ()),
-                          "output_keys": tuple(output_keys or ()), "io_keys": tuple(io_keys or ())}
+    def __init__(
+        self,
+        outcomes: Optional[Iterable[str]] = None,
+        input_keys: Optional[Iterable[str]] = None,
+        output_keys: Optional[Iterable[str]] = None,
+        io_keys: Optional[Iterable[str]] = None,
+    ) -> None:
+        self._declared = {
+            "outcomes": tuple(outcomes or ()),
+            "input_keys": tuple(input_keys or ()),
+            "output_keys": tuple(output_keys or ()),
+            "io_keys": tuple(io_keys or ()),
+        }
 
     def __call__(self, cb: Callable[..., Any]) -> CBInterface:
         return CBInterface(cb, **self._declared)

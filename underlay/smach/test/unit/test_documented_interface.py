@@ -1,7 +1,9 @@
 """The programs of the SMACH tutorials, in the shapes in which people write them."""
+
 import inspect
 
 import pytest
+
 import smach
 from smach.user_data import Const, Remapper, UserData
 
@@ -42,20 +44,28 @@ def test_numbers_are_sorted_by_an_iterator_around_a_machine():
     machine.userdata.odd_nums = []
     with machine:
         numbers = smach.Iterator(
-            outcomes=["succeeded", "preempted", "aborted"], input_keys=["nums", "even_nums", "odd_nums"],
-            output_keys=["even_nums", "odd_nums"], it=lambda: range(0, len(machine.userdata.nums)), it_label="index",
-            exhausted_outcome="succeeded")
+            outcomes=["succeeded", "preempted", "aborted"],
+            input_keys=["nums", "even_nums", "odd_nums"],
+            output_keys=["even_nums", "odd_nums"],
+            it=lambda: range(len(machine.userdata.nums)),
+            it_label="index",
+            exhausted_outcome="succeeded",
+        )
         with numbers:
             inner = smach.StateMachine(
                 outcomes=["succeeded", "preempted", "aborted", "continue"],
-                input_keys=["nums", "index", "even_nums", "odd_nums"], output_keys=["even_nums", "odd_nums"])
+                input_keys=["nums", "index", "even_nums", "odd_nums"],
+                output_keys=["even_nums", "odd_nums"],
+            )
             with inner:
+
                 @smach.cb_interface(input_keys=["nums", "index"], outcomes=["odd", "even"])
                 def ask(ud):
                     return "odd" if ud.nums[ud.index] % 2 else "even"
 
-                @smach.cb_interface(input_keys=["nums", "index", "odd_nums"], output_keys=["odd_nums"],
-                                    outcomes=["succeeded"])
+                @smach.cb_interface(
+                    input_keys=["nums", "index", "odd_nums"], output_keys=["odd_nums"], outcomes=["succeeded"]
+                )
                 def keep_odd(ud):
                     ud.odd_nums.append(ud.nums[ud.index])
                     return "succeeded"
@@ -65,6 +75,7 @@ def test_numbers_are_sorted_by_an_iterator_around_a_machine():
                 def keep_even(ud):
                     ud.even_nums.append(ud.nums[ud.index])
                     return "succeeded"
+
                 smach.StateMachine.add("ASK", smach.CBState(ask), {"odd": "ODD", "even": "EVEN"})
                 smach.StateMachine.add("ODD", smach.CBState(keep_odd), {"succeeded": "continue"})
                 smach.StateMachine.add("EVEN", smach.CBState(keep_even), {"succeeded": "continue"})
@@ -80,6 +91,7 @@ def test_callback_gets_its_arguments_and_declared_outcomes():
     def callback(ud, x, y, z):
         ud.xyz = ud.q + x + y + z
         return "foo"
+
     state = smach.CBState(callback, cb_args=[10], cb_kwargs={"z": 2, "y": 3})
     assert smach.has_smach_interface(callback) and not smach.has_smach_interface(len)
     assert set(state.get_registered_outcomes()) == {"foo"}
@@ -95,6 +107,7 @@ def test_callback_interface_accepts_none_and_binds_as_a_method():
         @smach.cb_interface(outcomes=["done"], input_keys=None, output_keys=None)
         def act(self, ud):
             return "done" if isinstance(self, Robot) else "what"
+
     assert smach.CBState(Robot().act).execute(smach.UserData()) == "done"
     assert smach.CBInterface(len, outcomes=None).get_registered_outcomes() == ()
 
@@ -102,17 +115,25 @@ def test_callback_interface_accepts_none_and_binds_as_a_method():
 @pytest.mark.parametrize("given,expected", [("mapped", "from_map"), ("callback", "from_callback"), ("else", "default")])
 def test_concurrence_takes_callback_then_map_then_default(given, expected):
     both = smach.Concurrence(
-        outcomes=["default"], default_outcome="default", input_keys=["given"], output_keys=["seen"],
+        outcomes=["default"],
+        default_outcome="default",
+        input_keys=["given"],
+        output_keys=["seen"],
         outcome_map={"from_map": {"FOO": "mapped", "BAR": "done"}},
-        outcome_cb=lambda outcomes: "from_callback" if outcomes["FOO"] == "callback" else None)
+        outcome_cb=lambda outcomes: "from_callback" if outcomes["FOO"] == "callback" else None,
+    )
     both.register_outcomes(["from_callback"])
     with both:
-        smach.Concurrence.add("FOO", smach.CBState(
-            lambda ud: ud.what, outcomes=["mapped", "callback", "else"], input_keys=["what"]), {"what": "given"})
+        smach.Concurrence.add(
+            "FOO",
+            smach.CBState(lambda ud: ud.what, outcomes=["mapped", "callback", "else"], input_keys=["what"]),
+            {"what": "given"},
+        )
 
         def see(ud):
             ud.seen = "bar was here"
             return "done"
+
         smach.Concurrence.add("BAR", smach.CBState(see, outcomes=["done"], output_keys=["seen"]))
     userdata = smach.UserData()
     userdata.given = given
@@ -127,6 +148,7 @@ def test_sequence_transition_of_its_own_overrides_the_connector():
 
     def state(label):
         return smach.CBState(lambda ud: ran.append(label) or "succeeded", outcomes=["succeeded", "aborted"])
+
     sequence = smach.Sequence(outcomes=["succeeded", "aborted"], connector_outcome="succeeded")
     with sequence:
         smach.Sequence.add("A", state("A"), {"succeeded": "C"})
@@ -139,9 +161,13 @@ def test_initial_state_and_userdata_are_set_from_outside():
     machine = smach.StateMachine(["done"])
     with machine:
         smach.StateMachine.add("A", smach.CBState(lambda ud: "done", outcomes=["done"]), {"done": "B"})
-        smach.StateMachine.add("B", smach.CBState(
-            lambda ud: "done" if ud.value == 7 else "wrong", outcomes=["done", "wrong"], input_keys=["value"]),
-            {"wrong": "done"})
+        smach.StateMachine.add(
+            "B",
+            smach.CBState(
+                lambda ud: "done" if ud.value == 7 else "wrong", outcomes=["done", "wrong"], input_keys=["value"]
+            ),
+            {"wrong": "done"},
+        )
     added = smach.UserData()
     added.value = 7
     seen = []
@@ -160,6 +186,7 @@ def test_machine_starts_anew_each_time():
     def count(ud):
         ud.count += 1
         return "done"
+
     with machine:
         smach.StateMachine.add("COUNT", smach.CBState(count, outcomes=["done"], io_keys=["count"]))
     assert [machine.execute() for _ in range(3)] == ["done"] * 3
@@ -183,6 +210,7 @@ def test_const_shows_and_does_not_change():
     class Box:
         def __init__(self):
             self.content, self.inner = 1, [1]
+
     box = Box()
     view = Const(box)
     assert view.content == 1 and smach.get_const(view) is view and smach.get_const(3) == 3

@@ -1,7 +1,9 @@
 """What containers in containers do when they are asked to stop."""
+
 import threading
 
 import pytest
+
 import smach
 
 DEADLINE_S = 20.0
@@ -39,6 +41,7 @@ def run_and_preempt(container, *patients):
             outcomes.append(container.execute())
         except smach.SmachError as error:
             outcomes.append(error)
+
     thread = threading.Thread(target=execute, daemon=True)
     thread.start()
     for patient in patients:
@@ -82,8 +85,9 @@ def test_iterator_ends_with_the_outcome_of_the_state_that_services_the_request()
 
 def test_iterator_maps_the_outcome_of_the_preempted_state():
     patient = Patient()
-    built = iterator(patient, outcomes=("stopped", "exhausted"), loop_outcomes=["done"],
-                     final_outcome_map={"preempted": "stopped"})
+    built = iterator(
+        patient, outcomes=("stopped", "exhausted"), loop_outcomes=["done"], final_outcome_map={"preempted": "stopped"}
+    )
     assert run_and_preempt(built, patient) == "stopped"
 
 
@@ -119,8 +123,9 @@ def test_iterator_refuses_an_end_that_is_not_its_outcome():
 
 def test_concurrence_asks_every_state():
     first, second = Patient(), Patient()
-    built = concurrence(FIRST=first, SECOND=second,
-                        outcome_map={"preempted": {"FIRST": "preempted", "SECOND": "preempted"}})
+    built = concurrence(
+        FIRST=first, SECOND=second, outcome_map={"preempted": {"FIRST": "preempted", "SECOND": "preempted"}}
+    )
     assert run_and_preempt(built, first, second) == "preempted"
     assert not built.preempt_requested()
 
@@ -149,6 +154,7 @@ def test_child_termination_callback_preempts_only_the_states_it_names():
         if outcomes["WATCHED"] is None:
             return ["WATCHED"]
         return outcomes["OTHER"] is None
+
     built = smach.Concurrence(["done"], "done", child_termination_cb=ended)
     with built:
         smach.Concurrence.add("QUICK", quick)
@@ -164,8 +170,11 @@ def test_child_termination_callback_preempts_only_the_states_it_names():
 def test_request_reaches_the_leaves_of_nested_containers(services):
     leaf, beside = Patient(services), Patient(services)
     items = iterator(leaf, loop_outcomes=["done"])
-    both = concurrence(ITEMS=items, BESIDE=machine("BESIDE", beside), outcome_map={
-        "preempted": {"ITEMS": "preempted", "BESIDE": "preempted" if services else "done"}})
+    both = concurrence(
+        ITEMS=items,
+        BESIDE=machine("BESIDE", beside),
+        outcome_map={"preempted": {"ITEMS": "preempted", "BESIDE": "preempted" if services else "done"}},
+    )
     outer = machine("BOTH", both)
     assert run_and_preempt(outer, leaf, beside) == "preempted"
     assert (leaf.runs, beside.runs) == (1, 1)
@@ -179,8 +188,9 @@ def test_machine_goes_on_behind_a_state_that_serviced_the_request():
     built = smach.StateMachine(["tidy"])
     with built:
         smach.StateMachine.add("WORK", patient, {"done": "tidy", "preempted": "CLEAN"})
-        smach.StateMachine.add("CLEAN", smach.CBState(
-            lambda ud: cleaned.append(built.preempt_requested()) or "tidy", outcomes=["tidy"]))
+        smach.StateMachine.add(
+            "CLEAN", smach.CBState(lambda ud: cleaned.append(built.preempt_requested()) or "tidy", outcomes=["tidy"])
+        )
     assert run_and_preempt(built, patient) == "tidy"
     assert cleaned == [False]
 
@@ -190,6 +200,7 @@ def test_state_that_raises_after_a_request_does_not_keep_it():
         def execute(self, userdata):
             super().execute(userdata)
             raise RuntimeError("broken")
+
     broken = Broken(services=False)
     built = machine("BROKEN", broken)
     assert isinstance(run_and_preempt(built, broken), smach.InvalidUserCodeError)

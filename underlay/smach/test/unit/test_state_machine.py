@@ -1,7 +1,9 @@
 """What a state machine does with outcomes, userdata and preempt requests."""
+
 import threading
 
 import pytest
+
 import smach
 
 
@@ -62,8 +64,10 @@ def test_callbacks_get_documented_arguments():
 
 def test_missing_state_is_found_before_anything_runs():
     ran = []
-    built = machine(("A", smach.CBState(lambda ud: ran.append(1) or "done", outcomes=["done"]), {"done": "NOWHERE"}),
-                    outcomes=("other",))
+    built = machine(
+        ("A", smach.CBState(lambda ud: ran.append(1) or "done", outcomes=["done"]), {"done": "NOWHERE"}),
+        outcomes=("other",),
+    )
     with pytest.raises(smach.InvalidTransitionError, match="NOWHERE"):
         built.check_consistency()
     assert built.execute() is None and ran == []
@@ -84,6 +88,7 @@ def test_add_refuses_unknown_outcome_and_used_label():
 def test_state_errors():
     def fail(ud):
         raise RuntimeError("broken")
+
     with pytest.raises(smach.InvalidUserCodeError, match="broken"):
         machine(("A", smach.CBState(fail, outcomes=["done"]))).execute()
     broken = machine(("A", Give(outcome="what")))
@@ -96,14 +101,17 @@ def test_userdata_is_remapped_and_guarded():
     @smach.cb_interface(input_keys=["x"], output_keys=["y"], outcomes=["done"])
     def add_one(ud):
         with pytest.raises(smach.InvalidUserCodeError):
-            ud.z
+            _ = ud.z
         with pytest.raises(smach.InvalidUserCodeError):
             ud.x = 3
         ud.y = ud.x + 1
         return "done"
+
     inner = machine(("A", smach.CBState(add_one), {}, {"x": "a", "y": "b"}), input_keys=["a"], output_keys=["b"])
-    outer = machine(("INNER", inner, {"done": "A"}, {"a": "start", "b": "middle"}),
-                    ("A", smach.CBState(add_one), {}, {"x": "middle", "y": "end"}))
+    outer = machine(
+        ("INNER", inner, {"done": "A"}, {"a": "start", "b": "middle"}),
+        ("A", smach.CBState(add_one), {}, {"x": "middle", "y": "end"}),
+    )
     outer.userdata.start = 1
     assert outer.execute() == "done"
     assert (outer.userdata.middle, outer.userdata["end"]) == (2, 3)
@@ -117,6 +125,7 @@ def test_input_only_value_cannot_be_changed():
         assert isinstance(ud.box, Box)
         ud.box.content = 2
         return "done"
+
     view = machine(("A", smach.CBState(change, outcomes=["done"], input_keys=["box"])))
     view.userdata.box = Box()
     with pytest.raises(smach.InvalidUserCodeError):
@@ -149,6 +158,7 @@ def test_threads_build_their_own_machines():
                 assert list(machine(("A", Give()), ("B", Give())).get_children()) == ["A", "B"]
         except Exception as error:  # reported by the test
             failures.append(error)
+
     threads = [threading.Thread(target=build) for _ in range(4)]
     for thread in threads:
         thread.start()
@@ -174,26 +184,40 @@ def test_sequence_and_auto():
 def test_iterator_ends_by_outcome_or_exhaustion():
     def run(break_at):
         seen = []
-        it = smach.Iterator(outcomes=["found", "exhausted"], input_keys=[], output_keys=[],
-                            it=lambda: range(5), it_label="index", exhausted_outcome="exhausted")
+        it = smach.Iterator(
+            outcomes=["found", "exhausted"],
+            input_keys=[],
+            output_keys=[],
+            it=lambda: range(5),
+            it_label="index",
+            exhausted_outcome="exhausted",
+        )
 
         def look(ud):
             seen.append(ud.index)
             return "stop" if ud.index == break_at else "go"
+
         with it:
             smach.Iterator.set_contained_state(
-                "LOOK", smach.CBState(look, outcomes=["go", "stop"], input_keys=["index"]),
-                loop_outcomes=["go"], final_outcome_map={"stop": "found"})
+                "LOOK",
+                smach.CBState(look, outcomes=["go", "stop"], input_keys=["index"]),
+                loop_outcomes=["go"],
+                final_outcome_map={"stop": "found"},
+            )
         return it.execute(), seen
+
     assert run(2) == ("found", [0, 1, 2])
     assert run(9) == ("exhausted", [0, 1, 2, 3, 4])
 
 
 def test_concurrence_maps_outcomes_and_preempts_the_rest():
     waiter = Waiter()
-    both = smach.Concurrence(["won", "lost"], default_outcome="lost",
-                             outcome_map={"won": {"FAST": "done", "SLOW": "preempted"}},
-                             child_termination_cb=lambda outcomes: outcomes["FAST"] == "done")
+    both = smach.Concurrence(
+        ["won", "lost"],
+        default_outcome="lost",
+        outcome_map={"won": {"FAST": "done", "SLOW": "preempted"}},
+        child_termination_cb=lambda outcomes: outcomes["FAST"] == "done",
+    )
     with both:
         smach.Concurrence.add("FAST", Give())
         smach.Concurrence.add("SLOW", waiter)
@@ -204,6 +228,7 @@ def test_concurrence_maps_outcomes_and_preempts_the_rest():
 def test_concurrence_tells_of_a_child_that_raises():
     def fail(ud):
         raise RuntimeError("broken")
+
     both = smach.Concurrence(["done"], default_outcome="done")
     with both:
         smach.Concurrence.add("BAD", smach.CBState(fail, outcomes=["done"]))
@@ -216,5 +241,6 @@ def test_concurrence_tells_of_a_child_that_raises():
 def test_core_knows_no_ros():
     import subprocess
     import sys
+
     code = "import sys, smach; sys.exit(any(name.split('.')[0] in ('rospy', 'roslib') for name in sys.modules))"
-    assert subprocess.run([sys.executable, "-c", code], timeout=60).returncode == 0
+    assert subprocess.run([sys.executable, "-c", code], timeout=60, check=False).returncode == 0

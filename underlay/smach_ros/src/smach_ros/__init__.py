@@ -1,7 +1,8 @@
 """SMACH in ROS: states for actions, services and topics, containers as actions, and introspection."""
-import rospy
-import smach
 
+import rospy
+
+import smach
 from smach_ros.action_server_wrapper import ActionServerWrapper
 from smach_ros.condition_state import ConditionState
 from smach_ros.introspection import IntrospectionClient, IntrospectionServer
@@ -10,8 +11,16 @@ from smach_ros.service_state import ServiceState
 from smach_ros.simple_action_state import SimpleActionState
 from smach_ros.util import set_preempt_handler
 
-__all__ = ["ActionServerWrapper", "ConditionState", "IntrospectionClient", "IntrospectionServer", "MonitorState",
-           "ServiceState", "SimpleActionState", "set_preempt_handler"]
+__all__ = [
+    "ActionServerWrapper",
+    "ConditionState",
+    "IntrospectionClient",
+    "IntrospectionServer",
+    "MonitorState",
+    "ServiceState",
+    "SimpleActionState",
+    "set_preempt_handler",
+]
 
 # Transitions of SMACH are detail in a ROS log; the program that runs the machine says what matters.
 smach.set_loggers(rospy.logdebug, rospy.logwarn, rospy.logdebug, rospy.logerr)

@@ -1,9 +1,11 @@
 """ActionServerWrapper: offers a container as an action."""
+
 import traceback
 from typing import Any, Dict, Iterable, List, Mapping, Optional
 
 import actionlib
 import rospy
+
 import smach
 
 
@@ -36,14 +38,23 @@ class ActionServerWrapper:
         InvalidStateError: an outcome is in two of the lists, or a map names a field that the message does not have
     """
 
-    def __init__(self, server_name: str, action_spec: type, wrapped_container: smach.State,
-                 succeeded_outcomes: Iterable[str] = (), aborted_outcomes: Iterable[str] = (),
-                 preempted_outcomes: Iterable[str] = (), goal_key: str = "action_goal",
-                 feedback_key: str = "action_feedback", result_key: str = "action_result",
-                 goal_slots_map: Optional[Mapping[str, str]] = None,
-                 feedback_slots_map: Optional[Mapping[str, str]] = None,
-                 result_slots_map: Optional[Mapping[str, str]] = None,
-                 expand_goal_slots: bool = False, pack_result_slots: bool = False) -> None:
+    def __init__(
+        self,
+        server_name: str,
+        action_spec: type,
+        wrapped_container: smach.State,
+        succeeded_outcomes: Iterable[str] = (),
+        aborted_outcomes: Iterable[str] = (),
+        preempted_outcomes: Iterable[str] = (),
+        goal_key: str = "action_goal",
+        feedback_key: str = "action_feedback",
+        result_key: str = "action_result",
+        goal_slots_map: Optional[Mapping[str, str]] = None,
+        feedback_slots_map: Optional[Mapping[str, str]] = None,
+        result_slots_map: Optional[Mapping[str, str]] = None,
+        expand_goal_slots: bool = False,
+        pack_result_slots: bool = False,
+    ) -> None:
         self.wrapped_container = wrapped_container
         self._server_name = server_name
         self._action_spec = action_spec
@@ -91,10 +102,14 @@ class ActionServerWrapper:
         rospy.loginfo("Action server '%s': the container ended with '%s'", self._server_name, outcome)
         end = self._end_of.get(outcome)
         if end is None:
-            rospy.logerr("Action server '%s': the outcome '%s' belongs to no end of the goal, which is aborted",
-                         self._server_name, outcome)
+            rospy.logerr(
+                "Action server '%s': the outcome '%s' belongs to no end of the goal, which is aborted",
+                self._server_name,
+                outcome,
+            )
         set_end = {"succeeded": self._server.set_succeeded, "preempted": self._server.set_preempted}.get(
-            end, self._server.set_aborted)
+            end, self._server.set_aborted
+        )
         set_end(result, f"outcome '{outcome}'")
 
     def preempt_cb(self) -> None:
@@ -105,8 +120,9 @@ class ActionServerWrapper:
         """Publish what the last state left as feedback."""
         self.publish_feedback(userdata)
 
-    def termination_cb(self, userdata: smach.UserData, terminal_states: List[str],
-                       container_outcome: Optional[str]) -> None:
+    def termination_cb(
+        self, userdata: smach.UserData, terminal_states: List[str], container_outcome: Optional[str]
+    ) -> None:
         """Publish what the last state left as feedback."""
         self.publish_feedback(userdata)
 
@@ -150,7 +166,8 @@ def _ends(succeeded: Iterable[str], aborted: Iterable[str], preempted: Iterable[
         for outcome in outcomes:
             if end_of.setdefault(outcome, end) != end:
                 raise smach.InvalidStateError(
-                    f"The outcome '{outcome}' cannot end a goal as {end_of[outcome]} and as {end}.")
+                    f"The outcome '{outcome}' cannot end a goal as {end_of[outcome]} and as {end}."
+                )
     return end_of
 
 
@@ -158,8 +175,9 @@ def _slots(message_class: type, given: Optional[Mapping[str, str]], is_every: bo
     """Userdata keys by field; InvalidStateError when the message has no such field."""
     unknown = [slot for slot in given or {} if slot not in message_class.__slots__]
     if unknown:
-        raise smach.InvalidStateError(f"{message_class._type} has no fields {unknown}; its fields are: "
-                                      f"{list(message_class.__slots__)}")
+        raise smach.InvalidStateError(
+            f"{message_class._type} has no fields {unknown}; its fields are: {list(message_class.__slots__)}"
+        )
     slots = {slot: slot for slot in message_class.__slots__} if is_every else {}
     slots.update(given or {})
     return slots
@@ -170,7 +188,8 @@ def _message(message_class: type, key: str, slots: Mapping[str, str], userdata: 
     message = userdata[key] if key in userdata else message_class()
     if not isinstance(message, message_class):
         raise smach.InvalidUserCodeError(
-            f"userdata key '{key}' has to hold a {message_class._type}, not a {type(message).__name__}")
+            f"userdata key '{key}' has to hold a {message_class._type}, not a {type(message).__name__}"
+        )
     for slot, slot_key in slots.items():
         setattr(message, slot, userdata[slot_key])
     return message

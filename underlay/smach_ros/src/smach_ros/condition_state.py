@@ -1,9 +1,11 @@
 """ConditionState: asks a function until it says yes."""
+
 import threading
 import traceback
 from typing import Any, Callable, Iterable, Optional
 
 import rospy
+
 import smach
 
 
@@ -18,9 +20,14 @@ class ConditionState(smach.State):
         max_checks: checks after which the state gives up; -1 for no limit
     """
 
-    def __init__(self, cond_cb: Callable[[Any], bool], input_keys: Iterable[str] = (),
-                 poll_rate: rospy.Duration = rospy.Duration(0.05), timeout: Optional[rospy.Duration] = None,
-                 max_checks: int = 1) -> None:
+    def __init__(
+        self,
+        cond_cb: Callable[[Any], bool],
+        input_keys: Iterable[str] = (),
+        poll_rate: rospy.Duration = rospy.Duration(0.05),
+        timeout: Optional[rospy.Duration] = None,
+        max_checks: int = 1,
+    ) -> None:
         super().__init__(outcomes=["true", "false", "preempted"], input_keys=input_keys)
         self._cond_cb = cond_cb
         if smach.has_smach_interface(cond_cb):
@@ -53,7 +60,8 @@ class ConditionState(smach.State):
                     return "true"
             except Exception as error:  # boundary: the condition is code of the user
                 raise smach.InvalidUserCodeError(
-                    f"The condition of the state raised:\n{traceback.format_exc()}") from error
+                    f"The condition of the state raised:\n{traceback.format_exc()}"
+                ) from error
             checks += 1
             if checks != self._max_checks:
                 self._asked_to_stop.wait(self._poll_s)

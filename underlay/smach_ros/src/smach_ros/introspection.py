@@ -1,12 +1,13 @@
 """Introspection: what the containers of a machine look like and do, on three topics."""
+
 import threading
 from typing import Any, Iterable, List, Optional
 
 import rospy
-import smach
 from smach_msgs.msg import SmachContainerInitialStatusCmd, SmachContainerStatus, SmachContainerStructure
 from std_msgs.msg import Header
 
+import smach
 from smach_ros.local_data import from_json, to_json
 
 STATUS_TOPIC = "/smach/container_status"
@@ -33,8 +34,13 @@ class ContainerProxy:
         update_rate: time between repetitions
     """
 
-    def __init__(self, server_name: str, container: smach.Container, path: str,
-                 update_rate: rospy.Duration = rospy.Duration(REPEAT_PERIOD_S)) -> None:
+    def __init__(
+        self,
+        server_name: str,
+        container: smach.Container,
+        path: str,
+        update_rate: rospy.Duration = rospy.Duration(REPEAT_PERIOD_S),
+    ) -> None:
         self._path = path
         self._container = container
         self._period_s = update_rate.to_sec()
@@ -42,10 +48,10 @@ class ContainerProxy:
         self._thread: Optional[threading.Thread] = None
         self._publish_lock = threading.Lock()
         self._status_pub = rospy.Publisher(server_name + STATUS_TOPIC, SmachContainerStatus, queue_size=10)
-        self._structure_pub = rospy.Publisher(
-            server_name + STRUCTURE_TOPIC, SmachContainerStructure, queue_size=10)
+        self._structure_pub = rospy.Publisher(server_name + STRUCTURE_TOPIC, SmachContainerStructure, queue_size=10)
         self._init_cmd_sub = rospy.Subscriber(
-            server_name + INIT_TOPIC, SmachContainerInitialStatusCmd, self._init_cmd_cb)
+            server_name + INIT_TOPIC, SmachContainerInitialStatusCmd, self._init_cmd_cb
+        )
         container.register_start_cb(self._start_cb)
         container.register_transition_cb(self._transition_cb)
         container.register_termination_cb(self._termination_cb)
@@ -103,8 +109,12 @@ class ContainerProxy:
             return
         unknown = [label for label in msg.initial_states if label not in self._container.get_children()]
         if unknown:
-            rospy.logerr("introspection of %s: initial states %s refused, there are: %s",
-                         self._path, unknown, sorted(self._container.get_children()))
+            rospy.logerr(
+                "introspection of %s: initial states %s refused, there are: %s",
+                self._path,
+                unknown,
+                sorted(self._container.get_children()),
+            )
             return
         userdata = smach.UserData()
         try:
@@ -165,7 +175,7 @@ class IntrospectionServer:
         self._proxies.append(proxy)
         proxy.start()
         for label, child in state.get_children().items():
-            self.construct(server_name, child, "/".join((path, label)))
+            self.construct(server_name, child, f"{path}/{label}")
 
 
 class IntrospectionClient:
@@ -174,11 +184,16 @@ class IntrospectionClient:
     def get_servers(self) -> List[str]:
         """Names of the introspection servers that publish now."""
         topics = [name for name, _ in rospy.get_published_topics()]
-        return sorted({name[:-len(STATUS_TOPIC)] for name in topics if name.endswith(STATUS_TOPIC)})
+        return sorted({name[: -len(STATUS_TOPIC)] for name in topics if name.endswith(STATUS_TOPIC)})
 
-    def set_initial_state(self, server: str, path: str, initial_states: Iterable[str],
-                          initial_userdata: Optional[smach.UserData] = None,
-                          timeout: Optional[rospy.Duration] = None) -> bool:
+    def set_initial_state(
+        self,
+        server: str,
+        path: str,
+        initial_states: Iterable[str],
+        initial_userdata: Optional[smach.UserData] = None,
+        timeout: Optional[rospy.Duration] = None,
+    ) -> bool:
         """Set the initial state of a container and wait until it says so.
 
         Args:

@@ -1,4 +1,5 @@
 """Userdata as text that anybody may read: JSON, never pickle."""
+
 import json
 from typing import Any, Dict
 

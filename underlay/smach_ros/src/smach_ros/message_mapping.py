@@ -1,4 +1,5 @@
 """Messages made of userdata and userdata made of messages: what action states and service states share."""
+
 import copy
 import traceback
 from typing import Any, Callable, Dict, Iterable, Mapping, Optional, Tuple
@@ -9,8 +10,13 @@ import smach
 class _MessageCallback:
     """A function of the user with the arguments that it gets behind those of the state."""
 
-    def __init__(self, what: str, callback: Optional[Callable[..., Any]], args: Iterable[Any],
-                 kwargs: Optional[Mapping[str, Any]]) -> None:
+    def __init__(
+        self,
+        what: str,
+        callback: Optional[Callable[..., Any]],
+        args: Iterable[Any],
+        kwargs: Optional[Mapping[str, Any]],
+    ) -> None:
         self._what = what
         self._callback = callback
         self._args: Tuple[Any, ...] = tuple(args or ())
@@ -31,8 +37,7 @@ class _MessageCallback:
         try:
             return self._callback(*args, *self._args, **self._kwargs)
         except Exception as error:  # boundary: the callback is code of the user
-            raise smach.InvalidUserCodeError(
-                f"The {self._what} callback raised:\n{traceback.format_exc()}") from error
+            raise smach.InvalidUserCodeError(f"The {self._what} callback raised:\n{traceback.format_exc()}") from error
 
 
 def _check_fields(what: str, message_class: type, fields: Iterable[str]) -> Tuple[str, ...]:
@@ -40,8 +45,10 @@ def _check_fields(what: str, message_class: type, fields: Iterable[str]) -> Tupl
     fields = tuple(fields or ())
     unknown = [field for field in fields if field not in message_class.__slots__]
     if unknown:
-        raise smach.InvalidStateError(f"The {what} of type {message_class._type} has no fields {unknown}; its fields "
-                                      f"are: {list(message_class.__slots__)}")
+        raise smach.InvalidStateError(
+            f"The {what} of type {message_class._type} has no fields {unknown}; its fields "
+            f"are: {list(message_class.__slots__)}"
+        )
     return fields
 
 
@@ -66,15 +73,24 @@ class MessageSource:
         InvalidStateError: the message is of another class, a field is unknown, or the callback cannot be called
     """
 
-    def __init__(self, what: str, message_class: type, message: Any, key: Optional[str], fields: Iterable[str],
-                 callback: Optional[Callable[..., Any]], args: Iterable[Any],
-                 kwargs: Optional[Mapping[str, Any]]) -> None:
+    def __init__(
+        self,
+        what: str,
+        message_class: type,
+        message: Any,
+        key: Optional[str],
+        fields: Iterable[str],
+        callback: Optional[Callable[..., Any]],
+        args: Iterable[Any],
+        kwargs: Optional[Mapping[str, Any]],
+    ) -> None:
         self._what = what
         self._class = message_class
         if message is not None and not isinstance(message, message_class):
             hint = f"; a function is given as {what}_cb" if callable(message) else ""
             raise smach.InvalidStateError(
-                f"The {what} has to be of type {message_class._type}, not {type(message).__name__}{hint}.")
+                f"The {what} has to be of type {message_class._type}, not {type(message).__name__}{hint}."
+            )
         self._message = message_class() if message is None else copy.deepcopy(message)
         self._key = key
         self._fields = _check_fields(what, message_class, fields)
@@ -105,8 +121,10 @@ class MessageSource:
 
     def _check(self, message: Any, origin: str) -> None:
         if not isinstance(message, self._class):
-            raise smach.InvalidUserCodeError(f"The {origin} gave a {type(message).__name__} as {self._what}, which has "
-                                             f"to be of type {self._class._type}.")
+            raise smach.InvalidUserCodeError(
+                f"The {origin} gave a {type(message).__name__} as {self._what}, which has "
+                f"to be of type {self._class._type}."
+            )
 
 
 class MessageSink:
@@ -128,9 +146,16 @@ class MessageSink:
         InvalidStateError: a field is unknown, or the callback cannot be called
     """
 
-    def __init__(self, what: str, message_class: type, key: Optional[str], fields: Iterable[str],
-                 callback: Optional[Callable[..., Any]], args: Iterable[Any],
-                 kwargs: Optional[Mapping[str, Any]]) -> None:
+    def __init__(
+        self,
+        what: str,
+        message_class: type,
+        key: Optional[str],
+        fields: Iterable[str],
+        callback: Optional[Callable[..., Any]],
+        args: Iterable[Any],
+        kwargs: Optional[Mapping[str, Any]],
+    ) -> None:
         self._what = what
         self._key = key
         self._fields = _check_fields(what, message_class, fields)
@@ -153,7 +178,8 @@ class MessageSink:
         if outcome is not None and outcome not in state.get_registered_outcomes():
             raise smach.InvalidUserCodeError(
                 f"The {self._what} callback returned '{outcome}', which is not registered as an outcome: "
-                f"{sorted(state.get_registered_outcomes())}")
+                f"{sorted(state.get_registered_outcomes())}"
+            )
         message = args[-1]
         if message is None:
             return outcome

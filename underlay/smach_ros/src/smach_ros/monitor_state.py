@@ -1,9 +1,11 @@
 """MonitorState: watches a topic until a message is not as it should be."""
+
 import threading
 import traceback
 from typing import Any, Callable, Iterable, Optional
 
 import rospy
+
 import smach
 
 # How often a waiting state asks whether the program ends.
@@ -22,8 +24,15 @@ class MonitorState(smach.State):
         output_keys: userdata that the condition writes
     """
 
-    def __init__(self, topic: str, msg_type: type, cond_cb: Callable[[Any, Any], bool], max_checks: int = -1,
-                 input_keys: Iterable[str] = (), output_keys: Iterable[str] = ()) -> None:
+    def __init__(
+        self,
+        topic: str,
+        msg_type: type,
+        cond_cb: Callable[[Any, Any], bool],
+        max_checks: int = -1,
+        input_keys: Iterable[str] = (),
+        output_keys: Iterable[str] = (),
+    ) -> None:
         super().__init__(outcomes=["valid", "invalid", "preempted"], input_keys=input_keys, output_keys=output_keys)
         self._topic = topic
         self._msg_type = msg_type

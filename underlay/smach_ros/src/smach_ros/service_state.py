@@ -1,10 +1,11 @@
 """ServiceState: calls a service."""
+
 import time
 from typing import Any, Callable, Iterable, Mapping, Optional
 
 import rospy
-import smach
 
+import smach
 from smach_ros.message_mapping import MessageSink, MessageSource
 
 # How often a state that waits for its service asks whether it has to stop.
@@ -39,22 +40,47 @@ class ServiceState(smach.State):
         InvalidStateError: the request or a field of it does not belong to the service
     """
 
-    def __init__(self, service_name: str, service_spec: type,
-                 request: Any = None, request_cb: Optional[Callable[..., Any]] = None,
-                 request_cb_args: Iterable[Any] = (), request_cb_kwargs: Optional[Mapping[str, Any]] = None,
-                 request_key: Optional[str] = None, request_slots: Iterable[str] = (),
-                 response_cb: Optional[Callable[..., Optional[str]]] = None, response_cb_args: Iterable[Any] = (),
-                 response_cb_kwargs: Optional[Mapping[str, Any]] = None,
-                 response_key: Optional[str] = None, response_slots: Iterable[str] = (),
-                 input_keys: Iterable[str] = (), output_keys: Iterable[str] = (), outcomes: Iterable[str] = (),
-                 server_wait_timeout: Optional[rospy.Duration] = rospy.Duration(60.0)) -> None:
-        super().__init__(outcomes=["succeeded", "aborted", "preempted"], input_keys=input_keys,
-                         output_keys=output_keys)
+    def __init__(
+        self,
+        service_name: str,
+        service_spec: type,
+        request: Any = None,
+        request_cb: Optional[Callable[..., Any]] = None,
+        request_cb_args: Iterable[Any] = (),
+        request_cb_kwargs: Optional[Mapping[str, Any]] = None,
+        request_key: Optional[str] = None,
+        request_slots: Iterable[str] = (),
+        response_cb: Optional[Callable[..., Optional[str]]] = None,
+        response_cb_args: Iterable[Any] = (),
+        response_cb_kwargs: Optional[Mapping[str, Any]] = None,
+        response_key: Optional[str] = None,
+        response_slots: Iterable[str] = (),
+        input_keys: Iterable[str] = (),
+        output_keys: Iterable[str] = (),
+        outcomes: Iterable[str] = (),
+        server_wait_timeout: Optional[rospy.Duration] = rospy.Duration(60.0),
+    ) -> None:
+        super().__init__(outcomes=["succeeded", "aborted", "preempted"], input_keys=input_keys, output_keys=output_keys)
         self.register_outcomes(outcomes)
-        self._request_source = MessageSource("request", service_spec._request_class, request, request_key,
-                                             request_slots, request_cb, request_cb_args, request_cb_kwargs)
-        self._response_sink = MessageSink("response", service_spec._response_class, response_key, response_slots,
-                                          response_cb, response_cb_args, response_cb_kwargs)
+        self._request_source = MessageSource(
+            "request",
+            service_spec._request_class,
+            request,
+            request_key,
+            request_slots,
+            request_cb,
+            request_cb_args,
+            request_cb_kwargs,
+        )
+        self._response_sink = MessageSink(
+            "response",
+            service_spec._response_class,
+            response_key,
+            response_slots,
+            response_cb,
+            response_cb_args,
+            response_cb_kwargs,
+        )
         self._request_source.register(self)
         self._response_sink.register(self)
         self._service_name = service_name
@@ -91,6 +117,7 @@ class ServiceState(smach.State):
                 return True
             except rospy.ROSException:
                 if self._server_wait_timeout_s is not None and (
-                        time.monotonic() - started_at >= self._server_wait_timeout_s):
+                    time.monotonic() - started_at >= self._server_wait_timeout_s
+                ):
                     break
         return False

@@ -1,13 +1,14 @@
 """SimpleActionState: sends a goal to an action server and ends as the goal does."""
+
 import threading
 import time
 from typing import Any, Callable, Iterable, Mapping, Optional
 
 import actionlib
 import rospy
-import smach
 from actionlib_msgs.msg import GoalStatus
 
+import smach
 from smach_ros.message_mapping import MessageSink, MessageSource
 
 # How often a waiting state asks whether the program ends.
@@ -47,25 +48,43 @@ class SimpleActionState(smach.State):
         InvalidStateError: the goal or a field of it does not belong to the action
     """
 
-    def __init__(self, action_name: str, action_spec: type,
-                 goal: Any = None, goal_key: Optional[str] = None, goal_slots: Iterable[str] = (),
-                 goal_cb: Optional[Callable[..., Any]] = None, goal_cb_args: Iterable[Any] = (),
-                 goal_cb_kwargs: Optional[Mapping[str, Any]] = None,
-                 result_key: Optional[str] = None, result_slots: Iterable[str] = (),
-                 result_cb: Optional[Callable[..., Optional[str]]] = None, result_cb_args: Iterable[Any] = (),
-                 result_cb_kwargs: Optional[Mapping[str, Any]] = None,
-                 input_keys: Iterable[str] = (), output_keys: Iterable[str] = (), outcomes: Iterable[str] = (),
-                 exec_timeout: Optional[rospy.Duration] = None,
-                 preempt_timeout: rospy.Duration = rospy.Duration(60.0),
-                 server_wait_timeout: rospy.Duration = rospy.Duration(60.0)) -> None:
-        super().__init__(outcomes=["succeeded", "aborted", "preempted"], input_keys=input_keys,
-                         output_keys=output_keys)
+    def __init__(
+        self,
+        action_name: str,
+        action_spec: type,
+        goal: Any = None,
+        goal_key: Optional[str] = None,
+        goal_slots: Iterable[str] = (),
+        goal_cb: Optional[Callable[..., Any]] = None,
+        goal_cb_args: Iterable[Any] = (),
+        goal_cb_kwargs: Optional[Mapping[str, Any]] = None,
+        result_key: Optional[str] = None,
+        result_slots: Iterable[str] = (),
+        result_cb: Optional[Callable[..., Optional[str]]] = None,
+        result_cb_args: Iterable[Any] = (),
+        result_cb_kwargs: Optional[Mapping[str, Any]] = None,
+        input_keys: Iterable[str] = (),
+        output_keys: Iterable[str] = (),
+        outcomes: Iterable[str] = (),
+        exec_timeout: Optional[rospy.Duration] = None,
+        preempt_timeout: rospy.Duration = rospy.Duration(60.0),
+        server_wait_timeout: rospy.Duration = rospy.Duration(60.0),
+    ) -> None:
+        super().__init__(outcomes=["succeeded", "aborted", "preempted"], input_keys=input_keys, output_keys=output_keys)
         self.register_outcomes(outcomes)
         action = action_spec()
-        self._goal_source = MessageSource("goal", type(action.action_goal.goal), goal, goal_key, goal_slots,
-                                          goal_cb, goal_cb_args, goal_cb_kwargs)
-        self._result_sink = MessageSink("result", type(action.action_result.result), result_key, result_slots,
-                                        result_cb, result_cb_args, result_cb_kwargs)
+        self._goal_source = MessageSource(
+            "goal", type(action.action_goal.goal), goal, goal_key, goal_slots, goal_cb, goal_cb_args, goal_cb_kwargs
+        )
+        self._result_sink = MessageSink(
+            "result",
+            type(action.action_result.result),
+            result_key,
+            result_slots,
+            result_cb,
+            result_cb_args,
+            result_cb_kwargs,
+        )
         self._goal_source.register(self)
         self._result_sink.register(self)
         self._action_name = action_name
@@ -134,8 +153,11 @@ class SimpleActionState(smach.State):
             is_late = self._exec_timeout_s is not None and now >= started_at + self._exec_timeout_s
             if self._give_up_at is None and (is_late or self.preempt_requested()):
                 if is_late:
-                    rospy.logwarn("Action '%s' took longer than %g s: its goal is cancelled.",
-                                  self._action_name, self._exec_timeout_s)
+                    rospy.logwarn(
+                        "Action '%s' took longer than %g s: its goal is cancelled.",
+                        self._action_name,
+                        self._exec_timeout_s,
+                    )
                 self._cancel()
             deadlines = [] if self._give_up_at is None else [self._give_up_at]
             if self._exec_timeout_s is not None and self._give_up_at is None:

@@ -1,7 +1,9 @@
 """Preemption of a machine when the program ends."""
+
 import threading
 
 import rospy
+
 import smach
 
 # How long the end of the program waits for a machine to take the request.
@@ -13,6 +15,7 @@ def set_preempt_handler(sc: smach.State) -> None:
 
     The outermost container is enough: it hands the request on.
     """
+
     def request() -> None:
         # In a thread of its own: Ctrl-C interrupts the main thread, which may hold the locks that the request needs.
         thread = threading.Thread(target=sc.request_preempt, name="smach_preempt_handler", daemon=True)

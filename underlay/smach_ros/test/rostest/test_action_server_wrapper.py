@@ -1,15 +1,17 @@
 #!/usr/bin/python3
 """ActionServerWrapper with a real actionlib client."""
+
 import threading
 import unittest
 
 import actionlib
 import rospy
 import rostest
-import smach
-import smach_ros
 from actionlib.msg import TestAction, TestFeedback, TestGoal, TestResult, TwoIntsAction, TwoIntsGoal
 from actionlib_msgs.msg import GoalStatus
+
+import smach
+import smach_ros
 
 STOP_ME, RAISE, STRANGE = 90, 91, 92
 DEADLINE = rospy.Duration(20.0)
@@ -36,8 +38,11 @@ class Work(smach.State):
     """Ends as the goal says; tells how many goals came before."""
 
     def __init__(self):
-        super().__init__(outcomes=["good", "bad", "stopped", "strange"], input_keys=["action_goal"],
-                         output_keys=["action_feedback", "action_result"])
+        super().__init__(
+            outcomes=["good", "bad", "stopped", "strange"],
+            input_keys=["action_goal"],
+            output_keys=["action_feedback", "action_result"],
+        )
         self.started, self._asked = threading.Event(), threading.Event()
 
     def request_preempt(self):
@@ -65,15 +70,23 @@ class ActionServerWrapperTest(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
         cls.work = Work()
-        machine = smach.StateMachine(["did_something", "did_nothing", "gave_up", "preempted", "strange"],
-                                     input_keys=["action_goal"], output_keys=["action_result"])
+        machine = smach.StateMachine(
+            ["did_something", "did_nothing", "gave_up", "preempted", "strange"],
+            input_keys=["action_goal"],
+            output_keys=["action_result"],
+        )
         with machine:
             smach.StateMachine.add("WORK", cls.work, {"good": "REST", "bad": "gave_up", "stopped": "preempted"})
             smach.StateMachine.add("REST", smach.CBState(lambda userdata: "did_something", outcomes=["did_something"]))
         cls.machine = machine
         cls.wrapper = smach_ros.ActionServerWrapper(
-            "plan", TestAction, wrapped_container=machine, succeeded_outcomes=["did_something", "did_nothing"],
-            aborted_outcomes=["gave_up"], preempted_outcomes=["preempted"])
+            "plan",
+            TestAction,
+            wrapped_container=machine,
+            succeeded_outcomes=["did_something", "did_nothing"],
+            aborted_outcomes=["gave_up"],
+            preempted_outcomes=["preempted"],
+        )
         cls.wrapper.run_server()
         cls.client = Client("plan", TestAction)
         assert cls.client.wait_for_server(DEADLINE)
@@ -109,8 +122,9 @@ class ActionServerWrapperTest(unittest.TestCase):
         self.assertTrue(self.work.started.wait(20.0))
         self.client.cancel_goal()
         self.assertTrue(self.client.wait_for_result(DEADLINE))
-        self.assertEqual((self.client.get_state(), self.client.get_result()),
-                         (GoalStatus.PREEMPTED, TestResult(STOP_ME + 1)))
+        self.assertEqual(
+            (self.client.get_state(), self.client.get_result()), (GoalStatus.PREEMPTED, TestResult(STOP_ME + 1))
+        )
         self.assertFalse(self.machine.preempt_requested())
         self.assertEqual(self.ends(5)[0], GoalStatus.SUCCEEDED)
 
@@ -131,13 +145,20 @@ class ActionServerWrapperTest(unittest.TestCase):
         def add(userdata):
             userdata.sum = userdata.first + userdata.b
             return "added"
+
         state = smach.CBState(add, outcomes=["added"], input_keys=["first", "b"], output_keys=["sum"])
         machine = smach.StateMachine(["added"])
         with machine:
             smach.StateMachine.add("ADD", state)
         wrapper = smach_ros.ActionServerWrapper(
-            "add", TwoIntsAction, machine, ["added"], goal_slots_map={"a": "first"}, expand_goal_slots=True,
-            pack_result_slots=True)
+            "add",
+            TwoIntsAction,
+            machine,
+            ["added"],
+            goal_slots_map={"a": "first"},
+            expand_goal_slots=True,
+            pack_result_slots=True,
+        )
         wrapper.run_server()
         client = Client("add", TwoIntsAction)
         self.assertTrue(client.wait_for_server(DEADLINE))

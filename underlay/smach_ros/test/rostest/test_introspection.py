@@ -1,14 +1,16 @@
 #!/usr/bin/python3
 """What the introspection topics say, with a real master."""
+
 import json
 import time
 import unittest
 
 import rospy
 import rostest
+from smach_msgs.msg import SmachContainerInitialStatusCmd, SmachContainerStatus, SmachContainerStructure
+
 import smach
 import smach_ros
-from smach_msgs.msg import SmachContainerInitialStatusCmd, SmachContainerStatus, SmachContainerStructure
 
 
 def wait_until(condition, timeout_s=20.0):
@@ -36,8 +38,12 @@ class IntrospectionTest(unittest.TestCase):
         self.statuses, self.structures = [], {}
         self.subscribers = [
             rospy.Subscriber("show/smach/container_status", SmachContainerStatus, self.statuses.append),
-            rospy.Subscriber("show/smach/container_structure", SmachContainerStructure,
-                             lambda msg: self.structures.update({msg.path: msg}))]
+            rospy.Subscriber(
+                "show/smach/container_structure",
+                SmachContainerStructure,
+                lambda msg: self.structures.update({msg.path: msg}),
+            ),
+        ]
         self.machine = machine()
         self.machine.userdata.answer = 42
         self.machine.userdata.thing = object()
@@ -53,11 +59,15 @@ class IntrospectionTest(unittest.TestCase):
     def test_structure_status_and_json(self):
         root = self.structures["/ROOT"]
         self.assertEqual((root.children, root.container_outcomes), (["FIRST", "SECOND"], ["done"]))
-        self.assertIn(("done", "FIRST", "SECOND"),
-                      list(zip(root.internal_outcomes, root.outcomes_from, root.outcomes_to)))
+        self.assertIn(
+            ("done", "FIRST", "SECOND"), list(zip(root.internal_outcomes, root.outcomes_from, root.outcomes_to))
+        )
         self.assertEqual(self.machine.execute(), "done")
-        self.assertTrue(wait_until(lambda: any(
-            status.path == "/ROOT" and status.active_states == ["SECOND"] for status in self.statuses)))
+        self.assertTrue(
+            wait_until(
+                lambda: any(status.path == "/ROOT" and status.active_states == ["SECOND"] for status in self.statuses)
+            )
+        )
         values = self.values_of_root(lambda values: values.get("answer") == 42)
         self.assertIn("object object", values["thing"], "what JSON cannot say is described")
         self.machine.userdata.answer = 43
@@ -69,9 +79,15 @@ class IntrospectionTest(unittest.TestCase):
         found = []
 
         def look():
-            found[:] = [values for values in (json.loads(status.local_data) for status in list(self.statuses)
-                                              if status.path == "/ROOT") if are_right(values)]
+            found[:] = [
+                values
+                for values in (
+                    json.loads(status.local_data) for status in list(self.statuses) if status.path == "/ROOT"
+                )
+                if are_right(values)
+            ]
             return bool(found)
+
         self.assertTrue(wait_until(look), [status.local_data for status in self.statuses])
         return found[0]
 
@@ -81,8 +97,11 @@ class IntrospectionTest(unittest.TestCase):
         pub = rospy.Publisher("show/smach/container_init", SmachContainerInitialStatusCmd, queue_size=5)
         self.assertTrue(wait_until(lambda: pub.get_num_connections() > 0))
         pub.publish(SmachContainerInitialStatusCmd(path="/ROOT", initial_states=["NOWHERE"]))
-        pub.publish(SmachContainerInitialStatusCmd(
-            path="/ROOT", initial_states=["SECOND"], local_data="(dp0\nVanswer\np1\nI1\ns."))
+        pub.publish(
+            SmachContainerInitialStatusCmd(
+                path="/ROOT", initial_states=["SECOND"], local_data="(dp0\nVanswer\np1\nI1\ns."
+            )
+        )
         added = smach.UserData()
         added.answer = 7
         self.assertTrue(client.set_initial_state("show", "/ROOT", ["SECOND"], added, rospy.Duration(20)))

@@ -1,5 +1,6 @@
 #!/usr/bin/python3
 """What a program with set_preempt_handler does at Ctrl-C."""
+
 import os
 import signal
 import subprocess
@@ -21,6 +22,7 @@ class PreemptHandlerTest(unittest.TestCase):
             accepted.set()
             if cancelled.wait(30.0):
                 server.set_preempted()
+
         server = actionlib.SimpleActionServer("watched", TestAction, execute, auto_start=False)
         server.register_preempt_callback(cancelled.set)
         server.start()

@@ -1,13 +1,15 @@
 #!/usr/bin/python3
 """ServiceState with a real service."""
+
 import threading
 import unittest
 
 import rospy
 import rostest
+from std_srvs.srv import Empty, SetBool, SetBoolRequest, SetBoolResponse, TriggerRequest
+
 import smach
 import smach_ros
-from std_srvs.srv import Empty, SetBool, SetBoolRequest, SetBoolResponse, TriggerRequest
 
 
 class ServiceStateTest(unittest.TestCase):
@@ -41,12 +43,18 @@ class ServiceStateTest(unittest.TestCase):
 
         def change(userdata, request):
             request.data = True
+
         userdata = {"on": True, "data": True, "whole": SetBoolRequest(data=True)}
-        for kwargs, expected in (({}, False), ({"request": SetBoolRequest(data=True)}, True),
-                                 ({"request_key": "whole"}, True), ({"request_slots": ["data"]}, True),
-                                 ({"request_cb": change}, True), ({"request_cb": make}, True),
-                                 ({"request_cb": make, "request_cb_args": [True]}, False),
-                                 ({"request_cb": make, "request_cb_kwargs": {"is_inverted": True}}, False)):
+        for kwargs, expected in (
+            ({}, False),
+            ({"request": SetBoolRequest(data=True)}, True),
+            ({"request_key": "whole"}, True),
+            ({"request_slots": ["data"]}, True),
+            ({"request_cb": change}, True),
+            ({"request_cb": make}, True),
+            ({"request_cb": make, "request_cb_args": [True]}, False),
+            ({"request_cb": make, "request_cb_kwargs": {"is_inverted": True}}, False),
+        ):
             del self.asked[:]
             outcome, _ = self.run_in_machine(smach_ros.ServiceState("switch", SetBool, **kwargs), userdata)
             self.assertEqual((outcome, self.asked), ("succeeded", [expected]), kwargs)
@@ -56,19 +64,33 @@ class ServiceStateTest(unittest.TestCase):
         def judge(userdata, response, *args, **kwargs):
             userdata.seen = (args, kwargs)
             return "is_on" if response.success else None
+
         for data, expected in ((True, "is_on"), (False, "succeeded")):
             state = smach_ros.ServiceState(
-                "switch", SetBool, SetBoolRequest(data=data), response_cb=judge, response_cb_args=[1],
-                response_cb_kwargs={"a": 2}, response_key="whole", response_slots=["message"])
+                "switch",
+                SetBool,
+                SetBoolRequest(data=data),
+                response_cb=judge,
+                response_cb_args=[1],
+                response_cb_kwargs={"a": 2},
+                response_key="whole",
+                response_slots=["message"],
+            )
             outcome, userdata = self.run_in_machine(state, outcomes=("succeeded", "aborted", "preempted", "is_on"))
-            self.assertEqual((outcome, userdata.whole.success, userdata.message, userdata.seen),
-                             (expected, data, "switched", ((1,), {"a": 2})))
+            self.assertEqual(
+                (outcome, userdata.whole.success, userdata.message, userdata.seen),
+                (expected, data, "switched", ((1,), {"a": 2})),
+            )
         with self.assertRaises(smach.InvalidUserCodeError):
             self.run_in_machine(smach_ros.ServiceState("switch", SetBool, response_cb=lambda ud, response: "unknown"))
 
     def test_wrong_requests(self):
-        for kwargs in ({"request": TriggerRequest()}, {"request": lambda ud, request: None},
-                       {"request_slots": ["nothing"]}, {"response_slots": ["nothing"]}):
+        for kwargs in (
+            {"request": TriggerRequest()},
+            {"request": lambda ud, request: None},
+            {"request_slots": ["nothing"]},
+            {"response_slots": ["nothing"]},
+        ):
             with self.assertRaises(smach.InvalidStateError, msg=str(kwargs)):
                 smach_ros.ServiceState("switch", SetBool, **kwargs)
         with self.assertRaises(smach.InvalidUserCodeError):

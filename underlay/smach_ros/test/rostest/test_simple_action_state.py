@@ -1,5 +1,6 @@
 #!/usr/bin/python3
 """SimpleActionState with a real actionlib server."""
+
 import threading
 import time
 import unittest
@@ -7,10 +8,11 @@ import unittest
 import actionlib
 import rospy
 import rostest
-import smach
-import smach_ros
 from actionlib.msg import TestAction, TestGoal, TestRequestAction, TestRequestGoal, TestResult
 from actionlib_msgs.msg import GoalStatus
+
+import smach
+import smach_ros
 
 SUCCEED, ABORT, PREEMPT_ITSELF, OBEY, STUBBORN = range(5)
 
@@ -88,8 +90,9 @@ class SimpleActionStateTest(unittest.TestCase):
 
     def test_empty_and_fixed_goal(self):
         self.assertEqual(self.run_in_machine(self.state())[0], "succeeded")
-        self.assertEqual(self.run_in_machine(smach_ros.SimpleActionState("act", TestAction, TestGoal(7)))[0],
-                         "succeeded")
+        self.assertEqual(
+            self.run_in_machine(smach_ros.SimpleActionState("act", TestAction, TestGoal(7)))[0], "succeeded"
+        )
         self.assertEqual(self.server.goals, [0, 7])
 
     def test_goal_from_userdata(self):
@@ -107,6 +110,7 @@ class SimpleActionStateTest(unittest.TestCase):
         @smach.cb_interface(input_keys=["more"])
         def make(userdata, goal, factor, plus=0):
             return TestGoal(goal.goal + userdata.more * factor + plus)
+
         kept = TestGoal(10)
         changing = self.state(goal_key="kept", goal_cb=change, input_keys=["more"])
         making = self.state(goal=kept, goal_cb=make, goal_cb_args=[100], goal_cb_kwargs={"plus": 5})
@@ -142,6 +146,7 @@ class SimpleActionStateTest(unittest.TestCase):
         def judge(userdata, status, result, *args, **kwargs):
             userdata.status = (status, args, kwargs)
             return "odd" if result.result % 2 else None
+
         for number, expected in ((7, "odd"), (8, "succeeded")):
             state = self.state(goal=TestGoal(number), result_cb=judge, result_cb_args=[1], result_cb_kwargs={"a": 2})
             outcome, userdata = self.run_in_machine(state, outcomes=("succeeded", "aborted", "preempted", "odd"))
@@ -149,8 +154,9 @@ class SimpleActionStateTest(unittest.TestCase):
         with self.assertRaises(smach.InvalidUserCodeError):
             self.run_in_machine(self.state(result_cb=lambda userdata, status, result: "unknown"))
         state = self.state(result_cb=lambda userdata, status, result: "given", outcomes=["given"])
-        self.assertEqual(self.run_in_machine(state, outcomes=("succeeded", "aborted", "preempted", "given"))[0],
-                         "given")
+        self.assertEqual(
+            self.run_in_machine(state, outcomes=("succeeded", "aborted", "preempted", "given"))[0], "given"
+        )
 
     # Ends
 
@@ -208,12 +214,17 @@ class SimpleActionStateTest(unittest.TestCase):
         def accept(goal):
             goal.set_accepted()
             accepted.set()
+
         server = actionlib.ActionServer("forgetful", TestAction, accept, auto_start=False)
         server.start()
         seen = []
         state = smach_ros.SimpleActionState(
-            "forgetful", TestAction, result_key="whole", result_slots=["result"],
-            result_cb=lambda userdata, status, result: seen.append((status, result)))
+            "forgetful",
+            TestAction,
+            result_key="whole",
+            result_slots=["result"],
+            result_cb=lambda userdata, status, result: seen.append((status, result)),
+        )
         thread, outcomes = self.start(state)
         self.assertTrue(accepted.wait(20.0))
         with server.lock:
@@ -224,8 +235,9 @@ class SimpleActionStateTest(unittest.TestCase):
 
     def test_concurrence_of_goals_is_preempted_from_above(self):
         other = Server("act_beside")
-        both = smach.Concurrence(["aborted"], "aborted",
-                                 outcome_map={"preempted": {"A": "preempted", "B": "preempted"}})
+        both = smach.Concurrence(
+            ["aborted"], "aborted", outcome_map={"preempted": {"A": "preempted", "B": "preempted"}}
+        )
         with both:
             smach.Concurrence.add("A", self.state(goal=TestGoal(OBEY)))
             smach.Concurrence.add("B", smach_ros.SimpleActionState("act_beside", TestAction, TestGoal(OBEY)))

@@ -1,14 +1,16 @@
 #!/usr/bin/python3
 """States that watch a topic or a condition, with a real master."""
+
 import threading
 import time
 import unittest
 
 import rospy
 import rostest
+from std_msgs.msg import Int32
+
 import smach
 import smach_ros
-from std_msgs.msg import Int32
 
 
 def wait_until(condition, timeout_s=20.0):

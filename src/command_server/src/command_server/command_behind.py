@@ -1,0 +1,86 @@
+"""The command that stands behind a cry: "come back" of "Stop and come back."
+
+What is said behind a cry is most often a warning ("stop, you will hit the lamp"), an explanation, or the cry once more.
+So only what stands behind "and" or "then", or begins like a command behind a pause, is one; whether it can be carried
+out is decided the long way.
+"""
+
+from typing import FrozenSet, Sequence
+
+from command_server.cries import COMMAND_VERBS, FILLERS, SOFT
+from command_server.spoken_words import Token, plain_text, tokens_of
+from command_server.stop_words import is_stop
+
+#: Nothing that begins so is a command: "stop and you will be fine".
+_NO_COMMANDS: FrozenSet[str] = frozenset(
+    (
+        "you i he she it we they there that this these those the a an my your his her our their is are was were what "
+        "who where when why how or so because all both not if else"
+    ).split()
+)
+_REQUESTS: FrozenSet[str] = frozenset("can could will would".split())
+#: What a cry goes on to say behind these is no command.
+_NO_OBJECTS: FrozenSet[str] = frozenset(
+    "you i we they he she because or so but until till when whenever if once unless while before is are".split()
+)
+_PAUSES: FrozenSet[str] = frozenset(",.")
+_JOINING: FrozenSet[str] = frozenset(["and", "then"])
+#: They end in "ing" and are no participles.
+_IN_ING: FrozenSet[str] = frozenset("bring sing ring swing fling cling".split())
+
+
+def command_behind(rest: str) -> str:
+    """Find the command behind a cry.
+
+    Args:
+        rest: what was said behind the cry, from its last word on (`Cry.rest`)
+    Returns:
+        the command as it was said, empty where there is none for certain
+    """
+    text, unquoted = plain_text(rest)
+    tokens = tokens_of(unquoted)
+    words = [token.word for token in tokens]
+    # A full stop right behind the cry is no word of the rest.
+    is_pause = unquoted.lstrip()[:1] in tuple(".,!?;:-\u2026\u2013\u2014")
+    position = 0
+    while position < len(words):
+        word = words[position]
+        if word in _JOINING:
+            behind = _behind_joining(words, position)
+            is_certain = "then" in words[position:behind] or _is_cry_alone(words[:position])
+            if behind < len(words) and (is_certain or words[behind] in COMMAND_VERBS):
+                return _command_at(text, tokens, behind)
+            position = max(behind, position + 1)
+            continue
+        if is_pause and word in COMMAND_VERBS:
+            return _command_at(text, tokens, position)
+        if is_pause and word in _REQUESTS and words[position + 1 : position + 2] == ["you"]:
+            position += 2
+            continue
+        if word in _NO_OBJECTS:
+            return ""
+        is_pause = word in _PAUSES or (is_pause and (word in FILLERS or word in SOFT))
+        position += 1
+    return ""
+
+
+def _behind_joining(words: Sequence[str], position: int) -> int:
+    while position < len(words) and words[position] in _JOINING | _PAUSES:
+        position += 1
+    return position
+
+
+def _is_cry_alone(words: Sequence[str]) -> bool:
+    """Whether "and" can join nothing but the cry: "stop moving and", but not "stop following me and Anna"."""
+    return all(
+        word in FILLERS or word in SOFT or word in _PAUSES or (word.endswith("ing") and word not in _IN_ING)
+        for word in words
+    )
+
+
+def _command_at(text: str, tokens: Sequence[Token], position: int) -> str:
+    words = [token.word for token in tokens[position:] if token.word not in (FILLERS | SOFT) - _NO_COMMANDS]
+    if not words or words[0] in _NO_COMMANDS or (words[0].endswith("ing") and words[0] not in _IN_ING):
+        return ""
+    command = text[tokens[position].start :].strip()
+    return "" if is_stop(command) else command

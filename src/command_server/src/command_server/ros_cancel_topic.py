@@ -1,0 +1,51 @@
+"""Commands that the executor must not carry out or go on with."""
+
+import threading
+from typing import Callable
+
+import rospy
+from roboframenet_msgs.msg import Command
+
+from command_server.command_book import CommandText
+from command_server.ros_messages import command_to_message
+from stage_events.recent import Recent
+
+# A stage that was hung for so long may still pass a command on that was closed meanwhile.
+_MAX_AGE_S = 600.0
+_MAX_COUNT = 1000
+
+
+class CancelTopic(rospy.SubscribeListener):
+    """Publishes ``command_cancel``, and tells it again to each listener that connects later.
+
+    An executor that is started again knows of no cancels, and a command may still be on its way to it.
+    """
+
+    def __init__(self) -> None:
+        """Begin to publish."""
+        self._recent: Recent[Command] = Recent(max_count=_MAX_COUNT, max_age_s=_MAX_AGE_S)
+        # rospy calls peer_subscribe() without the lock of the publisher, whose one buffer both ways of publishing fill.
+        self._lock = threading.Lock()
+        self._publisher = rospy.Publisher(
+            "command_cancel", Command, subscriber_listener=self, queue_size=2 * _MAX_COUNT
+        )
+
+    @property
+    def is_heard(self) -> bool:
+        """Whether anybody listens."""
+        return self._publisher.get_num_connections() > 0
+
+    def cancel(self, command: CommandText) -> None:
+        """Say that a command must not act any more."""
+        message = command_to_message(command)
+        with self._lock:
+            self._recent.add(message)
+            self._publisher.publish(message)
+
+    def peer_subscribe(
+        self, topic_name: str, topic_publish: Callable[[Command], None], peer_publish: Callable[[Command], None]
+    ) -> None:
+        """Tell a new listener what is cancelled; called by rospy."""
+        with self._lock:
+            for message in self._recent.values():
+                peer_publish(message)

@@ -1,0 +1,79 @@
+"""Commands that the last run of the node left open."""
+
+import time
+from collections import deque
+from typing import Deque, List, Tuple
+
+import rospy
+
+from command_server.command_book import CommandText, Ending
+from roboframenet_ros.ros_master import TimedMaster
+
+# How long replies wait for listeners that still start and connect.
+_LISTENER_TIMEOUT_S = 10.0
+_MASTER_TIMEOUT_S = 1.0
+# How long the executor may take to connect, and then to end what it runs, before the robot is stopped without it.
+_EXECUTOR_CONNECT_S = 1.5
+_EXECUTOR_CANCEL_S = 0.3
+#: Together.
+EXECUTOR_TIMEOUT_S = _EXECUTOR_CONNECT_S + _EXECUTOR_CANCEL_S
+
+
+class LeftOver:
+    """What becomes of them: first they are cancelled, then their replies wait for somebody who listens."""
+
+    def __init__(self, commands: Tuple[CommandText, ...], reply: rospy.Publisher) -> None:
+        """Begin.
+
+        Args:
+            commands: that were open
+            reply: the topic of the replies
+        """
+        self._reply = reply
+        self._awaited = {command.command_id for command in commands}
+        self._held: Deque[Ending] = deque()
+        self._listener_end_s = time.monotonic() + _LISTENER_TIMEOUT_S
+        self._brake_s = time.monotonic() + EXECUTOR_TIMEOUT_S if commands else float("inf")
+
+    @property
+    def commands(self) -> Tuple[CommandText, ...]:
+        """Those whose reply is still held."""
+        return tuple(ending.command for ending in self._held)
+
+    def take_brake(self, *, is_executor_connected: bool) -> bool:
+        """Whether the executor has had its time, and the robot is to be stopped as well; once."""
+        now_s = time.monotonic()
+        if is_executor_connected and self._brake_s != float("inf"):
+            self._brake_s = min(self._brake_s, now_s + _EXECUTOR_CANCEL_S)
+        if now_s < self._brake_s:
+            return False
+        self._brake_s = float("inf")
+        return bool(self._awaited)
+
+    def hold(self, ending: Ending) -> bool:
+        """Take the reply to one of them; returns whether it is one."""
+        if ending.command.command_id not in self._awaited:
+            return False
+        self._awaited.discard(ending.command.command_id)
+        self._held.append(ending)
+        return True
+
+    def take_answers(self, *, is_last_chance: bool = False) -> List[Ending]:
+        """The replies that can be given now."""
+        if not self._held or not (
+            is_last_chance or time.monotonic() >= self._listener_end_s or self._has_every_listener()
+        ):
+            return []
+        answers = list(self._held)
+        self._held.clear()
+        return answers
+
+    def _has_every_listener(self) -> bool:
+        """Whether everybody whom the master knows to listen is connected; nobody at all has only not come yet."""
+        try:
+            state = TimedMaster(timeout_s=_MASTER_TIMEOUT_S).system_state()
+        except Exception as error:  # boundary: the master may be away in any way that XML-RPC knows
+            rospy.logdebug("the listeners of replies are not known: %s", error)
+            return False
+        listeners = state.subscribers.get(self._reply.resolved_name, ())
+        return 0 < len(listeners) <= self._reply.get_num_connections()

@@ -1,0 +1,65 @@
+"""The one reply to each command, and the status that names the last one."""
+
+from typing import Sequence
+
+import rospy
+from roboframenet_msgs.msg import CommandStatus, Reply
+
+from command_server.command_book import Ending, OpenCommand
+from command_server.ros_messages import command_to_message, ending_to_message
+
+
+class Replies:
+    """Publishes ``reply``, and ``status`` (latched).
+
+    Attributes:
+        publisher: of ``reply``
+        last_reply: that was published; with an empty command id before the first
+    """
+
+    def __init__(self) -> None:
+        self.publisher = rospy.Publisher("reply", Reply, queue_size=1000)
+        self.last_reply = Reply()
+        self._status = rospy.Publisher("status", CommandStatus, queue_size=1, latch=True)
+        self._sentence = "Ready."
+        self._is_status_due = True
+
+    def publish(self, ending: Ending) -> Reply:
+        """Publish the reply to a command, and return it."""
+        reply = ending_to_message(ending)
+        rospy.loginfo(
+            "cmd=%s -> %s %s (%s) %s",
+            ending.command.command_id,
+            ending.outcome.name,
+            ending.code,
+            ending.stage,
+            ending.sentence,
+        )
+        self.publisher.publish(reply)
+        self.last_reply = reply
+        self.note(ending.sentence)
+        return reply
+
+    def note(self, sentence: str) -> None:
+        """Say in the next status what the robot is doing."""
+        self._sentence = sentence
+        self._is_status_due = True
+
+    def publish_status(self, open_commands: Sequence[OpenCommand]) -> None:
+        """Publish the status, if there is anything new to say.
+
+        Args:
+            open_commands: oldest first
+        """
+        if not self._is_status_due:
+            return
+        self._is_status_due = False
+        self._status.publish(
+            CommandStatus(
+                stamp=rospy.Time.now(),
+                active=[command_to_message(entry.command) for entry in open_commands],
+                stage=open_commands[-1].awaited_stage if open_commands else self.last_reply.stage,
+                sentence=self._sentence,
+                last_reply=self.last_reply,
+            )
+        )

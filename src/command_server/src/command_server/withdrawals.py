@@ -1,0 +1,126 @@
+"""What is said against something that runs: it is ended first, and then the reply says so."""
+
+import time
+from dataclasses import dataclass, field, replace
+from typing import Callable, Dict, FrozenSet, List, Optional, Sequence
+
+from command_server.command_book import CommandText, Ending, Outcome
+
+#: The framer marks what is said against something that runs with one of these, and leaves open what runs.
+PROHIBITION = "NEGATED"
+CORRECTION = "CORRECTION"
+WITHDRAWING: FrozenSet[str] = frozenset([PROHIBITION, CORRECTION])
+#: What the executor and the stop say of a command that ended as it should; there is nothing to add to it.
+_PLAIN_ENDS = ("Stopped.", "A stop ended it.", "A newer command took its place.", "Cancelled before it began.")
+
+
+@dataclass
+class _Withdrawal:
+    """A prohibition or a correction, what it ends, and how that ended."""
+
+    ending: Ending
+    deadline_s: float
+    awaited: Dict[str, CommandText]
+    ended: List[Ending] = field(default_factory=list)
+
+
+class Withdrawals:
+    """Prohibitions and corrections that wait for the end of what they are against. One thread owns it."""
+
+    def __init__(self, *, timeout_s: float, now: Callable[[], float] = time.monotonic) -> None:
+        """Start empty.
+
+        Args:
+            timeout_s: how long what runs may take to end
+            now: monotonic clock, seconds
+        """
+        self._timeout_s = timeout_s
+        self._now = now
+        self._open: Dict[str, _Withdrawal] = {}
+
+    def begin(self, ending: Ending, running: Sequence[CommandText]) -> None:
+        """Hold an ending back until the commands that it is against have ended.
+
+        Args:
+            ending: of the prohibition or correction
+            running: open commands that were told to end; at least one
+        """
+        self._open[ending.command.command_id] = _Withdrawal(
+            ending, self._now() + self._timeout_s, {command.command_id: command for command in running}
+        )
+
+    def is_waiting(self, command_id: str) -> bool:
+        """Whether this is one of them."""
+        return command_id in self._open
+
+    def hear_end(self, ending: Ending) -> List[Ending]:
+        """A command has ended.
+
+        Returns:
+            the endings of the prohibitions and corrections that have waited for it
+        """
+        self._open.pop(ending.command.command_id, None)
+        complete = []
+        for command_id, withdrawal in list(self._open.items()):
+            if withdrawal.awaited.pop(ending.command.command_id, None) is not None:
+                withdrawal.ended.append(ending)
+                if not withdrawal.awaited:
+                    del self._open[command_id]
+                    complete.append(_complete(withdrawal))
+        return complete
+
+    def take_overdue(self) -> List[Ending]:
+        """The endings of those that have waited for too long."""
+        now_s = self._now()
+        overdue = [withdrawal for withdrawal in self._open.values() if withdrawal.deadline_s <= now_s]
+        for withdrawal in overdue:
+            del self._open[withdrawal.ending.command.command_id]
+        return [_incomplete(withdrawal, self._timeout_s) for withdrawal in overdue]
+
+    def next_deadline_s(self) -> Optional[float]:
+        """When one may be overdue, monotonic seconds; None when none waits."""
+        return min((withdrawal.deadline_s for withdrawal in self._open.values()), default=None)
+
+
+def _complete(withdrawal: _Withdrawal) -> Ending:
+    ending = withdrawal.ending
+    said = "You said not to." if ending.code == PROHIBITION else ending.sentence
+    return replace(ending, sentence=" ".join([_how(ended) for ended in withdrawal.ended] + [said]))
+
+
+def _incomplete(withdrawal: _Withdrawal, timeout_s: float) -> Ending:
+    names = " and ".join(_quoted(command) for command in withdrawal.awaited.values())
+    return replace(
+        withdrawal.ending,
+        outcome=Outcome.FAILED,
+        code="NOT_STOPPED",
+        sentence=" ".join(
+            [_how(ended) for ended in withdrawal.ended]
+            + [
+                (
+                    f"I told {names} to end, but nobody has confirmed that within {timeout_s:g} s: "
+                    "the robot may still move."
+                )
+            ]
+        ),
+    )
+
+
+def _how(ended: Ending) -> str:
+    """How a command ended that was told to."""
+    if ended.outcome is Outcome.DONE:
+        return f"{_quoted(ended.command)} was done before."
+    if ended.outcome is not Outcome.SUPERSEDED:
+        return f"{_quoted(ended.command)} has ended: {ended.sentence}"
+    if ended.sentence == "Cancelled before it began.":
+        return f"I do not begin {_quoted(ended.command)}."
+    remark = next(
+        (ended.sentence[len(plain) :].strip() for plain in _PLAIN_ENDS if ended.sentence.startswith(plain)),
+        ended.sentence,
+    )
+    return f"I stopped {_quoted(ended.command)}. {remark}".strip()
+
+
+def _quoted(command: CommandText) -> str:
+    text = command.text.strip().rstrip(".!")
+    return f'"{text}"'

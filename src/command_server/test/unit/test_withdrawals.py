@@ -1,0 +1,122 @@
+"""The reply to a prohibition or a correction comes when what runs has ended, and says how."""
+
+import pytest
+
+from command_server.command_book import CommandText, Ending, Outcome
+from command_server.withdrawals import CORRECTION, PROHIBITION, Withdrawals
+
+FOLLOW = CommandText("text-1", 1, "Follow me.")
+TURN = CommandText("text-2", 2, "turn left")
+
+
+def prohibition(code=PROHIBITION, sentence='I am not doing that. You said not to: "don\'t follow me".'):
+    return Ending(CommandText("text-3", 3, "Don't follow me."), Outcome.REFUSED, "semantic_framer", code, sentence)
+
+
+def end_of(command, outcome=Outcome.SUPERSEDED, code="STOPPED", sentence="Stopped."):
+    return Ending(command, outcome, "executor", code, sentence)
+
+
+class Clock:
+    def __init__(self):
+        self.now_s = 100.0
+
+    def __call__(self):
+        return self.now_s
+
+
+@pytest.fixture
+def clock():
+    return Clock()
+
+
+@pytest.fixture
+def withdrawals(clock):
+    return Withdrawals(timeout_s=10.0, now=clock)
+
+
+def test_prohibition_says_what_was_stopped(withdrawals):
+    withdrawals.begin(prohibition(), [FOLLOW])
+    (ending,) = withdrawals.hear_end(end_of(FOLLOW))
+    assert ending.command == prohibition().command
+    assert (ending.outcome, ending.code) == (Outcome.REFUSED, PROHIBITION)
+    assert ending.sentence == 'I stopped "Follow me". You said not to.'
+    assert withdrawals.next_deadline_s() is None and withdrawals.hear_end(end_of(FOLLOW)) == []
+
+
+def test_correction_goes_on_to_say_what_is_missing(withdrawals):
+    withdrawals.begin(prohibition(CORRECTION, "Say it in a whole sentence."), [FOLLOW])
+    (ending,) = withdrawals.hear_end(end_of(FOLLOW))
+    assert (ending.code, ending.sentence) == (CORRECTION, 'I stopped "Follow me". Say it in a whole sentence.')
+
+
+def test_every_command_must_have_ended(withdrawals):
+    withdrawals.begin(prohibition(), [FOLLOW, TURN])
+    assert withdrawals.hear_end(end_of(TURN, sentence="Cancelled before it began.")) == []
+    assert withdrawals.hear_end(end_of(CommandText("text-9", 9, "Ping."))) == []
+    (ending,) = withdrawals.hear_end(end_of(FOLLOW))
+    assert ending.sentence == 'I do not begin "turn left". I stopped "Follow me". You said not to.'
+
+
+@pytest.mark.parametrize(
+    "outcome, code, sentence, told",
+    [
+        (Outcome.DONE, "DONE", "Done.", '"Follow me" was done before. You said not to.'),
+        (
+            Outcome.FAILED,
+            "STAGE_SILENT",
+            "executor did not answer within 5 s. Whether the robot still moves is not known.",
+            (
+                '"Follow me" has ended: executor did not answer within 5 s. Whether the robot still moves is not '
+                "known. You said not to."
+            ),
+        ),
+        (
+            Outcome.SUPERSEDED,
+            "STOPPED",
+            "Stopped. legs did not end on cancel within 5 s.",
+            'I stopped "Follow me". legs did not end on cancel within 5 s. You said not to.',
+        ),
+        (
+            Outcome.SUPERSEDED,
+            "NEW_COMMAND",
+            "A newer command took its place.",
+            'I stopped "Follow me". You said not to.',
+        ),
+    ],
+)
+def test_reply_is_true_however_the_command_ended(withdrawals, outcome, code, sentence, told):
+    withdrawals.begin(prohibition(), [FOLLOW])
+    (ending,) = withdrawals.hear_end(end_of(FOLLOW, outcome, code, sentence))
+    assert ending.sentence == told
+
+
+def test_wait_is_bounded(withdrawals, clock):
+    withdrawals.begin(prohibition(), [FOLLOW, TURN])
+    withdrawals.hear_end(end_of(TURN))
+    assert withdrawals.next_deadline_s() == 110.0 and withdrawals.take_overdue() == []
+    clock.now_s = 110.0
+    (ending,) = withdrawals.take_overdue()
+    assert (ending.outcome, ending.code) == (Outcome.FAILED, "NOT_STOPPED")
+    assert ending.sentence == (
+        'I stopped "turn left". I told "Follow me" to end, but nobody has confirmed that within '
+        "10 s: the robot may still move."
+    )
+    assert withdrawals.take_overdue() == [] and withdrawals.hear_end(end_of(FOLLOW)) == []
+
+
+def test_prohibition_that_is_answered_otherwise_waits_no_more(withdrawals, clock):
+    withdrawals.begin(prohibition(), [FOLLOW])
+    assert withdrawals.hear_end(end_of(prohibition().command)) == []
+    assert withdrawals.hear_end(end_of(FOLLOW)) == []
+    clock.now_s = 200.0
+    assert withdrawals.take_overdue() == []
+
+
+def test_two_prohibitions_wait_for_one_command(withdrawals):
+    withdrawals.begin(prohibition(), [FOLLOW])
+    withdrawals.begin(
+        Ending(CommandText("text-4", 4, "no!"), Outcome.REFUSED, "semantic_framer", CORRECTION, "What?"), [FOLLOW]
+    )
+    endings = withdrawals.hear_end(end_of(FOLLOW))
+    assert [ending.command.command_id for ending in endings] == ["text-3", "text-4"]

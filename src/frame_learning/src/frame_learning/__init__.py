@@ -1,0 +1,1 @@
+"""Lexical units learned from annotated sentences, and figures on annotated corpora."""

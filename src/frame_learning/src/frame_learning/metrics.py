@@ -1,0 +1,215 @@
+"""Figures that say how well commands were understood, as the literature on HuRIC has them."""
+
+from collections import Counter
+from dataclasses import dataclass
+from typing import Counter as CounterType
+from typing import Dict, FrozenSet, Iterable, List, Mapping, Optional, Sequence, Tuple, TypeVar
+
+from frame_learning.annotated_commands import AnnotatedCommand, AnnotatedFrame
+
+#: Stands for a frame that is not there in a row or column of the confusion.
+NOTHING = "(none)"
+
+
+@dataclass(frozen=True)
+class Answer:
+    """What the system made of a command, in the names and positions of the corpus.
+
+    Attributes:
+        frames: that were recognised, also where the reply refuses or asks
+        is_answered: whether the command would be carried out
+        milliseconds: that understanding took
+    """
+
+    frames: Tuple[AnnotatedFrame, ...]
+    is_answered: bool
+    milliseconds: float
+
+
+@dataclass(frozen=True)
+class Count:
+    """Right, predicted and annotated items."""
+
+    right: int = 0
+    predicted: int = 0
+    annotated: int = 0
+
+    def plus(self, right: int, predicted: int, annotated: int) -> "Count":
+        """Return the count with others added."""
+        return Count(self.right + right, self.predicted + predicted, self.annotated + annotated)
+
+    @property
+    def f1(self) -> float:
+        """F1 in percent; 0 where nothing was predicted and nothing annotated."""
+        total = self.predicted + self.annotated
+        return 200.0 * self.right / total if total else 0.0
+
+
+@dataclass(frozen=True)
+class FrameRow:
+    """A frame of the corpus: its counts, and what it was taken for."""
+
+    frame: Count
+    exact: Count
+    head: Count
+    taken_for: Mapping[str, int]
+
+
+@dataclass(frozen=True)
+class Score:
+    """Figures over the commands of a corpus, percentages but for the first and the last.
+
+    Attributes:
+        commands: how many
+        fp: frame prediction, micro-F1 over (command, frame)
+        aic_exact: argument identification and classification, micro-F1 over (frame, element, span)
+        aic_head: the same over (frame, element, head word)
+        em: exact match, share of commands with all frames, elements and spans right and nothing besides
+        coverage: share of commands that are answered: they would be carried out
+        precision_answered: over the answered commands, share of the recognised frames that are right: the precision
+            that goes into ``fp``
+        right_answered: share of the answered commands with all frames right and no other
+        right_answered_heads: share of the answered commands with all frames and all head words right and no others
+        ms_per_command: mean time to parse and understand one
+        per_frame: by name in the corpus
+    """
+
+    commands: int
+    fp: float
+    aic_exact: float
+    aic_head: float
+    em: float
+    coverage: float
+    precision_answered: float
+    right_answered: float
+    right_answered_heads: float
+    ms_per_command: float
+    per_frame: Mapping[str, FrameRow]
+
+
+Element = Tuple[str, str, object]
+Counted = TypeVar("Counted")
+
+
+def score(pairs: Iterable[Tuple[AnnotatedCommand, Answer]]) -> Score:
+    """Compare answers with the annotation.
+
+    A frame or element that occurs twice in a command counts twice. An element without an annotated head is right by its
+    head when the answer's head is one of its words.
+    """
+    frame_count = exact_count = head_count = answered_count = Count()
+    commands = exact_commands = answered = answered_frames = answered_heads = 0
+    milliseconds = 0.0
+    rows: Dict[str, FrameRow] = {}
+    for command, answer in pairs:
+        commands += 1
+        milliseconds += answer.milliseconds
+        frames = _compare(_frames(command.frames), _frames(answer.frames))
+        exact = _compare(_spans(command.frames), _spans(answer.frames))
+        annotated_heads, answered_head = _heads(command.frames, answer.frames)
+        heads = _compare(annotated_heads, answered_head)
+        frame_count = frame_count.plus(*frames)
+        exact_count = exact_count.plus(*exact)
+        head_count = head_count.plus(*heads)
+        exact_commands += _is_all(frames) and _is_all(exact)
+        answered += answer.is_answered
+        answered_count = answered_count.plus(*frames) if answer.is_answered else answered_count
+        answered_frames += answer.is_answered and _is_all(frames)
+        answered_heads += answer.is_answered and _is_all(frames) and _is_all(heads)
+        _add_rows(rows, command.frames, answer.frames)
+    return Score(
+        commands=commands,
+        fp=frame_count.f1,
+        aic_exact=exact_count.f1,
+        aic_head=head_count.f1,
+        em=_percent(exact_commands, commands),
+        coverage=_percent(answered, commands),
+        precision_answered=_percent(answered_count.right, answered_count.predicted),
+        right_answered=_percent(answered_frames, answered),
+        right_answered_heads=_percent(answered_heads, answered),
+        ms_per_command=milliseconds / commands if commands else 0.0,
+        per_frame=dict(sorted(rows.items())),
+    )
+
+
+def is_exact(command: AnnotatedCommand, answer: Answer) -> bool:
+    """Whether a whole command is right: frames, elements and spans, and nothing besides."""
+    return _frames(command.frames) == _frames(answer.frames) and _spans(command.frames) == _spans(answer.frames)
+
+
+def _percent(part: int, whole: int) -> float:
+    return 100.0 * part / whole if whole else 0.0
+
+
+def _compare(annotated: CounterType[Counted], answered: CounterType[Counted]) -> Tuple[int, int, int]:
+    return sum((annotated & answered).values()), sum(answered.values()), sum(annotated.values())
+
+
+def _is_all(counts: Tuple[int, int, int]) -> bool:
+    return counts[0] == counts[1] == counts[2]
+
+
+def _frames(frames: Sequence[AnnotatedFrame]) -> CounterType[str]:
+    return Counter(frame.name for frame in frames)
+
+
+def _spans(frames: Sequence[AnnotatedFrame]) -> CounterType[Tuple[str, str, FrozenSet[int]]]:
+    return Counter((frame.name, element.name, element.tokens) for frame in frames for element in frame.elements)
+
+
+def _heads(
+    annotated: Sequence[AnnotatedFrame], answered: Sequence[AnnotatedFrame]
+) -> Tuple[CounterType[Element], CounterType[Element]]:
+    """Return the heads of both; where none is annotated, the answer's stands for it if it lies in the span."""
+    given: List[Element] = [(frame.name, item.name, item.head) for frame in answered for item in frame.elements]
+    free = list(given)
+    wanted: List[Element] = []
+    for frame in annotated:
+        for element in frame.elements:
+            head: Optional[object] = element.head
+            if head is None:
+                inside = [item for item in free if item[:2] == (frame.name, element.name) and item[2] in element.tokens]
+                head = inside[0][2] if inside else tuple(sorted(element.tokens))
+            if (frame.name, element.name, head) in free:
+                free.remove((frame.name, element.name, head))
+            wanted.append((frame.name, element.name, head))
+    return Counter(wanted), Counter(given)
+
+
+def _add_rows(
+    rows: Dict[str, FrameRow], annotated: Sequence[AnnotatedFrame], answered: Sequence[AnnotatedFrame]
+) -> None:
+    for name in {frame.name for frame in annotated} | {frame.name for frame in answered}:
+        here = [frame for frame in annotated if frame.name == name]
+        there = [frame for frame in answered if frame.name == name]
+        row = rows.get(name, FrameRow(Count(), Count(), Count(), {}))
+        annotated_heads, answered_heads = _heads(here, there)
+        rows[name] = FrameRow(
+            frame=row.frame.plus(*_compare(_frames(here), _frames(there))),
+            exact=row.exact.plus(*_compare(_spans(here), _spans(there))),
+            head=row.head.plus(*_compare(annotated_heads, answered_heads)),
+            taken_for=row.taken_for,
+        )
+    for name, taken in _taken_for(annotated, answered):
+        row = rows[name] if name in rows else FrameRow(Count(), Count(), Count(), {})
+        rows[name] = FrameRow(row.frame, row.exact, row.head, {**row.taken_for, taken: row.taken_for.get(taken, 0) + 1})
+
+
+def _taken_for(annotated: Sequence[AnnotatedFrame], answered: Sequence[AnnotatedFrame]) -> List[Tuple[str, str]]:
+    """Pair annotated frames with those of the answer that the same word evokes, then with those of the same name."""
+    pairs: List[Tuple[str, str]] = []
+    free = list(answered)
+    open_frames: List[AnnotatedFrame] = []
+    for frame in annotated:
+        match = next((other for other in free if set(other.lexical_unit) & set(frame.lexical_unit)), None)
+        if match is None:
+            open_frames.append(frame)
+            continue
+        free.remove(match)
+        pairs.append((frame.name, match.name))
+    for frame in open_frames:
+        match = next((other for other in free if other.name == frame.name), None)
+        if match is not None:
+            free.remove(match)
+        pairs.append((frame.name, match.name if match is not None else NOTHING))
+    return pairs + [(NOTHING, other.name) for other in free]

@@ -1,0 +1,238 @@
+"""``rfn score``: how well the commands of a public corpus are understood."""
+
+import argparse
+import json
+import sys
+from collections import Counter
+from typing import Callable, Dict, Iterable, List, Sequence, Tuple
+
+from command_server.stop_words import is_stop
+from frame_learning.annotated_commands import AnnotatedCommand, CorpusError
+from frame_learning.annotated_sentences import sentences_of
+from frame_learning.corpora import CORPORA, PublishedFigures
+from frame_learning.corpus_answers import answer, answer_2012
+from frame_learning.corpus_mapping import CorpusMapping
+from frame_learning.learn_command import learned_knowledge, lexicon_files
+from frame_learning.metrics import Answer, Score, is_exact, score
+from offline_pipeline.knowledge import load_knowledge, pretend_servers, shipped_domains
+from offline_pipeline.pipeline import Pipeline
+from semantic_frames import FileRefused
+from semantic_frames.source_files import LEXICAL_UNITS_FOLDER
+from stanford_parser_ros.model import ModelError
+
+EXAMPLES = """examples:
+  rfn score huric huric-2.1/english
+  rfn score huric huric-2.1/english --folds 5
+  rfn score tage tagE/data --json > tage.json
+  rfn score scout scout/transcripts
+
+exit status: 0 scored, 2 wrong usage
+"""
+
+
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    """Declare the arguments of ``rfn score``."""
+    parser.epilog = EXAMPLES
+    titles = "; ".join(f"{name}: {corpus.title}" for name, corpus in CORPORA.items())
+    parser.add_argument("corpus", choices=tuple(CORPORA), help=titles)
+    parser.add_argument("folder", metavar="DIR", help="its folder")
+    parser.add_argument("--domains", action="append", metavar="FOLDER", help="frames and units (default: shipped)")
+    parser.add_argument(
+        "--folds",
+        type=int,
+        default=0,
+        metavar="N",
+        help="score each Nth of the commands with units that are learned from the others alone",
+    )
+    parser.add_argument("--json", action="store_true", help="one JSON object")
+    parser.add_argument(
+        "--behaviour",
+        choices=("now", "2012"),
+        default="now",
+        help="2012: single words, every other word ignored; its figures stand in the table in any case",
+    )
+    parser.add_argument("--wrong", metavar="FILE", help="write the commands that are not wholly right into this file")
+
+
+def run(arguments: argparse.Namespace) -> int:
+    """Score a corpus; return the exit status."""
+    corpus = CORPORA[arguments.corpus]
+    if not corpus.is_annotated and (arguments.folds or arguments.behaviour == "2012"):
+        print(f"rfn score: {corpus.name} has no annotated frames to learn from or to compare with", file=sys.stderr)
+        return 2
+    try:
+        knowledge = load_knowledge(arguments.domains or [shipped_domains()])
+        pretend_servers(knowledge.graph)
+        commands = corpus.read(arguments.folder)
+        mapping = corpus.mapping() if corpus.is_annotated else None
+        pipeline = Pipeline(knowledge)
+    except (CorpusError, FileRefused, ModelError, LookupError) as error:
+        print(f"rfn score: {error}", file=sys.stderr)
+        return 2
+    for problem in knowledge.problems:
+        print(problem, file=sys.stderr)
+    if mapping is None:
+        return _score_outcomes(arguments, pipeline, commands)
+    return _score_frames(arguments, pipeline, mapping, commands, corpus.published)
+
+
+def _score_frames(
+    arguments: argparse.Namespace,
+    pipeline: Pipeline,
+    mapping: CorpusMapping,
+    commands: Sequence[AnnotatedCommand],
+    published: Sequence[PublishedFigures],
+) -> int:
+    is_old = arguments.behaviour == "2012"
+    understand = answer_2012 if is_old else answer
+    if arguments.folds:
+        pairs = _in_folds(pipeline, mapping, commands, arguments.folds, understand)
+    else:
+        pairs = [(command, understand(pipeline, mapping, command)) for command in commands]
+    found = score(pairs)
+    if arguments.wrong:
+        with open(arguments.wrong, "w", encoding="utf-8") as file:
+            file.writelines(_wrong(command, given) for command, given in pairs if not is_exact(command, given))
+    if arguments.json:
+        print(json.dumps(to_json(found)))
+        return 0
+    name = "2012" if is_old else "now"
+    rows = [(f"{name}, learned, {arguments.folds}-fold" if arguments.folds else name, found)]
+    if arguments.folds:
+        rows.append((name, score((command, understand(pipeline, mapping, command)) for command in commands)))
+    if not is_old:
+        old = [answer_2012(pipeline, mapping, command) for command in commands]
+        rows.append(("2012", score(zip(commands, old))))
+    print(table(rows, published))
+    return 0
+
+
+def _in_folds(
+    pipeline: Pipeline,
+    mapping: CorpusMapping,
+    commands: Sequence[AnnotatedCommand],
+    folds: int,
+    understand: Callable[[Pipeline, CorpusMapping, AnnotatedCommand], Answer],
+) -> List[Tuple[AnnotatedCommand, Answer]]:
+    """Score each fold with units that the others teach, and with none that is shipped; the frames stay."""
+    known = pipeline.knowledge
+    found: List[Tuple[AnnotatedCommand, Answer]] = []
+    for fold in range(folds):
+        others = [command for number, command in enumerate(commands) if number % folds != fold]
+        sentences, _ = sentences_of(others, mapping, known.frames, known.lexicon.units)
+        files, _ = lexicon_files(sentences, pipeline.parser, known)
+        units = {path: text for path, text in files.items() if path.startswith(LEXICAL_UNITS_FOLDER)}
+        learned = learned_knowledge(known.frames, {}, units)
+        pretend_servers(learned.graph)
+        taught = Pipeline(learned, pipeline.parser)
+        found += [
+            (command, understand(taught, mapping, command))
+            for number, command in enumerate(commands)
+            if number % folds == fold
+        ]
+    return found
+
+
+def to_json(found: Score) -> Dict[str, object]:
+    """Return the object that ``rfn score --json`` writes."""
+    return {
+        "commands": found.commands,
+        "fp": round(found.fp, 2),
+        "aic_exact": round(found.aic_exact, 2),
+        "aic_head": round(found.aic_head, 2),
+        "em": round(found.em, 2),
+        "coverage": round(found.coverage, 2),
+        "precision_answered": round(found.precision_answered, 2),
+        "ms_per_command": round(found.ms_per_command, 2),
+        "per_frame": {
+            name: {
+                "annotated": row.frame.annotated,
+                "predicted": row.frame.predicted,
+                "right": row.frame.right,
+                "fp": round(row.frame.f1, 2),
+                "aic_exact": round(row.exact.f1, 2),
+                "aic_head": round(row.head.f1, 2),
+                "taken_for": dict(row.taken_for),
+            }
+            for name, row in found.per_frame.items()
+        },
+    }
+
+
+def table(rows: Sequence[Tuple[str, Score]], published: Sequence[PublishedFigures] = ()) -> str:
+    """Return the figures for a person: ours and those of others in one table, then each frame of the first row."""
+    lines: List[Tuple[str, ...]] = [
+        ("", "FP", "AIC-exact", "AIC-head", "EM", "coverage", "precision", "right", "right heads", "ms/command")
+    ]
+    for name, found in rows:
+        figures = [found.fp, found.aic_exact, found.aic_head, found.em, found.coverage]
+        figures += [found.precision_answered, found.right_answered, found.right_answered_heads, found.ms_per_command]
+        lines.append((name,) + tuple(f"{figure:.1f}" for figure in figures))
+    for others in published:
+        shown = tuple(f"{figure:.1f}" for figure in (others.fp, others.aic_exact, others.aic_head))
+        lines.append((others.name,) + shown + ("-",) * 6)
+    frames = [("frame", "annotated", "FP", "AIC-exact", "AIC-head", "taken for")]
+    for name, row in rows[0][1].per_frame.items():
+        taken = ", ".join(f"{other} {count}" for other, count in sorted(row.taken_for.items()) if other != name)
+        frames.append(
+            (name, str(row.frame.annotated), f"{row.frame.f1:.1f}", f"{row.exact.f1:.1f}", f"{row.head.f1:.1f}", taken)
+        )
+    return f"{rows[0][1].commands} commands\n\n{_aligned(lines)}\n\n{_aligned(frames)}"
+
+
+def _aligned(rows: Sequence[Sequence[str]]) -> str:
+    widths = [max(len(row[column]) for row in rows) for column in range(len(rows[0]))]
+    return "\n".join("  ".join(cell.ljust(width) for cell, width in zip(row, widths)).rstrip() for row in rows)
+
+
+def _wrong(command: AnnotatedCommand, given: Answer) -> str:
+    lines = [f"{command.name}: {command.text}\n"]
+    for sign, frames in (("wanted", command.frames), ("got", given.frames)):
+        for frame in frames:
+            elements = ", ".join(
+                f"{element.name}={_words(command, element.tokens)} ({_words(command, [element.head or 0])})"
+                for element in sorted(frame.elements, key=lambda element: element.name)
+            )
+            lines.append(f"  {sign:<6} {frame.name}[{_words(command, frame.lexical_unit)}] {elements}\n")
+    if not given.is_answered:
+        lines.append("  not answered\n")
+    return "".join(lines)
+
+
+def _words(command: AnnotatedCommand, positions: Iterable[int]) -> str:
+    return " ".join(command.tokens[position - 1] for position in sorted(positions) if position)
+
+
+def _score_outcomes(arguments: argparse.Namespace, pipeline: Pipeline, commands: Sequence[AnnotatedCommand]) -> int:
+    """Count what comes of commands whose frames nobody annotated."""
+    outcomes: List[Tuple[str, str]] = []
+    stops = 0
+    for command in commands:
+        if is_stop(command.text):
+            stops += 1
+            outcomes.append((command.text, "STOP"))
+            continue
+        reply = pipeline.understand_safely(command.text).reply
+        outcomes.append((command.text, reply.code if reply.outcome == "FAILED" else reply.outcome))
+    counts = Counter(outcome for _, outcome in outcomes)
+    result = {
+        "lines": len(commands),
+        "answered": counts["DONE"],
+        "asked_back": counts["NEEDS_INFORMATION"],
+        "refused": counts["REFUSED"],
+        "stops": stops,
+        "errors": counts["STAGE_ERROR"],
+    }
+    if arguments.wrong:
+        with open(arguments.wrong, "w", encoding="utf-8") as file:
+            file.writelines(f"{outcome}\t{text}\n" for text, outcome in outcomes)
+    if arguments.json:
+        print(json.dumps(result))
+    else:
+        print(
+            "\n".join(
+                f"{name.replace('_', ' '):<11} {value:>6}  {100.0 * value / len(commands):5.1f} %"
+                for name, value in result.items()
+            )
+        )
+    return 0

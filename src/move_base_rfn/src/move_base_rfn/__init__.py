@@ -1,1 +1,0 @@
-"""Go to a place: an RFNServer in front of move_base."""

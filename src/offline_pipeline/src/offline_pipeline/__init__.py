@@ -1,0 +1,1 @@
+"""From a sentence to what would run, in one process, without ROS."""

@@ -1,0 +1,97 @@
+"""Frames and lexical units from files, as the registrar and the framer read them."""
+
+import os
+from dataclasses import dataclass
+from functools import partial
+from pathlib import Path
+from typing import Callable, Dict, FrozenSet, Iterable, List, Mapping, Tuple
+
+from frame_registrar.graph import FrameGraph
+from semantic_framer.lexicon import Lexicon
+from semantic_frames import FileRefused, Problem, load_frame
+from semantic_frames.frame import SemanticFrame
+from semantic_frames.source_files import FRAMES_FOLDER, LEXICAL_UNITS_FOLDER, read_text, yaml_files
+
+
+@dataclass(frozen=True)
+class Knowledge:
+    """Frames and lexical units of some folders, and what is wrong with their files.
+
+    ``read_names`` are the frames of files that could be read, also of those that the graph refused.
+    """
+
+    graph: FrameGraph
+    lexicon: Lexicon
+    problems: Tuple[Problem, ...]
+    read_names: FrozenSet[str]
+
+    @property
+    def frames(self) -> Mapping[str, SemanticFrame]:
+        """Frames by name."""
+        return self.graph.frames
+
+
+def shipped_domains() -> str:
+    """Return the folder of the domains: of the ROS package, or of the source tree that this module lies in."""
+    beside = Path(os.path.realpath(__file__)).parents[3] / "roboframenet_domains" / "domains"
+    if beside.is_dir():
+        return str(beside)
+    import rospkg  # only an installed space needs it
+
+    return os.path.join(rospkg.RosPack().get_path("roboframenet_domains"), "domains")
+
+
+def load_knowledge(paths: Iterable[str]) -> Knowledge:
+    """Read frames and units below some folders."""
+    folders = list(paths)
+    return load_files(list(yaml_files(folders, FRAMES_FOLDER)), list(yaml_files(folders, LEXICAL_UNITS_FOLDER)))
+
+
+def load_files(frame_files: Iterable[str], unit_files: Iterable[str]) -> Knowledge:
+    """Read frames and units from files; a file that is wrong becomes problems."""
+    return load_texts(_texts(frame_files), _texts(unit_files))
+
+
+def _texts(paths: Iterable[str]) -> List[Tuple[str, Callable[[], str]]]:
+    return [(path, partial(read_text, path)) for path in paths]
+
+
+def load_texts(
+    frame_files: Iterable[Tuple[str, Callable[[], str]]], unit_files: Iterable[Tuple[str, Callable[[], str]]]
+) -> Knowledge:
+    """Read frames and units from paths with a function that gives the text of each."""
+    graph, lexicon = FrameGraph(), Lexicon()
+    problems: List[Problem] = []
+    owners: Dict[str, SemanticFrame] = {}
+    for path, text in frame_files:
+        try:
+            frame = load_frame(text(), path)
+            if frame.name in owners:
+                problems.append(
+                    Problem(
+                        "DUPLICATE_FRAME",
+                        path,
+                        frame.line,
+                        "name",
+                        f"'{frame.name}'",
+                        "a name of its own",
+                        f"also in {owners[frame.name].path}:{owners[frame.name].line}",
+                    )
+                )
+                continue
+            owners[frame.name] = frame
+            graph.add(frame)
+        except FileRefused as error:
+            problems += error.problems
+    for path, text in unit_files:
+        try:
+            lexicon.add_file(text(), path)
+        except FileRefused as error:
+            problems += error.problems
+    return Knowledge(graph, lexicon, tuple(problems), frozenset(owners))
+
+
+def pretend_servers(graph: FrameGraph) -> None:
+    """Pretend that a server of the same name is there for every frame: offline nothing says what a robot can do."""
+    for name in graph.frames:
+        graph.register(name, name)

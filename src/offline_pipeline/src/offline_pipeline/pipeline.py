@@ -1,0 +1,244 @@
+"""The stages from text to candidates, one after the other, with what each of them decided on the way."""
+
+from dataclasses import dataclass
+from typing import Dict, FrozenSet, Optional, Tuple, Union
+
+from command_server.command_book import refusal_of_text
+from command_server.settings import Settings as CommandServerSettings
+from command_server.stop_words import is_stop
+from frame_registrar import search as registrar
+from offline_pipeline.knowledge import Knowledge
+from semantic_framer.descriptions import descriptions
+from semantic_framer.dialogue import Context
+from semantic_framer.framed_lexicon import FramedLexicon
+from semantic_framer.framer import Heard, hear
+from semantic_framer.outcome import CORRECTION, DECLINED, PROHIBITION, Policy, Understood, reply_outcome
+from semantic_framer.reading import Reading
+from stanford_parser_ros.model import Parser, UnparsableText, shipped_model_dir
+from utterance_passes.trace import Trace, TraceLine
+from utterance_passes.tree import DependencyTree
+
+#: Refusals after which no frame is reported: the person said not to do it, or not at once.
+_NOTHING_MEANT = frozenset([PROHIBITION, CORRECTION, DECLINED, "CONDITION"])
+
+
+@dataclass(frozen=True)
+class Reply:
+    """What the person would hear; ``outcome`` and ``code`` as in ``roboframenet_msgs/Reply``."""
+
+    outcome: str
+    code: str
+    sentence: str
+
+
+@dataclass(frozen=True)
+class Parameters:
+    """Parameters of the nodes, by their defaults.
+
+    Attributes:
+        max_text_length: of command_server, characters
+        policy: of semantic_framer
+        max_candidates: of frame_registrar
+    """
+
+    max_text_length: int = CommandServerSettings.max_text_length
+    policy: Policy = Policy()
+    max_candidates: int = 64
+
+
+@dataclass(frozen=True)
+class Understanding:
+    """All that came of a sentence.
+
+    Attributes:
+        text: as it was said
+        reply: what the person would hear
+        tree: its parse; None where there is none
+        tree_read: what the passes made of it; None where nothing was read
+        readings: the best reading of each clause that has one
+        descriptions: what is said of things on the way, and is no step
+        candidates: of each clause, sequences of frames that would be tried, the first first
+        trace: what each rule did, in the run that decided
+        context: what is remembered for the next sentence
+    """
+
+    text: str
+    reply: Reply
+    tree: Optional[DependencyTree] = None
+    tree_read: Optional[DependencyTree] = None
+    readings: Tuple[Reading, ...] = ()
+    descriptions: Tuple[Reading, ...] = ()
+    candidates: Tuple[Tuple[registrar.Candidate, ...], ...] = ()
+    trace: Tuple[TraceLine, ...] = ()
+    context: Context = Context()
+
+
+class Pipeline:
+    """Understands sentences; the parser is loaded once."""
+
+    def __init__(
+        self,
+        knowledge: Knowledge,
+        parser: Optional[Parser] = None,
+        *,
+        parameters: Parameters = Parameters(),
+        without: FrozenSet[str] = frozenset(),
+        is_traced: bool = False,
+    ) -> None:
+        """
+        Args:
+            knowledge: frames (with their servers) and units
+            parser: None for the models that are shipped
+            parameters: of the nodes
+            without: names of passes that are switched off
+            is_traced: whether what each rule did is written down
+        Raises:
+            ModelError: the models cannot be loaded
+        """
+        self.knowledge = knowledge
+        self._parser = parser if parser is not None else Parser(model_dir=shipped_model_dir())
+        self._parameters = parameters
+        self._without = without
+        self._is_traced = is_traced
+        self._known = FramedLexicon(knowledge.lexicon, knowledge.frames)
+        self._verbs = frozenset(verb.split()[0] for verb in knowledge.lexicon.verbs)
+
+    @property
+    def parser(self) -> Parser:
+        """The parser, for another pipeline with other units."""
+        return self._parser
+
+    def parse(self, text: str) -> DependencyTree:
+        """Parse a sentence with the verbs of the lexicon in mind.
+
+        Raises:
+            UnparsableText: no words
+        """
+        return self._parser.parse(text, self._verbs)
+
+    def understand(self, text: str, context: Context = Context()) -> Understanding:
+        """Understand one sentence; every sentence gives a reply.
+
+        Args:
+            text: as it was said
+            context: what is remembered of the sentences before
+        """
+        if is_stop(text):
+            stops = (TraceLine("stop_words", (), "", "", "stops at once, and goes no further"),)
+            trace_of_stop = stops if self._is_traced else ()
+            return Understanding(text, Reply("DONE", "DONE", "Stopped."), trace=trace_of_stop, context=context)
+        refusal = refusal_of_text(text, max_length=self._parameters.max_text_length)
+        if refusal is not None:
+            return Understanding(text, Reply("REFUSED", *refusal), context=context)
+        try:
+            parse = self._parser.traced(text, self._verbs, without=self._without)
+        except UnparsableText as reason:
+            return Understanding(text, Reply("REFUSED", *reason.refusal), context=context)
+        trace = Trace(parse.trace) if self._is_traced else None
+        heard = hear(
+            parse.tree,
+            self._known,
+            context=context,
+            policy=self._parameters.policy,
+            without=self._without,
+            trace=trace,
+        )
+        return self._understanding(text, parse.tree, heard, trace)
+
+    def understand_safely(self, text: str) -> Understanding:
+        """Understand one sentence of many: an error of ours becomes a reply, and the others still get theirs."""
+        try:
+            return self.understand(text)
+        except Exception as error:  # boundary: a batch goes on behind a sentence that breaks something
+            return Understanding(text, Reply("FAILED", "STAGE_ERROR", f"{type(error).__name__}: {error}"))
+
+    def _understanding(self, text: str, tree: DependencyTree, heard: Heard, trace: Optional[Trace]) -> Understanding:
+        outcome = heard.outcome
+        found: Union[Tuple[Tuple[registrar.Candidate, ...], ...], registrar.Refusal] = ()
+        if isinstance(outcome, Understood):
+            readings = tuple(readings[0] for readings in outcome.clauses)
+            found = self._search(outcome.clauses)
+            if isinstance(found, registrar.Refusal):
+                reply = Reply(registrar.reply_outcome(found), found.code, found.sentence)
+            else:
+                first = ", then ".join(f"{frame.name} on {frame.server}" for ways in found for frame in ways[0].frames)
+                reply = Reply("DONE", "DONE", f"I would do {first}.")
+            if trace is not None:
+                trace.add("registrar", after=reply.sentence)
+        else:
+            reply = Reply(reply_outcome(outcome), outcome.code, outcome.sentence)
+            is_meant = outcome.code not in _NOTHING_MEANT
+            readings = tuple(read.plausible[0] for read in heard.clauses if read.plausible and is_meant)
+        said: Tuple[Reading, ...] = ()
+        if heard.sentence is not None and reply.code not in _NOTHING_MEANT:
+            said = descriptions(heard.sentence, [read.clause for read in heard.clauses], self._known)
+        return Understanding(
+            text=text,
+            reply=reply,
+            tree=tree,
+            tree_read=heard.sentence.tree if heard.sentence is not None else None,
+            readings=readings,
+            descriptions=said,
+            candidates=() if isinstance(found, registrar.Refusal) else found,
+            trace=trace.lines if trace is not None else (),
+            context=heard.context,
+        )
+
+    def _search(
+        self, clauses: Tuple[Tuple[Reading, ...], ...]
+    ) -> Union[Tuple[Tuple[registrar.Candidate, ...], ...], registrar.Refusal]:
+        return registrar.search(
+            self.knowledge.graph,
+            [
+                [_registrar_reading(reading, preference) for preference, reading in enumerate(readings)]
+                for readings in clauses
+            ],
+            max_candidates=self._parameters.max_candidates,
+        )
+
+
+def _registrar_reading(reading: Reading, preference: int) -> registrar.Reading:
+    return registrar.Reading(
+        frame_name=reading.unit.frame_name,
+        coverage=reading.coverage,
+        preference=preference,
+        arguments=tuple(
+            registrar.Argument(name=value.name, text=value.argument, items=value.items, conjunction=value.conjunction)
+            for value in reading.values
+        ),
+    )
+
+
+def to_json(understanding: Understanding) -> Dict[str, object]:
+    """Return what ``rfn explain --batch --json`` writes of a sentence."""
+    words = understanding.tree.words if understanding.tree else ()
+    left = sorted({index for reading in understanding.readings for index in reading.left_over if index <= len(words)})
+    return {
+        "text": understanding.text,
+        "tokens": [word.form for word in words],
+        "frames": [_frame_to_json(reading, is_description=False) for reading in understanding.readings]
+        + [_frame_to_json(reading, is_description=True) for reading in understanding.descriptions],
+        "left_over": [words[index - 1].form for index in left],
+        "reply": {
+            "outcome": understanding.reply.outcome,
+            "code": understanding.reply.code,
+            "sentence": understanding.reply.sentence,
+        },
+    }
+
+
+def _frame_to_json(reading: Reading, *, is_description: bool) -> Dict[str, object]:
+    return {
+        "name": reading.unit.frame_name,
+        "verb_token": reading.verb_positions[0],
+        "frame_elements": [
+            {
+                "name": value.name,
+                "argument": value.argument,
+                "tokens": list(value.positions),
+                "head_token": value.head_position,
+            }
+            for value in reading.values
+        ],
+        "is_description": is_description,
+    }

@@ -1,0 +1,120 @@
+"""The offline pipeline: the replies of the nodes, and a trace that names the rule."""
+
+import pytest
+
+from command_server.stop_words import is_stop
+from offline_pipeline.knowledge import load_knowledge, pretend_servers, shipped_domains
+from offline_pipeline.pipeline import Parameters, Pipeline, to_json
+from semantic_framer.outcome import LeftOverWords, Policy
+
+
+@pytest.fixture(scope="module")
+def pipeline() -> Pipeline:
+    knowledge = load_knowledge([shipped_domains()])
+    pretend_servers(knowledge.graph)
+    return Pipeline(knowledge, is_traced=True)
+
+
+#: Sentences that were read wrongly or oddly at some time, and a line of the trace that says which rule did it.
+ODD = (
+    ("Tell her lunch is ready.", "quotations: her: nmod:poss(lunch) -> iobj(Tell)"),
+    ("take a right", "side_is_no_thing: taking(theme=a right): dropped."),
+    ("Turn the radio off.", "says_less: switching_device(device=the radio): dropped."),
+    ("take a look", "noun_of_another_verb: taking(theme=a look): dropped."),
+    ("set the thermostat to 20", "number_is_no_place: placing(theme=the thermostat, goal=20): dropped."),
+    ("move a bit", "degree_is_no_thing: placing(theme=a bit): dropped."),
+    ("Bob turned left", "report: turn: refused."),
+    ("how many guests are in the hall", "question: be: refused."),
+    ("remind me at eight to call Bob", "times: at eight: says when"),
+    ("lift the trash can", "modals_as_nouns: can: aux(lift) AUX/can -> obj(lift) NOUN/can"),
+    ("turn a quarter turn left", "measured_turns: quarter: obl:unmarked(turn-1) -> compound(turn-4)"),
+    ("go up to the desk", "particles_on_the_way: up: compound:prt(go) -> advmod(go)"),
+    ("turn the lights off in the bedroom", "places_of_devices: bedroom: obl(turn) -> nmod(lights)"),
+    ("give me a high five", "lists_less: low_fiving(hand=five, partner=me): dropped."),
+    ("go get the mug", "verb_compounds: get: compound(go) -> xcomp(go)"),
+    ("Can I have the mug?", "light_verbs: have: VERB/have have -> VERB/want want"),
+    ("I was wondering if you could open the door", "opening_formula: wondering: root -> discourse:aside(open)"),
+    ("go to the kitchen, sorry, the office", "corrections: kitchen: obl(go) -> reparandum(office)"),
+    ("Check if the lights are off", "particle_predicates: off: compound:prt(Check) -> ccomp(Check)"),
+    ("pick up the cup off the foot of the bed", "one_object: foot: obj(pick) -> obl(pick)"),
+    ("Go to the office and then to the kitchen.", "shared_verbs: kitchen: conj(Go) -> obl(Go)"),
+    ("turn 90° left", "degree_sign: 'turn 90° left' -> 'turn 90 degrees left'"),
+    ("turn up the heating a little", "degrees: little: nmod:unmarked(heating) -> obl:unmarked(turn)"),
+    ("turn the volume to level three", "leaves_more_over: facing(goal=level three): dropped."),
+    ("stop", "stop_words: stops at once"),
+)
+
+
+@pytest.mark.parametrize("text, line", ODD, ids=[text for text, _ in ODD])
+def test_trace_names_the_rule(pipeline: Pipeline, text: str, line: str) -> None:
+    lines = [str(each) for each in pipeline.understand(text).trace]
+    assert any(each.startswith(line) for each in lines), lines
+
+
+@pytest.mark.parametrize("text, _", ODD, ids=[text for text, _ in ODD])
+def test_the_trace_changes_nothing(pipeline: Pipeline, text: str, _: str) -> None:
+    untraced = Pipeline(pipeline.knowledge, pipeline.parser)
+    understanding = untraced.understand(text)
+    assert understanding.trace == ()
+    assert to_json(understanding) == to_json(pipeline.understand(text))
+
+
+def test_trace_ends_with_what_came_of_it(pipeline: Pipeline) -> None:
+    rules = [line.rule for line in pipeline.understand("Fribble the mug.").trace]
+    assert rules[-2:] == ["unknown_verb", "outcome"]
+
+
+@pytest.mark.parametrize(
+    "text, without",
+    [("go up to the desk", "particles_on_the_way"), ("Tell her lunch is ready.", "quotations"), ("take 3ft", "units")],
+)
+def test_a_pass_is_switched_off_by_name(pipeline: Pipeline, text: str, without: str) -> None:
+    lacking = Pipeline(pipeline.knowledge, pipeline.parser, without=frozenset([without]), is_traced=True)
+    understanding = lacking.understand(text)
+    assert without not in {line.rule for line in understanding.trace}
+    assert understanding.tree_read != pipeline.understand(text).tree_read
+
+
+@pytest.mark.parametrize("text", ["", "   ", "\t"])
+def test_silence_has_the_reply_of_the_command_server(pipeline: Pipeline, text: str) -> None:
+    reply = pipeline.understand(text).reply
+    assert (reply.code, reply.sentence) == ("EMPTY_TEXT", "Nothing was said.")
+
+
+def test_what_has_no_words_has_the_reply_of_the_parser(pipeline: Pipeline) -> None:
+    assert pipeline.understand("?!").reply.sentence == "I cannot read that: there are no words in it."
+
+
+def test_a_long_text_is_refused(pipeline: Pipeline) -> None:
+    short = Pipeline(pipeline.knowledge, pipeline.parser, parameters=Parameters(max_text_length=10))
+    assert short.understand("Turn left now.").reply.code == "TEXT_TOO_LONG"
+
+
+@pytest.mark.parametrize("text", ["Stop.", "please stop", "stop there"])
+def test_a_stop_is_not_parsed(pipeline: Pipeline, text: str) -> None:
+    assert is_stop(text)
+    understanding = pipeline.understand(text)
+    assert (understanding.reply.outcome, understanding.tree) == ("DONE", None)
+
+
+def test_parameters_are_those_of_the_nodes(pipeline: Pipeline) -> None:
+    careless = Parameters(policy=Policy(left_over_words=LeftOverWords.IGNORE))
+    text = "Turn left on the moon."
+    assert pipeline.understand(text).reply.code == "LEFT_OVER_WORDS"
+    assert Pipeline(pipeline.knowledge, pipeline.parser, parameters=careless).understand(text).reply.code == "DONE"
+
+
+def test_the_context_is_carried_on(pipeline: Pipeline) -> None:
+    asked = pipeline.understand("Move forward.")
+    assert asked.reply.code == "MISSING_ELEMENT"
+    assert pipeline.understand("three feet", asked.context).reply.code == "DONE"
+    assert pipeline.understand("three feet").reply.code != "DONE"
+
+
+def test_an_error_becomes_a_reply(pipeline: Pipeline, monkeypatch: pytest.MonkeyPatch) -> None:
+    def fail(text: str) -> None:
+        raise RuntimeError("broken")
+
+    monkeypatch.setattr(pipeline, "understand", fail)
+    result = to_json(pipeline.understand_safely("Turn left."))
+    assert result["reply"] == {"outcome": "FAILED", "code": "STAGE_ERROR", "sentence": "RuntimeError: broken"}

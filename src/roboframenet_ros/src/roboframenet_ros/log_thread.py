@@ -1,0 +1,85 @@
+"""A log handler whose callers never wait: a thread writes for them."""
+
+import logging
+import queue
+import sys
+import threading
+import time
+from typing import List, Optional
+
+
+class LogThread(logging.Handler):
+    """Hands each record to another handler, in a thread of its own.
+
+    Handlers may wait: for a disk, for a terminal that is halted, for a master that hangs. The caller of a log function
+    must not wait with them. When too many records wait, further ones are dropped and counted.
+    """
+
+    def __init__(self, handler: logging.Handler, *, max_waiting: int = 10_000) -> None:
+        """Start the thread.
+
+        Args:
+            handler: what writes the records
+            max_waiting: how many records may wait
+        """
+        super().__init__(handler.level)
+        self._handler = handler
+        self._records: queue.Queue[logging.LogRecord] = queue.Queue(max_waiting)
+        self._dropped = 0
+        # A daemon: a handler that hangs must not keep the process alive.
+        self._thread = threading.Thread(target=self._write_on, name="log", daemon=True)
+        self._thread.start()
+
+    def emit(self, record: logging.LogRecord) -> None:
+        """Take a record; returns at once."""
+        # What the arguments stand for may change before the thread comes to them.
+        record.msg, record.args = record.getMessage(), None
+        try:
+            self._records.put_nowait(record)
+        except queue.Full:
+            self._dropped += 1
+
+    def wait_until_written(self, *, timeout_s: float) -> bool:
+        """Wait for what was logged so far; returns whether it is written."""
+        end_s = time.monotonic() + timeout_s
+        with self._records.all_tasks_done:
+            while self._records.unfinished_tasks:
+                remaining_s = end_s - time.monotonic()
+                if remaining_s <= 0.0:
+                    return False
+                self._records.all_tasks_done.wait(remaining_s)
+        return True
+
+    def _write_on(self) -> None:
+        while True:
+            record = self._records.get()
+            try:
+                dropped, self._dropped = self._dropped, 0
+                if dropped:
+                    self._handler.handle(
+                        logging.LogRecord(
+                            record.name, logging.WARNING, __file__, 0, f"{dropped} log records were dropped", None, None
+                        )
+                    )
+                self._handler.handle(record)
+            except Exception as error:  # boundary: a handler may fail in any way, and logging that would not end
+                sys.stderr.write(f"a log record is lost: {type(error).__name__}: {error}\n")
+            finally:
+                self._records.task_done()
+
+
+def put_threads_before(logger: logging.Logger) -> List[LogThread]:
+    """Have threads write what a logger takes, one for each handler, also for those of the loggers above it.
+
+    One for each, so that what is shown does not wait for the handler that asks the master. Called again, it only sees
+    to handlers that were added meanwhile.
+    """
+    handlers: List[logging.Handler] = []
+    above: Optional[logging.Logger] = logger
+    while above is not None:
+        handlers += above.handlers
+        above = above.parent if above.propagate else None
+    threads = [handler if isinstance(handler, LogThread) else LogThread(handler) for handler in handlers]
+    logger.handlers = list(threads)
+    logger.propagate = False
+    return threads

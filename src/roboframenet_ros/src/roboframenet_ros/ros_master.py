@@ -1,0 +1,70 @@
+"""The master, asked with a deadline."""
+
+import http.client
+import xmlrpc.client
+from dataclasses import dataclass
+from typing import Dict, FrozenSet, Mapping
+
+import rosgraph
+import rospy
+
+
+class MasterError(RuntimeError):
+    """The master answered, but not with what was asked for."""
+
+
+class TimedTransport(xmlrpc.client.Transport):
+    """HTTP that gives up on a silent host."""
+
+    def __init__(self, timeout_s: float) -> None:
+        """Set the deadline of each connection, seconds."""
+        super().__init__()
+        self._timeout_s = timeout_s
+
+    def make_connection(self, host: str) -> http.client.HTTPConnection:
+        """Connect with the deadline."""
+        connection = super().make_connection(host)
+        connection.timeout = self._timeout_s
+        return connection
+
+
+@dataclass(frozen=True)
+class SystemState:
+    """Who publishes and who subscribes each topic: names of topics to names of nodes."""
+
+    publishers: Mapping[str, FrozenSet[str]]
+    subscribers: Mapping[str, FrozenSet[str]]
+
+
+class TimedMaster:
+    """Questions to the master that end. One thread owns it.
+
+    Every method raises what XML-RPC and HTTP know (OSError, HTTPException, xmlrpc.client.Error, ExpatError), or
+    MasterError.
+    """
+
+    def __init__(self, *, timeout_s: float) -> None:
+        """Prepare.
+
+        Args:
+            timeout_s: how long the master may take to answer
+        """
+        self._proxy = xmlrpc.client.ServerProxy(rosgraph.get_master_uri(), transport=TimedTransport(timeout_s))
+
+    def topic_types(self) -> Dict[str, str]:
+        """Type of each topic that the master knows; it forgets none, not even of nodes that are gone."""
+        code, message, types = self._proxy.getTopicTypes(rospy.get_name())
+        if code != 1:
+            raise MasterError(str(message))
+        return dict(types)
+
+    def system_state(self) -> SystemState:
+        """Who publishes and who subscribes."""
+        code, message, state = self._proxy.getSystemState(rospy.get_name())
+        if code != 1:
+            raise MasterError(str(message))
+        publishers, subscribers, _ = state
+        return SystemState(
+            publishers={topic: frozenset(nodes) for topic, nodes in publishers},
+            subscribers={topic: frozenset(nodes) for topic, nodes in subscribers},
+        )

@@ -1,0 +1,1 @@
+"""Stops a robot without asking anybody: zero velocity, cancels, and who does not obey."""

@@ -1,0 +1,270 @@
+"""Stops that are being carried out: who does not obey, and for how long zero velocity goes on.
+
+Nothing here waits or publishes: the caller gives what it sees and does what comes back.
+"""
+
+import time
+from dataclasses import dataclass
+from typing import Callable, FrozenSet, List, Optional, Sequence, Tuple
+
+from robot_stop.servers import Server, shown_names
+
+#: A goal that was stamped so soon after a stop may belong to a command from before it.
+_RACE_NS = 50_000_000
+
+
+@dataclass(frozen=True)
+class BrakeLimits:
+    """Times of a stop, seconds.
+
+    Attributes:
+        settle_s: nothing is said before, so that what was on its way has come
+        wake_settle_s: the same after the process was suspended
+        quiet_s: who has published no velocity for so long, or for two of its periods, does not drive
+        longest_quiet_s: bound on those two periods
+        confirmation_s: then it is said who does not obey
+        least_s: zero velocity is repeated at least so long
+        most_s: and at most so long, while somebody does not obey
+    """
+
+    settle_s: float = 0.1
+    wake_settle_s: float = 0.5
+    quiet_s: float = 0.3
+    longest_quiet_s: float = 0.9
+    confirmation_s: float = 1.0
+    least_s: float = 1.0
+    most_s: float = 10.0
+
+
+@dataclass(frozen=True)
+class StopOrder:
+    """A stop.
+
+    Attributes:
+        key: the caller's name for it
+        stamp_ns: when it was said, nanoseconds of ROS time
+        is_for_frames_only: goals of ordinary clients are left alone
+        except_server: a server whose goals are left alone, empty for none
+    """
+
+    key: str
+    stamp_ns: int
+    is_for_frames_only: bool = False
+    except_server: str = ""
+
+    def covers(self, server: Server) -> bool:
+        """Whether goals of this server are cancelled."""
+        return server.name != self.except_server and (server.takes_frames or not self.is_for_frames_only)
+
+
+@dataclass(frozen=True)
+class VelocitySeen:
+    """The last velocity that was not zero from one node on one topic.
+
+    Attributes:
+        node: who published it
+        topic: where
+        heard_s: monotonic seconds
+        period_s: time between it and the one before, None when there was none
+    """
+
+    node: str
+    topic: str
+    heard_s: float
+    period_s: Optional[float] = None
+
+
+@dataclass(frozen=True)
+class LiveGoal:
+    """A goal that had not ended when its server last told."""
+
+    server: Server
+    goal_id: str
+    stamp_ns: int
+
+
+@dataclass(frozen=True)
+class Evidence:
+    """What is seen of the robot.
+
+    Attributes:
+        velocities: of all nodes but those that brake
+        goals: of the servers that are connected
+        is_complete: whether the graph has been looked through
+    """
+
+    velocities: Tuple[VelocitySeen, ...] = ()
+    goals: Tuple[LiveGoal, ...] = ()
+    is_complete: bool = True
+
+
+@dataclass(frozen=True)
+class Obedience:
+    """Who does not obey a stop.
+
+    Attributes:
+        drivers: nodes that publish velocities, each with its topic
+        servers: names of the servers whose goals go on
+        is_known: False when the graph could not be looked through
+    """
+
+    drivers: Tuple[Tuple[str, str], ...] = ()
+    servers: Tuple[str, ...] = ()
+    is_known: bool = True
+
+    @property
+    def is_complete(self) -> bool:
+        """Whether everybody obeys, as far as can be seen."""
+        return self.is_known and not self.drivers and not self.servers
+
+    @property
+    def names(self) -> Tuple[str, ...]:
+        """Everybody who does not obey."""
+        return tuple(sorted({node for node, _ in self.drivers} | set(self.servers)))
+
+    def describe(self) -> str:
+        """Who does what against the stop, as a clause; empty when everybody obeys."""
+        clauses = [f"{node} publishes velocities on {topic}" for node, topic in self.drivers]
+        if self.servers:
+            verb = "has not ended its goal" if len(self.servers) == 1 else "have not ended their goals"
+            clauses.append(f"{_listed(self.servers)} {verb}")
+        if not self.is_known:
+            clauses.append("the graph of nodes could not be read")
+        return _listed(clauses)
+
+
+@dataclass(frozen=True)
+class Finding:
+    """What a look found out about a stop.
+
+    Attributes:
+        order: the stop
+        obedience: who does not obey
+        is_first: the answer to the stop; later ones say that something has changed
+        is_last: zero velocity has ended
+    """
+
+    order: StopOrder
+    obedience: Obedience
+    is_first: bool
+    is_last: bool
+
+
+@dataclass
+class _Active:
+    order: StopOrder
+    began_s: float
+    settle_s: float
+    old_ids: FrozenSet[str]
+    told: Optional[Obedience] = None
+
+
+@dataclass(frozen=True)
+class Look:
+    """What follows from a look: what is to be told, and the newest stop while it is to be repeated."""
+
+    findings: Tuple[Finding, ...] = ()
+    repeated: Optional[StopOrder] = None
+
+
+class Braking:
+    """The stops that are being carried out. One thread owns it."""
+
+    def __init__(self, limits: BrakeLimits, *, now: Callable[[], float] = time.monotonic) -> None:
+        """Start with none.
+
+        Args:
+            limits: times of each stop
+            now: monotonic clock, seconds
+        """
+        self._limits = limits
+        self._now = now
+        self._stops: List[_Active] = []
+
+    @property
+    def is_busy(self) -> bool:
+        """Whether `look` has to be called again."""
+        return bool(self._stops)
+
+    def begin(self, order: StopOrder, evidence: Evidence, *, is_just_awake: bool = False) -> None:
+        """A stop was just carried out for the first time.
+
+        Args:
+            order: the stop
+            evidence: from before it; the goals that live now are those that must end
+            is_just_awake: the process was suspended, so that more may be on its way
+        """
+        self._stops.append(
+            _Active(
+                order=order,
+                began_s=self._now(),
+                settle_s=self._limits.wake_settle_s if is_just_awake else self._limits.settle_s,
+                old_ids=frozenset(goal.goal_id for goal in evidence.goals),
+            )
+        )
+
+    def release(self, key: str) -> None:
+        """Somebody else sees to this stop."""
+        self._stops = [stop for stop in self._stops if stop.order.key != key]
+
+    def look(self, evidence: Evidence) -> Look:
+        """Judge the stops by what is seen now."""
+        findings: List[Finding] = []
+        kept: List[_Active] = []
+        repeated: Optional[StopOrder] = None
+        for index, stop in enumerate(self._stops):
+            is_newest = index == len(self._stops) - 1
+            obedience = self._obedience(stop, evidence)
+            is_repeated = is_newest and self._is_to_repeat(stop, obedience, evidence)
+            is_first = stop.told is None
+            if self._is_to_tell(stop, obedience, is_newest=is_newest, is_over=not is_repeated):
+                findings.append(Finding(stop.order, obedience, is_first=is_first, is_last=not is_repeated))
+                stop.told = obedience
+            if is_repeated:
+                repeated = stop.order
+            if is_repeated or stop.told is None:
+                kept.append(stop)
+        self._stops = kept
+        return Look(findings=tuple(findings), repeated=repeated)
+
+    def _is_to_tell(self, stop: _Active, obedience: Obedience, *, is_newest: bool, is_over: bool) -> bool:
+        age_s = self._now() - stop.began_s
+        if stop.told is None:
+            return age_s >= self._limits.confirmation_s or (obedience.is_complete and age_s >= stop.settle_s)
+        return is_newest and (obedience != stop.told or (is_over and not obedience.is_complete))
+
+    def _is_to_repeat(self, stop: _Active, obedience: Obedience, evidence: Evidence) -> bool:
+        age_s = self._now() - stop.began_s
+        if any(_is_new(goal, stop) for goal in evidence.goals):
+            # A command that was given after the stop moves the robot now.
+            return False
+        return age_s < self._limits.least_s or (not obedience.is_complete and age_s < self._limits.most_s)
+
+    def _obedience(self, stop: _Active, evidence: Evidence) -> Obedience:
+        servers = shown_names(
+            goal.server.name
+            for goal in evidence.goals
+            if stop.order.covers(goal.server) and (goal.goal_id in stop.old_ids or goal.stamp_ns <= stop.order.stamp_ns)
+        )
+        drivers = (
+            ()
+            if any(_is_new(goal, stop) for goal in evidence.goals)
+            else tuple(
+                sorted((velocity.node, velocity.topic) for velocity in evidence.velocities if self._drives(velocity))
+            )
+        )
+        return Obedience(drivers=drivers, servers=tuple(sorted(servers)), is_known=evidence.is_complete)
+
+    def _drives(self, velocity: VelocitySeen) -> bool:
+        quiet_s = self._limits.quiet_s
+        if velocity.period_s is not None:
+            quiet_s = max(quiet_s, min(2.0 * velocity.period_s, self._limits.longest_quiet_s))
+        return self._now() - velocity.heard_s < quiet_s
+
+
+def _is_new(goal: LiveGoal, stop: _Active) -> bool:
+    return goal.goal_id not in stop.old_ids and goal.stamp_ns > stop.order.stamp_ns + _RACE_NS
+
+
+def _listed(words: Sequence[str]) -> str:
+    return " and ".join(filter(None, (", ".join(words[:-1]), *words[-1:])))

@@ -1,0 +1,165 @@
+"""Carries stops out: zero velocity and cancels at once, then the look at who does not obey."""
+
+import queue
+import threading
+import time
+from dataclasses import dataclass
+from typing import Callable, Tuple, Union
+
+import rospy
+from actionlib_msgs.msg import GoalID
+
+from roboframenet_ros.suspension import SuspensionWatch
+from robot_stop.braking import BrakeLimits, Braking, Evidence, Finding, StopOrder
+from robot_stop.ros_servers import Servers
+from robot_stop.ros_velocity import Velocities
+from robot_stop.settings import BrakeSettings
+
+_IDLE_WAIT_S = 0.5
+# A turn of the thread takes a millisecond; a wait as long as this means that the process did not run.
+_LONGEST_TURN_S = _IDLE_WAIT_S + 1.0
+_JUST_AWAKE_S = 0.5
+
+
+@dataclass(frozen=True)
+class Braked:
+    """A stop was carried out for the first time.
+
+    Attributes:
+        order: the stop
+        cancelled: names of the servers that heard the cancel
+        took_s: how long it took
+        is_just_awake: this process was suspended shortly before, so that the stop may be an old one
+    """
+
+    order: StopOrder
+    cancelled: Tuple[str, ...]
+    took_s: float
+    is_just_awake: bool
+
+
+@dataclass(frozen=True)
+class _Release:
+    key: str
+
+
+class Brake:
+    """One thread that stops the robot.
+
+    Publishes: zero velocity, ``<server>/cancel``. Subscribes: the velocity topics, ``<server>/status``. It asks the
+    master only in a thread of its own, beforehand, and logs only after a stop.
+    """
+
+    def __init__(
+        self, settings: BrakeSettings, *, on_braked: Callable[[Braked], None], on_finding: Callable[[Finding], None]
+    ) -> None:
+        """Connect.
+
+        Args:
+            settings: parameters
+            on_braked: is told, from the thread, of each stop that was just carried out; must not wait
+            on_finding: is told, from the thread, who does not obey; must not wait
+        """
+        self._period_s = 1.0 / settings.zero_velocity_rate_hz
+        self._on_braked = on_braked
+        self._on_finding = on_finding
+        self._braking = Braking(
+            BrakeLimits(
+                confirmation_s=settings.confirmation_timeout_s,
+                least_s=settings.zero_velocity_duration_s,
+                most_s=max(settings.zero_velocity_limit_s, settings.zero_velocity_duration_s),
+            )
+        )
+        self._suspension = SuspensionWatch(longest_turn_s=_LONGEST_TURN_S)
+        self._velocities = Velocities(settings.velocity_topics)
+        self.servers = Servers(
+            also_cancel=tuple(rospy.resolve_name(name).rstrip("/") for name in settings.also_cancel),
+            refresh_period_s=settings.refresh_period_s,
+            master_timeout_s=settings.master_timeout_s,
+        )
+        self._inbox: queue.Queue[Union[StopOrder, _Release, None]] = queue.Queue()
+        self._thread = threading.Thread(target=self._work, name="brake")
+
+    def start(self) -> None:
+        """Begin."""
+        self._thread.start()
+        self._velocities.start()
+        self.servers.start()
+
+    def close(self, *, timeout_s: float) -> None:
+        """End the threads."""
+        self._inbox.put(None)
+        self._thread.join(timeout_s)
+        self.servers.close(timeout_s=timeout_s)
+
+    def stop(self, order: StopOrder) -> None:
+        """Carry a stop out; returns at once."""
+        self._inbox.put(order)
+
+    def release(self, key: str) -> None:
+        """Leave a stop to somebody else; returns at once."""
+        self._inbox.put(_Release(key))
+
+    def _work(self) -> None:
+        next_look_s = 0.0
+        while True:
+            wait_s = max(0.0, next_look_s - time.monotonic()) if self._braking.is_busy else _IDLE_WAIT_S
+            try:
+                heard = self._inbox.get(timeout=wait_s)
+            except queue.Empty:
+                heard = None
+            else:
+                if heard is None:
+                    return
+            self._suspension.turn()
+            try:
+                if isinstance(heard, StopOrder):
+                    if not self._braking.is_busy:
+                        next_look_s = time.monotonic() + self._period_s
+                    self._begin(heard)
+                elif isinstance(heard, _Release):
+                    self._braking.release(heard.key)
+                if self._braking.is_busy and time.monotonic() >= next_look_s:
+                    next_look_s = time.monotonic() + self._period_s
+                    self._look()
+                elif not self._braking.is_busy:
+                    self._velocities.hold(False)
+            except Exception as error:  # boundary: whatever is wrong with one stop, the next one must be heard
+                rospy.logerr("the brake failed: %s: %s", type(error).__name__, error)
+
+    def _begin(self, order: StopOrder) -> None:
+        began_s = time.monotonic()
+        self._velocities.hold(True)
+        self._velocities.stop()
+        # The empty id cancels every goal, also those whose stamp comes from a clock that is ahead.
+        is_for_all = not order.is_for_frames_only and not order.except_server
+        cancelled = self.servers.cancel(GoalID() if is_for_all else self._up_to(order), order)
+        took_s = time.monotonic() - began_s
+        is_just_awake = self._suspension.is_just_awake(within_s=_JUST_AWAKE_S)
+        self._braking.begin(order, self._evidence(), is_just_awake=is_just_awake)
+        self.servers.refresh_soon()
+        self._on_braked(Braked(order=order, cancelled=tuple(cancelled), took_s=took_s, is_just_awake=is_just_awake))
+
+    def _look(self) -> None:
+        look = self._braking.look(self._evidence())
+        self._velocities.hold(look.repeated is not None)
+        if look.repeated is not None:
+            self._repeat(look.repeated)
+        for finding in look.findings:
+            self._on_finding(finding)
+
+    def _repeat(self, order: StopOrder) -> None:
+        """Stop what was starting, or on its way, when the stop was heard."""
+        self._velocities.stop()
+        # A cancel without a stamp would take a command with it that was given after the stop.
+        if order.stamp_ns:
+            self.servers.cancel(self._up_to(order), order)
+
+    def _evidence(self) -> Evidence:
+        return Evidence(
+            velocities=self._velocities.seen(), goals=self.servers.goals(), is_complete=self.servers.is_complete
+        )
+
+    @staticmethod
+    def _up_to(order: StopOrder) -> GoalID:
+        return GoalID(stamp=rospy.Time(*divmod(order.stamp_ns, 1_000_000_000)))

@@ -1,0 +1,160 @@
+"""The action servers that a stop cancels: publishers and listeners, made before they are needed."""
+
+import threading
+import time
+from typing import Dict, FrozenSet, List, Mapping, Optional, Tuple
+
+import rospy
+from actionlib_msgs.msg import GoalID, GoalStatus, GoalStatusArray
+
+from roboframenet_ros.ros_master import TimedMaster
+from robot_stop.braking import LiveGoal, StopOrder
+from robot_stop.servers import Server, find_servers
+
+_LIVE = frozenset({GoalStatus.PENDING, GoalStatus.ACTIVE, GoalStatus.PREEMPTING, GoalStatus.RECALLING})
+# A server that was found has told what its goals do by then.
+_CONNECT_S = 0.5
+
+
+class _Connection:
+    """The cancel publisher of one server, and what it last told of its goals."""
+
+    def __init__(self, server: Server) -> None:
+        self.server = server
+        self._publisher = rospy.Publisher(server.cancel_topic, GoalID, queue_size=50, tcp_nodelay=True)
+        # Most messages are never read: they stay bytes until somebody asks.
+        self._last: Optional[rospy.AnyMsg] = None
+        self._read: Optional[rospy.AnyMsg] = None
+        self._goals: Tuple[LiveGoal, ...] = ()
+        self._subscriber = rospy.Subscriber(
+            server.status_topic, rospy.AnyMsg, self._hear, queue_size=1, tcp_nodelay=True
+        )
+
+    def _hear(self, message: rospy.AnyMsg) -> None:
+        self._last = message
+
+    def cancel(self, goal_id: GoalID) -> bool:
+        """Publish one cancel; returns whether the server is connected."""
+        try:
+            self._publisher.publish(goal_id)
+        except rospy.ROSException:
+            # The refreshing thread has just closed it: the server is gone.
+            return False
+        return self._publisher.get_num_connections() > 0
+
+    def goals(self) -> Tuple[LiveGoal, ...]:
+        """Goals that had not ended when the server last told; none of a server that is gone. For one thread."""
+        if self._subscriber.get_num_connections() == 0:
+            self._last = None
+        last = self._last
+        if last is not self._read:
+            self._goals = () if last is None else self._live_goals(last)
+            self._read = last
+        return self._goals
+
+    def _live_goals(self, message: rospy.AnyMsg) -> Tuple[LiveGoal, ...]:
+        statuses = GoalStatusArray().deserialize(message._buff).status_list
+        return tuple(
+            LiveGoal(self.server, status.goal_id.id, status.goal_id.stamp.to_nsec())
+            for status in statuses
+            if status.status in _LIVE
+        )
+
+    def close(self) -> None:
+        """Disconnect."""
+        self._publisher.unregister()
+        self._subscriber.unregister()
+
+
+class Servers:
+    """A connection to each action server that a stop cancels, kept up to date by a thread.
+
+    A stop only uses what is there; it never asks the master. When the master is away the connections stay.
+    """
+
+    def __init__(self, *, also_cancel: Tuple[str, ...], refresh_period_s: float, master_timeout_s: float) -> None:
+        """Start with none.
+
+        Args:
+            also_cancel: resolved names of servers to cancel although they take no frames
+            refresh_period_s: time between two looks at the graph, seconds
+            master_timeout_s: how long the master may take, seconds
+        """
+        self._also_cancel = also_cancel
+        self._refresh_period_s = refresh_period_s
+        self._master = TimedMaster(timeout_s=master_timeout_s)
+        self._registered: FrozenSet[str] = frozenset()
+        # Replaced as a whole, never changed: a stop reads it without a lock.
+        self._connections: Mapping[Server, _Connection] = {}
+        self._looked_s: Optional[float] = None
+        self._is_closing = threading.Event()
+        self._wake = threading.Event()
+        self._thread = threading.Thread(target=self._refresh_on, name="stoppable_servers", daemon=True)
+
+    def start(self) -> None:
+        """Begin to look at the graph."""
+        self._thread.start()
+
+    def close(self, *, timeout_s: float) -> None:
+        """End the thread."""
+        self._is_closing.set()
+        self._wake.set()
+        self._thread.join(timeout_s)
+
+    def set_registered(self, servers: FrozenSet[str]) -> None:
+        """Name the servers that registered for frames, whatever the type of their goals; resolved names."""
+        self._registered = servers
+
+    def refresh_soon(self) -> None:
+        """Look at the graph now rather than at the next turn; returns at once."""
+        self._wake.set()
+
+    @property
+    def is_complete(self) -> bool:
+        """Whether the graph has been looked through, and who was found then has had time to connect."""
+        return self._looked_s is not None and time.monotonic() - self._looked_s >= _CONNECT_S
+
+    def cancel(self, goal_id: GoalID, order: StopOrder) -> List[str]:
+        """Publish one cancel to every server that the order covers.
+
+        Returns:
+            names of the servers that were connected
+        """
+        return sorted(
+            server.name
+            for server, connection in self._connections.items()
+            if order.covers(server) and connection.cancel(goal_id)
+        )
+
+    def goals(self) -> Tuple[LiveGoal, ...]:
+        """Every goal that had not ended when its server last told. For one thread."""
+        return tuple(goal for connection in self._connections.values() for goal in connection.goals())
+
+    def _refresh_on(self) -> None:
+        while not self._is_closing.is_set():
+            try:
+                self._refresh()
+            except Exception as error:  # boundary: the master may be away in any way that XML-RPC and HTTP know
+                rospy.logwarn_throttle(30.0, f"the graph cannot be read, the known servers stay: {error}")
+            self._wake.wait(self._refresh_period_s)
+            self._wake.clear()
+
+    def _refresh(self) -> None:
+        servers = find_servers(
+            self._master.topic_types(),
+            self._master.system_state().subscribers,
+            registered=self._registered,
+            others=self._also_cancel,
+        )
+        kept: Dict[Server, _Connection] = {
+            server: connection for server, connection in self._connections.items() if server in servers
+        }
+        dropped = [connection for server, connection in self._connections.items() if server not in servers]
+        for server in servers - kept.keys():
+            kept[server] = _Connection(server)
+            rospy.loginfo("a stop can cancel %s", server.name)
+        self._connections = kept
+        if self._looked_s is None:
+            self._looked_s = time.monotonic()
+        for connection in dropped:
+            connection.close()

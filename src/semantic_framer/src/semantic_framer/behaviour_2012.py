@@ -1,0 +1,84 @@
+"""Two habits of the system of 2012 that parameters restore: an argument is one word, and nothing is asked back.
+
+They change what is passed on, and not what is understood. Its other two habits are parameters as well: the random
+policy of the arbitrator, and ``LeftOverWords.IGNORE``.
+"""
+
+import re
+from dataclasses import replace
+from enum import Enum
+from typing import Dict, Tuple
+
+from semantic_framer.dialogue import Context
+from semantic_framer.outcome import Outcome, Question, Refusal, Understood
+from semantic_framer.reading import ElementValue, Reading
+
+
+class Arguments(Enum):
+    """Which words of a phrase become the argument of an element."""
+
+    PHRASES = "phrases"  # those that the lexical unit asks for
+    SINGLE_WORDS = "single_words"  # the head word alone, as in 2012
+
+
+class Questions(Enum):
+    """What to do when something must be known first."""
+
+    ASK = "ask"
+    REFUSE = "refuse"  # as in 2012; the refusal says what would have been asked
+
+
+def with_habits(
+    outcome: Outcome, context: Context, *, arguments: Arguments, questions: Questions
+) -> Tuple[Outcome, Context]:
+    """Return what came of an utterance, and what is to be remembered, with these habits.
+
+    Args:
+        outcome: as it was understood
+        context: to be remembered
+        arguments: which words become arguments
+        questions: what becomes of a question
+    """
+    if questions is Questions.REFUSE and isinstance(outcome, Question):
+        sentence = f'I would have to ask "{outcome.sentence}", and I am set to ask nothing. I do nothing.'
+        return Refusal(outcome.code, sentence), replace(context, pending=None)
+    if arguments is Arguments.SINGLE_WORDS and isinstance(outcome, Understood):
+        return _in_single_words(outcome, context)
+    return outcome, context
+
+
+def _in_single_words(understood: Understood, context: Context) -> Tuple[Understood, Context]:
+    head_of: Dict[str, str] = {}
+    for readings in understood.clauses:
+        for reading in readings:
+            for value in reading.values:
+                if _is_phrase(value) and _is_said(value):
+                    head_of.setdefault(value.argument, value.head)
+
+    def shortened(value: ElementValue) -> ElementValue:
+        if not _is_phrase(value):
+            return value
+        # A pronoun has become the phrase that it stands for: its argument is the head of that phrase.
+        word = value.head if _is_said(value) else head_of.get(value.argument, value.argument)
+        return replace(value, argument=word, conjunction="", items=())
+
+    def with_words(reading: Reading) -> Reading:
+        return replace(reading, values=tuple(shortened(value) for value in reading.values))
+
+    clauses = tuple(tuple(with_words(reading) for reading in readings) for readings in understood.clauses)
+    remembered = replace(
+        context,
+        thing=head_of.get(context.thing, context.thing),
+        place=head_of.get(context.place, context.place),
+    )
+    return replace(understood, clauses=clauses), remembered
+
+
+def _is_phrase(value: ElementValue) -> bool:
+    """Whether words of the utterance fill the element; an amount keeps its unit, and a default all of its words."""
+    return bool(value.positions) and not value.quantity
+
+
+def _is_said(value: ElementValue) -> bool:
+    """Whether the argument holds its own head word; that of a pronoun that was resolved does not."""
+    return re.search(rf"(?<!\w){re.escape(value.head)}(?!\w)", value.argument) is not None

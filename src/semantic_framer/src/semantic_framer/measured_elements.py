@@ -1,0 +1,118 @@
+"""Which amount of a clause fills which element of a frame."""
+
+from dataclasses import dataclass
+from typing import Dict, Optional, Sequence, Tuple
+
+from semantic_framer.sentence import Sentence
+from semantic_frames.frame import Quantity, SemanticFrame
+from semantic_frames.lexical_unit import LexicalUnit, RelationPath
+from semantic_frames.relation_names import MEASURE
+from utterance_passes.measures import Amount
+
+_OF_SPACE = frozenset([Quantity.LENGTH.value, Quantity.ANGLE.value])
+_NUMBERS_OF_2012 = frozenset(["num", "number", "nummod"])
+_MEASURES_OF_2012 = _NUMBERS_OF_2012 | {"tmod", "npadvmod"}
+
+
+@dataclass(frozen=True)
+class MeasuredElements:
+    """What fills the elements that ask for a measure.
+
+    Attributes:
+        amount_of: by element, the element of the unit too
+        unread: what was said for an element and must not fill it, by element: "two or three metres"
+    """
+
+    amount_of: Dict[str, Amount]
+    unread: Dict[str, Tuple[Amount, ...]]
+
+
+def measured_elements(
+    sentence: Sentence,
+    unit: LexicalUnit,
+    frame: SemanticFrame,
+    verb_positions: Sequence[int],
+    amounts: Sequence[Amount],
+) -> MeasuredElements:
+    """Give each amount to the first element that measures it and asks for a measure.
+
+    Where an amount must not be acted on, or two are said for one element, the element stays open: what it would be
+    filled with else, its default too, is not what was said.
+
+    Args:
+        sentence: the sentence
+        unit: its relations ask for measures
+        frame: of the unit
+        verb_positions: words of the verb
+        amounts: of the clause
+    """
+    free = [amount for amount in amounts if not _is_of_the_verb(sentence, amount, verb_positions)]
+    amount_of: Dict[str, Amount] = {}
+    unread: Dict[str, Tuple[Amount, ...]] = {}
+    for relation in unit.relations:
+        element = frame.element(relation.name)
+        is_measured = any(path.steps[-1] == MEASURE for path in relation.relations)
+        if not is_measured or element is None or element.quantity is None:
+            continue
+        fitting = [amount for amount in free if amount.quantity == element.quantity.value] or [
+            amount for amount in free if not amount.unit and not amount.is_of_noun
+        ]
+        if not fitting:
+            continue
+        if fitting[0].is_doubtful or (fitting[0].is_share and element.quantity is not Quantity.NUMBER):
+            unread[relation.name] = tuple(fitting)
+            continue
+        free.remove(fitting[0])
+        amount_of[relation.name] = fitting[0]
+    for name, amount in list(amount_of.items()):
+        others = [other for other in free if other.quantity == amount.quantity and other.unit]
+        element = frame.element(name)
+        if others:
+            unread[name] = (amount_of.pop(name), *others)
+        elif element is not None and element.unit_element and amount.unit:
+            amount_of[element.unit_element] = amount
+    # "Turn right five inches" says how far, though not as an angle.
+    misplaced = tuple(amount for amount in free if amount.unit and amount.quantity in _OF_SPACE)
+    for relation in unit.relations:
+        element = frame.element(relation.name)
+        is_open = relation.name not in amount_of and relation.name not in unread
+        if misplaced and is_open and element is not None and element.quantity and element.quantity.value in _OF_SPACE:
+            unread[relation.name] = misplaced
+    return MeasuredElements(amount_of, unread)
+
+
+def _is_of_the_verb(sentence: Sentence, amount: Amount, verb_positions: Sequence[int]) -> bool:
+    """Whether the verb has all of an amount but articles: "make a turn", "pull a 180"; "make half a turn" says more."""
+    verb = frozenset(verb_positions)
+    own = [
+        position
+        for position in amount.positions
+        if position != amount.unit_position and sentence.word(position).form.lower() not in ("a", "an")
+    ]
+    return not amount.is_doubtful and bool(verb & frozenset(amount.positions)) and verb >= frozenset(own)
+
+
+def measures_as_in_2012(unit: LexicalUnit) -> bool:
+    """Whether a unit asks for the number and for what it counts by their relations, as in 2012."""
+    return any(
+        path.steps[-1] in _MEASURES_OF_2012 and not relation.words
+        for relation in unit.relations
+        for path in relation.relations
+    )
+
+
+def numeral_at(head: int, path: RelationPath, amounts: Sequence[Amount]) -> Optional[Amount]:
+    """Return the amount that a unit of 2012 asks for by the relation of one of its words.
+
+    Args:
+        head: the word
+        path: relations that lead to it
+        amounts: of the clause
+    Returns:
+        the amount; None where the word says all of the number, or is none
+    """
+    amount = next((amount for amount in amounts if head in amount.positions), None)
+    if amount is None or path.steps[-1] not in _NUMBERS_OF_2012:
+        return None
+    numeral = [position for position in amount.positions if position != amount.unit_position]
+    return amount if amount.is_doubtful or numeral != [head] else None

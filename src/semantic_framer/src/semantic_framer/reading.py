@@ -1,0 +1,169 @@
+"""One way to understand a clause: its values, and how likely it is meant."""
+
+import math
+from dataclasses import dataclass, replace
+from typing import Dict, FrozenSet, Iterable, NamedTuple, Optional, Tuple, cast
+
+from semantic_frames.frame import FrameElement
+from semantic_frames.lexical_unit import LexicalUnit
+from utterance_passes.measures import Amount
+
+
+@dataclass(frozen=True)
+class ElementValue:
+    """The argument of a frame element; the fields are those of ``roboframenet_msgs/FrameElementValue``."""
+
+    name: str
+    argument: str
+    head: str = ""
+    phrase: str = ""
+    possessor: str = ""
+    determiner: str = ""
+    adjectives: Tuple[str, ...] = ()
+    amount: float = math.nan
+    unit: str = ""
+    quantity: str = ""
+    si_amount: float = math.nan
+    conjunction: str = ""
+    items: Tuple[str, ...] = ()
+    positions: Tuple[int, ...] = ()
+    head_position: int = 0
+
+
+@dataclass(frozen=True)
+class Reading:
+    """One way to understand a clause.
+
+    Attributes:
+        unit: the lexical unit
+        verb: as the unit has it, "pick up"
+        verb_positions: words of the verb in the sentence
+        values: of the elements, in the order of the frame
+        missing: core elements that nothing fills
+        left_over: content words that nothing accounts for, by position
+        coverage: share of the content words that the reading accounts for, 0 to 1
+        listed: words that the unit lists for its elements, by position: "low five"
+        unlikely: how many words fill an element that they are hardly meant for
+        clause_text: the words of the clause, as they were said
+        unread: amounts that elements ask for and that must not be acted on: "two or three metres"
+    """
+
+    unit: LexicalUnit
+    verb: str
+    verb_positions: Tuple[int, ...]
+    values: Tuple[ElementValue, ...]
+    missing: Tuple[FrameElement, ...]
+    left_over: Tuple[int, ...]
+    coverage: float
+    listed: FrozenSet[int] = frozenset()
+    unlikely: int = 0
+    clause_text: str = ""
+    unread: Tuple[Amount, ...] = ()
+
+    @property
+    def said(self) -> FrozenSet[Tuple[str, str]]:
+        """Names and arguments of the elements that words of the sentence fill."""
+        return frozenset((value.name, value.argument) for value in self.values if value.positions)
+
+    @property
+    def asked(self) -> Tuple[FrameElement, ...]:
+        """Missing elements that a person is asked for: a unit is said together with its amount."""
+        units = frozenset(element.unit_element for element in self.missing)
+        return tuple(element for element in self.missing if element.name not in units)
+
+    def value(self, name: str) -> Optional[ElementValue]:
+        """Return the value of an element, None for an empty one."""
+        return next((value for value in self.values if value.name == name), None)
+
+    def __str__(self) -> str:
+        return f"{self.unit.frame_name}({', '.join(f'{value.name}={value.argument}' for value in self.values)})"
+
+
+class Rank(NamedTuple):
+    """How likely a reading is meant: the smallest is the best, and the fields count in this order.
+
+    Attributes:
+        is_incomplete: a core element is missing
+        left_over: words that nothing accounts for
+        unlikely: words that fill an element which they are hardly meant for
+        unfilled: minus the number of elements that were said, and of those that the unit requires
+        asked: elements that a person would be asked for
+        verb: minus the number of words of the verb
+        is_secondary: the verb is not the first of its unit; the first is what the unit is about ("take the box" takes
+            it, and may bring it somewhere)
+        empty: elements of the unit that stay empty
+        verb_place: of the verb among those of the unit
+        path: file of the unit; with the line, it makes the order the same in every run
+        line: of the unit
+    """
+
+    is_incomplete: bool
+    left_over: int
+    unlikely: int
+    unfilled: int
+    asked: int
+    verb: int
+    is_secondary: bool
+    empty: int
+    verb_place: int
+    path: str
+    line: int
+
+    @property
+    def of_what_was_said(self) -> Tuple[int, ...]:
+        """The fields that look at the words; the others look at the unit."""
+        return self._before("verb")
+
+    @property
+    def before_file(self) -> Tuple[int, ...]:
+        """The fields without the place of the unit."""
+        return self._before("path")
+
+    def _before(self, field: str) -> Tuple[int, ...]:
+        # The path is the only text, and no field behind it is asked for.
+        return cast(Tuple[int, ...], self[: self._fields.index(field)])
+
+    def __str__(self) -> str:
+        """Return the fields that are not 0, without the place of the unit."""
+        named = zip(self._fields, self.before_file)
+        return ", ".join(f"{name} {int(value)}" for name, value in named if value) or "all 0"
+
+
+def rank(reading: Reading) -> Rank:
+    """Return how likely a reading is meant."""
+    unit = reading.unit
+    filled = frozenset(value.name for value in reading.values)
+    verb_place = unit.verbs.index(reading.verb) if reading.verb in unit.verbs else len(unit.verbs)
+    return Rank(
+        is_incomplete=bool(reading.missing),
+        left_over=len(reading.left_over),
+        unlikely=reading.unlikely,
+        unfilled=-len(reading.said) - sum(1 for relation in unit.relations if relation.is_required),
+        asked=len(reading.asked),
+        verb=-len(reading.verb.split()),
+        is_secondary=verb_place > 0,
+        empty=sum(1 for relation in unit.relations if relation.name not in filled),
+        verb_place=verb_place,
+        path=unit.path,
+        line=unit.line,
+    )
+
+
+def without_duplicates(readings: Iterable[Reading]) -> Tuple[Reading, ...]:
+    """Keep one of those readings that have the same frame and arguments: the best one, of equal ones the last."""
+    best: Dict[object, Reading] = {}
+    for reading in readings:
+        meaning = (reading.unit.frame_name, frozenset((value.name, value.argument) for value in reading.values))
+        if meaning not in best or rank(reading).before_file <= rank(best[meaning]).before_file:
+            best[meaning] = reading
+    return tuple(best.values())
+
+
+def with_value(reading: Reading, value: ElementValue) -> Reading:
+    """Fill an element of a reading that nothing filled, or replace what filled it."""
+    kept = tuple(other for other in reading.values if other.name != value.name)
+    return replace(
+        reading,
+        values=kept + (value,),
+        missing=tuple(element for element in reading.missing if element.name != value.name),
+    )

@@ -1,0 +1,137 @@
+"""Settles what was understood: pronouns are resolved, and what is still open is refused or asked."""
+
+from dataclasses import dataclass, replace
+from typing import List, Optional, Tuple, Union
+
+from semantic_framer.answers import question_of
+from semantic_framer.choices import question_of_choices
+from semantic_framer.dialogue import Context, Pending
+from semantic_framer.framed_lexicon import FramedLexicon
+from semantic_framer.outcome import (
+    DECLINED,
+    Alternatives,
+    LeftOverWords,
+    Outcome,
+    Policy,
+    Question,
+    Refusal,
+    Understood,
+    left_over_refusal,
+)
+from semantic_framer.reading import ElementValue, Reading
+from semantic_framer.references import remember, resolve
+from semantic_framer.sentence import Sentence
+from utterance_passes.utterance_pass import Choice
+
+Clauses = Tuple[Tuple[Reading, ...], ...]
+
+
+@dataclass(frozen=True)
+class Now:
+    """What surrounds an utterance.
+
+    Attributes:
+        known: lexical units and frames
+        policy: how careful to be
+        time_s: the caller's clock, seconds; questions expire on it
+    """
+
+    known: FramedLexicon
+    policy: Policy
+    time_s: float
+
+    @property
+    def expires_s(self) -> float:
+        """When a question that is asked now is forgotten."""
+        return self.time_s + self.policy.question_timeout_s
+
+
+def ask_which(choices: Tuple[Choice, ...], context: Context, now: Now) -> Tuple[Union[Refusal, Question], Context]:
+    """Let a person choose between readings, or tell one who took everything back that nothing is done."""
+    if not choices:
+        return Refusal(DECLINED, "You took that back, so I do nothing."), context
+    pending = Pending(clauses=(), clause=0, elements=(), expires_s=now.expires_s, readings=choices)
+    return Question("AMBIGUOUS", question_of_choices(choices)), replace(context, pending=pending)
+
+
+def resolve_and_confirm(
+    clauses: Clauses, sentence: Sentence, context: Context, now: Now, *, is_confirmed: bool = False
+) -> Tuple[Outcome, Context]:
+    """Resolve pronouns, then refuse or ask where something is open.
+
+    Args:
+        clauses: the readings of each, the best first
+        sentence: whose words may be left over
+        context: what is remembered of the utterances before
+        now: what surrounds the utterance
+        is_confirmed: whether a person has said yes to it
+    """
+    policy = now.policy
+    # Words that are left over are words of this sentence: they are judged before anything waits for another one.
+    if policy.left_over_words is LeftOverWords.STRICT:
+        for readings in clauses:
+            if readings[0].left_over:
+                return left_over_refusal(sentence, readings[0].left_over), context
+    ignored = [sentence.word(index).form for readings in clauses for index in readings[0].left_over]
+    done: List[Tuple[Reading, ...]] = []
+    for readings in clauses:
+        question = _resolved(readings, context, policy)
+        if isinstance(question, _Open):
+            waiting = without_positions(tuple(done) + (question.readings,) + clauses[len(done) + 1 :])
+            pending = Pending(waiting, len(done), question.elements, now.expires_s, question.choices)
+            return question.question, replace(context, pending=pending)
+        context = remember(question[0], now.known.frames, context)
+        done.append(question)
+    confirm = [readings[0] for readings in done if now.known.frames[readings[0].unit.frame_name].is_confirmed]
+    if confirm and not is_confirmed:
+        pending = Pending(without_positions(tuple(done)), 0, (), now.expires_s)
+        acts = ", then ".join(_in_words(readings[0]) for readings in done)
+        asked = Question("CONFIRM", f'Shall I really do this: "{acts}"? Say yes or no.')
+        return asked, replace(context, pending=pending)
+    warning = f"ignored: {' '.join(ignored)}" if ignored and policy.left_over_words is LeftOverWords.WARN else ""
+    return Understood(tuple(done), warning=warning), context
+
+
+@dataclass(frozen=True)
+class _Open:
+    """Something of a clause that must be asked: of which readings, for which element of each, and the only answers."""
+
+    question: Question
+    readings: Tuple[Reading, ...]
+    elements: Tuple[str, ...]
+    choices: Tuple[str, ...] = ()
+
+
+def _resolved(readings: Tuple[Reading, ...], context: Context, policy: Policy) -> Union[Tuple[Reading, ...], _Open]:
+    """Return readings of a clause with what pronouns stand for, or what must be asked."""
+    resolved: List[Reading] = []
+    unresolved: List[Tuple[Reading, ElementValue]] = []
+    for reading in readings:
+        outcome = resolve(reading, context)
+        if isinstance(outcome, ElementValue):
+            unresolved.append((reading, outcome))
+        else:
+            resolved.append(outcome)
+    if unresolved:
+        question = Question("AMBIGUOUS", f'What do you mean by "{unresolved[0][1].argument}"?')
+        names = tuple(value.name for _, value in unresolved)
+        return _Open(question, tuple(reading for reading, _ in unresolved), names)
+    best = resolved[0]
+    if best.missing:
+        names = tuple(reading.asked[0].name for reading in resolved)
+        return _Open(Question("MISSING_ELEMENT", question_of(resolved)), tuple(resolved), names)
+    alternative: Optional[ElementValue] = next((value for value in best.values if value.conjunction == "or"), None)
+    if alternative is not None and policy.alternatives is Alternatives.ASK:
+        question = Question("AMBIGUOUS", f"Which one: {' or '.join(alternative.items)}?")
+        return _Open(question, (best,), (alternative.name,), alternative.items)
+    return tuple(resolved)
+
+
+def without_positions(clauses: Clauses) -> Clauses:
+    """Return readings that outlive their sentence: the positions of its words mean nothing in the next one."""
+    return tuple(tuple(replace(reading, left_over=()) for reading in readings) for readings in clauses)
+
+
+def _in_words(reading: Reading) -> str:
+    """Return what a reading does: the verb, and the arguments that were said, in the order of the frame."""
+    return " ".join([reading.verb] + [value.argument for value in reading.values if value.positions])

@@ -1,0 +1,438 @@
+"""What is not done, and which readings are dropped: named verdicts, each with its reason, in one order."""
+
+from dataclasses import dataclass
+from typing import Callable, FrozenSet, Iterable, Optional, Tuple
+
+from semantic_framer.attachment import is_side_of_something
+from semantic_framer.frame_roles import NO_THINGS, PLACES, THEME
+from semantic_framer.framed_lexicon import FramedLexicon
+from semantic_framer.outcome import PROHIBITION, LeftOverWords, Policy, Refusal, left_over_refusal, not_then
+from semantic_framer.reading import ElementValue, Reading, rank
+from semantic_framer.sentence import Sentence
+from utterance_passes.clauses import Clause, inner_condition
+from utterance_passes.trace import Trace
+from utterance_passes.verb_matching import VerbMatch
+from word_classes import word_class
+
+_ADDRESSEES = word_class("addressees")
+_AROUND_REQUESTS = word_class("verbs_around_requests")
+_DEGREES = word_class("degrees")
+_LEFT_AND_RIGHT = word_class("left_and_right")
+_PARTICIPANTS = word_class("participants")
+
+
+@dataclass(frozen=True)
+class Case:
+    """What is judged.
+
+    Attributes:
+        sentence: the sentence
+        clauses: all of it
+        known: lexical units and frames
+        policy: how careful to be
+    """
+
+    sentence: Sentence
+    clauses: Tuple[Clause, ...]
+    known: FramedLexicon
+    policy: Policy
+
+
+@dataclass(frozen=True)
+class ClauseCase:
+    """A clause that is judged.
+
+    Attributes:
+        of: the sentence around it
+        clause: the clause
+        matches: verbs of the lexicon that it uses
+    """
+
+    of: Case
+    clause: Clause
+    matches: Tuple[VerbMatch, ...]
+
+    @property
+    def sentence(self) -> Sentence:
+        """The sentence."""
+        return self.of.sentence
+
+    @property
+    def said(self) -> str:
+        """The words of the clause."""
+        words = sorted(self.clause.positions)
+        return self.sentence.text([index for index in words if self.sentence.word(index).upos != "PUNCT"])
+
+
+@dataclass(frozen=True)
+class SentenceVerdict:
+    """Refuses a whole sentence, for a reason that a person may read; ``refuse`` returns None where it does not."""
+
+    name: str
+    reason: str
+    refuse: Callable[[Case], Optional[Refusal]]
+
+
+@dataclass(frozen=True)
+class ClauseVerdict:
+    """Refuses a clause whatever its readings are."""
+
+    name: str
+    reason: str
+    refuse: Callable[[ClauseCase], Optional[Refusal]]
+
+
+#: Whether a reading is dropped, seen beside the others.
+Drops = Callable[[ClauseCase, Reading, Tuple[Reading, ...]], bool]
+
+
+@dataclass(frozen=True)
+class ReadingVerdict:
+    """Drops readings of a clause.
+
+    Attributes:
+        name: by which it is traced
+        reason: why such a reading cannot be meant
+        drops: whether a reading is dropped
+        refuse: what a person hears where none is left; None goes on to the next verdict
+    """
+
+    name: str
+    reason: str
+    drops: Drops
+    refuse: Callable[[ClauseCase], Optional[Refusal]] = lambda case: None
+
+
+# --- sentences
+
+
+def _time(case: Case) -> Optional[Refusal]:
+    """Refuse what is to be done at another time.
+
+    No element of a frame holds a time, and it hides the verb from the parser ("at five turn left"): so it counts
+    wherever it stands, and whatever became of the clauses. What is negated is refused for that.
+    """
+    tree = case.sentence.tree
+    times = [time for time in tree.times if not time & (tree.abandoned | tree.quoted)]
+    inside = frozenset().union(*times)
+    is_command = any(
+        case.known.verbs_beginning_with(spelling)
+        for word in tree.words
+        if word.index not in inside
+        for spelling in (word.lemma.lower(), word.form.lower())
+    )
+    if times and is_command and not any(clause.is_negated for clause in case.clauses):
+        return not_then(case.sentence, times[0])
+    return None
+
+
+def _no_verb(case: Case) -> Optional[Refusal]:
+    if case.clauses:
+        return None
+    return Refusal("NO_VERB", f'I hear no command in "{case.sentence.tree.text.strip()}".')
+
+
+def _outside(case: Case) -> Optional[Refusal]:
+    words = words_outside(case.sentence, case.clauses)
+    if words and case.policy.left_over_words is LeftOverWords.STRICT:
+        return left_over_refusal(case.sentence, words)
+    return None
+
+
+def words_outside(sentence: Sentence, clauses: Iterable[Clause]) -> Tuple[int, ...]:
+    """Return content words that are in no clause; those around a request ("I would like you to ...") are none."""
+    inside = frozenset().union(*(clause.positions for clause in clauses))
+    return tuple(
+        word.index
+        for word in sentence.tree.words
+        if word.index not in inside
+        and sentence.is_content(word.index)
+        and word.lemma.lower() not in _AROUND_REQUESTS
+        and not (word.deprel.startswith("nsubj") and word.form.lower() in _PARTICIPANTS)
+    )
+
+
+#: Before the clauses are read.
+SENTENCE_VERDICTS: Tuple[SentenceVerdict, ...] = (
+    SentenceVerdict("another_time", "It is to be done at another time.", _time),
+    SentenceVerdict("no_verb", "Nothing in it asks for anything.", _no_verb),
+)
+#: After every clause was read.
+REST_VERDICTS: Tuple[SentenceVerdict, ...] = (
+    SentenceVerdict("words_outside", "Words of the sentence are in no clause.", _outside),
+)
+
+
+# --- clauses
+
+
+def _negated(case: ClauseCase) -> Optional[Refusal]:
+    if not case.clause.is_negated:
+        return None
+    return Refusal(PROHIBITION, f'I am not doing that. You said not to: "{case.said}".')
+
+
+def _question(case: ClauseCase) -> Optional[Refusal]:
+    return Refusal("NO_READING", f'"{case.said}" is a question, and no command.') if case.clause.is_question else None
+
+
+def _condition_without_verb(case: ClauseCase) -> Optional[Refusal]:
+    if case.matches or not case.clause.condition:
+        return None
+    return not_then(case.sentence, case.clause.condition_positions)
+
+
+def _unknown_verb(case: ClauseCase) -> Optional[Refusal]:
+    if case.matches:
+        return None
+    near = case.of.known.lexicon.nearest_verbs(case.clause.lemma)
+    hint = f" Do you mean {' or '.join(near)}?" if near else ""
+    return Refusal("UNKNOWN_VERB", f'I do not know how to "{case.clause.lemma}".{hint}')
+
+
+CLAUSE_VERDICTS: Tuple[ClauseVerdict, ...] = (
+    ClauseVerdict("negated", "It is not to be done.", _negated),
+    ClauseVerdict("question", "It asks how something is.", _question),
+    ClauseVerdict("condition_without_verb", "It depends on something, and no verb is known.", _condition_without_verb),
+    ClauseVerdict("unknown_verb", "No lexical unit has its verb.", _unknown_verb),
+)
+
+
+# --- readings that take words for what they are not
+
+
+def _of_any_value(judge: Callable[[ClauseCase, Reading, ElementValue, Tuple[Reading, ...]], bool]) -> Drops:
+    """Judge a reading by each of its values; words that its unit lists ("give me 5") are what the unit says."""
+
+    def drops(case: ClauseCase, reading: Reading, beside: Tuple[Reading, ...]) -> bool:
+        return any(
+            judge(case, reading, value, beside)
+            for value in reading.values
+            if value.head_position and value.head_position not in reading.listed
+        )
+
+    return drops
+
+
+def _is_noun_of_a_verb(case: ClauseCase, reading: Reading, value: ElementValue, beside: Tuple[Reading, ...]) -> bool:
+    return any(
+        value.head_position in other.verb_positions
+        and value.head_position not in reading.verb_positions
+        and case.sentence.word(value.head_position).upos in ("NOUN", "PROPN", "NUM")
+        for other in beside
+    )
+
+
+def _is_measure_elsewhere(case: ClauseCase, reading: Reading, value: ElementValue, beside: Tuple[Reading, ...]) -> bool:
+    is_phrase = any(child.deprel == "case" for child in case.sentence.children(value.head_position))
+    return (
+        not is_phrase
+        and value.head_position not in _measured(reading)
+        and any(value.head_position in _measured(other) for other in beside)
+    )
+
+
+def _is_unread_elsewhere(case: ClauseCase, reading: Reading, value: ElementValue, beside: Tuple[Reading, ...]) -> bool:
+    unread = {position for other in beside for amount in other.unread for position in amount.positions}
+    return not reading.unread and bool(unread & frozenset(value.positions))
+
+
+def _measured(reading: Reading) -> FrozenSet[int]:
+    return frozenset(position for value in reading.values if value.quantity for position in value.positions)
+
+
+def _roles(case: ClauseCase, reading: Reading, value: ElementValue) -> Tuple[str, ...]:
+    """FrameNet's name of the element that a value fills; none for an amount."""
+    if value.quantity:
+        return ()
+    element = case.of.known.frames[reading.unit.frame_name].element(value.name)
+    return () if element is None or element.quantity is not None else (element.framenet,)
+
+
+def _is_numbered_place(case: ClauseCase, reading: Reading, value: ElementValue, beside: Tuple[Reading, ...]) -> bool:
+    if not set(_roles(case, reading, value)) & PLACES or case.sentence.word(value.head_position).upos != "NUM":
+        return False
+    frame = case.of.known.frames[reading.unit.frame_name]
+    themes = {
+        element.name for element in frame.frame_elements if element.framenet == THEME and element.quantity is None
+    }
+    return any(other.name in themes and other.positions for other in reading.values)
+
+
+def _is_degree(case: ClauseCase, reading: Reading, value: ElementValue, beside: Tuple[Reading, ...]) -> bool:
+    word = case.sentence.word(value.head_position)
+    return (
+        bool(_roles(case, reading, value))
+        and word.form.lower() in _DEGREES
+        and not any(child.deprel == "nmod" for child in case.sentence.children(word.index))
+    )
+
+
+def _is_side(case: ClauseCase, reading: Reading, value: ElementValue, beside: Tuple[Reading, ...]) -> bool:
+    word = case.sentence.word(value.head_position)
+    is_side = word.form.lower() in _LEFT_AND_RIGHT and not is_side_of_something(case.sentence.tree, word.index)
+    roles = set(_roles(case, reading, value))
+    return is_side and word.deprel == "obj" and bool(roles) and not roles & (PLACES | NO_THINGS)
+
+
+#: Each is judged beside all readings of the clause.
+PLAUSIBILITY: Tuple[ReadingVerdict, ...] = (
+    ReadingVerdict(
+        "noun_of_another_verb",
+        'A noun fills an element though it is part of the verb of another unit: "take a look".',
+        _of_any_value(_is_noun_of_a_verb),
+    ),
+    ReadingVerdict(
+        "measured_elsewhere",
+        'A number fills an element though another unit measures with it: "turn one eighty".',
+        _of_any_value(_is_measure_elsewhere),
+    ),
+    ReadingVerdict(
+        "unread_elsewhere",
+        'An amount that another unit asks for, and must not be acted on, is taken for a thing: "two or three metres".',
+        _of_any_value(_is_unread_elsewhere),
+    ),
+    ReadingVerdict(
+        "number_is_no_place",
+        'A number is taken for the place of something: "set the thermostat to 20".',
+        _of_any_value(_is_numbered_place),
+    ),
+    ReadingVerdict("degree_is_no_thing", 'A degree is taken for a thing: "move a bit".', _of_any_value(_is_degree)),
+    ReadingVerdict("side_is_no_thing", 'A side is taken for a thing: "take a right".', _of_any_value(_is_side)),
+)
+
+
+def _says_less(case: ClauseCase, reading: Reading, beside: Tuple[Reading, ...]) -> bool:
+    return any(
+        reading.unit.frame_name == other.unit.frame_name
+        and reading.said < other.said
+        and frozenset(other.left_over) <= frozenset(reading.left_over)
+        for other in beside
+    )
+
+
+#: Beside those that are plausible.
+DOMINATED: Tuple[ReadingVerdict, ...] = (
+    ReadingVerdict(
+        "says_less",
+        'Another reading of the same frame says all that it does and more: "turn off the light", not "turn the light".',
+        _says_less,
+    ),
+)
+
+
+# --- readings that are not asked for, or not as much as another one
+
+
+def _is_without_its_subject(case: ClauseCase, reading: Reading, beside: Tuple[Reading, ...]) -> bool:
+    return case.clause.is_report and not _is_about_its_subject(case, reading)
+
+
+def _is_about_its_subject(case: ClauseCase, reading: Reading) -> bool:
+    """Whether the frame is about the subject, "the mug stands on the table"; it is not about who does something."""
+    subject = case.clause.subject
+    if not subject or case.sentence.word(subject).form.lower() in _ADDRESSEES:
+        return False
+    elements = case.of.known.frames[reading.unit.frame_name].frame_elements
+    core = {element.name for element in elements if element.is_core}
+    required = {relation.name for relation in reading.unit.relations if relation.is_required}
+    return any(subject in value.positions and value.name in core | required for value in reading.values)
+
+
+def _report(case: ClauseCase) -> Optional[Refusal]:
+    return Refusal("NO_READING", f'"{case.said}" does not ask me to do anything.') if case.clause.is_report else None
+
+
+def _is_never_dropped(case: ClauseCase, reading: Reading, beside: Tuple[Reading, ...]) -> bool:
+    return False
+
+
+def _nothing_fits(case: ClauseCase) -> Optional[Refusal]:
+    known = case.of.known
+    wanted = {unit.frame_name for match in case.matches for unit in known.lexicon.units_of(match.verb)}
+    if not wanted & set(known.frames):
+        return Refusal("UNKNOWN_FRAME", f"No file describes the frame {' or '.join(sorted(wanted))}.")
+    return Refusal("NO_READING", f'I know "{case.matches[0].verb}", but not in this way.')
+
+
+def _depends_on_something(case: ClauseCase, reading: Reading, beside: Tuple[Reading, ...]) -> bool:
+    """ "Check if the oven is hot": the words fill an element and are no condition; "if" itself fills nothing."""
+    positions = case.clause.condition_positions
+    if not positions:
+        return False
+    conditional = {index for index in positions if case.sentence.word(index).deprel != "mark"}
+    filled = {position for value in reading.values for position in value.positions}
+    return not (conditional or set(positions)) <= filled or bool(
+        inner_condition(case.sentence.tree, case.clause.condition_positions)
+    )
+
+
+def _condition(case: ClauseCase) -> Optional[Refusal]:
+    return not_then(
+        case.sentence,
+        inner_condition(case.sentence.tree, case.clause.condition_positions) or case.clause.condition_positions,
+    )
+
+
+def _is_incomplete(case: ClauseCase, reading: Reading, beside: Tuple[Reading, ...]) -> bool:
+    return bool(reading.missing) and any(not other.missing for other in beside)
+
+
+def _is_less_likely_asked(case: ClauseCase, reading: Reading, beside: Tuple[Reading, ...]) -> bool:
+    """ "Move." asks where to as well as how far: the answer tells which was meant."""
+    return bool(reading.missing) and rank(reading).of_what_was_said != rank(beside[0]).of_what_was_said
+
+
+def _leaves_more_over(case: ClauseCase, reading: Reading, beside: Tuple[Reading, ...]) -> bool:
+    if reading.missing or case.of.policy.left_over_words is LeftOverWords.IGNORE:
+        return False
+    return len(reading.left_over) > len(beside[0].left_over)
+
+
+def _lists_less(case: ClauseCase, reading: Reading, beside: Tuple[Reading, ...]) -> bool:
+    if not reading.listed or reading.missing:
+        return False
+    return any(reading.listed < other.listed or _named(reading) < _named(other) for other in beside)
+
+
+def _named(reading: Reading) -> FrozenSet[int]:
+    return reading.listed | frozenset(reading.verb_positions)
+
+
+#: One after the other, each beside the readings that are left, the likeliest first.
+READING_VERDICTS: Tuple[ReadingVerdict, ...] = (
+    ReadingVerdict(
+        "report",
+        "It tells or asks what happens, and the unit is not about its subject.",
+        _is_without_its_subject,
+        _report,
+    ),
+    ReadingVerdict("nothing_fits", "No lexical unit of the verb fits.", _is_never_dropped, _nothing_fits),
+    ReadingVerdict("condition", "It depends on something, or is to be done later.", _depends_on_something, _condition),
+    ReadingVerdict("incomplete", "A core element is missing, and another reading has all.", _is_incomplete),
+    ReadingVerdict(
+        "less_likely_asked", "It is less likely than the reading that is asked about.", _is_less_likely_asked
+    ),
+    ReadingVerdict("leaves_more_over", "Another reading accounts for more words.", _leaves_more_over),
+    ReadingVerdict(
+        "lists_less", 'A unit lists less than another one of what was said: "low five", "turn around".', _lists_less
+    ),
+)
+
+
+def drop(
+    verdicts: Iterable[ReadingVerdict],
+    case: ClauseCase,
+    readings: Tuple[Reading, ...],
+    beside: Tuple[Reading, ...],
+    trace: Optional[Trace],
+) -> Tuple[Reading, ...]:
+    """Return the readings that no verdict drops."""
+    kept = []
+    for reading in readings:
+        verdict = next((verdict for verdict in verdicts if verdict.drops(case, reading, beside)), None)
+        if verdict is None:
+            kept.append(reading)
+        elif trace is not None:
+            trace.add(verdict.name, str(reading), "", f"dropped. {verdict.reason}", reading.verb_positions)
+    return tuple(kept)

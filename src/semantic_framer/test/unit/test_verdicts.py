@@ -1,0 +1,35 @@
+"""The tables of verdicts: every one is named, has a reason, and stands in the README."""
+
+from pathlib import Path
+
+from semantic_framer.verdicts import (
+    CLAUSE_VERDICTS,
+    DOMINATED,
+    PLAUSIBILITY,
+    READING_VERDICTS,
+    REST_VERDICTS,
+    SENTENCE_VERDICTS,
+)
+
+README = Path(__file__).resolve().parents[2] / "README.md"
+IN_ORDER = (
+    [(verdict, "sentence") for verdict in SENTENCE_VERDICTS]
+    + [(verdict, "clause") for verdict in CLAUSE_VERDICTS]
+    + [(verdict, "reading") for verdict in PLAUSIBILITY + DOMINATED + READING_VERDICTS]
+    + [(verdict, "sentence") for verdict in REST_VERDICTS]
+)
+
+
+def test_order() -> None:
+    assert [verdict.name for verdict, _ in IN_ORDER] == (
+        "another_time no_verb negated question condition_without_verb unknown_verb "
+        "noun_of_another_verb measured_elsewhere unread_elsewhere number_is_no_place degree_is_no_thing "
+        "side_is_no_thing says_less report nothing_fits condition incomplete less_likely_asked leaves_more_over "
+        "lists_less words_outside"
+    ).split()
+
+
+def test_readme_lists_every_verdict_in_its_order() -> None:
+    rows = [line for line in README.read_text(encoding="utf-8").splitlines() if line.startswith("| `")]
+    expected = [f"| `{verdict.name}` | {of} | {verdict.reason} |" for verdict, of in IN_ORDER]
+    assert [row for row in rows if row in expected] == expected

@@ -1,0 +1,16 @@
+"""Typed arguments of frame elements: what was said, and what it means."""
+
+from typed_arguments.argument import EmbeddedFrame, Measure, Modifier, Source, TimeExpression, TypedArgument
+from typed_arguments.goal_text import GoalArguments, from_goal_text, to_goal_text
+
+__all__ = [
+    "EmbeddedFrame",
+    "GoalArguments",
+    "Measure",
+    "Modifier",
+    "Source",
+    "TimeExpression",
+    "TypedArgument",
+    "from_goal_text",
+    "to_goal_text",
+]

@@ -1,0 +1,199 @@
+"""Typed arguments between messages and values."""
+
+import math
+from dataclasses import fields, replace
+from typing import Dict, List, Optional, Union
+
+import genpy
+from roboframenet_msgs import msg
+
+from typed_arguments.argument import (
+    MOST_PHRASES,
+    EmbeddedFrame,
+    Measure,
+    Modifier,
+    Source,
+    TimeExpression,
+    TypedArgument,
+)
+
+#: Attributes of a phrase that are fields of the message as they are: strings, flags and numbers that are never None.
+_SAME = tuple(
+    field.name for field in fields(TypedArgument) if type(field.default) in (str, bool, int) and field.name != "name"
+)
+
+
+def to_message(argument: TypedArgument) -> msg.TypedArgument:
+    """Turn a value into a message."""
+    phrases: List[msg.Phrase] = []
+    _add_phrase(argument, phrases)
+    return msg.TypedArgument(name=argument.name, phrases=phrases)
+
+
+def from_message(message: msg.TypedArgument) -> TypedArgument:
+    """Turn a message into a value.
+
+    Raises:
+        ValueError: the phrases are no argument with its parts, or one of them is malformed; the text says why
+    """
+    phrases = message.phrases
+    if not 1 <= len(phrases) <= MOST_PHRASES:
+        raise ValueError(f"an argument has 1 to {MOST_PHRASES} phrases, got {len(phrases)}")
+    values: Dict[int, TypedArgument] = {}
+    # Parts stand behind what they are parts of: from the last on, the parts of each phrase are there before it.
+    for position in range(len(phrases) - 1, -1, -1):
+        try:
+            values[position] = _from_phrase(message.name if position == 0 else "", phrases[position], position, values)
+        except ValueError as error:
+            raise ValueError(f"phrase {position} of the argument {message.name!r} is wrong: {error}") from error
+    if len(values) > 1:
+        raise ValueError(f"phrases {sorted(values)[1:]} of the argument {message.name!r} are parts of nothing")
+    return values[0]
+
+
+def _add_phrase(argument: TypedArgument, phrases: List[msg.Phrase]) -> int:
+    """Append a phrase and its parts; returns the position of the phrase."""
+    position = len(phrases)
+    phrase = msg.Phrase()
+    phrases.append(phrase)
+    for field in _SAME:
+        setattr(phrase, field, getattr(argument, field))
+    phrase.source = int(argument.source)
+    phrase.positions = list(argument.positions)
+    phrase.referents = list(argument.referents)
+    phrase.count = -1 if argument.count is None else argument.count
+    if argument.measure is not None:
+        phrase.measure = _measure_to_message(argument.measure)
+    if argument.time is not None:
+        phrase.time = _time_to_message(argument.time)
+    phrase.modifiers = [
+        msg.Modifier(**{field: getattr(modifier, field) for field in msg.Modifier.__slots__})
+        for modifier in argument.modifiers
+    ]
+    phrase.possessor = 0 if argument.possessor is None else _add_phrase(argument.possessor, phrases)
+    phrase.complement = 0 if argument.complement is None else _add_phrase(argument.complement, phrases)
+    phrase.members = [_add_phrase(part, phrases) for part in argument.members]
+    phrase.exceptions = [_add_phrase(part, phrases) for part in argument.exceptions]
+    phrase.frames = [
+        msg.EmbeddedFrame(
+            role=frame.role,
+            frame_name=frame.frame_name,
+            words=frame.words,
+            positions=list(frame.positions),
+            head_element=frame.head_element,
+            mood=frame.mood,
+            is_negated=frame.is_negated,
+            element_names=[element.name for element in frame.frame_elements],
+            element_phrases=[_add_phrase(element, phrases) for element in frame.frame_elements],
+        )
+        for frame in argument.frames
+    ]
+    return position
+
+
+def _from_phrase(name: str, phrase: msg.Phrase, position: int, values: Dict[int, TypedArgument]) -> TypedArgument:
+    """Make a value of a phrase, whose parts are taken out of `values`; raises ValueError."""
+
+    def part(at: int) -> TypedArgument:
+        if at not in values:
+            raise ValueError(f"phrase {at} is not there, does not stand behind it, or is a part of something else")
+        return values.pop(at)
+
+    def frame(message: msg.EmbeddedFrame) -> EmbeddedFrame:
+        if len(message.element_names) != len(message.element_phrases):
+            raise ValueError("an embedded frame has not as many phrases as elements")
+        return EmbeddedFrame(
+            role=message.role,
+            frame_name=message.frame_name,
+            words=message.words,
+            positions=tuple(message.positions),
+            head_element=message.head_element,
+            mood=message.mood,
+            is_negated=bool(message.is_negated),
+            frame_elements=tuple(
+                replace(part(at), name=element) for element, at in zip(message.element_names, message.element_phrases)
+            ),
+        )
+
+    if phrase.count < -1:
+        raise ValueError(f"the count {phrase.count} is less than -1")
+    return TypedArgument(
+        name=name,
+        source=Source(phrase.source),
+        positions=tuple(phrase.positions),
+        count=None if phrase.count == -1 else phrase.count,
+        measure=_measure_from_message(phrase.measure) if phrase.measure.kind else None,
+        time=_time_from_message(phrase.time) if phrase.time.kind else None,
+        modifiers=tuple(
+            Modifier(**{field: getattr(modifier, field) for field in msg.Modifier.__slots__})
+            for modifier in phrase.modifiers
+        ),
+        possessor=part(phrase.possessor) if phrase.possessor else None,
+        complement=part(phrase.complement) if phrase.complement else None,
+        members=tuple(part(at) for at in phrase.members),
+        exceptions=tuple(part(at) for at in phrase.exceptions),
+        frames=tuple(frame(message) for message in phrase.frames),
+        referents=tuple(phrase.referents),
+        **{field: getattr(phrase, field) for field in _SAME},
+    )
+
+
+def _measure_to_message(measure: Measure) -> msg.Measure:
+    return msg.Measure(
+        kind=measure.kind,
+        words=measure.words,
+        amount=math.nan if measure.amount is None else measure.amount,
+        unit=measure.unit,
+        si=math.nan if measure.si is None else measure.si,
+        bound=measure.bound,
+        change=measure.change,
+        is_assumed=measure.is_assumed,
+    )
+
+
+def _measure_from_message(message: msg.Measure) -> Measure:
+    return Measure(
+        kind=message.kind,
+        words=message.words,
+        amount=None if math.isnan(message.amount) else message.amount,
+        unit=message.unit,
+        si=None if math.isnan(message.si) else message.si,
+        bound=message.bound,
+        change=message.change,
+        is_assumed=message.is_assumed,
+    )
+
+
+def _time_to_message(time: TimeExpression) -> msg.TimeExpression:
+    return msg.TimeExpression(
+        kind=time.kind,
+        words=time.words,
+        relation=time.relation,
+        value=time.value,
+        time_zone=time.time_zone,
+        begin=genpy.Time.from_sec(time.begin_s or 0.0),
+        end=genpy.Time.from_sec(time.end_s or 0.0),
+        offset=genpy.Duration.from_sec(time.offset_s or 0.0),
+        length=genpy.Duration.from_sec(time.length_s or 0.0),
+        period=genpy.Duration.from_sec(time.period_s or 0.0),
+    )
+
+
+def _time_from_message(message: msg.TimeExpression) -> TimeExpression:
+    return TimeExpression(
+        kind=message.kind,
+        words=message.words,
+        relation=message.relation,
+        value=message.value,
+        time_zone=message.time_zone,
+        begin_s=_seconds(message.begin),
+        end_s=_seconds(message.end),
+        offset_s=_seconds(message.offset),
+        length_s=_seconds(message.length),
+        period_s=_seconds(message.period),
+    )
+
+
+def _seconds(time: Union[genpy.Time, genpy.Duration]) -> Optional[float]:
+    """Return seconds; None for a time of zero, which means none."""
+    return None if time.is_zero() else time.to_sec()

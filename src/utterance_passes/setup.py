@@ -1,0 +1,11 @@
+"""Installed by catkin only."""
+
+from distutils.core import setup
+
+from catkin_pkg.python_setup import generate_distutils_setup
+
+setup(
+    **generate_distutils_setup(
+        packages=["utterance_passes"], package_dir={"": "src"}, package_data={"utterance_passes": ["formulas.yaml"]}
+    )
+)

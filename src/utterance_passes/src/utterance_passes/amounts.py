@@ -1,0 +1,283 @@
+"""Amounts in a tree, found in its words: the same words hang in the tree in many ways ("move 3 feet forward").
+
+An amount is read from the characters as they were said: in "forty-five" the hyphen joins, in "-2" it is a sign, and in
+"2 - 3" neither. What stands beside an amount and changes it, but is no part of what was read, makes it doubtful
+(:mod:`utterance_passes.measures`).
+"""
+
+import math
+import re
+from dataclasses import dataclass
+from typing import List, Optional, Sequence, Tuple
+
+from spoken_quantities import QuantityError, Unit, find_unit, number_words, parse_measure, parse_number
+from utterance_passes.tree import DependencyTree
+
+#: No amount has more words ("one hundred and twenty - five and a half feet and six inches").
+LONGEST = 16
+#: Places in a row where they stand alone ("the third door"), and shares behind an article or a number ("a third").
+_ORDINALS = frozenset("third fourth fifth sixth seventh eighth ninth tenth".split())
+#: Said inside of a number: "one oh five", "two point five".
+_EMPHASIS = frozenset("full whole complete entire more further additional extra".split())
+_INSIDE = frozenset("a an and of oh point - / , .".split()) | _EMPHASIS
+_SIGNS = frozenset(["minus", "negative", "plus"])
+_NUMBER_WORDS = frozenset(number_words()) - _INSIDE - _SIGNS
+_ARTICLES = frozenset(["a", "an"])
+_FRACTION = re.compile(r"half|halves|quarters?|thirds?|fourths?|fifths?|eighths?|\d\s*/\s*\d")
+#: Nouns that are verbs as well: "turn left ninety turn right" has no unit.
+_TURNS = frozenset(["turn", "circle"])
+
+
+@dataclass(frozen=True)
+class Amount:
+    """A number in a tree, and its unit if one was said.
+
+    Attributes:
+        positions: of its words, unit included
+        amount: the number; not a number where it is doubtful
+        unit: as it was said, "feet"; empty for a bare number
+        quantity: length, angle, duration or number
+        si_amount: metres, radians, seconds or the bare number
+        numeral: the number as it was said, "minus two"
+        unit_position: of the unit, 0 for none
+        is_doubtful: whether the words say more than the amount that could be read: it must not be acted on
+        ends: of a doubtful one, the words of each of the amounts that it leaves to choose from: "two or three metres"
+        is_of_noun: whether it names the noun in front of it, stands for one, or says how often: "room 5", "the next
+            one", "5 times"
+    """
+
+    positions: Tuple[int, ...]
+    amount: float
+    unit: str
+    quantity: str
+    si_amount: float
+    numeral: str
+    unit_position: int = 0
+    is_doubtful: bool = False
+    ends: Tuple[Tuple[int, ...], ...] = ()
+    is_of_noun: bool = False
+
+    def digits(self) -> str:
+        """The number in digits, without needless zeros; as it was said where it is not finite."""
+        return f"{self.amount:.12g}" if math.isfinite(self.amount) else self.numeral
+
+    @property
+    def is_share(self) -> bool:
+        """Whether it is a part of something, "half", of which nobody said what it is."""
+        return not self.unit and _FRACTION.search(self.numeral.lower()) is not None
+
+
+def read_amounts(tree: DependencyTree, spoken: Sequence[int]) -> Tuple[Amount, ...]:
+    """Read the amounts among some words, whatever stands beside them.
+
+    Args:
+        tree: the sentence
+        spoken: positions of the words to look at, in order
+    Returns:
+        amounts that do not overlap, the longest first where they could; amounts that are not finite are read too
+    """
+    found: List[Amount] = []
+    start = 0
+    while start < len(spoken):
+        amount = None
+        for length in range(_longest_window(tree, spoken, start), 0, -1):
+            amount = _amount(tree, spoken[start : start + length])
+            if amount is not None:
+                break
+        if amount is None:
+            start += 1
+        else:
+            found.append(amount)
+            start += len(amount.positions)
+    return tuple(found)
+
+
+def _longest_window(tree: DependencyTree, spoken: Sequence[int], start: int) -> int:
+    """Return how many words that an amount may be made of stand one behind the other."""
+    length = 0
+    while (
+        start + length < len(spoken)
+        and length < LONGEST
+        and (not length or is_beside(tree, spoken[start + length - 1], spoken[start + length]))
+        and (_may_be_inside(tree, spoken[start + length]) or unit_at(tree, spoken[start + length]))
+    ):
+        length += 1
+    return length
+
+
+def is_beside(tree: DependencyTree, first: int, second: int) -> bool:
+    """Whether nothing that counts stands between two words."""
+    return all(index in tree.abandoned for index in range(first + 1, second))
+
+
+def is_glued(tree: DependencyTree, first: int, second: int) -> bool:
+    """Whether there is no blank between two words, as in "forty-five" between "forty" and "-"."""
+    before, after = tree.word(first), tree.word(second)
+    # "2½" is rewritten for the parser: two numbers in digits are never one word.
+    are_digits = before.form[-1:].isdigit() and after.form[:1].isdigit()
+    return 0 < before.end_character == after.start_character and not are_digits
+
+
+def counts_things(tree: DependencyTree, amount: Amount) -> bool:
+    """Whether a number stands in front of the noun that it counts: "two eggs"."""
+    numeral = tree.word(amount.positions[-1])
+    noun = tree.word(numeral.head) if numeral.head else numeral
+    between = [tree.word(index) for index in range(numeral.index + 1, noun.index)]
+    is_counted = numeral.deprel == "nummod" and noun.index > numeral.index and noun.upos in ("NOUN", "PROPN")
+    is_next = all(word.upos in ("ADJ", "NOUN", "PROPN") for word in between)
+    return is_counted and is_next and not amount.unit and not find_unit(noun.form) and noun.lemma.lower() != "time"
+
+
+def is_number(tree: DependencyTree, index: int) -> bool:
+    """Whether a word is a number, or a part of one that means nothing else: no article, "and" or sign."""
+    word = tree.word(index)
+    form = word.form.lower()
+    before = tree.word(index - 1).form.lower() if index > 1 else ""
+    if form in _ORDINALS or form in ("couple", "few"):
+        return before in _ARTICLES | {"one", "-"}
+    if form == "one":
+        return word.upos == "NUM"
+    if re.fullmatch(r"\d+(st|nd|rd|th)", form):
+        return False
+    parts = form.split("-") if form != "-" else [form]
+    return form[:1].isdigit() or (form[1:2].isdigit() and form[0] in ".+-") or all(p in _NUMBER_WORDS for p in parts)
+
+
+def unit_at(tree: DependencyTree, index: int) -> Optional[Unit]:
+    """Return the unit that a word is; None where it is none: "in", "second" and a quotation mark have other uses."""
+    word = tree.word(index)
+    unit = find_unit(word.form)
+    if unit is None:
+        return None
+    if word.form.lower() == "in" and word.deprel == "case" and word.head > index:
+        # "70 in backwards" has inches, "two in the hall" has none.
+        is_glued_on = index > 1 and is_glued(tree, index - 1, index)
+        return unit if is_glued_on or tree.word(word.head).upos == "ADV" else None
+    if unit.name == "second" and word.upos == "ADJ":
+        return None
+    if word.form in ("'", '"'):
+        marks = sum(1 for other in tree.words[: index - 1] if other.form == word.form)
+        return unit if index > 1 and is_glued(tree, index - 1, index) and marks % 2 == 0 else None
+    return unit
+
+
+def _may_be_inside(tree: DependencyTree, index: int) -> bool:
+    form = tree.word(index).form.lower()
+    return form in _INSIDE | _SIGNS | _ORDINALS | {"couple", "few", "+"} or is_number(tree, index)
+
+
+def _amount(tree: DependencyTree, window: Sequence[int]) -> Optional[Amount]:
+    """Read all of some words as one amount."""
+    forms = [tree.word(index).form.lower() for index in window]
+    if not _is_written_so(tree, window, forms):
+        return None
+    unit = unit_at(tree, window[-1]) if len(window) > 1 else None
+    numeral = window[:-1] if unit else window
+    if any(unit_at(tree, index) and not is_number(tree, index) for index in numeral):
+        return _sum(tree, window)
+    is_one = unit is not None and [form for form in forms[:-1] if form not in _SIGNS | _EMPHASIS] in (["a"], ["an"])
+    if not is_one and not any(is_number(tree, index) for index in numeral):
+        return None
+    if forms[len(numeral) - 1] == "and" or (unit is None and forms[0] in _ARTICLES):
+        return None
+    spoken = _said(tree, numeral)
+    try:
+        if unit is None:
+            number = parse_number(spoken)
+            is_of_noun = _is_of_noun(tree, window[-1])
+            return Amount(tuple(window), number, "", "number", number, spoken, is_of_noun=is_of_noun)
+        measure = parse_measure(_said(tree, window))
+    except QuantityError as error:
+        if error.code != "NOT_FINITE":
+            return None
+        return Amount(
+            positions=tuple(window),
+            amount=math.inf,
+            unit=tree.word(window[-1]).form if unit else "",
+            quantity=unit.quantity if unit else "number",
+            si_amount=math.inf,
+            numeral=spoken,
+            unit_position=window[-1] if unit else 0,
+        )
+    if spoken.lower() in ("half", "quarter", "a", "an") and forms[-1].endswith("s"):
+        # How many of the "quarter turns" or "a turns" is not said.
+        return None
+    turn = tree.word(window[-1])
+    if turn.form.lower() in _TURNS and (measure.amount > 1.0 or (turn.upos == "VERB" and not _FRACTION.search(spoken))):
+        return None
+    return Amount(
+        tuple(window), measure.amount, turn.form, measure.quantity, measure.si_amount, spoken, unit_position=window[-1]
+    )
+
+
+def _is_written_so(tree: DependencyTree, window: Sequence[int], forms: Sequence[str]) -> bool:
+    """Whether the marks among some words are written as in one number: "forty-five", "1,000", "-2"."""
+    if forms[0] in ("and", "of", "oh", "/", ",", ".") or (forms[0] in _SIGNS and len(forms) == 1):
+        return False
+    if forms[0] == "point" and _has_determiner(tree, window[0]):
+        return False
+    for number, form in enumerate(forms):
+        before = number > 0 and is_glued(tree, window[number - 1], window[number])
+        after = number + 1 < len(forms) and is_glued(tree, window[number], window[number + 1])
+        if form in ("-", "+") and number == 0:
+            # A dash between blanks is no sign.
+            is_free = window[0] == 1 or not is_glued(tree, window[0] - 1, window[0])
+            if not (after and is_free):
+                return False
+        elif form in ("-", "+", ",", ".") and not (before and after):
+            return False
+    return True
+
+
+def _has_determiner(tree: DependencyTree, index: int) -> bool:
+    return any(child.deprel in ("det", "nmod:poss", "amod") for child in tree.children(index))
+
+
+def _is_of_noun(tree: DependencyTree, index: int) -> bool:
+    word = tree.word(index)
+    noun = tree.word(word.head) if word.head else word
+    is_behind = noun.index < index and noun.upos in ("NOUN", "PROPN")
+    is_name = (
+        is_behind
+        and not find_unit(noun.form)
+        and word.deprel in ("nummod", "compound", "flat", "appos", "nmod:unmarked")
+    )
+    return is_name or word.form.lower() == "one" or is_iteration(tree, index)
+
+
+def is_iteration(tree: DependencyTree, index: int) -> bool:
+    """Whether a number says how often: "5 times"."""
+    return index < len(tree.words) and tree.word(index + 1).form.lower() in ("time", "times")
+
+
+def _said(tree: DependencyTree, window: Sequence[int]) -> str:
+    """Return words as they were written, apart where a unit begins."""
+    text = ""
+    for number, index in enumerate(window):
+        form = tree.word(index).form
+        is_unit = unit_at(tree, index) is not None and not is_number(tree, index)
+        if is_unit and text.endswith("-"):
+            text = text[:-1]
+        is_joined = number > 0 and is_glued(tree, window[number - 1], index) and not is_unit
+        text += form if is_joined or not text else " " + form
+    return text
+
+
+def _sum(tree: DependencyTree, window: Sequence[int]) -> Optional[Amount]:
+    """Return an amount in several units, "5 feet 6 inches", counted in the first of them."""
+    first = tree.word(window[0]).form.lower()
+    if not is_number(tree, window[0]) and first not in _ARTICLES | _SIGNS | {"-"}:
+        return None
+    if not unit_at(tree, window[-1]) and window[-1] < len(tree.words):
+        # "5 feet 6 times" and "2 metres 90 degrees" are two amounts.
+        following = tree.word(window[-1] + 1)
+        if find_unit(following.form) or following.upos in ("NOUN", "PROPN", "ADJ", "NUM"):
+            return None
+    said = _said(tree, window)
+    try:
+        measure = parse_measure(said)
+    except QuantityError:
+        return None
+    position = next(index for index in window[1:] if unit_at(tree, index))
+    unit = tree.word(position).form
+    return Amount(tuple(window), measure.amount, unit, measure.quantity, measure.si_amount, said, position)

@@ -1,0 +1,317 @@
+"""The clauses of a sentence: each verb that asks for something, with the words that belong to it."""
+
+from dataclasses import dataclass, replace
+from typing import FrozenSet, List, Set, Tuple
+
+from utterance_passes.tree import DependencyTree, Word
+from utterance_passes.vocabulary import Verbs, Vocabulary
+from word_classes import word_class
+
+_ADDRESSEES = word_class("addressees")
+_CONDITIONS = word_class("conditions")
+_REPORTING_AUXILIARIES = word_class("reporting_auxiliaries")
+_LEADING_VERBS = word_class("leading_verbs")
+_LEAD_IN = word_class("lead_in")
+_LEFT_AND_RIGHT = word_class("left_and_right")
+_NEGATIONS = word_class("negations")
+_NO_LONGER = word_class("no_longer")
+_NO_THINGS = word_class("no_things")
+_QUESTION_WORDS = word_class("question_words")
+_REQUEST_VERBS = word_class("request_verbs")
+
+
+@dataclass(frozen=True)
+class Clause:
+    """One thing that is asked for.
+
+    Attributes:
+        verb: index of the verb, from 1; of the form of "be" where that is the verb
+        lemma: dictionary form of the verb, lower case
+        positions: words of the clause, the verb's included, those of other clauses left out
+        is_negated: "don't", "never"
+        condition: words of a condition ("when I say so"), empty for none
+        condition_positions: of those words
+        subject: index of the subject, 0 for none
+        is_report: whether it tells or asks what happens ("I turned left", "did you turn left?"), asking for nothing
+        is_question: whether it asks how something is ("where are my keys?", "is the door open?")
+    """
+
+    verb: int
+    lemma: str
+    positions: FrozenSet[int]
+    is_negated: bool
+    condition: str
+    condition_positions: FrozenSet[int]
+    subject: int = 0
+    is_report: bool = False
+    is_question: bool = False
+
+
+def find_clauses(tree: DependencyTree, vocabulary: Vocabulary = Verbs()) -> Tuple[Clause, ...]:
+    """Find what a sentence asks for, in the order in which it was said.
+
+    A verb of several words ("let go of") is one verb where a lexicon is given that has it.
+
+    A sentence whose root is no verb ("three feet", "the office") has no clause.
+    """
+    found: List[Tuple[int, bool]] = []
+    for root in tree.children(0):
+        _collect(tree, vocabulary, root, False, found)
+    verbs = {index for index, _ in found}
+    tops = {index: _top(tree, index) for index in verbs}
+    clauses = []
+    for index, is_negated in sorted(found):
+        others: Set[int] = set()
+        for other in verbs - {index}:
+            if tops[other] in tree.subtree(tops[index]):
+                others |= tree.subtree(tops[other])
+        positions = set(tree.subtree(tops[index])) - others - tree.abandoned
+        # The words around a wrapped request ("I want you to ...") belong to it.
+        clauses.append(
+            clause_of(tree, index, frozenset(positions), is_negated or _is_of_nothing(tree, frozenset(positions)))
+        )
+    return tuple(piece for clause in clauses for piece in _expand_shared_verb(tree, clause))
+
+
+def _expand_shared_verb(tree: DependencyTree, clause: Clause) -> Tuple[Clause, ...]:
+    """Return a clause, and one for each phrase that shares its verb: "go to the office and then to the kitchen"."""
+    sharing = [word for word in tree.children(clause.verb) if word.index in tree.sharing_a_verb]
+    if not sharing:
+        return (clause,)
+    left_out = frozenset().union(*(tree.subtree(word.index) for word in sharing))
+    shared = frozenset([clause.verb]).union(
+        *(tree.subtree(word.index) for word in tree.children(clause.verb) if word.deprel == "obj")
+    )
+    found = [replace(clause, positions=clause.positions - left_out)]
+    for word in sharing:
+        joining = {child.index for child in tree.children(word.index) if child.deprel == "cc" or _is_then(child)}
+        positions = (tree.subtree(word.index) - joining | shared) & clause.positions
+        found.append(replace(clause, positions=positions))
+    return tuple(found)
+
+
+def shares_a_verb(tree: DependencyTree, word: Word) -> bool:
+    """Whether a word is joined to a verb and is none: "to the kitchen", and "left" of "turn right and then left"."""
+    children = tree.children(word.index)
+    is_choice = any(child.deprel == "cc" and child.form.lower() != "and" for child in children)
+    if is_choice or any(child.deprel == "cop" or child.deprel.startswith("nsubj") for child in children):
+        return False
+    is_joined = word.deprel == "conj" or (word.deprel == "advmod" and any(_is_then(child) for child in children))
+    is_direction = word.form.lower() in _LEFT_AND_RIGHT and all(
+        child.deprel in ("cc", "advmod", "punct", "discourse") for child in children
+    )
+    is_phrase = word.deprel == "conj" and word.upos not in ("VERB", "AUX") and has_case(tree, word)
+    return is_phrase or (is_joined and is_direction)
+
+
+def _is_shared(tree: DependencyTree, word: Word) -> bool:
+    return word.index in tree.sharing_a_verb or shares_a_verb(tree, word)
+
+
+def _is_then(word: Word) -> bool:
+    return word.deprel == "advmod" and word.form.lower() == "then"
+
+
+def has_case(tree: DependencyTree, word: Word) -> bool:
+    """Whether a preposition stands in front of a word."""
+    return any(child.deprel == "case" and child.index < word.index for child in tree.children(word.index))
+
+
+def _top(tree: DependencyTree, verb: int) -> int:
+    """Return the highest word of a clause: the predicate of a copula, the verb itself else."""
+    word = tree.word(verb)
+    return word.head if word.deprel == "cop" else verb
+
+
+def _collect(
+    tree: DependencyTree, vocabulary: Vocabulary, word: Word, is_negated: bool, found: List[Tuple[int, bool]]
+) -> None:
+    following = [other.form.lower() for other in tree.words[word.index :]]
+    last = word.index + max(1, vocabulary.length_of_verb([word.lemma.lower()] + following)) - 1
+    # "Go" of "let go of" and "face" of "turn to face" are words of the verb, and no verbs of their own.
+    children = tuple(child for child in tree.children(word.index) if not word.index < child.index <= last)
+    is_negated = is_negated or _has_negation(tree, word)
+    copula = next((child for child in children if child.deprel == "cop"), None)
+    wrapped = next(
+        (child for child in children if child.deprel in ("xcomp", "ccomp") and child.upos in ("VERB", "AUX")), None
+    )
+    if (wrapped is not None and word.lemma.lower() in _REQUEST_VERBS) or (
+        wrapped is not None and word.lemma.lower() in _LEADING_VERBS and wrapped.index == word.index + 1
+    ):
+        _collect(tree, vocabulary, wrapped, is_negated, found)
+    elif copula is not None:
+        found.append((copula.index, is_negated))
+    elif word.upos in ("VERB", "AUX"):
+        serial = next(
+            (
+                child
+                for child in children
+                if child.deprel == "conj"
+                and child.upos == "VERB"
+                and word.lemma.lower() in _LEADING_VERBS
+                and child.index - word.index <= 2
+                and not any(
+                    arc in ("obl", "advmod")
+                    for arc in (c.deprel for c in children if c.index < child.index and c.index > word.index)
+                )
+            ),
+            None,
+        )
+        if serial is None:
+            found.append((word.index, is_negated))
+    for child in children:
+        if _is_purpose(tree, vocabulary, word, child):
+            _collect(tree, vocabulary, child, is_negated, found)
+        if _is_shared(tree, child):
+            continue
+        if child.deprel in ("conj", "parataxis", "list") and (
+            child.upos in ("VERB", "AUX") or any(inner.deprel == "cop" for inner in tree.children(child.index))
+        ):
+            # "don't move or speak" negates both; "don't move, just speak" is rare, and not acting is the safe reading.
+            _collect(tree, vocabulary, child, is_negated and child.deprel == "conj", found)
+
+
+def _is_purpose(tree: DependencyTree, vocabulary: Vocabulary, verb: Word, child: Word) -> bool:
+    """Whether a verb says what shall be done in the end: "go to the kitchen to get the mug".
+
+    What a thing is wanted for is no task of the robot: "bring me a cloth to clean the table". In "turn left to face the
+    door" it is a part of the verb, where the lexicon has "turn to face".
+    """
+    has_object = any(other.deprel in ("obj", "iobj") for other in tree.children(verb.index))
+    return (
+        child.deprel == "advcl"
+        and child.index > verb.index
+        and not has_object
+        and verb.lemma.lower() not in _REQUEST_VERBS
+        and any(mark.deprel == "mark" and mark.form.lower() == "to" for mark in tree.children(child.index))
+        and bool(vocabulary.verbs_beginning_with(child.lemma.lower()))
+        and f"{verb.lemma} to {child.lemma}".lower() not in vocabulary.verbs_beginning_with(verb.lemma.lower())
+    )
+
+
+def _has_negation(tree: DependencyTree, word: Word) -> bool:
+    return any(
+        child.form.lower() in _NEGATIONS or child.lemma.lower() in _NEGATIONS
+        for child in tree.children(word.index)
+        if child.deprel in ("advmod", "aux", "det", "discourse", "mark", "cc", "cc:preconj", "dep")
+        or (child.deprel.startswith("nsubj") and child.form.lower() in _NEGATIONS)
+    )
+
+
+def _is_of_nothing(tree: DependencyTree, positions: FrozenSet[int]) -> bool:
+    """Whether a clause speaks of what is not there or not meant: "take no box", "none of the boxes", "not the plate".
+
+    "Say no" says a word.
+    """
+    words = [tree.word(index) for index in sorted(positions - tree.quoted)]
+    if any(f"{word.form} {after.form}".lower() in _NO_LONGER for word, after in zip(words, words[1:])):
+        return True
+    # "Go to the office and not to the kitchen", "turn right then not left": what is not to be done is said as well.
+    if any((word.deprel == "conj" or _is_shared(tree, word)) and _has_negation(tree, word) for word in words):
+        return True
+    return any(
+        word.form.lower() in _NO_THINGS
+        and word.upos != "INTJ"
+        and (word.deprel == "det" or word.deprel.split(":")[0] in ("obj", "iobj", "obl", "nsubj", "conj"))
+        for word in words
+    )
+
+
+def whole_sentence(tree: DependencyTree, verb: int) -> Clause:
+    """Return the clause of a sentence without verbs that begins with a word which the lexicon takes for one."""
+    positions = frozenset(word.index for word in tree.words) - tree.abandoned
+    is_negated = any(_has_negation(tree, tree.word(index)) for index in positions)
+    clause = clause_of(tree, verb, positions, is_negated or _is_of_nothing(tree, positions))
+    return replace(clause, lemma=tree.word(verb).form.lower(), subject=0, is_report=False)
+
+
+def clause_of(tree: DependencyTree, verb: int, positions: FrozenSet[int], is_negated: bool) -> Clause:
+    """Return the clause of a verb that is made of some words."""
+    condition = _condition(tree, _top(tree, verb), positions)
+    subject = next((child.index for child in tree.children(_top(tree, verb)) if child.deprel.startswith("nsubj")), 0)
+    return Clause(
+        verb=verb,
+        lemma=tree.word(verb).lemma.lower(),
+        positions=positions,
+        is_negated=is_negated,
+        condition=tree.text_of(sorted(condition)) if condition else "",
+        condition_positions=condition,
+        subject=subject,
+        is_report=_is_report(tree, verb, subject),
+        is_question=_is_question(tree, verb, positions),
+    )
+
+
+def shared_subject(tree: DependencyTree, verb: int) -> int:
+    """Return the subject of the verb that a verb is joined to, 0 for none: "could you go there and take the mug"."""
+    word = tree.word(verb)
+    seen: Set[int] = set()
+    while word.deprel == "conj" and word.index not in seen:
+        seen.add(word.index)
+        word = tree.word(word.head)
+        for child in tree.children(word.index):
+            if child.deprel.startswith("nsubj"):
+                return child.index
+    return 0
+
+
+def _is_report(tree: DependencyTree, verb: int, subject: int) -> bool:
+    """Whether a verb tells or asks what happens; "I need ..." and other wishes ask for something.
+
+    Statements with "be" are what units for them are about ("There are two chairs in the kitchen.").
+    """
+    word = tree.word(verb)
+    if word.deprel == "cop" or word.lemma.lower() == "be":
+        return False
+    if not subject:
+        # "Bob turned left" where the parser takes Bob for the one who is spoken to; "put" and "set" may be commands.
+        return word.xpos in ("VBD", "VBZ") and word.form.lower() != word.lemma.lower()
+    if any(
+        child.deprel in ("aux", "aux:pass") and child.form.lower() in _REPORTING_AUXILIARIES
+        for child in tree.children(verb)
+    ):
+        return True
+    said = tree.word(subject).form.lower()
+    if said == "i" and word.lemma.lower() in _REQUEST_VERBS:
+        return False
+    return word.xpos == "VBD" or said not in _ADDRESSEES
+
+
+def _is_question(tree: DependencyTree, verb: int, positions: FrozenSet[int]) -> bool:
+    """Whether a clause with "be" begins with a form of it, a modal, or a word that asks; "be careful" and "here is the
+    kitchen" ask nothing.
+    """
+    word = tree.word(verb)
+    said = (tree.word(index) for index in sorted(positions))
+    spoken = (other for other in said if other.upos not in ("PUNCT", "INTJ", "CCONJ"))
+    first = next((other for other in spoken if other.form.lower() not in _LEAD_IN), word)
+    is_first = first.index == verb and word.form.lower() != "be"
+    is_inverted = is_first or (first.deprel == "aux" and first.head in (verb, word.head))
+    return word.lemma.lower() == "be" and (is_inverted or first.form.lower() in _QUESTION_WORDS)
+
+
+def _condition(tree: DependencyTree, top: int, positions: FrozenSet[int]) -> FrozenSet[int]:
+    """Find a condition among the words of a clause."""
+    for index in sorted(positions):
+        word = tree.word(index)
+        if word.deprel.startswith("advcl") or word.deprel == "mark":
+            clause = word.index if word.deprel.startswith("advcl") else word.head
+            marks = [child.form.lower() for child in tree.children(clause) if child.deprel in ("mark", "advmod")]
+            if any(mark in _CONDITIONS for mark in marks):
+                return tree.subtree(clause) if clause != top else frozenset([index])
+    return frozenset()
+
+
+def inner_condition(tree: DependencyTree, positions: FrozenSet[int]) -> FrozenSet[int]:
+    """Return the words of a condition inside of what is to be found out: "see if it is hot *when I say so*".
+
+    Args:
+        tree: the sentence
+        positions: of what is to be found out, whatever it fills
+    """
+    for index in sorted(positions):
+        word = tree.word(index)
+        marks = {child.form.lower() for child in tree.children(index) if child.deprel in ("mark", "advmod")}
+        if word.deprel.startswith("advcl") and word.head in positions and marks & (_CONDITIONS - {"if"}):
+            return tree.subtree(index)
+    return frozenset()

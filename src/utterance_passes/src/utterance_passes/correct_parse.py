@@ -1,0 +1,217 @@
+"""What a command cannot mean though the parser has it so: "go up" before "to", "can" without a verb."""
+
+from typing import Iterable, List
+
+from spoken_quantities import find_unit, number_words
+from utterance_passes.tree import DependencyTree, Word
+from utterance_passes.tree_edits import TreeEdit
+from utterance_passes.vocabulary import Vocabulary
+from word_classes import word_class
+
+_DEGREES = word_class("degrees")
+_DEGREE_ADJECTIVES = word_class("degree_adjectives")
+_INDEFINITES = word_class("indefinites")
+_PARTICLES_ON_THE_WAY = word_class("particles_on_the_way")
+_PARTS_OF_A_TURN = word_class("parts_of_a_turn")
+_PLACE_PREPOSITIONS = word_class("place_prepositions")
+_LEFT_AND_RIGHT = word_class("left_and_right")
+_LIGHT = word_class("light_verbs")
+_TURNING = word_class("turning_verbs")
+_TURNS = frozenset(["turn", "circle"])
+_SEVERAL_TURNS = frozenset(["turns", "circles"])
+#: What may stand in front of a noun, and its relation to the noun.
+_OF_A_TURN = {"DET": "det", "NUM": "nummod", "NOUN": "compound", "ADJ": "amod", "ADV": "amod", "SYM": "punct"}
+_TO_PREPOSITIONS = word_class("to_prepositions")
+
+
+def with_modals_as_nouns(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
+    """Make a noun of a modal that helps no verb and stands behind a noun: it is the head of a compound with that noun.
+
+    "If you can" has a subject, "will you" too.
+    """
+    for modal in tree.words:
+        before = tree.words[modal.index - 2] if modal.index > 1 else modal
+        if modal.xpos != "MD" or before.upos not in ("NOUN", "PROPN"):
+            continue
+        below = [child for child in tree.children(modal.index) if child.upos != "PUNCT"]
+        helps_nothing = not modal.deprel.startswith("aux") and modal.head in (before.index, before.head) and not below
+        # An auxiliary stands before its verb; its verb before it has an object there, taken for a subject perhaps.
+        is_behind_its_verb = (
+            modal.deprel.startswith("aux") and 0 < modal.head < before.index and below in ([], [before])
+        )
+        if helps_nothing or is_behind_its_verb:
+            edit = TreeEdit(tree)
+            edit.rehang_children(before.index, modal.index)
+            head, deprel = (modal.head, "obj") if before.head == modal.index else (before.head, before.deprel)
+            edit.retag(modal.index, "NOUN", "NN")
+            edit.rehang(modal.index, head, deprel)
+            edit.rehang(before.index, modal.index, "compound")
+            tree = edit.tree()
+    return tree
+
+
+def with_particles_on_the_way(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
+    """Make an adverb of a particle right in front of "to": in "go up to the desk" nothing is gone up."""
+    edit = TreeEdit(tree)
+    for word, following in zip(tree.words, tree.words[1:]):
+        is_to = following.form.lower() in _TO_PREPOSITIONS and following.deprel == "case"
+        if word.deprel == "compound:prt" and word.form.lower() in _PARTICLES_ON_THE_WAY and is_to:
+            edit.relabel(word.index, "advmod")
+    return edit.tree()
+
+
+def with_places_of_devices(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
+    """Hang a place behind "on" or "off" on the object in front: "turn *the lights* off *in the bedroom*"."""
+    edit = TreeEdit(tree)
+    for particle in tree.words:
+        if particle.deprel != "compound:prt" or particle.form.lower() not in ("on", "off"):
+            continue
+        objects = [c for c in tree.children(particle.head) if c.deprel == "obj" and c.index < particle.index]
+        places = _places_at(tree, tree.children(particle.head), particle.index + 1)
+        for place in places[:1] if objects else ():
+            edit.rehang(place.index, objects[0].index, "nmod")
+    return edit.tree()
+
+
+def with_places_of_all(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
+    """Hang a place on "everything" and the like in front of it: it tells which things, as behind a noun."""
+    edit = TreeEdit(tree)
+    for pronoun in tree.words:
+        if pronoun.form.lower() in _INDEFINITES and pronoun.deprel == "obj":
+            for place in _places_at(tree, tree.children(pronoun.head), pronoun.index + 1)[:1]:
+                edit.rehang(place.index, pronoun.index, "nmod")
+    return edit.tree()
+
+
+def _places_at(tree: DependencyTree, words: Iterable[Word], position: int) -> List[Word]:
+    """Return those of some words that head a phrase of place which begins at a position."""
+    if position > len(tree.words) or tree.word(position).form.lower() not in _PLACE_PREPOSITIONS:
+        return []
+    return [word for word in words if word.deprel == "obl" and min(tree.subtree(word.index)) == position]
+
+
+def with_measured_turns(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
+    """Make a noun of "turn" behind a number or a fraction, which the parser takes for another command: "turn a quarter
+    turn left", "make a 30 degree turn".
+    """
+    for turn in tree.words[2:]:
+        phrase = _phrase_before(tree, turn)
+        if turn.form.lower() not in _TURNS | _SEVERAL_TURNS or turn.upos != "VERB" or not turn.head or not phrase:
+            continue
+        if not any(word.form.lower() in _PARTS_OF_A_TURN or word.upos == "NUM" for word in phrase):
+            continue
+        before = tree.words[phrase[0].index - 2] if phrase[0].index > 1 else turn
+        is_made = before.upos == "VERB" and before.lemma.lower() in _LIGHT
+        is_ratio = len(phrase) > 2 and phrase[-2].form == "/"
+        # No command ends with "turn": where to, nobody says then.
+        is_last = all(word.upos == "PUNCT" for word in tree.words[turn.index :])
+        is_share = phrase[-1].form.lower() in _PARTS_OF_A_TURN or is_ratio
+        is_said = is_share or is_last or turn.form.lower() in _SEVERAL_TURNS
+        verb = before if is_made else tree.word(turn.head)
+        if verb.upos != "VERB" or verb.index >= turn.index or not (is_made or is_said):
+            continue
+        edit = TreeEdit(tree)
+        edit.rehang_children(turn.index, verb.index)
+        edit.retag(turn.index, "NOUN", "NN")
+        edit.rehang(turn.index, verb.index, "obj" if is_made else "obl:unmarked")
+        inside = {word.index for word in phrase}
+        for word in phrase:
+            if word.head not in inside:
+                edit.rehang(word.index, turn.index, _OF_A_TURN.get(word.upos, word.deprel))
+        tree = edit.tree()
+    return tree
+
+
+def with_sides_apart(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
+    """Hang a side in front of a measure, and the measure, on the verb each: for the parser "to the right fifteen
+    degrees" is one phrase.
+    """
+    for side in tree.words:
+        governor = tree.word(side.head) if side.head else side
+        if side.form.lower() not in _LEFT_AND_RIGHT:
+            continue
+        below = [child for child in tree.children(side.index) if child.index > side.index and _is_joined(tree, child)]
+        if below and governor.upos == "VERB":
+            edit = TreeEdit(tree)
+            for measure in below:
+                edit.rehang(measure.index, governor.index, "obl:unmarked")
+            tree = edit.tree()
+        numbers = [child.index for child in (*tree.children(governor.index), governor) if _is_numeral(child)]
+        if not numbers or side.index > min(numbers) or not governor.head or not _is_of_a_measure(governor):
+            continue
+        edit = TreeEdit(tree)
+        own = [
+            child
+            for child in tree.children(governor.index)
+            if child.index < side.index and child.deprel in ("case", "det", "nmod:poss")
+        ]
+        is_phrase = any(child.deprel == "case" for child in own)
+        edit.retag(side.index, "NOUN" if is_phrase else "ADV")
+        edit.rehang(side.index, governor.head, "obl" if is_phrase else "advmod")
+        for child in own:
+            edit.rehang(child.index, side.index)
+        if governor.deprel == "obl":
+            edit.relabel(governor.index, "obl:unmarked")
+        tree = edit.tree()
+    return tree
+
+
+def _is_joined(tree: DependencyTree, word: Word) -> bool:
+    """Whether a word of a measure hangs on the word in front as if both were of a kind: "the left 5 and a half"."""
+    has_case = any(child.deprel == "case" and child.index < word.index for child in tree.children(word.index))
+    is_joined = word.deprel.split(":")[0] in ("conj", "nmod", "flat", "appos", "nummod", "dep")
+    return is_joined and _is_of_a_measure(word) and not has_case
+
+
+def with_around_apart(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
+    """Make "around" an adverb between a verb of turning and a measure: "turn around 90 degrees" goes round nothing."""
+    for around in tree.words[1:]:
+        verb = tree.word(around.index - 1)
+        unit = tree.word(around.head) if around.head else around
+        is_case = around.form.lower() == "around" and around.deprel in ("case", "advmod", "compound:prt")
+        if is_case and verb.lemma.lower() in _TURNING and unit.index > around.index and _is_of_a_measure(unit):
+            edit = TreeEdit(tree)
+            edit.retag(around.index, "ADV")
+            edit.rehang(around.index, verb.index, "advmod")
+            tree = edit.tree()
+    return tree
+
+
+def _is_of_a_measure(word: Word) -> bool:
+    """Whether a word may be the head of a measure: a unit, a number, "quarters", "point"."""
+    if word.upos in ("VERB", "AUX"):
+        return False
+    return find_unit(word.form) is not None or word.upos == "NUM" or word.form.lower() in (*number_words(), "point")
+
+
+def _is_numeral(word: Word) -> bool:
+    return word.deprel == "nummod" or word.form.lower() in number_words()
+
+
+def _phrase_before(tree: DependencyTree, noun: Word) -> List[Word]:
+    """Return the words of a noun phrase in front of its noun; none where there are none."""
+    phrase: List[Word] = []
+    for word in reversed(tree.words[: noun.index - 1]):
+        is_measure = word.form.lower() in _PARTS_OF_A_TURN or find_unit(word.form) is not None
+        is_of_a_turn = word.upos in _OF_A_TURN and (word.upos not in ("NOUN", "ADV") or is_measure)
+        if not is_of_a_turn and word.form != "-" and word.form.lower() not in _LEFT_AND_RIGHT:
+            break
+        phrase.insert(0, word)
+        if word.upos == "DET":
+            break
+    return phrase
+
+
+def with_degrees(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
+    """Hang "a bit" and "a little" on the verb, and not on the noun that they stand behind."""
+    edit = TreeEdit(tree)
+    for word in tree.words[2:]:
+        before = tree.word(word.index - 1)
+        modifiers = {child.form.lower() for child in tree.children(word.index)}
+        if word.form.lower() not in _DEGREES or not {"a"} <= modifiers <= {"a"} | _DEGREE_ADJECTIVES:
+            continue
+        governor = tree.word(word.head) if word.head else word
+        is_behind = word.head and governor.index < before.index and governor.upos in ("NOUN", "PROPN", "PRON", "ADV")
+        if is_behind and governor.head and tree.word(governor.head).upos == "VERB":
+            edit.rehang(word.index, governor.head, "obl:unmarked")
+    return edit.tree()

@@ -1,0 +1,109 @@
+"""The file of formulas: patterns of what is said around a command, each with an example."""
+
+import re
+from dataclasses import dataclass
+from functools import lru_cache
+from pathlib import Path
+from typing import Dict, Iterable, List, Mapping, Pattern, Tuple
+
+import yaml
+
+from semantic_frames.marked_yaml import Reader, did_you_mean
+from semantic_frames.source_files import read_text
+from word_classes import word_class, word_classes
+
+#: Beside this module in the source, devel and install space.
+FORMULAS_FILE = Path(__file__).resolve().parent / "formulas.yaml"
+KINDS = ("openings", "anywhere", "apart", "endings", "editing_terms", "withdrawals", "fillers")
+_KEYS = ("pattern", "example", "becomes")
+_CLASS = re.compile(r"<(\w+)>")
+
+
+@dataclass(frozen=True)
+class Formula:
+    """A pattern of words.
+
+    Attributes:
+        pattern: matches the whole of some words, in lower case with one blank between them
+        example: a sentence with it
+        becomes: what is left of the example
+    """
+
+    pattern: Pattern[str]
+    example: str
+    becomes: str
+
+
+def load_formulas(text: str, path: str) -> Mapping[str, Tuple[Formula, ...]]:
+    """Read a file of formulas.
+
+    Args:
+        text: content of the file
+        path: where it came from, for problems
+    Returns:
+        formulas by kind, one of :data:`KINDS`
+    Raises:
+        FileRefused: with every mistake of the file
+    """
+    reader = Reader(path)
+    kinds = reader.mapping(reader.compose(text, "a mapping of formulas"), "", KINDS, required=KINDS)
+    found: Dict[str, Tuple[Formula, ...]] = {}
+    for kind, node in kinds.items():
+        formulas: List[Formula] = []
+        for key, item in reader.sequence(node, kind):
+            entries = reader.mapping(item, key, _KEYS, required=_KEYS)
+            example = reader.name(entries.get("example"), f"{key}.example")
+            becomes = reader.name(entries.get("becomes"), f"{key}.becomes")
+            if "pattern" in entries:
+                pattern = _pattern(reader, entries["pattern"], f"{key}.pattern")
+                formulas.append(Formula(pattern, example, becomes))
+        if not formulas:
+            reader.report("EMPTY", node, kind, "nothing", "a list of patterns")
+        found[kind] = tuple(formulas)
+    reader.refuse_if_wrong()
+    return found
+
+
+def _pattern(reader: Reader, node: yaml.Node, key: str) -> Pattern[str]:
+    """Return a pattern with the words of the classes that it names."""
+    text = reader.name(node, key)
+    known = word_classes()
+    for name in _CLASS.findall(text):
+        if name not in known:
+            hint = did_you_mean(name, known)
+            reader.report("UNKNOWN_CLASS", node, key, f"'{name}'", "the name of a word class", hint)
+            return re.compile("")
+    if text != text.lower():
+        reader.report("NOT_LOWER_CASE", node, key, f"'{text}'", f"'{text.lower()}'")
+    try:
+        return re.compile(_CLASS.sub(lambda match: _any_of(word_class(match[1])), text))
+    except re.error as error:
+        reader.report("BAD_PATTERN", node, key, f"'{text}'", "a regular expression", str(error))
+        return re.compile("")
+
+
+def _any_of(words: Iterable[str]) -> str:
+    return f"(?:{'|'.join(map(re.escape, sorted(words)))})"
+
+
+@lru_cache(maxsize=None)
+def shipped_formulas() -> Mapping[str, Tuple[Formula, ...]]:
+    """Return the formulas of ``formulas.yaml``, read once.
+
+    Raises:
+        FileRefused: the file is wrong
+    """
+    return load_formulas(read_text(str(FORMULAS_FILE)), str(FORMULAS_FILE))
+
+
+def pattern_of(kind: str) -> Pattern[str]:
+    """Return the pattern that matches what any formula of a kind does."""
+    return re.compile("|".join(f"(?:{formula.pattern.pattern})" for formula in shipped_formulas()[kind]))
+
+
+_FILLER = pattern_of("fillers")
+
+
+def is_filler(form: str) -> bool:
+    """Whether a word is said only while thinking: "um", "uhhh"."""
+    return _FILLER.fullmatch(form.lower()) is not None

@@ -1,0 +1,53 @@
+"""Verbs that stand for another one: "can I have the mug" wishes for it, and who does a u-turn makes one."""
+
+from utterance_passes.tree import DependencyTree, Word
+from utterance_passes.tree_edits import TreeEdit
+from utterance_passes.vocabulary import Vocabulary
+from word_classes import word_class
+
+_WISH = "want"
+#: "Can I have ...", "could we get ...".
+_ASKED_FOR = frozenset(["have", "get"])
+_PERMISSION_MODALS = word_class("permission_modals")
+#: "I would love ...": without "would" it tells what somebody is fond of.
+_WISHING_VERBS = word_class("wishing_verbs")
+_WOULD = frozenset(["would", "'d", "’d"])
+_SPEAKERS = word_class("speaker_subjects")
+
+
+def replace_light_verbs(tree: DependencyTree, vocabulary: Vocabulary) -> DependencyTree:
+    """Replace verbs that stand for another one by that one, where the lexicon has it.
+
+    "Do" itself is no verb of a lexicon, since the parser would take that of "don't" for the command.
+    """
+    edit = TreeEdit(tree)
+    for word in tree.words:
+        lemma = word.lemma.lower()
+        if lemma == "do" and word.upos == "VERB" and _is_made(tree, word, vocabulary):
+            edit.respell(word.index, "make")
+        elif (
+            lemma in _ASKED_FOR | _WISHING_VERBS
+            and _WISH in vocabulary.verbs_beginning_with(_WISH)
+            and _is_wish(tree, word)
+        ):
+            edit.respell(word.index, _WISH)
+    return edit.tree()
+
+
+def _is_made(tree: DependencyTree, word: Word, vocabulary: Vocabulary) -> bool:
+    made = frozenset(verb.partition(" ")[2] for verb in vocabulary.verbs_beginning_with("make")).union(
+        *vocabulary.lists_of("make")
+    )
+    return any(child.deprel == "obj" and child.form.lower() in made for child in tree.children(word.index))
+
+
+def _is_wish(tree: DependencyTree, word: Word) -> bool:
+    children = tree.children(word.index)
+    modals = _WOULD if word.lemma.lower() in _WISHING_VERBS else _PERMISSION_MODALS
+    is_for_another = any(child.form.lower() == "you" for child in children)
+    return (
+        any(child.deprel == "aux" and child.form.lower() in modals for child in children)
+        and any(child.deprel == "nsubj" and child.form.lower() in _SPEAKERS for child in children)
+        and any(child.deprel == "obj" for child in children)
+        and not is_for_another
+    )

@@ -1,0 +1,42 @@
+"""Words that open a correction of what runs: "no, turn right", "no I meant turn right"."""
+
+import re
+
+from utterance_passes.tree import ASIDE, DependencyTree, Word
+from utterance_passes.tree_edits import set_aside
+from utterance_passes.vocabulary import Vocabulary, is_verb
+from word_classes import word_class
+
+_LEAD_IN = word_class("lead_in")
+OBJECTION = "(no|nope|nah|wrong)"
+MEANT = "i (really |actually )?(mean|meant|said|wanted)( to say)?"
+AROUND = "(oh|ah|hey|well|wait|robot|sorry|oops|please|actually|,)"
+_SET_OFF = "(wait|please|just|now|then|instead|rather)"
+#: What may stand in front of the command that a correction is: "no, ..." and "no I meant ...", but not "no ...", which
+#: may forbid.
+_OPENING = re.compile(
+    f"({AROUND} )*({OBJECTION} (({AROUND}|{OBJECTION}) )*(,|{OBJECTION}|{_SET_OFF}|{MEANT})|{MEANT})"
+    f"( ({AROUND}|{_SET_OFF}))*"
+)
+
+
+def without_objection(tree: DependencyTree, vocabulary: Vocabulary) -> DependencyTree:
+    """Set aside what a correction opens with where a whole command follows: "no, turn right", "I meant turn right"."""
+    text = ""
+    for position, word in enumerate(tree.words):
+        if position and _OPENING.fullmatch(text) and _begins_command(tree, position, vocabulary):
+            opening = frozenset(range(1, position + 1))
+            return set_aside(tree, opening, ASIDE, lambda word: is_verb(vocabulary, word))
+        text = f"{text} {plain(word)}".strip()
+    return tree
+
+
+def plain(word: Word) -> str:
+    """Return a word as the patterns of objections have it: lower case, straight apostrophes, any mark as a comma."""
+    form = word.form.lower().replace("\u2019", "'")
+    return "," if word.upos == "PUNCT" else "n't" if form == "nt" else form
+
+
+def _begins_command(tree: DependencyTree, position: int, vocabulary: Vocabulary) -> bool:
+    words = [word for word in tree.words[position:] if word.upos != "PUNCT" and word.form.lower() not in _LEAD_IN]
+    return bool(words) and is_verb(vocabulary, words[0])

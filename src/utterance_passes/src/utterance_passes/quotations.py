@@ -1,0 +1,263 @@
+"""What is to be said is a quotation: "say don't worry", "tell her I will not come".
+
+Its words negate nothing, make no condition and are no list: they are put together as one argument. What is quoted is
+what the verb of saying governs behind it, but for the person who is spoken to and the next command. A verb of saying is
+one of a lexical unit whose frame has a *Message*, as FrameNet calls it.
+"""
+
+from dataclasses import dataclass
+from typing import Dict, FrozenSet, Iterable, Optional, Sequence, Set, Tuple
+
+from utterance_passes.clauses import Clause, find_clauses
+from utterance_passes.times import find_times
+from utterance_passes.tree import QUOTED, DependencyTree, Word
+from utterance_passes.tree_edits import TreeEdit
+from utterance_passes.verb_matching import match_verbs
+from utterance_passes.vocabulary import Speech, Vocabulary
+from word_classes import word_class
+
+_MARKS = ('"', "“", "”", "«", "»", "``", "''")
+_AFTER_NO = word_class("after_no")
+_CONDITIONS = word_class("conditions")
+_COURTESIES = word_class("courtesies")
+_HARMLESS = word_class("harmless")
+_NEGATIONS = word_class("negations")
+_NO_PRONOUNS = word_class("no_pronouns")
+_PERSONS_TOLD = word_class("persons_told")
+_PLACE_PREPOSITIONS = word_class("place_prepositions")
+#: Not quoted: what is said is put off by them ("tell me when dinner is ready").
+_PUTTING_OFF = _CONDITIONS - {"if"}
+
+
+@dataclass(frozen=True)
+class _Saying:
+    """A verb of saying: its last word, and whether the person who is told stands right behind it."""
+
+    clause: Clause
+    last: int
+    is_told: bool
+
+
+def with_quotations(tree: DependencyTree, vocabulary: Vocabulary) -> DependencyTree:
+    """Put together what is to be said: each quotation is one object of its verb."""
+    behind = 0
+    while True:
+        clauses = find_clauses(tree, vocabulary)
+        saying = next(
+            (
+                saying
+                for clause in clauses
+                for saying in [_saying(tree, clause, vocabulary)]
+                if saying is not None and clause.verb > behind
+            ),
+            None,
+        )
+        if saying is None:
+            return tree
+        behind = saying.clause.verb
+        stray = _stray_clause(tree, saying)
+        if stray:
+            edit = TreeEdit(tree)
+            edit.rehang(stray, behind, "ccomp")
+            tree = edit.tree()
+            clauses = find_clauses(tree, vocabulary)
+        tree = _Quotation(tree, saying, clauses, vocabulary).tree()
+
+
+def _saying(tree: DependencyTree, clause: Clause, vocabulary: Vocabulary) -> Optional[_Saying]:
+    for match in match_verbs(tree, clause, vocabulary):
+        speech = vocabulary.speech_of(match.verb)
+        if speech is not None:
+            return _Saying(clause, max(match.positions), speech is Speech.TOLD)
+    return None
+
+
+def _stray_clause(tree: DependencyTree, saying: _Saying) -> int:
+    """Return the verb of a clause right behind the verb of saying that hangs elsewhere: "find Bob and tell her *lunch
+    is ready*"; 0 for none.
+    """
+    behind = (word for word in tree.words if word.index > saying.last and word.head < saying.last)
+    strays = (
+        word.index
+        for word in behind
+        if word.deprel in ("parataxis", "conj", "ccomp")
+        and word.head not in (0, saying.clause.verb)
+        and min(tree.subtree(word.index)) == saying.last + 1
+    )
+    return next(strays, 0)
+
+
+class _Quotation:
+    """What one verb of saying governs."""
+
+    def __init__(
+        self, tree: DependencyTree, saying: _Saying, clauses: Sequence[Clause], vocabulary: Vocabulary
+    ) -> None:
+        self._tree = tree
+        self._verb = saying.clause.verb
+        self._start = saying.last + 1
+        #: Head and relation of words that do not hang where they belong.
+        self._moved: Dict[int, Tuple[int, str]] = {}
+        self._end = self._next_command(clauses, vocabulary)
+        if saying.is_told:
+            self._skip_addressee()
+
+    def tree(self) -> DependencyTree:
+        """Return the sentence with the quotation as one object; as it was where nothing is quoted."""
+        tree = self._tree
+        inside = self._without_addressee(self._between_marks() or self._governed())
+        if not inside or not inside <= self._tree.subtree(self._verb) or self._is_of_nothing(inside):
+            return tree
+        edit = TreeEdit(tree)
+        head = self._head(inside)
+        first = self._tree.word(min(inside))
+        if first.form.lower() in _PUTTING_OFF and self._has_verb(inside):
+            edit.relabel(head.index, "advcl")
+            return edit.tree()
+        is_phrase = inside == self._tree.subtree(head.index) and head.deprel in ("obj", "ccomp")
+        if is_phrase and not self._moved and not any(self._is_more_than_a_name(index) for index in inside):
+            return tree
+        if first.form.lower() == "that" and first.deprel in ("mark", "det") and self._has_verb(inside):
+            self._moved[first.index] = (head.index, "mark")
+        for word in tree.words:
+            if word.index in self._moved:
+                governor, relation = self._moved[word.index]
+                edit.rehang(word.index, governor, relation)
+            elif word.index == head.index:
+                edit.rehang(word.index, self._verb, "obj")
+                if word.form.lower() in _NEGATIONS:
+                    edit.retag(word.index, "INTJ")
+            elif word.index in inside:
+                edit.rehang(word.index, head.index, QUOTED)
+            elif word.head in inside:
+                edit.rehang(word.index, self._verb)
+        return edit.tree()
+
+    def _next_command(self, clauses: Sequence[Clause], vocabulary: Vocabulary) -> int:
+        """Return the first position behind the quotation where a command follows: "say hello and turn left"."""
+        for clause in clauses:
+            word = self._tree.word(clause.verb)
+            first = min(self._tree.subtree(word.index))
+            is_joined = word.head == self._verb and word.deprel in ("conj", "parataxis", "list")
+            before = first
+            while before > self._start and self._is_joint(self._tree.word(before - 1)):
+                before -= 1
+            is_parted = before < first or self._is_joint(self._tree.word(first))
+            if is_joined and is_parted and before > self._start and not clause.subject:
+                if match_verbs(self._tree, clause, vocabulary):
+                    return before
+        return len(self._tree.words) + 1
+
+    @staticmethod
+    def _is_joint(word: Word) -> bool:
+        return word.deprel == "cc" or word.upos == "PUNCT" or word.form.lower() == "then"
+
+    def _skip_addressee(self) -> None:
+        """Find who is told: "tell *Bob* to come", "tell *my wife* dinner is ready"."""
+        children = [child for child in self._tree.children(self._verb) if child.index >= self._start]
+        is_clause = any(
+            child.deprel in ("ccomp", "xcomp", "parataxis", "advcl") and child.index < self._end for child in children
+        )
+        told: FrozenSet[int] = frozenset()
+        for child in children:
+            is_person = child.deprel == "iobj" or (child.deprel == "obj" and is_clause)
+            if is_person and min(self._tree.subtree(child.index)) == self._start:
+                told = self._tree.subtree(child.index)
+                self._moved.update({} if child.deprel == "iobj" else {child.index: (self._verb, "iobj")})
+                break
+        owner = self._tree.word(self._start) if self._start < self._end - 2 else None
+        person = self._tree.word(self._start + 1) if owner is not None else None
+        if (
+            not told
+            and owner is not None
+            and owner.xpos == "PRP$"
+            and person is not None
+            and person.deprel == "compound"
+        ):
+            told = frozenset([owner.index, person.index])
+            self._moved[person.index] = (self._verb, "iobj")
+            self._moved[owner.index] = (person.index, "nmod:poss")
+        if (
+            not told
+            and owner is not None
+            and owner.form.lower() == "her"
+            and self._has_verb(range(self._start, self._end))
+        ):
+            told = frozenset([owner.index])
+            self._moved[owner.index] = (self._verb, "iobj")
+        self._start = max(told) + 1 if told else self._start
+
+    def _between_marks(self) -> FrozenSet[int]:
+        marks = [word.index for word in self._tree.words if word.form in _MARKS and word.index >= self._start]
+        return frozenset(range(marks[0] + 1, marks[1])) if len(marks) > 1 else frozenset()
+
+    def _governed(self) -> FrozenSet[int]:
+        """Return the words that the verb governs and that say what is to be said."""
+        inside: Set[int] = set()
+        for child in self._tree.children(self._verb):
+            positions = {
+                index
+                for index in self._tree.subtree(child.index) - self._tree.abandoned
+                if self._start <= index < self._end and index not in self._moved
+            }
+            if positions and not self._is_beside(child, inside):
+                inside |= positions
+        spoken = [index for index in sorted(inside) if self._tree.word(index).upos != "PUNCT"]
+        return frozenset(index for index in inside if spoken and spoken[0] <= index <= spoken[-1])
+
+    def _is_beside(self, child: Word, inside: Set[int]) -> bool:
+        """Whether a phrase tells how, when or to whom something is said, and is not said itself."""
+        relation = child.deprel.split(":")[0]
+        if child.deprel == "iobj" or relation in ("punct", "cc", "advcl"):
+            return True
+        if child.form.lower() in _HARMLESS and relation in ("discourse", "vocative", "advmod"):
+            is_last = child.index == self._end - 1
+            return child.form.lower() not in _COURTESIES and (bool(inside) or not is_last)
+        if self._case(child.index) == "to":
+            return True
+        if relation in ("obl", "nmod", "advmod"):
+            return child.form.lower() not in _NEGATIONS and not self._has_verb(inside)
+        return False
+
+    def _case(self, index: int) -> str:
+        return next((w.form.lower() for w in self._tree.children(index) if w.deprel == "case"), "")
+
+    def _without_addressee(self, inside: FrozenSet[int]) -> FrozenSet[int]:
+        """Take "to Bob" out of what was said; what stands behind it tells where Bob is."""
+        for index in sorted(inside):
+            word = self._tree.word(index)
+            phrase = self._tree.subtree(index)
+            is_end = self._case(index) == "to" and max(phrase & inside) == max(inside) and phrase < inside
+            is_somebody = word.upos == "PROPN" or word.form.lower() in _PERSONS_TOLD
+            has_subject = any(self._tree.word(i).deprel.startswith("nsubj") for i in inside)
+            if is_end and is_somebody and not has_subject:
+                self._moved[index] = (self._verb, "obl")
+                inside = inside - phrase
+                break
+        tops = [w for w in self._tree.children(self._verb) if self._case(w.index) and w.index not in inside]
+        for person, place in zip(tops, tops[1:]):
+            is_next = min(self._tree.subtree(place.index)) == max(self._tree.subtree(person.index)) + 1
+            if self._case(person.index) == "to" and is_next and self._case(place.index) in _PLACE_PREPOSITIONS:
+                if not find_times(self._tree) and inside:
+                    self._moved[place.index] = (person.index, "nmod")
+        return inside
+
+    def _has_verb(self, positions: Iterable[int]) -> bool:
+        return any(self._tree.word(index).upos in ("VERB", "AUX") for index in positions)
+
+    def _is_of_nothing(self, inside: FrozenSet[int]) -> bool:
+        forms = [self._tree.word(index).form.lower() for index in sorted(inside)]
+        is_no_thing = forms[0] == "no" and len(forms) > 1 and forms[1] in _AFTER_NO
+        return not self._has_verb(inside) and (forms[0] in _NO_PRONOUNS or is_no_thing)
+
+    def _head(self, inside: FrozenSet[int]) -> Word:
+        """Return the word that the others are put below: one that hangs on the verb, an object first."""
+        words = [self._tree.word(index) for index in sorted(inside)]
+        tops = [word for word in words if word.head not in inside and word.upos != "PUNCT"]
+        ranks = {"obj": 0, "ccomp": 1, "xcomp": 2, "parataxis": 3, "conj": 4}
+        return min(tops or words, key=lambda word: ranks.get(word.deprel, 5))
+
+    def _is_more_than_a_name(self, index: int) -> bool:
+        word = self._tree.word(index)
+        is_verb = word.upos in ("VERB", "AUX")
+        return is_verb or word.deprel == "conj" or word.form.lower() in _NEGATIONS | _CONDITIONS

@@ -1,0 +1,58 @@
+"""Relations that no sentence of Universal Dependencies has, and what stands in their place.
+
+A parser labels each arc by itself. What the arcs around it rule out is put right here, by the guidelines of UD v2.
+"""
+
+from utterance_passes.tree import DependencyTree, Word
+from utterance_passes.tree_edits import TreeEdit
+from utterance_passes.vocabulary import Vocabulary
+
+
+def with_one_object(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
+    """Make a preposition of a particle between two objects of a verb: "pick up the cup off the foot of the bed"."""
+    edit = TreeEdit(tree)
+    for particle in tree.words:
+        if particle.deprel != "compound:prt":
+            continue
+        objects = [child for child in tree.children(particle.head) if child.deprel == "obj"]
+        first = [child for child in objects if child.index < particle.index]
+        second = [child for child in objects if min(tree.subtree(child.index)) == particle.index + 1]
+        if first and second:
+            edit.retag(particle.index, "ADP", "IN")
+            edit.rehang(particle.index, second[0].index, "case")
+            edit.relabel(second[0].index, "obl")
+    return edit.tree()
+
+
+def without_particle_predicates(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
+    """Make a clause of a particle with a copula: "check if the lights are off" asks whether they are off."""
+    edit = TreeEdit(tree)
+    for word in tree.words:
+        if word.deprel == "compound:prt" and any(child.deprel == "cop" for child in tree.children(word.index)):
+            edit.relabel(word.index, "ccomp")
+    return edit.tree()
+
+
+def without_verb_compounds(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
+    """Make a clause of a verb that compounds with the one before it: "go get the mug" is to go, and to get it."""
+    edit = TreeEdit(tree)
+    for word in tree.words:
+        head = tree.word(word.head) if word.head else word
+        if word.deprel == "compound" and head.upos == word.upos == "VERB" and head.index < word.index:
+            edit.relabel(word.index, "xcomp")
+    return edit.tree()
+
+
+def without_infinitive_conjuncts(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
+    """Make a purpose of a conjunct with "to": "turn left to face the door" says what for."""
+    edit = TreeEdit(tree)
+    for word in tree.words:
+        if word.deprel == "conj" and word.upos == "VERB" and word.head and _is_infinitive(tree, word):
+            is_joined = any(child.deprel == "cc" for child in tree.children(word.index))
+            if not is_joined and not _is_infinitive(tree, tree.word(word.head)):
+                edit.relabel(word.index, "advcl")
+    return edit.tree()
+
+
+def _is_infinitive(tree: DependencyTree, word: Word) -> bool:
+    return any(child.deprel == "mark" and child.form.lower() == "to" for child in tree.children(word.index))

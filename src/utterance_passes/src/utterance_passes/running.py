@@ -1,0 +1,83 @@
+"""Runs passes of the table, in its order."""
+
+from typing import AbstractSet, FrozenSet, List, Optional, Sequence, Tuple
+
+from utterance_passes.spelling import Spelling, as_said
+from utterance_passes.trace import Trace
+from utterance_passes.tree import DependencyTree
+from utterance_passes.tree_edits import NotATree
+from utterance_passes.utterance_pass import Retag, TagPass, TextPass, TreePass
+from utterance_passes.vocabulary import Vocabulary
+
+NONE: FrozenSet[str] = frozenset()
+
+
+def run_text_passes(
+    text: str, passes: Sequence[TextPass], *, without: AbstractSet[str] = NONE, trace: Optional[Trace] = None
+) -> Spelling:
+    """Rewrite a text.
+
+    Args:
+        text: as it was said
+        passes: in their order
+        without: names of passes that are switched off
+        trace: where each change is written; None for nowhere
+    """
+    spelling = as_said(text)
+    for one in passes:
+        if one.name not in without:
+            made = one.run(spelling)
+            if trace is not None and made.text != spelling.text:
+                trace.add(one.name, before=repr(spelling.text), after=repr(made.text))
+            spelling = made
+    return spelling
+
+
+def run_tag_passes(
+    forms: Sequence[str],
+    tags: Sequence[str],
+    vocabulary: Vocabulary,
+    passes: Sequence[TagPass],
+    *,
+    without: AbstractSet[str] = NONE,
+    trace: Optional[Trace] = None,
+) -> Tuple[Retag, ...]:
+    """Say which tags of a sentence must be others; each pass sees those of the passes before it."""
+    found: List[Retag] = []
+    tags = list(tags)
+    for one in passes:
+        for retag in one.run(forms, tags, vocabulary) if one.name not in without else ():
+            if trace is not None:
+                position = retag.position
+                trace.add(one.name, forms[position - 1], tags[position - 1], f"{retag.upos}, parsed again", [position])
+            tags[retag.position - 1] = retag.upos
+            found.append(retag)
+    return tuple(found)
+
+
+def run_tree_passes(
+    tree: DependencyTree,
+    vocabulary: Vocabulary,
+    passes: Sequence[TreePass],
+    *,
+    without: AbstractSet[str] = NONE,
+    trace: Optional[Trace] = None,
+) -> DependencyTree:
+    """Make the tree that is read of the tree of the parser, or a step of that.
+
+    Raises:
+        Uncertain: a person must say what was meant
+    """
+    for one in passes:
+        if one.name in without:
+            continue
+        try:
+            made = one.run(tree, vocabulary)
+        except NotATree as error:
+            made = tree
+            if trace is not None:
+                trace.add(one.name, after=f"left as it was: {error}")
+        if trace is not None:
+            trace.add_changes(one.name, tree, made)
+        tree = made
+    return tree

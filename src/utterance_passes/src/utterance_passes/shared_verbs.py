@@ -1,0 +1,26 @@
+"""One verb that is said once for two phrases: "go to the office and then to the kitchen", "turn left then right"."""
+
+from typing import Set
+
+from utterance_passes.clauses import find_clauses, has_case, shares_a_verb
+from utterance_passes.tree import DependencyTree
+from utterance_passes.tree_edits import TreeEdit, mark_sharing_a_verb
+from utterance_passes.vocabulary import Vocabulary
+
+
+def expand_shared_verbs(tree: DependencyTree, vocabulary: Vocabulary) -> DependencyTree:
+    """Give the second of two phrases that share a verb the relation to it that the first one has; mark it, so that
+    ``find_clauses`` makes a clause of its own of it.
+    """
+    edit = TreeEdit(tree)
+    sharing: Set[int] = set()
+    for clause in find_clauses(tree, vocabulary):
+        for word in tree.children(clause.verb):
+            if shares_a_verb(tree, word):
+                sharing.add(word.index)
+                if has_case(tree, word):
+                    edit.relabel(word.index, "obl")
+                else:
+                    edit.retag(word.index, "ADV")
+                    edit.relabel(word.index, "advmod")
+    return mark_sharing_a_verb(edit.tree(), frozenset(sharing))

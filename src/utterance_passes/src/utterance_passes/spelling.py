@@ -1,0 +1,80 @@
+"""Rewrites what a tokenizer trained on text does not split: "90°", "3ft", "-3", "2½"."""
+
+import re
+import unicodedata
+from dataclasses import dataclass
+from typing import Callable, List, Tuple, Union
+
+from spoken_quantities import number_words
+
+#: Words that a number begins with.
+_NUMBER = f"(?:{'|'.join(number_words())})"
+
+#: Marks of transcribers and of speech recognisers: "<pause>", "<no speech>".
+TRANSCRIBERS_MARK = re.compile(r"<[a-zA-Z _-]{1,30}>")
+APOSTROPHE = re.compile(r"[‘’ʼ`]")
+QUOTATION_MARK = re.compile(r"[“”]")
+DASH = re.compile(r"[‐‑–—\u2212]")
+FRACTION_SIGN = re.compile(r"[¼½¾⅐-⅞]")
+FRACTION_SLASH = re.compile(r"(?<=\d)\u2044(?=\d)")
+DEGREE_SIGN = re.compile(r"(?<=\w)\s*°")
+#: Between a number and the unit that is written to it.
+UNIT_AT_NUMBER = re.compile(
+    r"(?<=\d)(?=(ft|cm|mm|km|dm|m|in|yd|s|min|h|deg|rad|feet|metres?|meters?|degrees?|seconds?)\b)"
+)
+MINUS_SIGN = re.compile(rf"(?<!\S)-(?=\.?\d|{_NUMBER}\b)", re.IGNORECASE)
+NEGATIVE_SIGN = re.compile(rf"\bnegative\s+(?=\.?\d|{_NUMBER}\b)", re.IGNORECASE)
+RATIO = re.compile(r"(?<=\d)/(?=\d)")
+BLANKS = re.compile(r"\s+")
+
+
+@dataclass(frozen=True)
+class Spelling:
+    """A text as the parser gets it.
+
+    Attributes:
+        text: rewritten
+        origins: for each character of the text, and one past its end, the position in the text as it was said
+    """
+
+    text: str
+    origins: Tuple[int, ...]
+
+
+def as_said(text: str) -> Spelling:
+    """Return the spelling of a text that nothing has rewritten."""
+    return Spelling(text, tuple(range(len(text) + 1)))
+
+
+def ratio(sign: "re.Match[str]") -> str:
+    """Return "½" as "1/2", apart from the digits in front of it."""
+    digits = unicodedata.normalize("NFKC", sign.group(0)).replace("\u2044", "/")
+    return (" " if sign.string[: sign.start()][-1:].isalnum() else "") + digits
+
+
+def replaced(
+    spelling: Spelling, pattern: "re.Pattern[str]", replacement: Union[str, Callable[["re.Match[str]"], str]]
+) -> Spelling:
+    """Rewrite a text, and remember where each character came from."""
+    pieces: List[str] = []
+    sources: List[int] = []
+    position = 0
+    for match in pattern.finditer(spelling.text):
+        pieces.append(spelling.text[position : match.start()])
+        sources += spelling.origins[position : match.start()]
+        written = replacement if isinstance(replacement, str) else replacement(match)
+        pieces.append(written)
+        sources += [spelling.origins[match.start()]] * len(written)
+        position = match.end()
+    if not pieces:
+        return spelling
+    pieces.append(spelling.text[position:])
+    sources += spelling.origins[position:]
+    return Spelling("".join(pieces), tuple(sources))
+
+
+def stripped(spelling: Spelling) -> Spelling:
+    """Leave out blanks at both ends."""
+    lead = len(spelling.text) - len(spelling.text.lstrip())
+    text = spelling.text.strip()
+    return Spelling(text, spelling.origins[lead : lead + len(text)] + (spelling.origins[lead + len(text)],))

@@ -1,0 +1,363 @@
+"""Every pass from text to the tree that is read, in the order in which they run. No pass calls another."""
+
+from functools import partial
+from typing import Callable, Match, Pattern, Tuple, Union
+
+from utterance_passes import (
+    correct_parse,
+    corrections,
+    formulas,
+    light_verbs,
+    objections,
+    quotations,
+    relations,
+    shared_verbs,
+    spelling,
+    tagging,
+    times,
+)
+from utterance_passes.utterance_pass import Example, Pass, Stage, TagPass, TextPass, TreePass
+from utterance_passes.vocabulary import Speech, Verbs
+
+_TURN = Verbs(frozenset(["turn", "go"]), lists={"turn": (("left", "right"),)})
+
+
+def _text(
+    name: str,
+    what: str,
+    said: str,
+    expected: str,
+    pattern: Pattern[str],
+    replacement: Union[str, Callable[[Match[str]], str]],
+) -> TextPass:
+    run = partial(spelling.replaced, pattern=pattern, replacement=replacement)
+    return TextPass(name, what, Example(said, (expected,)), Stage.PARSER, run)
+
+
+TEXT_PASSES: Tuple[TextPass, ...] = (
+    _text(
+        "transcribers_marks",
+        "Leave out the marks of transcribers and speech recognisers.",
+        "go <pause> on",
+        "go   on",
+        spelling.TRANSCRIBERS_MARK,
+        " ",
+    ),
+    _text("apostrophes", "Write all apostrophes alike.", "Bob’s", "Bob's", spelling.APOSTROPHE, "'"),
+    _text("quotation_marks", "Write all quotation marks alike.", "“hi”", '"hi"', spelling.QUOTATION_MARK, '"'),
+    _text("dashes", "Write all dashes alike.", "pick–up", "pick-up", spelling.DASH, "-"),
+    _text(
+        "fraction_signs",
+        "Write the sign of a fraction in digits.",
+        "2½",
+        "2 1/2",
+        spelling.FRACTION_SIGN,
+        spelling.ratio,
+    ),
+    _text("fraction_slash", "Write the slash of a fraction as any other.", "1⁄2", "1/2", spelling.FRACTION_SLASH, "/"),
+    _text(
+        "degree_sign", "Write the sign for degrees as a word.", "90°", "90 degrees", spelling.DEGREE_SIGN, " degrees"
+    ),
+    _text("units", "Part a number from the unit that is written to it.", "3ft", "3 ft", spelling.UNIT_AT_NUMBER, " "),
+    _text(
+        "minus_sign", "Write the sign of a negative number as a word.", "-3", "minus 3", spelling.MINUS_SIGN, "minus "
+    ),
+    _text(
+        "negative_sign",
+        'Write "negative" before a number as "minus".',
+        "negative two",
+        "minus two",
+        spelling.NEGATIVE_SIGN,
+        "minus ",
+    ),
+    _text("ratios", "Part the two numbers of a ratio.", "3/4", "3 / 4", spelling.RATIO, " / "),
+    _text("blanks", "Write one blank between words.", "go \t on", "go on", spelling.BLANKS, " "),
+    TextPass("ends", "Leave out blanks at both ends.", Example(" go ", ("go",)), Stage.PARSER, spelling.stripped),
+)
+
+TAG_PASSES: Tuple[TagPass, ...] = (
+    TagPass(
+        "command_verb",
+        "Make a verb of the first word of a command that the lexicon knows as one.",
+        Example("Scrub|PROPN the|DET pot|NOUN", ("1 VERB VB",), Verbs(frozenset(["scrub"]))),
+        Stage.PARSER,
+        tagging.command_verb,
+    ),
+    TagPass(
+        "numbered_noun",
+        "Make a noun of a word that a last number behind it counts, and that the lexicon does not know as a verb.",
+        Example(
+            "turn|VERB it|PRON to|PART level|VERB three|NUM", ("3 ADP IN", "4 NOUN NN"), Verbs(frozenset(["turn"]))
+        ),
+        Stage.PARSER,
+        tagging.numbered_noun,
+    ),
+)
+
+#: What the parser does to its own tree, before anybody else sees it.
+PARSER_TREE_PASSES: Tuple[TreePass, ...] = (
+    TreePass(
+        "one_object",
+        "Make a preposition of a particle between two objects of a verb.",
+        Example(
+            "pick|VERB|0|root up|ADP|1|compound:prt cups|NOUN|1|obj off|ADP|1|compound:prt|off|RP beds|NOUN|1|obj",
+            ("off: compound:prt(pick) -> case(beds)", "beds: obj(pick) -> obl(pick)"),
+        ),
+        Stage.PARSER,
+        relations.with_one_object,
+    ),
+    TreePass(
+        "particle_predicates",
+        "Make a clause of a particle with a copula.",
+        Example(
+            "check|VERB|0|root if|SCONJ|5|mark it|PRON|5|nsubj is|AUX|5|cop|be off|ADP|1|compound:prt",
+            ("off: compound:prt(check) -> ccomp(check)",),
+        ),
+        Stage.PARSER,
+        relations.without_particle_predicates,
+    ),
+    TreePass(
+        "verb_compounds",
+        "Make a clause of a verb that compounds with the verb before it.",
+        Example(
+            "go|VERB|0|root get|VERB|1|compound it|PRON|2|obj",
+            ("get: compound(go) -> xcomp(go)",),
+        ),
+        Stage.PARSER,
+        relations.without_verb_compounds,
+    ),
+    TreePass(
+        "infinitive_conjuncts",
+        'Make a purpose of a verb with "to" that is joined to a verb without it.',
+        Example(
+            "turn|VERB|0|root to|PART|3|mark face|VERB|1|conj it|PRON|3|obj",
+            ("face: conj(turn) -> advcl(turn)",),
+        ),
+        Stage.PARSER,
+        relations.without_infinitive_conjuncts,
+    ),
+    TreePass(
+        "reroot",
+        "Make the verb of the command the root.",
+        Example(
+            "Scrub|VERB|3|compound the|DET|3|det pot|NOUN|0|root",
+            ("Scrub: compound(pot) -> root", "pot: root -> obj(Scrub)"),
+            Verbs(frozenset(["scrub"])),
+        ),
+        Stage.PARSER,
+        tagging.rerooted,
+    ),
+)
+
+#: What a person takes back, before anything else of the utterance is looked at.
+CORRECTION_PASSES: Tuple[TreePass, ...] = (
+    TreePass(
+        "objection",
+        "Set aside what a correction of what runs opens with, where a whole command follows.",
+        Example(
+            "no|INTJ|3|discourse ,|PUNCT|1|punct turn|VERB|0|root left|ADV|3|advmod",
+            ("no: discourse(turn) -> discourse:aside(turn)", ",: punct(no) -> discourse:aside(turn)"),
+            _TURN,
+        ),
+        Stage.FRAMER,
+        objections.without_objection,
+    ),
+    TreePass(
+        "restarts",
+        "Drop the first of a word that is said twice in a row.",
+        Example(
+            "turn|VERB|0|root turn|VERB|1|xcomp left|ADV|2|advmod",
+            ("turn: root -> reparandum(turn-2)", "turn: xcomp(turn-1) -> root"),
+        ),
+        Stage.FRAMER,
+        corrections.without_restarts,
+    ),
+    TreePass(
+        "corrections",
+        "Put what a person corrects in the place of what it corrects; ask where that is not certain.",
+        Example(
+            "turn|VERB|0|root left|ADV|1|advmod|left|RB no|DET|4|det right|NOUN|1|obj|right|NN",
+            (
+                "left: advmod(turn) -> reparandum(right)",
+                "no: det(right) -> reparandum(right)",
+                "right: obj(turn) NOUN/right -> advmod(turn) ADV/right",
+            ),
+            _TURN,
+        ),
+        Stage.FRAMER,
+        corrections.without_corrected,
+    ),
+)
+
+#: Hang words where a command can have them; the words stay the same.
+PARSE_CORRECTING_PASSES: Tuple[TreePass, ...] = (
+    TreePass(
+        "modals_as_nouns",
+        "Make a noun of a modal that helps no verb and stands behind a noun.",
+        Example(
+            "take|VERB|0|root corn|NOUN|1|obj can|AUX|1|aux|can|MD",
+            ("corn: obj(take) -> compound(can)", "can: aux(take) AUX/can -> obj(take) NOUN/can"),
+        ),
+        Stage.FRAMER,
+        correct_parse.with_modals_as_nouns,
+    ),
+    TreePass(
+        "particles_on_the_way",
+        'Make an adverb of a particle right in front of "to" and the like.',
+        Example(
+            "go|VERB|0|root up|ADP|1|compound:prt to|ADP|4|case Bob|PROPN|1|obl",
+            ("up: compound:prt(go) -> advmod(go)",),
+        ),
+        Stage.FRAMER,
+        correct_parse.with_particles_on_the_way,
+    ),
+    TreePass(
+        "places_of_devices",
+        'Hang a place behind "on" or "off" on the object in front of it.',
+        Example(
+            "turn|VERB|0|root lights|NOUN|1|obj off|ADP|1|compound:prt in|ADP|5|case rooms|NOUN|1|obl",
+            ("rooms: obl(turn) -> nmod(lights)",),
+        ),
+        Stage.FRAMER,
+        correct_parse.with_places_of_devices,
+    ),
+    TreePass(
+        "places_of_all",
+        'Hang a place on "everything" and the like in front of it.',
+        Example(
+            "take|VERB|0|root all|PRON|1|obj in|ADP|4|case boxes|NOUN|1|obl",
+            ("boxes: obl(take) -> nmod(all)",),
+        ),
+        Stage.FRAMER,
+        correct_parse.with_places_of_all,
+    ),
+    TreePass(
+        "measured_turns",
+        'Make a noun of "turn" behind a number or a fraction.',
+        Example(
+            "turn|VERB|0|root quarter|NOUN|1|obj turn|VERB|1|xcomp left|ADV|3|advmod",
+            (
+                "quarter: obj(turn-1) -> compound(turn-3)",
+                "turn: xcomp(turn-1) VERB/turn -> obl:unmarked(turn-1) NOUN/turn",
+                "left: advmod(turn-3) -> advmod(turn-1)",
+            ),
+        ),
+        Stage.FRAMER,
+        correct_parse.with_measured_turns,
+    ),
+    TreePass(
+        "sides_apart",
+        "Hang a side in front of a measure on the verb.",
+        Example(
+            "turn|VERB|0|root left|ADJ|4|amod two|NUM|4|nummod degrees|NOUN|1|obj",
+            ("left: amod(degrees) ADJ/left -> advmod(turn) ADV/left",),
+        ),
+        Stage.FRAMER,
+        correct_parse.with_sides_apart,
+    ),
+    TreePass(
+        "around_apart",
+        'Make an adverb of "around" between a verb of turning and a measure.',
+        Example(
+            "turn|VERB|0|root around|ADP|4|case two|NUM|4|nummod degrees|NOUN|1|obl",
+            ("around: case(degrees) ADP/around -> advmod(turn) ADV/around",),
+        ),
+        Stage.FRAMER,
+        correct_parse.with_around_apart,
+    ),
+    TreePass(
+        "degrees",
+        'Hang "a bit" and "a little" on the verb, and not on the noun that they stand behind.',
+        Example(
+            "open|VERB|0|root windows|NOUN|1|obj a|DET|4|det bit|NOUN|2|nmod:unmarked",
+            ("bit: nmod:unmarked(windows) -> obl:unmarked(open)",),
+        ),
+        Stage.FRAMER,
+        correct_parse.with_degrees,
+    ),
+)
+
+#: What is said around a command, and for a verb; then what the tree that is read must look like.
+REPHRASING_PASSES: Tuple[TreePass, ...] = (
+    (
+        TreePass(
+            "opening_formula",
+            'Set the formula aside that a command is opened with: "I wonder if you could ...".',
+            Example(
+                "go|VERB|0|root ahead|ADV|1|advmod and|CCONJ|4|cc turn|VERB|1|conj",
+                (
+                    "go: root -> discourse:aside(turn)",
+                    "ahead: advmod(go) -> discourse:aside(turn)",
+                    "and: cc(turn) -> discourse:aside(turn)",
+                    "turn: conj(go) -> root",
+                ),
+                _TURN,
+            ),
+            Stage.FRAMER,
+            formulas.without_opening,
+        ),
+    )
+    + PARSE_CORRECTING_PASSES
+    + (
+        TreePass(
+            "light_verbs",
+            "Replace verbs that stand for another one, where the lexicon has that: who asks to have something "
+            "wants it.",
+            Example(
+                "can|AUX|3|aux I|PRON|3|nsubj have|VERB|0|root tea|NOUN|3|obj",
+                ("have: VERB/have have -> VERB/want want",),
+                Verbs(frozenset(["want"])),
+            ),
+            Stage.FRAMER,
+            light_verbs.replace_light_verbs,
+        ),
+        TreePass(
+            "quotations",
+            "Make one object of what is to be said, whatever it says.",
+            Example(
+                "tell|VERB|0|root her|PRON|3|nmod:poss|her|PRP$ lunch|NOUN|5|nsubj is|AUX|5|cop|be ready|ADJ|1|ccomp",
+                (
+                    "her: nmod:poss(lunch) -> iobj(tell)",
+                    "lunch: nsubj(ready) -> flat:quoted(ready)",
+                    "is: cop(ready) -> flat:quoted(ready)",
+                    "ready: ccomp(tell) -> obj(tell)",
+                ),
+                Verbs(frozenset(["tell"]), speech={"tell": Speech.TOLD}),
+            ),
+            Stage.FRAMER,
+            quotations.with_quotations,
+        ),
+        TreePass(
+            "formulas",
+            'Set the formulas aside that a command is surrounded with: "... if you don\'t mind".',
+            Example(
+                "turn|VERB|0|root right|ADV|3|advmod away|ADV|1|advmod",
+                ("right: advmod(away) -> discourse:aside(turn)", "away: advmod(turn) -> discourse:aside(turn)"),
+                Verbs(frozenset(["turn"])),
+            ),
+            Stage.FRAMER,
+            formulas.without_formulas,
+        ),
+        TreePass(
+            "shared_verbs",
+            "Give the second of two phrases that share a verb the relation to it that the first one has.",
+            Example(
+                "go|VERB|0|root to|ADP|3|case Bob|PROPN|1|obl and|CCONJ|6|cc to|ADP|6|case Eve|PROPN|1|conj",
+                ("Eve: conj(go) -> obl(go)",),
+            ),
+            Stage.FRAMER,
+            shared_verbs.expand_shared_verbs,
+        ),
+        TreePass(
+            "times",
+            "Mark the phrases that say when something is to be done.",
+            Example("turn|VERB|0|root at|ADP|3|case five|NUM|1|obl", ("at five: says when",), _TURN),
+            Stage.FRAMER,
+            times.with_times,
+        ),
+    )
+)
+
+FRAMER_TREE_PASSES: Tuple[TreePass, ...] = CORRECTION_PASSES + REPHRASING_PASSES
+#: The whole order, from the text to the tree that is read.
+PASSES: Tuple[Pass, ...] = TEXT_PASSES + TAG_PASSES + PARSER_TREE_PASSES + FRAMER_TREE_PASSES

@@ -1,0 +1,89 @@
+"""What the lexicon knows better than a tagger that learned from text in which commands are rare."""
+
+from typing import Optional, Sequence, Tuple
+
+from utterance_passes.tree import DependencyTree
+from utterance_passes.tree_edits import TreeEdit
+from utterance_passes.utterance_pass import Retag
+from utterance_passes.vocabulary import Vocabulary
+from word_classes import word_class
+
+_FORMS_OF_BE = word_class("forms_of_be")
+_LEAD_IN = word_class("lead_in")
+_NOUNS = {"NOUN", "PROPN", "PRON", "NUM", "ADJ", "DET"}
+#: Relations of what hangs on the verb of the command, and not on the word that the parser took for it.
+_OF_THE_VERB = frozenset(["punct", "obl", "advmod", "discourse", "vocative", "conj", "parataxis"])
+
+
+def command_verb(forms: Sequence[str], tags: Sequence[str], vocabulary: Vocabulary) -> Tuple[Retag, ...]:
+    """Make a verb of a word at the front of a command that the lexicon knows as one: "Scrub the pot", "Ping"."""
+    position = command_verb_position(forms, vocabulary)
+    if position is None or tags[position - 1] == "VERB":
+        return ()
+    return (Retag(position, "VERB", "VB", "Mood=Imp|Person=2|VerbForm=Fin"),)
+
+
+def command_verb_position(forms: Sequence[str], vocabulary: Vocabulary) -> Optional[int]:
+    """Find the word that has to be the verb of a command: the first behind an addressee, politeness and fillers.
+
+    Args:
+        forms: words of the sentence
+        vocabulary: known verbs
+    Returns:
+        its index from 1; None when the front of the sentence holds no known verb
+    """
+    position = 0
+    while position < len(forms) and (forms[position].lower() in _LEAD_IN or forms[position] == ","):
+        position += 1
+    if position < len(forms) and vocabulary.verbs_beginning_with(forms[position].lower()):
+        # "Name is Bob", "Face it": a noun that is followed by a finite verb is no command.
+        following = forms[position + 1].lower() if position + 1 < len(forms) else ""
+        return None if following in _FORMS_OF_BE else position + 1
+    return None
+
+
+def numbered_noun(forms: Sequence[str], tags: Sequence[str], vocabulary: Vocabulary) -> Tuple[Retag, ...]:
+    """Make a noun of a word between "to" and a last number that the lexicon does not know as a verb: it is what the
+    number counts. No command tells the robot to "order seven".
+    """
+    position = numbered_noun_position(forms, tags, vocabulary)
+    return () if position is None else (Retag(position - 1, "ADP", "IN"), Retag(position, "NOUN", "NN", "Number=Sing"))
+
+
+def numbered_noun_position(forms: Sequence[str], tags: Sequence[str], vocabulary: Vocabulary) -> Optional[int]:
+    """Find a noun that was taken for a verb because "to" stands before it, and a number behind it.
+
+    Args:
+        forms: words of the sentence
+        tags: their universal parts of speech
+        vocabulary: known verbs; without the verb of the command, nothing is known better
+    Returns:
+        its index from 1; None when there is none
+    """
+    for position in range(2, len(forms) - 1):
+        is_last = position + 2 == len(forms) or tags[position + 2] in ("PUNCT", "CCONJ")
+        if (
+            forms[position - 1].lower() == "to"
+            and tags[position] == "VERB"
+            and not vocabulary.verbs_beginning_with(forms[position].lower())
+            and tags[position + 1] == "NUM"
+            and is_last
+        ):
+            return position + 1
+    return None
+
+
+def rerooted(tree: DependencyTree, vocabulary: Vocabulary) -> DependencyTree:
+    """Make the verb of the command the root: what was the root hangs on it, and so does what was between them."""
+    index = command_verb_position([word.form for word in tree.words], vocabulary)
+    if index is None or tree.word(index).head == 0:
+        return tree
+    old_root = tree.children(0)[0]
+    edit = TreeEdit(tree)
+    for word in tree.children(old_root.index):
+        if word.deprel.split(":")[0] in _OF_THE_VERB:
+            edit.rehang(word.index, index)
+    edit.rehang(old_root.index, index, "obj" if old_root.upos in _NOUNS else "xcomp")
+    edit.rehang(index, 0, "root")
+    edit.drop_brackets()
+    return edit.tree()

@@ -1,0 +1,112 @@
+"""Phrases that say when: "tomorrow", "on Monday", "next week", "at five".
+
+They are read from the words one after the other, since a time at either end of a command hangs on anything in its tree.
+"""
+
+from typing import FrozenSet, List, Tuple
+
+from spoken_quantities import QuantityError, parse_number
+from utterance_passes.amounts import read_amounts
+from utterance_passes.tree import DependencyTree
+from utterance_passes.tree_edits import mark_times
+from utterance_passes.vocabulary import Vocabulary
+from word_classes import word_class
+
+_ADVERBS = word_class("time_adverbs")
+_BEFORE_NOW = word_class("before_now")
+_CHOOSING = word_class("time_determiners")
+_CLOCK = word_class("clock_words")
+_CLOCK_PREPOSITIONS = word_class("clock_prepositions")
+_MEALS = word_class("meals")
+_MODIFIERS = word_class("time_modifiers")
+_MONTHS = word_class("months")
+_NOT_BEFORE_WEEKDAYS = word_class("not_before_weekdays")
+_PERIODS = word_class("periods")
+_PREPOSITIONS = word_class("time_prepositions")
+_SHORT_PERIODS = word_class("short_periods")
+_TIMES_OF_DAY = word_class("times_of_day")
+_WEEKDAYS = word_class("weekdays")
+
+
+def with_times(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
+    """Mark the phrases that say when."""
+    return mark_times(tree, find_times(tree))
+
+
+def find_times(tree: DependencyTree) -> Tuple[FrozenSet[int], ...]:
+    """Find the phrases of a sentence that say when, in order, each with its preposition; phrases that touch are one."""
+    forms = [word.form.lower() for word in tree.words]
+    found: List[Tuple[int, int]] = []
+    for end in range(1, len(forms) + 1):
+        start = _start(tree, forms, end)
+        if not start and found and found[-1][1] == end - 1 and forms[end - 1] in _TIMES_OF_DAY | _CLOCK:
+            start = end
+        if not start:
+            continue
+        if found and found[-1][1] >= start - 1:
+            start = min(found.pop()[0], start)
+        found.append((start, end))
+    return tuple(frozenset(range(start, end + 1)) for start, end in found)
+
+
+def _start(tree: DependencyTree, forms: List[str], end: int) -> int:
+    """Return where the phrase that says when and ends at a word begins; 0 where none ends there."""
+    word = forms[end - 1]
+    if word in _ADVERBS:
+        before = forms[end - 2] if end > 1 else ""
+        return end - 1 if before in _PREPOSITIONS else end
+    if word == "now" and end > 1 and forms[end - 2] in _BEFORE_NOW:
+        return end - 1
+    if _continues(tree, forms, end):
+        return 0
+    word = "o'clock" if word == "o’clock" else word
+    singular = word[:-1] if word.endswith("s") and word[:-1] in _PERIODS | _WEEKDAYS | _TIMES_OF_DAY else word
+    first = end
+    while first > 1 and (forms[first - 2] in _MODIFIERS | _CHOOSING or _is_number(forms[first - 2])):
+        first -= 1
+    preposition = forms[first - 2] if first > 1 else ""
+    # "Hold on a second": how long, and not when.
+    if preposition == "on" and singular in _SHORT_PERIODS:
+        return 0
+    is_time = singular in _PERIODS | _WEEKDAYS | _TIMES_OF_DAY | _MEALS | _MONTHS | _CLOCK
+    if is_time and preposition in _PREPOSITIONS:
+        return first - 1
+    is_chosen = any(form in _CHOOSING for form in forms[first - 1 : end - 1])
+    if is_chosen and ((is_time and singular not in _MEALS) or word in ("time", "times")):
+        return first
+    if singular in _WEEKDAYS and preposition not in _NOT_BEFORE_WEEKDAYS:
+        return first
+    if word in _CLOCK and end > 1 and _is_number(forms[end - 2]):
+        return first
+    if _is_number(word) and end > 1 and forms[end - 2] in _CLOCK_PREPOSITIONS and not _is_measured(tree, end):
+        return end - 1
+    return 0
+
+
+def _continues(tree: DependencyTree, forms: List[str], end: int) -> bool:
+    """Whether a word is the first part of a name or of an amount: "morning paper", "day's work", "5 degrees"."""
+    if end == len(forms):
+        return False
+    following = tree.word(end + 1)
+    if following.form.lower() in _TIMES_OF_DAY | _CLOCK | _ADVERBS:
+        return False
+    if following.form.lower() in ("'s", "’s") or tree.word(end).deprel in ("compound", "nmod:poss", "amod"):
+        return True
+    # At the front of a command the parser takes the verb behind a time for a noun: "at five turn left".
+    if end == 2 and forms[0] == "at":
+        return False
+    return _is_number(forms[end - 1]) and following.upos in ("NOUN", "PROPN", "ADJ", "NUM")
+
+
+def _is_measured(tree: DependencyTree, index: int) -> bool:
+    """Whether a number has a unit: "around forty-five degrees"."""
+    amounts = read_amounts(tree, [word.index for word in tree.words])
+    return any(index in amount.positions and amount.unit for amount in amounts)
+
+
+def _is_number(form: str) -> bool:
+    try:
+        parse_number(form)
+    except QuantityError:
+        return False
+    return form not in ("a", "an")

@@ -1,0 +1,95 @@
+"""What the run that decides writes down: each rule that changed or settled something, in order."""
+
+from dataclasses import dataclass
+from typing import FrozenSet, Iterable, List, Tuple
+
+from utterance_passes.tree import DependencyTree, Word
+
+
+@dataclass(frozen=True)
+class TraceLine:
+    """One thing that a rule did.
+
+    Attributes:
+        rule: name of the pass, the verdict or the step
+        positions: of the words that it is about, from 1; none where it is about no single words
+        about: these words, or what else it is about ("take -> taking(theme=a right)")
+        before: what was there before, "nmod:poss(lunch)"; empty where nothing was
+        after: what came of it
+    """
+
+    rule: str
+    positions: Tuple[int, ...]
+    about: str
+    before: str
+    after: str
+
+    @property
+    def what(self) -> str:
+        """The line without the name of the rule."""
+        change = f"{self.before} -> {self.after}" if self.before else self.after
+        return f"{self.about}: {change}" if self.about else change
+
+    def __str__(self) -> str:
+        return f"{self.rule}: {self.what}"
+
+
+class Trace:
+    """Lines, in the order in which they were written."""
+
+    def __init__(self, lines: Iterable[TraceLine] = ()) -> None:
+        self._lines: List[TraceLine] = list(lines)
+
+    @property
+    def lines(self) -> Tuple[TraceLine, ...]:
+        """What was written."""
+        return tuple(self._lines)
+
+    def add(self, rule: str, about: str = "", before: str = "", after: str = "", positions: Iterable[int] = ()) -> None:
+        """Write a line."""
+        self._lines.append(TraceLine(rule, tuple(sorted(positions)), about, before, after))
+
+    def add_changes(self, rule: str, before: DependencyTree, after: DependencyTree) -> None:
+        """Write a line for each word that differs, and for each mark that was set."""
+        self._lines += changes(rule, before, after)
+
+    def __str__(self) -> str:
+        return "\n".join(map(str, self._lines))
+
+    @property
+    def rules(self) -> FrozenSet[str]:
+        """Names of the rules that wrote something."""
+        return frozenset(line.rule for line in self._lines)
+
+
+def changes(rule: str, before: DependencyTree, after: DependencyTree) -> List[TraceLine]:
+    """Return what a rule changed in a sentence, word by word."""
+    if before is after:
+        return []
+    found = []
+    for old, new in zip(before.words, after.words):
+        if old == new:
+            continue
+        parts = [(_tag(old), _tag(new)), (old.form, new.form)]
+        if (old.head, old.deprel) != (new.head, new.deprel):
+            parts.insert(0, (_arc(before, old), _arc(after, new)))
+        different = [(one, other) for one, other in parts if one != other]
+        if different:
+            was, has_become = (" ".join(side) for side in zip(*different))
+            found.append(TraceLine(rule, (new.index,), old.form, was, has_become))
+    for time in after.times:
+        if time not in before.times:
+            found.append(TraceLine(rule, tuple(sorted(time)), after.text_of(time), "", "says when"))
+    return found
+
+
+def _arc(tree: DependencyTree, word: Word) -> str:
+    if not word.head:
+        return word.deprel
+    head = tree.word(word.head)
+    is_alone = sum(1 for other in tree.words if other.form.lower() == head.form.lower()) == 1
+    return f"{word.deprel}({head.form if is_alone else f'{head.form}-{head.index}'})"
+
+
+def _tag(word: Word) -> str:
+    return f"{word.upos}/{word.lemma}"

@@ -1,0 +1,111 @@
+"""The only place where one dependency tree is made of another; what comes of an edit is a tree, or nothing does."""
+
+from dataclasses import replace
+from typing import AbstractSet, Callable, FrozenSet, Tuple
+
+from utterance_passes.tree import DependencyTree, Word
+
+
+class NotATree(ValueError):
+    """An edit left words without a way to the one root."""
+
+
+class TreeEdit:
+    """Edits of one sentence that take effect together. Words are named by their position, from 1, which stays."""
+
+    def __init__(self, tree: DependencyTree) -> None:
+        self._tree = tree
+        self._words = list(tree.words)
+        self._brackets = tree.brackets
+
+    def word(self, index: int) -> Word:
+        """Return a word as it has become so far."""
+        return self._words[index - 1]
+
+    def rehang(self, index: int, head: int, deprel: str = "") -> None:
+        """Hang a word on another one, or on the root (0), with a new relation or with the one it has."""
+        word = self.word(index)
+        self._words[index - 1] = replace(word, head=head, deprel=deprel or word.deprel)
+
+    def rehang_children(self, index: int, head: int) -> None:
+        """Hang on a word what hung on another one before the edit."""
+        for child in self._tree.children(index):
+            self._words[child.index - 1] = replace(self.word(child.index), head=head)
+
+    def relabel(self, index: int, deprel: str) -> None:
+        """Give a word another relation to its head."""
+        self._words[index - 1] = replace(self.word(index), deprel=deprel)
+
+    def retag(self, index: int, upos: str, xpos: str = "") -> None:
+        """Give a word another part of speech; its Penn tag stays where none is given."""
+        word = self.word(index)
+        self._words[index - 1] = replace(word, upos=upos, xpos=xpos or word.xpos)
+
+    def respell(self, index: int, form: str) -> None:
+        """Put another word in the place of a word."""
+        self._words[index - 1] = replace(self.word(index), form=form, lemma=form)
+
+    def drop_brackets(self) -> None:
+        """Forget the phrase tree of the parser: it is not that of the sentence any more."""
+        self._brackets = ""
+
+    def tree(self) -> DependencyTree:
+        """Return the tree; the one that was there before where nothing changed.
+
+        Raises:
+            NotATree: the words hang together no more
+        """
+        words = tuple(self._words)
+        if words == self._tree.words:
+            return self._tree
+        made = replace(self._tree, words=words, brackets=self._brackets)
+        if not made.is_connected:
+            raise NotATree(f'no tree comes of "{made.text}"')
+        return made
+
+
+def set_aside(
+    tree: DependencyTree, positions: AbstractSet[int], relation: str, is_verb: Callable[[Word], bool]
+) -> DependencyTree:
+    """Hang words on the root of the others, and what hung on them where they hung.
+
+    Args:
+        tree: the sentence
+        positions: of the words; at least one word is left
+        relation: of each of the words to the root
+        is_verb: such a word becomes the root where the root was one of the words
+    Raises:
+        NotATree: no tree comes of it
+    """
+    heads = {}
+    for word in tree.words:
+        head = word.head
+        while head in positions:
+            head = tree.word(head).head
+        heads[word.index] = head
+    tops = [word for word in tree.open_words if word.index not in positions and heads[word.index] == 0]
+    spoken = [word for word in tops if word.upos != "PUNCT"]
+    root = ([word for word in spoken if is_verb(word)] or spoken or tops)[0]
+    edit = TreeEdit(tree)
+    for word in tree.words:
+        if word.index == root.index:
+            edit.rehang(word.index, 0, "root")
+        elif word.index in positions:
+            edit.rehang(word.index, root.index, relation)
+        elif heads[word.index] == 0:
+            is_clause = word.upos == "VERB" and word.index > root.index
+            edit.rehang(word.index, root.index, "parataxis" if is_clause else word.deprel)
+        else:
+            edit.rehang(word.index, heads[word.index])
+    return edit.tree()
+
+
+def mark_times(tree: DependencyTree, times: Tuple[FrozenSet[int], ...]) -> DependencyTree:
+    """Mark the phrases that say when."""
+    return tree if times == tree.times else replace(tree, times=times)
+
+
+def mark_sharing_a_verb(tree: DependencyTree, heads: FrozenSet[int]) -> DependencyTree:
+    """Mark the heads of phrases that share the verb of the phrase before them, with those marked before."""
+    marked = tree.sharing_a_verb | heads
+    return tree if marked == tree.sharing_a_verb else replace(tree, sharing_a_verb=marked)

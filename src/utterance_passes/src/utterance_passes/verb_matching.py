@@ -1,0 +1,63 @@
+"""Finds the verbs of the lexicon that a clause uses, particles included."""
+
+from dataclasses import dataclass
+from typing import List, Optional, Sequence, Tuple
+
+from utterance_passes.clauses import Clause
+from utterance_passes.tree import DependencyTree
+from utterance_passes.vocabulary import Vocabulary
+
+#: Relations of the further words of a verb: "turn the light *on*", "turn left *to* *face* the door".
+_PARTICLES = frozenset(["compound:prt", "advmod", "advcl", "case", "mark", "obl", "obj", "xcomp"])
+
+
+@dataclass(frozen=True)
+class VerbMatch:
+    """A verb of the lexicon in a clause: the verb, and the words that it is made of."""
+
+    verb: str
+    positions: Tuple[int, ...]
+
+
+def match_verbs(tree: DependencyTree, clause: Clause, vocabulary: Vocabulary) -> Tuple[VerbMatch, ...]:
+    """Find the verbs of the lexicon that a clause uses, those with a particle first."""
+    word = tree.word(clause.verb)
+    found: List[VerbMatch] = []
+    for base in dict.fromkeys((word.lemma.lower(), word.form.lower())):
+        for verb in vocabulary.verbs_beginning_with(base):
+            positions = _verb_positions(tree, clause, verb.split()[1:])
+            if positions is not None and all(verb != match.verb for match in found):
+                found.append(VerbMatch(verb, (clause.verb,) + positions))
+    return tuple(sorted(found, key=lambda match: -len(match.verb.split())))
+
+
+def _verb_positions(tree: DependencyTree, clause: Clause, particles: Sequence[str]) -> Optional[Tuple[int, ...]]:
+    """Find the particles of a verb: beside it, behind its object ("pick it up"), or as a preposition ("look for")."""
+    found: List[int] = []
+    after = clause.verb
+    for particle in particles:
+        position = next(
+            (
+                index
+                for index in sorted(clause.positions)
+                if index > after
+                and tree.word(index).form.lower() == particle
+                and (index == after + 1 or tree.word(index).deprel in _PARTICLES)
+                and (index == after + 1 or _is_near(tree, clause, index))
+            ),
+            None,
+        )
+        if position is None:
+            return None
+        found.append(position)
+        after = position
+    return tuple(found)
+
+
+def _is_near(tree: DependencyTree, clause: Clause, index: int) -> bool:
+    """Whether a word hangs on the verb, or on a phrase of the verb: no "check on" is in "check whether it is on"."""
+    head = tree.word(tree.word(index).head) if tree.word(index).head else None
+    if head is None or head.index == clause.verb:
+        return head is not None
+    is_of_a_clause = tree.word(index).deprel == "case" and head.deprel in ("ccomp", "xcomp", "advcl")
+    return head.head == clause.verb and not is_of_a_clause

@@ -1,0 +1,112 @@
+"""Formulas: each does with its example what the file says, and what is said of a wrong file."""
+
+import re
+from typing import List, Tuple
+
+import pytest
+
+from semantic_frames import FileRefused, Problem
+from utterance_passes.corrections import without_corrected
+from utterance_passes.formula_file import KINDS, Formula, load_formulas, shipped_formulas
+from utterance_passes.formulas import without_formulas, without_opening
+from utterance_passes.tree import DependencyTree, Word
+from utterance_passes.vocabulary import Verbs
+
+_VERBS = Verbs(frozenset(["turn"]), lists={"turn": (("left", "right"),)})
+_SHIPPED = [(kind, formula) for kind in KINDS for formula in shipped_formulas()[kind]]
+
+
+def tree_of(text: str) -> DependencyTree:
+    """A tree of the words as the parser divides them, all on the verb."""
+    forms = re.findall(r"n't|'\w+|[a-z]+?(?=n't)|\w+|,", text, re.IGNORECASE)
+    verb = 1 + forms.index("turn")
+    words = tuple(
+        Word(
+            index,
+            form,
+            form.lower(),
+            "VERB" if index == verb else "PUNCT" if form == "," else "ADV",
+            "",
+            "",
+            0 if index == verb else verb,
+            "root" if index == verb else "advmod",
+        )
+        for index, form in enumerate(forms, start=1)
+    )
+    return DependencyTree(text, words)
+
+
+def left_of(kind: str, tree: DependencyTree) -> str:
+    """What the pass of a kind leaves of a sentence."""
+    if kind == "fillers":
+        return " ".join(word.form for word in tree.words if word.index not in tree.fillers)
+    if kind in ("editing_terms", "withdrawals"):
+        tree = without_corrected(tree, _VERBS)
+    elif kind == "openings":
+        tree = without_opening(tree, _VERBS)
+    else:
+        tree = without_formulas(tree, _VERBS)
+    return " ".join(word.form for word in tree.open_words if word.upos != "PUNCT")
+
+
+def phrases_of(text: str) -> List[str]:
+    forms = [word.form.lower() for word in tree_of(text).words if word.upos != "PUNCT"]
+    ends = range(1, len(forms) + 1)
+    return [" ".join(forms[start:end]) for end in ends for start in range(end)]
+
+
+@pytest.mark.parametrize("kind, formula", _SHIPPED, ids=lambda value: getattr(value, "example", value))
+def test_an_example_becomes_what_the_file_says(kind: str, formula: Formula) -> None:
+    assert left_of(kind, tree_of(formula.example)) == formula.becomes
+
+
+@pytest.mark.parametrize("kind, formula", _SHIPPED, ids=lambda value: getattr(value, "example", value))
+def test_an_example_is_of_its_own_formula(kind: str, formula: Formula) -> None:
+    matching = [
+        other.pattern.pattern
+        for other in shipped_formulas()[kind]
+        if any(other.pattern.fullmatch(phrase) for phrase in phrases_of(formula.example))
+    ]
+    assert matching == [formula.pattern.pattern]
+
+
+def test_an_example_without_its_formula_stays() -> None:
+    assert left_of("openings", tree_of("kindly whistle and turn left")) == "kindly whistle and turn left"
+
+
+def test_a_class_stands_for_its_words() -> None:
+    formula = formulas_with("do <not> forget to")[0]
+    assert formula.pattern.fullmatch("do n't forget to") and not formula.pattern.fullmatch("do never forget to")
+
+
+def text_with(entry: str) -> str:
+    usual = "[{pattern: so, example: so go, becomes: go}]"
+    return "\n".join(f"{kind}: {entry if kind == 'openings' else usual}" for kind in KINDS)
+
+
+def formulas_with(pattern: str) -> Tuple[Formula, ...]:
+    return load_formulas(text_with(f'[{{pattern: "{pattern}", example: a, becomes: b}}]'), "formulas.yaml")["openings"]
+
+
+@pytest.mark.parametrize(
+    "entry, code, key",
+    [
+        ('[{pattern: "<nots>", example: a, becomes: b}]', "UNKNOWN_CLASS", "openings[0].pattern"),
+        ('[{pattern: "(so", example: a, becomes: b}]', "BAD_PATTERN", "openings[0].pattern"),
+        ('[{pattern: "Please", example: a, becomes: b}]', "NOT_LOWER_CASE", "openings[0].pattern"),
+        ("[{pattern: so, becomes: b}]", "MISSING_KEY", "openings[0].example"),
+        ("[{pattern: so, example: a}]", "MISSING_KEY", "openings[0].becomes"),
+        ("[]", "EMPTY", "openings"),
+        ("so", "WRONG_TYPE", "openings"),
+    ],
+)
+def test_what_is_wrong_is_named_with_its_line(entry: str, code: str, key: str) -> None:
+    with pytest.raises(FileRefused) as refused:
+        load_formulas(text_with(entry), "formulas.yaml")
+    problem: Problem = refused.value.problems[0]
+    assert (problem.code, problem.line, problem.key) == (code, 1, key)
+
+
+def test_a_kind_that_is_missing_is_named() -> None:
+    with pytest.raises(FileRefused, match="MISSING_KEY fillers"):
+        load_formulas("openings: [{pattern: so, example: a, becomes: b}]", "formulas.yaml")

@@ -1,0 +1,98 @@
+"""What is done to a text before the parse, and to the parse of a command."""
+
+from typing import Optional
+
+import pytest
+
+from utterance_passes.conllu import from_conllu
+from utterance_passes.running import run_text_passes
+from utterance_passes.spelling import Spelling
+from utterance_passes.table import TEXT_PASSES
+from utterance_passes.tagging import command_verb_position, numbered_noun_position, rerooted
+from utterance_passes.vocabulary import Verbs
+
+VERBS = Verbs(frozenset(["scrub", "ping", "name", "turn"]))
+
+
+def rewrite(said: str) -> Spelling:
+    return run_text_passes(said, TEXT_PASSES)
+
+
+@pytest.mark.parametrize(
+    "said, text",
+    [
+        ("turn 90° left", "turn 90 degrees left"),
+        ("move 3ft", "move 3 ft"),
+        ("move 10cm up", "move 10 cm up"),
+        ("turn -90 degrees", "turn minus 90 degrees"),
+        ("Roger’s  office ", "Roger's office"),
+        ("wait 5s", "wait 5 s"),
+        ("room 204", "room 204"),
+        ("a well-known place", "a well-known place"),
+        ("move forward <pause> two feet", "move forward two feet"),
+        ("", ""),
+    ],
+)
+def test_rewrite(said: str, text: str) -> None:
+    assert rewrite(said).text == text
+
+
+@pytest.mark.parametrize("said", ["turn 90° left", "  move  3ft now", "turn -90 degrees", "go"])
+def test_rewrite_remembers_where_words_came_from(said: str) -> None:
+    spelling = rewrite(said)
+    assert len(spelling.origins) == len(spelling.text) + 1
+    for word in ("left", "now", "degrees", "go"):
+        if word in said:
+            assert said[spelling.origins[spelling.text.index(word)] :].startswith(word)
+
+
+@pytest.mark.parametrize(
+    "sentence, position",
+    [
+        ("Scrub the pot", 1),
+        ("please scrub the pot", 2),
+        ("robot , please ping", 4),
+        ("uh okay turn left", 3),
+        ("the name", None),
+        ("Name is Bob", None),
+        ("I turn", None),
+        ("", None),
+        ("please", None),
+    ],
+)
+def test_command_verb_position(sentence: str, position: Optional[int]) -> None:
+    assert command_verb_position(sentence.split(), VERBS) == position
+
+
+def test_rerooted_makes_the_verb_the_root_and_keeps_a_tree() -> None:
+    tree = from_conllu(
+        "1 Scrub scrub PROPN NNP _ 3 compound _ _\n2 the the DET DT _ 3 det _ _"
+        "\n3 pot pot NOUN NN _ 0 root _ _\n4 . . PUNCT . _ 3 punct _ _"
+    )
+    assert [(word.head, word.deprel) for word in rerooted(tree, VERBS).words] == [
+        (0, "root"),
+        (3, "det"),
+        (1, "obj"),
+        (1, "punct"),
+    ]
+
+
+def test_rerooted_leaves_a_right_tree_alone() -> None:
+    tree = from_conllu("1 Ping ping VERB VB _ 0 root _ _")
+    assert rerooted(tree, VERBS) is tree
+
+
+@pytest.mark.parametrize(
+    "text, tags, position",
+    [
+        ("compute it to order seven .", "VERB PRON PART VERB NUM PUNCT", 4),
+        ("compute it to order seven", "VERB PRON PART VERB NUM", 4),
+        ("go to fetch seven", "VERB PART VERB NUM", None),  # a verb of the lexicon
+        ("compute it to order seven mugs", "VERB PRON PART VERB NUM NOUN", None),
+        ("compute it to order", "VERB PRON PART VERB", None),
+        ("drive to room seven", "VERB ADP NOUN NUM", None),
+    ],
+)
+def test_numbered_noun(text: str, tags: str, position: Optional[int]) -> None:
+    verbs = Verbs(frozenset({"compute", "go", "fetch", "drive"}))
+    assert numbered_noun_position(text.split(), tags.split(), verbs) == position

@@ -1,0 +1,132 @@
+"""The table of passes: each does what its example says, the order is the one written here, no pass calls another."""
+
+import ast
+from pathlib import Path
+from typing import List, Tuple
+
+import pytest
+
+from utterance_passes.conllu import from_short
+from utterance_passes.running import run_tag_passes, run_text_passes, run_tree_passes
+from utterance_passes.table import PASSES, TAG_PASSES, TEXT_PASSES
+from utterance_passes.trace import Trace
+from utterance_passes.utterance_pass import Pass, Stage, TagPass, TextPass, TreePass
+
+ORDER = (
+    "transcribers_marks apostrophes quotation_marks dashes fraction_signs fraction_slash degree_sign units "
+    "minus_sign negative_sign ratios blanks ends "
+    "command_verb numbered_noun "
+    "one_object particle_predicates verb_compounds infinitive_conjuncts reroot "
+    "objection restarts corrections opening_formula "
+    "modals_as_nouns particles_on_the_way places_of_devices places_of_all measured_turns sides_apart around_apart "
+    "degrees light_verbs quotations formulas shared_verbs times"
+).split()
+PACKAGE = Path(__file__).resolve().parents[2] / "src" / "utterance_passes"
+
+
+def test_order() -> None:
+    assert [one.name for one in PASSES] == ORDER
+
+
+def test_names_are_told_apart() -> None:
+    assert len({one.name for one in PASSES}) == len(PASSES)
+
+
+def test_the_passes_of_the_parser_come_first() -> None:
+    stages = [one.stage for one in PASSES]
+    assert stages == sorted(stages, key=[Stage.PARSER, Stage.FRAMER].index)
+
+
+@pytest.mark.parametrize("one", PASSES, ids=lambda one: one.name)
+def test_a_pass_says_what_it_does_in_one_sentence(one: Pass) -> None:
+    assert one.what.endswith(".") and one.what[0].isupper() and ". " not in one.what.replace("...", "")
+
+
+def result(one: Pass, passes: Tuple[Pass, ...]) -> List[str]:
+    """What passes make of the example of a pass."""
+    example = one.example
+    if isinstance(one, TextPass):
+        return [run_text_passes(example.said, [each for each in passes if isinstance(each, TextPass)]).text]
+    if isinstance(one, TagPass):
+        words = [item.split("|") for item in example.said.split()]
+        forms, tags = [word[0] for word in words], [word[1] for word in words]
+        tagging = [each for each in passes if isinstance(each, TagPass)]
+        return [
+            f"{tag.position} {tag.upos} {tag.xpos}" for tag in run_tag_passes(forms, tags, example.vocabulary, tagging)
+        ]
+    trace = Trace()
+    trees = [each for each in passes if isinstance(each, TreePass)]
+    run_tree_passes(from_short(example.said), example.vocabulary, trees, trace=trace)
+    assert trace.rules <= {one.name}
+    return [str(line).partition(": ")[2] for line in trace.lines]
+
+
+@pytest.mark.parametrize("one", PASSES, ids=lambda one: one.name)
+def test_example(one: Pass) -> None:
+    assert result(one, (one,)) == list(one.example.expected)
+
+
+@pytest.mark.parametrize("one", PASSES, ids=lambda one: one.name)
+def test_switched_off_by_name(one: Pass) -> None:
+    trace = Trace()
+    example = one.example
+    if isinstance(one, TextPass):
+        assert run_text_passes(example.said, [one], without={one.name}, trace=trace).text == example.said
+    elif isinstance(one, TagPass):
+        words = [item.split("|") for item in example.said.split()]
+        forms, tags = [word[0] for word in words], [word[1] for word in words]
+        assert not run_tag_passes(forms, tags, example.vocabulary, [one], without={one.name}, trace=trace)
+    elif isinstance(one, TreePass):
+        tree = from_short(example.said)
+        assert run_tree_passes(tree, example.vocabulary, [one], without={one.name}, trace=trace) is tree
+    assert not trace.lines
+
+
+def test_text_is_parted_before_blanks_are_counted() -> None:
+    assert run_text_passes(" go <pause> 3ft -2 ", TEXT_PASSES).text == "go 3 ft minus 2"
+
+
+def test_a_tag_pass_sees_the_tags_of_the_one_before() -> None:
+    vocabulary = PASSES[ORDER.index("command_verb")].example.vocabulary
+    retags = run_tag_passes(
+        "scrub it to order 3".split(), ["NOUN", "PRON", "PART", "VERB", "NUM"], vocabulary, TAG_PASSES
+    )
+    assert [(retag.position, retag.upos) for retag in retags] == [(1, "VERB"), (3, "ADP"), (4, "NOUN")]
+
+
+#: Functions of the modules that hold passes are called by the table alone.
+RUNS = {
+    (one.run.__module__.rsplit(".", 1)[-1], one.run.__name__)  # type: ignore[attr-defined]
+    for one in PASSES
+    if not isinstance(one, TextPass)
+}
+
+
+def test_no_pass_calls_another() -> None:
+    names = {name for _, name in RUNS}
+    for path in PACKAGE.glob("*.py"):
+        if path.name != "table.py":
+            tree = ast.parse(path.read_text(encoding="utf-8"))
+            used = {node.id for node in ast.walk(tree) if isinstance(node, ast.Name)}
+            used |= {node.attr for node in ast.walk(tree) if isinstance(node, ast.Attribute)}
+            assert not used & names, path.name
+
+
+def test_the_modules_of_passes_import_no_module_of_another_pass() -> None:
+    modules = {module for module, _ in RUNS} | {"spelling"}
+    # What finds times and clauses looks at a tree and changes none.
+    looking = {"times": {"find_times"}}
+    for module in modules:
+        tree = ast.parse((PACKAGE / f"{module}.py").read_text(encoding="utf-8"))
+        for node in ast.walk(tree):
+            if isinstance(node, ast.ImportFrom) and node.module and node.module.startswith("utterance_passes."):
+                other = node.module.split(".")[1]
+                if other in modules:
+                    assert {alias.name for alias in node.names} <= looking.get(other, set()), (module, other)
+
+
+def test_readme_lists_every_pass_in_its_order() -> None:
+    lines = (PACKAGE.parents[1] / "README.md").read_text(encoding="utf-8").splitlines()
+    rows = [line for line in lines if line.startswith("| `")]
+    stages = {Stage.PARSER: "parser", Stage.FRAMER: "framer"}
+    assert rows == [f"| `{one.name}` | {stages[one.stage]} | {one.what} |" for one in PASSES]

@@ -1,0 +1,14 @@
+"""English words by what they have in common, as rules compare them with what was said."""
+
+from word_classes.shipped import UnknownWordClass, without_determiner, word_class, word_classes, word_list
+from word_classes.word_file import WordClass, load_word_classes
+
+__all__ = [
+    "UnknownWordClass",
+    "WordClass",
+    "load_word_classes",
+    "without_determiner",
+    "word_class",
+    "word_classes",
+    "word_list",
+]

@@ -1,0 +1,200 @@
+#!/usr/bin/python3
+"""What people cry at a robot that drives: odometry tells whether it stands, the replies what it stopped."""
+
+import math
+import threading
+import unittest
+from typing import List, Tuple
+
+import rospy
+from nav_msgs.msg import Odometry
+from roboframenet_msgs.msg import FilledSemanticFrameActionFeedback, Reply
+from std_msgs.msg import String
+
+from pipeline import can_do, wait_until
+from roboframenet_demo.ros_pipeline import is_pipeline_complete
+
+DRIVE = "Move forward 15 metres."
+CRIES = (
+    "STOP!!",
+    "okay stop right there",
+    "stop, you will hit the lamp",
+    "will you please stop moving",
+    "cancel",
+    "Don't move!",
+    "hold on a second",
+    "that's enough",
+    "no no no",
+    "forget it",
+    "stpo",
+    "you're going to hit the wall stop",
+    "stop the engine",
+)
+PROHIBITIONS = (
+    ("Don't go there!", "NEGATED"),
+    ("you must not drive on", "NEGATED"),
+    ("not there", "CORRECTION"),
+    ("no, the office", "CORRECTION"),
+    ("wrong way", "CORRECTION"),
+    ("no no the other one", "CORRECTION"),
+)
+STANDING = 0.001
+
+
+class CriesTest(unittest.TestCase):
+    """One robot; the person whom it can follow stands where it begins."""
+
+    @classmethod
+    def setUpClass(cls) -> None:
+        cls.lock = threading.Lock()
+        cls.replies: List[Reply] = []
+        cls.following: List[FilledSemanticFrameActionFeedback] = []
+        cls.speeds: List[Tuple[float, float]] = []
+        cls.heading = None
+        cls.turned = 0.0
+        cls.subscribers = [
+            rospy.Subscriber("reply", Reply, cls.replies.append, queue_size=100),
+            rospy.Subscriber(
+                "following/feedback", FilledSemanticFrameActionFeedback, cls.following.append, queue_size=100
+            ),
+            rospy.Subscriber("odom", Odometry, cls.on_odometry, queue_size=200),
+        ]
+        cls.person = rospy.Publisher("person/act", String, queue_size=1)
+        cls.text = rospy.Publisher("text", String, queue_size=10)
+        assert wait_until(lambda: cls.text.get_num_connections() >= 2), "nobody listens to 'text'"
+        assert wait_until(is_pipeline_complete, 120.0), "the pipeline did not come up"
+        assert can_do(("turning", "moving_forward", "following")), "the robot did not register"
+        assert wait_until(lambda: bool(cls.speeds)), "no odometry"
+        assert wait_until(lambda: cls.person.get_num_connections() > 0), "there is no person"
+
+    @classmethod
+    def on_odometry(cls, message: Odometry) -> None:
+        heading = 2.0 * math.atan2(message.pose.pose.orientation.z, message.pose.pose.orientation.w)
+        with cls.lock:
+            if cls.heading is not None:
+                turn = heading - cls.heading
+                cls.turned += math.atan2(math.sin(turn), math.cos(turn))
+            cls.heading = heading
+            cls.speeds.append((message.twist.twist.linear.x, message.twist.twist.angular.z))
+
+    def setUp(self) -> None:
+        self.wait_for_rest()
+
+    def speed(self) -> float:
+        return max(abs(speed) for speed in self.speeds[-1])
+
+    def wait_for_rest(self) -> None:
+        self.assertTrue(wait_until(lambda: self.speed() < STANDING), "still moving")
+
+    def replies_to(self, text: str, since: int) -> List[Reply]:
+        return [reply for reply in self.replies[since:] if reply.command.text == text]
+
+    def wait_for_reply(self, text: str, since: int) -> Reply:
+        self.assertTrue(wait_until(lambda: bool(self.replies_to(text, since))), f"no reply to {text!r}")
+        return self.replies_to(text, since)[0]
+
+    def say(self, text: str) -> Reply:
+        since = len(self.replies)
+        self.text.publish(String(data=text))
+        return self.wait_for_reply(text, since)
+
+    def start(self, text: str) -> int:
+        """Let the robot move; return how many replies there were before."""
+        since = len(self.replies)
+        self.text.publish(String(data=text))
+        self.assertTrue(wait_until(lambda: self.speed() > 0.05), "the robot does not move")
+        return since
+
+    def fence(self) -> None:
+        """Return when what was said before has been answered."""
+        self.assertEqual(self.say("Fly to the moon.").outcome, Reply.REFUSED)
+
+    def test_cries_stop_the_robot(self) -> None:
+        for cry in CRIES:
+            since = self.start(DRIVE)
+            reply = self.say(cry)
+            self.assertEqual((reply.outcome, reply.stage), (Reply.DONE, "stop_server"), f"{cry!r}: {reply.sentence}")
+            self.wait_for_rest()
+            self.assertEqual(self.wait_for_reply(DRIVE, since).code, "STOPPED", cry)
+            self.fence()
+            self.assertEqual(len(self.replies_to(cry, since)), 1, cry)
+
+    def test_prohibitions_and_corrections_stop_and_say_so(self) -> None:
+        for said, code in PROHIBITIONS:
+            since = self.start(DRIVE)
+            reply = self.say(said)
+            self.assertEqual((reply.outcome, reply.code), (Reply.REFUSED, code), f"{said!r}: {reply.sentence}")
+            self.assertIn('I stopped "Move forward 15 metres".', reply.sentence)
+            self.wait_for_rest()
+            self.assertEqual(self.wait_for_reply(DRIVE, since).outcome, Reply.SUPERSEDED)
+            self.fence()
+            self.assertEqual(len(self.replies_to(said, since)), 1, said)
+
+    def test_0_following_that_is_forbidden_ends(self) -> None:
+        since = len(self.replies)
+        self.text.publish(String(data="Follow me."))
+        # Who walks away before the robot has seen anybody is not followed.
+        self.assertTrue(wait_until(lambda: any(feedback.feedback.is_succeeding for feedback in self.following)))
+        self.person.publish(String(data="walk"))
+        self.assertTrue(wait_until(lambda: self.speed() > 0.05), "the robot does not follow")
+        reply = self.say("Don't follow me.")
+        self.assertEqual(reply.sentence, 'I stopped "Follow me". You said not to.')
+        self.wait_for_rest()
+        self.assertEqual(self.wait_for_reply("Follow me.", since).outcome, Reply.SUPERSEDED)
+
+    def test_prohibition_while_nothing_runs_is_refused(self) -> None:
+        reply = self.say("Don't follow me.")
+        self.assertEqual((reply.outcome, reply.code), (Reply.REFUSED, "NEGATED"))
+        self.assertTrue(reply.sentence.startswith("I am not doing that."), reply.sentence)
+
+    def test_whole_command_in_a_correction_replaces_what_runs(self) -> None:
+        since = self.start("Turn left 6 radians.")
+        reply = self.say("No, turn right half a radian.")
+        self.assertEqual(reply.outcome, Reply.DONE, reply.sentence)
+        self.assertEqual(self.wait_for_reply("Turn left 6 radians.", since).code, "NEW_COMMAND")
+
+    def test_command_behind_a_stop_begins_at_standstill(self) -> None:
+        since = self.start(DRIVE)
+        first = len(self.speeds)
+        text = "Stop and turn left 90 degrees."
+        stop = self.say(text)
+        self.assertEqual(stop.outcome, Reply.DONE, stop.sentence)
+        reply = self.wait_for_reply("turn left 90 degrees.", since)
+        self.assertEqual(reply.outcome, Reply.DONE, reply.sentence)
+        self.assertGreater(reply.command.stamp, stop.command.stamp)
+        self.assertNotEqual(reply.command.id, stop.command.id)
+        self.wait_for_rest()
+        speeds = self.speeds[first:]
+        turning = next(index for index, (_, angular) in enumerate(speeds) if angular > 0.05)
+        self.assertTrue(any(max(map(abs, speed)) < STANDING for speed in speeds[:turning]))
+        self.assertTrue(all(abs(linear) < STANDING for linear, _ in speeds[turning:]))
+        self.fence()
+        self.assertEqual(len(self.replies_to(text, since)), 1)
+        self.assertEqual(len(self.replies_to("turn left 90 degrees.", since)), 1)
+
+    def test_command_behind_a_stop_turns_by_what_was_said(self) -> None:
+        self.start(DRIVE)
+        self.assertEqual(self.say("stop").outcome, Reply.DONE)
+        self.wait_for_rest()
+        start, since = self.turned, len(self.replies)
+        self.text.publish(String(data="Stop. Turn left 90 degrees."))
+        self.assertEqual(self.wait_for_reply("Turn left 90 degrees.", since).outcome, Reply.DONE)
+        self.wait_for_rest()
+        self.assertLessEqual(abs(self.turned - start - math.radians(90)), math.radians(2))
+
+    def test_what_is_no_cry_stops_nothing(self) -> None:
+        since = self.start(DRIVE)
+        for said in ("Don't stop!", "stop at the door", "why did you stop", "step"):
+            reply = self.say(said)
+            self.assertNotEqual(reply.stage, "stop_server", said)
+        self.assertGreater(self.speed(), 0.05)
+        self.assertFalse(self.replies_to(DRIVE, since))
+        self.assertEqual(self.say("Stop.").outcome, Reply.DONE)
+        self.assertEqual(self.wait_for_reply(DRIVE, since).code, "STOPPED")
+
+
+if __name__ == "__main__":
+    import rostest
+
+    rospy.init_node("cries_test")
+    rostest.rosrun("roboframenet_tests", "cries", CriesTest)

@@ -1,0 +1,158 @@
+#!/usr/bin/python3
+"""What ``rfn explain --live`` says of a sentence is what the nodes of the running graph say, rule by rule."""
+
+import random
+import sys
+import threading
+import unittest
+from pathlib import Path
+from typing import Dict, List
+
+import rospy
+from roboframenet_msgs.msg import CommandSemanticFrames, FrameCatalogue, PlanNode, Reply, StageEvent
+from std_msgs.msg import String
+
+from offline_pipeline.pipeline import Pipeline, Understanding
+from rfnserver import RFNServer
+from roboframenet_demo.ros_pipeline import is_pipeline_complete
+from roboframenet_tools.ros_graph import live_knowledge, live_parameters
+from semantic_framer.dialogue import Context
+
+sys.path.insert(0, str(Path(__file__).resolve().parent))
+from pipeline import wait_until
+
+SEED = 20120514
+#: Of the frames, one in so many has no server, so that some commands find nobody.
+WITHOUT_A_SERVER = 7
+ODD = Path(__file__).resolve().parent / "odd_sentences.txt"
+OUTCOMES = {
+    Reply.DONE: "DONE",
+    Reply.FAILED: "FAILED",
+    Reply.REFUSED: "REFUSED",
+    Reply.NEEDS_INFORMATION: "NEEDS_INFORMATION",
+    Reply.SUPERSEDED: "SUPERSEDED",
+}
+
+
+class Ears:
+    """Hears what the graph says of each command."""
+
+    def __init__(self) -> None:
+        self._lock = threading.Lock()
+        self.replies: List[Reply] = []
+        self.candidates: Dict[str, CommandSemanticFrames] = {}
+        self.traces: Dict[str, List[str]] = {}
+        self.subscribers = [
+            rospy.Subscriber("reply", Reply, self.replies.append),
+            rospy.Subscriber("command_semantic_frames", CommandSemanticFrames, self._on_candidates),
+            rospy.Subscriber("stage_events", StageEvent, self._on_event),
+        ]
+
+    def _on_candidates(self, message: CommandSemanticFrames) -> None:
+        self.candidates[message.command.id] = message
+
+    def _on_event(self, event: StageEvent) -> None:
+        if event.stage in ("stanford_parser_ros", "semantic_framer"):
+            with self._lock:
+                self.traces.setdefault(event.command.id, []).extend(event.trace.splitlines())
+
+
+class ExplainAndLiveTest(unittest.TestCase):
+    """The same sentences both ways."""
+
+    maxDiff = None
+
+    def test_the_reply_and_the_rules_are_the_same(self) -> None:
+        self.assertTrue(wait_until(is_pipeline_complete, 180.0), "the pipeline did not come up")
+        ears = Ears()
+        text = rospy.Publisher("text", String, queue_size=10)
+        catalogues: List[FrameCatalogue] = []
+        subscriber = rospy.Subscriber("frame_catalogue", FrameCatalogue, catalogues.append)
+        self.assertTrue(wait_until(lambda: bool(catalogues and catalogues[-1].files), 120.0), "no frames")
+        server = RFNServer("obeying", lambda frame: None)
+        knowledge = live_knowledge(timeout_s=60.0)
+        frames = [name for number, name in enumerate(sorted(knowledge.frames)) if number % WITHOUT_A_SERVER]
+        for name in frames:
+            self.assertTrue(server.register_with_frame(name), name)
+        server.start()
+        self.assertTrue(
+            wait_until(lambda: {callback.frame_name for callback in catalogues[-1].callbacks} >= set(frames)),
+            "not every registration arrived",
+        )
+        subscriber.unregister()
+        everybody = [text] + ears.subscribers
+        # Two hear the text: command_server and stop_server.
+        self.assertTrue(
+            wait_until(lambda: all(end.get_num_connections() for end in everybody) and text.get_num_connections() > 1)
+        )
+        knowledge = live_knowledge(timeout_s=60.0)
+        pipeline = Pipeline(knowledge, parameters=live_parameters(), is_traced=True)
+        said = sentences([example.text for unit in knowledge.lexicon.units for example in unit.examples])
+        print(f"seed {SEED}, {len(said)} sentences")
+        context = Context()
+        different = []
+        for sentence in said:
+            understanding = pipeline.understand(sentence, context)
+            if any(reading.unit.frame_name == "waiting" for reading in understanding.readings):
+                # The stop server does it, and takes the minute that is said.
+                continue
+            context = understanding.context
+            count = len(ears.replies)
+            text.publish(sentence)
+            self.assertTrue(wait_until(lambda before=count: len(ears.replies) > before), f"no reply to {sentence!r}")
+            reply = ears.replies[count]
+            offline = (understanding.reply.outcome, understanding.reply.code) + expected(understanding)
+            # Events and candidates come on other connections than the reply.
+            if not wait_until(lambda reply=reply, offline=offline: heard(ears, reply) == offline, 5.0):
+                live = heard(ears, reply)
+                different.append(f"{sentence!r}\n  live    {live}\n  offline {offline}")
+        self.assertEqual(different, [])
+
+
+def heard(ears: Ears, reply: Reply) -> tuple:
+    """Outcome and code, the sentence of a refusal, what would run of a command that was done, and the rules."""
+    nodes = ears.candidates[reply.command.id].plan.nodes if reply.command.id in ears.candidates else ()
+    clauses = [
+        [
+            [
+                (frame.name, [(element.name, element.argument) for element in frame.frame_elements])
+                for frame in candidate.frames
+            ]
+            for candidate in node.candidates
+        ]
+        for node in nodes
+        if node.kind == PlanNode.DO
+    ]
+    sentence = "" if reply.outcome == Reply.DONE else reply.sentence
+    return OUTCOMES[reply.outcome], reply.code, sentence, clauses, ears.traces.get(reply.command.id, [])
+
+
+def expected(understanding: Understanding) -> tuple:
+    """The same of the offline pipeline."""
+    clauses = [
+        [[(frame.name, list(frame.arguments)) for frame in candidate.frames] for candidate in candidates]
+        for candidates in understanding.candidates
+    ]
+    sentence = "" if understanding.reply.outcome == "DONE" else understanding.reply.sentence
+    # What follows is said by other nodes than the two that tell what their rules did.
+    trace = [str(line) for line in understanding.trace if line.rule not in ("registrar", "stop_words")]
+    return sentence, clauses, trace
+
+
+def sentences(examples: List[str]) -> List[str]:
+    """Odd ones, examples of the units, and the table of commands: a sample that is always the same."""
+    table = Path(rospy.get_param("~commands")).read_text(encoding="utf-8").splitlines()
+    commands = [line.split("\t")[0] for line in table if line and not line.startswith("#")]
+    odd = ODD.read_text(encoding="utf-8").split("\n")
+    drawing = random.Random(SEED)
+    others = sorted(set(examples + commands) - set(odd))
+    count = int(rospy.get_param("~count"))
+    found = odd if count >= 2 * len(odd) else drawing.sample(odd, count // 2)
+    return found + drawing.sample(others, min(len(others), count - len(found)))
+
+
+if __name__ == "__main__":
+    import rostest
+
+    rospy.init_node("explain_and_live_test")
+    rostest.rosrun("roboframenet_tests", "explain_and_live", ExplainAndLiveTest)

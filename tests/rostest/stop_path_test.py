@@ -1,0 +1,424 @@
+#!/usr/bin/python3
+"""Nodes hang and die while the robot drives: it stands, and what the person hears is true."""
+
+import math
+import os
+import signal
+import threading
+import time
+import unittest
+from contextlib import contextmanager
+from typing import Iterator, List
+from xmlrpc.client import ServerProxy
+
+import actionlib
+import rosgraph
+import rospy
+from actionlib_msgs.msg import GoalID, GoalStatus, GoalStatusArray
+from actionlib_tutorials.msg import FibonacciAction, FibonacciGoal
+from geometry_msgs.msg import Twist
+from nav_msgs.msg import Odometry
+from roboframenet_msgs.msg import (
+    Command,
+    CommandSemanticFrames,
+    CommandStatus,
+    FilledFrameElement,
+    FilledSemanticFrame,
+    Plan,
+    PlanCandidate,
+    PlanNode,
+    Reply,
+    StageEvent,
+    StopReport,
+)
+from roboframenet_msgs.srv import (
+    AddFrame,
+    AddFrameResponse,
+    AddLexicalUnit,
+    AddLexicalUnitResponse,
+    GetEmptyFrame,
+    GetEmptyFrameResponse,
+    RegisterWithFrame,
+    RegisterWithFrameResponse,
+)
+from std_msgs.msg import String
+
+from pipeline import wait_until
+
+STAGES = ("stanford_parser_ros", "semantic_framer", "frame_registrar")
+DRIVE = "moving_forward distance=15,distance_unit=metres"
+#: Publishers of velocities: the stop server, the command server, the motion, the patrol and the test.
+VELOCITY_PUBLISHERS = 5
+LISTENERS = (
+    ("/arbitrator", "command_plan", "/executor"),
+    ("/command_server", "command_cancel", "/executor"),
+    ("/executor", "stage_events", "/command_server"),
+    ("/stop_server", "stop_report", "/executor"),
+    ("/stop_server", "stop_report", "/command_server"),
+    ("/command_server", "reply", "/stop_server"),
+    ("/stop_server", "moving_forward/cancel", "/move_action_server"),
+    ("/move_action_server", "moving_forward/status", "/stop_server"),
+    ("/command_server", "moving_forward/cancel", "/move_action_server"),
+    ("/move_action_server", "moving_forward/status", "/command_server"),
+    ("/stop_server", "fibonacci/cancel", "/fibonacci"),
+    ("/fibonacci", "fibonacci/status", "/stop_server"),
+    ("/patrol", "patrolling/status", "/stop_server"),
+    ("/stop_server", "cmd_vel", "/turtlebot_sim"),
+    ("/command_server", "cmd_vel", "/turtlebot_sim"),
+)
+
+
+class StopPathTest(unittest.TestCase):
+    """One robot; each test leaves it standing, with every node alive."""
+
+    @classmethod
+    def setUpClass(cls) -> None:
+        cls.lock = threading.Lock()
+        cls.replies: List[Reply] = []
+        cls.reports: List[StopReport] = []
+        cls.velocities: List[Twist] = []
+        cls.events: List[StageEvent] = []
+        cls.status = CommandStatus()
+        cls.position, cls.speed = (0.0, 0.0), math.inf
+        cls.motion: List[int] = []
+        cls.is_parser_hung = False
+        cls.unparsed: List[Command] = []
+        cls.services = [
+            rospy.Service("add_frame", AddFrame, lambda _: AddFrameResponse(success=True)),
+            rospy.Service("add_lexical_unit", AddLexicalUnit, lambda _: AddLexicalUnitResponse(success=True)),
+            rospy.Service("get_empty_frame", GetEmptyFrame, lambda _: GetEmptyFrameResponse()),
+            rospy.Service("register_with_frame", RegisterWithFrame, lambda _: RegisterWithFrameResponse(success=True)),
+        ]
+        cls.frames = rospy.Publisher("command_semantic_frames", CommandSemanticFrames, queue_size=100)
+        cls.said = rospy.Publisher("stage_events", StageEvent, queue_size=100)
+        cls.text = rospy.Publisher("text", String, queue_size=100)
+        cls.velocity = rospy.Publisher("cmd_vel", Twist, queue_size=1)
+        cls.subscribers = [
+            rospy.Subscriber("command_text", Command, cls.on_command),
+            rospy.Subscriber("stage_events", StageEvent, cls.events.append),
+            rospy.Subscriber("reply", Reply, cls.replies.append),
+            rospy.Subscriber("stop_report", StopReport, cls.reports.append),
+            rospy.Subscriber("status", CommandStatus, lambda message: setattr(cls, "status", message)),
+            rospy.Subscriber("odom", Odometry, cls.on_odometry),
+            rospy.Subscriber("moving_forward/status", GoalStatusArray, cls.on_motion),
+        ]
+        velocities = rospy.Subscriber("cmd_vel", Twist, cls.velocities.append)
+        assert wait_until(lambda: velocities.get_num_connections() == VELOCITY_PUBLISHERS, 120.0)
+        cls.wait_for_graph()
+
+    @classmethod
+    def wait_for_graph(cls) -> None:
+        """What is published before its listener has connected is lost."""
+        assert wait_until(lambda: cls.text.get_num_connections() == 2 and cls.frames.get_num_connections() == 1, 120.0)
+        assert wait_until(lambda: cls.said.get_num_connections() == 2, 120.0)
+        for connection in LISTENERS:
+            assert wait_until(lambda connection=connection: cls.is_heard(*connection), 120.0), connection
+
+    @staticmethod
+    def is_heard(speaker: str, topic: str, listener: str) -> bool:
+        """Whether a node that publishes a topic is connected to one that listens."""
+        try:
+            api = ServerProxy(rosgraph.Master(rospy.get_name()).lookupNode(speaker))
+            connections = api.getBusInfo(rospy.get_name())[2]
+        except (rosgraph.MasterException, OSError):
+            return False  # it is not up yet
+        wanted = [listener, "o", rospy.resolve_name(topic)]
+        return any([entry[1], entry[2], entry[4]] == wanted and entry[5] for entry in connections)
+
+    @classmethod
+    def on_odometry(cls, message: Odometry) -> None:
+        with cls.lock:
+            cls.position = (message.pose.pose.position.x, message.pose.pose.position.y)
+            cls.speed = max(abs(message.twist.twist.linear.x), abs(message.twist.twist.angular.z))
+
+    @classmethod
+    def on_motion(cls, message: GoalStatusArray) -> None:
+        cls.motion = [status.status for status in message.status_list]
+
+    @classmethod
+    def on_command(cls, command: Command) -> None:
+        """Parser, framer and registrar: a text is "SERVER ELEMENT=VALUE,...", or several with " / " between."""
+        if cls.is_parser_hung:
+            cls.unparsed.append(command)
+            return
+        cls.pass_on(command)
+
+    @classmethod
+    def pass_on(cls, command: Command) -> None:
+        for stage in STAGES:
+            cls.said.publish(StageEvent(command=command, stage=stage, stamp=rospy.Time.now(), sentence="at it"))
+        candidates = []
+        for candidate in command.text.split(" / "):
+            server, _, words = candidate.partition(" ")
+            elements = [FilledFrameElement(*word.split("=")) for word in words.split(",") if word]
+            frame = FilledSemanticFrame(name=server, action_server_topics=[server], frame_elements=elements)
+            candidates.append(PlanCandidate(coverage=1.0, frames=[frame]))
+        plan = Plan(nodes=[PlanNode(kind=PlanNode.DO, label=command.text, candidates=candidates)])
+        cls.frames.publish(CommandSemanticFrames(command=command, plan=plan))
+
+    def setUp(self) -> None:
+        type(self).is_parser_hung = False
+        self.wait_for_rest()
+        for known in (self.replies, self.reports, self.velocities, self.events, self.unparsed):
+            del known[:]
+
+    def say(self, text: str) -> None:
+        self.text.publish(String(data=text))
+
+    def replies_to(self, text: str) -> List[Reply]:
+        return [reply for reply in list(self.replies) if reply.command.text == text]
+
+    def reply_to(self, text: str, number: int = 1) -> Reply:
+        self.assertTrue(wait_until(lambda: len(self.replies_to(text)) >= number), f"no reply to {text!r}")
+        return self.replies_to(text)[number - 1]
+
+    def begin_to_drive(self) -> None:
+        self.say(DRIVE)
+        self.assertTrue(wait_until(lambda: self.speed > 0.2), "the robot does not move")
+
+    def wait_for_rest(self) -> None:
+        self.assertTrue(wait_until(lambda: self.speed < 0.001), "the robot does not stand")
+
+    def assert_stays(self, duration_s: float = 2.0) -> None:
+        """See that the robot stands, and goes on standing."""
+        self.wait_for_rest()
+        with self.lock:
+            before = self.position
+        time.sleep(duration_s)
+        with self.lock:
+            way = math.dist(before, self.position)
+        self.assertLess(way, 0.02)
+
+    def assert_works(self) -> None:
+        """Everything is as it was: a command is carried out."""
+        text = f"turning angle=10,angle_unit=degrees,direction=left,number={time.monotonic()}"
+        self.say(text)
+        reply = self.reply_to(text)
+        self.assertEqual(Reply.DONE, reply.outcome, reply.sentence)
+
+    @staticmethod
+    def pid_of(node: str) -> int:
+        api = rosgraph.Master(rospy.get_name()).lookupNode(node)
+        return int(ServerProxy(api).getPid(rospy.get_name())[2])
+
+    def kill(self, node: str) -> None:
+        """Kill a node the hard way and wait until it is back."""
+        old = self.pid_of(node)
+        os.kill(old, signal.SIGKILL)
+
+        def is_back() -> bool:
+            try:
+                return self.pid_of(node) != old
+            except (rosgraph.MasterException, OSError):
+                return False
+
+        self.assertTrue(wait_until(is_back), f"{node} does not come back")
+
+    @contextmanager
+    def hung(self, *nodes: str) -> Iterator[None]:
+        """Halt nodes; they go on at the end."""
+        pids = [self.pid_of(node) for node in nodes]
+        for pid in pids:
+            os.kill(pid, signal.SIGSTOP)
+        try:
+            yield
+        finally:
+            for pid in pids:
+                os.kill(pid, signal.SIGCONT)
+
+    def test_01_stop_stands_before_it_says_so(self) -> None:
+        self.begin_to_drive()
+        self.say("Stop.")
+        reply = self.reply_to("Stop.")
+        self.assertEqual((Reply.DONE, "DONE"), (reply.outcome, reply.code), reply.sentence)
+        self.assertEqual(Reply.SUPERSEDED, self.reply_to(DRIVE).outcome)
+        self.assert_stays()
+        # The first report comes before it is known who obeys.
+        self.assertFalse(self.reports[0].reply.command.id)
+        self.assertTrue(any(report.reply.command.id for report in self.reports))
+
+    def test_02_goal_of_an_ordinary_client_on_a_ported_server(self) -> None:
+        client = actionlib.ActionClient("fibonacci", FibonacciAction)
+        self.assertTrue(client.wait_for_server(rospy.Duration(60.0)))
+        handle = client.send_goal(FibonacciGoal(order=100_000))
+        self.assertTrue(wait_until(lambda: handle.get_goal_status() == GoalStatus.ACTIVE))
+        self.say("Stop.")
+        reply = self.reply_to("Stop.")
+        self.assertEqual(Reply.DONE, reply.outcome, reply.sentence)
+        self.assertTrue(wait_until(lambda: handle.get_comm_state() == actionlib.CommState.DONE))
+        self.assertEqual(GoalStatus.PREEMPTED, handle.get_terminal_state())
+        client.stop()
+
+    def test_03_somebody_who_drives_against_the_stop_is_named(self) -> None:
+        twist = Twist()
+        twist.linear.x = 0.2
+        driver = rospy.Timer(rospy.Duration(0.02), lambda _: self.velocity.publish(twist))
+        try:
+            self.assertTrue(wait_until(lambda: self.speed > 0.1))
+            del self.velocities[:]
+            self.say("Stop.")
+            reply = self.reply_to("Stop.")
+            self.assertEqual((Reply.FAILED, "NOT_STOPPED"), (reply.outcome, reply.code), reply.sentence)
+            self.assertIn(f"{rospy.get_name()} publishes velocities on /cmd_vel", reply.sentence)
+            # As many zeros as velocities, or nearly so: the base is held although the driver is the faster one.
+            self.assertTrue(wait_until(lambda: len(self.velocities) > 200))
+            zeros = sum(velocity == Twist() for velocity in self.velocities[:200])
+            self.assertGreater(zeros, 60)
+            # It ends, and is said to.
+            self.assertTrue(wait_until(lambda: "Zero velocity has ended after 3 s" in self.status.sentence))
+        finally:
+            driver.shutdown()
+        self.velocity.publish(Twist())
+        self.assertEqual(1, len(self.replies_to("Stop.")))
+        self.wait_for_rest()
+        self.say("Halt.")
+        self.assertEqual(Reply.DONE, self.reply_to("Halt.").outcome)
+
+    def test_04_server_that_obeys_no_cancel_is_named_until_it_ends(self) -> None:
+        self.say("patrolling duration=5")
+        self.assertTrue(wait_until(lambda: self.speed > 0.05))
+        self.say("Stop.")
+        reply = self.reply_to("Stop.")
+        self.assertEqual((Reply.FAILED, "NOT_STOPPED"), (reply.outcome, reply.code), reply.sentence)
+        self.assertIn("/patrol publishes velocities", reply.sentence)
+        self.assertIn("/patrolling has not ended its goal", reply.sentence)
+        self.assertTrue(wait_until(lambda: "/patrolling" in self.status.sentence))
+        self.assertTrue(wait_until(lambda: {"/patrol", "/patrolling"} <= set(self.reports[-1].disobeying)))
+        self.wait_for_rest()
+        self.assert_works()
+
+    def test_05_killed_command_server_stops_what_it_had_begun_before_it_answers(self) -> None:
+        self.begin_to_drive()
+        self.kill("/command_server")
+        reply = self.reply_to(DRIVE)
+        self.assertLess(self.speed, 0.05)
+        self.assertEqual((Reply.FAILED, "RESTARTED"), (reply.outcome, reply.code), reply.sentence)
+        self.assert_stays()
+        self.assertEqual(1, len(self.replies_to(DRIVE)))
+        self.wait_for_graph()
+        self.assert_works()
+
+    def test_06_hung_executor_is_silent_and_the_robot_stands_for_good(self) -> None:
+        self.begin_to_drive()
+        with self.hung("/executor"):
+            reply = self.reply_to(DRIVE)
+            self.assertLess(self.speed, 0.05)
+            self.assertEqual((Reply.FAILED, "STAGE_SILENT", "executor"), (reply.outcome, reply.code, reply.stage))
+            self.assertIn("is stopped", reply.sentence)
+            self.assert_stays()
+        self.assert_stays()
+        self.assertEqual(1, len(self.replies_to(DRIVE)))
+        self.assert_works()
+
+    def test_07_hung_executor_does_not_try_the_next_candidate_when_it_wakes(self) -> None:
+        text = f"{DRIVE} / moving_backward distance=15,distance_unit=metres"
+        self.say(text)
+        self.assertTrue(wait_until(lambda: self.speed > 0.2), "the robot does not move")
+        with self.hung("/executor"):
+            # The server fails while nobody looks: it loses the odometry.
+            with self.hung("/turtlebot_sim"):
+                self.assertTrue(wait_until(lambda: GoalStatus.ABORTED in self.motion))
+            self.assertEqual("STAGE_SILENT", self.reply_to(text).code)
+        self.assert_stays()
+        self.assert_works()
+
+    def test_08_stop_server_and_executor_hung(self) -> None:
+        self.begin_to_drive()
+        with self.hung("/executor", "/stop_server"):
+            self.say("Stop.")
+            self.wait_for_rest()
+            reply = self.reply_to("Stop.")
+            self.assertEqual((Reply.FAILED, "STAGE_SILENT", "stop_server"), (reply.outcome, reply.code, reply.stage))
+            self.assertIn("Stopped: zero velocity", reply.sentence)
+            self.assert_stays()
+        self.assert_stays()
+        self.assertEqual(1, len(self.replies_to("Stop.")))
+        self.assertEqual(1, len(self.replies_to(DRIVE)))
+        self.assert_works()
+
+    def test_09_each_stop_has_one_reply_when_the_stop_server_hangs_or_dies_near_it(self) -> None:
+        with self.hung("/stop_server"):
+            self.say("Stop.")
+            self.reply_to("Stop.")
+            self.say("Stop.")
+        # One that was answered while it hung, one that still waited, one from after it.
+        self.say("Stop.")
+        self.reply_to("Stop.", 3)
+        self.kill("/stop_server")
+        self.say("Stop.")
+        self.reply_to("Stop.", 4)
+        self.wait_for_graph()
+        self.say("Stop.")
+        self.reply_to("Stop.", 5)
+        self.assert_works()
+        self.assertEqual(5, len(self.replies_to("Stop.")))
+        self.assertEqual(5, len({reply.command.id for reply in self.replies_to("Stop.")}))
+
+    def test_10_hung_command_server_blames_nobody_when_it_wakes(self) -> None:
+        self.begin_to_drive()
+        with self.hung("/command_server"):
+            self.say("Stop.")
+            self.assertEqual(Reply.DONE, self.reply_to("Stop.").outcome)
+            self.wait_for_rest()
+            time.sleep(6.0)  # longer than any stage may be silent
+        self.assertEqual("STOPPED", self.reply_to(DRIVE).code)
+        self.assert_works()
+        self.assertEqual(1, len(self.replies_to("Stop.")))
+
+    def test_11_command_that_was_closed_while_the_parser_hung_is_not_carried_out(self) -> None:
+        type(self).is_parser_hung = True
+        self.say(DRIVE)
+        reply = self.reply_to(DRIVE)
+        self.assertEqual(("STAGE_SILENT", "stanford_parser_ros"), (reply.code, reply.stage))
+        # The executor is another one by then, and still must know.
+        self.kill("/executor")
+        self.wait_for_graph()
+        for command in self.unparsed:
+            self.pass_on(command)
+        self.assertTrue(
+            wait_until(
+                lambda: any(
+                    event.is_final and event.stage == "executor" and event.reply.code == "STOPPED"
+                    for event in self.events
+                )
+            )
+        )
+        self.assert_stays()
+
+    def test_99_stops_and_commands_with_a_hung_master(self) -> None:
+        self.begin_to_drive()
+        pid = int(rosgraph.Master(rospy.get_name()).getPid())
+        cancels: List[GoalID] = []
+        subscriber = rospy.Subscriber("moving_forward/cancel", GoalID, cancels.append)
+        self.assertTrue(wait_until(lambda: subscriber.get_num_connections() >= 3))
+        os.kill(pid, signal.SIGSTOP)
+        try:
+            for number in range(1, 4):
+                if number > 1:
+                    # What the stop before repeats has ended.
+                    self.assertTrue(wait_until(self.is_quiet))
+                for known in (self.velocities, cancels, self.reports):
+                    del known[:]
+                self.say("Stop.")
+                self.assertEqual(Reply.DONE, self.reply_to("Stop.", number).outcome)
+                self.wait_for_rest()
+                self.assertTrue(wait_until(lambda: Twist() in self.velocities and GoalID() in cancels))
+                self.assertTrue(wait_until(lambda: any(report.reply.command.id for report in self.reports)))
+            self.assertEqual("STOPPED", self.reply_to(DRIVE).code)
+            self.say(DRIVE)
+            self.reply_to(DRIVE, 2)
+        finally:
+            os.kill(pid, signal.SIGCONT)
+        self.wait_for_rest()
+
+    def is_quiet(self) -> bool:
+        count = len(self.velocities)
+        time.sleep(0.3)
+        return count == len(self.velocities)
+
+
+if __name__ == "__main__":
+    import rostest
+
+    rospy.init_node("stop_path_test")
+    rostest.rosrun("roboframenet_tests", "stop_path", StopPathTest)

@@ -1,0 +1,106 @@
+"""The sums of every message, service and action of ours: a change of one is seen here, and meant.
+
+The sums of 2012, which may never change, stand in test_interfaces_2012.py.
+"""
+
+import importlib
+from pathlib import Path
+from typing import Dict
+
+import pytest
+from roboframenet_msgs.msg import FilledSemanticFrameActionGoal, PlanNode, ServerProfile
+
+SOURCES = Path(__file__).resolve().parents[2] / "src"
+SUMS = {
+    "location_memorizer/GetLocation": "063bc9ef3579ffcc1f68f8803767c82b",
+    "roboframenet_msgs/AddFrame": "cb6a241b274ea486767393c609cdf1cb",
+    "roboframenet_msgs/AddLexicalUnit": "cb6a241b274ea486767393c609cdf1cb",
+    "roboframenet_msgs/Clause": "6307768657db23bba8835b265f03dbb9",
+    "roboframenet_msgs/Command": "4af196e0fb74addc612adccaeb9ccc75",
+    "roboframenet_msgs/CommandLexicalUnits": "9c2ca9f929f03bf3e7c628e762b38f9b",
+    "roboframenet_msgs/CommandParse": "8e499b4086cf92fbfd9b783bb7affabc",
+    "roboframenet_msgs/CommandPlan": "cb61433d4fb1461941d388f7593b991b",
+    "roboframenet_msgs/CommandSemanticFrames": "cb61433d4fb1461941d388f7593b991b",
+    "roboframenet_msgs/CommandStatus": "6e81aa55f88aac87de5c0e1df022a159",
+    "roboframenet_msgs/EmbeddedFrame": "07a77a275c818f4f02cbbf04637db4cd",
+    "roboframenet_msgs/EmptyFrameElement": "a29b0317b8ca9f43f3140ecb78df89fc",
+    "roboframenet_msgs/EmptySemanticFrame": "7e363b67e656a5799fe51a2012c51f8a",
+    "roboframenet_msgs/ExecuteCommandAction": "f210927dfb8fb66f4b5e5bcf7910a858",
+    "roboframenet_msgs/FileProblem": "231204bdcb0bfcc41dbb4dc8110faf7c",
+    "roboframenet_msgs/FileProblems": "6baa79bd12d94098d04916271a99d088",
+    "roboframenet_msgs/FilledFrameElement": "e57a85352b22994f46cb6d7ccbb64da8",
+    "roboframenet_msgs/FilledLexicalUnit": "6a8cb181df1bc63b3988099eee52c247",
+    "roboframenet_msgs/FilledLexicalUnitList": "ef58cd811a0a319433ad38d92b17ad4a",
+    "roboframenet_msgs/FilledSemanticFrame": "af2ebb4070173b2d608a60ad2d4bb7d7",
+    "roboframenet_msgs/FilledSemanticFrameAction": "155f2082a80e8d33020a74c63f2ac0f6",
+    "roboframenet_msgs/FilledSemanticFrameList": "aac6e5d851941e02a5198adc12df4969",
+    "roboframenet_msgs/FilledSemanticFrameListList": "737111e9f6697d31eca2c3093b6a96ef",
+    "roboframenet_msgs/FrameCallback": "befc48e49677da57988f2e6553a37f3e",
+    "roboframenet_msgs/FrameCatalogue": "3912268bb832acb7cbb7081d0e7ce1a9",
+    "roboframenet_msgs/FrameElementValue": "0463352b33bbaebb30e498159b76d93e",
+    "roboframenet_msgs/GetEmptyFrame": "04219de4717ce8422705fc0a0c034202",
+    "roboframenet_msgs/HeededElement": "6a7eb758bbfe9bc27a64ff03e6697d2b",
+    "roboframenet_msgs/LexicalUnitReading": "05160f8f37eaa5e898afd76a8472ada4",
+    "roboframenet_msgs/Lexicon": "ccf56eabb845a05f5695134bab46cff4",
+    "roboframenet_msgs/Locations": "a528a136f6c6b68beaf8e529bd27b9ef",
+    "roboframenet_msgs/Measure": "15150342e0b08823970d4fe81b825ee4",
+    "roboframenet_msgs/Modifier": "24b41d3269db8e440ea2a7e52c8ae7bb",
+    "roboframenet_msgs/Phrase": "32d347d96d47cfe1182206edf389f22f",
+    "roboframenet_msgs/Plan": "6dbb35a6d4cf5421d9734a71dd201507",
+    "roboframenet_msgs/PlanCandidate": "485b62e07596ae5771263767b1ec44b5",
+    "roboframenet_msgs/PlanNode": "8c39fbcdfa91e0f78ce32fc7ae74c8a3",
+    "roboframenet_msgs/Procedure": "737111e9f6697d31eca2c3093b6a96ef",
+    "roboframenet_msgs/RegisterServer": "27d4ae85e8ec7d4bcc8808f63046df8a",
+    "roboframenet_msgs/RegisterWithFrame": "d8348aca95ebc2a23cee1717f1fa3def",
+    "roboframenet_msgs/Reply": "d37caec61346b3cbe8cdb59f98f9e521",
+    "roboframenet_msgs/ServerProfile": "974f05c8aee5e177a480a10353a37bad",
+    "roboframenet_msgs/ServerSetting": "24307592ca0f6b4396eea0220039c7e9",
+    "roboframenet_msgs/SourceFile": "44f2319ba1d78766f6f517c8103addc4",
+    "roboframenet_msgs/StageEvent": "0a6bb3f7dfd4cbc75708062045b2d6ac",
+    "roboframenet_msgs/StopReport": "cb1a5e3982826833f7d22934fa185bef",
+    "roboframenet_msgs/TimeExpression": "63b35963cf0bd5db3a699e1df77d1eb2",
+    "roboframenet_msgs/TypedArgument": "48c0c878ab8cbab6ef682927d3369b32",
+    "stanford_parser_msgs/Dependency": "cdc828bde2cbc087845b7c347e45a5ee",
+    "stanford_parser_msgs/Parse": "094e3dbdff171c4bff80579d73b3ed1b",
+    "stanford_parser_msgs/SquashedParseTreeNode": "8e3f507a30ff03f4eed132c8e51d902b",
+    "stanford_parser_msgs/UniversalWord": "5fa1dcc77286b324570edd28d5c1bf77",
+}
+
+
+def defined() -> Dict[str, str]:
+    """Module of everything that our packages define, by package and name."""
+    folders = (("msg", "msg", ""), ("srv", "srv", ""), ("action", "msg", "Action"))
+    return {
+        f"{path.parts[-3]}/{path.stem}{suffix}": f"{path.parts[-3]}.{module}"
+        for folder, module, suffix in folders
+        for path in SOURCES.glob(f"*/{folder}/*.{folder}")
+    }
+
+
+def test_table_has_every_interface_and_no_other():
+    assert set(SUMS) == set(defined())
+
+
+@pytest.mark.parametrize("name", sorted(defined()))
+def test_sum_is_the_one_of_the_table(name):
+    interface = getattr(importlib.import_module(defined()[name]), name.split("/")[1])
+    assert interface._md5sum == SUMS.get(name)
+
+
+def test_profile_as_it_is_created_means_what_a_registration_of_2012_means():
+    profile = ServerProfile()
+    assert profile.purpose == ServerProfile.ACTS
+    assert not profile.action_type  # FilledSemanticFrame
+    assert not profile.heeds  # what the frame declares
+    assert not profile.occupies  # everything
+    assert not profile.settings
+    assert profile.longest_goal.is_zero()
+
+
+def test_goal_of_2012_has_the_string_that_typed_arguments_travel_in():
+    assert FilledSemanticFrameActionGoal().header.frame_id == ""
+
+
+def test_kinds_of_a_plan_have_numbers_of_their_own():
+    kinds = [value for name, value in vars(PlanNode).items() if name.isupper() and name not in ("HOLDS", "BEGINS")]
+    assert sorted(kinds) == list(range(1, len(kinds) + 1))

@@ -1,0 +1,104 @@
+"""What the launch files say of their arguments is what there is."""
+
+import os
+import re
+import subprocess
+from pathlib import Path
+from typing import Dict, Set
+from xml.etree import ElementTree
+
+import pytest
+import yaml
+
+from arbitrator.policy import POLICIES
+
+REPOSITORY = Path(os.path.realpath(__file__)).parents[2]
+BRINGUP = REPOSITORY / "src" / "roboframenet_bringup"
+ROBOTS = {path.stem for path in (BRINGUP / "launch" / "robots").glob("*.launch")}
+
+
+def meanings(launch_file: str) -> Dict[str, str]:
+    """Return what a launch file says of each of its arguments."""
+    root = ElementTree.parse(str(BRINGUP / "launch" / launch_file)).getroot()
+    return {argument.attrib["name"]: argument.attrib.get("doc", "") for argument in root.findall("arg")}
+
+
+def readme_meanings() -> Dict[str, str]:
+    """Return what the README says of each argument of robot.launch."""
+    rows = re.findall(
+        r"^\| `(\w+)` \|.*\| ([^|]+) \|$", (BRINGUP / "README.md").read_text(encoding="utf-8"), re.MULTILINE
+    )
+    return dict(rows)
+
+
+def listed(text: str) -> Set[str]:
+    """Return the names behind the colon: "which robot: pr2 or turtlebot; empty: the first"."""
+    return set(re.split(r", | or ", text.split(": ", 1)[1].split(";")[0]))
+
+
+def behaviour(name: str) -> Dict[str, str]:
+    """Return the parameters that ``behaviour:=NAME`` sets, as ``node/parameter``."""
+    text = (BRINGUP / "config" / "behaviours" / f"{name}.yaml").read_text(encoding="utf-8")
+    return {
+        f"{node}/{parameter}": value
+        for node, parameters in yaml.safe_load(text).items()
+        for parameter, value in parameters.items()
+    }
+
+
+def default_of(parameter: str) -> str:
+    """Return the default of ``node/parameter`` that the README of the node's package names."""
+    package, name = parameter.split("/")
+    text = (REPOSITORY / "src" / package / "README.md").read_text(encoding="utf-8")
+    found = re.search(rf"^\| `~{name}` \| \w+ \| `?(\w+)`? \|", text, re.MULTILINE)
+    assert found, f"{package}/README.md does not list ~{name}"
+    return found.group(1)
+
+
+def run_robot(name: str) -> "subprocess.CompletedProcess[str]":
+    """Start a robot as ``make run`` does."""
+    return subprocess.run(
+        [str(REPOSITORY / "scripts" / "run"), f"robot:={name}"],
+        capture_output=True,
+        text=True,
+        timeout=60,
+        check=False,
+    )
+
+
+def test_every_policy_is_listed_and_none_that_is_gone() -> None:
+    known = set(POLICIES) | {"package.module:ClassName"}
+    assert listed(meanings("robot.launch")["policy"]) == listed(readme_meanings()["policy"]) == known
+
+
+def test_every_robot_is_listed() -> None:
+    assert ROBOTS
+    assert listed(meanings("robot.launch")["robot"]) == listed(readme_meanings()["robot"]) == ROBOTS
+
+
+def test_readme_lists_the_arguments_of_the_launch_file() -> None:
+    assert readme_meanings() == meanings("robot.launch")
+
+
+def test_an_unknown_robot_is_refused_with_the_names_of_those_there_are() -> None:
+    ended = run_robot("pepper")
+    assert ended.returncode == 2
+    assert "no robot 'pepper'" in ended.stderr
+    assert all(robot in ended.stderr for robot in ROBOTS)
+
+
+def test_behaviour_now_is_what_the_nodes_do_anyway() -> None:
+    assert behaviour("now") == {parameter: default_of(parameter) for parameter in behaviour("now")}
+
+
+def test_readme_and_files_of_the_behaviours_agree() -> None:
+    text = (BRINGUP / "README.md").read_text(encoding="utf-8")
+    rows = re.findall(r"^\| `(\w+/\w+)` \| (\w+) \| (\w+) \|", text, re.MULTILINE)
+    assert {parameter: value for parameter, value, _ in rows} == behaviour("now")
+    assert {parameter: value for parameter, _, value in rows} == behaviour("2012")
+
+
+@pytest.mark.parametrize("launch_file", ["pipeline.launch", "robot.launch"])
+def test_every_behaviour_is_listed(launch_file: str) -> None:
+    names = {path.stem for path in (BRINGUP / "config" / "behaviours").glob("*.yaml")}
+    assert names == set(re.findall(r"(?:^|or )(\w+)", meanings(launch_file)["behaviour"]))

@@ -1,0 +1,190 @@
+"""English words that rules compare with what is said stand in ``words.yaml`` and ``formulas.yaml``, in no module."""
+
+import ast
+import re
+from pathlib import Path
+from typing import Dict, FrozenSet, Iterator, List, Set, Tuple
+
+import pytest
+from word_lists import WordList, word_lists
+
+from semantic_frames.relation_names import STANFORD, UNIVERSAL
+from word_classes import word_classes
+
+SOURCES = Path(__file__).resolve().parents[2] / "src"
+RELATIONS = UNIVERSAL | STANFORD
+
+#: Modules that hold words of speech on purpose.
+EXEMPT = {
+    "command_server/command_behind.py": "what stands behind a cry is found without reading a file",
+    "command_server/spoken_words.py": "the robot stops without reading a file",
+    "command_server/cries.py": "the robot stops without reading a file",
+    "command_server/stop_words.py": "the robot stops without reading a file",
+    "semantic_framer/objections.py": "patterns of corrections: not yet in formulas.yaml",
+    "spoken_quantities/measure.py": "spoken numbers",
+    "spoken_quantities/numbers.py": "spoken numbers",
+    "utterance_passes/amounts.py": "spoken numbers",
+    "utterance_passes/measures.py": "spoken numbers",
+    "utterance_passes/objections.py": "patterns of corrections: not yet in formulas.yaml",
+    "utterance_passes/spelling.py": "spoken numbers: units that are written to a number",
+}
+#: Words that nobody says to the robot, or that have an answer of their own each; every other list of the module counts.
+NO_SPEECH: Dict[str, Tuple[str, str]] = {
+    "arbitrator/state_machine.py": ("outcomes of SMACH", "succeeded, aborted, preempted"),
+    "executor/ros_reconfigure.py": ("keys of a record", "node, name, former"),
+    "executor/settings.py": ("keys of a record", "node, name, former"),
+    "frame_bindings/binding_file.py": (
+        "keys of a file",
+        "frame, name, action, service, topic, type, fields, element, unit, default, value",
+    ),
+    "location_memorizer/locations.py": ("keys of a file", "x, y, heading"),
+    "offline_pipeline/pipeline.py": (
+        "keys of JSON",
+        "text, tokens, frames, reply, outcome, code, sentence, name, argument",
+    ),
+    "pr2_props/node.py": ("names of props", "hug, hugging, pound, pounding"),
+    "rfnserver/goal_binding.py": ("keys of a declaration", "element, unit, default, value"),
+    "rfnserver/goal_types.py": ("types of ROS", "bool, string, duration"),
+    "roboframenet_demo/node.py": ("headings", "sentence, domain, frame and elements, verdict"),
+    "roboframenet_demo/script.py": ("keys of a file", "say, outcome, expect, tolerance, interrupt, person"),
+    "roboframenet_sim/room.py": ("keys of a file", "bounds, walls, boxes"),
+    "roboframenet_tools/cli.py": (
+        "commands of rfn",
+        "check, completion, doctor, explain, graph, learn, list, new, passes, port, say, score",
+    ),
+    "roboframenet_tools/listing.py": (
+        "headings and kinds",
+        "domain, domains, frames, grounded, grounded frames, lexical units, robots",
+    ),
+    "roboframenet_tools/new.py": ("places in a template", "name, verb, capital"),
+    "frame_learning/score_command.py": (
+        "keys of JSON and headings",
+        (
+            "commands, fp, em, coverage, annotated, predicted, right, precision, right heads, frame, "
+            "taken for, lines, answered, refused, stops, errors"
+        ),
+    ),
+    "semantic_frames/frame_file.py": (
+        "keys of a file",
+        "name, description, children, framenet, confirm, default, quantity, minimum, maximum, values, question, answer",
+    ),
+    "semantic_frames/lexical_unit_file.py": ("keys of a file", "name, relation, argument, words, required"),
+    "semantic_frames/marked_yaml.py": ("values of YAML", "true, yes, false, no"),
+    "server_hosting/manifest.py": (
+        "keys of a file",
+        "frame, frames, server, launch, run, package, file, arguments, executable, name",
+    ),
+    "turtlebot_follower/centroid.py": ("keys of numpy", "names, formats, offsets, itemsize"),
+    "utter/speech.py": ("what the robot can tell, a sentence for each", "time, date, day, name"),
+    "utterance_passes/formula_file.py": (
+        "keys of a file",
+        "openings, anywhere, apart, endings, withdrawals, fillers, pattern, example, becomes",
+    ),
+    "word_classes/word_file.py": ("keys of a file", "for, includes, words"),
+}
+
+
+def modules() -> Iterator[Path]:
+    yield from sorted(SOURCES.glob("*/src/**/*.py"))
+    yield from sorted(path for path in SOURCES.glob("*/nodes/*") if path.is_file())
+
+
+def name_of(path: Path) -> str:
+    return str(path.relative_to(path.parents[1])) if path.parent.name != "nodes" else str(path.relative_to(SOURCES))
+
+
+MODULES = {name_of(path): path for path in modules()}
+
+
+def lists_of(name: str) -> List[WordList]:
+    return word_lists(MODULES[name].read_text(encoding="utf-8"), RELATIONS)
+
+
+def no_speech_of(name: str) -> FrozenSet[str]:
+    return frozenset(NO_SPEECH.get(name, ("", ""))[1].split(", "))
+
+
+@pytest.mark.parametrize("name", [name for name in MODULES if name not in EXEMPT])
+def test_no_module_holds_a_list_of_english_words(name: str) -> None:
+    assert not [one for one in lists_of(name) if not one.words <= no_speech_of(name)]
+
+
+@pytest.mark.parametrize("name", sorted([*EXEMPT, *NO_SPEECH]))
+def test_every_exception_is_needed(name: str) -> None:
+    found = frozenset().union(*(one.words for one in lists_of(name)))
+    assert found and (name in EXEMPT or found == no_speech_of(name))
+
+
+@pytest.mark.parametrize(
+    "code",
+    [
+        'WORDS = frozenset(["left", "right", "around"])',
+        'WORDS = {"left", "right", "around"}',
+        'WORDS = "left right around".split()',
+        'WORDS = ("left", "right", "turn around")',
+        'WORDS = (("turn", "left"), ("turn", "right"))',
+        'ANGLES = {"left": 1.0, "right": -1.0, "around": 2.0}',
+        'ANGLES = {("turn", "left"): 1.0, ("turn", "right"): -1.0}',
+        'is_turn = word.form.lower() in ("left", "right", "around")',
+        'is_turn = said == "left" or said == "right" or said == "around"',
+        'is_none = said != "left" and said != "right" and said != "around"',
+        'TURN = re.compile(r"^(left|right|around)\\b")',
+        'TURN = re.compile("turn (to the )?(left|right|all the way)( now)?")',
+        'TURN = re.compile(f"turn (left|right|around) {NOW}")',
+        'MIXED = ["obj", "iobj", "left"]',
+        "def turn(words=('left', 'right', 'around')):\n    return words",
+    ],
+)
+def test_a_list_of_words_is_found(code: str) -> None:
+    assert word_lists(code, RELATIONS)
+
+
+@pytest.mark.parametrize(
+    "code",
+    [
+        'OBJECTS = ("obj", "iobj", "obl")',
+        'TAGS = ("NOUN", "PROPN", "PRON")',
+        'NAMES = ("goal_x", "goal_y", "frame_id")',
+        'SIDES = ("left", "right")',
+        '"""It may say left|right|around."""',
+        '__all__ = ["left", "right", "around"]',
+        'EXAMPLE = "turn|VERB|0|root left|ADV|1|advmod|left|RB"',
+        'WORDS = word_class("left_and_right")',
+    ],
+)
+def test_what_is_no_list_of_words_is_left_alone(code: str) -> None:
+    assert not word_lists(code, RELATIONS)
+
+
+def asked_for() -> Dict[str, Set[str]]:
+    """Names that stand in calls for a word class, by module, and all texts of modules that import them."""
+    found: Dict[str, Set[str]] = {}
+    for name, path in MODULES.items():
+        code = path.read_text(encoding="utf-8")
+        if "from word_classes import" in code:
+            found[name] = {
+                node.value
+                for node in ast.walk(ast.parse(code))
+                if isinstance(node, ast.Constant) and isinstance(node.value, str)
+            }
+    return found
+
+
+def test_every_word_class_that_is_asked_for_is_there() -> None:
+    unknown = {}
+    for name in asked_for():
+        for node in ast.walk(ast.parse(MODULES[name].read_text(encoding="utf-8"))):
+            if isinstance(node, ast.Call) and getattr(node.func, "id", "") in ("word_class", "word_list"):
+                argument = node.args[0]
+                if isinstance(argument, ast.Constant) and argument.value not in word_classes():
+                    unknown[name] = argument.value
+    assert not unknown
+
+
+def test_every_word_class_is_used() -> None:
+    text = (SOURCES / "word_classes/src/word_classes/words.yaml").read_text(encoding="utf-8")
+    included = set(re.findall(r"\w+", " ".join(re.findall(r"includes: \[(.*)\]", text))))
+    formulas = (SOURCES / "utterance_passes/src/utterance_passes/formulas.yaml").read_text(encoding="utf-8")
+    used = set().union(*asked_for().values()) | included | set(re.findall(r"<(\w+)>", formulas))
+    own = {"determiners"}  # by without_determiner
+    assert not set(word_classes()) - used - own
