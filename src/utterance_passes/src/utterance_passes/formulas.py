@@ -6,7 +6,7 @@ nothing that is read later looks at.
 
 from typing import FrozenSet, Sequence
 
-from utterance_passes.formula_file import pattern_of
+from utterance_passes.formula_file import pattern_of, without_padding
 from utterance_passes.tree import ASIDE, DependencyTree, Word
 from utterance_passes.tree_edits import set_aside
 from utterance_passes.vocabulary import Vocabulary, is_verb
@@ -45,7 +45,8 @@ def _opening(tree: DependencyTree, vocabulary: Vocabulary) -> FrozenSet[int]:
     first = _behind_lead_in(words, 0)
     for behind in range(min(len(words) - 1, first + _LONGEST), first, -1):
         said = words[first:behind]
-        if said[-1].upos == "PUNCT" or not _OPENINGS.fullmatch(_text(said)):
+        text = without_padding(word.form for word in said)
+        if said[-1].upos == "PUNCT" or not _OPENINGS.fullmatch(text):
             continue
         following = _behind_lead_in(words, behind)
         # "... if you could not turn left" negates as ever.

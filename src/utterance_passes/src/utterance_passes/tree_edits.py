@@ -1,7 +1,7 @@
 """The only place where one dependency tree is made of another; what comes of an edit is a tree, or nothing does."""
 
 from dataclasses import replace
-from typing import AbstractSet, Callable, FrozenSet, Tuple
+from typing import AbstractSet, Callable, FrozenSet, List, Sequence, Tuple
 
 from utterance_passes.tree import DependencyTree, Word
 
@@ -109,3 +109,48 @@ def mark_sharing_a_verb(tree: DependencyTree, heads: FrozenSet[int]) -> Dependen
     """Mark the heads of phrases that share the verb of the phrase before them, with those marked before."""
     marked = tree.sharing_a_verb | heads
     return tree if marked == tree.sharing_a_verb else replace(tree, sharing_a_verb=marked)
+
+
+def with_words_around(tree: DependencyTree, text: str, verb: str, base: str, around: Sequence[Word]) -> DependencyTree:
+    """Put words that are said around a command around its tree, in the order in which they stand in the text.
+
+    Args:
+        tree: of the command alone, which begins with its verb
+        text: the whole utterance
+        verb: the form that the verb has in it
+        base: the base form of the verb
+        around: each hangs on the root of the command, by its relation
+    """
+    first = tree.words[0]
+    xpos = first.xpos if verb.lower() == base else "VBG"
+    command = (replace(first, form=verb, lemma=base, xpos=xpos), *tree.words[1:])
+    # The mark at the end of the command alone is none of the utterance.
+    if around and command[-1].upos == "PUNCT" and around[-1].start_character >= command[-1].start_character:
+        command = command[:-1]
+    ordered = sorted([*((word, True) for word in command), *((word, False) for word in around)], key=_place)
+    new = {word.index: number for number, (word, is_command) in enumerate(ordered, start=1) if is_command}
+    root = next(word.index for word in command if word.head == 0)
+    words = tuple(
+        replace(word, index=number, head=(new.get(word.head, 0) if is_command else new[root]))
+        for number, (word, is_command) in enumerate(ordered, start=1)
+    )
+    return DependencyTree(text=text, words=words)
+
+
+def _place(item: Tuple[Word, bool]) -> int:
+    return item[0].start_character
+
+
+def joined(text: str, trees: Sequence[DependencyTree]) -> DependencyTree:
+    """Return one tree of the trees of an utterance's parts; each of the others hangs beside the first."""
+    words: List[Word] = []
+    first = 0
+    for tree in trees:
+        shift = len(words)
+        for word in tree.words:
+            is_beside = bool(first) and not word.head
+            head = word.head + shift if word.head else first
+            deprel = "parataxis" if is_beside else word.deprel
+            words.append(replace(word, index=word.index + shift, head=head, deprel=deprel))
+        first = first or next(word.index for word in words if word.head == 0)
+    return DependencyTree(text=text, words=tuple(words))
