@@ -95,6 +95,8 @@ def load_moods(text: str, path: str) -> Moods:
 
 def _pairs(reader: Reader, node: Optional[yaml.Node], key: str) -> List[Tuple[str, str, yaml.Node]]:
     """Return names and values of a mapping, with the key of each value."""
+    if node is None:
+        return []
     if not isinstance(node, yaml.MappingNode):
         reader.mapping(node, key, ("name",))
         return []

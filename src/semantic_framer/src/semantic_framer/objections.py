@@ -15,6 +15,8 @@ from utterance_passes.tree import DependencyTree
 
 #: Refusals that may be corrections; what is unknown only for now (UNKNOWN_FRAME) is none of them.
 _UNCLEAR = frozenset(["NO_VERB", "UNKNOWN_VERB", "LEFT_OVER_WORDS", "NO_READING", "CONDITION", PROHIBITION])
+#: Refusals that also say why a correction cannot be carried out.
+_SAYING_WHY = _UNCLEAR - {"NO_VERB", PROHIBITION}
 #: Refusals of what asks for nothing: "that's wrong" is a report, "no" is talk.
 _ASKING_FOR_NOTHING = frozenset([QUESTION, REPORT, WISH, TALK])
 _CORRECTIONS = re.compile(
@@ -65,7 +67,7 @@ def against_what_runs(outcome: Outcome, tree: DependencyTree) -> Outcome:
     if isinstance(outcome, Question):
         return replace(outcome, code=CORRECTION) if is_objection(tree) else outcome
     code = code_of(tree, outcome.code if isinstance(outcome, Refusal) else "")
-    if code == CORRECTION and isinstance(outcome, Refusal) and outcome.code not in _ASKING_FOR_NOTHING | {"NO_VERB", PROHIBITION}:
+    if code == CORRECTION and isinstance(outcome, Refusal) and outcome.code in _SAYING_WHY:
         return replace(outcome, code=CORRECTION)
     if code == CORRECTION:
         return Refusal(CORRECTION, "I do not know what you want instead. Say it in a whole sentence.")

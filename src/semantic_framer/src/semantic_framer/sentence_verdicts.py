@@ -3,9 +3,10 @@
 from dataclasses import dataclass
 from typing import Callable, Iterable, Optional, Tuple
 
+from semantic_framer.mood_file import UtteranceKind
 from semantic_framer.outcome import LeftOverWords, Refusal, left_over_refusal, not_then
 from semantic_framer.sentence import Sentence
-from semantic_framer.utterance_kind import UtteranceKind, kind_without_clause
+from semantic_framer.utterance_kind import kind_without_clause
 from semantic_framer.verdicts import Case, asks_for_nothing
 from utterance_passes.clauses import Clause
 from word_classes import word_class

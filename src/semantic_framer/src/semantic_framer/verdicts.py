@@ -6,10 +6,11 @@ from typing import Callable, FrozenSet, Iterable, Optional, Tuple
 from semantic_framer.attachment import is_side_of_something
 from semantic_framer.frame_roles import NO_THINGS, PLACES, THEME
 from semantic_framer.framed_lexicon import FramedLexicon
+from semantic_framer.mood_file import UtteranceKind
 from semantic_framer.outcome import PROHIBITION, QUESTION, REPORT, TALK, WISH, LeftOverWords, Policy, Refusal, not_then
 from semantic_framer.reading import ElementValue, Reading, rank
 from semantic_framer.sentence import Sentence
-from semantic_framer.utterance_kind import KindVerdict, UtteranceKind, kinds_of_clauses
+from semantic_framer.utterance_kind import KindVerdict, kinds_of_clauses
 from utterance_passes.clauses import Clause, inner_condition, shared_subject
 from utterance_passes.trace import Trace
 from utterance_passes.verb_matching import VerbMatch

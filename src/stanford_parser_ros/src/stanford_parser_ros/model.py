@@ -3,7 +3,7 @@
 import os
 import time
 from collections import OrderedDict
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any, FrozenSet, List, Optional, Tuple
 
@@ -16,7 +16,7 @@ from utterance_passes.running import (
 )
 from utterance_passes.spelling import Spelling, stripped
 from utterance_passes.table import CUT_PASSES, PARSER_TREE_PASSES, SURROUNDINGS_PASSES, TAG_PASSES, TEXT_PASSES
-from utterance_passes.trace import Trace, TraceLine
+from utterance_passes.trace import Trace, TraceLine, moved
 from utterance_passes.tree import DependencyTree, Word
 from utterance_passes.tree_edits import joined, with_words_around
 from utterance_passes.vocabulary import Verbs
@@ -200,8 +200,11 @@ class Parser:
         )
         if around is None:
             return self._tree_of_commands(text, spelling, run)
-        command = self._tree_of_commands(text, around.command, run)
-        return with_words_around(command, text, around.verb, around.base, around.words)
+        inner = replace(run, trace=Trace())
+        command = self._tree_of_commands(text, around.command, inner)
+        whole = with_words_around(command, text, around.verb, around.base, around.words)
+        run.trace.extend(moved(inner.trace.lines, command, whole))
+        return whole
 
     def _tree_of_commands(self, text: str, spelling: Spelling, run: "_Run") -> DependencyTree:
         """Parse one command, or each of several."""
@@ -216,7 +219,12 @@ class Parser:
         if cuts:
             bounds = [0, *(_start(words[position - 1]) for position in cuts), len(spelling.text)]
             parts = [spelling.part(start, end) for start, end in zip(bounds, bounds[1:])]
-            return joined(text, [self._tree(text, stripped(part), run) for part in parts])
+            runs = [replace(run, trace=Trace()) for _ in parts]
+            trees = [self._tree(text, stripped(part), each) for part, each in zip(parts, runs)]
+            whole = joined(text, trees)
+            for tree, each in zip(trees, runs):
+                run.trace.extend(moved(each.trace.lines, tree, whole))
+            return whole
         retags = run_tag_passes(
             forms, tags, run.vocabulary, TAG_PASSES if is_known else (), without=run.without, trace=run.trace
         )

@@ -45,7 +45,12 @@ def run_ons(forms: Sequence[str], tags: Sequence[str], vocabulary: Vocabulary) -
         first = position
         while first > 1 and said[first - 1] in _LEAD_IN - _JOINING:
             first -= 1
-        if _begins_command(said, tags, position, vocabulary) and _is_complete(said[:first], tags[:first]):
+        is_joined = said[first - 1] in _JOINING
+        if (
+            not is_joined
+            and _begins_command(said, tags, position, vocabulary)
+            and _is_complete(said[:first], tags[:first])
+        ):
             found.append(first + 1)
     return tuple(found)
 

@@ -11,7 +11,8 @@ from typing import AbstractSet, Dict, List, Mapping, Optional, Sequence, Tuple
 
 from utterance_passes.formula_file import pattern_of, without_padding
 from utterance_passes.spelling import Spelling
-from utterance_passes.tree import ASIDE, Word
+from utterance_passes.tree import ASIDE
+from utterance_passes.tree_edits import WordAround
 from utterance_passes.utterance_pass import Surroundings
 from utterance_passes.vocabulary import Vocabulary
 from word_classes import word_class
@@ -31,7 +32,7 @@ _NOT = word_class("not")
 #: No formula has more words.
 _LONGEST = 14
 _MARKS = (".", "?", "!")
-_TOKEN = re.compile(r"\w+?(?=n't\b)|n't\b|'(?:m|re|ve|ll|d|s)\b|[\w-]+|[^\w\s]")
+_TOKEN = re.compile(r"\w+?(?=n't\b)|n't\b|'\w\w?\b|[\w-]+|[^\w\s]")
 #: Parts of speech by relation; the other words around a command are interjections.
 _TAGS: Dict[str, Tuple[str, str]] = {"aux": ("AUX", "MD"), "nsubj": ("PRON", "PRP"), "vocative": ("NOUN", "NN")}
 
@@ -134,12 +135,11 @@ def _bases_of_gerund(stem: str) -> List[str]:
 def _end(tokens: Sequence[_Token], verb: int) -> int:
     """Return the position behind the last word of the command."""
     last = len(tokens) - (tokens[-1].form in _MARKS)
-    for end in range(verb + 3, last):
+    for end in range(verb + 2, last):
         is_set_off = tokens[end].form == ","
         said = " ".join(token.said for token in tokens[end + is_set_off : last])
         if _TAILS.fullmatch(said) or (is_set_off and _SET_OFF_TAILS.fullmatch(said)):
             return end
-        # "Follow me, would you" is no tail of "follow me, and would you ...".
     return last
 
 
@@ -154,7 +154,7 @@ def _command(spelling: Spelling, verb: _Token, base: str, end: int) -> Spelling:
     )
 
 
-def _word(token: _Token, spelling: Spelling, relation: str) -> Word:
+def _word(token: _Token, spelling: Spelling, relation: str) -> WordAround:
     said = token.said
     upos, xpos = _TAGS.get(relation, ("INTJ", "UH"))
     if re.fullmatch(r"\W", said):
@@ -163,15 +163,5 @@ def _word(token: _Token, spelling: Spelling, relation: str) -> Word:
         upos, xpos, relation = "NOUN", "NN", "vocative"
     elif not relation:
         relation = ASIDE if said in _PADDING and said != "please" else "discourse"
-    return Word(
-        index=0,
-        form=token.form,
-        lemma=said,
-        upos=upos,
-        xpos=xpos,
-        feats="",
-        head=0,
-        deprel=relation,
-        start_character=spelling.origins[token.start],
-        end_character=spelling.origins[token.end],
-    )
+    start, end = spelling.origins[token.start], spelling.origins[token.end]
+    return WordAround(token.form, upos, xpos, relation, start, end)

@@ -5,7 +5,8 @@ from enum import Enum
 from typing import Callable, Optional, Sequence, Tuple
 
 from utterance_passes.spelling import Spelling
-from utterance_passes.tree import DependencyTree, Word
+from utterance_passes.tree import DependencyTree
+from utterance_passes.tree_edits import WordAround
 from utterance_passes.vocabulary import Verbs, Vocabulary
 
 
@@ -63,13 +64,13 @@ class Surroundings:
         command: the command alone, as a plain command is written
         verb: the form that its verb has in the utterance: "scrubbing" of "would you mind scrubbing"
         base: its base form
-        words: of what is said around it; each will hang on the root of the command, by its relation
+        words: what is said around it, in the order of the utterance
     """
 
     command: Spelling
     verb: str
     base: str
-    words: Tuple[Word, ...]
+    words: Tuple[WordAround, ...]
 
 
 @dataclass(frozen=True)
