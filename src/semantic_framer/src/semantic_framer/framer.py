@@ -185,6 +185,8 @@ class _Hearing:
         """Understand a sentence that answers nothing."""
         known, policy = self._now.known, self._now.policy
         case = case_of(sentence, self._clauses(sentence), known, policy)
+        for clause, kind in zip(case.clauses, case.kinds) if self._trace is not None else ():
+            self._trace.add("utterance_kind", case.text_of(clause), after=str(kind), positions=clause.positions)
         refusal = self._refusal(SENTENCE_VERDICTS, case)
         if refusal is not None:
             return Heard(refusal, context, sentence)
@@ -216,7 +218,7 @@ class _Hearing:
             if read is not None and not (is_told and case.is_background(clause)):
                 found.append(read)
             elif self._trace is not None:
-                self._trace.add("told", case.text_of(clause), after=f"no step ({kind})", positions=clause.positions)
+                self._trace.add("told", case.text_of(clause), after="no step", positions=clause.positions)
         return tuple(found)
 
     def _refusal(self, verdicts: Sequence[SentenceVerdict], case: Case) -> Optional[Refusal]:

@@ -64,7 +64,7 @@ def readings_of_clause(of: Case, clause: Clause, trace: Optional[Trace] = None) 
     """
     case = ClauseCase(of, clause, match_verbs(of.sentence.tree, clause, of.known))
     if trace is not None:
-        trace.add("clause", clause.lemma, after=f"{case.said} ({case.kind})", positions=clause.positions)
+        trace.add("clause", clause.lemma, after=case.said, positions=clause.positions)
     for verdict in CLAUSE_VERDICTS:
         refusal = verdict.refuse(case)
         if refusal is not None:

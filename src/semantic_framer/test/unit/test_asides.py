@@ -70,7 +70,7 @@ def test_formulas_change_nothing(understand: Any) -> None:
 @pytest.mark.parametrize(
     "text, code",
     [
-        ("why don't you not turn left", "NEGATED"),
+        ("why don't you not turn left", "QUESTION"),
         ("I was wondering if you could not turn left", "NEGATED"),
         ("don't turn left right now", "NEGATED"),
         ("if you can open the door, go to the kitchen", "CONDITION"),

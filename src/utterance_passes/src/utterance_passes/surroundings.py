@@ -28,7 +28,7 @@ _FORMS_OF_BE = word_class("forms_of_be")
 _LEAD_IN = word_class("lead_in")
 _NO_COMMANDS = word_class("clause_verbs")
 _PADDING = word_class("padding")
-_NOT = word_class("not")
+_SAYING = word_class("saying_verbs")
 #: No formula has more words.
 _LONGEST = 14
 _MARKS = (".", "?", "!")
@@ -71,7 +71,7 @@ def surroundings(spelling: Spelling, vocabulary: Vocabulary) -> Optional[Surroun
     if front is None:
         return None
     verb = front.verb
-    end = _end(tokens, verb)
+    end = len(tokens) - (tokens[-1].form in _MARKS) if front.base in _SAYING else _end(tokens, verb)
     if not verb and end == len(tokens) - (tokens[-1].form in _MARKS):
         return None
     before = [_word(token, spelling, front.relations.get(number, "")) for number, token in enumerate(tokens[:verb])]
@@ -85,9 +85,6 @@ def _front(
 ) -> Optional[_Front]:
     """Find the verb of a command behind any number of formulas."""
     first = _behind(tokens, start, _LEAD_IN | _PADDING)
-    base = _base(tokens, first, vocabulary, is_minding)
-    if base:
-        return _Front(first, base, {})
     for behind in range(min(len(tokens), first + _LONGEST), first, -1):
         forms = [token.said for token in tokens[first:behind]]
         if forms[-1] in _PADDING or forms[-1] == ",":
@@ -105,7 +102,9 @@ def _front(
                 if tokens[number].said not in _PADDING
             }
             return _Front(found.verb, found.base, {**relations, **found.relations})
-    return None
+    # "Let" and "hurry" are verbs as well, but not in "let's turn left" and "hurry up and turn left".
+    base = _base(tokens, first, vocabulary, is_minding)
+    return _Front(first, base, {}) if base else None
 
 
 def _behind(tokens: Sequence[_Token], position: int, skipped: AbstractSet[str]) -> int:

@@ -323,24 +323,7 @@ PARSE_CORRECTING_PASSES: Tuple[TreePass, ...] = (
 
 #: What is said around a command, and for a verb; then what the tree that is read must look like.
 REPHRASING_PASSES: Tuple[TreePass, ...] = (
-    (
-        TreePass(
-            "opening_formula",
-            'Set the formula aside that a command is opened with: "I wonder if you could ...".',
-            Example(
-                "go|VERB|0|root ahead|ADV|1|advmod and|CCONJ|4|cc turn|VERB|1|conj",
-                (
-                    "go: root -> discourse:aside(turn)",
-                    "ahead: advmod(go) -> discourse:aside(turn)",
-                    "and: cc(turn) -> discourse:aside(turn)",
-                    "turn: conj(go) -> root",
-                ),
-                _TURN,
-            ),
-            Stage.FRAMER,
-            formulas.without_opening,
-        ),
-    )
+    ()
     + PARSE_CORRECTING_PASSES
     + (
         TreePass(

@@ -8,7 +8,7 @@ import pytest
 from semantic_frames import FileRefused, Problem
 from utterance_passes.corrections import without_corrected
 from utterance_passes.formula_file import KINDS, Formula, load_formulas, shipped_formulas
-from utterance_passes.formulas import without_formulas, without_opening
+from utterance_passes.formulas import without_formulas
 from utterance_passes.spelling import as_said, written_out
 from utterance_passes.surroundings import surroundings
 from utterance_passes.tree import DependencyTree, Word
@@ -93,12 +93,6 @@ def test_an_example_is_of_its_own_formula(kind: str, formula: Formula) -> None:
 
 def test_an_example_without_its_formula_stays() -> None:
     assert left_of("openings", "whistle and turn left") == "whistle and turn left"
-
-
-@pytest.mark.parametrize("formula", shipped_formulas()["openings"], ids=lambda formula: formula.example)
-def test_an_opening_that_was_parsed_is_set_aside(formula: Formula) -> None:
-    tree = without_opening(tree_of(formula.example), _VERBS)
-    assert " ".join(word.form for word in tree.open_words if word.upos != "PUNCT") == formula.becomes
 
 
 def test_a_class_stands_for_its_words() -> None:

@@ -25,7 +25,7 @@ ORDER = (
     "surroundings run_ons "
     "command_verb numbered_noun "
     "one_object particle_predicates verb_compounds infinitive_conjuncts reroot "
-    "objection restarts corrections opening_formula "
+    "objection restarts corrections "
     "modals_as_nouns particles_on_the_way places_of_devices places_of_all measured_turns sides_apart around_apart "
     "degrees light_verbs quotations formulas shared_verbs times"
 ).split()
