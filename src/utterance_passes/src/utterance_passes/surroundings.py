@@ -27,6 +27,7 @@ _DOUBTING = word_class("doubting_adverbs")
 _FORMS_OF_BE = word_class("forms_of_be")
 _LEAD_IN = word_class("lead_in")
 _NO_COMMANDS = word_class("clause_verbs")
+_OBJECTS = word_class("object_beginnings")
 _PADDING = word_class("padding")
 _SAYING = word_class("saying_verbs")
 #: No formula has more words.
@@ -71,7 +72,8 @@ def surroundings(spelling: Spelling, vocabulary: Vocabulary) -> Optional[Surroun
     if front is None:
         return None
     verb = front.verb
-    end = len(tokens) - (tokens[-1].form in _MARKS) if front.base in _SAYING else _end(tokens, verb)
+    # "Please" and "thanks" may be what is to be said: "say yes, please".
+    end = _end(tokens, verb + (3 if front.base in _SAYING else 2))
     if not verb and end == len(tokens) - (tokens[-1].form in _MARKS):
         return None
     before = [_word(token, spelling, front.relations.get(number, "")) for number, token in enumerate(tokens[:verb])]
@@ -117,8 +119,9 @@ def _base(tokens: Sequence[_Token], verb: int, vocabulary: Vocabulary, is_gerund
     """Return the base form of the verb of a command; empty where no known one stands there."""
     form = tokens[verb].said if verb < len(tokens) else ""
     following = tokens[verb + 1].said if verb + 1 < len(tokens) else ""
-    # "Name is Bob" is no command.
-    if not form or form in _NO_COMMANDS or following in _FORMS_OF_BE:
+    # "Name is Bob" is no command, and in "could you have opened it" nothing is asked for.
+    is_auxiliary = form in _NO_COMMANDS and following not in _OBJECTS
+    if not form or is_auxiliary or following in _FORMS_OF_BE:
         return ""
     forms = _bases_of_gerund(form[:-3] if form.endswith("ing") else "") if is_gerund else [form]
     return next((base for base in forms if vocabulary.verbs_beginning_with(base)), "")
@@ -131,10 +134,10 @@ def _bases_of_gerund(stem: str) -> List[str]:
     return [stem, stem + "e", *doubled, *tied] if len(stem) > 1 else []
 
 
-def _end(tokens: Sequence[_Token], verb: int) -> int:
+def _end(tokens: Sequence[_Token], earliest: int) -> int:
     """Return the position behind the last word of the command."""
     last = len(tokens) - (tokens[-1].form in _MARKS)
-    for end in range(verb + 2, last):
+    for end in range(earliest, last):
         is_set_off = tokens[end].form == ","
         said = " ".join(token.said for token in tokens[end + is_set_off : last])
         if _TAILS.fullmatch(said) or (is_set_off and _SET_OFF_TAILS.fullmatch(said)):
