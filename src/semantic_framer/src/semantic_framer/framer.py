@@ -185,8 +185,9 @@ class _Hearing:
         """Understand a sentence that answers nothing."""
         known, policy = self._now.known, self._now.policy
         case = case_of(sentence, self._clauses(sentence), known, policy)
-        for clause, kind in zip(case.clauses, case.kinds) if self._trace is not None else ():
-            self._trace.add("utterance_kind", case.text_of(clause), after=str(kind), positions=clause.positions)
+        if self._trace is not None:
+            for clause, kind in zip(case.clauses, case.kinds):
+                self._trace.add("utterance_kind", case.text_of(clause), after=str(kind), positions=clause.positions)
         refusal = self._refusal(SENTENCE_VERDICTS, case)
         if refusal is not None:
             return Heard(refusal, context, sentence)

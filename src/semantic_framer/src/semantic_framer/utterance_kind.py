@@ -25,6 +25,7 @@ _GREETINGS = word_class("greetings_alone")
 _HABITUAL = word_class("habitual_adverbs")
 _HEARERS = word_class("hearers") | {"robot"}
 _JOINING = word_class("clause_joiners")
+_MODALS = word_class("modals")
 _MOODS = word_class("moods")
 _MOOD_ADVERBS = word_class("mood_adverbs")
 _NEGATING = word_class("negating_words")
@@ -205,7 +206,7 @@ class _Front:
         if start is None:
             return self._without_subject()
         following = said[start + 1] if start + 1 < len(said) else ""
-        if said[start] in _SUBORDINATING and following not in _AUXILIARIES | _BE | {"BE", "PAST"}:
+        if said[start] in _SUBORDINATING - {"why"} and following not in _AUXILIARIES | _BE | {"BE", "PAST"}:
             # "Where the counter is" tells which place; "where is the counter" asks.
             return KindVerdict(UtteranceKind.REPORT, "subordinate_clause", " ".join(said))
         is_inverted = following in _SUBJECTS | {"not"}
@@ -218,6 +219,9 @@ class _Front:
         acting = _rule(shipped_moods().acting, text)
         if acting is not None:
             return KindVerdict(acting.kind, acting.name, text)
+        if subject in _MODALS and said[1:3] == ["not", "you"]:
+            # "Can't you turn left?"; "can you not turn left" forbids.
+            return KindVerdict(UtteranceKind.QUESTION, "negated_question", text)
         is_negated = "not" in said or subject == "nobody"
         affirmed = _rule(shipped_moods().acting, " ".join(word for word in said if word != "not"))
         if "not" in said and affirmed is not None:
@@ -306,6 +310,9 @@ class _Front:
             if word.index in skipped or word.upos == "PUNCT" or is_filler(word.form):
                 continue
             text = _formula_word(word)
+            if said and said[-1] in _AUXILIARIES and word.upos in ("NOUN", "PROPN"):
+                # Who is spoken to, or somebody else: "can Bob open the door".
+                text = "" if word.form.lower() in _HEARERS else "NP"
             if text and (text != "NP" or said[-1:] != ["NP"]):
                 said.append(text)
         return [*said, self._verb_form()]
