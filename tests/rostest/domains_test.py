@@ -19,7 +19,7 @@ class DomainsTest(unittest.TestCase):
         with open(rospy.get_param("~script"), encoding="utf-8") as file:
             lines = [read_line(entry) for entry in yaml.safe_load(file)]
         demonstration = Demonstration()
-        self.assertTrue(wait_until(is_pipeline_complete, 120.0), "the pipeline did not come up")
+        wait_until(is_pipeline_complete, 120.0, "the pipeline did not come up")
         self.assertTrue(can_do(rospy.get_param("~frames")), "the robot did not register")
         self.assertTrue(demonstration.wait_until_ready(timeout_s=120.0), "servers come and go")
         for line in lines:

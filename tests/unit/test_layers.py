@@ -1,6 +1,7 @@
 """The cores stay free of ROS: only the thin modules of a package import it."""
 
 import ast
+import re
 import subprocess
 import sys
 from pathlib import Path
@@ -132,6 +133,14 @@ def test_no_modules_import_each_other_in_a_circle() -> None:
 def test_a_circle_is_found() -> None:
     assert circle({"a": {"b"}, "b": {"c"}, "c": {"b"}, "d": set()}) == ["b", "c"]
     assert circle({"a": {"b"}, "b": set()}) == []
+
+
+def test_only_tests_depend_on_the_package_for_tests() -> None:
+    importing = [path for path in product_modules() if "roboframenet_testing" in imported_packages(path)]
+    assert {path.parent.name for path in importing} == {"roboframenet_testing"}
+    for path in REPOSITORY.glob("*/*/package.xml"):
+        kinds = re.findall(r"<(\w+)[^>]*>roboframenet_testing<", path.read_text(encoding="utf-8"))
+        assert set(kinds) <= {"test_depend", "name"}, path
 
 
 def test_the_check_itself_finds_an_import_of_rospy(tmp_path: Path) -> None:

@@ -2,7 +2,6 @@
 """The node: one procedure or one final event for each command."""
 
 import threading
-import time
 import unittest
 
 import rospy
@@ -20,14 +19,7 @@ from roboframenet_msgs.msg import (
     StageEvent,
 )
 
-
-def wait_until(condition, timeout_s=60.0):
-    end = time.monotonic() + timeout_s
-    while time.monotonic() < end:
-        if condition():
-            return True
-        time.sleep(0.02)
-    return condition()
+from roboframenet_testing import wait_until
 
 
 def candidate(*servers, coverage=1.0, preference=0):
@@ -58,12 +50,10 @@ class ArbitratorNodeTest(unittest.TestCase):
             rospy.Subscriber("stage_events", StageEvent, self.events.append),
         ]
         self._publisher = rospy.Publisher("command_semantic_frames", CommandSemanticFrames, queue_size=100)
-        self.assertTrue(
-            wait_until(
-                lambda: (
-                    self._publisher.get_num_connections() == 1
-                    and all(subscriber.get_num_connections() == 1 for subscriber in self._subscribers)
-                )
+        wait_until(
+            lambda: (
+                self._publisher.get_num_connections() == 1
+                and all(subscriber.get_num_connections() == 1 for subscriber in self._subscribers)
             )
         )
 
@@ -88,7 +78,7 @@ class ArbitratorNodeTest(unittest.TestCase):
         self.send(
             "one", candidate("a", coverage=0.5), candidate("b"), candidate("c", "d"), candidate("e", preference=1)
         )
-        self.assertTrue(wait_until(lambda: self.plans and self.procedures and self.events_of(["one"])))
+        wait_until(lambda: self.plans and self.procedures and self.events_of(["one"]))
         message = self.plans[0]
         self.assertEqual("one", message.command.id)
         (node,) = message.plan.nodes
@@ -114,7 +104,7 @@ class ArbitratorNodeTest(unittest.TestCase):
         self.send_plan(
             "two", PlanNode(kind=PlanNode.SEQUENCE, label="ping and wave", children=[2, 1]), leaves[1], leaves[0]
         )
-        self.assertTrue(wait_until(lambda: self.plans and self.procedures))
+        wait_until(lambda: self.plans and self.procedures)
         nodes = self.plans[0].plan.nodes
         self.assertEqual(["ping and wave", "ping", "wave"], [node.label for node in nodes])
         self.assertEqual([1, 2], list(nodes[0].children))
@@ -130,10 +120,10 @@ class ArbitratorNodeTest(unittest.TestCase):
         self.send("unheard")
         self.send("after_it", candidate("a"))
         # One thread takes both, in their order.
-        self.assertTrue(wait_until(lambda: self.plans))
+        wait_until(lambda: self.plans)
         del self.events[:]
         self._subscribers.append(rospy.Subscriber("stage_events", StageEvent, self.events.append))
-        self.assertTrue(wait_until(lambda: "unheard" in [event.command.id for event in self.events if event.is_final]))
+        wait_until(lambda: "unheard" in [event.command.id for event in self.events if event.is_final])
 
     def test_what_cannot_be_arbitrated_ends_with_one_final_event(self):
         self.send("none")
@@ -146,7 +136,7 @@ class ArbitratorNodeTest(unittest.TestCase):
         )
         self.send_plan("unknown", PlanNode(kind=200, candidates=[candidate("a")]))
         names = ["none", "no_server", "no_frames", "coverage", "no_nodes", "circle", "unknown"]
-        self.assertTrue(wait_until(lambda: len(self.events_of(names)) >= len(names)))
+        wait_until(lambda: len(self.events_of(names)) >= len(names))
         events = self.events_of(names)
         self.assertEqual(names, [event.command.id for event in events])
         self.assertTrue(all(event.is_final and event.reply.sentence for event in events))

@@ -2,23 +2,14 @@
 """A stage's last word reaches whoever listens, also who connects after it was said."""
 
 import threading
-import time
 import unittest
 
 import rospy
 import rostest
 from roboframenet_msgs.msg import Command, Reply, StageEvent
 
+from roboframenet_testing import wait_until
 from stage_events.ros_stage import Stage
-
-
-def wait_until(condition, timeout_s=60.0):
-    end = time.monotonic() + timeout_s
-    while time.monotonic() < end:
-        if condition():
-            return True
-        time.sleep(0.02)
-    return condition()
 
 
 class StageTest(unittest.TestCase):
@@ -43,11 +34,11 @@ class StageTest(unittest.TestCase):
 
     def test_what_it_says(self):
         self.listen()
-        self.assertTrue(wait_until(lambda: self._subscriber.get_num_connections() == 1))
+        wait_until(lambda: self._subscriber.get_num_connections() == 1)
         command = Command(id="said", stamp=rospy.Time(7), text="Wave.")
         self.stage.passes_on(command, "At it.")
         self.stage.ends(command, outcome=Reply.REFUSED, code="NO_SERVER", sentence="Nobody can wave.")
-        self.assertTrue(wait_until(lambda: self.mine("said")[-1:] and self.mine("said")[-1].is_final))
+        wait_until(lambda: self.mine("said")[-1:] and self.mine("said")[-1].is_final)
         first, last = self.mine("said")[0], self.mine("said")[-1]
         self.assertEqual(StageEvent(command=command, stage="executor", stamp=first.stamp, sentence="At it."), first)
         self.assertEqual(
@@ -76,7 +67,7 @@ class StageTest(unittest.TestCase):
         self.stage.passes_on(Command(id="early"), "At it.")
         self.stage.ends(Command(id="early"), outcome=Reply.DONE, code="DONE", sentence="Done.")
         self.listen()
-        self.assertTrue(wait_until(lambda: self.mine("early")))
+        wait_until(lambda: self.mine("early"))
         self.assertEqual(["Done."], [event.sentence for event in self.mine("early")])
         self.assertTrue(self.mine("early")[0].is_final)
 
@@ -91,7 +82,7 @@ class StageTest(unittest.TestCase):
         speaker.start()
         self.listen()
         speaker.join(30.0)
-        self.assertTrue(wait_until(lambda: said <= self.ids()), f"{len(said - self.ids())} of {len(said)} are missing")
+        wait_until(lambda: said <= self.ids(), message=lambda: f"{len(said - self.ids())} of {len(said)} are missing")
 
 
 if __name__ == "__main__":
