@@ -44,6 +44,7 @@ from roboframenet_msgs.srv import (
 from std_msgs.msg import String
 
 from roboframenet_testing import wait_until
+from roboframenet_testing.ros_connections import is_connected
 
 STAGES = ("stanford_parser_ros", "semantic_framer", "frame_registrar")
 DRIVE = "moving_forward distance=15,distance_unit=metres"
@@ -112,18 +113,7 @@ class StopPathTest(unittest.TestCase):
         wait_until(lambda: cls.text.get_num_connections() == 2 and cls.frames.get_num_connections() == 1, 120.0)
         wait_until(lambda: cls.said.get_num_connections() == 2, 120.0)
         for connection in LISTENERS:
-            wait_until(lambda connection=connection: cls.is_heard(*connection), 120.0, str(connection))
-
-    @staticmethod
-    def is_heard(speaker: str, topic: str, listener: str) -> bool:
-        """Whether a node that publishes a topic is connected to one that listens."""
-        try:
-            api = ServerProxy(rosgraph.Master(rospy.get_name()).lookupNode(speaker))
-            connections = api.getBusInfo(rospy.get_name())[2]
-        except (rosgraph.MasterException, OSError):
-            return False  # it is not up yet
-        wanted = [listener, "o", rospy.resolve_name(topic)]
-        return any([entry[1], entry[2], entry[4]] == wanted and entry[5] for entry in connections)
+            wait_until(lambda connection=connection: is_connected(*connection), 120.0, str(connection))
 
     @classmethod
     def on_odometry(cls, message: Odometry) -> None:

@@ -113,6 +113,7 @@ def test_core_imports_no_ros(path: Path) -> None:
         "robot_stop.braking",
         "robot_stop.servers",
         "roboframenet_ros.log_thread",
+        "roboframenet_testing",
         "roboframenet_ros.suspension",
         "stop_server.other_answers",
         "command_server.command_book",

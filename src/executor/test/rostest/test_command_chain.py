@@ -24,6 +24,7 @@ from roboframenet_msgs.msg import (
 from std_msgs.msg import String
 
 from roboframenet_testing import wait_until
+from roboframenet_testing.ros_connections import is_connected
 
 STAGES = ("stanford_parser_ros", "semantic_framer", "frame_registrar")
 
@@ -52,18 +53,7 @@ class CommandChainTest(unittest.TestCase):
             ("/stop_server", "stop_report", "/executor"),
             ("/stop_server", "stop_report", "/command_server"),
         ):
-            wait_until(lambda connection=connection: cls.is_heard(*connection), message=str(connection))
-
-    @staticmethod
-    def is_heard(speaker, topic, listener):
-        """Whether a node that publishes a topic is connected to one that listens."""
-        try:
-            api = xmlrpc.client.ServerProxy(rosgraph.Master(rospy.get_name()).lookupNode(speaker))
-            connections = api.getBusInfo(rospy.get_name())[2]
-        except (rosgraph.MasterException, OSError):
-            return False  # it is not up yet
-        wanted = [listener, "o", rospy.resolve_name(topic)]
-        return any([entry[1], entry[2], entry[4]] == wanted and entry[5] for entry in connections)
+            wait_until(lambda connection=connection: is_connected(*connection), message=str(connection))
 
     @classmethod
     def on_command(cls, command):
