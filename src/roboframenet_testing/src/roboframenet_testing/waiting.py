@@ -6,7 +6,7 @@ import time
 from pathlib import Path
 from typing import Callable, List, Union
 
-POLL_PERIOD_S = 0.01
+POLL_PERIOD_S = 0.02
 
 
 def wait_until(

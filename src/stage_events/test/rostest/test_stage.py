@@ -33,8 +33,10 @@ class StageTest(unittest.TestCase):
         return {event.command.id for event in list(self.heard)}
 
     def test_what_it_says(self):
+        self.stage.ends(Command(id="before"), outcome=Reply.DONE, code="DONE", sentence="Done.")
         self.listen()
-        wait_until(lambda: self._subscriber.get_num_connections() == 1)
+        # Told again: the publisher has the connection. The subscriber counts it a little earlier.
+        wait_until(lambda: self.mine("before"))
         command = Command(id="said", stamp=rospy.Time(7), text="Wave.")
         self.stage.passes_on(command, "At it.")
         self.stage.ends(command, outcome=Reply.REFUSED, code="NO_SERVER", sentence="Nobody can wave.")
