@@ -148,3 +148,50 @@ def test_row_of_an_interface_is_true(row: Tuple[str, str, List[str], str]) -> No
         else:
             modules = [path for path in (REPOSITORY / "src" / other).glob("src/**/*.py") if says(path, bare)]
             assert modules, f"{other} does not say {name}"
+
+
+#: Tables of these sections of docs/architecture.md name modules of ours, and what they define.
+SECTIONS_WITH_MODULES = (
+    "From a sentence to readings",
+    "From readings to goals",
+    "Where a command ends",
+    "Where is X done?",
+)
+
+
+def modules_in_architecture() -> List[str]:
+    """Dotted names, package first, in the tables of the sections that say where something is done."""
+    text = (REPOSITORY / "docs" / "architecture.md").read_text(encoding="utf-8")
+    rows = []
+    for section in re.split(r"^## ", text, flags=re.MULTILINE):
+        if section.splitlines()[0] in SECTIONS_WITH_MODULES:
+            rows += [line for line in section.splitlines() if line.startswith("|")]
+    packages = "|".join(package.name for package in WITH_CODE)
+    return sorted(set(re.findall(rf"`((?:{packages})\.\w[\w.]*)`", "\n".join(rows))))
+
+
+def defined_names(path: Path) -> Set[str]:
+    """Functions, classes and constants of a module, and the methods of its classes as ``Class.method``."""
+    names: Set[str] = set()
+    for node in ast.parse(path.read_text(encoding="utf-8")).body:
+        if isinstance(node, (ast.FunctionDef, ast.ClassDef)):
+            names.add(node.name)
+        if isinstance(node, ast.ClassDef):
+            names.update(f"{node.name}.{inner.name}" for inner in node.body if isinstance(inner, ast.FunctionDef))
+        if isinstance(node, ast.Assign):
+            names.update(target.id for target in node.targets if isinstance(target, ast.Name))
+        if isinstance(node, ast.AnnAssign) and isinstance(node.target, ast.Name):
+            names.add(node.target.id)
+    return names
+
+
+def test_architecture_names_many_modules() -> None:
+    assert len(modules_in_architecture()) > 30
+
+
+@pytest.mark.parametrize("name", modules_in_architecture())
+def test_what_architecture_names_is_there(name: str) -> None:
+    package, module, *inner = name.split(".")
+    path = REPOSITORY / "src" / package / "src" / package / f"{module}.py"
+    assert path.exists()
+    assert not inner or ".".join(inner) in defined_names(path)
