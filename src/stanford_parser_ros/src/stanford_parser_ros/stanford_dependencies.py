@@ -219,16 +219,9 @@ def _propagated(tree: DependencyTree, found: List[Arc]) -> List[Arc]:
                 for arc in found
                 if arc.dependent == first.index and arc.governor != 0 and "conj" not in arc.relations
             ]
-        else:
-            extra += [
-                Arc(
-                    first.head,
-                    word.index,
-                    frozenset({"obl", f"obl:{preposition(tree, word)}", f"prep_{preposition(tree, word)}", "prep"}),
-                )
-                for _ in range(1)
-                if first.head != 0
-            ]
+        elif first.head != 0:
+            prep = preposition(tree, word)
+            extra.append(Arc(first.head, word.index, frozenset({"obl", f"obl:{prep}", f"prep_{prep}", "prep"})))
     return extra
 
 
