@@ -71,7 +71,7 @@ def run(arguments: argparse.Namespace) -> int:
     paths = {os.path.join(arguments.out, path): text for path, text in files.items()}
     there = [path for path in paths if os.path.lexists(path)]
     if there:
-        print(f"rfn learn: these files exist already:  {', '.join(there)}; nothing was written", file=sys.stderr)
+        print(f"rfn learn: these files exist already: {', '.join(there)}; nothing was written", file=sys.stderr)
         return 1
     for path, text in paths.items():
         os.makedirs(os.path.dirname(path), exist_ok=True)

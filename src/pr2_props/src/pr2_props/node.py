@@ -58,7 +58,7 @@ class PropsServer:
                 if not self._arms.perform(frame_name, is_wanted=is_wanted):
                     server.set_preempted(None, "I was interrupted; the arms are back.")
             except ArmError as error:
-                server.set_aborted(None, f"My arms failed:  {error}.")
+                server.set_aborted(None, f"My arms failed: {error}.")
             finally:
                 self._busy.release()
 

@@ -152,7 +152,7 @@ def check(
     before_s, before_rad = 0.0, tuple(start_rad)
     for pose in poses:
         if not pose.at_s > before_s or not math.isfinite(pose.at_s):
-            raise PropError(f"{name}, {arm.value}  arm: time must advance, found  {pose.at_s} s after {before_s} s")
+            raise PropError(f"{name}, {arm.value} arm: time must advance, found {pose.at_s} s after {before_s} s")
         for joint, start, position in zip(joint_names(arm), before_rad, pose.positions_rad):
             limit = limits[joint]
             if not limit.lower_rad <= position <= limit.upper_rad or not math.isfinite(position):

@@ -55,7 +55,7 @@ def run(arguments: argparse.Namespace) -> int:
             live = live_knowledge(timeout_s=5.0)
             robots = robots_up()
     except (ImportError, LookupError) as error:
-        print(f"rfn list: the running graph is not counted:  {error}", file=sys.stderr)
+        print(f"rfn list: the running graph is not counted: {error}", file=sys.stderr)
     print(table(count(knowledge, live.graph if live else None), robots))
     return 0
 

@@ -60,7 +60,7 @@ def _time() -> Finding:
     except rospy.ROSException as error:
         return Finding(
             "time",
-            f"simulated, but no clock arrives:  {error}",
+            f"simulated, but no clock arrives: {error}",
             "start the publisher of /clock, or set /use_sim_time to false",
         )
     return Finding("time", "simulated, the clock runs")

@@ -157,7 +157,7 @@ def unsquash(nodes: Tuple[SquashedNode, ...], words: Tuple[str, ...]) -> Tree:
         word = words[node.word_index] if 0 <= node.word_index < len(words) else ""
         tree = Tree(node.tag, node.score, word, node.word_index)
         if position and not 0 <= node.parent_id < position:
-            raise ValueError(f"node {position}: its parent must precede it, found  {node.parent_id}")
+            raise ValueError(f"node {position}: its parent must precede it, found {node.parent_id}")
         if position:
             built[node.parent_id].children.append(tree)
         built.append(tree)

@@ -286,7 +286,7 @@ class TurtlebotFollower:
             if step.sight is Sight.LOST:
                 if last_number == 0:
                     return f"I see nothing: no point cloud on {topic}."
-                return f"I have lost you: I saw nobody for  {follower.settings.lost_timeout_s:g} seconds."
+                return f"I have lost you: I saw nobody for {follower.settings.lost_timeout_s:g} seconds."
             if now_s - feedback_s >= self.FEEDBACK_S:
                 feedback_s = now_s
                 self._server.publish_feedback(FilledSemanticFrameFeedback(is_succeeding=step.sight is Sight.SEEN))
