@@ -94,7 +94,7 @@ class Arms:
                     arm, handle = ended.get(timeout=POLL_S)
                 except queue.Empty:
                     if time.monotonic() >= end:
-                        raise ArmError(f"the {next(iter(handles)).value}  arm did not finish in time") from None
+                        raise ArmError(f"the {next(iter(handles)).value} arm did not finish in time") from None
                     continue
                 del handles[arm]
                 if handle.get_goal_status() != GoalStatus.SUCCEEDED:
