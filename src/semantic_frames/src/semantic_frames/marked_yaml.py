@@ -126,7 +126,7 @@ class Reader:
                     key_node,
                     prefix + name,
                     f"a second '{name}'",
-                    f"one, the first stands in line {line_of(entries[name])}",
+                    f"one, the first is in line {line_of(entries[name])}",
                 )
             else:
                 entries[name] = value
