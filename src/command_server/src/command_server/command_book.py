@@ -94,6 +94,16 @@ class OpenCommand:
         """Whether the executor may have sent goals for it."""
         return self.awaited_stage == EXECUTOR_STAGE
 
+    def ending(self, verdict: Verdict, remark: str) -> Ending:
+        """How it ends with a verdict; `remark` is a sentence that follows it, empty for none."""
+        return Ending(
+            command=self.command,
+            outcome=verdict.outcome,
+            stage=verdict.stage,
+            code=verdict.code,
+            sentence=f"{verdict.sentence} {remark}".strip(),
+        )
+
 
 def refusal_of_text(text: str, *, max_length: int) -> Optional[Tuple[str, str]]:
     """Why a text is not taken as a command.
@@ -256,7 +266,7 @@ class CommandBook:
         if entry is None or entry.verdict is None:
             return None
         del self._open[command_id]
-        return _ending_of(entry, entry.verdict, remark)
+        return entry.ending(entry.verdict, remark)
 
     def overdue_condemned(self) -> List[str]:
         """Ids of the commands that should have been cancelled by now."""
@@ -286,6 +296,12 @@ class CommandBook:
         if entry is not None:
             self._open[command_id] = replace(entry, deadline_s=self._now() + timeout_s)
 
+    def hold(self, command_id: str, *, timeout_s: float) -> None:
+        """A command is answered as soon as what it takes back has ended: no stage is waited for any more."""
+        entry = self._open.get(command_id)
+        if entry is not None:
+            self._open[command_id] = replace(entry, verdict=None, deadline_s=self._now() + timeout_s)
+
     def finish_stopped(
         self, stop_stamp_ns: int, *, stage: str = STOP_STAGE, spared: AbstractSet[str] = frozenset()
     ) -> List[Ending]:
@@ -308,16 +324,6 @@ class CommandBook:
         condemned = replace(entry, verdict=verdict, deadline_s=self._now() + timeout_s)
         self._open[entry.command.command_id] = condemned
         return condemned
-
-
-def _ending_of(entry: OpenCommand, verdict: Verdict, remark: str) -> Ending:
-    return Ending(
-        command=entry.command,
-        outcome=verdict.outcome,
-        stage=verdict.stage,
-        code=verdict.code,
-        sentence=f"{verdict.sentence} {remark}".strip(),
-    )
 
 
 def ending_at_shutdown(command: CommandText) -> Ending:

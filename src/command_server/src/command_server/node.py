@@ -40,7 +40,7 @@ from command_server.ros_settings import read_brake_settings, read_settings
 from command_server.settings import Settings
 from command_server.stop_book import StopBook
 from command_server.stop_words import find_cry
-from command_server.withdrawals import WITHDRAWING, Withdrawals
+from command_server.withdrawals import Withdrawals, is_against_what_runs
 from roboframenet_ros.ros_log import log_from_threads
 from roboframenet_ros.suspension import SuspensionWatch
 from robot_stop.braking import Finding, StopOrder
@@ -290,32 +290,26 @@ class CommandServerNode:
         )
 
     def _hear_stage(self, event: StageEvent) -> None:
-        if self._book.get(event.command.id) is None:
-            rospy.logdebug("cmd=%s is not open; event of %s dropped", event.command.id, event.stage)
+        entry = self._book.get(event.command.id)
+        if entry is None or self._withdrawals.is_waiting(event.command.id):
+            rospy.logdebug("cmd=%s waits for no stage; event of %s dropped", event.command.id, event.stage)
             return
         self._door.feed_back(event)
         if not event.is_final:
             self._book.progress(event.command.id, event.stage)
             self._replies.note(event.sentence)
             return
-        ending = ending_of_event(event)
-        if ending.code not in WITHDRAWING or not self._withdraw(ending):
+        ending = replace(ending_of_event(event), command=entry.command)
+        if entry.verdict is not None or not self._withdraw(ending):
             self._conclude(ending)
 
     def _withdraw(self, ending: Ending) -> bool:
-        """End what a prohibition or a correction is against; returns whether its reply must wait for that."""
-        entry = self._book.get(ending.command.command_id)
-        if entry is None or self._withdrawals.is_waiting(entry.command.command_id):
-            return True
-        older = [
-            other.command
-            for other in self._book.open_commands
-            if other.command.stamp_ns < entry.command.stamp_ns
-            and not self._withdrawals.is_waiting(other.command.command_id)
-        ]
+        """End what a command takes back or forbids; returns whether its reply must wait for that."""
+        if not is_against_what_runs(ending):
+            return False
+        older = self._withdrawals.begin(ending, [entry.command for entry in self._book.open_commands])
         if older:
-            self._withdrawals.begin(replace(ending, command=entry.command), older)
-            self._book.extend(entry.command.command_id, timeout_s=2.0 * self._settings.cancel_timeout_s)
+            self._book.hold(ending.command.command_id, timeout_s=2.0 * self._settings.cancel_timeout_s)
         for command in older:
             self._cancel(command.command_id)
         return bool(older)
@@ -327,7 +321,10 @@ class CommandServerNode:
             self._answer(closed)
 
     def _answer_at_once(self, command: CommandText, outcome: Outcome, *, code: str, sentence: str) -> None:
-        self._answer(Ending(command=command, outcome=outcome, stage=OWN_STAGE, code=code, sentence=sentence))
+        self._book.open(command)
+        ending = Ending(command=command, outcome=outcome, stage=OWN_STAGE, code=code, sentence=sentence)
+        if not self._withdraw(ending):
+            self._conclude(ending)
 
     def _excuse_suspension(self) -> None:
         """Blame nobody for the time in which this process did not run: what they said meanwhile is still to be read."""
@@ -343,7 +340,9 @@ class CommandServerNode:
             command_id = entry.command.command_id
             self._cancels.cancel(entry.command)
             if not entry.may_have_started:
-                self._answer_condemned(command_id, "It has not begun, and will not.")
+                remark = "It has not begun, and will not."
+                if not self._withdraw(entry.ending(entry.verdict, remark)):
+                    self._answer_condemned(command_id, remark)
                 continue
             # An executor that hangs cannot cancel its goals.
             self._brake.stop(StopOrder(key=command_id, stamp_ns=_now_ns(), is_for_frames_only=True))

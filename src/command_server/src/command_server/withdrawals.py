@@ -2,16 +2,35 @@
 
 import time
 from dataclasses import dataclass, field, replace
-from typing import Callable, Dict, FrozenSet, List, Optional, Sequence
+from typing import Callable, Dict, FrozenSet, Iterable, List, Optional, Tuple
 
 from command_server.command_book import CommandText, Ending, Outcome
+from command_server.taking_back import takes_back
 
 #: The framer marks what is said against something that runs with one of these, and leaves open what runs.
 PROHIBITION = "NEGATED"
 CORRECTION = "CORRECTION"
-WITHDRAWING: FrozenSet[str] = frozenset([PROHIBITION, CORRECTION])
+_AGAINST_WHAT_RUNS: FrozenSet[str] = frozenset([PROHIBITION, CORRECTION])
+#: What the framer found to be a no to a question, a negation that forbids nothing, or talk.
+_FRAMER = "semantic_framer"
+_AGAINST_NOTHING: FrozenSet[str] = frozenset(["DECLINED", "NO_READING"])
+_REFUSED: FrozenSet[Outcome] = frozenset([Outcome.REFUSED, Outcome.NEEDS_INFORMATION, Outcome.FAILED])
 #: What the executor and the stop say of a command that ended as it should; there is nothing to add to it.
 _PLAIN_ENDS = ("Stopped.", "A stop ended it.", "A newer command took its place.", "Cancelled before it began.")
+
+
+def is_against_what_runs(ending: Ending) -> bool:
+    """Whether what was said before a command must end with it.
+
+    The framer knows prohibitions ("don't go there") and corrections that it does not understand. A correction that any
+    stage refuses, asks about or does not answer is against what runs too: "no, go to the garage" with no server for it.
+    """
+    if ending.outcome not in _REFUSED:
+        return False
+    if ending.code in _AGAINST_WHAT_RUNS:
+        return True
+    is_harmless = ending.stage == _FRAMER and ending.code in _AGAINST_NOTHING
+    return not is_harmless and takes_back(ending.command.text)
 
 
 @dataclass
@@ -38,16 +57,25 @@ class Withdrawals:
         self._now = now
         self._open: Dict[str, _Withdrawal] = {}
 
-    def begin(self, ending: Ending, running: Sequence[CommandText]) -> None:
-        """Hold an ending back until the commands that it is against have ended.
+    def begin(self, ending: Ending, commands: Iterable[CommandText]) -> Tuple[CommandText, ...]:
+        """Hold an ending back until what was said before its command has ended.
 
         Args:
             ending: of the prohibition or correction
-            running: open commands that were told to end; at least one
+            commands: that are open
+
+        Returns:
+            the commands that must be told to end; none when there is nothing to wait for
         """
-        self._open[ending.command.command_id] = _Withdrawal(
-            ending, self._now() + self._timeout_s, {command.command_id: command for command in running}
-        )
+        older = {
+            command.command_id: command
+            for command in commands
+            if command.stamp_ns < ending.command.stamp_ns and not self.is_waiting(command.command_id)
+        }
+        if older:
+            self._open[ending.command.command_id] = _Withdrawal(ending, self._now() + self._timeout_s, older)
+        # A copy: what ends is taken out of the other one.
+        return tuple(older.values())
 
     def is_waiting(self, command_id: str) -> bool:
         """Whether this is one of them."""
