@@ -43,7 +43,7 @@ REFUSED_CORRECTIONS = (
     ("No, go to the garage.", "NO_SERVER"),
     ("No, move forward 3 kilometres.", "LIMIT"),
     ("wrong, bring me the mug", "NO_SERVER"),
-    ("Go to the garage instead.", "NO_SERVER"),
+    ("Go to the garage instead.", "CORRECTION"),
 )
 STANDING = 0.001
 

@@ -36,12 +36,12 @@ from command_server.ros_left_over import EXECUTOR_TIMEOUT_S, LeftOver
 from command_server.ros_messages import command_to_message, ending_of_event, reply_of_stopped
 from command_server.ros_open_commands import OpenCommandStore
 from command_server.ros_replies import Replies
-from command_server.ros_settings import read_brake_settings, read_settings
+from command_server.ros_settings import read_brake_settings
 from command_server.settings import Settings
 from command_server.stop_book import StopBook
 from command_server.stop_words import find_cry
 from command_server.withdrawals import Withdrawals, is_against_what_runs
-from roboframenet_ros.ros_log import log_from_threads
+from roboframenet_ros.ros_node import read_parameters, run_node
 from roboframenet_ros.suspension import SuspensionWatch
 from robot_stop.braking import Finding, StopOrder
 from robot_stop.ros_brake import Brake, Braked
@@ -434,15 +434,14 @@ def _now_ns() -> int:
     return rospy.Time.now().to_nsec()
 
 
+def _start() -> CommandServerNode:
+    settings, brake_settings = read_parameters(Settings), read_brake_settings()
+    rospy.loginfo("command_server: %s", settings)
+    node = CommandServerNode(settings, brake_settings)
+    node.start()
+    return node
+
+
 def main() -> None:
     """Run the node until ROS shuts down; exits with a sentence when a parameter is wrong."""
-    rospy.init_node("command_server")
-    log_from_threads()
-    try:
-        settings, brake_settings = read_settings(), read_brake_settings()
-    except ValueError as error:
-        rospy.logfatal("%s", error)
-        raise SystemExit(f"command_server: {error}") from error
-    rospy.loginfo("command_server: %s", settings)
-    CommandServerNode(settings, brake_settings).start()
-    rospy.spin()
+    run_node("command_server", _start)

@@ -8,7 +8,7 @@ from roboframenet_msgs.msg import Command
 
 from command_server.command_book import CommandText
 from command_server.ros_messages import command_to_message
-from stage_events.recent import Recent
+from roboframenet_ros.recent import Recent
 
 # A stage that was hung for so long may still pass a command on that was closed meanwhile.
 _MAX_AGE_S = 600.0

@@ -5,14 +5,14 @@ from typing import Tuple
 import rospy
 
 from command_server.command_book import CommandText
-from command_server.ros_record import ParameterRecord
+from roboframenet_ros.ros_persistent_parameter import PersistentParameter
 
 
 class OpenCommandStore:
     """Keeps the open commands in a private parameter."""
 
     def __init__(self, parameter: str = "~open_commands") -> None:
-        self._record = ParameterRecord(parameter)
+        self._record = PersistentParameter(parameter)
 
     def load(self) -> Tuple[CommandText, ...]:
         """The commands that were open when the last command server ended; empty, with a warning, if unreadable."""

@@ -34,9 +34,10 @@ from executor.ros_command_run import CommandRun, RunResult
 from executor.ros_introspection import Introspection
 from executor.ros_reconfigure import SettingsKeeper
 from executor.ros_running_goals import RunningGoals
-from roboframenet_ros.ros_log import log_from_threads
+from roboframenet_ros.parameters import Parameters, parameter
+from roboframenet_ros.ros_node import read_parameters, run_node
+from roboframenet_ros.ros_stage import Stage
 from roboframenet_ros.suspension import SuspensionWatch
-from stage_events.ros_stage import Stage
 
 # Less than the second that the stage promises, so that a busy machine keeps the promise too.
 _EVENT_PERIOD_S = 0.5
@@ -45,7 +46,7 @@ _LONGEST_TURN_S = 1.0
 
 
 @dataclass(frozen=True)
-class Settings:
+class Settings(Parameters):
     """Private parameters, checked; times in seconds.
 
     Attributes:
@@ -59,38 +60,17 @@ class Settings:
         introspection: publish the topics of smach_viewer
 
     Raises:
-        ValueError: a value out of its range
+        ParameterError: a value out of its range
     """
 
-    acceptance_timeout_s: float = 5.0
-    silence_timeout_s: float = 5.0
-    preempt_timeout_s: float = 5.0
-    cancel_period_s: float = 0.5
-    result_timeout_s: float = 2.0
-    settings_timeout_s: float = 3.0
-    max_clients: int = 32
-    introspection: bool = True
-
-    def __post_init__(self) -> None:
-        for name in (
-            "acceptance_timeout_s",
-            "silence_timeout_s",
-            "preempt_timeout_s",
-            "cancel_period_s",
-            "result_timeout_s",
-            "settings_timeout_s",
-        ):
-            value = getattr(self, name)
-            if isinstance(value, bool) or not isinstance(value, (int, float)) or not 0.05 <= value <= 600.0:
-                raise ValueError(f"~{name} must be 0.05 to 600 s, got {value!r}")
-        if (
-            isinstance(self.max_clients, bool)
-            or not isinstance(self.max_clients, int)
-            or not (1 <= self.max_clients <= 1000)
-        ):
-            raise ValueError(f"~max_clients must be an integer from 1 to 1000, got {self.max_clients!r}")
-        if not isinstance(self.introspection, bool):
-            raise ValueError(f"~introspection must be true or false, got {self.introspection!r}")
+    acceptance_timeout_s: float = parameter(5.0, least=0.05, most=600.0)
+    silence_timeout_s: float = parameter(5.0, least=0.05, most=600.0)
+    preempt_timeout_s: float = parameter(5.0, least=0.05, most=600.0)
+    cancel_period_s: float = parameter(0.5, least=0.05, most=600.0)
+    result_timeout_s: float = parameter(2.0, least=0.05, most=600.0)
+    settings_timeout_s: float = parameter(3.0, least=0.05, most=600.0)
+    max_clients: int = parameter(32, least=1, most=1000)
+    introspection: bool = parameter(True)
 
     @property
     def deadlines(self) -> GoalDeadlines:
@@ -281,33 +261,14 @@ class ExecutorNode:
         self._running_goals.close(timeout_s=1.0)
 
 
-def read_settings() -> Settings:
-    """Read the private parameters.
-
-    Raises:
-        ValueError: a parameter is out of its range
-    """
-    return Settings(
-        acceptance_timeout_s=rospy.get_param("~acceptance_timeout_s", Settings.acceptance_timeout_s),
-        silence_timeout_s=rospy.get_param("~silence_timeout_s", Settings.silence_timeout_s),
-        preempt_timeout_s=rospy.get_param("~preempt_timeout_s", Settings.preempt_timeout_s),
-        cancel_period_s=rospy.get_param("~cancel_period_s", Settings.cancel_period_s),
-        result_timeout_s=rospy.get_param("~result_timeout_s", Settings.result_timeout_s),
-        settings_timeout_s=rospy.get_param("~settings_timeout_s", Settings.settings_timeout_s),
-        max_clients=rospy.get_param("~max_clients", Settings.max_clients),
-        introspection=rospy.get_param("~introspection", Settings.introspection),
-    )
+def _start() -> ExecutorNode:
+    settings = read_parameters(Settings)
+    rospy.loginfo("executor: %s", settings)
+    node = ExecutorNode(settings)
+    node.start()
+    return node
 
 
 def main() -> None:
     """Run the node until ROS shuts down; exits with a sentence when a parameter is wrong."""
-    rospy.init_node("executor")
-    log_from_threads()
-    try:
-        settings = read_settings()
-    except ValueError as error:
-        rospy.logfatal("%s", error)
-        raise SystemExit(f"executor: {error}") from error
-    rospy.loginfo("executor: %s", settings)
-    ExecutorNode(settings).start()
-    rospy.spin()
+    run_node("executor", _start)

@@ -21,7 +21,7 @@ from executor.ros_action_clients import ActionClients
 from executor.ros_reconfigure import SettingsKeeper
 from executor.ros_running_goals import RunningGoals
 from executor.settings import SettingsError
-from rfnserver.ros_action_connection import ActionConnection, SentGoal
+from roboframenet_ros.ros_action_connection import ActionConnection, SentGoal
 from roboframenet_ros.suspension import SuspensionWatch
 
 # The longest that a preemption can go unseen.

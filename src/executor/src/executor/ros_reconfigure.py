@@ -8,7 +8,6 @@ import rospy
 from dynamic_reconfigure.msg import BoolParameter, Config, DoubleParameter, IntParameter, StrParameter
 from dynamic_reconfigure.srv import Reconfigure
 
-from command_server.ros_record import ParameterRecord
 from executor.settings import (
     HeldSetting,
     Setting,
@@ -22,6 +21,8 @@ from executor.settings import (
     to_record,
     unknown_setting,
 )
+from roboframenet_ros.deadline import NoAnswer, within
+from roboframenet_ros.ros_persistent_parameter import PersistentParameter
 
 _RETRY_S = 1.0
 _LONGEST_RETRY_S = 16.0
@@ -29,29 +30,18 @@ _SAVE_TIMEOUT_S = 0.5
 Answer = TypeVar("Answer")
 
 
-def _within(timeout_s: float, ask: Callable[[], Answer], what: str) -> Answer:
-    """Ask with a deadline, which neither services nor the master know in rospy.
+def _ask_within(timeout_s: float, ask: Callable[[], Answer], what: str) -> Answer:
+    """Ask a service or the master with a deadline; rospy has none for them.
 
     Raises:
         SettingsError: no answer in time, or the asking failed
     """
-    answers: List[Answer] = []
-    faults: List[Exception] = []
-
-    def run() -> None:
-        try:
-            answers.append(ask())
-        except Exception as error:  # boundary: services and the master fail in many ways
-            faults.append(error)
-
-    thread = threading.Thread(target=run, name="ask_settings", daemon=True)
-    thread.start()
-    thread.join(timeout_s)
-    if faults:
-        raise SettingsError(f"{what}: {faults[0]}") from faults[0]
-    if not answers:
-        raise SettingsError(f"{what}: no answer within {timeout_s:g} s")
-    return answers[0]
+    try:
+        return within(timeout_s, ask, name="ask_settings")
+    except NoAnswer as error:
+        raise SettingsError(f"{what}: {error}") from None
+    except Exception as error:  # boundary: services and the master fail in many ways
+        raise SettingsError(f"{what}: {error}") from error
 
 
 def _values(config: Config) -> Dict[str, Value]:
@@ -89,7 +79,7 @@ class SettingsKeeper:
             parameter: where the former values are kept
         """
         self._timeout_s = timeout_s
-        self._record = ParameterRecord(parameter)
+        self._record = PersistentParameter(parameter)
         self._lock = threading.Lock()
         self._held: Dict[Tuple[str, str], HeldSetting] = {}
         self._left_over: List[Setting] = []
@@ -121,7 +111,7 @@ class SettingsKeeper:
         Raises:
             SettingsError: not possible; nothing stays applied
         """
-        found = _within(
+        found = _ask_within(
             self._timeout_s, lambda: rospy.get_param(f"{server}/required_settings", None), f"settings of {server}"
         )
         needs = [
@@ -221,4 +211,4 @@ class SettingsKeeper:
             rospy.wait_for_service(service, timeout=self._timeout_s)
             return _values(rospy.ServiceProxy(service, Reconfigure)(_config(values)).config)
 
-        return _within(self._timeout_s + 0.5, ask, node)
+        return _ask_within(self._timeout_s + 0.5, ask, node)

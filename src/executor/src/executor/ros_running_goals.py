@@ -7,7 +7,7 @@ from typing import Optional, Sequence, Tuple
 import rospy
 from actionlib_msgs.msg import GoalID
 
-from command_server.ros_record import ParameterRecord
+from roboframenet_ros.ros_persistent_parameter import PersistentParameter
 
 _SAVE_TIMEOUT_S = 0.2
 _CONNECT_TIMEOUT_S = 5.0
@@ -17,7 +17,7 @@ class RunningGoals:
     """Keeps the goal that runs in a private parameter; an executor that is started again after a kill cancels it."""
 
     def __init__(self, parameter: str = "~running_goals") -> None:
-        self._record = ParameterRecord(parameter)
+        self._record = PersistentParameter(parameter)
         self._thread: Optional[threading.Thread] = None
 
     def start(self) -> None:

@@ -36,18 +36,19 @@ from frame_registrar.graph import FrameGraph
 from frame_registrar.ros_liveness import LivenessWatch
 from frame_registrar.ros_messages import to_clauses, to_empty_frame, to_file_problems, to_frame_lists, to_plan
 from frame_registrar.search import Refusal, combinations, reply_outcome, search
-from roboframenet_ros.ros_log import log_from_threads
+from roboframenet_ros.parameters import Parameters, parameter
+from roboframenet_ros.ros_node import read_parameters, run_node
+from roboframenet_ros.ros_stage import Stage
 from semantic_frames import FileRefused, Problem, load_frame
 from semantic_frames.frame import SemanticFrame
 from semantic_frames.source_files import FRAMES_FOLDER, read_text, replace_problems, yaml_files
-from stage_events.ros_stage import Stage
 
 #: Kept on the master by the node for itself: files that were added while it ran.
 ADDED_FRAMES = "~_added_frames"
 
 
 @dataclass(frozen=True)
-class Settings:
+class Settings(Parameters):
     """Parameters of the node, checked.
 
     Attributes:
@@ -57,29 +58,10 @@ class Settings:
         liveness_timeout_s: how long a node may take to answer
     """
 
-    frame_paths: Tuple[str, ...]
-    max_candidates: int
-    liveness_period_s: float
-    liveness_timeout_s: float
-
-    def __post_init__(self) -> None:
-        if not 1 <= self.max_candidates <= 10000:
-            raise ValueError(f"~max_candidates must be 1 to 10000, got {self.max_candidates}")
-        if not 0.1 <= self.liveness_period_s <= 60.0:
-            raise ValueError(f"~liveness_period_s must be 0.1 to 60 s, got {self.liveness_period_s}")
-        if not 0.05 <= self.liveness_timeout_s <= 10.0:
-            raise ValueError(f"~liveness_timeout_s must be 0.05 to 10 s, got {self.liveness_timeout_s}")
-
-    @classmethod
-    def from_parameters(cls) -> "Settings":
-        """Read the node's private parameters."""
-        paths = rospy.get_param("~frame_paths", [])
-        return cls(
-            frame_paths=tuple([paths] if isinstance(paths, str) else paths),
-            max_candidates=int(rospy.get_param("~max_candidates", 64)),
-            liveness_period_s=float(rospy.get_param("~liveness_period_s", 5.0)),
-            liveness_timeout_s=float(rospy.get_param("~liveness_timeout_s", 1.0)),
-        )
+    frame_paths: Tuple[str, ...] = parameter((), may_be_single=True)
+    max_candidates: int = parameter(64, least=1, most=10000)
+    liveness_period_s: float = parameter(5.0, least=0.1, most=60.0)
+    liveness_timeout_s: float = parameter(1.0, least=0.05, most=10.0)
 
 
 class FrameRegistrar:
@@ -269,12 +251,5 @@ def _describe_candidates(leaf: PlanNode) -> str:
 
 
 def main() -> None:
-    """Run the node."""
-    rospy.init_node("frame_registrar")
-    log_from_threads()
-    try:
-        FrameRegistrar(Settings.from_parameters())
-    except ValueError as error:
-        rospy.logfatal("cannot start: %s", error)
-        raise SystemExit(1) from error
-    rospy.spin()
+    """Run the node until ROS shuts down; exits with a sentence when a parameter is wrong."""
+    run_node("frame_registrar", lambda: FrameRegistrar(read_parameters(Settings)))

@@ -2,33 +2,16 @@
 
 import threading
 import xmlrpc.client
-from http.client import HTTPConnection, HTTPException
 from typing import Callable, Dict, FrozenSet, Iterable, Tuple
-from xml.parsers.expat import ExpatError
 
 import rosgraph
 import rospy
 
-#: What asking a node may end in. The port of a dead node may belong to somebody who speaks no XML-RPC by now.
-_NO_ANSWER = (OSError, HTTPException, ExpatError, xmlrpc.client.Error, rosgraph.MasterException)
-
+from roboframenet_ros.ros_master import NO_ANSWER, TimedTransport
 
 #: A server that seems to have gone is looked for once more after this time, seconds: a node may be busy, and a server
 #: that registers before it starts is about to be there.
 _SECOND_LOOK_S = 1.0
-
-
-class _TimeoutTransport(xmlrpc.client.Transport):
-    """HTTP with a deadline: a node that hangs must not hang the registrar."""
-
-    def __init__(self, timeout_s: float) -> None:
-        super().__init__()
-        self._timeout_s = timeout_s
-
-    def make_connection(self, host: object) -> HTTPConnection:
-        connection = super().make_connection(host)
-        connection.timeout = self._timeout_s
-        return connection
 
 
 class LivenessWatch:
@@ -79,7 +62,7 @@ class LivenessWatch:
                 dead = self._dead_among(servers)
                 if dead - self._dead and not self._stop.wait(min(_SECOND_LOOK_S, self._period_s)):
                     dead &= self._dead_among(servers)
-            except _NO_ANSWER as error:
+            except NO_ANSWER as error:
                 # A master that is busy or away says nothing about the servers.
                 rospy.logwarn_throttle(30.0, "cannot ask the master who is alive: %s", error)
                 continue
@@ -106,9 +89,9 @@ class LivenessWatch:
     def _answers(self, master: rosgraph.Master, node: str, known: Dict[str, xmlrpc.client.ServerProxy]) -> bool:
         try:
             uri: str = master.lookupNode(node)
-            proxy = known.get(uri) or xmlrpc.client.ServerProxy(uri, transport=_TimeoutTransport(self._timeout_s))
+            proxy = known.get(uri) or xmlrpc.client.ServerProxy(uri, transport=TimedTransport(self._timeout_s))
             is_alive: bool = proxy.getPid(rospy.get_name())[0] == 1
             self._proxies[uri] = proxy
             return is_alive
-        except _NO_ANSWER:
+        except NO_ANSWER:
             return False

@@ -25,13 +25,13 @@ from rfnserver.goal_binding import (
     plan_goal,
 )
 from rfnserver.goal_types import Filling
-from rfnserver.ros_deadline import ServiceError, call_service
 from rfnserver.ros_goal_forwarding import ForwardedEnd, GoalForwarder
 from rfnserver.ros_goal_messages import fields_of, fill, goal_type_of
 from rfnserver.ros_places import Places, UnknownPlace
 from rfnserver.ros_quiet_action_server import QuietSimpleActionServer
 from rfnserver.ros_registration import Registration
 from rfnserver.wishes import WishKind
+from roboframenet_ros.ros_service import ServiceError, call_service
 
 #: What is appended to the name of a server to make the name under which it takes frames.
 ENTRANCE = "/frame"

@@ -9,7 +9,7 @@ import actionlib
 import rospy
 from actionlib_msgs.msg import GoalStatus
 
-from rfnserver.ros_action_connection import ActionConnection, SentGoal
+from roboframenet_ros.ros_action_connection import ActionConnection, SentGoal
 
 #: How often a running goal looks whether it is to end, seconds.
 POLL_S = 0.1

@@ -8,8 +8,8 @@ import rospy
 from roboframenet_msgs.msg import FrameCatalogue, Lexicon
 from roboframenet_msgs.srv import AddFrame, AddLexicalUnit, RegisterWithFrame
 
-from rfnserver.ros_deadline import ServiceError, call_service
 from rfnserver.wishes import Knowledge, Wish, WishKind, forgotten
+from roboframenet_ros.ros_service import ServiceError, call_service
 
 #: How long a call waits for its service, and then for the answer, seconds.
 SERVICE_TIMEOUT_S = 5.0

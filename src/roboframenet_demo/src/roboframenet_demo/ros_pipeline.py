@@ -1,12 +1,12 @@
 """Whether the pipeline can be spoken to."""
 
 import xmlrpc.client
-from http.client import HTTPConnection, HTTPException
 from typing import Dict, Optional, Set, Tuple
-from xml.parsers.expat import ExpatError
 
 import rosgraph
 import rospy
+
+from roboframenet_ros.ros_master import NO_ANSWER, TimedTransport
 
 #: What each stage of the pipeline listens to; the parser does only when its models are loaded.
 STAGE_TOPICS = (
@@ -21,8 +21,6 @@ STAGE_TOPICS = (
 OTHER_TOPICS = ("command_cancel", "stop_report", "stage_events", "reply", "lexicon", "frame_catalogue")
 #: How long a node may take to answer, seconds.
 _ANSWER_TIMEOUT_S = 5.0
-#: What asking a node may end in. The port of a dead node may belong to somebody who speaks no XML-RPC by now.
-_NO_ANSWER = (OSError, HTTPException, ExpatError, xmlrpc.client.Error, rosgraph.MasterException)
 
 
 def is_pipeline_complete() -> bool:
@@ -33,7 +31,7 @@ def is_pipeline_complete() -> bool:
     graph = _Graph()
     try:
         publishers, subscribers, _ = graph.master.getSystemState()
-    except _NO_ANSWER:
+    except NO_ANSWER:
         return False
     speakers, listeners = dict(publishers), dict(subscribers)
     stages = {rospy.get_name()}
@@ -48,15 +46,6 @@ def is_pipeline_complete() -> bool:
         for node in stages.intersection(listeners.get(topic, ()))
         for speaker in speakers.get(topic, ())
     )
-
-
-class _TimedTransport(xmlrpc.client.Transport):
-    """HTTP that gives up on a node that hangs."""
-
-    def make_connection(self, host: object) -> HTTPConnection:
-        connection = super().make_connection(host)
-        connection.timeout = _ANSWER_TIMEOUT_S
-        return connection
 
 
 class _Graph:
@@ -81,9 +70,11 @@ class _Graph:
         """
         if node not in self._listeners:
             try:
-                api = xmlrpc.client.ServerProxy(self.master.lookupNode(node), transport=_TimedTransport())
+                api = xmlrpc.client.ServerProxy(
+                    self.master.lookupNode(node), transport=TimedTransport(_ANSWER_TIMEOUT_S)
+                )
                 bus = api.getBusInfo(rospy.get_name())[2]
                 self._listeners[node] = {(entry[4], entry[1]) for entry in bus if entry[2] == "o" and entry[5]}
-            except _NO_ANSWER:
+            except NO_ANSWER:
                 self._listeners[node] = None
         return self._listeners[node]

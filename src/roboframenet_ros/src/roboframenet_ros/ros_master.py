@@ -1,12 +1,23 @@
-"""The master, asked with a deadline."""
+"""The master and the nodes, asked by XML-RPC with a deadline."""
 
 import http.client
 import xmlrpc.client
 from dataclasses import dataclass
-from typing import Dict, FrozenSet, Mapping
+from typing import Dict, FrozenSet, Mapping, Tuple, Type
+from xml.parsers.expat import ExpatError
 
 import rosgraph
 import rospy
+
+#: What a question to the master or to a node may end in when it is not answered. The port of a dead node may belong to
+#: a program that speaks no XML-RPC.
+NO_ANSWER: Tuple[Type[Exception], ...] = (
+    OSError,
+    http.client.HTTPException,
+    ExpatError,
+    xmlrpc.client.Error,
+    rosgraph.MasterException,
+)
 
 
 class MasterError(RuntimeError):
@@ -39,8 +50,7 @@ class SystemState:
 class TimedMaster:
     """Questions to the master that end. One thread owns it.
 
-    Every method raises what XML-RPC and HTTP know (OSError, HTTPException, xmlrpc.client.Error, ExpatError), or
-    MasterError.
+    Every method raises one of `NO_ANSWER`, or MasterError.
     """
 
     def __init__(self, *, timeout_s: float) -> None:

@@ -14,7 +14,7 @@ from roboframenet_msgs.msg import Command, ExecuteCommandActionGoal, FrameCatalo
 from std_msgs.msg import String
 
 from command_server.stop_words import is_stop
-from roboframenet_ros.ros_log import log_from_threads
+from roboframenet_ros.ros_node import read_parameters, run_node
 from robot_stop.braking import Finding, StopOrder
 from robot_stop.ros_brake import Brake, Braked
 from robot_stop.sentences import sentence_of
@@ -187,34 +187,14 @@ class StopServerNode:
             )
 
 
-def read_settings() -> BrakeSettings:
-    """Read the private parameters.
-
-    Raises:
-        ValueError: a parameter is out of its range
-    """
-    defaults = BrakeSettings
-    return BrakeSettings(
-        velocity_topics=rospy.get_param("~velocity_topics", defaults.velocity_topics),
-        zero_velocity_duration_s=rospy.get_param("~zero_velocity_duration_s", defaults.zero_velocity_duration_s),
-        zero_velocity_limit_s=rospy.get_param("~zero_velocity_limit_s", defaults.zero_velocity_limit_s),
-        zero_velocity_rate_hz=rospy.get_param("~zero_velocity_rate_hz", defaults.zero_velocity_rate_hz),
-        confirmation_timeout_s=rospy.get_param("~confirmation_timeout_s", defaults.confirmation_timeout_s),
-        also_cancel=rospy.get_param("~also_cancel", defaults.also_cancel),
-        refresh_period_s=rospy.get_param("~refresh_period_s", defaults.refresh_period_s),
-        master_timeout_s=rospy.get_param("~master_timeout_s", defaults.master_timeout_s),
-    )
+def _start() -> StopServerNode:
+    settings = read_parameters(BrakeSettings)
+    rospy.loginfo("stop_server: %s", settings)
+    node = StopServerNode(settings)
+    node.start()
+    return node
 
 
 def main() -> None:
     """Run the node until ROS shuts down; exits with a sentence when a parameter is wrong."""
-    rospy.init_node("stop_server")
-    log_from_threads()
-    try:
-        settings = read_settings()
-    except ValueError as error:
-        rospy.logfatal("%s", error)
-        raise SystemExit(f"stop_server: {error}") from error
-    rospy.loginfo("stop_server: %s", settings)
-    StopServerNode(settings).start()
-    rospy.spin()
+    run_node("stop_server", _start)

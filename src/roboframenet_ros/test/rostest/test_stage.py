@@ -9,7 +9,7 @@ import rospy
 import rostest
 from roboframenet_msgs.msg import Command, Reply, StageEvent
 
-from stage_events.ros_stage import Stage
+from roboframenet_ros.ros_stage import Stage
 
 
 def wait_until(condition, timeout_s=60.0):
@@ -95,4 +95,4 @@ class StageTest(unittest.TestCase):
 
 
 if __name__ == "__main__":
-    rostest.rosrun("stage_events", "stage", StageTest)
+    rostest.rosrun("roboframenet_ros", "stage", StageTest)

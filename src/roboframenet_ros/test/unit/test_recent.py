@@ -2,7 +2,7 @@
 
 import pytest
 
-from stage_events.recent import Recent
+from roboframenet_ros.recent import Recent
 
 
 class Clock:

@@ -1,10 +1,13 @@
-"""Service calls that end: rospy's own wait for ever when the other side hangs."""
+"""Service calls with a deadline: those of rospy wait for ever when the other side hangs."""
 
-import queue
-import threading
-from typing import Any, Optional, Tuple
+from typing import Any, Optional
 
 import rospy
+
+from roboframenet_ros.deadline import NoAnswer, within
+
+# Beyond its own time-out, the wait for a service takes no longer than this unless the master hangs, seconds.
+_SLACK_S = 1.0
 
 
 class ServiceError(RuntimeError):
@@ -25,7 +28,7 @@ def call_service(
     Args:
         name: of the service
         service_type: its class
-        timeout_s: how long to wait for the service to be there
+        timeout_s: how long to wait for the service to exist
         answer_timeout_s: how long to wait then for the answer; the same again where it is left out
         message: the request
         request: or its fields
@@ -36,24 +39,18 @@ def call_service(
     """
     answer_timeout_s = timeout_s if answer_timeout_s is None else answer_timeout_s
     try:
-        rospy.wait_for_service(name, timeout=timeout_s)
-    except rospy.ROSException as error:
+        # The wait itself asks the master, which may hang.
+        within(timeout_s + _SLACK_S, lambda: rospy.wait_for_service(name, timeout=timeout_s), name=f"wait for {name}")
+    except (rospy.ROSException, NoAnswer) as error:
         raise ServiceError(f"the service {name} is not there (waited {timeout_s:g} s)") from error
-    answers: queue.Queue[Tuple[bool, Any]] = queue.Queue()
 
-    def call() -> None:
-        try:
-            proxy = rospy.ServiceProxy(name, service_type)
-            answers.put((True, proxy(**request) if message is None else proxy(message)))
-        except rospy.ServiceException as error:
-            answers.put((False, error))
+    def call() -> Any:
+        proxy = rospy.ServiceProxy(name, service_type)
+        return proxy(**request) if message is None else proxy(message)
 
-    # A daemon: a call that never comes back must not keep the process alive.
-    threading.Thread(target=call, name=f"call of {name}", daemon=True).start()
     try:
-        is_answer, answer = answers.get(timeout=answer_timeout_s)
-    except queue.Empty:
+        return within(answer_timeout_s, call, name=f"call of {name}")
+    except NoAnswer:
         raise ServiceError(f"the service {name} did not answer within {answer_timeout_s:g} s") from None
-    if not is_answer:
-        raise ServiceError(f"the service {name} failed: {answer}")
-    return answer
+    except Exception as error:  # boundary: the service, its node and the request may be at fault in many ways
+        raise ServiceError(f"the service {name} failed: {error}") from error

@@ -2,7 +2,7 @@
 
 import pytest
 
-from stage_events.bounded_text import MAX_LENGTH, bounded
+from roboframenet_ros.bounded_text import MAX_LENGTH, bounded
 
 
 @pytest.mark.parametrize(

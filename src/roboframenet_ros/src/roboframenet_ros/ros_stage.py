@@ -6,8 +6,8 @@ from typing import Callable
 import rospy
 from roboframenet_msgs.msg import Command, Reply, StageEvent
 
-from stage_events.bounded_text import bounded
-from stage_events.recent import Recent
+from roboframenet_ros.bounded_text import bounded
+from roboframenet_ros.recent import Recent
 
 # As long as the command server waits for a stage by default: after that it has answered without the event.
 _MAX_AGE_S = 15.0

@@ -10,7 +10,7 @@ import rospy
 _RETRY_S = 0.5
 
 
-class ParameterRecord:
+class PersistentParameter:
     """Writes a value as JSON from a thread of its own, so that a hung master holds up nobody for long.
 
     JSON in ASCII, because XML-RPC carries neither control characters nor integers of 64 bits.
