@@ -48,6 +48,7 @@ NO_SPEECH: Dict[str, Tuple[str, str]] = {
     "rfnserver/goal_types.py": ("types of ROS", "bool, string, duration"),
     "roboframenet_demo/node.py": ("headings", "sentence, domain, frame and elements, verdict"),
     "roboframenet_demo/script.py": ("keys of a file", "say, outcome, expect, tolerance, interrupt, person"),
+    "roboframenet_ros/parameters.py": ("suffixes of names that say the unit", "s, hz, m, rad"),
     "roboframenet_sim/room.py": ("keys of a file", "bounds, walls, boxes"),
     "roboframenet_tools/cli.py": (
         "commands of rfn",
