@@ -116,7 +116,7 @@ def test_core_imports_no_ros(path: Path) -> None:
         "roboframenet_ros.recent",
         "roboframenet_ros.suspension",
         "stop_server.other_answers",
-        "command_server.command_book",
+        "command_server.open_commands",
     ],
 )
 def test_importing_a_core_loads_no_ros(package: str) -> None:

@@ -32,8 +32,8 @@ EXEMPT = {
 #: Words that nobody says to the robot, or that have an answer of their own each; every other list of the module counts.
 NO_SPEECH: Dict[str, Tuple[str, str]] = {
     "arbitrator/state_machine.py": ("outcomes of SMACH", "succeeded, aborted, preempted"),
-    "executor/ros_reconfigure.py": ("keys of a record", "node, name, former"),
-    "executor/settings.py": ("keys of a record", "node, name, former"),
+    "executor/ros_driver_settings.py": ("keys of a record", "node, name, former"),
+    "executor/driver_settings.py": ("keys of a record", "node, name, former"),
     "frame_bindings/binding_file.py": (
         "keys of a file",
         "frame, name, action, service, topic, type, fields, element, unit, default, value",

@@ -4,7 +4,7 @@ import time
 from dataclasses import dataclass, replace
 from typing import Callable, Dict, FrozenSet, List, Optional
 
-from command_server.command_book import OWN_STAGE, CommandText, Ending, Outcome, stamp_after
+from command_server.open_commands import OWN_STAGE, CommandText, Ending, Outcome, stamp_after
 
 
 @dataclass(frozen=True)

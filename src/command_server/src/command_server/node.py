@@ -15,22 +15,23 @@ from roboframenet_msgs.msg import Command, Reply, StageEvent, StopReport
 from std_msgs.msg import String
 
 from command_server.command_behind import command_behind
-from command_server.command_book import (
+from command_server.follow_ups import FollowUps
+from command_server.inbox import Inbox
+from command_server.open_commands import (
     OWN_STAGE,
     STOP_STAGE,
-    CommandBook,
     CommandText,
     Ending,
+    OpenCommands,
     Outcome,
     ending_at_shutdown,
     ending_of_silent_stop,
     refusal_of_text,
     stamp_after,
 )
-from command_server.follow_ups import FollowUps
-from command_server.inbox import Inbox
-from command_server.ros_action_door import ActionDoor
+from command_server.pending_stops import PendingStops
 from command_server.ros_cancel_topic import CancelTopic
+from command_server.ros_command_action import CommandActionServer
 from command_server.ros_events import Braking, GoalCancelled, Said
 from command_server.ros_left_over import EXECUTOR_TIMEOUT_S, LeftOver
 from command_server.ros_messages import command_to_message, ending_of_event, reply_of_stopped
@@ -38,7 +39,6 @@ from command_server.ros_open_commands import OpenCommandStore
 from command_server.ros_replies import Replies
 from command_server.ros_settings import read_brake_settings
 from command_server.settings import Settings
-from command_server.stop_book import StopBook
 from command_server.stop_words import find_cry
 from command_server.withdrawals import Withdrawals, is_against_what_runs
 from roboframenet_ros.ros_node import read_parameters, run_node
@@ -76,8 +76,8 @@ class CommandServerNode:
     def __init__(self, settings: Settings, brake_settings: BrakeSettings) -> None:
         self._settings = settings
         self._brake_settings = brake_settings
-        self._book = CommandBook(settings.stage_timeouts_s)
-        self._stops = StopBook(timeout_s=settings.stop_timeout_s)
+        self._commands = OpenCommands(settings.stage_timeouts_s)
+        self._stops = PendingStops(timeout_s=settings.stop_timeout_s)
         self._last_stop_ns = 0
         self._follow_ups = FollowUps(pause_s=settings.pause_after_stop_s)
         self._withdrawals = Withdrawals(timeout_s=settings.cancel_timeout_s)
@@ -102,9 +102,9 @@ class CommandServerNode:
         left_over = self._store.load()
         self._left_over = LeftOver(left_over, self._replies.publisher)
         for command in left_over:
-            self._book.adopt(command, timeout_s=EXECUTOR_TIMEOUT_S + self._brake_answer_s)
+            self._commands.adopt(command, timeout_s=EXECUTOR_TIMEOUT_S + self._brake_answer_s)
             self._cancels.cancel(command)
-        self._door = ActionDoor(
+        self._action = CommandActionServer(
             on_goal=lambda handle: self._events.put(Said(handle.get_goal().text, _now_ns(), handle)),
             on_cancel=lambda command_id: self._events.put(GoalCancelled(command_id)),
         )
@@ -119,13 +119,13 @@ class CommandServerNode:
             rospy.Subscriber("stop_report", StopReport, self._events.put),
             rospy.Subscriber("text", String, lambda message: self._events.put(Said(message.data, _now_ns()))),
         ]
-        self._door.start()
+        self._action.start()
 
     def _shutdown(self) -> None:
         self._events.put(None)
         self._worker.join(_JOIN_TIMEOUT_S)
         self._brake.close(timeout_s=1.0)
-        self._door.shutdown()
+        self._action.shutdown()
         self._store.close(timeout_s=1.0)
 
     def _work(self) -> None:
@@ -133,7 +133,7 @@ class CommandServerNode:
             events = self._events.take(
                 longest_wait_s=_LONGEST_WAIT_S,
                 deadlines_s=(
-                    self._book.next_deadline_s(),
+                    self._commands.next_deadline_s(),
                     self._stops.next_deadline_s(),
                     self._follow_ups.next_due_s(),
                     self._withdrawals.next_deadline_s(),
@@ -156,7 +156,7 @@ class CommandServerNode:
             self._cancel_silent()
             self._stop_in_place()
             for command in self._follow_ups.take_due():
-                self._book.begin(command)
+                self._commands.begin(command)
                 self._unsent.append(command)
             for ending in self._withdrawals.take_overdue():
                 self._conclude(ending)
@@ -166,13 +166,13 @@ class CommandServerNode:
                 self._answer(ending)
             self._save()
             self._send()
-            self._replies.publish_status(self._book.open_commands)
+            self._replies.publish_status(self._commands.open_commands)
 
     def _handle(self, event: _Event) -> None:
         if isinstance(event, Said):
             self._hear(event)
         elif isinstance(event, GoalCancelled):
-            self._cancel(self._door.command_of(event.command_id))
+            self._cancel(self._action.command_of(event.command_id))
         elif isinstance(event, StageEvent):
             self._hear_stage(event)
         elif isinstance(event, StopReport):
@@ -187,7 +187,7 @@ class CommandServerNode:
         self._last_stamp_ns = stamp_after(said.arrival_ns, self._last_stamp_ns)
         if said.handle is not None:
             command_id = said.handle.get_goal_id().id
-            self._door.accept(said.handle)
+            self._action.accept(said.handle)
         else:
             self._text_count += 1
             command_id = f"text-{self._run_tag}-{self._text_count}"
@@ -207,34 +207,34 @@ class CommandServerNode:
             )
         elif refusal is not None:
             self._answer_at_once(command, Outcome.REFUSED, code=refusal[0], sentence=refusal[1])
-        elif len(self._book.open_commands) >= self._settings.max_open_commands:
+        elif len(self._commands.open_commands) >= self._settings.max_open_commands:
             self._answer_at_once(
                 command, Outcome.FAILED, code="STAGE_ERROR", sentence="Too many commands wait already."
             )
         else:
-            self._book.open(command)
+            self._commands.open(command)
             self._unsent.append(command)
             self._replies.note(f"Heard {command.text!r}.")
 
     def _hear_stop(self, command: CommandText, *, behind: str, is_action: bool, heard_s: float) -> None:
         # The stop server and the executor have heard it as well; but a command that was said just before the stop may
         # have reached this node after the stop server's report, so every open one is cancelled by name.
-        for entry in self._book.open_commands:
+        for entry in self._commands.open_commands:
             self._cancels.cancel(entry.command)
-        for ending in self._book.finish_stopped(command.stamp_ns):
+        for ending in self._commands.finish_stopped(command.stamp_ns):
             self._answer(ending)
         self._replies.note(f"Stopping; then {behind!r}." if behind else "Stopping.")
         if behind:
             follow_up = self._follow_ups.add(behind, stop=command, stop_stamp_ns=self._last_stop_ns)
-            self._book.open(follow_up)
-            self._book.extend(
+            self._commands.open(follow_up)
+            self._commands.extend(
                 follow_up.command_id,
                 timeout_s=_WAIT_FOR_STOP * self._settings.stop_timeout_s
                 + self._brake_answer_s
                 + self._settings.pause_after_stop_s,
             )
             if is_action:
-                self._door.hand_over(command.command_id, command_id=follow_up.command_id)
+                self._action.hand_over(command.command_id, command_id=follow_up.command_id)
         early = self._stops.hear_stop(
             command.command_id, command.text, stamp_ns=command.stamp_ns, is_action=is_action, heard_s=heard_s
         )
@@ -244,7 +244,7 @@ class CommandServerNode:
 
     def _pass_on_answer(self, stop_id: str, reply: Reply) -> None:
         """The stop server has replied to a stop: its goal ends, and the command behind it begins."""
-        self._door.finish(reply, command_id=stop_id)
+        self._action.finish(reply, command_id=stop_id)
         for ending in self._follow_ups.hear_answer(
             stop_id, is_stopped=reply.outcome == Reply.DONE, reason=reply.sentence
         ):
@@ -253,7 +253,7 @@ class CommandServerNode:
     def _hear_stop_report(self, report: StopReport) -> None:
         self._last_stop_ns = report.stop_stamp.to_nsec()
         spared = self._follow_ups.spared_by(report.command.text, self._last_stop_ns)
-        for ending in self._book.finish_stopped(self._last_stop_ns, spared=spared):
+        for ending in self._commands.finish_stopped(self._last_stop_ns, spared=spared):
             self._answer(ending)
         stop = None
         if report.reply.command.id:
@@ -272,7 +272,7 @@ class CommandServerNode:
             self._brakings.pop(stop.command_id, None)
 
     def _cancel(self, command_id: str) -> None:
-        entry = self._book.get(command_id)
+        entry = self._commands.get(command_id)
         if entry is None:
             return
         self._cancels.cancel(entry.command)
@@ -290,13 +290,13 @@ class CommandServerNode:
         )
 
     def _hear_stage(self, event: StageEvent) -> None:
-        entry = self._book.get(event.command.id)
+        entry = self._commands.get(event.command.id)
         if entry is None or self._withdrawals.is_waiting(event.command.id):
             rospy.logdebug("cmd=%s waits for no stage; event of %s dropped", event.command.id, event.stage)
             return
-        self._door.feed_back(event)
+        self._action.feed_back(event)
         if not event.is_final:
-            self._book.progress(event.command.id, event.stage)
+            self._commands.progress(event.command.id, event.stage)
             self._replies.note(event.sentence)
             return
         ending = replace(ending_of_event(event), command=entry.command)
@@ -307,21 +307,21 @@ class CommandServerNode:
         """End what a command takes back or forbids; returns whether its reply must wait for that."""
         if not is_against_what_runs(ending):
             return False
-        older = self._withdrawals.begin(ending, [entry.command for entry in self._book.open_commands])
+        older = self._withdrawals.begin(ending, [entry.command for entry in self._commands.open_commands])
         if older:
-            self._book.hold(ending.command.command_id, timeout_s=2.0 * self._settings.cancel_timeout_s)
+            self._commands.hold(ending.command.command_id, timeout_s=2.0 * self._settings.cancel_timeout_s)
         for command in older:
             self._cancel(command.command_id)
         return bool(older)
 
     def _conclude(self, ending: Ending) -> None:
         """Close an open command and answer it; nothing when it is closed already."""
-        closed = self._book.finish(ending)
+        closed = self._commands.finish(ending)
         if closed is not None:
             self._answer(closed)
 
     def _answer_at_once(self, command: CommandText, outcome: Outcome, *, code: str, sentence: str) -> None:
-        self._book.open(command)
+        self._commands.open(command)
         ending = Ending(command=command, outcome=outcome, stage=OWN_STAGE, code=code, sentence=sentence)
         if not self._withdraw(ending):
             self._conclude(ending)
@@ -331,12 +331,12 @@ class CommandServerNode:
         away_s = self._suspension.turn()
         if away_s:
             rospy.logwarn("this process did not run for %.1f s", away_s)
-            self._book.postpone(away_s)
+            self._commands.postpone(away_s)
             self._stops.postpone(away_s)
 
     def _cancel_silent(self) -> None:
         """Close commands whose stage is silent: whatever they have started is cancelled before they are answered."""
-        for entry in self._book.condemn_silent(timeout_s=self._brake_answer_s):
+        for entry in self._commands.condemn_silent(timeout_s=self._brake_answer_s):
             command_id = entry.command.command_id
             self._cancels.cancel(entry.command)
             if not entry.may_have_started:
@@ -346,7 +346,7 @@ class CommandServerNode:
                 continue
             # An executor that hangs cannot cancel its goals.
             self._brake.stop(StopOrder(key=command_id, stamp_ns=_now_ns(), is_for_frames_only=True))
-        for command_id in self._book.overdue_condemned():
+        for command_id in self._commands.overdue_condemned():
             self._answer_condemned(command_id, "Whether the robot still moves is not known.")
 
     def _stop_in_place(self) -> None:
@@ -381,12 +381,12 @@ class CommandServerNode:
             if is_stopped
             else may_still_move(finding.obedience)
         )
-        for entry in self._book.open_commands:
+        for entry in self._commands.open_commands:
             if key in (entry.command.command_id, _RESTART_KEY) and entry.command.stamp_ns <= finding.order.stamp_ns:
                 self._answer_condemned(entry.command.command_id, remark)
 
     def _answer_condemned(self, command_id: str, remark: str) -> None:
-        ending = self._book.finish_condemned(command_id, remark)
+        ending = self._commands.finish_condemned(command_id, remark)
         if ending is not None:
             self._answer(ending)
 
@@ -400,10 +400,10 @@ class CommandServerNode:
 
     def _publish_reply(self, ending: Ending) -> None:
         self._unsent = deque(command for command in self._unsent if command != ending.command)
-        self._door.finish(self._replies.publish(ending), command_id=ending.command.command_id)
+        self._action.finish(self._replies.publish(ending), command_id=ending.command.command_id)
 
     def _save(self) -> None:
-        commands = self._left_over.commands + tuple(entry.command for entry in self._book.open_commands)
+        commands = self._left_over.commands + tuple(entry.command for entry in self._commands.open_commands)
         if commands != self._saved:
             # With a master that hangs nobody waits again and again.
             is_saved = self._store.save(commands, timeout_s=0.0 if self._is_saving_late else _SAVE_TIMEOUT_S)
@@ -418,7 +418,7 @@ class CommandServerNode:
             self._command_text.publish(command_to_message(self._unsent.popleft()))
 
     def _answer_all_at_shutdown(self) -> None:
-        open_commands = self._book.open_commands
+        open_commands = self._commands.open_commands
         for entry in open_commands:
             self._cancels.cancel(entry.command)
         if open_commands:

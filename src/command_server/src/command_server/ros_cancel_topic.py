@@ -6,7 +6,7 @@ from typing import Callable
 import rospy
 from roboframenet_msgs.msg import Command
 
-from command_server.command_book import CommandText
+from command_server.open_commands import CommandText
 from command_server.ros_messages import command_to_message
 from roboframenet_ros.recent import Recent
 

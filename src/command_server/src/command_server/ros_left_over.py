@@ -6,7 +6,7 @@ from typing import Deque, List, Tuple
 
 import rospy
 
-from command_server.command_book import CommandText, Ending
+from command_server.open_commands import CommandText, Ending
 from roboframenet_ros.ros_master import TimedMaster
 
 # How long replies wait for listeners that still start and connect.

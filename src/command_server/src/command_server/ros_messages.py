@@ -5,7 +5,7 @@ from dataclasses import replace
 import rospy
 from roboframenet_msgs.msg import Command, Reply, StageEvent
 
-from command_server.command_book import STOP_STAGE, CommandText, Ending, Outcome
+from command_server.open_commands import STOP_STAGE, CommandText, Ending, Outcome
 
 
 def time_from_ns(stamp_ns: int) -> rospy.Time:

@@ -4,7 +4,7 @@ from typing import Tuple
 
 import rospy
 
-from command_server.command_book import CommandText
+from command_server.open_commands import CommandText
 from roboframenet_ros.ros_persistent_parameter import PersistentParameter
 
 

@@ -5,7 +5,7 @@ from typing import Sequence
 import rospy
 from roboframenet_msgs.msg import CommandStatus, Reply
 
-from command_server.command_book import Ending, OpenCommand
+from command_server.open_commands import Ending, OpenCommand
 from command_server.ros_messages import command_to_message, ending_to_message
 
 

@@ -2,7 +2,7 @@
 
 import rospy
 
-from command_server.command_book import STOP_STAGE
+from command_server.open_commands import STOP_STAGE
 from robot_stop.settings import BrakeSettings
 
 

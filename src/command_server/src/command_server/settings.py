@@ -3,7 +3,7 @@
 from dataclasses import dataclass
 from typing import Dict
 
-from command_server.command_book import STAGES
+from command_server.open_commands import STAGES
 from roboframenet_ros.parameters import Parameters, parameter
 
 

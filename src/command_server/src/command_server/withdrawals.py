@@ -4,7 +4,7 @@ import time
 from dataclasses import dataclass, field, replace
 from typing import Callable, Dict, FrozenSet, Iterable, List, Optional, Tuple
 
-from command_server.command_book import CommandText, Ending, Outcome
+from command_server.open_commands import CommandText, Ending, Outcome
 from command_server.taking_back import takes_back
 
 #: The framer marks what is said against something that runs with one of these, and leaves open what runs.

@@ -2,8 +2,8 @@
 
 import pytest
 
-from command_server.command_book import CommandText, Outcome
 from command_server.follow_ups import FollowUps
+from command_server.open_commands import CommandText, Outcome
 
 STOP = CommandText("text-1", 1_000_000_000, "Stop and come back.")
 

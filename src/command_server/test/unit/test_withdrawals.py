@@ -2,7 +2,7 @@
 
 import pytest
 
-from command_server.command_book import CommandText, Ending, Outcome
+from command_server.open_commands import CommandText, Ending, Outcome
 from command_server.withdrawals import CORRECTION, PROHIBITION, Withdrawals, is_against_what_runs
 
 FOLLOW = CommandText("text-1", 1, "Follow me.")

@@ -14,25 +14,14 @@ from roboframenet_msgs.msg import Command, CommandPlan, StopReport
 
 from arbitrator.plan import Plan
 from arbitrator.ros_messages import plan_from_message
-from executor.command_desk import (
-    CommandKey,
-    Desk,
-    Order,
-    Preempt,
-    Start,
-    Step,
-    Supersede,
-    command_cancelled,
-    command_ended,
-    order_arrives,
-    stop_heard,
-)
+from executor import command_queue
+from executor.command_queue import CommandKey, CommandQueue, Order, Preempt, Start, Step, Supersede
 from executor.goal_tracking import GoalDeadlines
 from executor.replies import Ending, ending_of_malformed, ending_of_run, ending_of_unstarted
 from executor.ros_action_clients import ActionClients
 from executor.ros_command_run import CommandRun, RunResult
+from executor.ros_driver_settings import DriverSettings
 from executor.ros_introspection import Introspection
-from executor.ros_reconfigure import SettingsKeeper
 from executor.ros_running_goals import RunningGoals
 from roboframenet_ros.parameters import Parameters, parameter
 from roboframenet_ros.ros_node import read_parameters, run_node
@@ -86,7 +75,7 @@ class Settings(Parameters):
 
 @dataclass(frozen=True)
 class _Job:
-    """What the desk keeps for the shell: the command as it came, and its plan."""
+    """A command as it was received, and its plan."""
 
     command: Command
     plan: Plan
@@ -121,11 +110,11 @@ class ExecutorNode:
     def __init__(self, settings: Settings) -> None:
         self._settings = settings
         self._clients = ActionClients(max_kept=settings.max_clients)
-        self._server_settings = SettingsKeeper(timeout_s=settings.settings_timeout_s)
+        self._server_settings = DriverSettings(timeout_s=settings.settings_timeout_s)
         self._running_goals = RunningGoals()
         self._introspection = Introspection(is_enabled=settings.introspection)
         self._suspension = SuspensionWatch(longest_turn_s=_LONGEST_TURN_S)
-        self._desk: Desk[_Job] = Desk()
+        self._commands: CommandQueue[_Job] = CommandQueue()
         self._run: Optional[CommandRun] = None
         self._next_event_s = 0.0
         self._inbox: queue.Queue[_Event] = queue.Queue()
@@ -154,7 +143,7 @@ class ExecutorNode:
                 event = self._inbox.get(timeout=_EVENT_PERIOD_S / 2.0)
             except queue.Empty:
                 self._suspension.turn()
-                self._tell_that_it_runs()
+                self._report_progress()
                 continue
             if event is None:
                 self._end_all()
@@ -166,18 +155,18 @@ class ExecutorNode:
                 rospy.logerr(
                     "executor could not handle a %s: %s: %s", type(event).__name__, type(error).__name__, error
                 )
-            self._tell_that_it_runs()
+            self._report_progress()
 
     def _handle(self, event: _Event) -> None:
         if isinstance(event, CommandPlan):
             self._hear_plan(event)
         elif isinstance(event, StopReport):
-            self._follow(stop_heard(self._desk, event.stop_stamp.to_nsec()))
+            self._follow(command_queue.stop(self._commands, event.stop_stamp.to_nsec()))
         elif isinstance(event, Command):
-            self._follow(command_cancelled(self._desk, event.id))
+            self._follow(command_queue.cancel(self._commands, event.id))
         elif isinstance(event, _Note):
             if event.run is self._run:
-                self._stage.passes_on(self._desk.running.job.command, event.sentence)
+                self._stage.passes_on(self._commands.running.job.command, event.sentence)
         elif isinstance(event, _RunEnded):
             self._hear_end(event)
 
@@ -189,20 +178,20 @@ class ExecutorNode:
             return
         key = CommandKey(command_id=message.command.id, stamp_ns=message.command.stamp.to_nsec())
         order = Order(key=key, job=_Job(command=message.command, plan=plan))
-        self._follow(order_arrives(self._desk, order, now_ns=rospy.Time.now().to_nsec()))
+        self._follow(command_queue.submit(self._commands, order, now_ns=rospy.Time.now().to_nsec()))
 
     def _hear_end(self, ended: _RunEnded) -> None:
         if ended.run is not self._run:
             return
-        order, cause = self._desk.running, self._desk.cause
+        order, cause = self._commands.running, self._commands.cause
         self._run = None
         ending = ending_of_run(ended.result.outcome, ended.result.clauses, cause=cause, error=ended.result.error)
         self._end(order.job.command, ending)
-        self._follow(command_ended(self._desk))
+        self._follow(command_queue.finish(self._commands))
 
     def _follow(self, step: Step) -> None:
-        """Take the desk as it is now and do what it asks for."""
-        self._desk, actions = step
+        """Keep the next queue, and take its actions."""
+        self._commands, actions = step
         for action in actions:
             if isinstance(action, Start):
                 self._start_run(action.order)
@@ -228,14 +217,14 @@ class ExecutorNode:
         run = self._run
         run.start()
 
-    def _tell_that_it_runs(self) -> None:
+    def _report_progress(self) -> None:
         if time.monotonic() < self._next_event_s:
             return
         self._next_event_s = time.monotonic() + _EVENT_PERIOD_S
         if self._run is not None:
-            self._stage.passes_on(self._desk.running.job.command, self._run.describe())
-        if self._desk.waiting is not None:
-            self._stage.passes_on(self._desk.waiting.job.command, "Waiting for the end of the command before.")
+            self._stage.passes_on(self._commands.running.job.command, self._run.describe())
+        if self._commands.waiting is not None:
+            self._stage.passes_on(self._commands.waiting.job.command, "Waiting for the end of the command before.")
 
     def _end(self, command: Command, ending: Ending) -> None:
         rospy.loginfo("cmd=%s -> %s %s: %s", command.id, ending.outcome.name, ending.code, ending.sentence)
@@ -243,9 +232,9 @@ class ExecutorNode:
 
     def _end_all(self) -> None:
         """Cancel what runs before the node goes, so that the robot does not go on alone."""
-        for order in (self._desk.waiting, self._desk.running):
+        for order in (self._commands.waiting, self._commands.running):
             if order is not None:
-                self._follow(command_cancelled(self._desk, order.key.command_id))
+                self._follow(command_queue.cancel(self._commands, order.key.command_id))
         if self._run is not None:
             # The end of the run comes through the inbox; its thread has deadlines for everything it waits for.
             self._run.join(timeout_s=self._settings.preempt_timeout_s + 1.0)

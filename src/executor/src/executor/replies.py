@@ -4,7 +4,7 @@ import enum
 from dataclasses import dataclass
 from typing import Iterable, Optional, Sequence, Tuple
 
-from executor.command_desk import Cause
+from executor.command_queue import Cause
 from executor.goal_tracking import Goal, Outcome, describe_failures
 
 

@@ -16,11 +16,11 @@ from arbitrator.plan import FilledFrame
 from arbitrator.ros_messages import frame_to_message
 from arbitrator.state_machine import OUTCOMES
 from executor import goal_tracking as tracking
+from executor.driver_settings import SettingsError
 from executor.goal_tracking import Goal, GoalDeadlines, Outcome
 from executor.ros_action_clients import ActionClients
-from executor.ros_reconfigure import SettingsKeeper
+from executor.ros_driver_settings import DriverSettings
 from executor.ros_running_goals import RunningGoals
-from executor.settings import SettingsError
 from roboframenet_ros.ros_action_connection import ActionConnection, SentGoal
 from roboframenet_ros.suspension import SuspensionWatch
 
@@ -54,7 +54,7 @@ class StepContext:
     """
 
     clients: ActionClients
-    settings: SettingsKeeper
+    settings: DriverSettings
     running_goals: RunningGoals
     deadlines: GoalDeadlines
     is_preempt_asked: threading.Event

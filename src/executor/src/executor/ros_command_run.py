@@ -14,8 +14,8 @@ from executor.goal_tracking import Goal, GoalDeadlines, as_sentence
 from executor.replies import ClauseRun
 from executor.ros_action_clients import ActionClients
 from executor.ros_action_step import ActionStep, StepContext
+from executor.ros_driver_settings import DriverSettings
 from executor.ros_introspection import Introspection
-from executor.ros_reconfigure import SettingsKeeper
 from executor.ros_running_goals import RunningGoals
 from roboframenet_ros.suspension import SuspensionWatch
 
@@ -46,7 +46,7 @@ class CommandRun:
         plan: Plan,
         *,
         clients: ActionClients,
-        settings: SettingsKeeper,
+        settings: DriverSettings,
         running_goals: RunningGoals,
         deadlines: GoalDeadlines,
         on_note: Callable[[str], None],

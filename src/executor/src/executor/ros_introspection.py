@@ -15,7 +15,7 @@ _SHOW_TIMEOUT_S = 0.3
 
 
 @dataclass(frozen=True)
-class _Wish:
+class _View:
     """What is to be seen: a machine, or nothing."""
 
     machine: Optional[smach.StateMachine]
@@ -32,8 +32,8 @@ class Introspection:
 
     def __init__(self, *, is_enabled: bool) -> None:
         """Start the thread, if machines are to be seen at all."""
-        self._wishes: queue.Queue[_Wish] = queue.Queue()
-        self._last = _Wish(None)
+        self._views: queue.Queue[_View] = queue.Queue()
+        self._last = _View(None)
         self._is_enabled = is_enabled
         if is_enabled:
             # A daemon: a master that hangs must not keep the process alive.
@@ -41,34 +41,34 @@ class Introspection:
 
     def show(self, machine: smach.StateMachine, *, label: str) -> None:
         """Show a machine under a label; returns when it is seen, or when that takes too long."""
-        if not self._want(_Wish(machine, label)).is_done.wait(_SHOW_TIMEOUT_S):
+        if not self._request(_View(machine, label)).is_done.wait(_SHOW_TIMEOUT_S):
             rospy.logwarn_throttle(30.0, "smach_viewer sees nothing: the master does not answer")
 
     def hide(self) -> None:
         """Show nothing any more; returns at once."""
-        self._want(_Wish(None))
+        self._request(_View(None))
 
-    def _want(self, wish: _Wish) -> _Wish:
-        self._last = wish
+    def _request(self, view: _View) -> _View:
+        self._last = view
         if self._is_enabled:
-            self._wishes.put(wish)
+            self._views.put(view)
         else:
-            wish.is_done.set()
-        return wish
+            view.is_done.set()
+        return view
 
     def _work(self) -> None:
         viewer: Optional[smach_ros.IntrospectionServer] = None
         while True:
-            wish = self._wishes.get()
+            view = self._views.get()
             try:
                 if viewer is not None:
                     viewer.stop()
                     viewer = None
                 # What was wanted before, while the master hung, has ended.
-                if wish.machine is not None and wish is self._last:
-                    viewer = smach_ros.IntrospectionServer("executor", wish.machine, f"/{wish.label}")
+                if view.machine is not None and view is self._last:
+                    viewer = smach_ros.IntrospectionServer("executor", view.machine, f"/{view.label}")
                     viewer.start()
             except Exception as fault:  # boundary: nothing that only looks on may keep a command from running
                 rospy.logwarn("smach_viewer will see nothing: %s: %s", type(fault).__name__, fault)
             finally:
-                wish.is_done.set()
+                view.is_done.set()

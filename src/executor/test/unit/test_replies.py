@@ -3,7 +3,7 @@
 import pytest
 
 from executor import goal_tracking as tracking
-from executor.command_desk import Cause
+from executor.command_queue import Cause
 from executor.goal_tracking import GoalDeadlines, GoalStatusCode
 from executor.replies import ClauseRun, ReplyOutcome, ending_of_malformed, ending_of_run, ending_of_unstarted
 

@@ -95,7 +95,7 @@ class ServiceTarget:
             except ServiceError as error:
                 answers.put(error)
 
-        # A daemon, as the call may outlast the wish for its answer; it ends by its own deadlines.
+        # A daemon, as the call may outlast the request for its answer; it ends by its own deadlines.
         threading.Thread(target=call, name=f"binding of {self._binding.target}", daemon=True).start()
         while True:
             try:

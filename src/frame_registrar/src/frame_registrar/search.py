@@ -4,9 +4,9 @@ from dataclasses import dataclass, replace
 from itertools import islice, product
 from typing import Dict, Iterator, List, Sequence, Tuple, Union
 
-from frame_registrar.filling import Unfillable, fill, words
+from frame_registrar.filling import Unfillable, fill, spoken_name
 from frame_registrar.graph import FrameGraph
-from frame_registrar.realisation import Frames, Realiser, Refusal
+from frame_registrar.sequence_finder import Frames, Refusal, SequenceFinder
 from semantic_frames.frame import ListPolicy, SemanticFrame
 
 __all__ = ["Argument", "Candidate", "Reading", "Refusal", "combinations", "reply_outcome", "search"]
@@ -85,10 +85,10 @@ def search(
     Returns:
         candidates of each clause, those of the likeliest reading first; a refusal when a clause has none
     """
-    realiser = Realiser(graph)
+    finder = SequenceFinder(graph)
     by_clause: List[Tuple[Candidate, ...]] = []
     for readings in clauses:
-        found = _of_clause(realiser, readings, max_candidates)
+        found = _search_clause(finder, readings, max_candidates)
         if isinstance(found, Refusal):
             return found
         by_clause.append(found)
@@ -105,16 +105,16 @@ def _order(reading: Reading) -> Tuple[int, float]:
     return reading.preference, -reading.coverage
 
 
-def _of_clause(
-    realiser: Realiser, readings: Sequence[Reading], max_candidates: int
+def _search_clause(
+    finder: SequenceFinder, readings: Sequence[Reading], max_candidates: int
 ) -> Union[Tuple[Candidate, ...], Refusal]:
     """Find the ways to carry out one clause, the likeliest reading first, none of them twice."""
     found: Dict[Frames, Candidate] = {}
     refusals: List[Refusal] = []
     for reading in sorted(readings, key=_order):
-        frame = realiser.graph.frame(reading.frame_name)
+        frame = finder.graph.frame(reading.frame_name)
         if frame is None:
-            name = words(reading.frame_name)
+            name = spoken_name(reading.frame_name)
             refusals.append(
                 Refusal("UNKNOWN_FRAME", f'The lexicon speaks of "{name}", but no file describes that frame.')
             )
@@ -125,17 +125,17 @@ def _of_clause(
             except Unfillable as error:
                 refusals.append(Refusal(error.code, str(error)))
                 continue
-            is_realised = False
-            for frames in islice(realiser.realise(filled), _MOST_EXAMINED):
-                is_realised = True
+            is_found = False
+            for frames in islice(finder.find(filled), _MOST_EXAMINED):
+                is_found = True
                 found.setdefault(frames, Candidate(frames, reading.coverage, reading.preference))
                 if len(found) >= max_candidates:
                     return tuple(found.values())
-            if not is_realised:
-                refusals += realiser.why_not(filled)
+            if not is_found:
+                refusals += finder.why_not(filled)
     if found:
         return tuple(found.values())
-    if realiser.is_cut:
+    if finder.is_truncated:
         return Refusal(
             "TOO_MANY_CANDIDATES", "There are more ways to do that than I can look at, and none works so far."
         )

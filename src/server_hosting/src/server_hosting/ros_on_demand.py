@@ -17,13 +17,13 @@ from roboframenet_msgs.msg import (
 )
 
 from rfnserver import RFNServer
-from rfnserver.ros_frame_entrance import conclude
+from rfnserver.ros_frame_adapter import conclude
 from rfnserver.ros_goal_forwarding import ForwardedEnd, ForwardingDeadlines, GoalForwarder
 from semantic_frames.problem import FileRefused
 from semantic_frames.source_files import read_text
 from server_hosting.manifest import Manifest, by_frame, load_manifests
-from server_hosting.residence import Residence
 from server_hosting.ros_launching import Launched, LaunchError
+from server_hosting.server_lease import ServerLease
 
 #: How often the main thread looks whether a server may go or has died, seconds.
 LOOK_S = 0.5
@@ -48,7 +48,7 @@ class _Server:
 
     def __init__(self, manifest: Manifest) -> None:
         self.manifest = manifest
-        self.residence = Residence()
+        self.lease = ServerLease()
         self.launched: Optional[Launched] = None
         self.is_up = threading.Event()
         self._busy = threading.Event()
@@ -69,8 +69,8 @@ class _Server:
             rospy.logwarn("%s has ended", self.manifest.server)
             self.end()
         elif self._busy.is_set():
-            self.residence = self.residence.seen_busy(now_s)
-        elif self.residence.may_go(idle_s=self.manifest.idle_s, now_s=now_s):
+            self.lease = self.lease.seen_busy(now_s)
+        elif self.lease.is_expired(idle_s=self.manifest.idle_s, now_s=now_s):
             rospy.loginfo("%s was idle for %g s and is ended", self.manifest.server, self.manifest.idle_s)
             self.end()
 
@@ -88,18 +88,18 @@ class _Server:
             rospy.loginfo("starting %s", self.manifest.server)
             self.launched = Launched(self.manifest)
             self.is_up.set()
-        self.residence = self.residence.entered(now_s)
+        self.lease = self.lease.acquired(now_s)
 
     def leave(self, now_s: float) -> None:
         """A goal does not need it any more."""
-        self.residence = self.residence.left(now_s)
+        self.lease = self.lease.released(now_s)
 
     def end(self) -> None:
         """End its processes."""
         launched, self.launched = self.launched, None
         self.is_up.clear()
         self._busy.clear()
-        self.residence = self.residence.down()
+        self.lease = self.lease.ended()
         if launched is not None:
             launched.end()
 

@@ -1,4 +1,4 @@
-"""Realisations of filled frames: servers of their own, or what their descendants can do in their place."""
+"""Sequences of frames that carry out a filled frame: its own servers, or the children that stand for it."""
 
 from dataclasses import dataclass, replace
 from typing import Dict, Iterator, List, Optional, Sequence, Tuple
@@ -6,18 +6,18 @@ from typing import Dict, Iterator, List, Optional, Sequence, Tuple
 from frame_registrar.filling import (
     FilledFrame,
     Unfillable,
-    alternatives,
     child_arguments,
     fill,
+    join_with_or,
+    spoken_name,
     unmet_condition,
-    words,
 )
 from frame_registrar.graph import FrameGraph
 from semantic_frames.frame import RelatedFrame
 
 Frames = Tuple[FilledFrame, ...]
 
-#: Different filled frames that one search looks at. Frame files of people need a handful.
+#: How many filled frames one search expands. Frame files that people write need a handful.
 MOST_FRAMES = 20_000
 
 
@@ -35,14 +35,14 @@ class Refusal:
 
 
 @dataclass(frozen=True)
-class _Ways:
-    """What is known of one filled frame.
+class _Options:
+    """How one filled frame can be carried out.
 
     Attributes:
         servers: that registered for it
-        sequences: of filled children, every member of which can be realised
-        refusals: why children did not count although somebody carries them out; only when there is no way
-        missing: frames that a server would have to register for; only when there is no way
+        sequences: of filled children, each of which can be carried out
+        refusals: why children that have servers cannot be used; only when there are no options
+        missing: frames that need a server; only when there are no options
     """
 
     servers: Tuple[str, ...] = ()
@@ -54,38 +54,38 @@ class _Ways:
         return bool(self.servers or self.sequences)
 
 
-class Realiser:
-    """Realises filled frames during one search.
+class SequenceFinder:
+    """Finds the sequences of frames with servers that carry out filled frames, during one search.
 
-    Whether a filled frame can be realised is found out once and remembered, and only sequences whose every member can
-    be are combined: so each combination that is tried is one that is found.
+    The options of each filled frame are found once and kept. Only sequences whose members all have options are
+    combined, so no combination is tried in vain.
 
     Attributes:
         graph: frames and servers; it must not change during the search
-        is_cut: whether the graph was too large to look at all of it
+        is_truncated: whether the graph was too large to be searched completely
     """
 
     def __init__(self, graph: FrameGraph) -> None:
         self.graph = graph
-        self.is_cut = False
-        self._known: Dict[FilledFrame, _Ways] = {}
-        self._looked_at = 0
+        self.is_truncated = False
+        self._known: Dict[FilledFrame, _Options] = {}
+        self._expanded = 0
 
-    def realise(self, frames: Sequence[FilledFrame]) -> Iterator[Frames]:
-        """Yield all combinations of the ways to carry out each of several filled frames in turn, lazily."""
-        if all(self._ways(frame) for frame in frames):
+    def find(self, frames: Sequence[FilledFrame]) -> Iterator[Frames]:
+        """Yield all sequences that carry out several filled frames one after the other, lazily."""
+        if all(self._options(frame) for frame in frames):
             yield from self._combinations(frames)
 
     def why_not(self, frames: Sequence[FilledFrame]) -> List[Refusal]:
-        """Return why nobody can carry out some filled frames, for which :meth:`realise` yielded nothing."""
-        stuck = [self._ways(frame) for frame in frames if not self._ways(frame)]
-        refusals = [refusal for ways in stuck for refusal in ways.refusals]
-        names = tuple(dict.fromkeys(f'"{name}"' for ways in stuck for name in ways.missing))
+        """Return why no server can carry out filled frames for which :meth:`find` yielded nothing."""
+        stuck = [self._options(frame) for frame in frames if not self._options(frame)]
+        refusals = [refusal for options in stuck for refusal in options.refusals]
+        names = tuple(dict.fromkeys(f'"{name}"' for options in stuck for name in options.missing))
         refusals.append(
             Refusal(
                 "NO_SERVER",
                 "I understand what you want, but nobody here can do it: no server is registered for "
-                f"{alternatives(names[:6])}.",
+                f"{join_with_or(names[:6])}.",
             )
         )
         return refusals
@@ -99,23 +99,23 @@ class Realiser:
                 yield first + rest
 
     def _one(self, filled: FilledFrame) -> Iterator[Frames]:
-        """Every way to carry out one filled frame: its own servers, then what its children can do."""
-        ways = self._ways(filled)
-        for server in ways.servers:
+        """Every sequence that carries out one filled frame: its own servers first, then its children."""
+        options = self._options(filled)
+        for server in options.servers:
             yield (replace(filled, server=server),)
-        for sequence in ways.sequences:
+        for sequence in options.sequences:
             yield from self._combinations(sequence)
 
-    def _ways(self, filled: FilledFrame) -> _Ways:
+    def _options(self, filled: FilledFrame) -> _Options:
         if filled not in self._known:
-            if self._looked_at >= MOST_FRAMES:
-                self.is_cut = True
-                return _Ways(servers=self.graph.servers(filled.name), missing=(filled.name,))
-            self._looked_at += 1
-            self._known[filled] = self._look(filled)
+            if self._expanded >= MOST_FRAMES:
+                self.is_truncated = True
+                return _Options(servers=self.graph.servers(filled.name), missing=(filled.name,))
+            self._expanded += 1
+            self._known[filled] = self._expand(filled)
         return self._known[filled]
 
-    def _look(self, filled: FilledFrame) -> _Ways:
+    def _expand(self, filled: FilledFrame) -> _Options:
         frame = self.graph.frame(filled.name)
         servers = self.graph.servers(filled.name)
         refusals: List[Refusal] = []
@@ -135,22 +135,22 @@ class Realiser:
             children = self._fill_children(filled, sequence, refusals, missing)
             if children is None:
                 continue
-            stuck = [self._ways(child) for child in children if not self._ways(child)]
+            stuck = [self._options(child) for child in children if not self._options(child)]
             if not stuck:
                 sequences.append(children)
-            for ways in stuck:
-                refusals += ways.refusals
-                missing += ways.missing
+            for options in stuck:
+                refusals += options.refusals
+                missing += options.missing
         if servers or sequences:
-            return _Ways(servers=servers, sequences=tuple(sequences))
+            return _Options(servers=servers, sequences=tuple(sequences))
         if not is_meant:
             refusals += [_not_among(filled, element, values) for element, values in unmet.items()]
-        return _Ways(refusals=tuple(dict.fromkeys(refusals)), missing=tuple(dict.fromkeys(missing)))
+        return _Options(refusals=tuple(dict.fromkeys(refusals)), missing=tuple(dict.fromkeys(missing)))
 
     def _fill_children(
         self, parent: FilledFrame, sequence: Sequence[RelatedFrame], refusals: List[Refusal], missing: List[str]
     ) -> Optional[Frames]:
-        """Fill the members of a sequence; None when one cannot be, and then why."""
+        """Fill the members of a sequence; None when one cannot be filled, with the reason in refusals or missing."""
         children = []
         for child in sequence:
             child_frame = self.graph.frame(child.name)
@@ -166,7 +166,7 @@ class Realiser:
         return tuple(children)
 
     def _is_offered(self, sequence: Sequence[RelatedFrame]) -> bool:
-        """Whether every member has a server, itself or in a descendant: with other arguments it might be done."""
+        """Whether every member or one of its descendants has a server: other arguments might work."""
         return all(
             any(self.graph.servers(name) for name in (child.name,) + self.graph.descendants(child.name))
             for child in sequence
@@ -174,8 +174,10 @@ class Realiser:
 
 
 def _not_among(filled: FilledFrame, element: str, values: Sequence[str]) -> Refusal:
-    allowed = alternatives(tuple(dict.fromkeys(values)))
+    allowed = join_with_or(tuple(dict.fromkeys(values)))
     said = filled.argument(element)
     if not said:
-        return Refusal("MISSING_ELEMENT", f"The {words(element)} of {words(filled.name)} is missing: it is {allowed}.")
-    return Refusal("VALUE_NOT_ALLOWED", f'The {words(element)} cannot be "{said}": it is {allowed}.')
+        return Refusal(
+            "MISSING_ELEMENT", f"The {spoken_name(element)} of {spoken_name(filled.name)} is missing: it is {allowed}."
+        )
+    return Refusal("VALUE_NOT_ALLOWED", f'The {spoken_name(element)} cannot be "{said}": it is {allowed}.')

@@ -4,7 +4,7 @@ import json
 
 import pytest
 
-from executor.settings import (
+from executor.driver_settings import (
     HeldSetting,
     Setting,
     SettingsError,

@@ -7,7 +7,7 @@ import rospy
 from roboframenet_msgs.msg import ExecuteCommandAction, ExecuteCommandFeedback, ExecuteCommandResult, Reply, StageEvent
 
 
-class ActionDoor:
+class CommandActionServer:
     """Goals of the action ``command``, by id.
 
     The callbacks run in threads of actionlib and under its lock, so they must only enqueue. All methods are for the one

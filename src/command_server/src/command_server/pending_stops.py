@@ -55,7 +55,7 @@ class _Early:
     is_reply: bool
 
 
-class StopBook:
+class PendingStops:
     """Matches stops with what the stop server says of them, whichever comes first. One thread owns it."""
 
     def __init__(self, *, timeout_s: float, now: Callable[[], float] = time.monotonic, max_kept: int = 1000) -> None:

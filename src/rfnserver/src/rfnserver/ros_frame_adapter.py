@@ -1,4 +1,4 @@
-"""Lets filled frames into an action server that has a type of its own."""
+"""Lets an action server of any type take filled frames."""
 
 import threading
 from typing import Any, Callable, Iterable, Mapping, Optional, Tuple
@@ -25,16 +25,16 @@ from rfnserver.goal_binding import (
     plan_goal,
 )
 from rfnserver.goal_types import Filling
+from rfnserver.registration import RequestKind
 from rfnserver.ros_goal_forwarding import ForwardedEnd, GoalForwarder
 from rfnserver.ros_goal_messages import fields_of, fill, goal_type_of
 from rfnserver.ros_places import Places, UnknownPlace
 from rfnserver.ros_quiet_action_server import QuietSimpleActionServer
 from rfnserver.ros_registration import Registration
-from rfnserver.wishes import WishKind
 from roboframenet_ros.ros_service import ServiceError, call_service
 
-#: What is appended to the name of a server to make the name under which it takes frames.
-ENTRANCE = "/frame"
+#: A server takes frames under its name and this suffix.
+FRAME_SUFFIX = "/frame"
 CATALOGUE_TIMEOUT_S = 2.0
 
 FrameToGoal = Callable[[FilledSemanticFrame], Any]
@@ -80,7 +80,7 @@ class GoalMaker:
         """
         arguments = {element.name: element.argument for element in frame.frame_elements}
         try:
-            # An element that nothing was said of may be missing; what is core was seen to before.
+            # An element that was not said may be missing; core elements were checked when the server registered.
             names = dict.fromkeys((*arguments, *mapped_elements(self._mapping), *self._ignored))
             plan = self.plan(BoundElement(name, is_core=False) for name in names)
             values = goal_values(plan, arguments, locate=self._places.locate if self._places else _nowhere)
@@ -94,10 +94,10 @@ def _nowhere(words: str) -> Any:
 
 
 def check_frame(frame_name: str, maker: GoalMaker) -> Tuple[bool, str]:
-    """Ask the registrar for a frame and see whether goals can be made of it.
+    """Ask the registrar for a frame, and find out whether goals can be made of it.
 
     Returns:
-        whether the frame is known by now, and what is wrong, empty for nothing
+        whether the frame is known, and what is wrong; empty for nothing
     """
     try:
         frame = call_service(
@@ -115,12 +115,12 @@ def check_frame(frame_name: str, maker: GoalMaker) -> Tuple[bool, str]:
     return True, ""
 
 
-class FrameEntrance:
-    """An action server of frames beside one of another type: each frame becomes a goal of that type.
+class FrameAdapter:
+    """An action server for frames beside one of another type; turns each frame into a goal of that type.
 
     Actions:
         NAME/frame (roboframenet_msgs/FilledSemanticFrameAction)
-        NAME (the server's own type): client, connected while the first frame comes in
+        NAME (the server's own type): client, connected when the first frame arrives
     """
 
     def __init__(
@@ -154,25 +154,25 @@ class FrameEntrance:
         else:
             self._maker = GoalMaker(goal_type_of(action_type), mapping=mapping, ignored_elements=ignored_elements)
             self._callback = self._maker.make
-        self.registration = Registration(name + ENTRANCE, check=self._check if self._maker else None)
+        self.registration = Registration(name + FRAME_SUFFIX, check=self._check if self._maker else None)
 
     def start(self) -> None:
-        """Take frames from now on, if a frame was registered, else from then on."""
+        """Take frames from now on, or from the first registration on."""
         with self._lock:
             self._is_started = True
             if self._server is not None:
                 self._server.start()
 
-    def want(self, kind: WishKind, subject: str) -> bool:
-        """See :meth:`Registration.want`; the server for frames exists from the first registration on."""
+    def request(self, kind: RequestKind, subject: str) -> bool:
+        """See :meth:`Registration.request`; the server for frames exists from the first registration on."""
         with self._lock:
-            if kind is WishKind.REGISTRATION and self._server is None:
+            if kind is RequestKind.REGISTRATION and self._server is None:
                 self._server = QuietSimpleActionServer(
-                    self._name + ENTRANCE, FilledSemanticFrameAction, execute_cb=self._execute, auto_start=False
+                    self._name + FRAME_SUFFIX, FilledSemanticFrameAction, execute_cb=self._execute, auto_start=False
                 )
                 if self._is_started:
                     self._server.start()
-        return self.registration.want(kind, subject)
+        return self.registration.request(kind, subject)
 
     def _check(self, frame_name: str) -> Tuple[bool, str]:
         return check_frame(frame_name, self._maker)
@@ -198,7 +198,7 @@ class FrameEntrance:
 
 
 def conclude(server: QuietSimpleActionServer, end: ForwardedEnd) -> None:
-    """End the goal of a server for frames as the goal it was forwarded to ended."""
+    """End the goal of a server for frames in the way in which the forwarded goal ended."""
     if not server.is_active():
         return
     if end.status == GoalStatus.SUCCEEDED:

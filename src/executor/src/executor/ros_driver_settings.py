@@ -8,7 +8,7 @@ import rospy
 from dynamic_reconfigure.msg import BoolParameter, Config, DoubleParameter, IntParameter, StrParameter
 from dynamic_reconfigure.srv import Reconfigure
 
-from executor.settings import (
+from executor.driver_settings import (
     HeldSetting,
     Setting,
     SettingsError,
@@ -63,7 +63,7 @@ def _config(values: Dict[str, Value]) -> Config:
     return config
 
 
-class SettingsKeeper:
+class DriverSettings:
     """Applies the settings that servers need and brings the former values back.
 
     What a server needs stands in the parameter ``<server>/required_settings`` (`read_needs`). The former values are

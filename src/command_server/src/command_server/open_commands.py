@@ -140,7 +140,7 @@ def stage_after(stage: str) -> str:
     return STAGES[min(STAGES.index(stage) + 1, len(STAGES) - 1)]
 
 
-class CommandBook:
+class OpenCommands:
     """Open commands, oldest first. Each is closed exactly once.
 
     One thread owns it.
