@@ -14,7 +14,7 @@ from roboframenet_ros.parameters import ParameterError, Parameters, parameter
 from roboframenet_ros.ros_node import read_parameters, run_node
 from roboframenet_ros.ros_stage import Stage
 
-# An executor that is just starting must not miss a command. Shorter than the time that it may be silent.
+# How long a command waits for an executor that is starting; shorter than the silence that is allowed to it.
 _LISTENER_TIMEOUT_S = 3.0
 
 
@@ -32,7 +32,7 @@ class Settings(Parameters):
 
     @property
     def policy_seed(self) -> Optional[int]:
-        """The seed as policies take it."""
+        """The seed for the policy; None for a random one."""
         return None if self.seed < 0 else self.seed
 
 
@@ -66,7 +66,7 @@ class ArbitratorNode:
         sentence = describe(plan)
         rospy.loginfo("cmd=%s %s", message.command.id, sentence)
         self._wait_for_executor()
-        # The event goes first so that an observer hears the stages in their order.
+        # The event is published first, so that observers receive the events of the stages in order.
         self._stage.passes_on(message.command, sentence)
         self._command_plan.publish(CommandPlan(command=message.command, plan=plan_to_message(plan)))
         self._procedure.publish(procedure_to_message(plan))

@@ -1,4 +1,4 @@
-"""The command server node: the doors for commands, and the one reply to each.
+"""The command server node: accepts commands, and gives exactly one reply to each.
 
 Callbacks only enqueue; one worker thread owns the commands.
 """
@@ -51,15 +51,15 @@ from robot_stop.settings import BrakeSettings
 _SAVE_TIMEOUT_S = 0.5
 _LONGEST_WAIT_S = 0.2
 _JOIN_TIMEOUT_S = 5.0
-# A turn of the worker that takes longer means that the process did not run.
+# A longer turn of the worker means that the process was suspended.
 _LONGEST_TURN_S = 2.0
-# A stop is answered within so many of its time-outs: one for its report, one for its reply.
+# A stop is answered within this multiple of its time-out: for its report, then for its reply.
 _WAIT_FOR_STOP = 3.0
-# How long a brake may take to say who obeys, on top of its own time-out.
+# How long a brake may take to report who obeys, beyond its own time-out.
 _BRAKE_SLACK_S = 1.0
-# Time for what was published last to leave the process.
+# Time in which the last messages leave the process.
 _FLUSH_S = 0.1
-# Name of the stop of what the last run left; the others have that of their command.
+# Key of the stop for commands of the previous run; other stops have the id of their command.
 _RESTART_KEY = "restart"
 
 
@@ -110,7 +110,7 @@ class CommandServerNode:
         )
 
     def start(self) -> None:
-        """Open the doors."""
+        """Start to accept commands."""
         rospy.on_shutdown(self._shutdown)
         self._brake.start()
         self._worker.start()
@@ -146,7 +146,7 @@ class CommandServerNode:
                     return
                 try:
                     self._handle(event)
-                except Exception as error:  # boundary: one event must not end the answers to all others
+                except Exception as error:  # boundary: one event must not keep the others from being handled
                     rospy.logerr(
                         "command_server could not handle a %s: %s: %s",
                         type(event).__name__,
@@ -198,7 +198,7 @@ class CommandServerNode:
         rospy.loginfo("cmd=%s heard %r", command_id, command.text)
         cry = find_cry(said.text)
         if cry is not None:
-            # What is cut off must not become another command.
+            # Of a text that was cut, the rest is no command.
             self._hear_stop(
                 command,
                 behind="" if command.text != said.text else command_behind(cry.rest),
@@ -209,7 +209,7 @@ class CommandServerNode:
             self._answer_at_once(command, Outcome.REFUSED, code=refusal[0], sentence=refusal[1])
         elif len(self._commands.open_commands) >= self._settings.max_open_commands:
             self._answer_at_once(
-                command, Outcome.FAILED, code="STAGE_ERROR", sentence="Too many commands wait already."
+                command, Outcome.FAILED, code="STAGE_ERROR", sentence="Too many commands are waiting already."
             )
         else:
             self._commands.open(command)
@@ -217,8 +217,8 @@ class CommandServerNode:
             self._replies.note(f"Heard {command.text!r}.")
 
     def _hear_stop(self, command: CommandText, *, behind: str, is_action: bool, heard_s: float) -> None:
-        # The stop server and the executor have heard it as well; but a command that was said just before the stop may
-        # have reached this node after the stop server's report, so every open one is cancelled by name.
+        # The stop server and the executor hear it too. But a command that was said just before the stop may reach this
+        # node after the report of the stop server, so each open command is cancelled by name.
         for entry in self._commands.open_commands:
             self._cancels.cancel(entry.command)
         for ending in self._commands.finish_stopped(command.stamp_ns):
@@ -243,7 +243,7 @@ class CommandServerNode:
             self._pass_on_answer(command.command_id, self._replies.last_reply if is_last else reply_of_stopped(early))
 
     def _pass_on_answer(self, stop_id: str, reply: Reply) -> None:
-        """The stop server has replied to a stop: its goal ends, and the command behind it begins."""
+        """The stop server has replied to a stop: its goal ends, and the command after it starts."""
         self._action.finish(reply, command_id=stop_id)
         for ending in self._follow_ups.hear_answer(
             stop_id, is_stopped=reply.outcome == Reply.DONE, reason=reply.sentence
@@ -277,7 +277,7 @@ class CommandServerNode:
             return
         self._cancels.cancel(entry.command)
         if entry.may_have_started:
-            # The executor ends it when the robot has stopped; its silence is watched as ever.
+            # The executor ends it when the robot has stopped; its deadline still holds.
             return
         self._conclude(
             Ending(
@@ -327,7 +327,7 @@ class CommandServerNode:
             self._conclude(ending)
 
     def _excuse_suspension(self) -> None:
-        """Blame nobody for the time in which this process did not run: what they said meanwhile is still to be read."""
+        """Extend all deadlines by the time in which this process was suspended: messages from then are still unread."""
         away_s = self._suspension.turn()
         if away_s:
             rospy.logwarn("this process did not run for %.1f s", away_s)
@@ -335,29 +335,29 @@ class CommandServerNode:
             self._stops.postpone(away_s)
 
     def _cancel_silent(self) -> None:
-        """Close commands whose stage is silent: whatever they have started is cancelled before they are answered."""
+        """Close commands whose stage is silent: everything they started is cancelled before they are answered."""
         for entry in self._commands.condemn_silent(timeout_s=self._brake_answer_s):
             command_id = entry.command.command_id
             self._cancels.cancel(entry.command)
             if not entry.may_have_started:
-                remark = "It has not begun, and will not."
+                remark = "It was not started."
                 if not self._withdraw(entry.ending(entry.verdict, remark)):
                     self._answer_condemned(command_id, remark)
                 continue
             # An executor that hangs cannot cancel its goals.
             self._brake.stop(StopOrder(key=command_id, stamp_ns=_now_ns(), is_for_frames_only=True))
         for command_id in self._commands.overdue_condemned():
-            self._answer_condemned(command_id, "Whether the robot still moves is not known.")
+            self._answer_condemned(command_id, "I do not know whether the robot still moves.")
 
     def _stop_in_place(self) -> None:
-        """Carry out the stops that the stop server does not."""
+        """Carry out the stops that the stop server does not carry out."""
         for stop in self._stops.take_silent(brake_s=self._brake_answer_s):
             self._brakings[stop.command_id] = Braking()
             self._brake.stop(StopOrder(key=stop.command_id, stamp_ns=stop.stamp_ns))
             rospy.logerr("cmd=%s %s does not answer: this node stops the robot", stop.command_id, STOP_STAGE)
         for stop in self._stops.take_overdue():
             braking = self._brakings.pop(stop.command_id, Braking())
-            standing = "Whether the robot still moves is not known."
+            standing = "I do not know whether the robot still moves."
             if braking.braked is not None and braking.finding is not None:
                 standing = sentence_of(
                     braking.finding,
@@ -369,15 +369,15 @@ class CommandServerNode:
             self._pass_on_answer(stop.command_id, self._replies.last_reply)
 
     def _hear_finding(self, finding: Finding) -> None:
-        """The brake says who obeys."""
+        """The brake reports who obeys."""
         key, is_stopped = finding.order.key, finding.obedience.is_complete
         if key in self._brakings:
             self._brakings[key] = Braking(braked=self._brakings[key].braked, finding=finding)
         if not finding.is_first:
-            self._replies.note("The robot stands now." if is_stopped else may_still_move(finding.obedience))
+            self._replies.note("The robot stands still now." if is_stopped else may_still_move(finding.obedience))
             return
         remark = (
-            "What the command had started is stopped: zero velocity, and no goal goes on."
+            "Everything that it had started is stopped: zero velocity, and no goal goes on."
             if is_stopped
             else may_still_move(finding.obedience)
         )
@@ -391,7 +391,7 @@ class CommandServerNode:
             self._answer(ending)
 
     def _answer(self, ending: Ending) -> None:
-        """Give the one reply to a command that is closed, or was never opened."""
+        """Give the one reply to a command that is closed."""
         self._follow_ups.forget(ending.command.command_id)
         if not self._left_over.hold(ending):
             self._publish_reply(ending)
@@ -405,15 +405,15 @@ class CommandServerNode:
     def _save(self) -> None:
         commands = self._left_over.commands + tuple(entry.command for entry in self._commands.open_commands)
         if commands != self._saved:
-            # With a master that hangs nobody waits again and again.
+            # While the master hangs, the worker waits for it only once.
             is_saved = self._store.save(commands, timeout_s=0.0 if self._is_saving_late else _SAVE_TIMEOUT_S)
             self._is_saving_late = not is_saved
             if not is_saved:
-                rospy.logwarn_throttle(10.0, "the master is slow to keep the open commands")
+                rospy.logwarn_throttle(10.0, "saving the open commands to the parameter server timed out")
         self._saved = commands
 
     def _send(self) -> None:
-        # Before the parser has connected a message would be lost; its silence is watched meanwhile.
+        # A message that is published before the parser has connected would be lost; its deadline runs meanwhile.
         while self._unsent and self._command_text.get_num_connections() > 0:
             self._command_text.publish(command_to_message(self._unsent.popleft()))
 

@@ -1,4 +1,4 @@
-"""The book of commands: which are open, what ends them, and when a stage has been silent for too long."""
+"""The commands that have no reply yet, what ends them, and the deadlines of the stages."""
 
 import enum
 import time
@@ -39,7 +39,7 @@ class CommandText:
 
 @dataclass(frozen=True)
 class Ending:
-    """The one final answer to a command.
+    """The one final reply to a command.
 
     Attributes:
         command: what was said
@@ -58,7 +58,7 @@ class Ending:
 
 @dataclass(frozen=True)
 class Verdict:
-    """How a command will be answered, once what it has started is cancelled: an `Ending` to be."""
+    """How a command will be answered when everything it started is cancelled."""
 
     outcome: Outcome
     stage: str
@@ -67,7 +67,7 @@ class Verdict:
 
 
 RESTARTED = Verdict(
-    Outcome.FAILED, OWN_STAGE, "RESTARTED", "The command server was restarted; say it again if it is still wanted."
+    Outcome.FAILED, OWN_STAGE, "RESTARTED", "The command server was restarted. Say it again if you still want it."
 )
 
 
@@ -77,10 +77,10 @@ class OpenCommand:
 
     Attributes:
         command: what was said
-        awaited_stage: the stage that must say something next
+        awaited_stage: the stage that must report next
         deadline_s: when that stage counts as silent, monotonic seconds
-        is_with_executor: whether the executor has said that it carries the command out
-        verdict: set while what the command has started is being cancelled
+        is_with_executor: whether the executor has reported that it runs the command
+        verdict: set while everything that the command started is being cancelled
     """
 
     command: CommandText
@@ -95,7 +95,7 @@ class OpenCommand:
         return self.awaited_stage == EXECUTOR_STAGE
 
     def ending(self, verdict: Verdict, remark: str) -> Ending:
-        """How it ends with a verdict; `remark` is a sentence that follows it, empty for none."""
+        """Return its ending with a verdict; `remark` is a sentence that follows it, empty for none."""
         return Ending(
             command=self.command,
             outcome=verdict.outcome,
@@ -106,25 +106,25 @@ class OpenCommand:
 
 
 def refusal_of_text(text: str, *, max_length: int) -> Optional[Tuple[str, str]]:
-    """Why a text is not taken as a command.
+    """Return why a text is refused as a command.
 
     Returns:
-        code and sentence, or None when the text may pass
+        code and sentence; None when it is accepted
     """
     if not text.strip():
         return "EMPTY_TEXT", "Nothing was said."
     if len(text) > max_length:
-        return "TEXT_TOO_LONG", f"The text has {len(text)} characters; at most {max_length} can be taken."
+        return "TEXT_TOO_LONG", f"The text has {len(text)} characters; I accept at most {max_length}."
     return None
 
 
 def stamp_after(arrival_ns: int, last_ns: int, *, clock_reset_ns: int = 1_000_000_000) -> int:
-    """Stamp of a command: its arrival, but later than the command before it, so that stamps order commands.
+    """Return the stamp of a command: its arrival, but later than the previous stamp, so that stamps order commands.
 
     Args:
         arrival_ns: when it arrived, nanoseconds of ROS time
-        last_ns: stamp of the command before it
-        clock_reset_ns: an arrival so much before the last stamp means that the clock was set back, as simulators do
+        last_ns: stamp of the previous command
+        clock_reset_ns: an arrival that is earlier than the last stamp by this much means that the clock was reset
     """
     if arrival_ns > last_ns or arrival_ns < last_ns - clock_reset_ns:
         return arrival_ns
@@ -132,7 +132,7 @@ def stamp_after(arrival_ns: int, last_ns: int, *, clock_reset_ns: int = 1_000_00
 
 
 def stage_after(stage: str) -> str:
-    """The stage that must speak after `stage` has passed a command on; the executor follows itself.
+    """Return the stage that must report after `stage` has passed a command on; the executor follows itself.
 
     Raises:
         ValueError: no such stage
@@ -159,7 +159,7 @@ class OpenCommands:
 
     @property
     def open_commands(self) -> Tuple[OpenCommand, ...]:
-        """Oldest first."""
+        """All of them, oldest first."""
         return tuple(self._open.values())
 
     def get(self, command_id: str) -> Optional[OpenCommand]:
@@ -167,7 +167,7 @@ class OpenCommands:
         return self._open.get(command_id)
 
     def open(self, command: CommandText) -> None:
-        """Take a command in; its first stage must speak before its deadline.
+        """Add a command; its first stage must report before its deadline.
 
         Raises:
             ValueError: a command with this id is open
@@ -179,7 +179,7 @@ class OpenCommands:
         )
 
     def adopt(self, command: CommandText, *, timeout_s: float) -> None:
-        """Take in a command that the last run left open; it will be answered as restarted.
+        """Add a command that the previous run left open; it will be answered as restarted.
 
         Args:
             command: what was said
@@ -192,9 +192,9 @@ class OpenCommands:
         self._condemn(replace(self._open[command.command_id], awaited_stage=EXECUTOR_STAGE), RESTARTED, timeout_s)
 
     def progress(self, command_id: str, stage: str) -> bool:
-        """Note that a stage passed the command on, or, the executor, that it still runs.
+        """A stage passed the command on, or the executor still runs it.
 
-        A stage earlier than the awaited one comes late on another connection and changes nothing.
+        The event of a stage before the awaited one is late, on another connection, and changes nothing.
 
         Returns:
             whether the command is open and the stage is one of the pipeline
@@ -219,8 +219,8 @@ class OpenCommands:
         """Close a command.
 
         Returns:
-            the ending with the command as it was opened; None when the command is not open: the ending is a later one;
-            also None while it is being cancelled, which `finish_condemned` ends, unless it was done before
+            the ending with the command as it was opened; None when the command has ended already, or is being cancelled
+            and was not done: `finish_condemned` closes it then
         """
         entry = self._open.get(ending.command.command_id)
         if entry is None or (entry.verdict is not None and ending.outcome is not Outcome.DONE):
@@ -229,7 +229,7 @@ class OpenCommands:
         return replace(ending, command=entry.command)
 
     def condemn_silent(self, *, timeout_s: float) -> List[OpenCommand]:
-        """Find every command whose stage has been silent for too long; each is found once.
+        """Find the commands whose stage missed its deadline; each is found once.
 
         Each must now be cancelled, and then closed by `finish_condemned`.
 
@@ -257,10 +257,10 @@ class OpenCommands:
 
         Args:
             command_id: its id
-            remark: what became of it, a sentence that follows the verdict; empty for none
+            remark: a sentence that follows the verdict; empty for none
 
         Returns:
-            its ending; None when it is not open any more, or has no verdict
+            its ending; None when it is not open, or has no verdict
         """
         entry = self._open.get(command_id)
         if entry is None or entry.verdict is None:
@@ -278,12 +278,12 @@ class OpenCommands:
         ]
 
     def postpone(self, duration_s: float) -> None:
-        """This process did not run for a while: no stage can be blamed for that time."""
+        """Extend all deadlines by a time in which this process was suspended, seconds."""
         for command_id, entry in self._open.items():
             self._open[command_id] = replace(entry, deadline_s=entry.deadline_s + duration_s)
 
     def begin(self, command: CommandText) -> None:
-        """A command that waited here is sent now: it has a new stamp, and its first stage must speak from now on."""
+        """Start a command that waited here: it has a new stamp, and the deadline of its first stage begins now."""
         entry = self._open.get(command.command_id)
         if entry is not None:
             self._open[command.command_id] = replace(
@@ -291,13 +291,13 @@ class OpenCommands:
             )
 
     def extend(self, command_id: str, *, timeout_s: float) -> None:
-        """Blame no stage for a command before that time: it waits for something else."""
+        """Set the deadline of a command that waits for something else than a stage, seconds from now."""
         entry = self._open.get(command_id)
         if entry is not None:
             self._open[command_id] = replace(entry, deadline_s=self._now() + timeout_s)
 
     def hold(self, command_id: str, *, timeout_s: float) -> None:
-        """A command is answered as soon as what it takes back has ended: no stage is waited for any more."""
+        """Wait for no stage any more: the command is answered when the commands that it takes back have ended."""
         entry = self._open.get(command_id)
         if entry is not None:
             self._open[command_id] = replace(entry, verdict=None, deadline_s=self._now() + timeout_s)
@@ -313,7 +313,7 @@ class OpenCommands:
         ]
 
     def next_deadline_s(self) -> Optional[float]:
-        """When a command may be overdue, monotonic seconds; None when nothing is open."""
+        """The next deadline, monotonic seconds; None when no command is open."""
         return min((entry.deadline_s for entry in self._open.values()), default=None)
 
     def _close(self, entry: OpenCommand, outcome: Outcome, *, stage: str, code: str, sentence: str) -> Ending:
@@ -327,18 +327,18 @@ class OpenCommands:
 
 
 def ending_at_shutdown(command: CommandText) -> Ending:
-    """Return what an open command hears when the command server shuts down."""
-    sentence = "The command server shuts down; the executor was told to cancel it."
+    """Return the ending of an open command when the command server shuts down."""
+    sentence = "The command server is shutting down, and has told the executor to cancel the command."
     return Ending(command=command, outcome=Outcome.FAILED, stage=OWN_STAGE, code="RESTARTED", sentence=sentence)
 
 
 def ending_of_silent_stop(stop: CommandText, *, timeout_s: float, standing: str) -> Ending:
-    """Return what a stop hears that the stop server did not answer.
+    """Return the ending of a stop that the stop server did not answer.
 
     Args:
         stop: the stop
         timeout_s: how long the stop server had
         standing: who obeys, as a sentence
     """
-    sentence = f"{STOP_STAGE} did not answer within {timeout_s:g} s; {OWN_STAGE} took its place. {standing}"
+    sentence = f"{STOP_STAGE} did not answer within {timeout_s:g} s; {OWN_STAGE} stopped the robot instead. {standing}"
     return Ending(command=stop, outcome=Outcome.FAILED, stage=STOP_STAGE, code="STAGE_SILENT", sentence=sentence)

@@ -1,31 +1,31 @@
-"""Utterances of "Stop." and what the stop server says of them."""
+"""Stops that were said, and the reports and replies of the stop server to them."""
 
 import time
 from collections import deque
 from dataclasses import dataclass, replace
 from typing import Callable, Deque, List, Optional, Tuple
 
-#: The stop server takes some milliseconds; a stop of which it says nothing for so long is carried out here as well.
+#: The stop server takes some milliseconds; after this time without its report a stop is carried out here as well.
 CONFIRMATION_S = 0.15
-#: What the stop server says may come before the utterance, by so much at most.
+#: A report may arrive before the utterance, by this much at most.
 _SKEW_S = 0.5
-#: For so long a stop that was answered here is remembered: the stop server may answer it late.
+#: How long a stop that was answered here is kept: the stop server may answer it late.
 _REMEMBER_S = 30.0
 
 
 @dataclass(frozen=True)
 class StopHeard:
-    """A stop that this node heard and that the stop server must answer.
+    """A stop that this node received, and that the stop server must answer.
 
     Attributes:
         command_id: id that the stop has here
         text: as it was said
         stamp_ns: when it was said, nanoseconds of ROS time
-        is_action: it came as a goal, so the stop server knows the same id; for texts it has an id of its own
-        heard_s: when it was heard, monotonic seconds
+        is_action: it came as a goal, so the stop server uses the same id; it gives texts an id of its own
+        heard_s: when it arrived, monotonic seconds
         deadline_s: when the stop server counts as silent, monotonic seconds
         is_confirmed: the stop server has carried it out
-        is_taken: it is carried out here
+        is_taken: this node carries it out
     """
 
     command_id: str
@@ -39,7 +39,7 @@ class StopHeard:
 
     @property
     def taking_s(self) -> float:
-        """When it is to be carried out here, monotonic seconds."""
+        """When this node must carry it out, monotonic seconds."""
         if self.is_taken:
             return float("inf")
         return self.deadline_s if self.is_confirmed else min(self.deadline_s, self.heard_s + CONFIRMATION_S)
@@ -47,7 +47,7 @@ class StopHeard:
 
 @dataclass(frozen=True)
 class _Early:
-    """What the stop server said of a stop that is still to come."""
+    """A report or reply to a stop that has not arrived yet."""
 
     command_id: str
     text: str
@@ -56,7 +56,7 @@ class _Early:
 
 
 class PendingStops:
-    """Matches stops with what the stop server says of them, whichever comes first. One thread owns it."""
+    """Matches stops with the reports and replies to them, whichever arrives first. One thread owns it."""
 
     def __init__(self, *, timeout_s: float, now: Callable[[], float] = time.monotonic, max_kept: int = 1000) -> None:
         """Start empty.
@@ -64,7 +64,7 @@ class PendingStops:
         Args:
             timeout_s: how long the stop server may be silent
             now: monotonic clock, seconds
-            max_kept: bound on everything that is kept
+            max_kept: most entries that are kept
         """
         self._timeout_s = timeout_s
         self._now = now
@@ -75,17 +75,17 @@ class PendingStops:
     def hear_stop(
         self, command_id: str, text: str, *, stamp_ns: int, is_action: bool, heard_s: Optional[float] = None
     ) -> Optional[str]:
-        """Note a stop.
+        """Add a stop.
 
         Args:
             command_id: id that it has here
             text: as it was said
             stamp_ns: when it was said, nanoseconds of ROS time
             is_action: it came as a goal
-            heard_s: when it was heard, monotonic seconds; now by default
+            heard_s: when it arrived, monotonic seconds; now by default
 
         Returns:
-            the id of a reply that it has already, or None: it waits
+            the id of the reply that it has already; None when it waits for one
         """
         heard_s = self._now() if heard_s is None else heard_s
         stop = StopHeard(command_id, text, stamp_ns, is_action, heard_s, heard_s + self._timeout_s)
@@ -101,10 +101,10 @@ class PendingStops:
         return None
 
     def hear_report(self, command_id: str, text: str) -> Optional[StopHeard]:
-        """The stop server has carried a stop out, sees to it, and will reply.
+        """The stop server has carried out a stop, and will reply.
 
         Returns:
-            the stop, None when it is still to come
+            the stop; None when it has not arrived yet
         """
         stop = self._meant_by(command_id, text, [stop for stop in self._stops if not stop.is_confirmed]) or (
             self._meant_by(command_id, text, list(self._stops))
@@ -119,7 +119,7 @@ class PendingStops:
         """The stop server has replied to a stop.
 
         Returns:
-            the stop; None when it is still to come, or was answered here before
+            the stop; None when it has not arrived yet, or was answered here
         """
         stop = self._meant_by(command_id, text, list(self._stops))
         if stop is not None:
@@ -134,7 +134,7 @@ class PendingStops:
         return None
 
     def take_silent(self, *, brake_s: float) -> List[StopHeard]:
-        """The stops to be carried out here: the stop server has said nothing, or no reply has followed; each once.
+        """Return, once each, the stops that this node must carry out, for want of a report or a reply.
 
         Args:
             brake_s: how long that takes; they are not overdue before
@@ -146,7 +146,7 @@ class PendingStops:
         return found
 
     def take_overdue(self) -> List[StopHeard]:
-        """Take out the stops that were carried out here and not answered meanwhile; forget what is old."""
+        """Remove and return the stops that were carried out here and not answered meanwhile; drops old entries."""
         now_s = self._now()
         while self._early and now_s - self._early[0].heard_s > max(_SKEW_S, self._timeout_s):
             self._early.popleft()
@@ -159,7 +159,7 @@ class PendingStops:
         return overdue
 
     def postpone(self, duration_s: float) -> None:
-        """This process did not run for a while: the stop server cannot be blamed for that time."""
+        """Extend all deadlines by a time in which this process was suspended, seconds."""
         self._stops = deque(
             (
                 replace(stop, heard_s=stop.heard_s + duration_s, deadline_s=stop.deadline_s + duration_s)
@@ -169,14 +169,14 @@ class PendingStops:
         )
 
     def next_deadline_s(self) -> Optional[float]:
-        """When a stop may be silent or overdue, monotonic seconds; None when none waits."""
+        """The next deadline of a stop, monotonic seconds; None when none waits."""
         return min((min(stop.taking_s, stop.deadline_s) for stop in self._stops), default=None)
 
     @staticmethod
     def _meant_by(command_id: str, text: str, stops: List[StopHeard]) -> Optional[StopHeard]:
-        """The oldest stop that is meant. The id counts most.
+        """Return the oldest stop that a report or reply belongs to. The id counts most.
 
-        What answers a text has an id of its own, and so has what answers a goal that was sent without any.
+        Replies to texts, and to goals that were sent without an id, have an id of the stop server.
         """
         matches: Tuple[Callable[[StopHeard], bool], ...] = (
             lambda stop: stop.command_id == command_id,

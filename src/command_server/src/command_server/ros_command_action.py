@@ -1,4 +1,4 @@
-"""The door for programs: many goals of the action `command` in flight at once."""
+"""The action ``command``: commands of programs, many goals at a time."""
 
 from typing import Callable, Dict
 
@@ -17,11 +17,11 @@ class CommandActionServer:
     def __init__(
         self, *, on_goal: Callable[[actionlib.ServerGoalHandle], None], on_cancel: Callable[[str], None]
     ) -> None:
-        """Make the server without starting it.
+        """Create the server without starting it.
 
         Args:
-            on_goal: is given the handle of each new goal
-            on_cancel: is given the id of a goal whose client asks to cancel it
+            on_goal: called with the handle of each new goal
+            on_cancel: called with the id of a goal that its client cancels
         """
         self._handles: Dict[str, actionlib.ServerGoalHandle] = {}
         self._heirs: Dict[str, str] = {}
@@ -34,21 +34,21 @@ class CommandActionServer:
         )
 
     def start(self) -> None:
-        """Begin to take goals."""
+        """Start to accept goals."""
         self._server.start()
 
     def shutdown(self) -> None:
-        """End the timer that would publish on closed topics."""
+        """Stop the timer, which would publish to closed topics."""
         if self._server.status_timer is not None:
             self._server.status_timer.shutdown()
 
     def accept(self, handle: actionlib.ServerGoalHandle) -> None:
-        """Take a goal on."""
+        """Accept a goal."""
         self._handles[handle.get_goal_id().id] = handle
         handle.set_accepted()
 
     def hand_over(self, goal_id: str, *, command_id: str) -> None:
-        """Let a goal end with another command, the one behind the stop that it began with."""
+        """Let a goal end with another command: the one after the stop that it began with."""
         self._handles[command_id] = self._handles.pop(goal_id)
         self._heirs[goal_id] = command_id
 
@@ -57,13 +57,13 @@ class CommandActionServer:
         return self._heirs.get(goal_id, goal_id)
 
     def feed_back(self, event: StageEvent) -> None:
-        """Tell the client what a stage said; nothing for commands that came by text."""
+        """Send the event of a stage to the client; nothing for commands that came as text."""
         handle = self._handles.get(event.command.id)
         if handle is not None:
             handle.publish_feedback(ExecuteCommandFeedback(event=event))
 
     def finish(self, reply: Reply, *, command_id: str) -> None:
-        """End the goal with this id; nothing for commands that came by text.
+        """End the goal with this id; nothing for commands that came as text.
 
         Done is SUCCEEDED, superseded is PREEMPTED, all else is ABORTED.
         """

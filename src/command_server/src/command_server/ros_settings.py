@@ -1,4 +1,4 @@
-"""Reads where a stop publishes and what it cancels."""
+"""Reads which topics and servers a stop applies to."""
 
 import rospy
 
@@ -7,7 +7,7 @@ from robot_stop.settings import BrakeSettings
 
 
 def read_brake_settings() -> BrakeSettings:
-    """Read where velocities go and what is cancelled besides: the parameters of the stop server, unless given here.
+    """Read the velocity topics and the servers to cancel; by default the parameters of the stop server.
 
     Raises:
         ParameterError: a parameter is out of its range

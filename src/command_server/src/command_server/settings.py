@@ -12,13 +12,13 @@ class Settings(Parameters):
     """Private parameters, checked.
 
     Attributes:
-        stage_timeout_s: how long a stage may be silent about a command before the command fails
-        executor_timeout_s: the same for the executor, which speaks every second
+        stage_timeout_s: deadline of a stage for each command
+        executor_timeout_s: the same for the executor, which reports every second
         stop_timeout_s: how long the stop server may take to answer "Stop."
-        cancel_timeout_s: how long what runs may take to end when it is forbidden or corrected
-        pause_after_stop_s: from a stop to the command behind it ("Stop and come back."); the robot comes to rest
-        max_text_length: characters of a command
-        max_open_commands: commands without a reply
+        cancel_timeout_s: deadline for the end of a command that is forbidden or corrected
+        pause_after_stop_s: from a stop to the command after it ("Stop and come back."); the robot comes to rest
+        max_text_length: most characters of a command
+        max_open_commands: most commands without a reply
 
     Raises:
         ParameterError: a value out of its range

@@ -1,7 +1,7 @@
-"""Utterances that take back what was said before them: "no, go to the garage", by words alone.
+"""Recognises utterances that take back what was said before ("no, go to the garage"), by words alone.
 
-What they ask for may be refused by any stage, or by none because it hangs; what they take back must end all the same.
-So this is decided where the command comes in, without a parser or a file.
+Any stage may refuse what they ask for, or hang; what they take back must end all the same. So the command server
+decides this itself, without a parser or a file.
 """
 
 from typing import FrozenSet, Optional, Sequence, Tuple
@@ -9,7 +9,7 @@ from typing import FrozenSet, Optional, Sequence, Tuple
 from command_server.cries import FILLERS, SOFT
 from command_server.spoken_words import plain_text, tokens_of
 
-#: What a correction opens with, in plain words: contractions are spelled out.
+#: Openings of corrections, in plain words: contractions are spelled out.
 OBJECTIONS: Tuple[str, ...] = (
     "no",
     "nope",
@@ -44,13 +44,13 @@ OBJECTIONS: Tuple[str, ...] = (
     "you are not",
     "you are wrong",
 )
-#: What a correction may end with: "go to the garage instead".
+#: Ends of corrections: "go to the garage instead".
 BEHIND: Tuple[str, ...] = ("instead", "rather", "i mean", "i meant")
-#: Behind "no" and "not" these are talk, and take nothing back: "no problem", "not yet".
+#: After "no" and "not" these take nothing back: "no problem", "not yet".
 TALK: FrozenSet[str] = frozenset(
     "thanks thank problem problems worries worry idea doubt hurry rush need matter bad yet sure now one at".split()
 )
-#: Not to do these is to go on: "no, don't stop".
+#: A negation of these means to go on: "no, don't stop".
 ENDING: FrozenSet[str] = frozenset(
     "stop halt pause wait hesitate worry forget hurry rush panic mind freeze quit cancel abort bother".split()
 )
@@ -62,7 +62,7 @@ _LONGEST_AUXILIARY = 4
 
 
 def takes_back(text: str) -> bool:
-    """Whether an utterance opens or ends as a correction of what was said before it.
+    """Whether an utterance opens or ends like a correction of what was said before.
 
     Args:
         text: in any spelling; of a very long one only the beginning counts
@@ -92,7 +92,7 @@ def _phrase_at(words: Sequence[str], position: int, phrases: Sequence[str]) -> O
 
 
 def _goes_on(words: Sequence[str]) -> bool:
-    """Whether it is said not to end: "no, don't stop"."""
+    """Whether an end is forbidden: "no, don't stop"."""
     for position, word in enumerate(words):
         if word in _NEGATIONS:
             behind = [other for other in words[position + 1 : position + _LONGEST_AUXILIARY] if other not in _AROUND]

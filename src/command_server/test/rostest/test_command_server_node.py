@@ -282,7 +282,7 @@ class CommandServerNodeTest(unittest.TestCase):
         reply = self.wait_for_reply("don't hang")
         self.assertEqual((Reply.REFUSED, "NEGATED", "semantic_framer"), (reply.outcome, reply.code, reply.stage))
         self.assertEqual(
-            'I do not begin "silent behind it". I stopped "hang in the executor, forbidden". You said not to.',
+            'I did not start "silent behind it". I stopped "hang in the executor, forbidden". You said not to.',
             reply.sentence,
         )
         self.assertEqual(Reply.SUPERSEDED, self.wait_for_reply("hang in the executor, forbidden").outcome)
@@ -301,7 +301,7 @@ class CommandServerNodeTest(unittest.TestCase):
         for number, (said, code, why) in enumerate(
             (
                 ("no, the garage", "NO_SERVER", "did no, the garage"),
-                ("no, " + "go on and " * 20, "TEXT_TOO_LONG", "The text has 204 characters; at most 100 can be taken."),
+                ("no, " + "go on and " * 20, "TEXT_TOO_LONG", "The text has 204 characters; I accept at most 100."),
             )
         ):
             running = f"hang in the executor, refused {number}"

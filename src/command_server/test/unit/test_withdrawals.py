@@ -55,20 +55,20 @@ def test_every_command_must_have_ended(withdrawals):
     assert withdrawals.hear_end(end_of(TURN, sentence="Cancelled before it began.")) == []
     assert withdrawals.hear_end(end_of(CommandText("text-9", 9, "Ping."))) == []
     (ending,) = withdrawals.hear_end(end_of(FOLLOW))
-    assert ending.sentence == 'I do not begin "turn left". I stopped "Follow me". You said not to.'
+    assert ending.sentence == 'I did not start "turn left". I stopped "Follow me". You said not to.'
 
 
 @pytest.mark.parametrize(
     "outcome, code, sentence, told",
     [
-        (Outcome.DONE, "DONE", "Done.", '"Follow me" was done before. You said not to.'),
+        (Outcome.DONE, "DONE", "Done.", '"Follow me" was already done. You said not to.'),
         (
             Outcome.FAILED,
             "STAGE_SILENT",
-            "executor did not answer within 5 s. Whether the robot still moves is not known.",
+            "executor did not answer within 5 s. I do not know whether the robot still moves.",
             (
-                '"Follow me" has ended: executor did not answer within 5 s. Whether the robot still moves is not '
-                "known. You said not to."
+                '"Follow me" has ended: executor did not answer within 5 s. I do not know whether the robot still '
+                "moves. You said not to."
             ),
         ),
         (

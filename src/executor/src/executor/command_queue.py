@@ -68,7 +68,7 @@ class CommandQueue(Generic[Job]):
         running: the order that runs, also while it is being preempted
         cause: why it is being preempted, None while it is not
         waiting: the order that starts when the running one has ended
-        stop_stamp_ns: commands said at or before it must not act; None before the first stop
+        stop_stamp_ns: commands said at or before it must not run; None before the first stop
         cancelled_ids: commands that were cancelled by name and may still arrive
     """
 

@@ -1,7 +1,7 @@
 """Settings that servers need while they work, such as the exposure of a camera.
 
-A setting belongs to a node that can be reconfigured. Before a step the settings of its server are applied, after it
-the former values come back.
+A setting belongs to a node that can be reconfigured. The settings of a server are applied before its step, and
+the former values are restored after it.
 """
 
 import math
@@ -12,7 +12,7 @@ Value = Union[bool, int, float, str]
 
 
 class SettingsError(ValueError):
-    """Settings cannot be read, applied, or given to two steps at once; the text says which and why."""
+    """Settings cannot be read or applied, or two steps need different values; the text says which and why."""
 
 
 @dataclass(frozen=True)
@@ -31,7 +31,7 @@ class Setting:
 
     @property
     def place(self) -> Tuple[str, str]:
-        """Node and name: what two values can be in conflict about."""
+        """Node and name; two values for one place are in conflict."""
         return self.node, self.name
 
 
@@ -41,7 +41,7 @@ class HeldSetting:
 
     Attributes:
         setting: what is applied
-        former: the value before; it comes back when the last owner is through
+        former: the value before; it is restored when the last owner has finished
         owners: the steps that need it
     """
 
@@ -51,7 +51,7 @@ class HeldSetting:
 
 
 def read_needs(found: object, *, server: str) -> Tuple[Setting, ...]:
-    """Read what a server says that it needs.
+    """Read the settings that a server needs.
 
     Args:
         found: a list of mappings with the keys ``node`` and ``settings``, a mapping of name to value; None for no
@@ -87,7 +87,7 @@ def read_needs(found: object, *, server: str) -> Tuple[Setting, ...]:
 
 
 def check_needs(needs: Sequence[Setting], held: Mapping[Tuple[str, str], HeldSetting]) -> None:
-    """See whether needs go together, and with what is applied already.
+    """Check that needs agree with each other and with the settings that are applied.
 
     Args:
         needs: of one step, with resolved names of nodes
@@ -100,21 +100,21 @@ def check_needs(needs: Sequence[Setting], held: Mapping[Tuple[str, str], HeldSet
     for setting in needs:
         if wanted.setdefault(setting.place, setting.value) != setting.value:
             raise SettingsError(
-                f"{setting.name} of {setting.node} is to be {wanted[setting.place]!r} and {setting.value!r} at once"
+                f"{setting.name} of {setting.node} must be {wanted[setting.place]!r} and {setting.value!r} at once"
             )
         other = held.get(setting.place)
         if other is not None and other.setting.value != setting.value:
             raise SettingsError(
-                f"{setting.name} of {setting.node} is to be {setting.value!r}, but "
+                f"{setting.name} of {setting.node} must be {setting.value!r}, but "
                 f"{', '.join(other.owners)} needs {other.setting.value!r}"
             )
 
 
 def fit_value(setting: Setting, current: Value) -> Value:
-    """The value in the type that the node has for it.
+    """Convert a value to the type that the node has for it.
 
     Raises:
-        SettingsError: it has no such value in that type, as "fast" for a number
+        SettingsError: it cannot be converted, such as "fast" to a number
     """
     value = setting.value
     if isinstance(current, bool) or isinstance(value, bool):
@@ -134,7 +134,7 @@ def fit_value(setting: Setting, current: Value) -> Value:
 
 
 def to_record(held: Mapping[Tuple[str, str], HeldSetting]) -> List[Dict[str, Value]]:
-    """What must outlive the executor: the former values."""
+    """The former values, which must outlive the executor."""
     return [{"node": entry.setting.node, "name": entry.setting.name, "former": entry.former} for entry in held.values()]
 
 
@@ -160,7 +160,7 @@ def unknown_setting(setting: Setting, known: Sequence[str]) -> SettingsError:
 
 
 def differs(wanted: Value, found: Optional[Value]) -> bool:
-    """Whether the node took another value, as when it keeps to a range."""
+    """Whether the node took another value, for example because of its range."""
     if isinstance(wanted, float) and isinstance(found, float):
         return not math.isclose(wanted, found, rel_tol=1e-9, abs_tol=1e-12)
     return wanted != found

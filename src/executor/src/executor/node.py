@@ -28,9 +28,9 @@ from roboframenet_ros.ros_node import read_parameters, run_node
 from roboframenet_ros.ros_stage import Stage
 from roboframenet_ros.suspension import SuspensionWatch
 
-# Less than the second that the stage promises, so that a busy machine keeps the promise too.
+# The stage promises an event each second; half of that leaves room for a busy machine.
 _EVENT_PERIOD_S = 0.5
-# A turn of the worker that takes longer means that the process did not run.
+# A longer turn of the worker means that the process was suspended.
 _LONGEST_TURN_S = 1.0
 
 
@@ -39,8 +39,8 @@ class Settings(Parameters):
     """Private parameters, checked; times in seconds.
 
     Attributes:
-        acceptance_timeout_s: for a server to be there, and for it to accept a goal
-        silence_timeout_s: between two signs of a server that has a goal
+        acceptance_timeout_s: for a server to connect, and for it to accept a goal
+        silence_timeout_s: between two messages of a server that has a goal
         preempt_timeout_s: for a goal to end after the first cancel
         cancel_period_s: between two cancels
         result_timeout_s: for the result after a terminal status
@@ -83,7 +83,7 @@ class _Job:
 
 @dataclass(frozen=True)
 class _Note:
-    """A run says what happens in it."""
+    """A run reports its progress."""
 
     run: CommandRun
     sentence: str
@@ -91,7 +91,7 @@ class _Note:
 
 @dataclass(frozen=True)
 class _RunEnded:
-    """The thread of a run is through."""
+    """The thread of a run has ended."""
 
     run: CommandRun
     result: RunResult
@@ -122,7 +122,7 @@ class ExecutorNode:
         self._worker = threading.Thread(target=self._work, name="executor_worker")
 
     def start(self) -> None:
-        """Begin to take commands."""
+        """Start to take commands."""
         rospy.on_shutdown(self._shutdown)
         self._running_goals.start()
         self._server_settings.start()
@@ -202,7 +202,7 @@ class ExecutorNode:
                 self._end(action.order.job.command, ending_of_unstarted(action.cause))
 
     def _start_run(self, order: "Order[_Job]") -> None:
-        rospy.loginfo("cmd=%s begins", order.key.command_id)
+        rospy.loginfo("cmd=%s starts", order.key.command_id)
         self._run = CommandRun(
             order.job.plan,
             clients=self._clients,
@@ -224,14 +224,14 @@ class ExecutorNode:
         if self._run is not None:
             self._stage.passes_on(self._commands.running.job.command, self._run.describe())
         if self._commands.waiting is not None:
-            self._stage.passes_on(self._commands.waiting.job.command, "Waiting for the end of the command before.")
+            self._stage.passes_on(self._commands.waiting.job.command, "Waiting for the previous command to end.")
 
     def _end(self, command: Command, ending: Ending) -> None:
         rospy.loginfo("cmd=%s -> %s %s: %s", command.id, ending.outcome.name, ending.code, ending.sentence)
         self._stage.ends(command, outcome=int(ending.outcome), code=ending.code, sentence=ending.sentence)
 
     def _end_all(self) -> None:
-        """Cancel what runs before the node goes, so that the robot does not go on alone."""
+        """Cancel everything before the node exits, so that the robot does not go on without it."""
         for order in (self._commands.waiting, self._commands.running):
             if order is not None:
                 self._follow(command_queue.cancel(self._commands, order.key.command_id))

@@ -1,4 +1,4 @@
-"""Connections to action servers, kept while they are in use."""
+"""Connections to action servers, kept for the next goal."""
 
 import threading
 from collections import OrderedDict
@@ -11,7 +11,7 @@ from roboframenet_ros.ros_action_connection import ActionConnection
 
 
 class ActionClients:
-    """Connections by name of the server, the ones used last."""
+    """Keeps the connections that were used last, by name of the server."""
 
     def __init__(self, *, max_kept: int) -> None:
         """Start with none.
@@ -24,7 +24,7 @@ class ActionClients:
         self._connections: OrderedDict[str, ActionConnection] = OrderedDict()
 
     def get(self, server: str, *, timeout_s: float) -> Optional[ActionConnection]:
-        """The connection to a server, made if need be.
+        """Return the connection to a server; connects if necessary.
 
         Returns:
             None when the master did not answer in time

@@ -64,11 +64,11 @@ def _config(values: Dict[str, Value]) -> Config:
 
 
 class DriverSettings:
-    """Applies the settings that servers need and brings the former values back.
+    """Applies the settings that servers need, and restores the former values.
 
-    What a server needs stands in the parameter ``<server>/required_settings`` (`read_needs`). The former values are
-    kept in a private parameter, so that an executor that was killed restores them when it is started again. A node that
-    is away keeps its former values waiting until it is back.
+    The parameter ``<server>/required_settings`` holds what a server needs (`read_needs`). The former values are kept in
+    a private parameter, so that an executor that was killed restores them when it is restarted. The values of a node
+    that is not running are restored when it is back.
     """
 
     def __init__(self, *, timeout_s: float, parameter: str = "~applied_settings") -> None:
@@ -87,12 +87,12 @@ class DriverSettings:
         self._thread = threading.Thread(target=self._restore_left_over, name="settings_keeper", daemon=True)
 
     def start(self) -> None:
-        """Begin to restore what the last run left."""
+        """Start to restore what the previous run left."""
         try:
             with self._lock:
                 self._left_over = list(from_record(self._record.load()))
         except ValueError as error:
-            rospy.logwarn("settings of the last run are not restored: %s", error)
+            rospy.logwarn("settings of the previous run are not restored: %s", error)
         self._thread.start()
 
     def close(self, *, timeout_s: float) -> None:
@@ -129,7 +129,7 @@ class DriverSettings:
                 raise
 
     def restore(self, *, owner: str) -> None:
-        """Bring back the former values of what nobody needs any more; never raises."""
+        """Restore the former values of settings that no step needs any more; never raises."""
         with self._lock:
             self._restore(owner)
 
@@ -142,7 +142,7 @@ class DriverSettings:
                 raise unknown_setting(setting, list(current))
             wanted[setting.name] = fit_value(setting, current[setting.name])
             known = self._held.get(setting.place)
-            # A value that still waits to be restored is what the setting was before anybody changed it.
+            # A value that is still to be restored is the one from before the first change.
             former = waiting[setting.place].value if setting.place in waiting else current[setting.name]
             self._held[setting.place] = (
                 HeldSetting(setting=setting, former=former, owners=(owner,))
@@ -150,7 +150,7 @@ class DriverSettings:
                 else replace(known, owners=known.owners + (owner,))
             )
         self._left_over = [setting for setting in self._left_over if setting.place not in self._held]
-        # First the record, then the change: a kill in between restores what has not changed.
+        # Saved before the change: a kill in between restores a value that has not changed.
         self._save()
         after = self._reconfigure(node, wanted)
         for name, value in wanted.items():
@@ -174,12 +174,12 @@ class DriverSettings:
             self._restore_node(node)
 
     def _restore_node(self, node: str) -> bool:
-        """Give a node its former values back; they stay left over when it is away."""
+        """Restore the former values of a node; they are kept when it is not running."""
         mine = [setting for setting in self._left_over if setting.node == node]
         try:
             self._reconfigure(node, {setting.name: setting.value for setting in mine})
         except SettingsError as error:
-            rospy.logwarn("settings wait to be restored: %s", error)
+            rospy.logwarn("settings cannot be restored yet: %s", error)
             return False
         rospy.loginfo("settings of %s are restored: %s", node, {setting.name: setting.value for setting in mine})
         self._left_over = [setting for setting in self._left_over if setting.node != node]
@@ -187,7 +187,7 @@ class DriverSettings:
         return True
 
     def _restore_left_over(self) -> None:
-        # A node that hangs holds the lock while it is asked: the pauses grow, so that steps get through.
+        # A node that hangs holds up the lock: growing pauses let steps take it.
         wait_s = _RETRY_S
         while not self._is_closing.is_set():
             with self._lock:
@@ -201,10 +201,10 @@ class DriverSettings:
             {"node": setting.node, "name": setting.name, "former": setting.value} for setting in self._left_over
         ]
         if not self._record.save(record, timeout_s=_SAVE_TIMEOUT_S):
-            rospy.logwarn("the master is slow to keep the settings")
+            rospy.logwarn("saving the driver settings to the parameter server timed out")
 
     def _reconfigure(self, node: str, values: Dict[str, Value]) -> Dict[str, Value]:
-        """Change settings of a node; returns all of them. No change, for no values, only reads."""
+        """Change settings of a node, none for empty values; returns all of its settings."""
         service = f"{node}/set_parameters"
 
         def ask() -> Dict[str, Value]:

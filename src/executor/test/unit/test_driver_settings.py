@@ -53,7 +53,7 @@ def test_same_value_can_be_shared():
 
 
 def test_conflict_with_another_step_names_it():
-    with pytest.raises(SettingsError, match="exposure of /camera is to be 20, but other step needs 30"):
+    with pytest.raises(SettingsError, match="exposure of /camera must be 20, but other step needs 30"):
         check_needs([EXPOSURE], held(30))
 
 

@@ -1,4 +1,4 @@
-"""Fills frames: from a lexical unit, and from a parent frame by the relations of its child."""
+"""Fills frames from a lexical unit, or from a parent frame by the relations of its child."""
 
 import operator
 from dataclasses import dataclass
@@ -24,7 +24,7 @@ class FilledFrame:
     Attributes:
         name: of the frame
         arguments: element name and argument, in the order of the frame's file; elements without one are left out
-        server: name of the action server that is to carry it out; empty while nobody is chosen
+        server: name of the action server that carries it out; empty while none is chosen
     """
 
     name: str

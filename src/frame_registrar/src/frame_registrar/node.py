@@ -1,4 +1,4 @@
-"""The frame registrar: who can carry out what was evoked."""
+"""The frame registrar node: filled frames in, candidates for each clause out."""
 
 import threading
 import uuid
@@ -43,7 +43,7 @@ from semantic_frames import FileRefused, Problem, load_frame
 from semantic_frames.frame import SemanticFrame
 from semantic_frames.source_files import FRAMES_FOLDER, read_text, replace_problems, yaml_files
 
-#: Kept on the master by the node for itself: files that were added while it ran.
+#: Written by the node, for its own restarts: files that were added while it ran.
 ADDED_FRAMES = "~_added_frames"
 
 
@@ -53,7 +53,7 @@ class Settings(Parameters):
 
     Attributes:
         frame_paths: files, and folders with folders named ``frames``
-        max_candidates: the search for a clause ends when so many are found
+        max_candidates: the search for a clause ends at this number
         liveness_period_s: pause between two rounds of asking the servers
         liveness_timeout_s: how long a node may take to answer
     """
@@ -65,7 +65,7 @@ class Settings(Parameters):
 
 
 class FrameRegistrar:
-    """Keeps the graph of frames and answers each command with the candidates of its clauses or a refusal.
+    """Keeps the graph of frames, and answers each command with the candidates of its clauses or a refusal.
 
     Subscribes:
         command_lexical_units (CommandLexicalUnits)
@@ -134,16 +134,16 @@ class FrameRegistrar:
         before = self._graph.frame(frame.name)
         self._graph.add(frame)
         if before is not None and before.path != frame.path:
-            rospy.logwarn("frame '%s' of %s takes the place of the one of %s", frame.name, frame.path, before.path)
+            rospy.logwarn("frame '%s' of %s replaces that of %s", frame.name, frame.path, before.path)
             self._texts.pop(before.path, None)
         for name in [name for name, other in self._graph.frames.items() if other.path == frame.path]:
             if name != frame.name:
-                rospy.loginfo("frame '%s' is gone: %s describes '%s' now", name, frame.path, frame.name)
+                rospy.loginfo("frame '%s' is removed: %s now describes '%s'", name, frame.path, frame.name)
                 self._graph.remove(name)
 
     def _on_add_frame(self, request: AddFrameRequest) -> AddFrameResponse:
         path = request.absolute_file_path
-        # Of two files added at once neither may be lost from the parameter, and no command waits for the master.
+        # A lock of its own: two files added at once are both kept, and no command waits for the master.
         with self._adding:
             is_added = self._add_file(path)
             if is_added:
@@ -161,7 +161,7 @@ class FrameRegistrar:
         server = request.callback_topic
         if server.strip() and (server.startswith("~") or not rosgraph.names.is_legal_name(server)):
             errors: Tuple[str, ...] = (
-                f"'{server}' is no name of an action server: a graph name without '~' is expected",
+                f"'{server}' is not the name of an action server: expected a graph name without '~'",
             )
         else:
             with self._lock:
@@ -186,11 +186,11 @@ class FrameRegistrar:
         with self._lock:
             is_changed = self._graph.set_dead(servers)
         if is_changed:
-            rospy.loginfo("action servers that are not there: %s", ", ".join(sorted(servers)) or "none")
+            rospy.loginfo("action servers that are not running: %s", ", ".join(sorted(servers)) or "none")
             self._publish_catalogue()
 
     def _publish_catalogue(self) -> None:
-        # Published under the lock: of two changes at once, the later must be the one that stays latched.
+        # Published under the lock: the later of two changes must stay latched.
         with self._lock:
             self._catalogue.publish(
                 FrameCatalogue(
@@ -206,10 +206,10 @@ class FrameRegistrar:
     def _on_command(self, message: CommandLexicalUnits) -> None:
         try:
             if message.plan.nodes:
-                raise ValueError("the clauses of the command belong together in a way that nothing carries out yet.")
+                raise ValueError("the clauses of the command are joined in a way that is not supported yet.")
             with self._lock:
                 outcome = search(self._graph, to_clauses(message.clauses), max_candidates=self._settings.max_candidates)
-        except Exception as error:  # boundary: whatever fails here, the command gets its reply
+        except Exception as error:  # boundary: the command gets its reply, whatever fails
             rospy.logerr("cmd=%s failed: %s", message.command.id, error, exc_info=True)
             self._stage.ends(
                 message.command,

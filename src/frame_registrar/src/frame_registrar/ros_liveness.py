@@ -1,4 +1,4 @@
-"""Which action servers are there, by what the master and the nodes themselves say."""
+"""Finds out which action servers are running, from the master and the nodes themselves."""
 
 import threading
 import xmlrpc.client
@@ -9,17 +9,17 @@ import rospy
 
 from roboframenet_ros.ros_master import NO_ANSWER, TimedTransport
 
-#: A server that seems to have gone is looked for once more after this time, seconds: a node may be busy, and a server
-#: that registers before it starts is about to be there.
+#: A server that seems dead is checked again after this time, seconds: its node may be busy, or the server may have
+#: registered just before it started.
 _SECOND_LOOK_S = 1.0
 
 
 class LivenessWatch:
-    """Asks at a low rate whether the nodes behind action servers still answer.
+    """Asks the nodes of action servers at a low rate whether they still answer.
 
     The master knows which node publishes ``<server>/status``, also long after that node was killed; the node itself
-    answers ``getPid``. Both are the distribution's own interfaces: servers need nothing for it, and a process with
-    many servers is asked once.
+    answers ``getPid``. Both are interfaces of ROS: servers need no code for it, and a process with many servers is
+    asked once.
     """
 
     def __init__(
@@ -33,7 +33,7 @@ class LivenessWatch:
         """
         Args:
             servers: returns the names of the servers to watch
-            on_dead: called from the thread of the watch with those that are not there
+            on_dead: called from the thread of the watch with the servers that are not running
             period_s: pause between two rounds
             timeout_s: how long a node may take to answer
         """
@@ -41,7 +41,7 @@ class LivenessWatch:
         self._on_dead = on_dead
         self._period_s = period_s
         self._timeout_s = timeout_s
-        # By address of the node. Connections are kept: to make one costs the node a thread and more than the answer.
+        # By address of the node. Connections are kept: a new one costs the node a thread and more time than the answer.
         self._proxies: Dict[str, xmlrpc.client.ServerProxy] = {}
         self._dead: FrozenSet[str] = frozenset()
         self._stop = threading.Event()
@@ -63,7 +63,7 @@ class LivenessWatch:
                 if dead - self._dead and not self._stop.wait(min(_SECOND_LOOK_S, self._period_s)):
                     dead &= self._dead_among(servers)
             except NO_ANSWER as error:
-                # A master that is busy or away says nothing about the servers.
+                # When the master does not answer, nothing is known about the servers.
                 rospy.logwarn_throttle(30.0, "cannot ask the master who is alive: %s", error)
                 continue
             self._dead = dead

@@ -1,4 +1,4 @@
-"""Searches the graph of frames for everything that is able to do what was said."""
+"""Searches the graph of frames for the candidates of each clause."""
 
 from dataclasses import dataclass, replace
 from itertools import islice, product
@@ -37,7 +37,7 @@ class Reading:
         frame_name: the frame that the verb evokes
         arguments: of its elements
         coverage: share of the clause's content words that it accounts for, 0 to 1
-        preference: 0 is meant most likely, then 1; alternatives that were said ("or") are one reading
+        preference: 0 for the likeliest reading, then 1; alternatives that were said ("or") are one reading
     """
 
     frame_name: str
@@ -48,12 +48,12 @@ class Reading:
 
 @dataclass(frozen=True)
 class Candidate:
-    """Frames that, carried out in this order, do what a clause says; each names its server.
+    """Frames that carry out a clause, in this order; each names its server.
 
     Attributes:
         frames: at least one
         coverage: of the reading that it comes from
-        preference: of that reading; every candidate of 0 is to be tried before those of 1
+        preference: of that reading; every candidate of 0 is tried before those of 1
     """
 
     frames: Frames
@@ -61,9 +61,9 @@ class Candidate:
     preference: int = 0
 
 
-#: When several readings fail, the reason that tells the person most comes first.
+#: When several readings fail, the most informative reason is told: the first of these.
 _REASONS = ("LIMIT", "VALUE_NOT_ALLOWED", "MISSING_ELEMENT", "NO_SERVER", "UNKNOWN_FRAME")
-#: Several roads through the graph may lead to the same frames, which count once.
+#: Limit of sequences that are examined; several paths through the graph may give the same one.
 _MOST_EXAMINED = 100_000
 _NOTHING_UNDERSTOOD = Refusal("NO_READING", "I understood nothing that I could do.")
 
@@ -80,8 +80,8 @@ def search(
 
     Args:
         graph: frames and servers
-        clauses: in the order in which they are to be done; the readings of each are alternatives
-        max_candidates: the search for a clause ends when so many are found
+        clauses: in the order in which they are carried out; the readings of each are alternatives
+        max_candidates: the search for a clause ends at this number
     Returns:
         candidates of each clause, those of the likeliest reading first; a refusal when a clause has none
     """
@@ -96,7 +96,7 @@ def search(
 
 
 def combinations(by_clause: Sequence[Sequence[Candidate]], most: int) -> Tuple[Frames, ...]:
-    """Return what 2012 published: sequences of frames that do all clauses, so many at most."""
+    """Return the candidates as 2012 published them: at most ``most`` sequences of frames that carry out all clauses."""
     products = islice(product(*by_clause), most)
     return tuple(tuple(frame for candidate in found for frame in candidate.frames) for found in products)
 
@@ -108,7 +108,7 @@ def _order(reading: Reading) -> Tuple[int, float]:
 def _search_clause(
     finder: SequenceFinder, readings: Sequence[Reading], max_candidates: int
 ) -> Union[Tuple[Candidate, ...], Refusal]:
-    """Find the ways to carry out one clause, the likeliest reading first, none of them twice."""
+    """Find the candidates of one clause, the likeliest reading first, without duplicates."""
     found: Dict[Frames, Candidate] = {}
     refusals: List[Refusal] = []
     for reading in sorted(readings, key=_order):
@@ -116,7 +116,7 @@ def _search_clause(
         if frame is None:
             name = spoken_name(reading.frame_name)
             refusals.append(
-                Refusal("UNKNOWN_FRAME", f'The lexicon speaks of "{name}", but no file describes that frame.')
+                Refusal("UNKNOWN_FRAME", f'The lexicon names the frame "{name}", but no file describes it.')
             )
             continue
         for task in _tasks(frame, reading):
@@ -137,7 +137,7 @@ def _search_clause(
         return tuple(found.values())
     if finder.is_truncated:
         return Refusal(
-            "TOO_MANY_CANDIDATES", "There are more ways to do that than I can look at, and none works so far."
+            "TOO_MANY_CANDIDATES", "There are more ways to do that than I can check, and I found none that works."
         )
     if not refusals:
         return _NOTHING_UNDERSTOOD
@@ -146,7 +146,7 @@ def _search_clause(
 
 
 def _tasks(frame: SemanticFrame, reading: Reading) -> Iterator[List[Dict[str, str]]]:
-    """Take lists apart: "or" gives alternative tasks, "and" one frame for each item where the frame repeats."""
+    """Expand lists: "or" gives alternative tasks; "and" gives one frame for each item if the frame repeats."""
     lists = [argument for argument in reading.arguments if len(argument.items) > 1]
     alternative = next((argument for argument in lists if argument.conjunction == "or"), None)
     if alternative is not None:

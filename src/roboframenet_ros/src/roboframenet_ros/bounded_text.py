@@ -1,11 +1,11 @@
-"""Text that goes with an event must not fill the queues of those who listen."""
+"""Cuts the text of an event, so that it does not fill the queues of subscribers."""
 
-#: Characters of a trace; a sentence of ten words has about three thousand.
+#: Most characters of a trace; that of a sentence of ten words has about three thousand.
 MAX_LENGTH = 20_000
 
 
 def bounded(text: str, max_length: int = MAX_LENGTH) -> str:
-    """Return whole lines of a text up to a length, and how many more there are."""
+    """Return the first lines of a text, up to a length, and the number of the lines left out."""
     if len(text) <= max_length:
         return text
     kept = text[:max_length].rpartition("\n")[0]

@@ -8,15 +8,15 @@ Answer = TypeVar("Answer")
 
 
 class NoAnswer(RuntimeError):
-    """There was no answer in time."""
+    """A call has not returned in time."""
 
 
 def within(timeout_s: float, ask: Callable[[], Answer], *, name: str) -> Answer:
-    """Call a function in a thread of its own, and wait for its answer no longer than a deadline.
+    """Call a function in a thread of its own, and wait for its return value until a deadline.
 
     Args:
         timeout_s: how long to wait
-        ask: what is called; it goes on behind the deadline, and its answer is lost then
+        ask: the function; after the deadline it goes on, and its return value is lost
         name: of the thread
 
     Raises:
@@ -28,7 +28,7 @@ def within(timeout_s: float, ask: Callable[[], Answer], *, name: str) -> Answer:
     def run() -> None:
         try:
             answer = ask()
-        except Exception as error:  # boundary: the caller gets what the function raises
+        except Exception as error:  # boundary: raised again in the caller
             fault = error
             answers.put(lambda: _raise(fault))
         else:

@@ -24,7 +24,7 @@ class ParameterError(ValueError):
 
 @dataclass(frozen=True)
 class _Range:
-    """What a parameter may be; None for no bound."""
+    """Allowed values of a parameter; None for no bound."""
 
     least: Optional[float] = None
     most: Optional[float] = None

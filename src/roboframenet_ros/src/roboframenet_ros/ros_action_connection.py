@@ -1,4 +1,4 @@
-"""The client's side of one action server, of any type."""
+"""The client of one action server of any type."""
 
 from typing import Any, Callable, List
 
@@ -9,7 +9,7 @@ from actionlib_msgs.msg import GoalID, GoalStatusArray
 
 
 class SentGoal:
-    """A goal on its way. actionlib forgets a goal whose handle nobody keeps: keep this object."""
+    """A goal that was sent. actionlib drops a goal whose handle is not kept: keep this object."""
 
     def __init__(self, handle: actionlib.ClientGoalHandle, goal_id: str) -> None:
         self.handle = handle
@@ -20,17 +20,17 @@ class ActionConnection:
     """The client of one action server. Callbacks run in threads of rospy and must only enqueue."""
 
     def __init__(self, server: str, action_type: Any) -> None:
-        """Connect; asks the master and may therefore take long when the master does.
+        """Connect. This calls the master, without a deadline.
 
         Args:
             server: name of the action server
             action_type: class of its action
 
         Raises:
-            ValueError: not a name for a topic
+            ValueError: not a legal name of a topic
         """
         if not rosgraph.names.is_legal_name(server):
-            # rospy only warns of such a name, and then waits for a topic that cannot be.
+            # rospy only warns of such a name, and then waits for a topic that cannot exist.
             raise ValueError("it is not a legal name")
         self.server = server
         self._client = actionlib.ActionClient(server, action_type)
@@ -45,7 +45,7 @@ class ActionConnection:
         self._client.stop()
 
     def is_ready(self) -> bool:
-        """Whether the server has said something and is connected both ways; unlike actionlib's wait, at once."""
+        """Whether the server has published its status and is connected both ways; returns at once."""
         status = self._client.last_status_msg
         if status is None:
             return False
@@ -62,7 +62,7 @@ class ActionConnection:
         return any(connection.callerid_pub == server_node for connection in subscriber.impl.connections)
 
     def listen(self, on_sign: Callable[[], None]) -> None:
-        """Have `on_sign` called for each status message."""
+        """Call `on_sign` for each status message from now on."""
         self._listeners = self._listeners + [on_sign]
 
     def unlisten(self, on_sign: Callable[[], None]) -> None:
@@ -74,7 +74,7 @@ class ActionConnection:
             listener()
 
     def is_gone(self) -> bool:
-        """Whether nobody takes goals any more: the process of the server has ended."""
+        """Whether the server has no subscriber for goals any more: its process has ended."""
         return self._client.pub_goal.get_num_connections() == 0
 
     def send(
@@ -88,8 +88,8 @@ class ActionConnection:
 
         Args:
             goal: of the server's type
-            on_transition: gets the handle whenever its state changes
-            on_feedback: gets each feedback
+            on_transition: called with the handle whenever its state changes
+            on_feedback: called with each feedback
         """
         handle = self._client.send_goal(
             goal, transition_cb=on_transition, feedback_cb=lambda _handle, feedback: on_feedback(feedback)
@@ -99,6 +99,6 @@ class ActionConnection:
     def cancel(self, goal: SentGoal) -> None:
         """Send one cancel.
 
-        Not by the handle: its second cancel would turn a goal that has just ended into one that waits for ever.
+        Not through the handle: a second cancel of the handle turns a goal that has just ended into one that never ends.
         """
         self._client.pub_cancel.publish(GoalID(id=goal.goal_id))

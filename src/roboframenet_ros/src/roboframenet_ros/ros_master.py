@@ -25,7 +25,7 @@ class MasterError(RuntimeError):
 
 
 class TimedTransport(xmlrpc.client.Transport):
-    """HTTP that gives up on a silent host."""
+    """HTTP with a deadline for a host that does not answer."""
 
     def __init__(self, timeout_s: float) -> None:
         """Set the deadline of each connection, seconds."""
@@ -41,14 +41,14 @@ class TimedTransport(xmlrpc.client.Transport):
 
 @dataclass(frozen=True)
 class SystemState:
-    """Who publishes and who subscribes each topic: names of topics to names of nodes."""
+    """Publishers and subscribers of each topic: names of nodes by name of the topic."""
 
     publishers: Mapping[str, FrozenSet[str]]
     subscribers: Mapping[str, FrozenSet[str]]
 
 
 class TimedMaster:
-    """Questions to the master that end. One thread owns it.
+    """Calls to the master with a deadline. One thread owns it.
 
     Every method raises one of `NO_ANSWER`, or MasterError.
     """
@@ -62,14 +62,14 @@ class TimedMaster:
         self._proxy = xmlrpc.client.ServerProxy(rosgraph.get_master_uri(), transport=TimedTransport(timeout_s))
 
     def topic_types(self) -> Dict[str, str]:
-        """Type of each topic that the master knows; it forgets none, not even of nodes that are gone."""
+        """Return the type of each topic that the master knows, including topics of nodes that have ended."""
         code, message, types = self._proxy.getTopicTypes(rospy.get_name())
         if code != 1:
             raise MasterError(str(message))
         return dict(types)
 
     def system_state(self) -> SystemState:
-        """Who publishes and who subscribes."""
+        """Return the publishers and subscribers of all topics."""
         code, message, state = self._proxy.getSystemState(rospy.get_name())
         if code != 1:
             raise MasterError(str(message))

@@ -1,4 +1,4 @@
-"""A value on the parameter server, for the node that is started again."""
+"""A value on the parameter server that outlives its node."""
 
 import json
 import threading
@@ -11,9 +11,9 @@ _RETRY_S = 0.5
 
 
 class PersistentParameter:
-    """Writes a value as JSON from a thread of its own, so that a hung master holds up nobody for long.
+    """Writes a value to a parameter, in a thread of its own, so that callers do not wait for a master that hangs.
 
-    JSON in ASCII, because XML-RPC carries neither control characters nor integers of 64 bits.
+    The value is JSON in ASCII, because XML-RPC has neither control characters nor integers of 64 bits.
     """
 
     def __init__(self, parameter: str) -> None:
@@ -27,11 +27,11 @@ class PersistentParameter:
         self._wanted: Optional[str] = None
         self._written: Optional[str] = None
         self._is_closing = False
-        self._thread = threading.Thread(target=self._write_on, name=f"record_{parameter}", daemon=True)
+        self._thread = threading.Thread(target=self._write_on, name=f"save {parameter}", daemon=True)
         self._thread.start()
 
     def load(self) -> object:
-        """The value that the last run left, None for none.
+        """Return the value that the previous run left; None for none.
 
         Raises:
             ValueError: it is not JSON
@@ -39,7 +39,7 @@ class PersistentParameter:
         return json.loads(str(rospy.get_param(self._parameter, "null")))
 
     def save(self, value: object, *, timeout_s: float) -> bool:
-        """Have the value written; returns whether it was, within the time. The thread goes on trying."""
+        """Set the value; returns whether it was written in time. The thread tries again until it is."""
         text = json.dumps(value)
         end_s = time.monotonic() + timeout_s
         with self._changed:
@@ -70,7 +70,7 @@ class PersistentParameter:
             try:
                 rospy.set_param(self._parameter, wanted)
             except Exception as error:  # boundary: the master may be away in any way that XML-RPC knows
-                rospy.logwarn_throttle(10.0, f"{self._parameter} cannot be kept: {error}")
+                rospy.logwarn_throttle(10.0, f"{self._parameter} cannot be saved: {error}")
                 with self._changed:
                     self._changed.wait(_RETRY_S)
                 continue

@@ -6,12 +6,12 @@ import rospy
 
 from roboframenet_ros.deadline import NoAnswer, within
 
-# Beyond its own time-out, the wait for a service takes no longer than this unless the master hangs, seconds.
+# The wait for a service ends this long after its own time-out, unless the master hangs; seconds.
 _SLACK_S = 1.0
 
 
 class ServiceError(RuntimeError):
-    """A service was not there, did not answer in time, or failed; the message says which."""
+    """A service was not available, did not answer in time, or failed; the message says which."""
 
 
 def call_service(
@@ -29,9 +29,9 @@ def call_service(
         name: of the service
         service_type: its class
         timeout_s: how long to wait for the service to exist
-        answer_timeout_s: how long to wait then for the answer; the same again where it is left out
-        message: the request
-        request: or its fields
+        answer_timeout_s: how long to wait for the answer then; ``timeout_s`` by default
+        message: the request; None for one that is made of the fields
+        request: fields of the request
     Returns:
         the response
     Raises:
@@ -39,10 +39,10 @@ def call_service(
     """
     answer_timeout_s = timeout_s if answer_timeout_s is None else answer_timeout_s
     try:
-        # The wait itself asks the master, which may hang.
+        # The wait itself calls the master, which may hang.
         within(timeout_s + _SLACK_S, lambda: rospy.wait_for_service(name, timeout=timeout_s), name=f"wait for {name}")
     except (rospy.ROSException, NoAnswer) as error:
-        raise ServiceError(f"the service {name} is not there (waited {timeout_s:g} s)") from error
+        raise ServiceError(f"the service {name} is not available (waited {timeout_s:g} s)") from error
 
     def call() -> Any:
         proxy = rospy.ServiceProxy(name, service_type)

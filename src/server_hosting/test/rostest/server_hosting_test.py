@@ -73,7 +73,7 @@ class ServerHostingTest(unittest.TestCase):
         for frame_name, reason in (
             ("missing_program", "nowhere cannot be started"),
             ("missing_file", "no_such.launch"),
-            ("silent", "another_name is not there"),
+            ("silent", "another_name is not running"),
             ("unknown", "no server is known"),
         ):
             status, text = self.end(self.send(frame_name))
