@@ -4,10 +4,9 @@ import threading
 import xmlrpc.client
 from typing import Callable, Dict, FrozenSet, Iterable, Tuple
 
-import rosgraph
 import rospy
 
-from roboframenet_ros.ros_master import NO_ANSWER, TimedTransport
+from roboframenet_ros.ros_master import NO_ANSWER, TimedMaster, TimedTransport
 
 #: A server that seems dead is checked again after this time, seconds: its node may be busy, or the server may have
 #: registered just before it started.
@@ -35,12 +34,13 @@ class LivenessWatch:
             servers: returns the names of the servers to watch
             on_dead: called from the thread of the watch with the servers that are not running
             period_s: pause between two rounds
-            timeout_s: how long a node may take to answer
+            timeout_s: how long a node, or the master, may take to answer
         """
         self._servers = servers
         self._on_dead = on_dead
         self._period_s = period_s
         self._timeout_s = timeout_s
+        self._master = TimedMaster(timeout_s=timeout_s)
         # By address of the node. Connections are kept: a new one costs the node a thread and more time than the answer.
         self._proxies: Dict[str, xmlrpc.client.ServerProxy] = {}
         self._dead: FrozenSet[str] = frozenset()
@@ -70,9 +70,7 @@ class LivenessWatch:
             self._on_dead(dead)
 
     def _dead_among(self, servers: Tuple[str, ...]) -> FrozenSet[str]:
-        master = rosgraph.Master(rospy.get_name())
-        publishers, _, _ = master.getSystemState()
-        nodes_of: Dict[str, Tuple[str, ...]] = {topic: tuple(nodes) for topic, nodes in publishers}
+        nodes_of = self._master.system_state().publishers
         answers: Dict[str, bool] = {}
         dead = set()
         known = self._proxies
@@ -81,14 +79,14 @@ class LivenessWatch:
             nodes = nodes_of.get(rospy.resolve_name(server + "/status"), ())
             for node in nodes:
                 if node not in answers:
-                    answers[node] = node == rospy.get_name() or self._answers(master, node, known)
+                    answers[node] = node == rospy.get_name() or self._answers(node, known)
             if not any(answers[node] for node in nodes):
                 dead.add(server)
         return frozenset(dead)
 
-    def _answers(self, master: rosgraph.Master, node: str, known: Dict[str, xmlrpc.client.ServerProxy]) -> bool:
+    def _answers(self, node: str, known: Dict[str, xmlrpc.client.ServerProxy]) -> bool:
         try:
-            uri: str = master.lookupNode(node)
+            uri = self._master.uri_of(node)
             proxy = known.get(uri) or xmlrpc.client.ServerProxy(uri, transport=TimedTransport(self._timeout_s))
             is_alive: bool = proxy.getPid(rospy.get_name())[0] == 1
             self._proxies[uri] = proxy

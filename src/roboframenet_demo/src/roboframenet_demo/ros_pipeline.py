@@ -3,10 +3,9 @@
 import xmlrpc.client
 from typing import Dict, Optional, Set, Tuple
 
-import rosgraph
 import rospy
 
-from roboframenet_ros.ros_master import NO_ANSWER, TimedTransport
+from roboframenet_ros.ros_master import NO_ANSWER, TimedMaster, TimedTransport
 
 #: Topic that each stage of the pipeline subscribes to; the parser subscribes when its models are loaded.
 STAGE_TOPICS = (
@@ -30,10 +29,10 @@ def is_pipeline_complete() -> bool:
     """
     graph = _Graph()
     try:
-        publishers, subscribers, _ = graph.master.getSystemState()
+        state = graph.master.system_state()
     except NO_ANSWER:
         return False
-    speakers, listeners = dict(publishers), dict(subscribers)
+    speakers, listeners = state.publishers, state.subscribers
     stages = {rospy.get_name()}
     for topic in map(rospy.resolve_name, STAGE_TOPICS):
         found = {node for node in listeners.get(topic, ()) if node != rospy.get_name() and graph.is_alive(node)}
@@ -52,7 +51,7 @@ class _Graph:
     """Connections of the nodes, as the nodes report them; each node is asked once."""
 
     def __init__(self) -> None:
-        self.master = rosgraph.Master(rospy.get_name())
+        self.master = TimedMaster(timeout_s=_ANSWER_TIMEOUT_S)
         self._listeners: Dict[str, Optional[Set[Tuple[str, str]]]] = {}
 
     def is_alive(self, node: str) -> bool:
@@ -70,7 +69,7 @@ class _Graph:
         """
         if node not in self._listeners:
             try:
-                uri = self.master.lookupNode(node)
+                uri = self.master.uri_of(node)
                 api = xmlrpc.client.ServerProxy(uri, transport=TimedTransport(_ANSWER_TIMEOUT_S))
                 bus = api.getBusInfo(rospy.get_name())[2]
                 self._listeners[node] = {(entry[4], entry[1]) for entry in bus if entry[2] == "o" and entry[5]}

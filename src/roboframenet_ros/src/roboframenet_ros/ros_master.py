@@ -9,19 +9,19 @@ from xml.parsers.expat import ExpatError
 import rosgraph
 import rospy
 
-#: What a question to the master or to a node may end in when it is not answered. The port of a dead node may belong to
-#: a program that speaks no XML-RPC.
+
+class MasterError(RuntimeError):
+    """The master refused a call; the message says why."""
+
+
+#: Errors of a call to the master or to a node. The port of a dead node may now belong to a program without XML-RPC.
 NO_ANSWER: Tuple[Type[Exception], ...] = (
     OSError,
     http.client.HTTPException,
     ExpatError,
     xmlrpc.client.Error,
-    rosgraph.MasterException,
+    MasterError,
 )
-
-
-class MasterError(RuntimeError):
-    """The master answered, but not with what was asked for."""
 
 
 class TimedTransport(xmlrpc.client.Transport):
@@ -50,7 +50,7 @@ class SystemState:
 class TimedMaster:
     """Calls to the master with a deadline. One thread owns it.
 
-    Every method raises one of `NO_ANSWER`, or MasterError.
+    Every method raises one of `NO_ANSWER`.
     """
 
     def __init__(self, *, timeout_s: float) -> None:
@@ -78,3 +78,10 @@ class TimedMaster:
             publishers={topic: frozenset(nodes) for topic, nodes in publishers},
             subscribers={topic: frozenset(nodes) for topic, nodes in subscribers},
         )
+
+    def uri_of(self, node: str) -> str:
+        """Return the address of a node."""
+        code, message, uri = self._proxy.lookupNode(rospy.get_name(), node)
+        if code != 1:
+            raise MasterError(str(message))
+        return str(uri)
