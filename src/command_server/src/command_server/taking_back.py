@@ -1,4 +1,4 @@
-"""Recognises utterances that take back what was said before ("no, go to the garage"), by words alone.
+"""Recognises utterances that take back or forbid what was said before ("no, go to the garage"), by words alone.
 
 Any stage may refuse what they ask for, or hang; what they take back must end all the same. So the command server
 decides this itself, without a parser or a file.
@@ -9,18 +9,15 @@ from typing import FrozenSet, Optional, Sequence, Tuple
 from command_server.cries import FILLERS, SOFT
 from command_server.spoken_words import plain_text, tokens_of
 
-#: Openings of corrections, in plain words: contractions are spelled out.
+#: Openings of corrections and prohibitions, in plain words: contractions are spelled out.
 OBJECTIONS: Tuple[str, ...] = (
     "no",
     "nope",
     "nah",
     "not",
     "wrong",
-    "oops",
-    "sorry",
-    "actually",
-    "rather",
-    "instead",
+    "do not",
+    "never",
     "i mean",
     "i meant",
     "i said",
@@ -44,6 +41,8 @@ OBJECTIONS: Tuple[str, ...] = (
     "you are not",
     "you are wrong",
 )
+#: Openings that may also be said alone, and then take nothing back: "sorry".
+WEAK_OBJECTIONS: Tuple[str, ...] = ("oops", "sorry", "actually", "rather", "instead")
 #: Ends of corrections: "go to the garage instead".
 BEHIND: Tuple[str, ...] = ("instead", "rather", "i mean", "i meant")
 #: After "no" and "not" these take nothing back: "no problem", "not yet".
@@ -56,19 +55,22 @@ ENDING: FrozenSet[str] = frozenset(
 )
 _PAUSES: FrozenSet[str] = frozenset(",.")
 _NEGATIONS: FrozenSet[str] = frozenset(["not", "never"])
-_AROUND: FrozenSet[str] = (FILLERS | SOFT | _PAUSES) - {objection.split()[0] for objection in OBJECTIONS}
+_EMPHASIS: FrozenSet[str] = frozenset(["ever", "even"])
+_AROUND: FrozenSet[str] = (FILLERS | SOFT | _PAUSES) - {phrase.split()[0] for phrase in OBJECTIONS + WEAK_OBJECTIONS}
 # Words: "you must not ever stop".
 _LONGEST_AUXILIARY = 4
 
 
 def takes_back(text: str) -> bool:
-    """Whether an utterance opens or ends like a correction of what was said before.
+    """Whether an utterance opens or ends like a correction of what was said before, or opens like a prohibition.
 
     Args:
         text: in any spelling; of a very long one only the beginning counts
     """
     words = [token.word for token in tokens_of(plain_text(text)[1])]
     front = _behind_fillers(words, 0)
+    if _phrase_at(words, front, WEAK_OBJECTIONS) is not None:
+        return _behind_fillers(words, front + 1) < len(words) and not _goes_on(words)
     opening = _phrase_at(words, front, OBJECTIONS)
     if opening is None:
         said = [word for word in words if word not in _PAUSES]
@@ -95,7 +97,8 @@ def _goes_on(words: Sequence[str]) -> bool:
     """Whether an end is forbidden: "no, don't stop"."""
     for position, word in enumerate(words):
         if word in _NEGATIONS:
-            behind = [other for other in words[position + 1 : position + _LONGEST_AUXILIARY] if other not in _AROUND]
+            following = words[position + 1 : position + _LONGEST_AUXILIARY]
+            behind = [other for other in following if other not in _AROUND | _EMPHASIS]
             if behind and behind[0] in ENDING:
                 return True
     return False

@@ -30,6 +30,8 @@ from command_server.taking_back import takes_back
         "instead, go to the garage",
         "go to the garage instead",
         "turn right, I mean",
+        "don't go to the kitchen",
+        "never turn left",
     ],
 )
 def test_correction_takes_back(text):
@@ -49,6 +51,11 @@ def test_correction_takes_back(text):
         "not yet",
         "not bad, turn right",
         "no, don't stop",
+        "don't ever stop",
+        "sorry",
+        "oh, sorry!",
+        "actually",
+        "do the dishes",
         "no, you must not stop",
         "nobody is in the garage",
         "know the garage",

@@ -84,7 +84,7 @@ class DriverSettings:
         self._held: Dict[Tuple[str, str], HeldSetting] = {}
         self._left_over: List[Setting] = []
         self._is_closing = threading.Event()
-        self._thread = threading.Thread(target=self._restore_left_over, name="settings_keeper", daemon=True)
+        self._thread = threading.Thread(target=self._restore_left_over, name="driver_settings", daemon=True)
 
     def start(self) -> None:
         """Start to restore what the previous run left."""
