@@ -291,7 +291,8 @@ class CommandServerNode:
 
     def _hear_stage(self, event: StageEvent) -> None:
         entry = self._commands.get(event.command.id)
-        if entry is None or self._withdrawals.is_waiting(event.command.id):
+        is_done = event.is_final and event.reply.outcome == Reply.DONE
+        if entry is None or (self._withdrawals.is_waiting(event.command.id) and not is_done):
             rospy.logdebug("cmd=%s waits for no stage; event of %s dropped", event.command.id, event.stage)
             return
         self._action.feed_back(event)
