@@ -61,7 +61,7 @@ class Candidate:
     preference: int = 0
 
 
-#: When several readings fail, the most informative reason is told: the first of these.
+#: When several readings fail, the reply gives the most informative reason: the first of these.
 _REASONS = ("LIMIT", "VALUE_NOT_ALLOWED", "MISSING_ELEMENT", "NO_SERVER", "UNKNOWN_FRAME")
 #: Limit of sequences that are examined; several paths through the graph may give the same one.
 _MOST_EXAMINED = 100_000

@@ -74,7 +74,7 @@ class ServerHostingTest(unittest.TestCase):
             ("missing_program", "nowhere cannot be started"),
             ("missing_file", "no_such.launch"),
             ("silent", "another_name is not running"),
-            ("unknown", "no server is known"),
+            ("unknown", "no manifest names a server"),
         ):
             status, text = self.end(self.send(frame_name))
             self.assertEqual(GoalStatus.ABORTED, status, frame_name)
