@@ -14,8 +14,23 @@ from word_classes import word_class, word_classes
 
 #: Beside this module in the source, devel and install space.
 FORMULAS_FILE = Path(__file__).resolve().parent / "formulas.yaml"
-KINDS = ("openings", "anywhere", "apart", "endings", "editing_terms", "withdrawals", "fillers")
+KINDS = (
+    "openings",
+    "modal_openings",
+    "gerund_openings",
+    "anywhere",
+    "apart",
+    "endings",
+    "tails",
+    "set_off_tails",
+    "editing_terms",
+    "withdrawals",
+    "fillers",
+    "contractions",
+)
 _KEYS = ("pattern", "example", "becomes")
+#: The kind of which each formula says how it is written in full.
+WRITTEN_OUT = "contractions"
 _CLASS = re.compile(r"<(\w+)>")
 
 
@@ -27,11 +42,13 @@ class Formula:
         pattern: matches the whole of some words, in lower case with one blank between them
         example: a sentence with it
         becomes: what is left of the example
+        written: how it is written in full, with the groups of the pattern as ``\\1``; empty where it is left out
     """
 
     pattern: Pattern[str]
     example: str
     becomes: str
+    written: str = ""
 
 
 def load_formulas(text: str, path: str) -> Mapping[str, Tuple[Formula, ...]]:
@@ -51,12 +68,14 @@ def load_formulas(text: str, path: str) -> Mapping[str, Tuple[Formula, ...]]:
     for kind, node in kinds.items():
         formulas: List[Formula] = []
         for key, item in reader.sequence(node, kind):
-            entries = reader.mapping(item, key, _KEYS, required=_KEYS)
+            keys = (*_KEYS, "written") if kind == WRITTEN_OUT else _KEYS
+            entries = reader.mapping(item, key, keys, required=keys)
+            written = reader.name(entries.get("written"), f"{key}.written") if "written" in entries else ""
             example = reader.name(entries.get("example"), f"{key}.example")
             becomes = reader.name(entries.get("becomes"), f"{key}.becomes")
             if "pattern" in entries:
                 pattern = _pattern(reader, entries["pattern"], f"{key}.pattern")
-                formulas.append(Formula(pattern, example, becomes))
+                formulas.append(Formula(pattern, example, becomes, written))
         if not formulas:
             reader.report("EMPTY", node, kind, "nothing", "a list of patterns")
         found[kind] = tuple(formulas)
@@ -102,8 +121,15 @@ def pattern_of(kind: str) -> Pattern[str]:
 
 
 _FILLER = pattern_of("fillers")
+_PADDING = word_class("padding")
 
 
 def is_filler(form: str) -> bool:
     """Whether a word is said only while thinking: "um", "uhhh"."""
     return _FILLER.fullmatch(form.lower()) is not None
+
+
+def without_padding(forms: Iterable[str]) -> str:
+    """Return words as the patterns of openings have them: in lower case, and without those that change nothing."""
+    said = (form.lower().replace("’", "'") for form in forms)
+    return " ".join(form for form in said if form not in _PADDING and form != ",")
