@@ -39,6 +39,13 @@ PROHIBITIONS = (
     ("wrong way", "CORRECTION"),
     ("no no the other one", "CORRECTION"),
 )
+#: Corrections that are understood and that a later stage refuses, and its reason.
+REFUSED_CORRECTIONS = (
+    ("No, go to the garage.", "NO_SERVER"),
+    ("No, move forward 3 kilometres.", "LIMIT"),
+    ("wrong, bring me the mug", "NO_SERVER"),
+    ("Go to the garage instead.", "CORRECTION"),
+)
 STANDING = 0.001
 
 
@@ -126,6 +133,18 @@ class CriesTest(unittest.TestCase):
             reply = self.say(said)
             self.assertEqual((reply.outcome, reply.code), (Reply.REFUSED, code), f"{said!r}: {reply.sentence}")
             self.assertIn('I stopped "Move forward 15 metres".', reply.sentence)
+            self.wait_for_rest()
+            self.assertEqual(self.wait_for_reply(DRIVE, since).outcome, Reply.SUPERSEDED)
+            self.fence()
+            self.assertEqual(len(self.replies_to(said, since)), 1, said)
+
+    def test_correction_that_cannot_be_carried_out_stops_and_says_both(self) -> None:
+        alone = {said: self.say(said) for said, _ in REFUSED_CORRECTIONS}
+        for said, code in REFUSED_CORRECTIONS:
+            since = self.start(DRIVE)
+            reply = self.say(said)
+            self.assertEqual((reply.outcome, reply.code), (Reply.REFUSED, code), f"{said!r}: {reply.sentence}")
+            self.assertEqual(reply.sentence, f'I stopped "Move forward 15 metres". {alone[said].sentence}')
             self.wait_for_rest()
             self.assertEqual(self.wait_for_reply(DRIVE, since).outcome, Reply.SUPERSEDED)
             self.fence()

@@ -12,10 +12,45 @@ PACKAGES = sorted(path.parent for path in REPOSITORY.glob("src/*/package.xml"))
 WITH_CODE = [package for package in PACKAGES if list(package.glob("src/*/*.py"))]
 
 
+def declared_parameters() -> Dict[str, Set[str]]:
+    """Names of the parameters that each module declares as fields of a class of `Parameters`, by module and class."""
+    found: Dict[str, Set[str]] = {}
+    for path in REPOSITORY.glob("src/*/src/*/*.py"):
+        for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
+            if isinstance(node, ast.ClassDef) and any(getattr(base, "id", "") == "Parameters" for base in node.bases):
+                found[f"{path.parent.name}.{path.stem}.{node.name}"] = {
+                    f"~{field.target.id}"
+                    for field in node.body
+                    if isinstance(field, ast.AnnAssign) and isinstance(field.target, ast.Name)
+                }
+    return found
+
+
+DECLARED = declared_parameters()
+
+
+def parameters_read_by_class(path: Path) -> Set[str]:
+    """Names of the parameters of the classes that a module gives to `read_parameters`."""
+    tree = ast.parse(path.read_text(encoding="utf-8"))
+    origins = {
+        alias.asname or alias.name: f"{node.module}.{alias.name}"
+        for node in ast.walk(tree)
+        if isinstance(node, ast.ImportFrom)
+        for alias in node.names
+    }
+    names: Set[str] = set()
+    for node in ast.walk(tree):
+        if isinstance(node, ast.Call) and getattr(node.func, "id", "") == "read_parameters":
+            kind = getattr(node.args[0], "id", "")
+            names |= DECLARED[origins.get(kind, f"{path.parent.name}.{path.stem}.{kind}")]
+    return names
+
+
 def parameters_in_code(package: Path) -> Set[str]:
-    """Names of the private parameters that a package reads: literals that begin with '~' and are not topics."""
+    """Names of the private parameters that a package reads: by a class, or by a literal that begins with '~'."""
     names: Set[str] = set()
     for path in package.glob("src/**/*.py"):
+        names |= parameters_read_by_class(path)
         for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
             if (
                 isinstance(node, ast.Call)
@@ -54,7 +89,18 @@ def test_readme_lists_every_parameter(package: Path) -> None:
 def test_readme_lists_no_parameter_that_is_gone(package: Path) -> None:
     sources = list(package.glob("src/**/*.py")) + list(package.glob("cfg/*"))
     code = "\n".join(path.read_text(encoding="utf-8") for path in sources)
-    assert not {name for name in parameters_in_readme(package) if name not in code and f'"{name[1:]}"' not in code}
+    read = parameters_in_code(package)
+    assert not {
+        name
+        for name in parameters_in_readme(package)
+        if name not in read and name not in code and f'"{name[1:]}"' not in code
+    }
+
+
+def test_parameters_of_a_class_are_found() -> None:
+    found = parameters_in_code(REPOSITORY / "src" / "executor")
+    assert {"~acceptance_timeout_s", "~max_clients", "~introspection"} <= found
+    assert "~zero_velocity_rate_hz" in parameters_in_code(REPOSITORY / "src" / "stop_server")
 
 
 #: Calls that open a topic, a service or an action; their first literal argument is its name.

@@ -63,6 +63,12 @@ class CommandServerNodeTest(unittest.TestCase):
         if command.text.startswith("hang in the executor"):
             cls.send_event(command, "executor")
             return
+        if command.text.startswith("no, the garage"):
+            cls.send_event(command, "semantic_framer")
+            cls.send_event(command, "frame_registrar", is_final=True, outcome=Reply.REFUSED, code="NO_SERVER")
+            return
+        if command.text.startswith("no, be silent"):
+            return
         if command.text.startswith(("don't", "no, ")):
             code = "NEGATED" if command.text.startswith("don't") else "CORRECTION"
             cls.send_event(command, "semantic_framer", is_final=True, outcome=Reply.REFUSED, code=code)
@@ -262,7 +268,7 @@ class CommandServerNodeTest(unittest.TestCase):
         reply = self.wait_for_reply("don't hang")
         self.assertEqual((Reply.REFUSED, "NEGATED", "semantic_framer"), (reply.outcome, reply.code, reply.stage))
         self.assertEqual(
-            'I do not begin "silent behind it". I stopped "hang in the executor, forbidden". You said not to.',
+            'I did not start "silent behind it". I stopped "hang in the executor, forbidden". You said not to.',
             reply.sentence,
         )
         self.assertEqual(Reply.SUPERSEDED, self.wait_for_reply("hang in the executor, forbidden").outcome)
@@ -276,6 +282,40 @@ class CommandServerNodeTest(unittest.TestCase):
         reply = self.wait_for_reply("no, the office")
         self.assertEqual((Reply.REFUSED, "CORRECTION"), (reply.outcome, reply.code))
         self.assertEqual('I stopped "hang in the executor, wrongly". did no, the office', reply.sentence)
+
+    def test_correction_that_a_later_stage_refuses_ends_what_runs(self):
+        for number, (said, code, why) in enumerate(
+            (
+                ("no, the garage", "NO_SERVER", "did no, the garage"),
+                ("no, " + "go on and " * 20, "TEXT_TOO_LONG", "The text has 204 characters; I accept at most 100."),
+            )
+        ):
+            running = f"hang in the executor, refused {number}"
+            command = self.run_in_executor(running)
+            self.say(said)
+            self.end_in_executor(command)
+            reply = self.wait_for_reply(said[:100])
+            self.assertEqual((Reply.REFUSED, code), (reply.outcome, reply.code))
+            self.assertEqual(f'I stopped "{running}". {why}', reply.sentence)
+            self.assertEqual(Reply.SUPERSEDED, self.wait_for_reply(running).outcome)
+            self.fence()
+            self.assertEqual(1, len(self.replies_to(said[:100])))
+
+    def test_correction_that_nobody_answers_ends_what_runs(self):
+        command = self.run_in_executor("hang in the executor, unanswered")
+        self.say("no, be silent")
+        # Its executor speaks every second.
+        while not [other for other in self.cancelled if other.id == command.id]:
+            self.send_event(command, "executor")
+            time.sleep(0.1)
+        self.end_in_executor(command)
+        reply = self.wait_for_reply("no, be silent")
+        self.assertEqual((Reply.FAILED, "STAGE_SILENT"), (reply.outcome, reply.code))
+        self.assertTrue(reply.sentence.startswith('I stopped "hang in the executor, unanswered". '), reply.sentence)
+        # A stage that wakes changes nothing.
+        self.send_event(reply.command, "executor", is_final=True)
+        self.fence()
+        self.assertEqual(1, len(self.replies_to("no, be silent")))
 
     def test_prohibition_of_what_is_already_done_is_refused(self):
         self.say("soon done")

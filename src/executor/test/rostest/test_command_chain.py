@@ -130,7 +130,7 @@ class CommandChainTest(unittest.TestCase):
         reply = self.wait_for_replies(text)[0]
         self.assertEqual((Reply.FAILED, "ALL_CANDIDATES_FAILED"), (reply.outcome, reply.code))
         self.assertEqual(
-            'I have done "succeed one", but I could not do "fail two / reject one": two aborted: aborted as asked '
+            'I did "succeed one", but I could not do "fail two / reject one": two aborted: aborted as asked '
             'for; one rejected the goal: rejected as asked for. I did not begin "succeed two".',
             reply.sentence,
         )

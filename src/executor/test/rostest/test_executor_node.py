@@ -133,7 +133,7 @@ class ExecutorNodeTest(unittest.TestCase):
             ("lose", "one", "one lost the goal"),
             ("drop_result", "one", "one said SUCCEEDED but sent no result"),
             ("raise", "one", "one did not accept the goal"),
-            ("succeed", "nobody", "nobody is not there"),
+            ("succeed", "nobody", "nobody is not running"),
             ("succeed", "not a name", "not a name cannot be reached"),
             ("freeze", "freezing", "freezing was silent"),
             ("die", "mortal", "mortal was silent"),
@@ -234,8 +234,8 @@ class ExecutorNodeTest(unittest.TestCase):
             ([join("x")], "a sequence has no children"),
             ([join("x", 1, 7), good], "no such node"),
             ([join("x", 1, 1), good], "node 1 of the plan has two parents"),
-            ([join("x", 1), good, good], "do not hang on its root"),
-            ([join("x", 1), good, join("y", 3), join("z", 2)], "nodes 2, 3 of the plan do not hang on its root"),
+            ([join("x", 1), good, good], "are not reached from its root"),
+            ([join("x", 1), good, join("y", 3), join("z", 2)], "nodes 2, 3 of the plan are not reached from its root"),
             ([join("x", 1), join("y", 0)], "the root for a child"),
             ([join("x", index + 1) for index in range(900)] + [good], "more than 32 levels"),
             ([good] * 2000, "the plan has 2000 nodes"),
@@ -282,7 +282,7 @@ class ExecutorNodeTest(unittest.TestCase):
             command,
             Reply.FAILED,
             "ALL_CANDIDATES_FAILED",
-            'I have done "Ping", but I could not do "wave at Alice": two aborted: aborted as asked for. '
+            'I did "Ping", but I could not do "wave at Alice": two aborted: aborted as asked for. '
             'I did not begin "go home".',
         )
         self.assertEqual(["one begins succeed", "two begins abort"], self.begun())

@@ -10,7 +10,7 @@ from frame_bindings.binding_file import Binding, load_bindings
 from frame_bindings.ros_targets import TARGET_OF_KIND, UnknownType
 from rfnserver import RFNServer
 from rfnserver.arguments import ArgumentError
-from rfnserver.ros_frame_entrance import GoalMaker, check_frame, conclude
+from rfnserver.ros_frame_adapter import GoalMaker, check_frame, conclude
 from semantic_frames.problem import FileRefused
 from semantic_frames.source_files import read_text
 

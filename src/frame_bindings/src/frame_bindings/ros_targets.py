@@ -12,9 +12,9 @@ import rosservice
 from actionlib_msgs.msg import GoalStatus
 
 from frame_bindings.binding_file import Binding, Kind
-from rfnserver.ros_deadline import ServiceError, call_service
 from rfnserver.ros_goal_forwarding import POLL_S, ForwardedEnd, ForwardingDeadlines, GoalForwarder
 from rfnserver.ros_goal_messages import goal_type_of
+from roboframenet_ros.ros_service import ServiceError, call_service
 
 IsToEnd = Callable[[], bool]
 

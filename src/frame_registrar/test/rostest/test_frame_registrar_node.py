@@ -157,7 +157,7 @@ class FrameRegistrarTest(unittest.TestCase):
         event = self.send([self.clause("nodding", "the bell rings"), self.clause("humming", "hum")], plan)
         self.assertIsInstance(event, StageEvent)
         self.assertEqual((event.reply.outcome, event.reply.code), (Reply.FAILED, "STAGE_ERROR"))
-        self.assertIn("belong together", event.reply.sentence)
+        self.assertIn("not supported yet", event.reply.sentence)
 
     def test_each_clause_of_a_command_has_its_own_candidates(self) -> None:
         for name in ("nodding", "humming"):

@@ -3,7 +3,7 @@
 from dataclasses import dataclass
 from typing import Dict, FrozenSet, Optional, Tuple, Union
 
-from command_server.command_book import refusal_of_text
+from command_server.open_commands import refusal_of_text
 from command_server.settings import Settings as CommandServerSettings
 from command_server.stop_words import is_stop
 from frame_registrar import search as registrar

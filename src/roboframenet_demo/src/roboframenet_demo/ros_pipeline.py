@@ -1,12 +1,11 @@
 """Whether the pipeline is ready for commands."""
 
 import xmlrpc.client
-from http.client import HTTPConnection, HTTPException
 from typing import Dict, Optional, Set, Tuple
-from xml.parsers.expat import ExpatError
 
-import rosgraph
 import rospy
+
+from roboframenet_ros.ros_master import NO_ANSWER, TimedMaster, TimedTransport
 
 #: Topic that each stage of the pipeline subscribes to; the parser subscribes when its models are loaded.
 STAGE_TOPICS = (
@@ -21,8 +20,6 @@ STAGE_TOPICS = (
 OTHER_TOPICS = ("command_cancel", "stop_report", "stage_events", "reply", "lexicon", "frame_catalogue")
 #: How long a node may take to answer, seconds.
 _ANSWER_TIMEOUT_S = 5.0
-#: Errors of a call to a node. The port of a dead node may now belong to a program without XML-RPC.
-_NO_ANSWER = (OSError, HTTPException, ExpatError, xmlrpc.client.Error, rosgraph.MasterException)
 
 
 def is_pipeline_complete() -> bool:
@@ -32,10 +29,10 @@ def is_pipeline_complete() -> bool:
     """
     graph = _Graph()
     try:
-        publishers, subscribers, _ = graph.master.getSystemState()
-    except _NO_ANSWER:
+        state = graph.master.system_state()
+    except NO_ANSWER:
         return False
-    speakers, listeners = dict(publishers), dict(subscribers)
+    speakers, listeners = state.publishers, state.subscribers
     stages = {rospy.get_name()}
     for topic in map(rospy.resolve_name, STAGE_TOPICS):
         found = {node for node in listeners.get(topic, ()) if node != rospy.get_name() and graph.is_alive(node)}
@@ -50,20 +47,11 @@ def is_pipeline_complete() -> bool:
     )
 
 
-class _TimedTransport(xmlrpc.client.Transport):
-    """HTTP that gives up on a node that hangs."""
-
-    def make_connection(self, host: object) -> HTTPConnection:
-        connection = super().make_connection(host)
-        connection.timeout = _ANSWER_TIMEOUT_S
-        return connection
-
-
 class _Graph:
     """Connections of the nodes, as the nodes report them; each node is asked once."""
 
     def __init__(self) -> None:
-        self.master = rosgraph.Master(rospy.get_name())
+        self.master = TimedMaster(timeout_s=_ANSWER_TIMEOUT_S)
         self._listeners: Dict[str, Optional[Set[Tuple[str, str]]]] = {}
 
     def is_alive(self, node: str) -> bool:
@@ -81,9 +69,10 @@ class _Graph:
         """
         if node not in self._listeners:
             try:
-                api = xmlrpc.client.ServerProxy(self.master.lookupNode(node), transport=_TimedTransport())
+                uri = self.master.uri_of(node)
+                api = xmlrpc.client.ServerProxy(uri, transport=TimedTransport(_ANSWER_TIMEOUT_S))
                 bus = api.getBusInfo(rospy.get_name())[2]
                 self._listeners[node] = {(entry[4], entry[1]) for entry in bus if entry[2] == "o" and entry[5]}
-            except _NO_ANSWER:
+            except NO_ANSWER:
                 self._listeners[node] = None
         return self._listeners[node]

@@ -65,8 +65,8 @@ class ServerHostingTest(unittest.TestCase):
         for frame_name, reason in (
             ("missing_program", "nowhere cannot be started"),
             ("missing_file", "no_such.launch"),
-            ("silent", "another_name is not there"),
-            ("unknown", "no server is known"),
+            ("silent", "another_name is not running"),
+            ("unknown", "no manifest names a server"),
         ):
             status, text = self.end(self.send(frame_name))
             self.assertEqual(GoalStatus.ABORTED, status, frame_name)

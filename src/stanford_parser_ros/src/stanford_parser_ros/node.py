@@ -12,8 +12,8 @@ from roboframenet_msgs.msg import Command, CommandParse, Lexicon, Reply
 from stanford_parser_msgs.msg import Parse
 
 from roboframenet_ros.ros_log import log_from_threads
+from roboframenet_ros.ros_stage import Stage
 from semantic_frames import FileRefused, load_lexical_units
-from stage_events.ros_stage import Stage
 from stanford_parser_ros.model import ModelError, Parser, UnparsableText, shipped_model_dir
 from stanford_parser_ros.ros_messages import to_command_parse
 from stanford_parser_ros.stanford_dependencies import collapsed
