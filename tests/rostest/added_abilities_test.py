@@ -8,9 +8,9 @@ import rospy
 from roboframenet_msgs.msg import Reply
 from std_msgs.msg import String
 
-from pipeline import wait_until
 from rfnserver import RFNServer
 from roboframenet_demo.ros_pipeline import is_pipeline_complete
+from roboframenet_testing import wait_until
 
 SENTENCES = (
     ("Chop the cucumber.", "chopping", {"item": "the cucumber"}),
@@ -28,15 +28,15 @@ class AddedAbilitiesTest(unittest.TestCase):
         cls.replies: List[Reply] = []
         cls.subscriber = rospy.Subscriber("reply", Reply, cls.replies.append, queue_size=100)
         cls.text = rospy.Publisher("text", String, queue_size=10)
-        assert wait_until(lambda: cls.text.get_num_connections() >= 2), "nobody listens to 'text'"
-        assert wait_until(is_pipeline_complete, 120.0), "the pipeline did not come up"
+        wait_until(lambda: cls.text.get_num_connections() >= 2, message="nobody listens to 'text'")
+        wait_until(is_pipeline_complete, 120.0, "the pipeline did not come up")
         rospy.wait_for_service("register_with_frame", timeout=60.0)
         rospy.wait_for_service("add_lexical_unit", timeout=60.0)
 
     def say(self, text: str) -> Reply:
         since = len(self.replies)
         self.text.publish(String(data=text))
-        self.assertTrue(wait_until(lambda: any(reply.command.text == text for reply in self.replies[since:])), text)
+        wait_until(lambda: any(reply.command.text == text for reply in self.replies[since:]), message=text)
         return next(reply for reply in self.replies[since:] if reply.command.text == text)
 
     def test_each_runs_as_soon_as_a_server_registers(self) -> None:

@@ -9,9 +9,10 @@ import rospy
 from roboframenet_msgs.msg import FilledLexicalUnitList, FilledSemanticFrame, Procedure, Reply
 from std_msgs.msg import String
 
-from pipeline import can_do, wait_until
+from pipeline import can_do
 from rfnserver import RFNServer
 from roboframenet_demo.ros_pipeline import is_pipeline_complete
+from roboframenet_testing import wait_until
 
 #: Server and frame. Two servers go to places: which of them is tried first is drawn.
 SERVERS = (
@@ -39,8 +40,8 @@ class Behaviour2012Test(unittest.TestCase):
             rospy.Subscriber("procedure", Procedure, cls.procedures.append, queue_size=100),
         ]
         cls.text = rospy.Publisher("text", String, queue_size=10)
-        assert wait_until(lambda: cls.text.get_num_connections() >= 2), "nobody listens to 'text'"
-        assert wait_until(is_pipeline_complete, 120.0), "the pipeline did not come up"
+        wait_until(lambda: cls.text.get_num_connections() >= 2, message="nobody listens to 'text'")
+        wait_until(is_pipeline_complete, 120.0, "the pipeline did not come up")
         cls.servers = [cls.server(name, frame_name) for name, frame_name in SERVERS]
         assert can_do({frame_name for _, frame_name in SERVERS}), "the servers did not register"
 
@@ -60,7 +61,7 @@ class Behaviour2012Test(unittest.TestCase):
         self.procedures.clear()
 
     def reply_to(self, text: str, since: int) -> Reply:
-        self.assertTrue(wait_until(lambda: any(reply.command.text == text for reply in self.replies[since:])), text)
+        wait_until(lambda: any(reply.command.text == text for reply in self.replies[since:]), message=text)
         return next(reply for reply in self.replies[since:] if reply.command.text == text)
 
     def say(self, text: str) -> Reply:
@@ -79,7 +80,7 @@ class Behaviour2012Test(unittest.TestCase):
         )
         self.assertEqual(self.reply_to(text, since).outcome, Reply.DONE)
         self.assertEqual(self.done, [("turning", {"direction": "left", "angle": "120", "angle_unit": "degrees"})])
-        self.assertTrue(wait_until(lambda: bool(self.procedures and self.units)))
+        wait_until(lambda: bool(self.procedures and self.units))
         self.assertEqual(self.units[0].lexical_units[0].frame_name, "turning")
 
     def test_an_argument_is_one_word(self) -> None:

@@ -11,8 +11,9 @@ from nav_msgs.msg import Odometry
 from roboframenet_msgs.msg import FilledSemanticFrameActionFeedback, Reply
 from std_msgs.msg import String
 
-from pipeline import can_do, wait_until
+from pipeline import can_do
 from roboframenet_demo.ros_pipeline import is_pipeline_complete
+from roboframenet_testing import wait_until
 
 DRIVE = "Move forward 15 metres."
 CRIES = (
@@ -38,6 +39,13 @@ PROHIBITIONS = (
     ("wrong way", "CORRECTION"),
     ("no no the other one", "CORRECTION"),
 )
+#: Corrections that are understood and that a later stage refuses, and its reason.
+REFUSED_CORRECTIONS = (
+    ("No, go to the garage.", "NO_SERVER"),
+    ("No, move forward 3 kilometres.", "LIMIT"),
+    ("wrong, bring me the mug", "NO_SERVER"),
+    ("Go to the garage instead.", "CORRECTION"),
+)
 STANDING = 0.001
 
 
@@ -61,11 +69,11 @@ class CriesTest(unittest.TestCase):
         ]
         cls.person = rospy.Publisher("person/act", String, queue_size=1)
         cls.text = rospy.Publisher("text", String, queue_size=10)
-        assert wait_until(lambda: cls.text.get_num_connections() >= 2), "nobody listens to 'text'"
-        assert wait_until(is_pipeline_complete, 120.0), "the pipeline did not come up"
+        wait_until(lambda: cls.text.get_num_connections() >= 2, message="nobody listens to 'text'")
+        wait_until(is_pipeline_complete, 120.0, "the pipeline did not come up")
         assert can_do(("turning", "moving_forward", "following")), "the robot did not register"
-        assert wait_until(lambda: bool(cls.speeds)), "no odometry"
-        assert wait_until(lambda: cls.person.get_num_connections() > 0), "there is no person"
+        wait_until(lambda: bool(cls.speeds), message="no odometry")
+        wait_until(lambda: cls.person.get_num_connections() > 0, message="there is no person")
 
     @classmethod
     def on_odometry(cls, message: Odometry) -> None:
@@ -84,13 +92,13 @@ class CriesTest(unittest.TestCase):
         return max(abs(speed) for speed in self.speeds[-1])
 
     def wait_for_rest(self) -> None:
-        self.assertTrue(wait_until(lambda: self.speed() < STANDING), "still moving")
+        wait_until(lambda: self.speed() < STANDING, message="still moving")
 
     def replies_to(self, text: str, since: int) -> List[Reply]:
         return [reply for reply in self.replies[since:] if reply.command.text == text]
 
     def wait_for_reply(self, text: str, since: int) -> Reply:
-        self.assertTrue(wait_until(lambda: bool(self.replies_to(text, since))), f"no reply to {text!r}")
+        wait_until(lambda: bool(self.replies_to(text, since)), message=f"no reply to {text!r}")
         return self.replies_to(text, since)[0]
 
     def say(self, text: str) -> Reply:
@@ -102,7 +110,7 @@ class CriesTest(unittest.TestCase):
         """Let the robot move; return how many replies there were before."""
         since = len(self.replies)
         self.text.publish(String(data=text))
-        self.assertTrue(wait_until(lambda: self.speed() > 0.05), "the robot does not move")
+        wait_until(lambda: self.speed() > 0.05, message="the robot does not move")
         return since
 
     def fence(self) -> None:
@@ -130,13 +138,25 @@ class CriesTest(unittest.TestCase):
             self.fence()
             self.assertEqual(len(self.replies_to(said, since)), 1, said)
 
+    def test_correction_that_cannot_be_carried_out_stops_and_says_both(self) -> None:
+        alone = {said: self.say(said) for said, _ in REFUSED_CORRECTIONS}
+        for said, code in REFUSED_CORRECTIONS:
+            since = self.start(DRIVE)
+            reply = self.say(said)
+            self.assertEqual((reply.outcome, reply.code), (Reply.REFUSED, code), f"{said!r}: {reply.sentence}")
+            self.assertEqual(reply.sentence, f'I stopped "Move forward 15 metres". {alone[said].sentence}')
+            self.wait_for_rest()
+            self.assertEqual(self.wait_for_reply(DRIVE, since).outcome, Reply.SUPERSEDED)
+            self.fence()
+            self.assertEqual(len(self.replies_to(said, since)), 1, said)
+
     def test_0_following_that_is_forbidden_ends(self) -> None:
         since = len(self.replies)
         self.text.publish(String(data="Follow me."))
         # Who walks away before the robot has seen anybody is not followed.
-        self.assertTrue(wait_until(lambda: any(feedback.feedback.is_succeeding for feedback in self.following)))
+        wait_until(lambda: any(feedback.feedback.is_succeeding for feedback in self.following))
         self.person.publish(String(data="walk"))
-        self.assertTrue(wait_until(lambda: self.speed() > 0.05), "the robot does not follow")
+        wait_until(lambda: self.speed() > 0.05, message="the robot does not follow")
         reply = self.say("Don't follow me.")
         self.assertEqual(reply.sentence, 'I stopped "Follow me". You said not to.')
         self.wait_for_rest()

@@ -6,10 +6,11 @@ import unittest
 import rospy
 import yaml
 
-from pipeline import can_do, wait_until
+from pipeline import can_do
 from roboframenet_demo.node import Demonstration
 from roboframenet_demo.ros_pipeline import is_pipeline_complete
 from roboframenet_demo.script import read_line
+from roboframenet_testing import wait_until
 
 
 class DomainsTest(unittest.TestCase):
@@ -19,7 +20,7 @@ class DomainsTest(unittest.TestCase):
         with open(rospy.get_param("~script"), encoding="utf-8") as file:
             lines = [read_line(entry) for entry in yaml.safe_load(file)]
         demonstration = Demonstration()
-        self.assertTrue(wait_until(is_pipeline_complete, 120.0), "the pipeline did not come up")
+        wait_until(is_pipeline_complete, 120.0, "the pipeline did not come up")
         self.assertTrue(can_do(rospy.get_param("~frames")), "the robot did not register")
         self.assertTrue(demonstration.wait_until_ready(timeout_s=120.0), "servers come and go")
         for line in lines:

@@ -15,11 +15,11 @@ from std_msgs.msg import String
 from offline_pipeline.pipeline import Pipeline, Understanding
 from rfnserver import RFNServer
 from roboframenet_demo.ros_pipeline import is_pipeline_complete
+from roboframenet_testing import comes_true, wait_until
 from roboframenet_tools.ros_graph import live_knowledge, live_parameters
 from semantic_framer.dialogue import Context
 
 sys.path.insert(0, str(Path(__file__).resolve().parent))
-from pipeline import wait_until
 
 SEED = 20120514
 #: Of the frames, one in so many has no server, so that some commands find nobody.
@@ -63,28 +63,26 @@ class ExplainAndLiveTest(unittest.TestCase):
     maxDiff = None
 
     def test_the_reply_and_the_rules_are_the_same(self) -> None:
-        self.assertTrue(wait_until(is_pipeline_complete, 180.0), "the pipeline did not come up")
+        wait_until(is_pipeline_complete, 180.0, "the pipeline did not come up")
         ears = Ears()
         text = rospy.Publisher("text", String, queue_size=10)
         catalogues: List[FrameCatalogue] = []
         subscriber = rospy.Subscriber("frame_catalogue", FrameCatalogue, catalogues.append)
-        self.assertTrue(wait_until(lambda: bool(catalogues and catalogues[-1].files), 120.0), "no frames")
+        wait_until(lambda: bool(catalogues and catalogues[-1].files), 120.0, "no frames")
         server = RFNServer("obeying", lambda frame: None)
         knowledge = live_knowledge(timeout_s=60.0)
         frames = [name for number, name in enumerate(sorted(knowledge.frames)) if number % WITHOUT_A_SERVER]
         for name in frames:
             self.assertTrue(server.register_with_frame(name), name)
         server.start()
-        self.assertTrue(
-            wait_until(lambda: {callback.frame_name for callback in catalogues[-1].callbacks} >= set(frames)),
-            "not every registration arrived",
+        wait_until(
+            lambda: {callback.frame_name for callback in catalogues[-1].callbacks} >= set(frames),
+            message="not every registration arrived",
         )
         subscriber.unregister()
         everybody = [text] + ears.subscribers
         # Two hear the text: command_server and stop_server.
-        self.assertTrue(
-            wait_until(lambda: all(end.get_num_connections() for end in everybody) and text.get_num_connections() > 1)
-        )
+        wait_until(lambda: all(end.get_num_connections() for end in everybody) and text.get_num_connections() > 1)
         knowledge = live_knowledge(timeout_s=60.0)
         pipeline = Pipeline(knowledge, parameters=live_parameters(), is_traced=True)
         said = sentences([example.text for unit in knowledge.lexicon.units for example in unit.examples])
@@ -99,11 +97,11 @@ class ExplainAndLiveTest(unittest.TestCase):
             context = understanding.context
             count = len(ears.replies)
             text.publish(sentence)
-            self.assertTrue(wait_until(lambda before=count: len(ears.replies) > before), f"no reply to {sentence!r}")
+            wait_until(lambda before=count: len(ears.replies) > before, message=f"no reply to {sentence!r}")
             reply = ears.replies[count]
             offline = (understanding.reply.outcome, understanding.reply.code) + expected(understanding)
             # Events and candidates come on other connections than the reply.
-            if not wait_until(lambda reply=reply, offline=offline: heard(ears, reply) == offline, 5.0):
+            if not comes_true(lambda reply=reply, offline=offline: heard(ears, reply) == offline, 5.0):
                 live = heard(ears, reply)
                 different.append(f"{sentence!r}\n  live    {live}\n  offline {offline}")
         self.assertEqual(different, [])

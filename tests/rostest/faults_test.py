@@ -5,7 +5,6 @@ import os
 import random
 import signal
 import tempfile
-import time
 import unittest
 from typing import List, Optional
 from xmlrpc.client import ServerProxy
@@ -16,8 +15,9 @@ from roboframenet_msgs.msg import FileProblem, FileProblems, Reply
 from roboframenet_msgs.srv import AddFrame, AddLexicalUnit, GetEmptyFrame
 from std_msgs.msg import String
 
-from pipeline import can_do, wait_until
+from pipeline import can_do
 from roboframenet_demo.ros_pipeline import is_pipeline_complete
+from roboframenet_testing import comes_true, wait_until
 
 NODES = ("frame_registrar", "semantic_framer", "greeting_server")
 
@@ -36,8 +36,8 @@ class FaultsTest(unittest.TestCase):
             ),
         ]
         cls.text = rospy.Publisher("text", String, queue_size=10)
-        assert wait_until(lambda: cls.text.get_num_connections() >= 2), "nobody listens to 'text'"
-        assert wait_until(is_pipeline_complete, 120.0), "the pipeline did not come up"
+        wait_until(lambda: cls.text.get_num_connections() >= 2, message="nobody listens to 'text'")
+        wait_until(is_pipeline_complete, 120.0, "the pipeline did not come up")
         cls.folder = tempfile.mkdtemp()
         rospy.wait_for_service("add_frame", timeout=60.0)
         rospy.wait_for_service("add_lexical_unit", timeout=60.0)
@@ -47,7 +47,7 @@ class FaultsTest(unittest.TestCase):
         """Say a sentence; return its reply."""
         since = len(self.replies)
         self.text.publish(String(data=text))
-        wait_until(lambda: any(reply.command.text == text for reply in self.replies[since:]), timeout_s)
+        comes_true(lambda: any(reply.command.text == text for reply in self.replies[since:]), timeout_s)
         return next((reply for reply in self.replies[since:] if reply.command.text == text), None)
 
     def write(self, name: str, text: str) -> str:
@@ -66,7 +66,7 @@ class FaultsTest(unittest.TestCase):
 
     def kill(self, node: str) -> int:
         """Kill a node the hard way; return its process."""
-        self.assertTrue(wait_until(lambda: self.pid(node) != 0), f"{node} is not there")
+        wait_until(lambda: self.pid(node) != 0, message=f"{node} is not there")
         pid = self.pid(node)
         os.kill(pid, signal.SIGKILL)
         return pid
@@ -98,7 +98,7 @@ class FaultsTest(unittest.TestCase):
         for service, name, text, code, line, key in cases:
             path = self.write(name, text)
             self.assertFalse(service(absolute_file_path=path).success, name)
-            self.assertTrue(wait_until(lambda path=path: any(problem.path == path for problem in self.problems)), name)
+            wait_until(lambda path=path: any(problem.path == path for problem in self.problems), message=name)
             problem = next(problem for problem in self.problems if problem.path == path)
             self.assertEqual((problem.code, problem.line, problem.key), (code, line, key))
             self.assertTrue(problem.expected)
@@ -115,18 +115,17 @@ class FaultsTest(unittest.TestCase):
         for number in range(orders):
             victims = chance.sample(NODES, chance.randint(1, len(NODES)))
             killed = {node: self.kill(node) for node in victims}
-            self.assertTrue(
-                wait_until(lambda killed=killed: all(self.pid(node) not in (0, old) for node, old in killed.items())),
-                f"{victims} do not return",
+            wait_until(
+                lambda killed=killed: all(self.pid(node) not in (0, old) for node, old in killed.items()),
+                message=f"{victims} do not return",
             )
-            reply = None
-            end = time.monotonic() + 90.0
-            while (reply is None or reply.outcome != Reply.DONE) and time.monotonic() < end:
-                reply = self.say("Greet.", timeout_s=3.0) or reply
-            self.assertIsNotNone(reply, f"no reply after {victims} (order {number}, seed {seed})")
-            self.assertEqual(
-                reply.outcome, Reply.DONE, f"{reply.sentence} after {victims} (order {number}, seed {seed})"
-            )
+            replies: List[Optional[Reply]] = []
+
+            def is_greeting_done(replies: List[Optional[Reply]] = replies) -> bool:
+                replies.append(self.say("Greet.", timeout_s=3.0))
+                return replies[-1] is not None and replies[-1].outcome == Reply.DONE
+
+            wait_until(is_greeting_done, 90.0, f"not done after {victims} (order {number}, seed {seed})")
 
 
 if __name__ == "__main__":

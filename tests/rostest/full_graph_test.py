@@ -17,9 +17,10 @@ from nav_msgs.msg import Odometry
 from roboframenet_msgs.msg import Reply
 from std_msgs.msg import String
 
-from pipeline import can_do, wait_until
+from pipeline import can_do
 from rfnserver import RFNServer
 from roboframenet_demo.ros_pipeline import is_pipeline_complete
+from roboframenet_testing import wait_until
 
 PIPELINE = ("stanford_parser_ros", "semantic_framer", "frame_registrar", "arbitrator", "executor")
 
@@ -45,10 +46,10 @@ class FullGraphTest(unittest.TestCase):
         ]
         # A burst must not be cut short on the side of the test.
         cls.text = rospy.Publisher("text", String, queue_size=100)
-        assert wait_until(lambda: cls.text.get_num_connections() >= 2), "nobody listens to 'text'"
-        assert wait_until(is_pipeline_complete, 120.0), "the pipeline did not come up"
+        wait_until(lambda: cls.text.get_num_connections() >= 2, message="nobody listens to 'text'")
+        wait_until(is_pipeline_complete, 120.0, "the pipeline did not come up")
         assert can_do(("turning", "moving_forward", "moving_backward")), "the robot did not register"
-        assert wait_until(lambda: cls.heading is not None), "no odometry"
+        wait_until(lambda: cls.heading is not None, message="no odometry")
         cls.folder = tempfile.mkdtemp()
 
     @classmethod
@@ -79,15 +80,15 @@ class FullGraphTest(unittest.TestCase):
     def say_and_wait(self, text: str, timeout_s: float = 60.0) -> Reply:
         since = len(self.replies)
         self.say(text)
-        self.assertTrue(wait_until(lambda: bool(self.replies_to(text, since)), timeout_s), f"no reply to {text!r}")
+        wait_until(lambda: bool(self.replies_to(text, since)), timeout_s, f"no reply to {text!r}")
         return self.replies_to(text, since)[0]
 
     def wait_for_rest(self) -> None:
         """Odometry and replies come on connections of their own: what was driven is known when the robot stands."""
-        self.assertTrue(wait_until(lambda: self.speed < 0.001), "still moving")
+        wait_until(lambda: self.speed < 0.001, message="still moving")
 
     def wait_for_motion(self) -> None:
-        self.assertTrue(wait_until(lambda: self.speed > 0.05), "the robot does not move")
+        wait_until(lambda: self.speed > 0.05, message="the robot does not move")
 
     def write(self, name: str, text: str) -> str:
         path = os.path.join(self.folder, name)
@@ -135,9 +136,9 @@ class FullGraphTest(unittest.TestCase):
             type(self).farthest_left = self.turned
         reply = self.say_and_wait("Turn right 1 radian.")
         self.assertEqual(reply.outcome, Reply.DONE, reply.sentence)
-        self.assertTrue(wait_until(lambda: bool(self.replies_to("Turn left 6 radians.", since))))
+        wait_until(lambda: bool(self.replies_to("Turn left 6 radians.", since)))
         self.assertEqual(self.replies_to("Turn left 6 radians.", since)[0].outcome, Reply.SUPERSEDED)
-        self.assertTrue(wait_until(lambda: GoalStatus.PREEMPTED in self.statuses))
+        wait_until(lambda: GoalStatus.PREEMPTED in self.statuses)
         self.wait_for_rest()
         self.assertLess(self.turned, self.farthest_left - 0.95)
 
@@ -147,7 +148,7 @@ class FullGraphTest(unittest.TestCase):
         self.wait_for_motion()
         self.assertEqual(self.say_and_wait("Stop.").outcome, Reply.DONE)
         self.wait_for_rest()
-        self.assertTrue(wait_until(lambda: bool(self.replies_to("Move forward 10 metres.", since))))
+        wait_until(lambda: bool(self.replies_to("Move forward 10 metres.", since)))
         self.assertEqual(self.replies_to("Move forward 10 metres.", since)[0].outcome, Reply.SUPERSEDED)
 
     def test_06_ability_added_while_everything_runs(self) -> None:
@@ -233,7 +234,7 @@ class FullGraphTest(unittest.TestCase):
         texts = [f"Fly to planet {number}." for number in range(20)]
         for text in texts:
             self.say(text)
-        self.assertTrue(wait_until(lambda: len(self.replies) - since >= len(texts), 60.0))
+        wait_until(lambda: len(self.replies) - since >= len(texts), 60.0)
         self.assertEqual(sorted(reply.command.text for reply in self.replies[since:]), sorted(texts))
 
     def test_99_stop_works_when_the_whole_pipeline_is_dead(self) -> None:

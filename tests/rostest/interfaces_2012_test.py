@@ -14,9 +14,10 @@ from rosgraph_msgs.msg import Log
 from std_msgs.msg import String
 
 import definitions_2012
-from pipeline import can_do, wait_until
+from pipeline import can_do
 from rfnserver import RFNServer
 from roboframenet_demo.ros_pipeline import is_pipeline_complete
+from roboframenet_testing import wait_until
 from typed_arguments import Measure, TypedArgument, from_goal_text, to_goal_text
 
 CAPTAIN = TypedArgument("addressee", "captain", relation="to", head="captain", measure=Measure("number", si=1.0))
@@ -95,8 +96,8 @@ class Interfaces2012Test(unittest.TestCase):
         ]
         cls.rfn_server = RFNServer("salute_rfn", cls.salute)
         cls.rfn_server.start()
-        assert wait_until(is_pipeline_complete, 120.0), "the pipeline did not come up"
-        assert wait_until(lambda: all(subscriber.get_num_connections() > 0 for subscriber in cls.subscribers))
+        wait_until(is_pipeline_complete, 120.0, "the pipeline did not come up")
+        wait_until(lambda: all(subscriber.get_num_connections() > 0 for subscriber in cls.subscribers))
         assert can_do(["saluting"], unit_files=["add_lexical_unit.yaml"]), "the server of 2012 did not register"
 
     @classmethod
@@ -123,9 +124,9 @@ class Interfaces2012Test(unittest.TestCase):
 
     def test_sentence_reaches_a_server_of_2012_byte_for_byte(self) -> None:
         self.text.publish(String(data="Salute the captain."))
-        self.assertTrue(wait_until(lambda: bool(self.replies)))
+        wait_until(lambda: bool(self.replies))
         self.assertEqual(self.replies[0].outcome, Reply.DONE, self.replies[0].sentence)
-        self.assertTrue(wait_until(lambda: bool(self.goals)))
+        wait_until(lambda: bool(self.goals))
         _, goal = taken_apart(self.goals[0])
         self.assertEqual(goal, frame_2012("salute_2012"))
 
@@ -154,7 +155,7 @@ class Interfaces2012Test(unittest.TestCase):
             client.text = text
             self.goals.clear()
             self.assertTrue(client.is_done_by_server(goal_of(roboframenet_msgs.msg, "salute_2012")), text[:80])
-            self.assertTrue(wait_until(lambda: bool(self.goals)))
+            wait_until(lambda: bool(self.goals))
             self.assertEqual(taken_apart(self.goals[0]), (text, frame_2012("salute_2012")))
         client.close()
 

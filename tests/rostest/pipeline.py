@@ -1,21 +1,12 @@
 """What the tests of the whole graph share."""
 
 import os
-import time
-from typing import Callable, Iterable, Set
+from typing import Iterable, Set
 
 import rospy
 from roboframenet_msgs.msg import FrameCatalogue, Lexicon
 
-
-def wait_until(condition: Callable[[], bool], timeout_s: float = 60.0) -> bool:
-    """Wait for a condition; return whether it came true in time."""
-    end = time.monotonic() + timeout_s
-    while time.monotonic() < end:
-        if condition():
-            return True
-        time.sleep(0.02)
-    return condition()
+from roboframenet_testing import comes_true
 
 
 def can_do(frames: Iterable[str], *, unit_files: Iterable[str] = (), timeout_s: float = 60.0) -> bool:
@@ -42,7 +33,7 @@ def can_do(frames: Iterable[str], *, unit_files: Iterable[str] = (), timeout_s: 
         rospy.Subscriber("lexicon", Lexicon, on_lexicon),
     ]
     try:
-        return wait_until(lambda: done.issuperset(frames) and known.issuperset(unit_files), timeout_s)
+        return comes_true(lambda: done.issuperset(frames) and known.issuperset(unit_files), timeout_s)
     finally:
         for subscriber in subscribers:
             subscriber.unregister()

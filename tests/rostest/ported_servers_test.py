@@ -29,9 +29,10 @@ from roboframenet_msgs.msg import (
 )
 from std_msgs.msg import Float32, String
 
-from pipeline import can_do, wait_until
+from pipeline import can_do
 from rfnserver import RFNActionServer, RFNServer
 from roboframenet_demo.ros_pipeline import is_pipeline_complete
+from roboframenet_testing import wait_until
 
 #: Steps of the sequence that a server computes before it lets itself be stopped.
 LONG = 1000
@@ -77,13 +78,13 @@ class Client:
         self._heard: List[FibonacciActionFeedback] = []
         self._feedback = rospy.Subscriber(name + "/feedback", FibonacciActionFeedback, self._heard.append)
         assert self._client.wait_for_server(rospy.Duration(60.0)), f"no server {name}"
-        assert wait_until(lambda: self._feedback.get_num_connections() == 1)
+        wait_until(lambda: self._feedback.get_num_connections() == 1)
 
     def send(self, order: int) -> Any:
         return self._client.send_goal(FibonacciGoal(order=order))
 
     def end(self, handle: Any) -> Record:
-        assert wait_until(lambda: handle.get_comm_state() == actionlib.CommState.DONE), "the goal does not end"
+        wait_until(lambda: handle.get_comm_state() == actionlib.CommState.DONE, message="the goal does not end")
         goal = handle.comm_state_machine.action_goal
         expected = 0 if goal.goal.order == LONG else goal.goal.order
         wait_until(lambda: len(self._feedback_of(goal.goal_id.id)) >= expected)
@@ -99,11 +100,11 @@ def story(name: str) -> List[Record]:
     client = Client(name)
     records = [client.end(client.send(order)) for order in (5, 0, 3)]
     cancelled = client.send(LONG)
-    assert wait_until(lambda: cancelled.get_goal_status() == GoalStatus.ACTIVE)
+    wait_until(lambda: cancelled.get_goal_status() == GoalStatus.ACTIVE)
     cancelled.cancel()
     records.append(client.end(cancelled))
     replaced = client.send(LONG)
-    assert wait_until(lambda: replaced.get_goal_status() == GoalStatus.ACTIVE)
+    wait_until(lambda: replaced.get_goal_status() == GoalStatus.ACTIVE)
     last = client.send(4)
     return records + [client.end(replaced), client.end(last)]
 
@@ -118,8 +119,8 @@ class PortedServersTest(unittest.TestCase):
         cls.text = rospy.Publisher("text", String, queue_size=10)
         cls.numbers = rospy.Publisher("random_number", Float32, queue_size=10)
         cls.timer = rospy.Timer(rospy.Duration(0.02), lambda _: cls.numbers.publish(Float32(data=0.75)))
-        assert wait_until(lambda: cls.text.get_num_connections() >= 2), "nobody listens to 'text'"
-        assert wait_until(is_pipeline_complete, 120.0), "the pipeline did not come up"
+        wait_until(lambda: cls.text.get_num_connections() >= 2, message="nobody listens to 'text'")
+        wait_until(is_pipeline_complete, 120.0, "the pipeline did not come up")
         # A frame for the servers in the test, which must not be asked for by what people say to the others.
         cls.frames = RFNServer("frames", lambda frame: None)
         path = os.path.join(os.path.dirname(os.path.abspath(__file__)), "ported", "frames", "counting.yaml")
@@ -129,7 +130,7 @@ class PortedServersTest(unittest.TestCase):
         )
         # The parser reads the lexicon too, and is at it perhaps.
         cls.text.publish(String(data="Hello."))
-        assert wait_until(lambda: cls.replies), "no reply"
+        wait_until(lambda: cls.replies, message="no reply")
 
     @classmethod
     def tearDownClass(cls) -> None:
@@ -139,7 +140,7 @@ class PortedServersTest(unittest.TestCase):
         self.text.publish(String(data=text))
 
     def reply_to(self, text: str) -> Reply:
-        self.assertTrue(wait_until(lambda: any(reply.command.text == text for reply in self.replies)), text)
+        wait_until(lambda: any(reply.command.text == text for reply in self.replies), message=text)
         return next(reply for reply in self.replies if reply.command.text == text)
 
     def carry_out(self, server: str, name: str, **arguments: str) -> Tuple[int, str]:
@@ -149,7 +150,7 @@ class PortedServersTest(unittest.TestCase):
         handle = client.send_goal(
             FilledSemanticFrameGoal(frame=FilledSemanticFrame(name=name, frame_elements=elements))
         )
-        self.assertTrue(wait_until(lambda: handle.get_comm_state() == actionlib.CommState.DONE))
+        wait_until(lambda: handle.get_comm_state() == actionlib.CommState.DONE)
         return handle.get_goal_status(), handle.get_goal_status_text()
 
     def test_old_clients_see_what_they_saw(self) -> None:
@@ -175,12 +176,12 @@ class PortedServersTest(unittest.TestCase):
     def test_fibonacci_through_language(self) -> None:
         results: List[FibonacciActionResult] = []
         subscriber = rospy.Subscriber("fibonacci/result", FibonacciActionResult, results.append)
-        self.assertTrue(wait_until(lambda: subscriber.get_num_connections() == 1))
+        wait_until(lambda: subscriber.get_num_connections() == 1)
         text = "Compute the Fibonacci sequence to order seven."
         self.say(text)
         reply = self.reply_to(text)
         self.assertEqual(Reply.DONE, reply.outcome, reply.sentence)
-        self.assertTrue(wait_until(lambda: results))
+        wait_until(lambda: results)
         self.assertEqual((0, 1, 1, 2, 3, 5, 8, 13), results[-1].result.sequence)
 
     def test_goal_callbacks_through_language_and_their_preemption(self) -> None:
@@ -193,10 +194,10 @@ class PortedServersTest(unittest.TestCase):
             return [status.status for status in client.last_status_msg.status_list]
 
         self.say("Average 999 samples.")
-        self.assertTrue(wait_until(lambda: GoalStatus.ACTIVE in statuses()))
+        wait_until(lambda: GoalStatus.ACTIVE in statuses())
         self.say("Stop.")
         self.assertEqual(Reply.SUPERSEDED, self.reply_to("Average 999 samples.").outcome)
-        self.assertTrue(wait_until(lambda: GoalStatus.PREEMPTED in statuses() and GoalStatus.ACTIVE not in statuses()))
+        wait_until(lambda: GoalStatus.PREEMPTED in statuses() and GoalStatus.ACTIVE not in statuses())
 
     def test_plain_action_server(self) -> None:
         def on_goal(handle: Any) -> None:
@@ -214,7 +215,7 @@ class PortedServersTest(unittest.TestCase):
         client = actionlib.ActionClient("adding", TwoIntsAction)
         self.assertTrue(client.wait_for_server(rospy.Duration(60.0)))
         handle = client.send_goal(TwoIntsGoal(a=1, b=2))
-        self.assertTrue(wait_until(lambda: handle.get_comm_state() == actionlib.CommState.DONE))
+        wait_until(lambda: handle.get_comm_state() == actionlib.CommState.DONE)
         self.assertEqual((GoalStatus.SUCCEEDED, 3), (handle.get_goal_status(), handle.get_result().sum))
         status, text = self.carry_out("adding", "counting", samples="half")
         self.assertEqual(GoalStatus.ABORTED, status)

@@ -43,7 +43,8 @@ from roboframenet_msgs.srv import (
 )
 from std_msgs.msg import String
 
-from pipeline import wait_until
+from roboframenet_testing import wait_until
+from roboframenet_testing.ros_connections import is_connected
 
 STAGES = ("stanford_parser_ros", "semantic_framer", "frame_registrar")
 DRIVE = "moving_forward distance=15,distance_unit=metres"
@@ -103,27 +104,16 @@ class StopPathTest(unittest.TestCase):
             rospy.Subscriber("moving_forward/status", GoalStatusArray, cls.on_motion),
         ]
         velocities = rospy.Subscriber("cmd_vel", Twist, cls.velocities.append)
-        assert wait_until(lambda: velocities.get_num_connections() == VELOCITY_PUBLISHERS, 120.0)
+        wait_until(lambda: velocities.get_num_connections() == VELOCITY_PUBLISHERS, 120.0)
         cls.wait_for_graph()
 
     @classmethod
     def wait_for_graph(cls) -> None:
         """What is published before its listener has connected is lost."""
-        assert wait_until(lambda: cls.text.get_num_connections() == 2 and cls.frames.get_num_connections() == 1, 120.0)
-        assert wait_until(lambda: cls.said.get_num_connections() == 2, 120.0)
+        wait_until(lambda: cls.text.get_num_connections() == 2 and cls.frames.get_num_connections() == 1, 120.0)
+        wait_until(lambda: cls.said.get_num_connections() == 2, 120.0)
         for connection in LISTENERS:
-            assert wait_until(lambda connection=connection: cls.is_heard(*connection), 120.0), connection
-
-    @staticmethod
-    def is_heard(speaker: str, topic: str, listener: str) -> bool:
-        """Whether a node that publishes a topic is connected to one that listens."""
-        try:
-            api = ServerProxy(rosgraph.Master(rospy.get_name()).lookupNode(speaker))
-            connections = api.getBusInfo(rospy.get_name())[2]
-        except (rosgraph.MasterException, OSError):
-            return False  # it is not up yet
-        wanted = [listener, "o", rospy.resolve_name(topic)]
-        return any([entry[1], entry[2], entry[4]] == wanted and entry[5] for entry in connections)
+            wait_until(lambda connection=connection: is_connected(*connection), 120.0, str(connection))
 
     @classmethod
     def on_odometry(cls, message: Odometry) -> None:
@@ -169,15 +159,15 @@ class StopPathTest(unittest.TestCase):
         return [reply for reply in list(self.replies) if reply.command.text == text]
 
     def reply_to(self, text: str, number: int = 1) -> Reply:
-        self.assertTrue(wait_until(lambda: len(self.replies_to(text)) >= number), f"no reply to {text!r}")
+        wait_until(lambda: len(self.replies_to(text)) >= number, message=f"no reply to {text!r}")
         return self.replies_to(text)[number - 1]
 
     def begin_to_drive(self) -> None:
         self.say(DRIVE)
-        self.assertTrue(wait_until(lambda: self.speed > 0.2), "the robot does not move")
+        wait_until(lambda: self.speed > 0.2, message="the robot does not move")
 
     def wait_for_rest(self) -> None:
-        self.assertTrue(wait_until(lambda: self.speed < 0.001), "the robot does not stand")
+        wait_until(lambda: self.speed < 0.001, message="the robot does not stand")
 
     def assert_stays(self, duration_s: float = 2.0) -> None:
         """See that the robot stands, and goes on standing."""
@@ -212,7 +202,7 @@ class StopPathTest(unittest.TestCase):
             except (rosgraph.MasterException, OSError):
                 return False
 
-        self.assertTrue(wait_until(is_back), f"{node} does not come back")
+        wait_until(is_back, message=f"{node} does not come back")
 
     @contextmanager
     def hung(self, *nodes: str) -> Iterator[None]:
@@ -241,11 +231,11 @@ class StopPathTest(unittest.TestCase):
         client = actionlib.ActionClient("fibonacci", FibonacciAction)
         self.assertTrue(client.wait_for_server(rospy.Duration(60.0)))
         handle = client.send_goal(FibonacciGoal(order=100_000))
-        self.assertTrue(wait_until(lambda: handle.get_goal_status() == GoalStatus.ACTIVE))
+        wait_until(lambda: handle.get_goal_status() == GoalStatus.ACTIVE)
         self.say("Stop.")
         reply = self.reply_to("Stop.")
         self.assertEqual(Reply.DONE, reply.outcome, reply.sentence)
-        self.assertTrue(wait_until(lambda: handle.get_comm_state() == actionlib.CommState.DONE))
+        wait_until(lambda: handle.get_comm_state() == actionlib.CommState.DONE)
         self.assertEqual(GoalStatus.PREEMPTED, handle.get_terminal_state())
         client.stop()
 
@@ -254,18 +244,18 @@ class StopPathTest(unittest.TestCase):
         twist.linear.x = 0.2
         driver = rospy.Timer(rospy.Duration(0.02), lambda _: self.velocity.publish(twist))
         try:
-            self.assertTrue(wait_until(lambda: self.speed > 0.1))
+            wait_until(lambda: self.speed > 0.1)
             del self.velocities[:]
             self.say("Stop.")
             reply = self.reply_to("Stop.")
             self.assertEqual((Reply.FAILED, "NOT_STOPPED"), (reply.outcome, reply.code), reply.sentence)
             self.assertIn(f"{rospy.get_name()} publishes velocities on /cmd_vel", reply.sentence)
             # As many zeros as velocities, or nearly so: the base is held although the driver is the faster one.
-            self.assertTrue(wait_until(lambda: len(self.velocities) > 200))
+            wait_until(lambda: len(self.velocities) > 200)
             zeros = sum(velocity == Twist() for velocity in self.velocities[:200])
             self.assertGreater(zeros, 60)
             # It ends, and is said to.
-            self.assertTrue(wait_until(lambda: "Zero velocity has ended after 3 s" in self.status.sentence))
+            wait_until(lambda: "Zero velocity has ended after 3 s" in self.status.sentence)
         finally:
             driver.shutdown()
         self.velocity.publish(Twist())
@@ -276,14 +266,14 @@ class StopPathTest(unittest.TestCase):
 
     def test_04_server_that_obeys_no_cancel_is_named_until_it_ends(self) -> None:
         self.say("patrolling duration=5")
-        self.assertTrue(wait_until(lambda: self.speed > 0.05))
+        wait_until(lambda: self.speed > 0.05)
         self.say("Stop.")
         reply = self.reply_to("Stop.")
         self.assertEqual((Reply.FAILED, "NOT_STOPPED"), (reply.outcome, reply.code), reply.sentence)
         self.assertIn("/patrol publishes velocities", reply.sentence)
         self.assertIn("/patrolling has not ended its goal", reply.sentence)
-        self.assertTrue(wait_until(lambda: "/patrolling" in self.status.sentence))
-        self.assertTrue(wait_until(lambda: {"/patrol", "/patrolling"} <= set(self.reports[-1].disobeying)))
+        wait_until(lambda: "/patrolling" in self.status.sentence)
+        wait_until(lambda: {"/patrol", "/patrolling"} <= set(self.reports[-1].disobeying))
         self.wait_for_rest()
         self.assert_works()
 
@@ -313,11 +303,11 @@ class StopPathTest(unittest.TestCase):
     def test_07_hung_executor_does_not_try_the_next_candidate_when_it_wakes(self) -> None:
         text = f"{DRIVE} / moving_backward distance=15,distance_unit=metres"
         self.say(text)
-        self.assertTrue(wait_until(lambda: self.speed > 0.2), "the robot does not move")
+        wait_until(lambda: self.speed > 0.2, message="the robot does not move")
         with self.hung("/executor"):
             # The server fails while nobody looks: it loses the odometry.
             with self.hung("/turtlebot_sim"):
-                self.assertTrue(wait_until(lambda: GoalStatus.ABORTED in self.motion))
+                wait_until(lambda: GoalStatus.ABORTED in self.motion)
             self.assertEqual("STAGE_SILENT", self.reply_to(text).code)
         self.assert_stays()
         self.assert_works()
@@ -375,12 +365,9 @@ class StopPathTest(unittest.TestCase):
         self.wait_for_graph()
         for command in self.unparsed:
             self.pass_on(command)
-        self.assertTrue(
-            wait_until(
-                lambda: any(
-                    event.is_final and event.stage == "executor" and event.reply.code == "STOPPED"
-                    for event in self.events
-                )
+        wait_until(
+            lambda: any(
+                event.is_final and event.stage == "executor" and event.reply.code == "STOPPED" for event in self.events
             )
         )
         self.assert_stays()
@@ -390,20 +377,20 @@ class StopPathTest(unittest.TestCase):
         pid = int(rosgraph.Master(rospy.get_name()).getPid())
         cancels: List[GoalID] = []
         subscriber = rospy.Subscriber("moving_forward/cancel", GoalID, cancels.append)
-        self.assertTrue(wait_until(lambda: subscriber.get_num_connections() >= 3))
+        wait_until(lambda: subscriber.get_num_connections() >= 3)
         os.kill(pid, signal.SIGSTOP)
         try:
             for number in range(1, 4):
                 if number > 1:
                     # What the stop before repeats has ended.
-                    self.assertTrue(wait_until(self.is_quiet))
+                    wait_until(self.is_quiet)
                 for known in (self.velocities, cancels, self.reports):
                     del known[:]
                 self.say("Stop.")
                 self.assertEqual(Reply.DONE, self.reply_to("Stop.", number).outcome)
                 self.wait_for_rest()
-                self.assertTrue(wait_until(lambda: Twist() in self.velocities and GoalID() in cancels))
-                self.assertTrue(wait_until(lambda: any(report.reply.command.id for report in self.reports)))
+                wait_until(lambda: Twist() in self.velocities and GoalID() in cancels)
+                wait_until(lambda: any(report.reply.command.id for report in self.reports))
             self.assertEqual("STOPPED", self.reply_to(DRIVE).code)
             self.say(DRIVE)
             self.reply_to(DRIVE, 2)

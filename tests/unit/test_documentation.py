@@ -12,10 +12,45 @@ PACKAGES = sorted(path.parent for path in REPOSITORY.glob("src/*/package.xml"))
 WITH_CODE = [package for package in PACKAGES if list(package.glob("src/*/*.py"))]
 
 
+def declared_parameters() -> Dict[str, Set[str]]:
+    """Names of the parameters that each module declares as fields of a class of `Parameters`, by module and class."""
+    found: Dict[str, Set[str]] = {}
+    for path in REPOSITORY.glob("src/*/src/*/*.py"):
+        for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
+            if isinstance(node, ast.ClassDef) and any(getattr(base, "id", "") == "Parameters" for base in node.bases):
+                found[f"{path.parent.name}.{path.stem}.{node.name}"] = {
+                    f"~{field.target.id}"
+                    for field in node.body
+                    if isinstance(field, ast.AnnAssign) and isinstance(field.target, ast.Name)
+                }
+    return found
+
+
+DECLARED = declared_parameters()
+
+
+def parameters_read_by_class(path: Path) -> Set[str]:
+    """Names of the parameters of the classes that a module gives to `read_parameters`."""
+    tree = ast.parse(path.read_text(encoding="utf-8"))
+    origins = {
+        alias.asname or alias.name: f"{node.module}.{alias.name}"
+        for node in ast.walk(tree)
+        if isinstance(node, ast.ImportFrom)
+        for alias in node.names
+    }
+    names: Set[str] = set()
+    for node in ast.walk(tree):
+        if isinstance(node, ast.Call) and getattr(node.func, "id", "") == "read_parameters":
+            kind = getattr(node.args[0], "id", "")
+            names |= DECLARED[origins.get(kind, f"{path.parent.name}.{path.stem}.{kind}")]
+    return names
+
+
 def parameters_in_code(package: Path) -> Set[str]:
-    """Names of the private parameters that a package reads: literals that begin with '~' and are not topics."""
+    """Names of the private parameters that a package reads: by a class, or by a literal that begins with '~'."""
     names: Set[str] = set()
     for path in package.glob("src/**/*.py"):
+        names |= parameters_read_by_class(path)
         for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
             if (
                 isinstance(node, ast.Call)
@@ -54,7 +89,18 @@ def test_readme_lists_every_parameter(package: Path) -> None:
 def test_readme_lists_no_parameter_that_is_gone(package: Path) -> None:
     sources = list(package.glob("src/**/*.py")) + list(package.glob("cfg/*"))
     code = "\n".join(path.read_text(encoding="utf-8") for path in sources)
-    assert not {name for name in parameters_in_readme(package) if name not in code and f'"{name[1:]}"' not in code}
+    read = parameters_in_code(package)
+    assert not {
+        name
+        for name in parameters_in_readme(package)
+        if name not in read and name not in code and f'"{name[1:]}"' not in code
+    }
+
+
+def test_parameters_of_a_class_are_found() -> None:
+    found = parameters_in_code(REPOSITORY / "src" / "executor")
+    assert {"~acceptance_timeout_s", "~max_clients", "~introspection"} <= found
+    assert "~zero_velocity_rate_hz" in parameters_in_code(REPOSITORY / "src" / "stop_server")
 
 
 #: Calls that open a topic, a service or an action; their first literal argument is its name.
@@ -148,3 +194,50 @@ def test_row_of_an_interface_is_true(row: Tuple[str, str, List[str], str]) -> No
         else:
             modules = [path for path in (REPOSITORY / "src" / other).glob("src/**/*.py") if says(path, bare)]
             assert modules, f"{other} does not say {name}"
+
+
+#: Tables of these sections of docs/architecture.md name modules of ours, and what they define.
+SECTIONS_WITH_MODULES = (
+    "From a sentence to readings",
+    "From readings to goals",
+    "Where a command ends",
+    "Where is X done?",
+)
+
+
+def modules_in_architecture() -> List[str]:
+    """Dotted names, package first, in the tables of the sections that say where something is done."""
+    text = (REPOSITORY / "docs" / "architecture.md").read_text(encoding="utf-8")
+    rows = []
+    for section in re.split(r"^## ", text, flags=re.MULTILINE):
+        if section.splitlines()[0] in SECTIONS_WITH_MODULES:
+            rows += [line for line in section.splitlines() if line.startswith("|")]
+    packages = "|".join(package.name for package in WITH_CODE)
+    return sorted(set(re.findall(rf"`((?:{packages})\.\w[\w.]*)`", "\n".join(rows))))
+
+
+def defined_names(path: Path) -> Set[str]:
+    """Functions, classes and constants of a module, and the methods of its classes as ``Class.method``."""
+    names: Set[str] = set()
+    for node in ast.parse(path.read_text(encoding="utf-8")).body:
+        if isinstance(node, (ast.FunctionDef, ast.ClassDef)):
+            names.add(node.name)
+        if isinstance(node, ast.ClassDef):
+            names.update(f"{node.name}.{inner.name}" for inner in node.body if isinstance(inner, ast.FunctionDef))
+        if isinstance(node, ast.Assign):
+            names.update(target.id for target in node.targets if isinstance(target, ast.Name))
+        if isinstance(node, ast.AnnAssign) and isinstance(node.target, ast.Name):
+            names.add(node.target.id)
+    return names
+
+
+def test_architecture_names_many_modules() -> None:
+    assert len(modules_in_architecture()) > 30
+
+
+@pytest.mark.parametrize("name", modules_in_architecture())
+def test_what_architecture_names_is_there(name: str) -> None:
+    package, module, *inner = name.split(".")
+    path = REPOSITORY / "src" / package / "src" / package / f"{module}.py"
+    assert path.exists()
+    assert not inner or ".".join(inner) in defined_names(path)

@@ -1,6 +1,7 @@
 """The cores stay free of ROS: only the thin modules of a package import it."""
 
 import ast
+import re
 import subprocess
 import sys
 from pathlib import Path
@@ -108,13 +109,16 @@ def test_core_imports_no_ros(path: Path) -> None:
         "frame_registrar.search",
         "arbitrator.state_machine",
         "executor.goal_tracking",
-        "stage_events.recent",
         "robot_stop.braking",
         "robot_stop.servers",
+        "roboframenet_ros.deadline",
         "roboframenet_ros.log_thread",
+        "roboframenet_ros.parameters",
+        "roboframenet_ros.recent",
+        "roboframenet_testing",
         "roboframenet_ros.suspension",
         "stop_server.other_answers",
-        "command_server.command_book",
+        "command_server.open_commands",
     ],
 )
 def test_importing_a_core_loads_no_ros(package: str) -> None:
@@ -134,6 +138,14 @@ def test_a_circle_is_found() -> None:
     assert circle({"a": {"b"}, "b": set()}) == []
 
 
+def test_only_tests_depend_on_the_package_for_tests() -> None:
+    importing = [path for path in product_modules() if "roboframenet_testing" in imported_packages(path)]
+    assert {path.parent.name for path in importing} == {"roboframenet_testing"}
+    for path in REPOSITORY.glob("*/*/package.xml"):
+        kinds = re.findall(r"<(\w+)[^>]*>roboframenet_testing<", path.read_text(encoding="utf-8"))
+        assert set(kinds) <= {"test_depend", "name"}, path
+
+
 def test_the_check_itself_finds_an_import_of_rospy(tmp_path: Path) -> None:
     module = tmp_path / "core.py"
     module.write_text("def late():\n    from rospy import Time\n    return Time\n", encoding="utf-8")
@@ -143,6 +155,35 @@ def test_the_check_itself_finds_an_import_of_rospy(tmp_path: Path) -> None:
 @pytest.mark.parametrize("path", product_modules(), ids=lambda path: str(path.relative_to(REPOSITORY / "src")))
 def test_module_fits_in_one_room(path: Path) -> None:
     assert len(path.read_text(encoding="utf-8").splitlines()) <= LONGEST_MODULE
+
+
+PACKAGES = sorted(path.parent for path in REPOSITORY.glob("src/*/package.xml"))
+#: Commands go from stage to stage by topics. The plan and its machine belong to the arbitrator, and the executor runs
+#: them; the framer reads the parse with the parser's own types.
+STAGES = {"command_server", "stanford_parser_ros", "semantic_framer", "frame_registrar", "arbitrator", "executor"}
+ARROWS_BETWEEN_STAGES = {("executor", "arbitrator"), ("semantic_framer", "stanford_parser_ros")}
+
+
+def packages_imported(package: Path) -> Set[str]:
+    """Other packages of ours that a package imports."""
+    paths = package.glob("src/**/*.py")
+    names: Set[str] = set().union(*(imported_packages(path) for path in paths))
+    return names & {other.name for other in PACKAGES} - {package.name}
+
+
+def test_a_stage_imports_no_other_stage() -> None:
+    arrows = {(package.name, other) for package in PACKAGES for other in packages_imported(package)}
+    assert {arrow for arrow in arrows if set(arrow) <= STAGES} == ARROWS_BETWEEN_STAGES
+
+
+def test_what_all_nodes_share_imports_only_messages() -> None:
+    assert packages_imported(REPOSITORY / "src" / "roboframenet_ros") == {"roboframenet_msgs"}
+
+
+@pytest.mark.parametrize("package", PACKAGES, ids=lambda package: package.name)
+def test_package_xml_names_what_is_imported(package: Path) -> None:
+    text = (package / "package.xml").read_text(encoding="utf-8")
+    assert {name for name in packages_imported(package) if f"depend>{name}<" not in text} == set()
 
 
 def internal_imports(package: Path) -> Dict[str, Set[str]]:

@@ -20,6 +20,7 @@ EXEMPT = {
     "command_server/spoken_words.py": "the robot stops without reading a file",
     "command_server/cries.py": "the robot stops without reading a file",
     "command_server/stop_words.py": "the robot stops without reading a file",
+    "command_server/taking_back.py": "the robot stops without reading a file",
     "semantic_framer/objections.py": "patterns of corrections: not yet in formulas.yaml",
     "spoken_quantities/measure.py": "spoken numbers",
     "spoken_quantities/numbers.py": "spoken numbers",
@@ -31,8 +32,8 @@ EXEMPT = {
 #: Words that nobody says to the robot, or that have an answer of their own each; every other list of the module counts.
 NO_SPEECH: Dict[str, Tuple[str, str]] = {
     "arbitrator/state_machine.py": ("outcomes of SMACH", "succeeded, aborted, preempted"),
-    "executor/ros_reconfigure.py": ("keys of a record", "node, name, former"),
-    "executor/settings.py": ("keys of a record", "node, name, former"),
+    "executor/ros_driver_settings.py": ("keys of a record", "node, name, former"),
+    "executor/driver_settings.py": ("keys of a record", "node, name, former"),
     "frame_bindings/binding_file.py": (
         "keys of a file",
         "frame, name, action, service, topic, type, fields, element, unit, default, value",
@@ -47,6 +48,7 @@ NO_SPEECH: Dict[str, Tuple[str, str]] = {
     "rfnserver/goal_types.py": ("types of ROS", "bool, string, duration"),
     "roboframenet_demo/node.py": ("headings", "sentence, domain, frame and elements, verdict"),
     "roboframenet_demo/script.py": ("keys of a file", "say, outcome, expect, tolerance, interrupt, person"),
+    "roboframenet_ros/parameters.py": ("suffixes of names that say the unit", "s, hz, m, rad"),
     "roboframenet_sim/room.py": ("keys of a file", "bounds, walls, boxes"),
     "roboframenet_tools/cli.py": (
         "commands of rfn",

@@ -1,1 +1,1 @@
-"""Orders the ways to carry out each clause of a command and forms a SMACH state machine of them."""
+"""Orders the candidates of each clause of a command, and builds the SMACH state machine of a plan."""

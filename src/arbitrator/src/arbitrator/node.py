@@ -10,15 +10,16 @@ from roboframenet_msgs.msg import CommandPlan, CommandSemanticFrames, Procedure,
 from arbitrator.plan import describe
 from arbitrator.policy import Policy, PolicyError, arbitrate, load_policy
 from arbitrator.ros_messages import plan_from_message, plan_to_message, procedure_to_message
-from roboframenet_ros.ros_log import log_from_threads
-from stage_events.ros_stage import Stage
+from roboframenet_ros.parameters import ParameterError, Parameters, parameter
+from roboframenet_ros.ros_node import read_parameters, run_node
+from roboframenet_ros.ros_stage import Stage
 
-# An executor that is just starting must not miss a command. Shorter than the time that it may be silent.
+# How long a command waits for an executor that is starting; shorter than the silence that is allowed to it.
 _LISTENER_TIMEOUT_S = 3.0
 
 
 @dataclass(frozen=True)
-class Settings:
+class Settings(Parameters):
     """Private parameters of the node.
 
     Attributes:
@@ -26,28 +27,13 @@ class Settings:
         seed: of the policy; negative for a new one at each start
     """
 
-    policy: str = "random"
-    seed: int = -1
-
-    def __post_init__(self) -> None:
-        if not isinstance(self.policy, str) or not self.policy:
-            raise ValueError(f"~policy must be a name, got {self.policy!r}")
-        if isinstance(self.seed, bool) or not isinstance(self.seed, int):
-            raise ValueError(f"~seed must be an integer, got {self.seed!r}")
+    policy: str = parameter("random", may_be_empty=False)
+    seed: int = parameter(-1)
 
     @property
     def policy_seed(self) -> Optional[int]:
-        """The seed as policies take it."""
+        """The seed for the policy; None for a random one."""
         return None if self.seed < 0 else self.seed
-
-
-def read_settings() -> Settings:
-    """Read the private parameters.
-
-    Raises:
-        ValueError: a parameter is out of its range
-    """
-    return Settings(policy=rospy.get_param("~policy", "random"), seed=rospy.get_param("~seed", -1))
 
 
 class ArbitratorNode:
@@ -80,7 +66,7 @@ class ArbitratorNode:
         sentence = describe(plan)
         rospy.loginfo("cmd=%s %s", message.command.id, sentence)
         self._wait_for_executor()
-        # The event goes first so that an observer hears the stages in their order.
+        # The event is published first, so that observers receive the events of the stages in order.
         self._stage.passes_on(message.command, sentence)
         self._command_plan.publish(CommandPlan(command=message.command, plan=plan_to_message(plan)))
         self._procedure.publish(procedure_to_message(plan))
@@ -93,16 +79,16 @@ class ArbitratorNode:
             time.sleep(0.01)
 
 
+def _start() -> ArbitratorNode:
+    settings = read_parameters(Settings)
+    try:
+        policy = load_policy(settings.policy, seed=settings.policy_seed)
+    except PolicyError as error:
+        raise ParameterError(str(error)) from error
+    rospy.loginfo("arbitrator: policy=%s seed=%s", settings.policy, settings.policy_seed)
+    return ArbitratorNode(policy)
+
+
 def main() -> None:
     """Run the node until ROS shuts down; exits with a sentence when a parameter is wrong."""
-    rospy.init_node("arbitrator")
-    log_from_threads()
-    try:
-        settings = read_settings()
-        policy = load_policy(settings.policy, seed=settings.policy_seed)
-    except ValueError as error:
-        rospy.logfatal("%s", error)
-        raise SystemExit(f"arbitrator: {error}") from error
-    rospy.loginfo("arbitrator: policy=%s seed=%s", settings.policy, settings.policy_seed)
-    ArbitratorNode(policy)
-    rospy.spin()
+    run_node("arbitrator", _start)

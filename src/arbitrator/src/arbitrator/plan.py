@@ -1,4 +1,4 @@
-"""What is to be done for a command, as values: a tree of clauses, each with the ways to carry it out."""
+"""Plans as values: a tree of clauses, each with the candidates that carry it out."""
 
 import itertools
 import math
@@ -107,7 +107,7 @@ class InSequence:
 
 Plan = Union[Do, InSequence]
 
-#: A plan of several clauses is told as a procedure of 2012 with so many sequences at most.
+#: Most sequences of the 2012 procedure of a plan with several clauses.
 MOST_COMBINATIONS = 64
 
 
@@ -119,10 +119,10 @@ def clauses(plan: Plan) -> Tuple[Do, ...]:
 
 
 def as_procedure(plan: Plan) -> Tuple[Tuple[FilledFrame, ...], ...]:
-    """Return a plan as the procedure of 2012: sequences of frames, one of which is tried after the other.
+    """Return a plan as the procedure of 2012: sequences of frames, tried one after the other.
 
-    A procedure cannot say that a clause is done: each sequence holds the frames of all clauses. Of several clauses the
-    combinations of their candidates are told, up to `MOST_COMBINATIONS`.
+    A procedure cannot say that a clause is done: each sequence holds the frames of all clauses. Several clauses
+    give the combinations of their candidates, up to `MOST_COMBINATIONS`.
     """
     groups = [[candidate.frames for candidate in clause.candidates] for clause in clauses(plan)]
     if len(groups) == 1:

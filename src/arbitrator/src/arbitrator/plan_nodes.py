@@ -1,4 +1,4 @@
-"""Plans as they travel: a list of nodes that name their children by position. What is no tree is refused."""
+"""Plans as they are sent: a list of nodes that name their children by position. Other graphs than trees are refused."""
 
 import enum
 from dataclasses import dataclass
@@ -34,16 +34,16 @@ class Kind(enum.IntEnum):
     ANY = 15
 
 
-#: Kinds that a machine can be made of. A plan with another one is refused as a whole: part of it is not what was said.
+#: Kinds that can be carried out. A plan with another kind is refused as a whole: a part of it is not what was said.
 CARRIED_OUT = (Kind.DO, Kind.SEQUENCE)
 
 
 @dataclass(frozen=True)
 class Node:
-    """A node as it travels.
+    """A node as it is sent.
 
     Attributes:
-        kind: as in `Kind`, or a number that nobody knows here
+        kind: as in `Kind`, or an unknown number
         label: words of the clause
         children: positions of nodes
         candidates: of a clause
@@ -74,14 +74,14 @@ def to_nodes(plan: Plan) -> Tuple[Node, ...]:
 
 
 def from_nodes(nodes: Sequence[Node]) -> Plan:
-    """Return the plan that nodes make.
+    """Return the plan of a list of nodes.
 
     Raises:
-        ValueError: they make none; the text says which node is wrong and why
+        ValueError: the nodes are no plan; the text says which node is wrong, and why
     """
     levels = _levels(nodes)
     plans: Dict[int, Plan] = {}
-    # The deepest first, so that the children of a node are there before it.
+    # Deepest first: children are built before their parent.
     for position in sorted(levels, key=lambda position: -levels[position]):
         node = nodes[position]
         try:
@@ -118,7 +118,7 @@ def _levels(nodes: Sequence[Node]) -> Dict[int, int]:
             if child in parents:
                 raise ValueError(f"node {child} of the plan has two parents: {parents[child]} and {position}")
             parents[child] = position
-    # Each node has one parent at most, and the root none: what hangs on the root is a tree.
+    # Each node has at most one parent, and the root has none: what the root reaches is a tree.
     levels: Dict[int, int] = {}
     below = [0]
     for level in range(MOST_LEVELS):
@@ -128,7 +128,9 @@ def _levels(nodes: Sequence[Node]) -> Dict[int, int]:
         raise ValueError(f"the plan has more than {MOST_LEVELS} levels")
     lost = [str(position) for position in range(len(nodes)) if position not in levels]
     if lost:
-        raise ValueError(f"nodes {', '.join(lost[:10])} of the plan do not hang on its root: no parent, or a circle")
+        raise ValueError(
+            f"nodes {', '.join(lost[:10])} of the plan are not reached from its root: no parent, or a cycle"
+        )
     return levels
 
 

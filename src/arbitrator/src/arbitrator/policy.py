@@ -1,7 +1,7 @@
-"""Policies: in which order the candidates of a clause are tried.
+"""Policies: the order in which the candidates of a clause are tried.
 
-A policy orders the ways to *do* what was said, and never the ways to *read* it: it sees one tier of candidates after
-the other, those of one reading, the likeliest first. Within a reading, candidates that account for a larger share of
+A policy decides how something is *done*, and never how it is *read*: it orders the candidates of one reading at a
+time, the likeliest reading first. Within a reading, candidates that account for a larger share of
 the words come first whatever the policy.
 """
 
@@ -25,7 +25,7 @@ class Policy(abc.ABC):
         """Keep what the policy needs.
 
         Args:
-            seed: for policies that draw lots: the same seed gives the same orders; None for a new one each time
+            seed: of random policies: the same seed gives the same orders; None for a new seed each time
         """
         self.seed = seed
 
@@ -64,7 +64,7 @@ class FewestStepsPolicy(Policy):
         return sorted(candidates, key=lambda candidate: len(candidate.frames))
 
 
-# most_coverage is what every policy starts from; with no lots drawn inside a tier it is the stable form of it.
+# Coverage orders the tiers of every policy; most_coverage keeps the order inside each tier too.
 POLICIES: Dict[str, Callable[..., Policy]] = {
     "random": RandomPolicy,
     "in_order": InOrderPolicy,
@@ -74,7 +74,7 @@ POLICIES: Dict[str, Callable[..., Policy]] = {
 
 
 class PolicyError(ValueError):
-    """A policy cannot be loaded, or it does not return what it was given."""
+    """A policy cannot be loaded, or does not return the candidates that it was given."""
 
 
 def load_policy(name: str, *, seed: Optional[int] = None) -> Policy:
@@ -124,7 +124,7 @@ def arbitrate(plan: Plan, policy: Policy) -> Plan:
 
 
 def order(candidates: Sequence[Candidate], policy: Policy) -> Tuple[Candidate, ...]:
-    """Order the candidates of a clause: the likeliest reading first, then coverage; what is equal as the policy says.
+    """Order the candidates of a clause by reading, then by coverage; the policy orders those that are equal.
 
     Args:
         candidates: of one clause

@@ -1,4 +1,4 @@
-"""Plans between messages and values."""
+"""Converts plans between messages and values."""
 
 from dataclasses import fields
 from typing import Iterable, List
@@ -8,8 +8,7 @@ from roboframenet_msgs import msg
 from arbitrator.plan import Candidate, FilledElement, FilledFrame, Plan, as_procedure
 from arbitrator.plan_nodes import CARRIED_OUT, Kind, Node, from_nodes, to_nodes
 
-#: Fields of a node that mean something to the kinds that are carried out. The strings in the frames stand for the
-#: arguments.
+#: Fields of a node that are read. The frames hold the arguments as strings.
 _READ = {field.name for field in fields(Node)} | {"arguments"}
 _NOTHING_SET = msg.PlanNode()
 
@@ -18,8 +17,8 @@ def plan_from_message(message: msg.Plan) -> Plan:
     """Turn a message into a value.
 
     Raises:
-        ValueError: the nodes are no tree, a candidate is malformed, or something is asked for that nothing carries out;
-            the text says which and why
+        ValueError: the nodes are no tree, a candidate is malformed, or a part of the plan is not supported; the text
+            says which, and why
     """
     if message.beginning != msg.Plan.REPLACE:
         raise ValueError(
@@ -106,7 +105,7 @@ def frame_to_message(frame: FilledFrame) -> msg.FilledSemanticFrame:
 
 
 def procedure_to_message(plan: Plan) -> msg.Procedure:
-    """Return what the message of 2012 can say of a plan."""
+    """Return the procedure of 2012 of a plan."""
     return msg.Procedure(
         frame_lists=[msg.FilledSemanticFrameList(frames=_frames_to_messages(frames)) for frames in as_procedure(plan)]
     )

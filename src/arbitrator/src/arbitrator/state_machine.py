@@ -1,4 +1,4 @@
-"""The SMACH state machine that a plan means."""
+"""The SMACH state machine of a plan."""
 
 import re
 from typing import Callable, Iterable, Tuple
@@ -51,9 +51,9 @@ def build_state_machine(
 
     Args:
         plan: what to carry out
-        make_step: makes the state of one frame, with the outcomes succeeded, aborted and preempted; it is told the
-            number of the clause, from 0 in the order in which clauses are carried out
-        on_clause_end: is told, while the machine runs, the number of a clause that has ended, and its outcome
+        make_step: makes the state of one frame, with the outcomes succeeded, aborted and preempted; its second argument
+            is the number of the clause, from 0, in the order in which clauses are carried out
+        on_clause_end: called, while the machine runs, with the number of each clause that has ended, and its outcome
 
     Returns:
         a machine with the outcomes succeeded, aborted and preempted
@@ -97,8 +97,8 @@ class _Builder:
 
 
 def _chain(states: Iterable[Tuple[str, smach.State]], *, goes_on: str) -> smach.StateMachine:
-    """One state after the other as long as they end with `goes_on`; any other outcome is that of the machine."""
-    # The states are made before the machine is open: machines that are made in between would be added to it.
+    """Run states one after the other while they end with `goes_on`; another outcome ends the machine with it."""
+    # The states are made before the machine is opened: SMACH would add machines that are made meanwhile to it.
     made = list(states)
     machine = smach.StateMachine(outcomes=list(OUTCOMES))
     followers = [label for label, _ in made[1:]] + [goes_on]

@@ -1,8 +1,6 @@
 #!/usr/bin/python3
 """The node: one procedure or one final event for each command."""
 
-import threading
-import time
 import unittest
 
 import rospy
@@ -20,14 +18,8 @@ from roboframenet_msgs.msg import (
     StageEvent,
 )
 
-
-def wait_until(condition, timeout_s=60.0):
-    end = time.monotonic() + timeout_s
-    while time.monotonic() < end:
-        if condition():
-            return True
-        time.sleep(0.02)
-    return condition()
+from roboframenet_testing import wait_until
+from roboframenet_testing.ros_connections import is_connected
 
 
 def candidate(*servers, coverage=1.0, preference=0):
@@ -48,28 +40,18 @@ class ArbitratorNodeTest(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
         rospy.init_node("test_arbitrator_node")
+        cls.plans, cls.procedures, cls.events = [], [], []
+        cls._publisher = rospy.Publisher("command_semantic_frames", CommandSemanticFrames, queue_size=100)
+        rospy.Subscriber("command_plan", CommandPlan, cls.plans.append)
+        rospy.Subscriber("procedure", Procedure, cls.procedures.append)
+        cls._on_event = rospy.Subscriber("stage_events", StageEvent, cls.events.append)
+        wait_until(lambda: cls._publisher.get_num_connections() == 1)
+        for topic in ("command_plan", "procedure", "stage_events"):
+            wait_until(lambda topic=topic: is_connected("/arbitrator", topic, rospy.get_name()), message=topic)
 
     def setUp(self):
-        self._lock = threading.Lock()
-        self.plans, self.procedures, self.events = [], [], []
-        self._subscribers = [
-            rospy.Subscriber("command_plan", CommandPlan, self.plans.append),
-            rospy.Subscriber("procedure", Procedure, self.procedures.append),
-            rospy.Subscriber("stage_events", StageEvent, self.events.append),
-        ]
-        self._publisher = rospy.Publisher("command_semantic_frames", CommandSemanticFrames, queue_size=100)
-        self.assertTrue(
-            wait_until(
-                lambda: (
-                    self._publisher.get_num_connections() == 1
-                    and all(subscriber.get_num_connections() == 1 for subscriber in self._subscribers)
-                )
-            )
-        )
-
-    def tearDown(self):
-        for subscriber in self._subscribers:
-            subscriber.unregister()
+        for received in (self.plans, self.procedures, self.events):
+            del received[:]
 
     def send(self, command_id, *candidates):
         """Send a command of one clause."""
@@ -81,14 +63,13 @@ class ArbitratorNodeTest(unittest.TestCase):
         )
 
     def events_of(self, command_ids):
-        # What another test ended a moment ago is told again to each new listener.
         return [event for event in list(self.events) if event.command.id in command_ids]
 
     def test_order_by_reading_then_coverage_then_policy(self):
         self.send(
             "one", candidate("a", coverage=0.5), candidate("b"), candidate("c", "d"), candidate("e", preference=1)
         )
-        self.assertTrue(wait_until(lambda: self.plans and self.procedures and self.events_of(["one"])))
+        wait_until(lambda: self.plans and self.procedures and self.events_of(["one"]))
         message = self.plans[0]
         self.assertEqual("one", message.command.id)
         (node,) = message.plan.nodes
@@ -114,7 +95,7 @@ class ArbitratorNodeTest(unittest.TestCase):
         self.send_plan(
             "two", PlanNode(kind=PlanNode.SEQUENCE, label="ping and wave", children=[2, 1]), leaves[1], leaves[0]
         )
-        self.assertTrue(wait_until(lambda: self.plans and self.procedures))
+        wait_until(lambda: self.plans and self.procedures)
         nodes = self.plans[0].plan.nodes
         self.assertEqual(["ping and wave", "ping", "wave"], [node.label for node in nodes])
         self.assertEqual([1, 2], list(nodes[0].children))
@@ -125,15 +106,15 @@ class ArbitratorNodeTest(unittest.TestCase):
         )
 
     def test_a_listener_that_connects_late_hears_how_a_command_ended(self):
-        events = self._subscribers.pop()
-        events.unregister()
+        cls = type(self)
+        cls._on_event.unregister()
         self.send("unheard")
         self.send("after_it", candidate("a"))
         # One thread takes both, in their order.
-        self.assertTrue(wait_until(lambda: self.plans))
+        wait_until(lambda: self.plans and self.procedures)
         del self.events[:]
-        self._subscribers.append(rospy.Subscriber("stage_events", StageEvent, self.events.append))
-        self.assertTrue(wait_until(lambda: "unheard" in [event.command.id for event in self.events if event.is_final]))
+        cls._on_event = rospy.Subscriber("stage_events", StageEvent, self.events.append)
+        wait_until(lambda: "unheard" in [event.command.id for event in self.events if event.is_final])
 
     def test_what_cannot_be_arbitrated_ends_with_one_final_event(self):
         self.send("none")
@@ -146,7 +127,7 @@ class ArbitratorNodeTest(unittest.TestCase):
         )
         self.send_plan("unknown", PlanNode(kind=200, candidates=[candidate("a")]))
         names = ["none", "no_server", "no_frames", "coverage", "no_nodes", "circle", "unknown"]
-        self.assertTrue(wait_until(lambda: len(self.events_of(names)) >= len(names)))
+        wait_until(lambda: len(self.events_of(names)) >= len(names))
         events = self.events_of(names)
         self.assertEqual(names, [event.command.id for event in events])
         self.assertTrue(all(event.is_final and event.reply.sentence for event in events))

@@ -1,1 +1,1 @@
-"""The doors for commands: text and action in, exactly one reply out."""
+"""Accepts commands as text or by action; exactly one reply to each."""

@@ -1,8 +1,8 @@
-"""The command that stands behind a cry: "come back" of "Stop and come back."
+"""The command that follows a cry: "come back" of "Stop and come back."
 
-What is said behind a cry is most often a warning ("stop, you will hit the lamp"), an explanation, or the cry once more.
-So only what stands behind "and" or "then", or begins like a command behind a pause, is one; whether it can be carried
-out is decided the long way.
+What follows a cry is most often a warning ("stop, you will hit the lamp"), an explanation, or the cry once more. So
+only words after "and" or "then", or words after a pause that begin like a command, count as one; the pipeline decides
+whether it can be carried out.
 """
 
 from typing import FrozenSet, Sequence
@@ -11,7 +11,7 @@ from command_server.cries import COMMAND_VERBS, FILLERS, SOFT
 from command_server.spoken_words import Token, plain_text, tokens_of
 from command_server.stop_words import is_stop
 
-#: Nothing that begins so is a command: "stop and you will be fine".
+#: No command begins with these: "stop and you will be fine".
 _NO_COMMANDS: FrozenSet[str] = frozenset(
     (
         "you i he she it we they there that this these those the a an my your his her our their is are was were what "
@@ -19,28 +19,28 @@ _NO_COMMANDS: FrozenSet[str] = frozenset(
     ).split()
 )
 _REQUESTS: FrozenSet[str] = frozenset("can could will would".split())
-#: What a cry goes on to say behind these is no command.
+#: Words after these are no command, but belong to the cry.
 _NO_OBJECTS: FrozenSet[str] = frozenset(
     "you i we they he she because or so but until till when whenever if once unless while before is are".split()
 )
 _PAUSES: FrozenSet[str] = frozenset(",.")
 _JOINING: FrozenSet[str] = frozenset(["and", "then"])
-#: They end in "ing" and are no participles.
+#: These end in "ing" and are no participles.
 _IN_ING: FrozenSet[str] = frozenset("bring sing ring swing fling cling".split())
 
 
 def command_behind(rest: str) -> str:
-    """Find the command behind a cry.
+    """Find the command after a cry.
 
     Args:
-        rest: what was said behind the cry, from its last word on (`Cry.rest`)
+        rest: the text after the last word of the cry (`Cry.rest`)
     Returns:
-        the command as it was said, empty where there is none for certain
+        the command as it was said; empty where there is none for certain
     """
     text, unquoted = plain_text(rest)
     tokens = tokens_of(unquoted)
     words = [token.word for token in tokens]
-    # A full stop right behind the cry is no word of the rest.
+    # A full stop right after the cry is no word of the rest.
     is_pause = unquoted.lstrip()[:1] in tuple(".,!?;:-\u2026\u2013\u2014")
     position = 0
     while position < len(words):

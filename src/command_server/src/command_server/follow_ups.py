@@ -1,15 +1,15 @@
-"""Commands that stand behind a stop ("Stop and come back.") and begin when the robot stands."""
+"""Commands after a stop ("Stop and come back."): they start when the robot stands still."""
 
 import time
 from dataclasses import dataclass, replace
 from typing import Callable, Dict, FrozenSet, List, Optional
 
-from command_server.command_book import OWN_STAGE, CommandText, Ending, Outcome, stamp_after
+from command_server.open_commands import OWN_STAGE, CommandText, Ending, Outcome, stamp_after
 
 
 @dataclass(frozen=True)
 class _FollowUp:
-    """A command that waits; `begin_s` is set when its stop is confirmed, monotonic seconds."""
+    """A command that waits; `begin_s` (monotonic seconds) is set when its stop is confirmed."""
 
     command: CommandText
     stop: CommandText
@@ -17,13 +17,13 @@ class _FollowUp:
 
 
 class FollowUps:
-    """Commands that wait for the stop before them. One thread owns it."""
+    """Commands that wait for the end of a stop. One thread owns it."""
 
     def __init__(self, *, pause_s: float, now: Callable[[], float] = time.monotonic) -> None:
         """Start empty.
 
         Args:
-            pause_s: from the confirmation of a stop to the beginning of the command behind it: the robot comes to rest
+            pause_s: from the confirmation of a stop to the start of the command after it: the robot comes to rest
             now: monotonic clock, seconds
         """
         self._pause_s = pause_s
@@ -31,11 +31,11 @@ class FollowUps:
         self._waiting: Dict[str, _FollowUp] = {}
 
     def add(self, text: str, *, stop: CommandText, stop_stamp_ns: int) -> CommandText:
-        """Take in the command behind a stop.
+        """Add the command after a stop.
 
         Args:
             text: of the command
-            stop: what was said as a whole
+            stop: the whole utterance
             stop_stamp_ns: stamp of the last stop that was reported, which may be this one
         Returns:
             the command, with an id of its own and a stamp after the stop
@@ -46,7 +46,7 @@ class FollowUps:
         return command
 
     def spared_by(self, stop_text: str, stop_stamp_ns: int) -> FrozenSet[str]:
-        """The commands that the stop with this text and stamp does not end: they were said behind it."""
+        """Ids of the commands that the stop with this text and stamp does not end: they were said after it."""
         spared = {
             command_id: waiting for command_id, waiting in self._waiting.items() if waiting.stop.text == stop_text
         }
@@ -56,14 +56,14 @@ class FollowUps:
         return frozenset(spared)
 
     def hear_answer(self, stop_id: str, *, is_stopped: bool, reason: str = "") -> List[Ending]:
-        """The stop is answered: its command begins soon, or never.
+        """A stop was answered: its command starts soon, or never.
 
         Args:
             stop_id: of the stop
             is_stopped: whether the robot obeyed
-            reason: what the stop was answered
+            reason: the reply to the stop
         Returns:
-            the endings of the commands that never begin
+            the endings of the commands that never start
         """
         endings = []
         for command_id, waiting in list(self._waiting.items()):
@@ -79,17 +79,17 @@ class FollowUps:
                     outcome=Outcome.FAILED,
                     stage=OWN_STAGE,
                     code="NOT_STOPPED",
-                    sentence=f"I do not begin before the robot stands. {reason}".strip(),
+                    sentence=f"I do not start before the robot stands still. {reason}".strip(),
                 )
             )
         return endings
 
     def forget(self, command_id: str) -> None:
-        """The command is answered already."""
+        """Drop a command that is answered already."""
         self._waiting.pop(command_id, None)
 
     def take_due(self) -> List[CommandText]:
-        """Take out the commands that may begin now."""
+        """Remove and return the commands that may start now."""
         now_s = self._now()
         due = [
             waiting.command
@@ -101,5 +101,5 @@ class FollowUps:
         return due
 
     def next_due_s(self) -> Optional[float]:
-        """When a command may begin, monotonic seconds; None when none waits for that."""
+        """When the next command may start, monotonic seconds; None for no command."""
         return min((waiting.begin_s for waiting in self._waiting.values() if waiting.begin_s is not None), default=None)

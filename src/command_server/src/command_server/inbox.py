@@ -1,4 +1,4 @@
-"""What a worker thread is to handle, in the order in which it came."""
+"""Events for a worker thread, in the order in which they arrived."""
 
 import queue
 import time
@@ -10,22 +10,22 @@ _MOST_AT_ONCE = 1000
 
 
 class Inbox(Generic[T]):
-    """A queue of which the worker takes many at a time. Any thread may put."""
+    """A queue from which the worker takes all events at once. Any thread may put."""
 
     def __init__(self) -> None:
         """Start empty."""
         self._queue: queue.Queue[T] = queue.Queue()
 
     def put(self, event: T) -> None:
-        """Add something; returns at once."""
+        """Add an event; returns at once."""
         self._queue.put(event)
 
     def take(self, *, longest_wait_s: float, deadlines_s: Iterable[Optional[float]]) -> List[T]:
-        """Take out what has come; waits for the first.
+        """Remove and return all events; waits for the first one.
 
         Args:
-            longest_wait_s: how long at most, seconds
-            deadlines_s: when the worker has something to do in any case, monotonic seconds; None for never
+            longest_wait_s: longest wait, seconds
+            deadlines_s: when the worker must run without an event, monotonic seconds; None for never
         """
         wait_s = longest_wait_s
         for deadline_s in deadlines_s:

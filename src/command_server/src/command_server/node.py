@@ -1,4 +1,4 @@
-"""The command server node: the doors for commands, and the one reply to each.
+"""The command server node: accepts commands, and gives exactly one reply to each.
 
 Callbacks only enqueue; one worker thread owns the commands.
 """
@@ -15,33 +15,33 @@ from roboframenet_msgs.msg import Command, Reply, StageEvent, StopReport
 from std_msgs.msg import String
 
 from command_server.command_behind import command_behind
-from command_server.command_book import (
+from command_server.follow_ups import FollowUps
+from command_server.inbox import Inbox
+from command_server.open_commands import (
     OWN_STAGE,
     STOP_STAGE,
-    CommandBook,
     CommandText,
     Ending,
+    OpenCommands,
     Outcome,
     ending_at_shutdown,
     ending_of_silent_stop,
     refusal_of_text,
     stamp_after,
 )
-from command_server.follow_ups import FollowUps
-from command_server.inbox import Inbox
-from command_server.ros_action_door import ActionDoor
+from command_server.pending_stops import PendingStops
 from command_server.ros_cancel_topic import CancelTopic
+from command_server.ros_command_action import CommandActionServer
 from command_server.ros_events import Braking, GoalCancelled, Said
 from command_server.ros_left_over import EXECUTOR_TIMEOUT_S, LeftOver
 from command_server.ros_messages import command_to_message, ending_of_event, reply_of_stopped
 from command_server.ros_open_commands import OpenCommandStore
 from command_server.ros_replies import Replies
-from command_server.ros_settings import read_brake_settings, read_settings
+from command_server.ros_settings import read_brake_settings
 from command_server.settings import Settings
-from command_server.stop_book import StopBook
 from command_server.stop_words import find_cry
-from command_server.withdrawals import WITHDRAWING, Withdrawals
-from roboframenet_ros.ros_log import log_from_threads
+from command_server.withdrawals import Withdrawals, is_against_what_runs
+from roboframenet_ros.ros_node import read_parameters, run_node
 from roboframenet_ros.suspension import SuspensionWatch
 from robot_stop.braking import Finding, StopOrder
 from robot_stop.ros_brake import Brake, Braked
@@ -51,15 +51,15 @@ from robot_stop.settings import BrakeSettings
 _SAVE_TIMEOUT_S = 0.5
 _LONGEST_WAIT_S = 0.2
 _JOIN_TIMEOUT_S = 5.0
-# A turn of the worker that takes longer means that the process did not run.
+# A longer turn of the worker means that the process was suspended.
 _LONGEST_TURN_S = 2.0
-# A stop is answered within so many of its time-outs: one for its report, one for its reply.
+# A stop is answered within this multiple of its time-out: for its report, then for its reply.
 _WAIT_FOR_STOP = 3.0
-# How long a brake may take to say who obeys, on top of its own time-out.
+# How long a brake may take to report who obeys, beyond its own time-out.
 _BRAKE_SLACK_S = 1.0
-# Time for what was published last to leave the process.
+# Time in which the last messages leave the process.
 _FLUSH_S = 0.1
-# Name of the stop of what the last run left; the others have that of their command.
+# Key of the stop for commands of the previous run; other stops have the id of their command.
 _RESTART_KEY = "restart"
 
 
@@ -76,8 +76,8 @@ class CommandServerNode:
     def __init__(self, settings: Settings, brake_settings: BrakeSettings) -> None:
         self._settings = settings
         self._brake_settings = brake_settings
-        self._book = CommandBook(settings.stage_timeouts_s)
-        self._stops = StopBook(timeout_s=settings.stop_timeout_s)
+        self._commands = OpenCommands(settings.stage_timeouts_s)
+        self._stops = PendingStops(timeout_s=settings.stop_timeout_s)
         self._last_stop_ns = 0
         self._follow_ups = FollowUps(pause_s=settings.pause_after_stop_s)
         self._withdrawals = Withdrawals(timeout_s=settings.cancel_timeout_s)
@@ -102,15 +102,15 @@ class CommandServerNode:
         left_over = self._store.load()
         self._left_over = LeftOver(left_over, self._replies.publisher)
         for command in left_over:
-            self._book.adopt(command, timeout_s=EXECUTOR_TIMEOUT_S + self._brake_answer_s)
+            self._commands.adopt(command, timeout_s=EXECUTOR_TIMEOUT_S + self._brake_answer_s)
             self._cancels.cancel(command)
-        self._door = ActionDoor(
+        self._action = CommandActionServer(
             on_goal=lambda handle: self._events.put(Said(handle.get_goal().text, _now_ns(), handle)),
             on_cancel=lambda command_id: self._events.put(GoalCancelled(command_id)),
         )
 
     def start(self) -> None:
-        """Open the doors."""
+        """Start to accept commands."""
         rospy.on_shutdown(self._shutdown)
         self._brake.start()
         self._worker.start()
@@ -119,13 +119,13 @@ class CommandServerNode:
             rospy.Subscriber("stop_report", StopReport, self._events.put),
             rospy.Subscriber("text", String, lambda message: self._events.put(Said(message.data, _now_ns()))),
         ]
-        self._door.start()
+        self._action.start()
 
     def _shutdown(self) -> None:
         self._events.put(None)
         self._worker.join(_JOIN_TIMEOUT_S)
         self._brake.close(timeout_s=1.0)
-        self._door.shutdown()
+        self._action.shutdown()
         self._store.close(timeout_s=1.0)
 
     def _work(self) -> None:
@@ -133,7 +133,7 @@ class CommandServerNode:
             events = self._events.take(
                 longest_wait_s=_LONGEST_WAIT_S,
                 deadlines_s=(
-                    self._book.next_deadline_s(),
+                    self._commands.next_deadline_s(),
                     self._stops.next_deadline_s(),
                     self._follow_ups.next_due_s(),
                     self._withdrawals.next_deadline_s(),
@@ -146,7 +146,7 @@ class CommandServerNode:
                     return
                 try:
                     self._handle(event)
-                except Exception as error:  # boundary: one event must not end the answers to all others
+                except Exception as error:  # boundary: one event must not keep the others from being handled
                     rospy.logerr(
                         "command_server could not handle a %s: %s: %s",
                         type(event).__name__,
@@ -156,7 +156,7 @@ class CommandServerNode:
             self._cancel_silent()
             self._stop_in_place()
             for command in self._follow_ups.take_due():
-                self._book.begin(command)
+                self._commands.begin(command)
                 self._unsent.append(command)
             for ending in self._withdrawals.take_overdue():
                 self._conclude(ending)
@@ -166,13 +166,13 @@ class CommandServerNode:
                 self._answer(ending)
             self._save()
             self._send()
-            self._replies.publish_status(self._book.open_commands)
+            self._replies.publish_status(self._commands.open_commands)
 
     def _handle(self, event: _Event) -> None:
         if isinstance(event, Said):
             self._hear(event)
         elif isinstance(event, GoalCancelled):
-            self._cancel(self._door.command_of(event.command_id))
+            self._cancel(self._action.command_of(event.command_id))
         elif isinstance(event, StageEvent):
             self._hear_stage(event)
         elif isinstance(event, StopReport):
@@ -187,7 +187,7 @@ class CommandServerNode:
         self._last_stamp_ns = stamp_after(said.arrival_ns, self._last_stamp_ns)
         if said.handle is not None:
             command_id = said.handle.get_goal_id().id
-            self._door.accept(said.handle)
+            self._action.accept(said.handle)
         else:
             self._text_count += 1
             command_id = f"text-{self._run_tag}-{self._text_count}"
@@ -198,7 +198,7 @@ class CommandServerNode:
         rospy.loginfo("cmd=%s heard %r", command_id, command.text)
         cry = find_cry(said.text)
         if cry is not None:
-            # What is cut off must not become another command.
+            # Of a text that was cut, the rest is no command.
             self._hear_stop(
                 command,
                 behind="" if command.text != said.text else command_behind(cry.rest),
@@ -207,34 +207,34 @@ class CommandServerNode:
             )
         elif refusal is not None:
             self._answer_at_once(command, Outcome.REFUSED, code=refusal[0], sentence=refusal[1])
-        elif len(self._book.open_commands) >= self._settings.max_open_commands:
+        elif len(self._commands.open_commands) >= self._settings.max_open_commands:
             self._answer_at_once(
-                command, Outcome.FAILED, code="STAGE_ERROR", sentence="Too many commands wait already."
+                command, Outcome.FAILED, code="STAGE_ERROR", sentence="Too many commands are waiting already."
             )
         else:
-            self._book.open(command)
+            self._commands.open(command)
             self._unsent.append(command)
             self._replies.note(f"Heard {command.text!r}.")
 
     def _hear_stop(self, command: CommandText, *, behind: str, is_action: bool, heard_s: float) -> None:
-        # The stop server and the executor have heard it as well; but a command that was said just before the stop may
-        # have reached this node after the stop server's report, so every open one is cancelled by name.
-        for entry in self._book.open_commands:
+        # The stop server and the executor hear it too. But a command that was said just before the stop may reach this
+        # node after the report of the stop server, so each open command is cancelled by name.
+        for entry in self._commands.open_commands:
             self._cancels.cancel(entry.command)
-        for ending in self._book.finish_stopped(command.stamp_ns):
+        for ending in self._commands.finish_stopped(command.stamp_ns):
             self._answer(ending)
         self._replies.note(f"Stopping; then {behind!r}." if behind else "Stopping.")
         if behind:
             follow_up = self._follow_ups.add(behind, stop=command, stop_stamp_ns=self._last_stop_ns)
-            self._book.open(follow_up)
-            self._book.extend(
+            self._commands.open(follow_up)
+            self._commands.extend(
                 follow_up.command_id,
                 timeout_s=_WAIT_FOR_STOP * self._settings.stop_timeout_s
                 + self._brake_answer_s
                 + self._settings.pause_after_stop_s,
             )
             if is_action:
-                self._door.hand_over(command.command_id, command_id=follow_up.command_id)
+                self._action.hand_over(command.command_id, command_id=follow_up.command_id)
         early = self._stops.hear_stop(
             command.command_id, command.text, stamp_ns=command.stamp_ns, is_action=is_action, heard_s=heard_s
         )
@@ -243,8 +243,8 @@ class CommandServerNode:
             self._pass_on_answer(command.command_id, self._replies.last_reply if is_last else reply_of_stopped(early))
 
     def _pass_on_answer(self, stop_id: str, reply: Reply) -> None:
-        """The stop server has replied to a stop: its goal ends, and the command behind it begins."""
-        self._door.finish(reply, command_id=stop_id)
+        """The stop server has replied to a stop: its goal ends, and the command after it starts."""
+        self._action.finish(reply, command_id=stop_id)
         for ending in self._follow_ups.hear_answer(
             stop_id, is_stopped=reply.outcome == Reply.DONE, reason=reply.sentence
         ):
@@ -253,7 +253,7 @@ class CommandServerNode:
     def _hear_stop_report(self, report: StopReport) -> None:
         self._last_stop_ns = report.stop_stamp.to_nsec()
         spared = self._follow_ups.spared_by(report.command.text, self._last_stop_ns)
-        for ending in self._book.finish_stopped(self._last_stop_ns, spared=spared):
+        for ending in self._commands.finish_stopped(self._last_stop_ns, spared=spared):
             self._answer(ending)
         stop = None
         if report.reply.command.id:
@@ -272,12 +272,12 @@ class CommandServerNode:
             self._brakings.pop(stop.command_id, None)
 
     def _cancel(self, command_id: str) -> None:
-        entry = self._book.get(command_id)
+        entry = self._commands.get(command_id)
         if entry is None:
             return
         self._cancels.cancel(entry.command)
         if entry.may_have_started:
-            # The executor ends it when the robot has stopped; its silence is watched as ever.
+            # The executor ends it when the robot has stopped; its deadline still holds.
             return
         self._conclude(
             Ending(
@@ -290,75 +290,75 @@ class CommandServerNode:
         )
 
     def _hear_stage(self, event: StageEvent) -> None:
-        if self._book.get(event.command.id) is None:
-            rospy.logdebug("cmd=%s is not open; event of %s dropped", event.command.id, event.stage)
+        entry = self._commands.get(event.command.id)
+        is_done = event.is_final and event.reply.outcome == Reply.DONE
+        if entry is None or (self._withdrawals.is_waiting(event.command.id) and not is_done):
+            rospy.logdebug("cmd=%s waits for no stage; event of %s dropped", event.command.id, event.stage)
             return
-        self._door.feed_back(event)
+        self._action.feed_back(event)
         if not event.is_final:
-            self._book.progress(event.command.id, event.stage)
+            self._commands.progress(event.command.id, event.stage)
             self._replies.note(event.sentence)
             return
-        ending = ending_of_event(event)
-        if ending.code not in WITHDRAWING or not self._withdraw(ending):
+        ending = replace(ending_of_event(event), command=entry.command)
+        if entry.verdict is not None or not self._withdraw(ending):
             self._conclude(ending)
 
     def _withdraw(self, ending: Ending) -> bool:
-        """End what a prohibition or a correction is against; returns whether its reply must wait for that."""
-        entry = self._book.get(ending.command.command_id)
-        if entry is None or self._withdrawals.is_waiting(entry.command.command_id):
-            return True
-        older = [
-            other.command
-            for other in self._book.open_commands
-            if other.command.stamp_ns < entry.command.stamp_ns
-            and not self._withdrawals.is_waiting(other.command.command_id)
-        ]
+        """End what a command takes back or forbids; returns whether its reply must wait for that."""
+        if not is_against_what_runs(ending):
+            return False
+        older = self._withdrawals.begin(ending, [entry.command for entry in self._commands.open_commands])
         if older:
-            self._withdrawals.begin(replace(ending, command=entry.command), older)
-            self._book.extend(entry.command.command_id, timeout_s=2.0 * self._settings.cancel_timeout_s)
+            self._commands.hold(ending.command.command_id, timeout_s=2.0 * self._settings.cancel_timeout_s)
         for command in older:
             self._cancel(command.command_id)
         return bool(older)
 
     def _conclude(self, ending: Ending) -> None:
         """Close an open command and answer it; nothing when it is closed already."""
-        closed = self._book.finish(ending)
+        closed = self._commands.finish(ending)
         if closed is not None:
             self._answer(closed)
 
     def _answer_at_once(self, command: CommandText, outcome: Outcome, *, code: str, sentence: str) -> None:
-        self._answer(Ending(command=command, outcome=outcome, stage=OWN_STAGE, code=code, sentence=sentence))
+        self._commands.open(command)
+        ending = Ending(command=command, outcome=outcome, stage=OWN_STAGE, code=code, sentence=sentence)
+        if not self._withdraw(ending):
+            self._conclude(ending)
 
     def _excuse_suspension(self) -> None:
-        """Blame nobody for the time in which this process did not run: what they said meanwhile is still to be read."""
+        """Extend all deadlines by the time in which this process was suspended: messages from then are still unread."""
         away_s = self._suspension.turn()
         if away_s:
             rospy.logwarn("this process did not run for %.1f s", away_s)
-            self._book.postpone(away_s)
+            self._commands.postpone(away_s)
             self._stops.postpone(away_s)
 
     def _cancel_silent(self) -> None:
-        """Close commands whose stage is silent: whatever they have started is cancelled before they are answered."""
-        for entry in self._book.condemn_silent(timeout_s=self._brake_answer_s):
+        """Close commands whose stage is silent: everything they started is cancelled before they are answered."""
+        for entry in self._commands.condemn_silent(timeout_s=self._brake_answer_s):
             command_id = entry.command.command_id
             self._cancels.cancel(entry.command)
             if not entry.may_have_started:
-                self._answer_condemned(command_id, "It has not begun, and will not.")
+                remark = "It was not started."
+                if not self._withdraw(entry.ending(entry.verdict, remark)):
+                    self._answer_condemned(command_id, remark)
                 continue
             # An executor that hangs cannot cancel its goals.
             self._brake.stop(StopOrder(key=command_id, stamp_ns=_now_ns(), is_for_frames_only=True))
-        for command_id in self._book.overdue_condemned():
-            self._answer_condemned(command_id, "Whether the robot still moves is not known.")
+        for command_id in self._commands.overdue_condemned():
+            self._answer_condemned(command_id, "I do not know whether the robot still moves.")
 
     def _stop_in_place(self) -> None:
-        """Carry out the stops that the stop server does not."""
+        """Carry out the stops that the stop server does not carry out."""
         for stop in self._stops.take_silent(brake_s=self._brake_answer_s):
             self._brakings[stop.command_id] = Braking()
             self._brake.stop(StopOrder(key=stop.command_id, stamp_ns=stop.stamp_ns))
             rospy.logerr("cmd=%s %s does not answer: this node stops the robot", stop.command_id, STOP_STAGE)
         for stop in self._stops.take_overdue():
             braking = self._brakings.pop(stop.command_id, Braking())
-            standing = "Whether the robot still moves is not known."
+            standing = "I do not know whether the robot still moves."
             if braking.braked is not None and braking.finding is not None:
                 standing = sentence_of(
                     braking.finding,
@@ -370,29 +370,29 @@ class CommandServerNode:
             self._pass_on_answer(stop.command_id, self._replies.last_reply)
 
     def _hear_finding(self, finding: Finding) -> None:
-        """The brake says who obeys."""
+        """The brake reports who obeys."""
         key, is_stopped = finding.order.key, finding.obedience.is_complete
         if key in self._brakings:
             self._brakings[key] = Braking(braked=self._brakings[key].braked, finding=finding)
         if not finding.is_first:
-            self._replies.note("The robot stands now." if is_stopped else may_still_move(finding.obedience))
+            self._replies.note("The robot stands still now." if is_stopped else may_still_move(finding.obedience))
             return
         remark = (
-            "What the command had started is stopped: zero velocity, and no goal goes on."
+            "Everything that it had started is stopped: zero velocity, and no goal goes on."
             if is_stopped
             else may_still_move(finding.obedience)
         )
-        for entry in self._book.open_commands:
+        for entry in self._commands.open_commands:
             if key in (entry.command.command_id, _RESTART_KEY) and entry.command.stamp_ns <= finding.order.stamp_ns:
                 self._answer_condemned(entry.command.command_id, remark)
 
     def _answer_condemned(self, command_id: str, remark: str) -> None:
-        ending = self._book.finish_condemned(command_id, remark)
+        ending = self._commands.finish_condemned(command_id, remark)
         if ending is not None:
             self._answer(ending)
 
     def _answer(self, ending: Ending) -> None:
-        """Give the one reply to a command that is closed, or was never opened."""
+        """Give the one reply to a command that is closed."""
         self._follow_ups.forget(ending.command.command_id)
         if not self._left_over.hold(ending):
             self._publish_reply(ending)
@@ -401,25 +401,25 @@ class CommandServerNode:
 
     def _publish_reply(self, ending: Ending) -> None:
         self._unsent = deque(command for command in self._unsent if command != ending.command)
-        self._door.finish(self._replies.publish(ending), command_id=ending.command.command_id)
+        self._action.finish(self._replies.publish(ending), command_id=ending.command.command_id)
 
     def _save(self) -> None:
-        commands = self._left_over.commands + tuple(entry.command for entry in self._book.open_commands)
+        commands = self._left_over.commands + tuple(entry.command for entry in self._commands.open_commands)
         if commands != self._saved:
-            # With a master that hangs nobody waits again and again.
+            # While the master hangs, the worker waits for it only once.
             is_saved = self._store.save(commands, timeout_s=0.0 if self._is_saving_late else _SAVE_TIMEOUT_S)
             self._is_saving_late = not is_saved
             if not is_saved:
-                rospy.logwarn_throttle(10.0, "the master is slow to keep the open commands")
+                rospy.logwarn_throttle(10.0, "saving the open commands to the parameter server timed out")
         self._saved = commands
 
     def _send(self) -> None:
-        # Before the parser has connected a message would be lost; its silence is watched meanwhile.
+        # A message that is published before the parser has connected would be lost; its deadline runs meanwhile.
         while self._unsent and self._command_text.get_num_connections() > 0:
             self._command_text.publish(command_to_message(self._unsent.popleft()))
 
     def _answer_all_at_shutdown(self) -> None:
-        open_commands = self._book.open_commands
+        open_commands = self._commands.open_commands
         for entry in open_commands:
             self._cancels.cancel(entry.command)
         if open_commands:
@@ -435,15 +435,14 @@ def _now_ns() -> int:
     return rospy.Time.now().to_nsec()
 
 
+def _start() -> CommandServerNode:
+    settings, brake_settings = read_parameters(Settings), read_brake_settings()
+    rospy.loginfo("command_server: %s", settings)
+    node = CommandServerNode(settings, brake_settings)
+    node.start()
+    return node
+
+
 def main() -> None:
     """Run the node until ROS shuts down; exits with a sentence when a parameter is wrong."""
-    rospy.init_node("command_server")
-    log_from_threads()
-    try:
-        settings, brake_settings = read_settings(), read_brake_settings()
-    except ValueError as error:
-        rospy.logfatal("%s", error)
-        raise SystemExit(f"command_server: {error}") from error
-    rospy.loginfo("command_server: %s", settings)
-    CommandServerNode(settings, brake_settings).start()
-    rospy.spin()
+    run_node("command_server", _start)

@@ -1,4 +1,4 @@
-"""What the worker hears besides messages: texts and goals, goals that are cancelled, and what its brake did."""
+"""Events of the worker besides messages: texts and goals, cancelled goals, and the state of its brake."""
 
 import time
 from dataclasses import dataclass, field
@@ -22,14 +22,14 @@ class Said:
 
 @dataclass(frozen=True)
 class GoalCancelled:
-    """The client of a goal asked to cancel it."""
+    """The client of a goal cancelled it."""
 
     command_id: str
 
 
 @dataclass(frozen=True)
 class Braking:
-    """What the brake has done, and what came of it."""
+    """The stop that the brake carried out, and who obeyed it."""
 
     braked: Optional[Braked] = None
     finding: Optional[Finding] = None

@@ -1,4 +1,4 @@
-"""Commands that the last run of the node left open."""
+"""Commands that the previous run of the node left open."""
 
 import time
 from collections import deque
@@ -6,24 +6,24 @@ from typing import Deque, List, Tuple
 
 import rospy
 
-from command_server.command_book import CommandText, Ending
+from command_server.open_commands import CommandText, Ending
 from roboframenet_ros.ros_master import TimedMaster
 
-# How long replies wait for listeners that still start and connect.
+# How long replies wait for subscribers to connect.
 _LISTENER_TIMEOUT_S = 10.0
 _MASTER_TIMEOUT_S = 1.0
-# How long the executor may take to connect, and then to end what it runs, before the robot is stopped without it.
+# How long the executor may take to connect, and then to end its command, before this node stops the robot.
 _EXECUTOR_CONNECT_S = 1.5
 _EXECUTOR_CANCEL_S = 0.3
-#: Together.
+#: Sum of both, seconds.
 EXECUTOR_TIMEOUT_S = _EXECUTOR_CONNECT_S + _EXECUTOR_CANCEL_S
 
 
 class LeftOver:
-    """What becomes of them: first they are cancelled, then their replies wait for somebody who listens."""
+    """Ends these commands: they are cancelled first, and their replies wait for a subscriber."""
 
     def __init__(self, commands: Tuple[CommandText, ...], reply: rospy.Publisher) -> None:
-        """Begin.
+        """Start to wait.
 
         Args:
             commands: that were open
@@ -37,11 +37,11 @@ class LeftOver:
 
     @property
     def commands(self) -> Tuple[CommandText, ...]:
-        """Those whose reply is still held."""
+        """The commands whose reply is still held back."""
         return tuple(ending.command for ending in self._held)
 
     def take_brake(self, *, is_executor_connected: bool) -> bool:
-        """Whether the executor has had its time, and the robot is to be stopped as well; once."""
+        """Whether the time of the executor is over, so that the robot must be stopped; true once."""
         now_s = time.monotonic()
         if is_executor_connected and self._brake_s != float("inf"):
             self._brake_s = min(self._brake_s, now_s + _EXECUTOR_CANCEL_S)
@@ -51,7 +51,7 @@ class LeftOver:
         return bool(self._awaited)
 
     def hold(self, ending: Ending) -> bool:
-        """Take the reply to one of them; returns whether it is one."""
+        """Hold back the reply to one of these commands; returns whether it is one."""
         if ending.command.command_id not in self._awaited:
             return False
         self._awaited.discard(ending.command.command_id)
@@ -59,7 +59,7 @@ class LeftOver:
         return True
 
     def take_answers(self, *, is_last_chance: bool = False) -> List[Ending]:
-        """The replies that can be given now."""
+        """Remove and return the replies that can be published now."""
         if not self._held or not (
             is_last_chance or time.monotonic() >= self._listener_end_s or self._has_every_listener()
         ):
@@ -69,11 +69,11 @@ class LeftOver:
         return answers
 
     def _has_every_listener(self) -> bool:
-        """Whether everybody whom the master knows to listen is connected; nobody at all has only not come yet."""
+        """Whether all subscribers that the master knows are connected; with none, they have not started yet."""
         try:
             state = TimedMaster(timeout_s=_MASTER_TIMEOUT_S).system_state()
         except Exception as error:  # boundary: the master may be away in any way that XML-RPC knows
-            rospy.logdebug("the listeners of replies are not known: %s", error)
+            rospy.logdebug("the subscribers of replies are not known: %s", error)
             return False
         listeners = state.subscribers.get(self._reply.resolved_name, ())
         return 0 < len(listeners) <= self._reply.get_num_connections()

@@ -1,15 +1,15 @@
-"""Commands and endings between messages and values."""
+"""Converts commands and endings between messages and values."""
 
 from dataclasses import replace
 
 import rospy
 from roboframenet_msgs.msg import Command, Reply, StageEvent
 
-from command_server.command_book import STOP_STAGE, CommandText, Ending, Outcome
+from command_server.open_commands import STOP_STAGE, CommandText, Ending, Outcome
 
 
 def time_from_ns(stamp_ns: int) -> rospy.Time:
-    """ROS time from nanoseconds."""
+    """Convert nanoseconds to ROS time."""
     return rospy.Time(secs=stamp_ns // 1_000_000_000, nsecs=stamp_ns % 1_000_000_000)
 
 
@@ -39,8 +39,8 @@ def ending_from_message(message: Reply) -> Ending:
 
 
 def ending_of_event(event: StageEvent) -> Ending:
-    """How a stage ended a command, by its final event; a reply that nobody can read ends it as well."""
-    # The event says which command it is about; a reply that was filled in carelessly must not end another.
+    """Return how the final event of a stage ended a command; a malformed reply ends it too."""
+    # The event names its command; a reply that names another one by mistake must not end that.
     command = command_from_message(event.command)
     try:
         return replace(ending_from_message(event.reply), command=command)
@@ -67,7 +67,7 @@ def ending_to_message(ending: Ending) -> Reply:
 
 
 def reply_of_stopped(command_id: str) -> Reply:
-    """The reply to a stop that was answered before it was heard here."""
+    """Return the reply to a stop that was answered before it arrived here."""
     return Reply(
         command=Command(id=command_id),
         outcome=Reply.DONE,

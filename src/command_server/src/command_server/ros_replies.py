@@ -1,11 +1,11 @@
-"""The one reply to each command, and the status that names the last one."""
+"""Publishes the one reply to each command, and the status."""
 
 from typing import Sequence
 
 import rospy
 from roboframenet_msgs.msg import CommandStatus, Reply
 
-from command_server.command_book import Ending, OpenCommand
+from command_server.open_commands import Ending, OpenCommand
 from command_server.ros_messages import command_to_message, ending_to_message
 
 
@@ -14,7 +14,7 @@ class Replies:
 
     Attributes:
         publisher: of ``reply``
-        last_reply: that was published; with an empty command id before the first
+        last_reply: the reply published last; its command id is empty before the first
     """
 
     def __init__(self) -> None:
@@ -41,12 +41,12 @@ class Replies:
         return reply
 
     def note(self, sentence: str) -> None:
-        """Say in the next status what the robot is doing."""
+        """Set the sentence of the next status: what the robot is doing."""
         self._sentence = sentence
         self._is_status_due = True
 
     def publish_status(self, open_commands: Sequence[OpenCommand]) -> None:
-        """Publish the status, if there is anything new to say.
+        """Publish the status, if it has changed.
 
         Args:
             open_commands: oldest first

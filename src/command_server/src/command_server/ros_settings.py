@@ -1,34 +1,16 @@
-"""Reads the parameters of the node."""
+"""Reads which topics and servers a stop applies to."""
 
 import rospy
 
-from command_server.command_book import STOP_STAGE
-from command_server.settings import Settings
+from command_server.open_commands import STOP_STAGE
 from robot_stop.settings import BrakeSettings
 
 
-def read_settings() -> Settings:
-    """Read the private parameters.
-
-    Raises:
-        ValueError: a parameter is out of its range
-    """
-    return Settings(
-        stage_timeout_s=rospy.get_param("~stage_timeout_s", Settings.stage_timeout_s),
-        executor_timeout_s=rospy.get_param("~executor_timeout_s", Settings.executor_timeout_s),
-        stop_timeout_s=rospy.get_param("~stop_timeout_s", Settings.stop_timeout_s),
-        cancel_timeout_s=rospy.get_param("~cancel_timeout_s", Settings.cancel_timeout_s),
-        pause_after_stop_s=rospy.get_param("~pause_after_stop_s", Settings.pause_after_stop_s),
-        max_text_length=rospy.get_param("~max_text_length", Settings.max_text_length),
-        max_open_commands=rospy.get_param("~max_open_commands", Settings.max_open_commands),
-    )
-
-
 def read_brake_settings() -> BrakeSettings:
-    """Read where velocities go and what is cancelled besides: what the stop server was told, unless told otherwise.
+    """Read the velocity topics and the servers to cancel; by default the parameters of the stop server.
 
     Raises:
-        ValueError: a parameter is out of its range
+        ParameterError: a parameter is out of its range
     """
     return BrakeSettings(
         velocity_topics=rospy.get_param(

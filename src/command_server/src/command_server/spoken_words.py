@@ -1,10 +1,10 @@
-"""The words of an utterance in plain spelling, however a person, a keyboard or a speech recogniser wrote them."""
+"""Splits an utterance into words in plain spelling, whatever keyboard or speech recogniser wrote it."""
 
 import re
 import unicodedata
 from typing import List, Mapping, NamedTuple, Sequence, Tuple
 
-# A person says no more than this at a stroke; what stands behind is not looked at.
+# People say less than this at a time; the rest is ignored.
 _MOST_CHARACTERS = 4000
 
 
@@ -77,7 +77,7 @@ def plain_text(text: str) -> Tuple[str, str]:
     for fancy, plain in (("\u2018", "'"), ("\u2019", "'"), ("\u201c", '"'), ("\u201d", '"')):
         text = text.replace(fancy, plain)
     unquoted = _QUOTED.sub(lambda quoted: " " * len(quoted.group()), text)
-    # What is quoted as a whole was typed so, and is said.
+    # A text that is quoted as a whole was typed with quotation marks, and is meant.
     return text, unquoted if re.search(r"\w", unquoted) else text
 
 

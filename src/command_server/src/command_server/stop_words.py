@@ -1,7 +1,7 @@
-"""What people cry when a robot must stop, by words alone.
+"""Recognises cries that must stop the robot, by words alone.
 
-The short way of "Stop." must not wait for a parser, a file or another node, and does not know what runs: so every word
-that it needs stands in `cries`. An utterance is a cry where a phrase of `CRIES` stands at the front of one of its
+The stop path must not wait for a parser, a file or another node, and does not know what runs: `cries` holds every word
+that it needs. An utterance is a cry where a phrase of `CRIES` stands at the front of one of its
 sentences, or behind nothing but fillers, politeness, a name or a warning, and what follows does not make another
 command of it: "stop, you will hit the lamp" is a cry, "stop at the door" and "wait for me" are not.
 """
@@ -58,7 +58,7 @@ def _by_first_word(phrases: Iterable[str]) -> Mapping[str, Tuple[Phrase, ...]]:
     return {first: tuple(sorted(of_it, key=len, reverse=True)) for first, of_it in found.items()}
 
 
-#: No name of the robot begins so, nor does a warning: "at the door, stop", "turn left, stop".
+#: No name of the robot and no warning begins with these: "at the door, stop", "turn left, stop".
 _NO_ADDRESS: FrozenSet[str] = (
     PLACES
     | CONDITIONS
@@ -68,7 +68,7 @@ _NO_ADDRESS: FrozenSet[str] = (
     | {"first", "next", "last", "to", "from", "with"}
 )
 _NOT_FIRST = NO_NAMES | SAYING | COMMAND_VERBS | {"one"}
-# Words; who says more fillers than that has cried before them.
+# Words: longer rows of fillers are not examined.
 _LONGEST_WARNING = 12
 _LONGEST_TRAIL = 24
 _PAUSES = frozenset(",.")
@@ -99,7 +99,7 @@ def _phrase_at(words: Sequence[str], position: int, phrases: Mapping[str, Tuple[
 
 
 def _slips() -> Mapping[str, Kind]:
-    """Return what a slip of the finger makes of a cry: two letters swapped, one left out or typed twice."""
+    """Return the typing errors of each cry: two letters swapped, one left out, or one typed twice."""
     found: Dict[str, Kind] = {}
     for word, kind in TYPED.items():
         swapped = {word[:at] + word[at + 1] + word[at] + word[at + 2 :] for at in range(len(word) - 1)}
@@ -181,7 +181,7 @@ class _Sentence:
         )
 
     def _is_negated(self, position: int) -> bool:
-        """Whether it is said not to: "don't ever stop"."""
+        """Whether the cry is negated: "don't ever stop"."""
         return any(
             self._words[at] == "not" and self._words[at - 1] in _AUXILIARIES
             for at in range(max(1, position - 3), position)
@@ -195,7 +195,7 @@ class _Sentence:
 
     @staticmethod
     def _is_guided(before: Sequence[str]) -> bool:
-        """Whether a robot is guided by words that are said again and again: "back back back stop"."""
+        """Whether the words before a cry are repeated, as when a robot is guided: "back back back stop"."""
         return any(
             len(before) % length == 0 and list(before) == list(before[:length]) * (len(before) // length)
             for length in (1, 2, 3)
@@ -233,13 +233,13 @@ class _Sentence:
         return True
 
     def _is_clause(self, position: int) -> bool:
-        """Whether something else is said from here on: "wait, I see", "wait it's hot"."""
+        """Whether a clause of its own begins here: "wait, I see", "wait it's hot"."""
         word = self._words[position]
         is_impersonal = word in IMPERSONAL and self._words[position + 1 : position + 2]
         return word == "," or word in CLAUSES or bool(is_impersonal and self._words[position + 1] in VERBS_OF_IT)
 
     def _behind_object(self, position: int) -> int:
-        """Return the position behind what was asked for ("the last command", "what I said"), the same for none."""
+        """Return the position after an object ("the last command", "what I said"); the same position for none."""
         end = position
         while (
             end < len(self._words)
@@ -278,7 +278,7 @@ def find_cry(text: str) -> Optional[Cry]:
     Args:
         text: in any spelling; of a very long one only the beginning counts
     Returns:
-        the cry; None where the utterance goes the long way
+        the cry; None where the utterance goes to the parser
     """
     said, unquoted = plain_text(text)
     spoken = tokens_of(unquoted)

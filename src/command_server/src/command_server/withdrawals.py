@@ -1,22 +1,41 @@
-"""What is said against something that runs: it is ended first, and then the reply says so."""
+"""Prohibitions and corrections: what they are against is ended first, and their reply says so."""
 
 import time
 from dataclasses import dataclass, field, replace
-from typing import Callable, Dict, FrozenSet, List, Optional, Sequence
+from typing import Callable, Dict, FrozenSet, Iterable, List, Optional, Tuple
 
-from command_server.command_book import CommandText, Ending, Outcome
+from command_server.open_commands import CommandText, Ending, Outcome
+from command_server.taking_back import takes_back
 
-#: The framer marks what is said against something that runs with one of these, and leaves open what runs.
+#: Codes of the framer for a prohibition and a correction. The framer does not know what runs.
 PROHIBITION = "NEGATED"
 CORRECTION = "CORRECTION"
-WITHDRAWING: FrozenSet[str] = frozenset([PROHIBITION, CORRECTION])
-#: What the executor and the stop say of a command that ended as it should; there is nothing to add to it.
+_AGAINST_WHAT_RUNS: FrozenSet[str] = frozenset([PROHIBITION, CORRECTION])
+#: Codes of the framer for a "no" to a question, and for a negation that forbids nothing.
+_FRAMER = "semantic_framer"
+_AGAINST_NOTHING: FrozenSet[str] = frozenset(["DECLINED", "NO_READING"])
+_REFUSED: FrozenSet[Outcome] = frozenset([Outcome.REFUSED, Outcome.NEEDS_INFORMATION, Outcome.FAILED])
+#: Sentences for commands that ended as expected; the reply need not repeat them.
 _PLAIN_ENDS = ("Stopped.", "A stop ended it.", "A newer command took its place.", "Cancelled before it began.")
+
+
+def is_against_what_runs(ending: Ending) -> bool:
+    """Whether the commands that were said before must end with this one.
+
+    The framer knows prohibitions ("don't go there") and corrections that it does not understand. A correction that any
+    stage refuses, asks about or does not answer is against what runs too: "no, go to the garage" with no server for it.
+    """
+    if ending.outcome not in _REFUSED:
+        return False
+    if ending.code in _AGAINST_WHAT_RUNS:
+        return True
+    is_harmless = ending.stage == _FRAMER and ending.code in _AGAINST_NOTHING
+    return not is_harmless and takes_back(ending.command.text)
 
 
 @dataclass
 class _Withdrawal:
-    """A prohibition or a correction, what it ends, and how that ended."""
+    """A prohibition or a correction, the commands that it ends, and how they ended."""
 
     ending: Ending
     deadline_s: float
@@ -25,39 +44,48 @@ class _Withdrawal:
 
 
 class Withdrawals:
-    """Prohibitions and corrections that wait for the end of what they are against. One thread owns it."""
+    """Prohibitions and corrections that wait for the commands they end. One thread owns it."""
 
     def __init__(self, *, timeout_s: float, now: Callable[[], float] = time.monotonic) -> None:
         """Start empty.
 
         Args:
-            timeout_s: how long what runs may take to end
+            timeout_s: deadline for the end of the running commands
             now: monotonic clock, seconds
         """
         self._timeout_s = timeout_s
         self._now = now
         self._open: Dict[str, _Withdrawal] = {}
 
-    def begin(self, ending: Ending, running: Sequence[CommandText]) -> None:
-        """Hold an ending back until the commands that it is against have ended.
+    def begin(self, ending: Ending, commands: Iterable[CommandText]) -> Tuple[CommandText, ...]:
+        """Hold back an ending until the commands that were said before its command have ended.
 
         Args:
             ending: of the prohibition or correction
-            running: open commands that were told to end; at least one
+            commands: all open commands
+
+        Returns:
+            the commands that must be cancelled; empty when there is nothing to wait for
         """
-        self._open[ending.command.command_id] = _Withdrawal(
-            ending, self._now() + self._timeout_s, {command.command_id: command for command in running}
-        )
+        older = {
+            command.command_id: command
+            for command in commands
+            if command.stamp_ns < ending.command.stamp_ns and not self.is_waiting(command.command_id)
+        }
+        if older:
+            self._open[ending.command.command_id] = _Withdrawal(ending, self._now() + self._timeout_s, older)
+        # A copy: commands that end are removed from the dictionary.
+        return tuple(older.values())
 
     def is_waiting(self, command_id: str) -> bool:
-        """Whether this is one of them."""
+        """Whether this command waits for others to end."""
         return command_id in self._open
 
     def hear_end(self, ending: Ending) -> List[Ending]:
         """A command has ended.
 
         Returns:
-            the endings of the prohibitions and corrections that have waited for it
+            the endings of the prohibitions and corrections that waited only for it
         """
         self._open.pop(ending.command.command_id, None)
         complete = []
@@ -70,7 +98,7 @@ class Withdrawals:
         return complete
 
     def take_overdue(self) -> List[Ending]:
-        """The endings of those that have waited for too long."""
+        """Remove and return the endings of those whose deadline is over."""
         now_s = self._now()
         overdue = [withdrawal for withdrawal in self._open.values() if withdrawal.deadline_s <= now_s]
         for withdrawal in overdue:
@@ -78,7 +106,7 @@ class Withdrawals:
         return [_incomplete(withdrawal, self._timeout_s) for withdrawal in overdue]
 
     def next_deadline_s(self) -> Optional[float]:
-        """When one may be overdue, monotonic seconds; None when none waits."""
+        """The next deadline, monotonic seconds; None when none waits."""
         return min((withdrawal.deadline_s for withdrawal in self._open.values()), default=None)
 
 
@@ -107,13 +135,13 @@ def _incomplete(withdrawal: _Withdrawal, timeout_s: float) -> Ending:
 
 
 def _how(ended: Ending) -> str:
-    """How a command ended that was told to."""
+    """Return a sentence that says how a cancelled command ended."""
     if ended.outcome is Outcome.DONE:
-        return f"{_quoted(ended.command)} was done before."
+        return f"{_quoted(ended.command)} was already done."
     if ended.outcome is not Outcome.SUPERSEDED:
         return f"{_quoted(ended.command)} has ended: {ended.sentence}"
     if ended.sentence == "Cancelled before it began.":
-        return f"I do not begin {_quoted(ended.command)}."
+        return f"I did not start {_quoted(ended.command)}."
     remark = next(
         (ended.sentence[len(plain) :].strip() for plain in _PLAIN_ENDS if ended.sentence.startswith(plain)),
         ended.sentence,

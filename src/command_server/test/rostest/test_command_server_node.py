@@ -24,14 +24,7 @@ from roboframenet_msgs.msg import (
 )
 from std_msgs.msg import String
 
-
-def wait_until(condition, timeout_s=60.0):
-    end = time.monotonic() + timeout_s
-    while time.monotonic() < end:
-        if condition():
-            return True
-        time.sleep(0.02)
-    return condition()
+from roboframenet_testing import wait_until
 
 
 class CommandServerNodeTest(unittest.TestCase):
@@ -51,7 +44,7 @@ class CommandServerNodeTest(unittest.TestCase):
             rospy.Subscriber("status", CommandStatus, cls.statuses.append),
         ]
         cls.client = actionlib.ActionClient("command", ExecuteCommandAction)
-        assert wait_until(
+        wait_until(
             lambda: all(
                 end.get_num_connections() == 1
                 for end in cls.subscribers + [cls.events, cls.reports, cls.text, cls.reply_subscriber]
@@ -59,7 +52,7 @@ class CommandServerNodeTest(unittest.TestCase):
         )
         assert cls.client.wait_for_server(rospy.Duration(60))
         # A stop would end what is left over as well.
-        assert wait_until(lambda: [reply for reply in list(cls.replies) if reply.command.id == "left_over"])
+        wait_until(lambda: [reply for reply in list(cls.replies) if reply.command.id == "left_over"])
 
     @classmethod
     def on_command(cls, command):
@@ -69,6 +62,12 @@ class CommandServerNodeTest(unittest.TestCase):
             return
         if command.text.startswith("hang in the executor"):
             cls.send_event(command, "executor")
+            return
+        if command.text.startswith("no, the garage"):
+            cls.send_event(command, "semantic_framer")
+            cls.send_event(command, "frame_registrar", is_final=True, outcome=Reply.REFUSED, code="NO_SERVER")
+            return
+        if command.text.startswith("no, be silent"):
             return
         if command.text.startswith(("don't", "no, ")):
             code = "NEGATED" if command.text.startswith("don't") else "CORRECTION"
@@ -101,7 +100,7 @@ class CommandServerNodeTest(unittest.TestCase):
         return [reply for reply in list(self.replies) if reply.command.text == text]
 
     def wait_for_reply(self, text):
-        self.assertTrue(wait_until(lambda: self.replies_to(text)), f"no reply to {text!r}")
+        wait_until(lambda: self.replies_to(text), message=f"no reply to {text!r}")
         return self.replies_to(text)[0]
 
     def fence(self):
@@ -111,7 +110,7 @@ class CommandServerNodeTest(unittest.TestCase):
         self.wait_for_reply(text)
 
     def test_command_left_open_by_the_last_run_is_answered(self):
-        self.assertTrue(wait_until(lambda: [r for r in self.replies if r.command.id == "left_over"]))
+        wait_until(lambda: [r for r in self.replies if r.command.id == "left_over"])
         (reply,) = [reply for reply in self.replies if reply.command.id == "left_over"]
         self.assertEqual((Reply.FAILED, "RESTARTED"), (reply.outcome, reply.code))
         self.assertEqual(
@@ -122,7 +121,7 @@ class CommandServerNodeTest(unittest.TestCase):
         texts = [f"flood {index}" for index in range(50)]
         for text in texts:
             self.say(text)
-        self.assertTrue(wait_until(lambda: all(self.replies_to(text) for text in texts)))
+        wait_until(lambda: all(self.replies_to(text) for text in texts))
         self.fence()
         counts = collections.Counter(reply.command.text for reply in self.replies)
         self.assertEqual({1}, {counts[text] for text in texts})
@@ -135,7 +134,7 @@ class CommandServerNodeTest(unittest.TestCase):
     def test_same_words_twice_are_two_commands(self):
         self.say("the same words")
         self.say("the same words")
-        self.assertTrue(wait_until(lambda: len(self.replies_to("the same words")) == 2))
+        wait_until(lambda: len(self.replies_to("the same words")) == 2)
         self.assertEqual(2, len({reply.command.id for reply in self.replies_to("the same words")}))
 
     def test_second_final_event_is_dropped(self):
@@ -167,46 +166,42 @@ class CommandServerNodeTest(unittest.TestCase):
             transition_cb=lambda goal: ends.append(goal) if goal.get_comm_state() == actionlib.CommState.DONE else None,
         )
         # A client hears no feedback any more once it has the result, which comes by another connection.
-        self.assertTrue(wait_until(lambda: feedback))
+        wait_until(lambda: feedback)
         command = next(command for command in self.heard if command.text == text)
         self.send_event(command, "executor", is_final=True)
-        self.assertTrue(wait_until(lambda: ends))
+        wait_until(lambda: ends)
         self.assertEqual(GoalStatus.SUCCEEDED, handle.get_terminal_state())
         self.assertEqual(f"did {text}", handle.get_result().reply.sentence)
         self.assertEqual(handle.get_result().reply.command.id, self.wait_for_reply(text).command.id)
 
     def test_many_goals_in_flight(self):
         handles = [self.client.send_goal(ExecuteCommandGoal(text=f"goal {index}")) for index in range(8)]
-        self.assertTrue(
-            wait_until(lambda: all(handle.get_comm_state() == actionlib.CommState.DONE for handle in handles))
-        )
+        wait_until(lambda: all(handle.get_comm_state() == actionlib.CommState.DONE for handle in handles))
         self.assertEqual(
             [f"goal {index}" for index in range(8)], [handle.get_result().reply.command.text for handle in handles]
         )
 
     def test_cancelled_goal_stops_its_command(self):
         handle = self.client.send_goal(ExecuteCommandGoal(text="silent goal"))
-        self.assertTrue(wait_until(lambda: [c for c in self.heard if c.text == "silent goal"]))
+        wait_until(lambda: [c for c in self.heard if c.text == "silent goal"])
         handle.cancel()
-        self.assertTrue(wait_until(lambda: handle.get_comm_state() == actionlib.CommState.DONE))
+        wait_until(lambda: handle.get_comm_state() == actionlib.CommState.DONE)
         self.assertEqual(GoalStatus.PREEMPTED, handle.get_terminal_state())
         self.assertEqual(
             (Reply.SUPERSEDED, "STOPPED"), (handle.get_result().reply.outcome, handle.get_result().reply.code)
         )
-        self.assertTrue(wait_until(lambda: [c for c in self.cancelled if c.text == "silent goal"]))
+        wait_until(lambda: [c for c in self.cancelled if c.text == "silent goal"])
 
     def test_cancelled_goal_that_runs_waits_for_the_executor(self):
         handle = self.client.send_goal(ExecuteCommandGoal(text="hang in the executor"))
-        self.assertTrue(
-            wait_until(
-                lambda: any(
-                    status.stage == "executor" and [c for c in status.active if c.text == "hang in the executor"]
-                    for status in self.statuses
-                )
+        wait_until(
+            lambda: any(
+                status.stage == "executor" and [c for c in status.active if c.text == "hang in the executor"]
+                for status in self.statuses
             )
         )
         handle.cancel()
-        self.assertTrue(wait_until(lambda: [c for c in self.cancelled if c.text == "hang in the executor"]))
+        wait_until(lambda: [c for c in self.cancelled if c.text == "hang in the executor"])
         self.assertFalse(self.replies_to("hang in the executor"))
         (command,) = [command for command in self.cancelled if command.text == "hang in the executor"]
         self.send_event(command, "executor", is_final=True)
@@ -214,7 +209,7 @@ class CommandServerNodeTest(unittest.TestCase):
 
     def test_stop_is_not_passed_on_and_ends_open_commands(self):
         self.say("silent before the stop")
-        self.assertTrue(wait_until(lambda: [c for c in self.heard if c.text == "silent before the stop"]))
+        wait_until(lambda: [c for c in self.heard if c.text == "silent before the stop"])
         self.say("Halt!")
         reply = self.wait_for_reply("silent before the stop")
         self.assertEqual((Reply.SUPERSEDED, "STOPPED"), (reply.outcome, reply.code))
@@ -223,7 +218,7 @@ class CommandServerNodeTest(unittest.TestCase):
         self.assertFalse([command for command in self.heard if command.text == "Halt!"])
         # The stop server gave the reply; there is no second one from here.
         self.assertFalse(self.replies_to("Halt!"))
-        self.assertTrue(wait_until(lambda: self.statuses[-1].active == []))
+        wait_until(lambda: self.statuses[-1].active == [])
 
     def report_stop(self, command_id, text, outcome=Reply.DONE, code="DONE"):
         """Reply as the stop server does; returns the stamp of the stop."""
@@ -243,19 +238,16 @@ class CommandServerNodeTest(unittest.TestCase):
     def run_in_executor(self, text):
         """Say a command that runs until it is told to end; returns it as it was sent."""
         self.say(text)
-        self.assertTrue(
-            wait_until(
-                lambda: any(
-                    status.stage == "executor" and [c for c in status.active if c.text == text]
-                    for status in self.statuses
-                )
+        wait_until(
+            lambda: any(
+                status.stage == "executor" and [c for c in status.active if c.text == text] for status in self.statuses
             )
         )
         return next(command for command in self.heard if command.text == text)
 
     def end_in_executor(self, command):
         """End a command once it is cancelled, as the executor does."""
-        self.assertTrue(wait_until(lambda: [c for c in self.cancelled if c.id == command.id]))
+        wait_until(lambda: [c for c in self.cancelled if c.id == command.id])
         self.send_event(
             command, "executor", is_final=True, outcome=Reply.SUPERSEDED, code="STOPPED", sentence="Stopped."
         )
@@ -266,7 +258,7 @@ class CommandServerNodeTest(unittest.TestCase):
     def test_prohibition_ends_what_runs_and_says_so(self):
         command = self.run_in_executor("hang in the executor, forbidden")
         self.say("silent behind it")
-        self.assertTrue(wait_until(lambda: "silent behind it" in self.active_texts()))
+        wait_until(lambda: "silent behind it" in self.active_texts())
         self.say("don't hang")
         # What has not begun ends at once; what runs is waited for.
         self.assertEqual("STOPPED", self.wait_for_reply("silent behind it").code)
@@ -276,7 +268,7 @@ class CommandServerNodeTest(unittest.TestCase):
         reply = self.wait_for_reply("don't hang")
         self.assertEqual((Reply.REFUSED, "NEGATED", "semantic_framer"), (reply.outcome, reply.code, reply.stage))
         self.assertEqual(
-            'I do not begin "silent behind it". I stopped "hang in the executor, forbidden". You said not to.',
+            'I did not start "silent behind it". I stopped "hang in the executor, forbidden". You said not to.',
             reply.sentence,
         )
         self.assertEqual(Reply.SUPERSEDED, self.wait_for_reply("hang in the executor, forbidden").outcome)
@@ -290,6 +282,40 @@ class CommandServerNodeTest(unittest.TestCase):
         reply = self.wait_for_reply("no, the office")
         self.assertEqual((Reply.REFUSED, "CORRECTION"), (reply.outcome, reply.code))
         self.assertEqual('I stopped "hang in the executor, wrongly". did no, the office', reply.sentence)
+
+    def test_correction_that_a_later_stage_refuses_ends_what_runs(self):
+        for number, (said, code, why) in enumerate(
+            (
+                ("no, the garage", "NO_SERVER", "did no, the garage"),
+                ("no, " + "go on and " * 20, "TEXT_TOO_LONG", "The text has 204 characters; I accept at most 100."),
+            )
+        ):
+            running = f"hang in the executor, refused {number}"
+            command = self.run_in_executor(running)
+            self.say(said)
+            self.end_in_executor(command)
+            reply = self.wait_for_reply(said[:100])
+            self.assertEqual((Reply.REFUSED, code), (reply.outcome, reply.code))
+            self.assertEqual(f'I stopped "{running}". {why}', reply.sentence)
+            self.assertEqual(Reply.SUPERSEDED, self.wait_for_reply(running).outcome)
+            self.fence()
+            self.assertEqual(1, len(self.replies_to(said[:100])))
+
+    def test_correction_that_nobody_answers_ends_what_runs(self):
+        command = self.run_in_executor("hang in the executor, unanswered")
+        self.say("no, be silent")
+        # Its executor speaks every second.
+        while not [other for other in self.cancelled if other.id == command.id]:
+            self.send_event(command, "executor")
+            time.sleep(0.1)
+        self.end_in_executor(command)
+        reply = self.wait_for_reply("no, be silent")
+        self.assertEqual((Reply.FAILED, "STAGE_SILENT"), (reply.outcome, reply.code))
+        self.assertTrue(reply.sentence.startswith('I stopped "hang in the executor, unanswered". '), reply.sentence)
+        # A stage that wakes changes nothing.
+        self.send_event(reply.command, "executor", is_final=True)
+        self.fence()
+        self.assertEqual(1, len(self.replies_to("no, be silent")))
 
     def test_prohibition_of_what_is_already_done_is_refused(self):
         self.say("soon done")
@@ -312,7 +338,7 @@ class CommandServerNodeTest(unittest.TestCase):
     def test_stop_ends_a_prohibition_that_waits(self):
         self.run_in_executor("hang in the executor, stopped")
         self.say("don't go on")
-        self.assertTrue(wait_until(lambda: "don't go on" in self.active_texts()))
+        wait_until(lambda: "don't go on" in self.active_texts())
         self.say("stop it, stop")
         self.assertEqual("STOPPED", self.wait_for_reply("don't go on").code)
         self.assertEqual("STOPPED", self.wait_for_reply("hang in the executor, stopped").code)
@@ -322,7 +348,7 @@ class CommandServerNodeTest(unittest.TestCase):
 
     def test_command_behind_a_stop_begins_when_the_stop_is_answered(self):
         self.say("Stop and come back.")
-        self.assertTrue(wait_until(lambda: "come back." in self.active_texts()))
+        wait_until(lambda: "come back." in self.active_texts())
         self.fence()
         self.assertFalse([command for command in self.heard if command.text == "come back."])
         stamp = self.report_stop("stop_before_coming", "Stop and come back.")
@@ -344,7 +370,7 @@ class CommandServerNodeTest(unittest.TestCase):
 
     def test_next_stop_ends_the_command_behind_a_stop(self):
         self.say("stop and jump")
-        self.assertTrue(wait_until(lambda: "jump" in self.active_texts()))
+        wait_until(lambda: "jump" in self.active_texts())
         self.say("no, no, stop!")
         self.assertEqual("STOPPED", self.wait_for_reply("jump").code)
         self.report_stop("stop_before_jump", "stop and jump")
@@ -364,22 +390,22 @@ class CommandServerNodeTest(unittest.TestCase):
             ExecuteCommandGoal(text="Stop and crawl."), feedback_cb=lambda _, message: feedback.append(message.event)
         )
         goal_id = handle.comm_state_machine.action_goal.goal_id.id
-        self.assertTrue(wait_until(lambda: "crawl." in self.active_texts()))
+        wait_until(lambda: "crawl." in self.active_texts())
         self.report_stop(goal_id, "Stop and crawl.")
-        self.assertTrue(wait_until(lambda: handle.get_comm_state() == actionlib.CommState.DONE))
+        wait_until(lambda: handle.get_comm_state() == actionlib.CommState.DONE)
         reply = handle.get_result().reply
         self.assertEqual(
             ("crawl.", "did crawl.", GoalStatus.SUCCEEDED),
             (reply.command.text, reply.sentence, handle.get_terminal_state()),
         )
         self.assertNotEqual(goal_id, reply.command.id)
-        self.assertTrue(wait_until(lambda: [event for event in feedback if event.command.id == reply.command.id]))
+        wait_until(lambda: [event for event in feedback if event.command.id == reply.command.id])
 
     def test_cancelled_goal_ends_the_command_behind_its_stop(self):
         handle = self.client.send_goal(ExecuteCommandGoal(text="Stop and silently go."))
-        self.assertTrue(wait_until(lambda: "silently go." in self.active_texts()))
+        wait_until(lambda: "silently go." in self.active_texts())
         handle.cancel()
-        self.assertTrue(wait_until(lambda: handle.get_comm_state() == actionlib.CommState.DONE))
+        wait_until(lambda: handle.get_comm_state() == actionlib.CommState.DONE)
         self.assertEqual("silently go.", handle.get_result().reply.command.text)
         self.assertEqual(GoalStatus.PREEMPTED, handle.get_terminal_state())
         self.report_stop(handle.comm_state_machine.action_goal.goal_id.id, "Stop and silently go.")
@@ -389,7 +415,7 @@ class CommandServerNodeTest(unittest.TestCase):
     def test_stop_goal_takes_the_reply_of_the_report(self):
         handle = self.client.send_goal(ExecuteCommandGoal(text="Abort!"))
         self.report_stop(handle.comm_state_machine.action_goal.goal_id.id, "Abort!")
-        self.assertTrue(wait_until(lambda: handle.get_comm_state() == actionlib.CommState.DONE))
+        wait_until(lambda: handle.get_comm_state() == actionlib.CommState.DONE)
         self.assertEqual("Stopped by report.", handle.get_result().reply.sentence)
         self.assertEqual(GoalStatus.SUCCEEDED, handle.get_terminal_state())
 
@@ -400,7 +426,7 @@ class CommandServerNodeTest(unittest.TestCase):
 
     def test_z_killed_command_server_answers_when_it_is_back(self):
         self.say("silent when it is killed")
-        self.assertTrue(wait_until(lambda: [c for c in self.heard if c.text == "silent when it is killed"]))
+        wait_until(lambda: [c for c in self.heard if c.text == "silent when it is killed"])
         api = rosgraph.Master(rospy.get_name()).lookupNode("/command_server")
         _, _, pid = xmlrpc.client.ServerProxy(api).getPid("/test_command_server_node")
         os.kill(pid, signal.SIGKILL)

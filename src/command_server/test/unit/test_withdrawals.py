@@ -2,8 +2,8 @@
 
 import pytest
 
-from command_server.command_book import CommandText, Ending, Outcome
-from command_server.withdrawals import CORRECTION, PROHIBITION, Withdrawals
+from command_server.open_commands import CommandText, Ending, Outcome
+from command_server.withdrawals import CORRECTION, PROHIBITION, Withdrawals, is_against_what_runs
 
 FOLLOW = CommandText("text-1", 1, "Follow me.")
 TURN = CommandText("text-2", 2, "turn left")
@@ -55,20 +55,20 @@ def test_every_command_must_have_ended(withdrawals):
     assert withdrawals.hear_end(end_of(TURN, sentence="Cancelled before it began.")) == []
     assert withdrawals.hear_end(end_of(CommandText("text-9", 9, "Ping."))) == []
     (ending,) = withdrawals.hear_end(end_of(FOLLOW))
-    assert ending.sentence == 'I do not begin "turn left". I stopped "Follow me". You said not to.'
+    assert ending.sentence == 'I did not start "turn left". I stopped "Follow me". You said not to.'
 
 
 @pytest.mark.parametrize(
     "outcome, code, sentence, told",
     [
-        (Outcome.DONE, "DONE", "Done.", '"Follow me" was done before. You said not to.'),
+        (Outcome.DONE, "DONE", "Done.", '"Follow me" was already done. You said not to.'),
         (
             Outcome.FAILED,
             "STAGE_SILENT",
-            "executor did not answer within 5 s. Whether the robot still moves is not known.",
+            "executor did not answer within 5 s. I do not know whether the robot still moves.",
             (
-                '"Follow me" has ended: executor did not answer within 5 s. Whether the robot still moves is not '
-                "known. You said not to."
+                '"Follow me" has ended: executor did not answer within 5 s. I do not know whether the robot still '
+                "moves. You said not to."
             ),
         ),
         (
@@ -120,3 +120,61 @@ def test_two_prohibitions_wait_for_one_command(withdrawals):
     )
     endings = withdrawals.hear_end(end_of(FOLLOW))
     assert [ending.command.command_id for ending in endings] == ["text-3", "text-4"]
+
+
+def test_only_what_was_said_before_is_ended(withdrawals):
+    later = CommandText("text-5", 5, "Turn right.")
+    assert withdrawals.begin(prohibition(), [FOLLOW, later]) == (FOLLOW,)
+    assert withdrawals.begin(end_of(CommandText("text-0", 0, "no")), [FOLLOW]) == ()
+    assert not withdrawals.is_waiting("text-0")
+
+
+def test_what_waits_itself_is_not_ended(withdrawals):
+    first = prohibition()
+    withdrawals.begin(first, [FOLLOW])
+    second = Ending(CommandText("text-4", 4, "no!"), Outcome.REFUSED, "semantic_framer", CORRECTION, "What?")
+    assert withdrawals.begin(second, [FOLLOW, first.command]) == (FOLLOW,)
+
+
+@pytest.mark.parametrize(
+    "text, outcome, stage, code",
+    [
+        ("Don't follow me.", Outcome.REFUSED, "semantic_framer", "NEGATED"),
+        ("not there", Outcome.REFUSED, "semantic_framer", "CORRECTION"),
+        ("No, go to the garage.", Outcome.REFUSED, "frame_registrar", "NO_SERVER"),
+        ("No, move forward 3 kilometres.", Outcome.REFUSED, "frame_registrar", "LIMIT"),
+        ("no, wave", Outcome.REFUSED, "semantic_framer", "UNKNOWN_FRAME"),
+        ("nope, turn", Outcome.NEEDS_INFORMATION, "semantic_framer", "MISSING_ELEMENT"),
+        ("no, turn left", Outcome.FAILED, "stanford_parser_ros", "STAGE_SILENT"),
+    ],
+)
+def test_correction_that_anybody_refuses_is_against_what_runs(text, outcome, stage, code):
+    assert is_against_what_runs(Ending(CommandText("a", 1, text), outcome, stage, code, "Why not."))
+
+
+@pytest.mark.parametrize(
+    "text, outcome, stage, code",
+    [
+        ("Go to the garage.", Outcome.REFUSED, "frame_registrar", "NO_SERVER"),
+        ("No.", Outcome.REFUSED, "semantic_framer", "DECLINED"),
+        ("No, I don't know.", Outcome.REFUSED, "semantic_framer", "NO_READING"),
+        ("no, turn left", Outcome.DONE, "executor", "DONE"),
+        ("no, turn left", Outcome.SUPERSEDED, "executor", "NEW_COMMAND"),
+    ],
+)
+def test_what_is_no_correction_or_was_carried_out_is_against_nothing(text, outcome, stage, code):
+    assert not is_against_what_runs(Ending(CommandText("a", 1, text), outcome, stage, code, "So it is."))
+
+
+def test_refused_correction_says_what_was_stopped_and_why_it_is_refused(withdrawals):
+    correction = Ending(
+        CommandText("text-3", 3, "No, go to the garage."),
+        Outcome.REFUSED,
+        "frame_registrar",
+        "NO_SERVER",
+        "Nobody can do that.",
+    )
+    withdrawals.begin(correction, [FOLLOW])
+    (ending,) = withdrawals.hear_end(end_of(FOLLOW))
+    assert (ending.stage, ending.code) == ("frame_registrar", "NO_SERVER")
+    assert ending.sentence == 'I stopped "Follow me". Nobody can do that.'

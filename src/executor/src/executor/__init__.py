@@ -1,1 +1,1 @@
-"""Runs one plan at a time and preempts the one before."""
+"""Runs one plan at a time; a newer plan preempts the running one."""

@@ -1,7 +1,7 @@
 """One goal of an action server, from sending to its end, as a state machine of values.
 
-The functions take what happened and the time, and give the next value. Nothing here waits: the caller asks `tick`
-again when `next_deadline_s` has come.
+Each function takes an event and the time, and returns the next value. Nothing here waits: the caller calls `tick`
+again at `next_deadline_s`.
 """
 
 import enum
@@ -37,7 +37,7 @@ TERMINAL_STATUSES = frozenset(
 
 
 class Phase(enum.Enum):
-    """Where the goal is."""
+    """Phase of a goal."""
 
     SENT = "sent"  # not accepted yet; a pending goal waits in the server
     ACCEPTED = "accepted"  # the server carries it out
@@ -51,11 +51,11 @@ class Outcome(enum.Enum):
 
     SUCCEEDED = "succeeded"
     FAILED = "failed"
-    PREEMPTED = "preempted"  # because we asked
+    PREEMPTED = "preempted"  # at our request
     TAKEN_AWAY = "taken_away"  # somebody else cancelled it
 
 
-# SUCCEEDED counts only with a result that says success; PREEMPTED and RECALLED only when we asked for it.
+# SUCCEEDED counts only with a result that says success; PREEMPTED and RECALLED only when we requested it.
 OUTCOME_OF_STATUS: Dict[GoalStatusCode, Outcome] = {
     GoalStatusCode.SUCCEEDED: Outcome.SUCCEEDED,
     GoalStatusCode.PREEMPTED: Outcome.PREEMPTED,
@@ -71,8 +71,8 @@ class GoalDeadlines:
     """How long each part of a goal may take.
 
     Attributes:
-        acceptance_s: from sending until the server begins with it
-        silence_s: between two signs of the server: status, feedback, result
+        acceptance_s: from sending until the server accepts it
+        silence_s: between two messages of the server: status, feedback, result
         preempt_s: from the first cancel to the end of the goal
         cancel_period_s: between two cancels
         result_s: from a terminal status to its result
@@ -100,11 +100,11 @@ class Goal:
     Attributes:
         server: name of the action server
         deadlines: of this goal
-        phase: where it is
+        phase: current phase
         since_s: when the phase began, monotonic seconds
-        heard_s: when the server last gave a sign
+        heard_s: when the server last sent a message
         cancelled_s: when the last cancel went out, None before the first
-        is_preempt_asked: the cancel is our wish, not the consequence of a fault
+        is_preempt_asked: the cancel was requested; it does not follow from a fault
         fault: why the goal counts as failed although the server has not ended it; empty for none
         status: last status of the server
         outcome: only when ended
@@ -132,12 +132,12 @@ class Goal:
 
 
 def send(server: str, deadlines: GoalDeadlines, *, now_s: float) -> Goal:
-    """A goal that is being sent now."""
+    """Return a goal that is being sent now."""
     return Goal(server=server, deadlines=deadlines, phase=Phase.SENT, since_s=now_s, heard_s=now_s)
 
 
 def hear_sign(goal: Goal, *, now_s: float) -> Goal:
-    """The server spoke on its status or feedback topic; it need not be about this goal."""
+    """The server published its status or feedback, about this goal or another one."""
     return replace(goal, heard_s=now_s)
 
 
@@ -151,7 +151,7 @@ def hear_status(goal: Goal, status: int, *, now_s: float) -> Goal:
     except ValueError:
         return _end(goal, Outcome.FAILED, f"reported the unknown status {status}")
     if goal.phase is Phase.CONCLUDING and code not in TERMINAL_STATUSES:
-        # No server takes a terminal status back; this one came late on its way.
+        # A terminal status is final; this one was delayed.
         return goal
     goal = replace(goal, status=code)
     if code in TERMINAL_STATUSES:
@@ -199,7 +199,7 @@ _VERBS: Dict[GoalStatusCode, str] = {
 
 
 def ask_preempt(goal: Goal, *, now_s: float) -> Goal:
-    """We want the goal to end; `tick` says when cancels go out."""
+    """Request that the goal ends; `tick` says when cancels are sent."""
     if goal.is_ended or goal.is_preempt_asked:
         return goal
     goal = replace(goal, is_preempt_asked=True)
@@ -210,14 +210,14 @@ def ask_preempt(goal: Goal, *, now_s: float) -> Goal:
 
 @dataclass(frozen=True)
 class Tick:
-    """What a look at the clock gave: the goal, and whether a cancel is to be sent now."""
+    """Result of `tick`: the goal, and whether a cancel must be sent now."""
 
     goal: Goal
     is_cancel_due: bool
 
 
 def tick(goal: Goal, *, now_s: float) -> Tick:
-    """Look at the clock."""
+    """Apply the deadlines at the time `now_s`."""
     if goal.is_ended:
         return Tick(goal, is_cancel_due=False)
     deadlines = goal.deadlines
@@ -239,7 +239,7 @@ def tick(goal: Goal, *, now_s: float) -> Tick:
 
 
 def next_deadline_s(goal: Goal) -> float:
-    """When `tick` may have something to do next, monotonic seconds; infinite when ended."""
+    """When `tick` must be called next, monotonic seconds; infinite when ended."""
     deadlines = goal.deadlines
     if goal.phase is Phase.SENT:
         return goal.since_s + deadlines.acceptance_s
@@ -254,18 +254,18 @@ def next_deadline_s(goal: Goal) -> float:
 
 
 def fail_unsent(server: str, deadlines: GoalDeadlines, reason: str, *, now_s: float) -> Goal:
-    """A goal that could not even be sent."""
+    """Return a goal that could not be sent."""
     return _end(send(server, deadlines, now_s=now_s), Outcome.FAILED, reason)
 
 
 def preempt_unsent(server: str, deadlines: GoalDeadlines, *, now_s: float) -> Goal:
-    """A goal that we wanted to end before it was sent."""
+    """Return a goal that was cancelled before it was sent."""
     goal = replace(send(server, deadlines, now_s=now_s), is_preempt_asked=True)
     return _end(goal, Outcome.PREEMPTED, "was cancelled before it began")
 
 
 def _give_up(goal: Goal, fault: str, *, now_s: float) -> Goal:
-    # The server may come back to life: what it does then must end too.
+    # The server may recover: what it does then must end too.
     return replace(goal, phase=Phase.CANCELLING, since_s=now_s, fault=fault)
 
 
@@ -279,26 +279,26 @@ def _conclude_without_result(goal: Goal) -> Goal:
 
 def _end(goal: Goal, outcome: Outcome, reason: str) -> Goal:
     if outcome is Outcome.SUCCEEDED:
-        # Whatever we asked for in the meantime: it is done, and must not be done again by another server.
+        # It succeeded although a cancel was requested meanwhile: no other server may do it again.
         pass
     elif goal.fault and not goal.is_orphaned:
-        # It ended only because we cancelled it for its fault.
+        # It ended only because it was cancelled for its fault.
         outcome = Outcome.PREEMPTED if goal.is_preempt_asked else Outcome.FAILED
         reason = goal.fault
     elif outcome is Outcome.PREEMPTED and not goal.is_preempt_asked:
         outcome = Outcome.TAKEN_AWAY
     elif outcome is Outcome.FAILED and goal.is_preempt_asked:
-        # Servers that know no preemption abort on a cancel; what we wanted has happened.
+        # Servers without preemption abort on a cancel; the request is fulfilled.
         outcome = Outcome.PREEMPTED
     return replace(goal, phase=Phase.ENDED, outcome=outcome, reason=reason)
 
 
 def describe_failures(goals: Sequence[Goal]) -> str:
-    """A sentence that names each server that failed and why; empty when none did."""
+    """Return a sentence that names each server that failed, and why; empty when none failed."""
     clauses = [f"{goal.server} {goal.reason}" for goal in goals if goal.outcome is Outcome.FAILED]
     return as_sentence("; ".join(clauses)) if clauses else ""
 
 
 def as_sentence(words: str) -> str:
-    """Put a full stop behind words that do not end a sentence yet."""
+    """Add a full stop to words that do not end with a sentence mark."""
     return words if words.endswith((".", "!", "?")) else f"{words}."

@@ -14,43 +14,33 @@ from roboframenet_msgs.msg import Command, CommandPlan, StopReport
 
 from arbitrator.plan import Plan
 from arbitrator.ros_messages import plan_from_message
-from executor.command_desk import (
-    CommandKey,
-    Desk,
-    Order,
-    Preempt,
-    Start,
-    Step,
-    Supersede,
-    command_cancelled,
-    command_ended,
-    order_arrives,
-    stop_heard,
-)
+from executor import command_queue
+from executor.command_queue import CommandKey, CommandQueue, Order, Preempt, Start, Step, Supersede
 from executor.goal_tracking import GoalDeadlines
 from executor.replies import Ending, ending_of_malformed, ending_of_run, ending_of_unstarted
 from executor.ros_action_clients import ActionClients
 from executor.ros_command_run import CommandRun, RunResult
+from executor.ros_driver_settings import DriverSettings
 from executor.ros_introspection import Introspection
-from executor.ros_reconfigure import SettingsKeeper
 from executor.ros_running_goals import RunningGoals
-from roboframenet_ros.ros_log import log_from_threads
+from roboframenet_ros.parameters import Parameters, parameter
+from roboframenet_ros.ros_node import read_parameters, run_node
+from roboframenet_ros.ros_stage import Stage
 from roboframenet_ros.suspension import SuspensionWatch
-from stage_events.ros_stage import Stage
 
-# Less than the second that the stage promises, so that a busy machine keeps the promise too.
+# The stage promises an event each second; half of that leaves room for a busy machine.
 _EVENT_PERIOD_S = 0.5
-# A turn of the worker that takes longer means that the process did not run.
+# A longer turn of the worker means that the process was suspended.
 _LONGEST_TURN_S = 1.0
 
 
 @dataclass(frozen=True)
-class Settings:
+class Settings(Parameters):
     """Private parameters, checked; times in seconds.
 
     Attributes:
-        acceptance_timeout_s: for a server to be there, and for it to accept a goal
-        silence_timeout_s: between two signs of a server that has a goal
+        acceptance_timeout_s: for a server to connect, and for it to accept a goal
+        silence_timeout_s: between two messages of a server that has a goal
         preempt_timeout_s: for a goal to end after the first cancel
         cancel_period_s: between two cancels
         result_timeout_s: for the result after a terminal status
@@ -59,38 +49,17 @@ class Settings:
         introspection: publish the topics of smach_viewer
 
     Raises:
-        ValueError: a value out of its range
+        ParameterError: a value out of its range
     """
 
-    acceptance_timeout_s: float = 5.0
-    silence_timeout_s: float = 5.0
-    preempt_timeout_s: float = 5.0
-    cancel_period_s: float = 0.5
-    result_timeout_s: float = 2.0
-    settings_timeout_s: float = 3.0
-    max_clients: int = 32
-    introspection: bool = True
-
-    def __post_init__(self) -> None:
-        for name in (
-            "acceptance_timeout_s",
-            "silence_timeout_s",
-            "preempt_timeout_s",
-            "cancel_period_s",
-            "result_timeout_s",
-            "settings_timeout_s",
-        ):
-            value = getattr(self, name)
-            if isinstance(value, bool) or not isinstance(value, (int, float)) or not 0.05 <= value <= 600.0:
-                raise ValueError(f"~{name} must be 0.05 to 600 s, got {value!r}")
-        if (
-            isinstance(self.max_clients, bool)
-            or not isinstance(self.max_clients, int)
-            or not (1 <= self.max_clients <= 1000)
-        ):
-            raise ValueError(f"~max_clients must be an integer from 1 to 1000, got {self.max_clients!r}")
-        if not isinstance(self.introspection, bool):
-            raise ValueError(f"~introspection must be true or false, got {self.introspection!r}")
+    acceptance_timeout_s: float = parameter(5.0, least=0.05, most=600.0)
+    silence_timeout_s: float = parameter(5.0, least=0.05, most=600.0)
+    preempt_timeout_s: float = parameter(5.0, least=0.05, most=600.0)
+    cancel_period_s: float = parameter(0.5, least=0.05, most=600.0)
+    result_timeout_s: float = parameter(2.0, least=0.05, most=600.0)
+    settings_timeout_s: float = parameter(3.0, least=0.05, most=600.0)
+    max_clients: int = parameter(32, least=1, most=1000)
+    introspection: bool = parameter(True)
 
     @property
     def deadlines(self) -> GoalDeadlines:
@@ -106,7 +75,7 @@ class Settings:
 
 @dataclass(frozen=True)
 class _Job:
-    """What the desk keeps for the shell: the command as it came, and its plan."""
+    """A command as it was received, and its plan."""
 
     command: Command
     plan: Plan
@@ -114,7 +83,7 @@ class _Job:
 
 @dataclass(frozen=True)
 class _Note:
-    """A run says what happens in it."""
+    """A run reports its progress."""
 
     run: CommandRun
     sentence: str
@@ -122,7 +91,7 @@ class _Note:
 
 @dataclass(frozen=True)
 class _RunEnded:
-    """The thread of a run is through."""
+    """The thread of a run has ended."""
 
     run: CommandRun
     result: RunResult
@@ -141,11 +110,11 @@ class ExecutorNode:
     def __init__(self, settings: Settings) -> None:
         self._settings = settings
         self._clients = ActionClients(max_kept=settings.max_clients)
-        self._server_settings = SettingsKeeper(timeout_s=settings.settings_timeout_s)
+        self._server_settings = DriverSettings(timeout_s=settings.settings_timeout_s)
         self._running_goals = RunningGoals()
         self._introspection = Introspection(is_enabled=settings.introspection)
         self._suspension = SuspensionWatch(longest_turn_s=_LONGEST_TURN_S)
-        self._desk: Desk[_Job] = Desk()
+        self._commands: CommandQueue[_Job] = CommandQueue()
         self._run: Optional[CommandRun] = None
         self._next_event_s = 0.0
         self._inbox: queue.Queue[_Event] = queue.Queue()
@@ -153,7 +122,7 @@ class ExecutorNode:
         self._worker = threading.Thread(target=self._work, name="executor_worker")
 
     def start(self) -> None:
-        """Begin to take commands."""
+        """Start to take commands."""
         rospy.on_shutdown(self._shutdown)
         self._running_goals.start()
         self._server_settings.start()
@@ -174,7 +143,7 @@ class ExecutorNode:
                 event = self._inbox.get(timeout=_EVENT_PERIOD_S / 2.0)
             except queue.Empty:
                 self._suspension.turn()
-                self._tell_that_it_runs()
+                self._report_progress()
                 continue
             if event is None:
                 self._end_all()
@@ -186,18 +155,18 @@ class ExecutorNode:
                 rospy.logerr(
                     "executor could not handle a %s: %s: %s", type(event).__name__, type(error).__name__, error
                 )
-            self._tell_that_it_runs()
+            self._report_progress()
 
     def _handle(self, event: _Event) -> None:
         if isinstance(event, CommandPlan):
             self._hear_plan(event)
         elif isinstance(event, StopReport):
-            self._follow(stop_heard(self._desk, event.stop_stamp.to_nsec()))
+            self._follow(command_queue.stop(self._commands, event.stop_stamp.to_nsec()))
         elif isinstance(event, Command):
-            self._follow(command_cancelled(self._desk, event.id))
+            self._follow(command_queue.cancel(self._commands, event.id))
         elif isinstance(event, _Note):
             if event.run is self._run:
-                self._stage.passes_on(self._desk.running.job.command, event.sentence)
+                self._stage.passes_on(self._commands.running.job.command, event.sentence)
         elif isinstance(event, _RunEnded):
             self._hear_end(event)
 
@@ -209,20 +178,20 @@ class ExecutorNode:
             return
         key = CommandKey(command_id=message.command.id, stamp_ns=message.command.stamp.to_nsec())
         order = Order(key=key, job=_Job(command=message.command, plan=plan))
-        self._follow(order_arrives(self._desk, order, now_ns=rospy.Time.now().to_nsec()))
+        self._follow(command_queue.submit(self._commands, order, now_ns=rospy.Time.now().to_nsec()))
 
     def _hear_end(self, ended: _RunEnded) -> None:
         if ended.run is not self._run:
             return
-        order, cause = self._desk.running, self._desk.cause
+        order, cause = self._commands.running, self._commands.cause
         self._run = None
         ending = ending_of_run(ended.result.outcome, ended.result.clauses, cause=cause, error=ended.result.error)
         self._end(order.job.command, ending)
-        self._follow(command_ended(self._desk))
+        self._follow(command_queue.finish(self._commands))
 
     def _follow(self, step: Step) -> None:
-        """Take the desk as it is now and do what it asks for."""
-        self._desk, actions = step
+        """Keep the next queue, and take its actions."""
+        self._commands, actions = step
         for action in actions:
             if isinstance(action, Start):
                 self._start_run(action.order)
@@ -233,7 +202,7 @@ class ExecutorNode:
                 self._end(action.order.job.command, ending_of_unstarted(action.cause))
 
     def _start_run(self, order: "Order[_Job]") -> None:
-        rospy.loginfo("cmd=%s begins", order.key.command_id)
+        rospy.loginfo("cmd=%s starts", order.key.command_id)
         self._run = CommandRun(
             order.job.plan,
             clients=self._clients,
@@ -248,24 +217,24 @@ class ExecutorNode:
         run = self._run
         run.start()
 
-    def _tell_that_it_runs(self) -> None:
+    def _report_progress(self) -> None:
         if time.monotonic() < self._next_event_s:
             return
         self._next_event_s = time.monotonic() + _EVENT_PERIOD_S
         if self._run is not None:
-            self._stage.passes_on(self._desk.running.job.command, self._run.describe())
-        if self._desk.waiting is not None:
-            self._stage.passes_on(self._desk.waiting.job.command, "Waiting for the end of the command before.")
+            self._stage.passes_on(self._commands.running.job.command, self._run.describe())
+        if self._commands.waiting is not None:
+            self._stage.passes_on(self._commands.waiting.job.command, "Waiting for the previous command to end.")
 
     def _end(self, command: Command, ending: Ending) -> None:
         rospy.loginfo("cmd=%s -> %s %s: %s", command.id, ending.outcome.name, ending.code, ending.sentence)
         self._stage.ends(command, outcome=int(ending.outcome), code=ending.code, sentence=ending.sentence)
 
     def _end_all(self) -> None:
-        """Cancel what runs before the node goes, so that the robot does not go on alone."""
-        for order in (self._desk.waiting, self._desk.running):
+        """Cancel everything before the node exits, so that the robot does not go on without it."""
+        for order in (self._commands.waiting, self._commands.running):
             if order is not None:
-                self._follow(command_cancelled(self._desk, order.key.command_id))
+                self._follow(command_queue.cancel(self._commands, order.key.command_id))
         if self._run is not None:
             # The end of the run comes through the inbox; its thread has deadlines for everything it waits for.
             self._run.join(timeout_s=self._settings.preempt_timeout_s + 1.0)
@@ -281,33 +250,14 @@ class ExecutorNode:
         self._running_goals.close(timeout_s=1.0)
 
 
-def read_settings() -> Settings:
-    """Read the private parameters.
-
-    Raises:
-        ValueError: a parameter is out of its range
-    """
-    return Settings(
-        acceptance_timeout_s=rospy.get_param("~acceptance_timeout_s", Settings.acceptance_timeout_s),
-        silence_timeout_s=rospy.get_param("~silence_timeout_s", Settings.silence_timeout_s),
-        preempt_timeout_s=rospy.get_param("~preempt_timeout_s", Settings.preempt_timeout_s),
-        cancel_period_s=rospy.get_param("~cancel_period_s", Settings.cancel_period_s),
-        result_timeout_s=rospy.get_param("~result_timeout_s", Settings.result_timeout_s),
-        settings_timeout_s=rospy.get_param("~settings_timeout_s", Settings.settings_timeout_s),
-        max_clients=rospy.get_param("~max_clients", Settings.max_clients),
-        introspection=rospy.get_param("~introspection", Settings.introspection),
-    )
+def _start() -> ExecutorNode:
+    settings = read_parameters(Settings)
+    rospy.loginfo("executor: %s", settings)
+    node = ExecutorNode(settings)
+    node.start()
+    return node
 
 
 def main() -> None:
     """Run the node until ROS shuts down; exits with a sentence when a parameter is wrong."""
-    rospy.init_node("executor")
-    log_from_threads()
-    try:
-        settings = read_settings()
-    except ValueError as error:
-        rospy.logfatal("%s", error)
-        raise SystemExit(f"executor: {error}") from error
-    rospy.loginfo("executor: %s", settings)
-    ExecutorNode(settings).start()
-    rospy.spin()
+    run_node("executor", _start)

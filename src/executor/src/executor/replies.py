@@ -1,10 +1,10 @@
-"""What the executor tells the person about the end of a command."""
+"""Replies of the executor: how a command ended, for the person."""
 
 import enum
 from dataclasses import dataclass
 from typing import Iterable, Optional, Sequence, Tuple
 
-from executor.command_desk import Cause
+from executor.command_queue import Cause
 from executor.goal_tracking import Goal, Outcome, describe_failures
 
 
@@ -18,11 +18,11 @@ class ReplyOutcome(enum.IntEnum):
 
 @dataclass(frozen=True)
 class ClauseRun:
-    """What became of a clause.
+    """How a clause ended.
 
     Attributes:
-        label: its words
-        outcome: succeeded, aborted or preempted; empty when it did not begin, or did not end
+        label: the words of the clause
+        outcome: succeeded, aborted or preempted; empty when it did not start or did not end
         goals: every goal that was tried, in order
     """
 
@@ -44,22 +44,22 @@ _SENTENCE_OF = {Cause.NEW_COMMAND: "A newer command took its place.", Cause.STOP
 
 
 def ending_of_unstarted(cause: Cause) -> Ending:
-    """The end of a command that never began."""
+    """Return the ending of a command that was never started."""
     return Ending(ReplyOutcome.SUPERSEDED, cause.value, _SENTENCE_OF[cause])
 
 
 def ending_of_malformed(error: str) -> Ending:
-    """The end of a command whose plan cannot be read."""
+    """Return the ending of a command whose plan cannot be read."""
     return Ending(ReplyOutcome.FAILED, "STAGE_ERROR", f"The plan cannot be carried out: {error}.")
 
 
 def ending_of_run(outcome: str, clauses: Sequence[ClauseRun], *, cause: Optional[Cause], error: str) -> Ending:
-    """The end of a command that began.
+    """Return the ending of a command that was started.
 
     Args:
         outcome: of the machine: succeeded, aborted or preempted; empty when it broke
         clauses: of the plan, in order
-        cause: why it was asked to end, None if it was not
+        cause: why it was preempted, None if it was not
         error: why the machine broke, empty if it did not
     """
     goals = [goal for clause in clauses for goal in clause.goals]
@@ -68,8 +68,8 @@ def ending_of_run(outcome: str, clauses: Sequence[ClauseRun], *, cause: Optional
         sentence = f"The state machine broke: {error}. {failures} {_done_before(clauses)}"
         return Ending(ReplyOutcome.FAILED, "STAGE_ERROR", " ".join(sentence.split()))
     if outcome == "succeeded":
-        # Also when it was asked to end: it was faster.
-        return Ending(ReplyOutcome.DONE, "DONE", f"Done; but before, {failures}" if failures else "Done.")
+        # Also when a preemption was requested: it succeeded first.
+        return Ending(ReplyOutcome.DONE, "DONE", f"Done, after {failures}" if failures else "Done.")
     # A server that ignored the cancel may still move the robot; the person must know which one.
     orphans = " ".join(
         f"{goal.server} {goal.reason}." for goal in goals if goal.is_orphaned and goal.outcome is Outcome.PREEMPTED
@@ -85,22 +85,22 @@ def ending_of_run(outcome: str, clauses: Sequence[ClauseRun], *, cause: Optional
 
 
 def _failure(clauses: Sequence[ClauseRun]) -> str:
-    """What was done and what was not: 'I have done "ping", but I could not do "wave at Alice": ...'."""
+    """Return what was done and what was not: 'I did "ping", but I could not do "wave at Alice": ...'."""
     failed = next((clause for clause in clauses if clause.outcome == "aborted"), None)
     if len(clauses) == 1 or failed is None:
         failures = describe_failures([goal for clause in clauses for goal in clause.goals])
-        return f"Nothing that could do it succeeded: {failures}"
+        return f"Every way I tried failed: {failures}"
     done = _labels(clause for clause in clauses if clause.outcome == "succeeded")
     left = _labels(clause for clause in clauses if not clause.outcome)
-    subject = f"I have done {done}, but I" if done else "I"
+    subject = f"I did {done}, but I" if done else "I"
     rest = f" I did not begin {left}." if left else ""
     return f'{subject} could not do "{failed.label}": {describe_failures(failed.goals)}{rest}'
 
 
 def _done_before(clauses: Sequence[ClauseRun]) -> str:
-    """What was done of several clauses, as a sentence; empty for nothing."""
+    """Return a sentence that names the clauses that were done; empty for none, or for a single clause."""
     done = _labels(clause for clause in clauses if clause.outcome == "succeeded") if len(clauses) > 1 else ""
-    return f"I have done {done} before." if done else ""
+    return f"Before that, I did {done}." if done else ""
 
 
 def _labels(clauses: Iterable[ClauseRun]) -> str:

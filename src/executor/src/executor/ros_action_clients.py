@@ -1,4 +1,4 @@
-"""Connections to action servers, kept while they are in use."""
+"""Connections to action servers, kept for the next goal."""
 
 import threading
 from collections import OrderedDict
@@ -6,11 +6,12 @@ from typing import List, Optional
 
 from roboframenet_msgs.msg import FilledSemanticFrameAction
 
-from rfnserver.ros_action_connection import ActionConnection
+from roboframenet_ros.deadline import NoAnswer, within
+from roboframenet_ros.ros_action_connection import ActionConnection
 
 
 class ActionClients:
-    """Connections by name of the server, the ones used last."""
+    """Keeps the connections that were used last, by name of the server."""
 
     def __init__(self, *, max_kept: int) -> None:
         """Start with none.
@@ -23,7 +24,7 @@ class ActionClients:
         self._connections: OrderedDict[str, ActionConnection] = OrderedDict()
 
     def get(self, server: str, *, timeout_s: float) -> Optional[ActionConnection]:
-        """The connection to a server, made if need be.
+        """Return the connection to a server; connects if necessary.
 
         Returns:
             None when the master did not answer in time
@@ -36,32 +37,23 @@ class ActionClients:
             if known is not None:
                 self._connections.move_to_end(server)
                 return known
-        made: List[ActionConnection] = []
-        faults: List[Exception] = []
-
-        def connect() -> None:
-            try:
-                made.append(ActionConnection(server, FilledSemanticFrameAction))
-            except Exception as error:  # boundary: the master or the name may be at fault in many ways
-                faults.append(error)
-
-        # rospy knows no deadline for the master: a thread of its own waits for it.
-        thread = threading.Thread(target=connect, name=f"connect_{server}", daemon=True)
-        thread.start()
-        thread.join(timeout_s)
-        if faults:
-            raise ValueError(str(faults[0])) from faults[0]
-        if not made:
+        try:
+            made = within(
+                timeout_s, lambda: ActionConnection(server, FilledSemanticFrameAction), name=f"connect_{server}"
+            )
+        except NoAnswer:
             return None
+        except Exception as error:  # boundary: the master or the name may be at fault in many ways
+            raise ValueError(str(error)) from error
         with self._lock:
-            self._connections[server] = made[0]
+            self._connections[server] = made
             dropped = []
             while len(self._connections) > self._max_kept:
                 dropped.append(self._connections.popitem(last=False)[1])
         if dropped:
             # To close asks the master, which may hang.
             threading.Thread(target=self._close_all, args=(dropped,), name="close_connections", daemon=True).start()
-        return made[0]
+        return made
 
     def close(self) -> None:
         """Close all connections."""

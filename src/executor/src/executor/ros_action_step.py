@@ -1,4 +1,4 @@
-"""A SMACH state that has one action server carry out one frame."""
+"""A SMACH state that sends one frame to one action server."""
 
 import contextlib
 import queue
@@ -16,20 +16,20 @@ from arbitrator.plan import FilledFrame
 from arbitrator.ros_messages import frame_to_message
 from arbitrator.state_machine import OUTCOMES
 from executor import goal_tracking as tracking
+from executor.driver_settings import SettingsError
 from executor.goal_tracking import Goal, GoalDeadlines, Outcome
 from executor.ros_action_clients import ActionClients
-from executor.ros_reconfigure import SettingsKeeper
+from executor.ros_driver_settings import DriverSettings
 from executor.ros_running_goals import RunningGoals
-from executor.settings import SettingsError
-from rfnserver.ros_action_connection import ActionConnection, SentGoal
+from roboframenet_ros.ros_action_connection import ActionConnection, SentGoal
 from roboframenet_ros.suspension import SuspensionWatch
 
-# The longest that a preemption can go unseen.
+# A preemption is noticed within this time.
 _LONGEST_WAIT_S = 0.1
-# A process that was suspended finds full sockets: what they hold is read within this time.
+# After a suspension, messages that arrived meanwhile are read within this time.
 _WAKE_S = 0.5
 
-# What the machine makes of each end. A goal that somebody else took away must not start the next candidate.
+# The outcome of the state. A goal that another client cancelled must not start the next candidate.
 SMACH_OUTCOME_OF = {
     Outcome.SUCCEEDED: "succeeded",
     Outcome.FAILED: "aborted",
@@ -47,14 +47,14 @@ class StepContext:
         settings: what the servers need of other nodes
         running_goals: what must be cancelled if this process is killed
         deadlines: of each goal
-        is_preempt_asked: set when the run is to end
-        suspension: says whether this process has just woken
-        on_begin: is told the frame of each step that begins
-        on_end: is told each goal that has ended, with its frame and the number of its clause
+        is_preempt_asked: set when the run must end
+        suspension: whether this process has just been resumed
+        on_begin: called with the frame of each step that starts
+        on_end: called with the frame, the number of the clause, and the goal that has ended
     """
 
     clients: ActionClients
-    settings: SettingsKeeper
+    settings: DriverSettings
     running_goals: RunningGoals
     deadlines: GoalDeadlines
     is_preempt_asked: threading.Event
@@ -65,7 +65,7 @@ class StepContext:
 
 @dataclass(frozen=True)
 class _Transition:
-    """The client saw its goal change; the state of the handle at that moment."""
+    """State of the goal handle when the goal changed."""
 
     status: int
     is_done: bool
@@ -74,7 +74,7 @@ class _Transition:
 
 
 class _Sign:
-    """The server spoke."""
+    """The server published its status or feedback."""
 
 
 class ActionStep(smach.State):
@@ -104,7 +104,7 @@ class ActionStep(smach.State):
         return self._context.is_preempt_asked.is_set() or self.preempt_requested()
 
     def _read_news(self) -> bool:
-        """After a suspension, let what was said meanwhile arrive: the command may be closed; returns whether it is."""
+        """After a suspension, wait for messages that arrived meanwhile; returns whether the command was closed."""
         if self._context.suspension.is_just_awake(within_s=_WAKE_S):
             self._context.is_preempt_asked.wait(_WAKE_S)
         return self._is_to_end
@@ -130,7 +130,7 @@ class ActionStep(smach.State):
                 return tracking.fail_unsent(
                     server,
                     deadlines,
-                    f"is not there: no answer within {deadlines.acceptance_s:g} s",
+                    f"is not running: no answer within {deadlines.acceptance_s:g} s",
                     now_s=time.monotonic(),
                 )
             self._context.is_preempt_asked.wait(0.01)
@@ -138,7 +138,9 @@ class ActionStep(smach.State):
         try:
             self._context.settings.apply(server, owner=owner)
         except SettingsError as error:
-            return tracking.fail_unsent(server, deadlines, f"cannot have its settings: {error}", now_s=time.monotonic())
+            return tracking.fail_unsent(
+                server, deadlines, f"cannot get its driver settings: {error}", now_s=time.monotonic()
+            )
         try:
             return self._send_and_follow(connection)
         finally:

@@ -1,4 +1,4 @@
-"""One plan that is being carried out, in a thread of its own."""
+"""Runs one plan, in a thread of its own."""
 
 import threading
 import time
@@ -14,12 +14,12 @@ from executor.goal_tracking import Goal, GoalDeadlines, as_sentence
 from executor.replies import ClauseRun
 from executor.ros_action_clients import ActionClients
 from executor.ros_action_step import ActionStep, StepContext
+from executor.ros_driver_settings import DriverSettings
 from executor.ros_introspection import Introspection
-from executor.ros_reconfigure import SettingsKeeper
 from executor.ros_running_goals import RunningGoals
 from roboframenet_ros.suspension import SuspensionWatch
 
-#: Introspection has a thread for each machine, and each candidate is one.
+#: Introspection starts a thread for each machine, and each candidate is a machine.
 _MOST_SHOWN = 256
 
 
@@ -46,7 +46,7 @@ class CommandRun:
         plan: Plan,
         *,
         clients: ActionClients,
-        settings: SettingsKeeper,
+        settings: DriverSettings,
         running_goals: RunningGoals,
         deadlines: GoalDeadlines,
         on_note: Callable[[str], None],
@@ -60,12 +60,12 @@ class CommandRun:
             plan: what to carry out
             clients: connections to servers
             settings: what the servers need of other nodes
-            running_goals: what must be cancelled if this process is killed
+            running_goals: goals that are cancelled after this process was killed
             deadlines: of each goal
-            on_note: is told, from the thread of the run, what happens, as a sentence
-            on_end: is told, as the last thing in the thread of the run, how it ended
-            introspection: shows the machine
-            suspension: says whether this process has just woken
+            on_note: called from the thread of the run with a sentence for each step
+            on_end: called with the result, last, from the thread of the run
+            introspection: of the machine
+            suspension: whether this process has just been resumed
         """
         self._plan = plan
         self._on_note = on_note
@@ -73,7 +73,7 @@ class CommandRun:
         self._introspection = introspection
         self._goals: Dict[int, List[Goal]] = {}
         self._outcomes: Dict[int, str] = {}
-        self._step = "about to begin"
+        self._step = "about to start"
         self._step_since_s = time.monotonic()
         self._is_preempt_asked = threading.Event()
         self._machine: Optional[smach.StateMachine] = None
@@ -106,7 +106,7 @@ class CommandRun:
         return not self._thread.is_alive()
 
     def describe(self) -> str:
-        """What runs now and for how long, as a sentence."""
+        """Return a sentence that says what runs now, and for how long."""
         verb = "Cancelling" if self._is_preempt_asked.is_set() else "Running"
         return f"{verb}: {self._step} for {time.monotonic() - self._step_since_s:.0f} s."
 
@@ -130,7 +130,7 @@ class CommandRun:
             )
             self._show(self._machine)
             outcome = self._machine.execute()
-        except Exception as fault:  # boundary: whatever breaks the machine, the command must be answered
+        except Exception as fault:  # boundary: the command must be answered, however the machine broke
             rospy.logerr("the machine broke: %s: %s", type(fault).__name__, fault)
             error = f"{type(fault).__name__}: {fault}"
         finally:

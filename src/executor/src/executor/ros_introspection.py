@@ -1,4 +1,4 @@
-"""Shows the machine that runs to smach_viewer, and never keeps it from running."""
+"""Publishes the running machine for smach_viewer, without ever holding it up."""
 
 import queue
 import threading
@@ -10,13 +10,13 @@ import rospy
 import smach
 import smach_ros
 
-# A machine is shown from its beginning when the master answers as fast as it does.
+# How long a run waits for its introspection, so that smach_viewer shows it from the start.
 _SHOW_TIMEOUT_S = 0.3
 
 
 @dataclass(frozen=True)
-class _Wish:
-    """What is to be seen: a machine, or nothing."""
+class _View:
+    """A machine that smach_viewer shows; None for none."""
 
     machine: Optional[smach.StateMachine]
     label: str = ""
@@ -26,49 +26,49 @@ class _Wish:
 class Introspection:
     """Owns the topics of smach_viewer, one set for each machine.
 
-    To make and to close them asks the master, for which rospy has no deadline: a thread of its own does it. While that
-    hangs, machines run unseen.
+    Opening and closing them calls the master, for which rospy has no deadline, so a thread of its own does it. While it
+    hangs, machines run without introspection.
     """
 
     def __init__(self, *, is_enabled: bool) -> None:
-        """Start the thread, if machines are to be seen at all."""
-        self._wishes: queue.Queue[_Wish] = queue.Queue()
-        self._last = _Wish(None)
+        """Start the thread, if introspection is enabled."""
+        self._views: queue.Queue[_View] = queue.Queue()
+        self._last = _View(None)
         self._is_enabled = is_enabled
         if is_enabled:
             # A daemon: a master that hangs must not keep the process alive.
             threading.Thread(target=self._work, name="introspection", daemon=True).start()
 
     def show(self, machine: smach.StateMachine, *, label: str) -> None:
-        """Show a machine under a label; returns when it is seen, or when that takes too long."""
-        if not self._want(_Wish(machine, label)).is_done.wait(_SHOW_TIMEOUT_S):
-            rospy.logwarn_throttle(30.0, "smach_viewer sees nothing: the master does not answer")
+        """Show a machine under a label; returns when it is published, or after a deadline."""
+        if not self._request(_View(machine, label)).is_done.wait(_SHOW_TIMEOUT_S):
+            rospy.logwarn_throttle(30.0, "Introspection is delayed: the master does not answer")
 
     def hide(self) -> None:
-        """Show nothing any more; returns at once."""
-        self._want(_Wish(None))
+        """Hide the machine; returns at once."""
+        self._request(_View(None))
 
-    def _want(self, wish: _Wish) -> _Wish:
-        self._last = wish
+    def _request(self, view: _View) -> _View:
+        self._last = view
         if self._is_enabled:
-            self._wishes.put(wish)
+            self._views.put(view)
         else:
-            wish.is_done.set()
-        return wish
+            view.is_done.set()
+        return view
 
     def _work(self) -> None:
         viewer: Optional[smach_ros.IntrospectionServer] = None
         while True:
-            wish = self._wishes.get()
+            view = self._views.get()
             try:
                 if viewer is not None:
                     viewer.stop()
                     viewer = None
-                # What was wanted before, while the master hung, has ended.
-                if wish.machine is not None and wish is self._last:
-                    viewer = smach_ros.IntrospectionServer("executor", wish.machine, f"/{wish.label}")
+                # A machine that was requested while the master hung has ended by now.
+                if view.machine is not None and view is self._last:
+                    viewer = smach_ros.IntrospectionServer("executor", view.machine, f"/{view.label}")
                     viewer.start()
-            except Exception as fault:  # boundary: nothing that only looks on may keep a command from running
-                rospy.logwarn("smach_viewer will see nothing: %s: %s", type(fault).__name__, fault)
+            except Exception as fault:  # boundary: introspection must not keep a command from running
+                rospy.logwarn("Introspection is disabled: %s: %s", type(fault).__name__, fault)
             finally:
-                wish.is_done.set()
+                view.is_done.set()

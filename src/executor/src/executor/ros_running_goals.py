@@ -7,25 +7,25 @@ from typing import Optional, Sequence, Tuple
 import rospy
 from actionlib_msgs.msg import GoalID
 
-from command_server.ros_record import ParameterRecord
+from roboframenet_ros.ros_persistent_parameter import PersistentParameter
 
 _SAVE_TIMEOUT_S = 0.2
 _CONNECT_TIMEOUT_S = 5.0
 
 
 class RunningGoals:
-    """Keeps the goal that runs in a private parameter; an executor that is started again after a kill cancels it."""
+    """Keeps the running goal in a private parameter; an executor that was killed cancels it when it is restarted."""
 
     def __init__(self, parameter: str = "~running_goals") -> None:
-        self._record = ParameterRecord(parameter)
+        self._record = PersistentParameter(parameter)
         self._thread: Optional[threading.Thread] = None
 
     def start(self) -> None:
-        """Cancel, from a thread of its own, what the last run left."""
+        """Cancel the goal of the previous run, in a thread of its own."""
         try:
             left_over = [(str(entry["server"]), str(entry["goal_id"])) for entry in self._record.load() or ()]
         except (ValueError, KeyError, TypeError) as error:
-            rospy.logwarn("goals of the last run are not cancelled: %s", error)
+            rospy.logwarn("goals of the previous run are not cancelled: %s", error)
             return
         if left_over:
             self._thread = threading.Thread(
@@ -56,5 +56,5 @@ class RunningGoals:
         for publisher, server, goal_id in publishers:
             while publisher.get_num_connections() == 0 and time.monotonic() < end_s:
                 time.sleep(0.05)
-            rospy.logwarn("%s still had a goal of the executor that was killed: cancelled", server)
+            rospy.logwarn("cancelled the goal that the killed executor had left at %s", server)
             publisher.publish(GoalID(id=goal_id))

@@ -4,7 +4,6 @@
 import collections
 import os
 import signal
-import time
 import unittest
 import xmlrpc.client
 
@@ -24,16 +23,10 @@ from roboframenet_msgs.msg import (
 )
 from std_msgs.msg import String
 
+from roboframenet_testing import wait_until
+from roboframenet_testing.ros_connections import is_connected
+
 STAGES = ("stanford_parser_ros", "semantic_framer", "frame_registrar")
-
-
-def wait_until(condition, timeout_s=60.0):
-    end = time.monotonic() + timeout_s
-    while time.monotonic() < end:
-        if condition():
-            return True
-        time.sleep(0.02)
-    return condition()
 
 
 class CommandChainTest(unittest.TestCase):
@@ -50,11 +43,9 @@ class CommandChainTest(unittest.TestCase):
         ]
         velocities = rospy.Subscriber("cmd_vel", Twist, cls.velocities.append)
         replies = rospy.Subscriber("reply", Reply, cls.replies.append)
-        assert wait_until(
-            lambda: all(entity.get_num_connections() == 1 for entity in subscribers + [cls.frames, cls.events])
-        )
+        wait_until(lambda: all(entity.get_num_connections() == 1 for entity in subscribers + [cls.frames, cls.events]))
         # The command server and the stop server.
-        assert wait_until(lambda: all(entity.get_num_connections() == 2 for entity in (velocities, replies, cls.text)))
+        wait_until(lambda: all(entity.get_num_connections() == 2 for entity in (velocities, replies, cls.text)))
         # What is published before its listener has connected is lost.
         for connection in (
             ("/arbitrator", "command_plan", "/executor"),
@@ -62,18 +53,7 @@ class CommandChainTest(unittest.TestCase):
             ("/stop_server", "stop_report", "/executor"),
             ("/stop_server", "stop_report", "/command_server"),
         ):
-            assert wait_until(lambda connection=connection: cls.is_heard(*connection)), connection
-
-    @staticmethod
-    def is_heard(speaker, topic, listener):
-        """Whether a node that publishes a topic is connected to one that listens."""
-        try:
-            api = xmlrpc.client.ServerProxy(rosgraph.Master(rospy.get_name()).lookupNode(speaker))
-            connections = api.getBusInfo(rospy.get_name())[2]
-        except (rosgraph.MasterException, OSError):
-            return False  # it is not up yet
-        wanted = [listener, "o", rospy.resolve_name(topic)]
-        return any([entry[1], entry[2], entry[4]] == wanted and entry[5] for entry in connections)
+            wait_until(lambda connection=connection: is_connected(*connection), message=str(connection))
 
     @classmethod
     def on_command(cls, command):
@@ -114,14 +94,11 @@ class CommandChainTest(unittest.TestCase):
         return [reply for reply in list(self.replies) if reply.command.text == text]
 
     def wait_for_replies(self, text, count=1):
-        self.assertTrue(
-            wait_until(lambda: len(self.replies_to(text)) >= count),
-            f"{len(self.replies_to(text))} of {count} replies to {text!r}",
-        )
+        wait_until(lambda: len(self.replies_to(text)) >= count, message=lambda: self.replies_to(text))
         return self.replies_to(text)
 
     def wait_for_log(self, line):
-        self.assertTrue(wait_until(lambda: line in self.log), f"{line!r} is not in {self.log}")
+        wait_until(lambda: line in self.log, message=lambda: self.log)
 
     def test_next_candidate_after_a_failed_second_step(self):
         text = "succeed one, fail two / succeed one, succeed two"
@@ -153,7 +130,7 @@ class CommandChainTest(unittest.TestCase):
         reply = self.wait_for_replies(text)[0]
         self.assertEqual((Reply.FAILED, "ALL_CANDIDATES_FAILED"), (reply.outcome, reply.code))
         self.assertEqual(
-            'I have done "succeed one", but I could not do "fail two / reject one": two aborted: aborted as asked '
+            'I did "succeed one", but I could not do "fail two / reject one": two aborted: aborted as asked '
             'for; one rejected the goal: rejected as asked for. I did not begin "succeed two".',
             reply.sentence,
         )
@@ -191,7 +168,7 @@ class CommandChainTest(unittest.TestCase):
         self.wait_for_replies("run one", count=20)
         self.wait_for_replies("run two", count=5)
         self.assertEqual({Reply.SUPERSEDED}, {reply.outcome for reply in self.replies if "run" in reply.command.text})
-        self.assertTrue(wait_until(self.is_nothing_running))
+        wait_until(self.is_nothing_running)
         # Nothing that was said before the stop begins after it.
         self.text.publish("succeed two")
         self.assertEqual("DONE", self.wait_for_replies("succeed two")[0].code)
@@ -214,7 +191,7 @@ class CommandChainTest(unittest.TestCase):
             self.text.publish("Stop.")
             self.assertEqual("stop_server", self.wait_for_replies("Stop.")[0].stage)
             self.wait_for_log("one preempted run")
-            self.assertTrue(wait_until(lambda: self.velocities))
+            wait_until(lambda: self.velocities)
             self.assertTrue(all(velocity == Twist() for velocity in self.velocities))
         finally:
             for pid in pids:

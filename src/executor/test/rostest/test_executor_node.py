@@ -1,7 +1,6 @@
 #!/usr/bin/python3
 """The node with servers that misbehave: one final event for each command, and the right server runs."""
 
-import time
 import unittest
 
 import actionlib
@@ -24,14 +23,7 @@ from roboframenet_msgs.msg import (
 from smach_msgs.msg import SmachContainerStructure
 from std_msgs.msg import String
 
-
-def wait_until(condition, timeout_s=60.0):
-    end = time.monotonic() + timeout_s
-    while time.monotonic() < end:
-        if condition():
-            return True
-        time.sleep(0.02)
-    return condition()
+from roboframenet_testing import wait_until
 
 
 def frame(behaviour, server, seconds="0"):
@@ -66,12 +58,12 @@ class ExecutorNodeTest(unittest.TestCase):
         cls.server_cancel = rospy.Publisher("one/cancel", GoalID, queue_size=10)
         subscribers = [rospy.Subscriber("stage_events", StageEvent, cls.events.append)]
         log = rospy.Subscriber("server_log", String, lambda message: cls.log.append(message.data))
-        assert wait_until(
+        wait_until(
             lambda: all(
                 entity.get_num_connections() == 1 for entity in subscribers + [cls.plans, cls.stops, cls.cancels]
             )
         )
-        assert wait_until(lambda: log.get_num_connections() == 3 and cls.server_cancel.get_num_connections() == 1)
+        wait_until(lambda: log.get_num_connections() == 3 and cls.server_cancel.get_num_connections() == 1)
 
     def setUp(self):
         del self.log[:]
@@ -98,7 +90,7 @@ class ExecutorNodeTest(unittest.TestCase):
         return [event for event in list(self.events) if event.command.id == command.id and event.is_final == is_final]
 
     def wait_for_reply(self, command):
-        self.assertTrue(wait_until(lambda: self.events_of(command, True)), f"no final event of {command.id}")
+        wait_until(lambda: self.events_of(command, True), message=f"no final event of {command.id}")
         return self.events_of(command, True)[0].reply
 
     def assert_reply(self, command, outcome, code, *parts):
@@ -108,7 +100,7 @@ class ExecutorNodeTest(unittest.TestCase):
             self.assertIn(part, reply.sentence)
 
     def wait_for_log(self, line):
-        self.assertTrue(wait_until(lambda: line in self.log), f"{line!r} is not in {self.log}")
+        wait_until(lambda: line in self.log, message=lambda: self.log)
 
     def test_sequence_runs_in_order(self):
         command = self.send([[frame("succeed", "one"), frame("succeed", "two"), frame("succeed", "three")]])
@@ -141,7 +133,7 @@ class ExecutorNodeTest(unittest.TestCase):
             ("lose", "one", "one lost the goal"),
             ("drop_result", "one", "one said SUCCEEDED but sent no result"),
             ("raise", "one", "one did not accept the goal"),
-            ("succeed", "nobody", "nobody is not there"),
+            ("succeed", "nobody", "nobody is not running"),
             ("succeed", "not a name", "not a name cannot be reached"),
             ("freeze", "freezing", "freezing was silent"),
             ("die", "mortal", "mortal was silent"),
@@ -198,7 +190,7 @@ class ExecutorNodeTest(unittest.TestCase):
     def test_goal_cancelled_by_somebody_else_ends_the_command(self):
         command = self.send([[frame("run", "one")], [frame("succeed", "two")]])
         self.wait_for_log("one begins run")
-        self.assertTrue(wait_until(lambda: self.events_of(command, False)))
+        wait_until(lambda: self.events_of(command, False))
         self.server_cancel.publish(GoalID())
         self.assert_reply(command, Reply.SUPERSEDED, "STOPPED", "Somebody else cancelled it: one was preempted")
         self.assertNotIn("two begins succeed", self.log)
@@ -224,10 +216,8 @@ class ExecutorNodeTest(unittest.TestCase):
 
     def test_events_come_while_it_runs(self):
         command = self.send([[frame("run", "one")]])
-        self.assertTrue(
-            wait_until(
-                lambda: len([event for event in self.events_of(command, False) if "run by one" in event.sentence]) >= 4
-            )
+        wait_until(
+            lambda: len([event for event in self.events_of(command, False) if "run by one" in event.sentence]) >= 4
         )
         stamps = [event.stamp.to_sec() for event in self.events_of(command, False)]
         self.assertEqual(sorted(stamps), stamps)
@@ -244,8 +234,8 @@ class ExecutorNodeTest(unittest.TestCase):
             ([join("x")], "a sequence has no children"),
             ([join("x", 1, 7), good], "no such node"),
             ([join("x", 1, 1), good], "node 1 of the plan has two parents"),
-            ([join("x", 1), good, good], "do not hang on its root"),
-            ([join("x", 1), good, join("y", 3), join("z", 2)], "nodes 2, 3 of the plan do not hang on its root"),
+            ([join("x", 1), good, good], "are not reached from its root"),
+            ([join("x", 1), good, join("y", 3), join("z", 2)], "nodes 2, 3 of the plan are not reached from its root"),
             ([join("x", 1), join("y", 0)], "the root for a child"),
             ([join("x", index + 1) for index in range(900)] + [good], "more than 32 levels"),
             ([good] * 2000, "the plan has 2000 nodes"),
@@ -292,7 +282,7 @@ class ExecutorNodeTest(unittest.TestCase):
             command,
             Reply.FAILED,
             "ALL_CANDIDATES_FAILED",
-            'I have done "Ping", but I could not do "wave at Alice": two aborted: aborted as asked for. '
+            'I did "Ping", but I could not do "wave at Alice": two aborted: aborted as asked for. '
             'I did not begin "go home".',
         )
         self.assertEqual(["one begins succeed", "two begins abort"], self.begun())
@@ -325,7 +315,7 @@ class ExecutorNodeTest(unittest.TestCase):
             lambda structure: seen.update({structure.path: structure.children}),
         )
         command = self.send_clauses(("Ping", [[frame("run", "one")]]), ("wave at Alice", [[frame("succeed", "two")]]))
-        self.assertTrue(wait_until(lambda: "/do it all/2 wave at Alice/candidate_1" in seen), seen)
+        wait_until(lambda: "/do it all/2 wave at Alice/candidate_1" in seen, message=lambda: seen)
         self.assertEqual(["1 Ping", "2 wave at Alice"], seen["/do it all"])
         self.assertEqual(["1_succeed_by_two"], seen["/do it all/2 wave at Alice/candidate_1"])
         self.cancels.publish(command)
@@ -337,7 +327,7 @@ class ExecutorNodeTest(unittest.TestCase):
             command = self.send([[frame("succeed", server) for server in ("one", "two", "three", "one")]])
             self.assert_reply(command, Reply.DONE, "DONE")
         # The log comes on another connection, and must not run into the next test.
-        self.assertTrue(wait_until(lambda: sum("ends" in line for line in self.log) == 12), self.log)
+        wait_until(lambda: sum("ends" in line for line in self.log) == 12, message=lambda: self.log)
 
     def test_server_busy_with_another_client_is_left_alone(self):
         client = actionlib.ActionClient("three", FilledSemanticFrameAction)

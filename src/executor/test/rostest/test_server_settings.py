@@ -3,7 +3,6 @@
 
 import os
 import signal
-import time
 import unittest
 import xmlrpc.client
 
@@ -24,16 +23,9 @@ from roboframenet_msgs.msg import (
 )
 from std_msgs.msg import String
 
+from roboframenet_testing import wait_until
+
 BEFORE = {"exposure": 10, "gain": 1.0, "auto_gain": True}
-
-
-def wait_until(condition, timeout_s=60.0):
-    end = time.monotonic() + timeout_s
-    while time.monotonic() < end:
-        if condition():
-            return True
-        time.sleep(0.02)
-    return condition()
 
 
 class ServerSettingsTest(unittest.TestCase):
@@ -53,7 +45,7 @@ class ServerSettingsTest(unittest.TestCase):
         for camera in ("camera", "other_camera"):
             rospy.wait_for_service(f"{camera}/set_parameters", timeout=60.0)
             cls.cameras.append(rospy.ServiceProxy(f"{camera}/set_parameters", Reconfigure))
-        assert wait_until(
+        wait_until(
             lambda: (
                 all(entity.get_num_connections() == 1 for entity in (cls.plans, cls.cancels, cls.events))
                 and log.get_num_connections() == 2
@@ -70,9 +62,9 @@ class ServerSettingsTest(unittest.TestCase):
         return {entry.name: entry.value for entry in config.ints + config.doubles + config.bools}
 
     def assert_cameras(self, *expected):
-        self.assertTrue(
-            wait_until(lambda: [self.settings(0), self.settings(1)] == list(expected)),
-            f"{[self.settings(0), self.settings(1)]}",
+        wait_until(
+            lambda: [self.settings(0), self.settings(1)] == list(expected),
+            message=lambda: [self.settings(0), self.settings(1)],
         )
 
     def send(self, *steps):
@@ -90,12 +82,12 @@ class ServerSettingsTest(unittest.TestCase):
         return command
 
     def wait_for_reply(self, command):
-        self.assertTrue(wait_until(lambda: [r for r in self.replies if r.command.id == command.id]))
+        wait_until(lambda: [r for r in self.replies if r.command.id == command.id])
         return next(reply for reply in self.replies if reply.command.id == command.id)
 
     def run_photo(self):
         command = self.send(("run", "photo"))
-        self.assertTrue(wait_until(lambda: "photo begins run" in self.log))
+        wait_until(lambda: "photo begins run" in self.log)
         self.assert_cameras({"exposure": 20, "gain": 2.0, "auto_gain": False}, dict(BEFORE, exposure=30))
         return command
 
@@ -108,7 +100,7 @@ class ServerSettingsTest(unittest.TestCase):
     def test_restored_on_success_and_abort(self):
         for behaviour, outcome in (("succeed", Reply.DONE), ("abort", Reply.FAILED)):
             self.assertEqual(outcome, self.wait_for_reply(self.send((behaviour, "photo"))).outcome)
-            self.assertTrue(wait_until(lambda begun=f"photo begins {behaviour}": begun in self.log))
+            wait_until(lambda begun=f"photo begins {behaviour}": begun in self.log)
             self.assert_cameras(BEFORE, BEFORE)
 
     def test_step_whose_settings_cannot_be_had_fails_and_the_next_runs(self):
@@ -135,7 +127,7 @@ class ServerSettingsTest(unittest.TestCase):
         self.run_photo()
         api = rosgraph.Master(rospy.get_name()).lookupNode("/executor")
         os.kill(xmlrpc.client.ServerProxy(api).getPid(rospy.get_name())[2], signal.SIGKILL)
-        self.assertTrue(wait_until(lambda: "photo preempted run" in self.log))
+        wait_until(lambda: "photo preempted run" in self.log)
         self.assert_cameras(BEFORE, BEFORE)
 
 

@@ -177,7 +177,7 @@ def test_preempt_before_acceptance_cancels_at_once():
 
 
 def test_goals_that_were_never_sent():
-    assert tracking.fail_unsent("s", DEADLINES, "is not there", now_s=0.0).outcome is Outcome.FAILED
+    assert tracking.fail_unsent("s", DEADLINES, "is not running", now_s=0.0).outcome is Outcome.FAILED
     assert tracking.preempt_unsent("s", DEADLINES, now_s=0.0).outcome is Outcome.PREEMPTED
 
 
@@ -185,9 +185,9 @@ def test_failures_are_described_by_server():
     goals = [
         result(accepted(), GoalStatusCode.ABORTED, text="no odometry"),
         result(accepted(), GoalStatusCode.SUCCEEDED, True),
-        tracking.fail_unsent("arm", DEADLINES, "is not there", now_s=0.0),
+        tracking.fail_unsent("arm", DEADLINES, "is not running", now_s=0.0),
     ]
-    assert tracking.describe_failures(goals) == "turn_server aborted: no odometry; arm is not there."
+    assert tracking.describe_failures(goals) == "turn_server aborted: no odometry; arm is not running."
     assert tracking.describe_failures(goals[1:2]) == ""
 
 

@@ -3,7 +3,7 @@
 import pytest
 
 from executor import goal_tracking as tracking
-from executor.command_desk import Cause
+from executor.command_queue import Cause
 from executor.goal_tracking import GoalDeadlines, GoalStatusCode
 from executor.replies import ClauseRun, ReplyOutcome, ending_of_malformed, ending_of_run, ending_of_unstarted
 
@@ -55,7 +55,7 @@ NOT_BEGUN = ClauseRun("go home", "")
     "outcome,clauses,cause,error,code,sentence",
     [
         ("succeeded", [PINGED, PINGED], None, "", "DONE", "Done."),
-        ("succeeded", [PINGED, LATE], None, "", "DONE", "Done; but before, walk aborted: no odometry."),
+        ("succeeded", [PINGED, LATE], None, "", "DONE", "Done, after walk aborted: no odometry."),
         (
             "aborted",
             [PINGED, FAILED],
@@ -63,7 +63,7 @@ NOT_BEGUN = ClauseRun("go home", "")
             "",
             "ALL_CANDIDATES_FAILED",
             (
-                'I have done "Ping", but I could not do "wave at Alice": walk aborted: no odometry; '
+                'I did "Ping", but I could not do "wave at Alice": walk aborted: no odometry; '
                 "wave rejected the goal: no arm."
             ),
         ),
@@ -75,7 +75,7 @@ NOT_BEGUN = ClauseRun("go home", "")
             "",
             "ALL_CANDIDATES_FAILED",
             (
-                'I have done "Ping" and "turn left", but I could not do "wave at Alice": walk aborted: no odometry; '
+                'I did "Ping" and "turn left", but I could not do "wave at Alice": walk aborted: no odometry; '
                 'wave rejected the goal: no arm. I did not begin "go home".'
             ),
         ),
@@ -96,7 +96,7 @@ NOT_BEGUN = ClauseRun("go home", "")
             Cause.NEW_COMMAND,
             "",
             "NEW_COMMAND",
-            'A newer command took its place. I have done "Ping" before.',
+            'A newer command took its place. Before that, I did "Ping".',
         ),
         (
             "preempted",
@@ -112,7 +112,7 @@ NOT_BEGUN = ClauseRun("go home", "")
             None,
             "",
             "STOPPED",
-            'Somebody else cancelled it: turn was preempted. I have done "Ping" before.',
+            'Somebody else cancelled it: turn was preempted. Before that, I did "Ping".',
         ),
         (
             "",
@@ -120,7 +120,7 @@ NOT_BEGUN = ClauseRun("go home", "")
             None,
             "KeyError: 1",
             "STAGE_ERROR",
-            'The state machine broke: KeyError: 1. I have done "Ping" before.',
+            'The state machine broke: KeyError: 1. Before that, I did "Ping".',
         ),
     ],
 )

@@ -1,1 +1,1 @@
-"""Binds semantic frames to action servers, services and topics that nobody may edit, by YAML."""
+"""Binds semantic frames to existing action servers, services and topics, in YAML."""

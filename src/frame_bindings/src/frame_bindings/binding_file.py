@@ -1,4 +1,4 @@
-"""Binding files: which frame is carried out by which action server, service or topic."""
+"""Reads binding files, which map frames to action servers, services and topics."""
 
 from dataclasses import dataclass, field
 from enum import Enum
@@ -11,7 +11,7 @@ from semantic_frames.problem import FileRefused
 
 
 class Kind(Enum):
-    """What a frame is bound to."""
+    """Kinds of targets."""
 
     ACTION = "action"
     SERVICE = "service"
@@ -38,22 +38,22 @@ FIELD_KEYS = ("element", "unit_element", "unit", "default", "value")
 
 @dataclass(frozen=True)
 class Binding:
-    """One frame, bound.
+    """The binding of a frame.
 
     Attributes:
         frame_name: the frame
-        name: under which the frame is taken; that of the frame when the file gives none
-        kind: what carries it out
+        name: action that takes the frame; by default the name of the frame
+        kind: kind of the target
         target: name of the action server, service or topic
         type_name: "move_base_msgs/MoveBaseAction", "std_srvs/SetBool", "std_msgs/String"
-        fields: by path of a field, see :mod:`rfnserver.goal_binding`
+        fields: by path of a field; see :mod:`rfnserver.goal_binding`
         ignored_elements: core elements that need not fill a field
-        success_field: of a service's response: whether it worked; empty for none
-        text_field: of a service's response: what to say; empty for none
-        server_timeout_s: how long to wait for the server, the service or a subscriber to be there
+        success_field: field of the response of a service that says whether it worked; empty for none
+        text_field: field of the response of a service with a text to say; empty for none
+        server_timeout_s: how long to wait for the server, the service or a subscriber
         goal_timeout_s: how long an action or a service call may take
-        preempt_timeout_s: how long an action may take to end on a cancel
-        line: of the file
+        preempt_timeout_s: how long an action may take to end after a cancel
+        line: line of the file
     """
 
     frame_name: str
@@ -78,7 +78,7 @@ def load_bindings(text: str, path: str) -> Tuple[Binding, ...]:
         text: content of the file
         path: where it came from, for problems
     Raises:
-        FileRefused: with every mistake of the file
+        FileRefused: the file has mistakes; the exception carries all of them
     """
     reader = Reader(path)
     root = reader.compose(text, "a mapping with bindings")

@@ -1,4 +1,4 @@
-"""The node ``frame_bindings``: serves every frame that the binding files bind."""
+"""The node ``frame_bindings``: serves all frames of the binding files."""
 
 from typing import Any, List, Tuple
 
@@ -10,7 +10,7 @@ from frame_bindings.binding_file import Binding, load_bindings
 from frame_bindings.ros_targets import TARGET_OF_KIND, UnknownType
 from rfnserver import RFNServer
 from rfnserver.arguments import ArgumentError
-from rfnserver.ros_frame_entrance import GoalMaker, check_frame, conclude
+from rfnserver.ros_frame_adapter import GoalMaker, check_frame, conclude
 from semantic_frames.problem import FileRefused
 from semantic_frames.source_files import read_text
 
@@ -25,7 +25,7 @@ class BoundServer:
     def __init__(self, binding: Binding) -> None:
         """
         Raises:
-            UnknownType: the types that the binding names do not exist
+            UnknownType: a type that the binding names does not exist
         """
         self._binding = binding
         self._target = TARGET_OF_KIND[binding.kind](binding)
@@ -36,11 +36,11 @@ class BoundServer:
         self._server.start()
 
     def register(self) -> None:
-        """Let people ask for the frame; while there is no registrar this takes seconds, and is done when it comes."""
+        """Register for the frame. Without a registrar this takes seconds, and is repeated when a registrar starts."""
         self._server.register_with_frame(self._binding.frame_name)
 
     def _type_fault(self) -> str:
-        """Return what is wrong with the live server's type; nothing while it is not there."""
+        """Return the problem with the type of the live server; empty while there is no server."""
         try:
             live = self._target.live_type()
         except (rosgraph.MasterException, OSError) as error:
@@ -72,7 +72,7 @@ class BoundServer:
 
 
 def bound_servers(paths: List[str]) -> List[BoundServer]:
-    """Serve the bindings of some files; a file or a binding that is wrong is logged and the others are served."""
+    """Serve the bindings of some files. A wrong file or binding is logged; the others are served."""
     servers: List[BoundServer] = []
     for path in paths:
         try:

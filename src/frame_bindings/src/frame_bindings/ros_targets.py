@@ -1,4 +1,4 @@
-"""What a binding's messages go to: action servers, services, topics."""
+"""The targets of bindings: action servers, services, topics."""
 
 import queue
 import threading
@@ -12,9 +12,9 @@ import rosservice
 from actionlib_msgs.msg import GoalStatus
 
 from frame_bindings.binding_file import Binding, Kind
-from rfnserver.ros_deadline import ServiceError, call_service
 from rfnserver.ros_goal_forwarding import POLL_S, ForwardedEnd, ForwardingDeadlines, GoalForwarder
 from rfnserver.ros_goal_messages import goal_type_of
+from roboframenet_ros.ros_service import ServiceError, call_service
 
 IsToEnd = Callable[[], bool]
 
@@ -29,7 +29,7 @@ class ActionTarget:
     def __init__(self, binding: Binding) -> None:
         """
         Raises:
-            UnknownType: the action's type is not built here
+            UnknownType: the type of the action is not built here
         """
         self._binding = binding
         action_type = _message_class(binding.type_name)
@@ -43,22 +43,22 @@ class ActionTarget:
         )
 
     def live_type(self) -> Optional[str]:
-        """Return the type that the server has now; None while it is not there."""
+        """Return the present type of the server; None while it is missing."""
         goal_type = _topic_type(self._binding.target + "/goal")
         return goal_type[: -len("Goal")] if goal_type else None
 
     def carry_out(self, message: Any, is_to_end: IsToEnd, on_feedback: Callable[[Any], None]) -> ForwardedEnd:
-        """Send the goal and stay with it to its end."""
+        """Send the goal and wait for its end."""
         return self._forwarder.carry_out(message, is_to_end=is_to_end, on_feedback=on_feedback)
 
 
 class ServiceTarget:
-    """A service: called once, its answer is the end."""
+    """A service. It is called once, and its answer ends the goal."""
 
     def __init__(self, binding: Binding) -> None:
         """
         Raises:
-            UnknownType: the service's type is not built here, or its response lacks the fields that the binding names
+            UnknownType: the type of the service is not built here, or its response lacks fields that the binding names
         """
         self._binding = binding
         self._type = roslib.message.get_service_class(binding.type_name)
@@ -71,14 +71,14 @@ class ServiceTarget:
                 raise UnknownType(f"the response of {binding.type_name} has no field '{name}', only {', '.join(known)}")
 
     def live_type(self) -> Optional[str]:
-        """Return the type that the service has now; None while it is not there."""
+        """Return the present type of the service; None while it is missing."""
         try:
             return rosservice.get_service_type(rospy.resolve_name(self._binding.target))
         except rosservice.ROSServiceException:
             return None
 
     def carry_out(self, message: Any, is_to_end: IsToEnd, on_feedback: Callable[[Any], None]) -> ForwardedEnd:
-        """Call the service. A call that is under way cannot be taken back: on a preemption it is left alone."""
+        """Call the service. A call cannot be cancelled: after a preemption it continues."""
         answers: queue.Queue[Any] = queue.Queue()
 
         def call() -> None:
@@ -95,7 +95,7 @@ class ServiceTarget:
             except ServiceError as error:
                 answers.put(error)
 
-        # A daemon, as the call may outlast the wish for its answer; it ends by its own deadlines.
+        # A daemon, because the call may outlast the goal; the call has its own deadlines.
         threading.Thread(target=call, name=f"binding of {self._binding.target}", daemon=True).start()
         while True:
             try:
@@ -110,27 +110,27 @@ class ServiceTarget:
         is_done = bool(getattr(response, self._binding.success_field)) if self._binding.success_field else True
         if is_done:
             return ForwardedEnd(GoalStatus.SUCCEEDED, text)
-        return ForwardedEnd(GoalStatus.ABORTED, text or f"the service {self._binding.target} says that it did not work")
+        return ForwardedEnd(GoalStatus.ABORTED, text or f"the service {self._binding.target} reports a failure")
 
 
 class TopicTarget:
-    """A topic: one message is published, and that is all that can be known of it."""
+    """A topic. One message is published; its effect is unknown."""
 
     def __init__(self, binding: Binding) -> None:
         """
         Raises:
-            UnknownType: the topic's type is not built here
+            UnknownType: the type of the topic is not built here
         """
         self._binding = binding
         self.message_type = _message_class(binding.type_name)
         self._publisher = rospy.Publisher(binding.target, self.message_type, queue_size=10)
 
     def live_type(self) -> Optional[str]:
-        """Return the type that others use on the topic; None while there is nobody."""
+        """Return the type that other nodes use on the topic; None without other nodes."""
         return _topic_type(self._binding.target)
 
     def carry_out(self, message: Any, is_to_end: IsToEnd, on_feedback: Callable[[Any], None]) -> ForwardedEnd:
-        """Publish, once somebody listens."""
+        """Publish when there is a subscriber."""
         end_s = time.monotonic() + self._binding.server_timeout_s
         while self._publisher.get_num_connections() == 0:
             if is_to_end():

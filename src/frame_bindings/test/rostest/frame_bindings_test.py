@@ -4,7 +4,7 @@
 import threading
 import time
 import unittest
-from typing import Any, Callable, List, Tuple
+from typing import Any, List, Tuple
 
 import actionlib
 import rospy
@@ -19,14 +19,7 @@ from roboframenet_msgs.msg import (
 from std_msgs.msg import String
 from std_srvs.srv import SetBool, SetBoolRequest, SetBoolResponse
 
-
-def wait_until(condition: Callable[[], bool], timeout_s: float = 60.0) -> bool:
-    end = time.monotonic() + timeout_s
-    while time.monotonic() < end:
-        if condition():
-            return True
-        time.sleep(0.01)
-    return condition()
+from roboframenet_testing import wait_until
 
 
 class FrameBindingsTest(unittest.TestCase):
@@ -70,7 +63,7 @@ class FrameBindingsTest(unittest.TestCase):
         )
 
     def end(self, handle: Any) -> Tuple[int, str]:
-        self.assertTrue(wait_until(lambda: handle.get_comm_state() == actionlib.CommState.DONE))
+        wait_until(lambda: handle.get_comm_state() == actionlib.CommState.DONE)
         return handle.get_goal_status(), handle.get_goal_status_text()
 
     def test_action(self) -> None:
@@ -82,7 +75,7 @@ class FrameBindingsTest(unittest.TestCase):
 
     def test_preemption_reaches_the_action(self) -> None:
         handle = self.send("computing", steps="101")
-        self.assertTrue(wait_until(lambda: self.orders[-1:] == [101]))
+        wait_until(lambda: self.orders[-1:] == [101])
         handle.cancel()
         self.assertEqual(GoalStatus.PREEMPTED, self.end(handle)[0])
         self.assertFalse(self.server.is_active())
@@ -103,9 +96,9 @@ class FrameBindingsTest(unittest.TestCase):
         self.assertIn("nobody listens to speech", text)
         heard: List[str] = []
         subscriber = rospy.Subscriber("speech", String, lambda message: heard.append(message.data))
-        self.assertTrue(wait_until(lambda: subscriber.get_num_connections() == 1))
+        wait_until(lambda: subscriber.get_num_connections() == 1)
         self.assertEqual(GoalStatus.SUCCEEDED, self.end(self.send("speaking", message="hello"))[0])
-        self.assertTrue(wait_until(lambda: heard == ["hello"]))
+        wait_until(lambda: heard == ["hello"])
 
     def test_binding_to_another_type_is_refused_with_both(self) -> None:
         status, text = self.end(self.send("mistaken", steps="3"))

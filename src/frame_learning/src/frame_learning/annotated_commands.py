@@ -1,11 +1,11 @@
-"""Annotated commands of a corpus as values, and where their words are in a text."""
+"""Annotated commands of a corpus as values, and the positions of their words in a text."""
 
 from dataclasses import dataclass
 from typing import FrozenSet, Optional, Sequence, Tuple
 
 
 class CorpusError(ValueError):
-    """A corpus that cannot be read; says which file and why."""
+    """A corpus cannot be read; the message names the file and the reason."""
 
 
 @dataclass(frozen=True)
@@ -15,7 +15,7 @@ class AnnotatedElement:
     Attributes:
         name: as the corpus spells it
         tokens: positions of its words, from 1
-        head: position of its head word; None where the corpus names none
+        head: position of its head word; None if the corpus names none
     """
 
     name: str
@@ -38,7 +38,7 @@ class AnnotatedCommand:
 
     Attributes:
         name: of the file or row, for people
-        text: as it was said
+        text: the utterance
         tokens: its words
         spans: first and one past the last character of each word in the text
         frames: in the order of the corpus
@@ -52,7 +52,7 @@ class AnnotatedCommand:
 
 
 def command_of(name: str, text: str, tokens: Sequence[str], frames: Sequence[AnnotatedFrame]) -> AnnotatedCommand:
-    """Make a command; where its words are not found in its text, the words divided by spaces become the text."""
+    """Make a command. If its words are not found in its text, the words, separated by blanks, become the text."""
     spans = _find(text, tokens)
     if spans is None:
         text = " ".join(tokens)
@@ -73,7 +73,7 @@ def _find(text: str, tokens: Sequence[str]) -> Optional[Tuple[Tuple[int, int], .
 
 
 def positions_at(command: AnnotatedCommand, spans: Sequence[Tuple[int, int]]) -> FrozenSet[int]:
-    """Return the positions, from 1, of the command's words that share characters with some spans of its text."""
+    """Return the positions, from 1, of the words of the command that overlap with some spans of its text."""
     return frozenset(
         position
         for position, (start, end) in enumerate(command.spans, start=1)

@@ -1,12 +1,12 @@
-"""Annotated sentences, which lexical units are learned from: YAML of our own, and commands of a corpus.
+"""Annotated sentences, from which lexical units are learned: YAML files, and commands of a corpus.
 
     - text: Water the roses in the front garden.
       frame_name: watering
       verb: Water
       frame_elements: {plant: the roses, place: in the front garden}
 
-``verb`` holds the word or words of the verb as they stand in the text ("pick up" also in "Pick it up"), and every
-element the words that fill it. A preposition may be left out; what it is is read from the parse.
+``verb`` holds the words of the verb as they occur in the text ("pick up" also for "Pick it up"); each element holds the
+words that fill it. A preposition may be left out, because the parse shows it.
 """
 
 import re
@@ -32,10 +32,10 @@ class AnnotatedSentence:
 
     Attributes:
         text: the sentence
-        frame_name: a frame of ours
+        frame_name: the name of our frame
         verb: characters of the words of the verb
         elements: characters of the words of each element, by name
-        place: where it is written, "garden.yaml:3"
+        place: file and line, "garden.yaml:3"
     """
 
     text: str
@@ -49,7 +49,8 @@ def read_sentences(path: str) -> Tuple[AnnotatedSentence, ...]:
     """Read a file of annotated sentences.
 
     Raises:
-        FileRefused: with every mistake of the file; a verb or an element that is not in its text is one
+        FileRefused: the file has mistakes, such as a verb or an element that is not in its text; the exception carries
+            all of them
     """
     reader = Reader(path)
     root = reader.compose(read_text(path), "a list of sentences with text, frame_name, verb and frame_elements")
@@ -87,7 +88,8 @@ def _phrase(text: str, words: str) -> Optional[Span]:
 
 
 def _words(text: str, words: str) -> Tuple[Span, ...]:
-    """Return the places of some words that follow each other, others may be between them; none if one is missing."""
+    """Return the places of some words in this order, with or without other words between them; empty if one is
+    missing."""
     spans: List[Span] = []
     for word in words.split():
         start = spans[-1][1] if spans else 0
@@ -104,15 +106,15 @@ def sentences_of(
     frames: Mapping[str, SemanticFrame],
     units: Sequence[LexicalUnit] = (),
 ) -> Tuple[Tuple[AnnotatedSentence, ...], Tuple[str, ...]]:
-    """Make annotated sentences of commands of a corpus.
+    """Make annotated sentences from commands of a corpus.
 
     Args:
         commands: of the corpus
         mapping: to the names of the corpus
         frames: ours, by name
-        units: tell which of several frames of ours a verb evokes, where the corpus has one name for them
+        units: decide which of several frames a verb evokes when the corpus has one name for them
     Returns:
-        sentences, and one line for each frame of the corpus that none of ours stands for
+        sentences, and one line for each frame of the corpus that has no frame here
     """
     sentences: List[AnnotatedSentence] = []
     unexplained: List[str] = []
@@ -155,7 +157,8 @@ def _our_frame(
     frames: Mapping[str, SemanticFrame],
     units: Sequence[LexicalUnit],
 ) -> Optional[SemanticFrame]:
-    """Return the frame of that name that has most of the elements, fewest that are missing, and a unit of the verb."""
+    """Return the frame of that name with the most elements of the sentence, the fewest missing ones, and a unit of the
+    verb."""
     words = {command.tokens[at - 1].lower() for at in annotated.lexical_unit}
     wanted = {element.name for element in annotated.elements}
     best: Optional[Tuple[Tuple[int, int, bool, str], SemanticFrame]] = None
@@ -182,7 +185,7 @@ def _our_frame(
 
 
 def _may_be(frame: SemanticFrame, name: Optional[str], command: AnnotatedCommand, element: AnnotatedElement) -> bool:
-    """Whether words may fill an element: one that lists its values takes none but those."""
+    """Whether words may fill an element; an element that lists its values takes no others."""
     known = frame.element(name) if name is not None else None
     words = {command.tokens[at - 1].lower() for at in element.tokens}
     return known is None or not known.values or bool(words & set(known.values))

@@ -1,8 +1,8 @@
-"""How sentences were understood in 2012, on the trees and units of today, to compare with.
+"""Understands sentences as in 2012, with the trees and units of today, for comparison.
 
 Thomas and Jenkins, ICRA 2012: a lexical unit whose verb is in the sentence looks for single words in grammatical
 relations to it, and counts when all core elements of its frame are filled. Every other word is ignored: phrases,
-negations, conditions, prepositional phrases that hang elsewhere.
+negations, conditions, prepositional phrases attached elsewhere.
 """
 
 from typing import List, Mapping, Tuple
@@ -29,9 +29,9 @@ def understand_2012(
 
     Args:
         tree: the parse of a sentence
-        lexicon: lexical units; those whose verb has a particle need it right behind the verb
+        lexicon: lexical units; a particle of a verb must directly follow the verb
         frames: by name
-        mapping: says which frames are the same to the corpus
+        mapping: says which frames are the same in the corpus
     Returns:
         for each verb the units that fill the most elements, one for each frame of the corpus
     """
@@ -84,7 +84,7 @@ def _is_allowed(sentence: Sentence, position: int, relation: ElementRelation) ->
 def _follow(sentence: Sentence, verb: int, steps: Tuple[str, ...]) -> List[int]:
     governors = [verb]
     for step in steps:
-        # In 2012 a number was the modifier of the word that it counts.
+        # In 2012 a number was a modifier of the word that it counts.
         if step == MEASURE:
             objects = [
                 position

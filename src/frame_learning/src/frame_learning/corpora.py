@@ -1,4 +1,5 @@
-"""The public corpora that ``rfn score`` and ``rfn learn`` know: a new one is a reader, a mapping and an entry here."""
+"""The public corpora that ``rfn score`` and ``rfn learn`` know. To add one, write a reader and a mapping, and add an
+entry here."""
 
 from dataclasses import dataclass
 from typing import Callable, Mapping, Tuple
@@ -12,7 +13,7 @@ from frame_learning.tage_corpus import read_tage
 
 @dataclass(frozen=True)
 class PublishedFigures:
-    """What others reached on a corpus, percent; the figures are those of :class:`.metrics.Score`."""
+    """Published figures for a corpus, in percent; the figures are those of :class:`.metrics.Score`."""
 
     name: str
     fp: float
@@ -25,12 +26,12 @@ class Corpus:
     """A public corpus.
 
     Attributes:
-        name: on the command line
-        title: for people
+        name: name on the command line
+        title: description for people
         read: returns the commands of a folder; raises :class:`.CorpusError`
         mapping_file: maps our names to those of the corpus, in ``roboframenet_domains/corpora``; empty for a corpus
             whose commands are not annotated with frames
-        published: figures of others
+        published: figures that others reached
     """
 
     name: str

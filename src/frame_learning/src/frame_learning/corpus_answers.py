@@ -1,4 +1,5 @@
-"""Puts commands of a corpus through the pipeline, and its answers into the names and positions of the corpus."""
+"""Sends commands of a corpus through the pipeline, and converts the answers to the names and positions of the
+corpus."""
 
 import time
 from typing import Dict, FrozenSet, Iterable, List, Tuple
@@ -17,7 +18,7 @@ _Filling = Tuple[str, Iterable[int], int]
 
 
 def answer(pipeline: Pipeline, mapping: CorpusMapping, command: AnnotatedCommand) -> Answer:
-    """Understand a command as ``rfn explain --batch --json`` does; never raises for one that breaks something."""
+    """Understand a command as ``rfn explain --batch --json`` does; an error of the system becomes an answer."""
     started = time.monotonic()
     understanding = pipeline.understand_safely(command.text)
     milliseconds = 1000.0 * (time.monotonic() - started)
@@ -56,7 +57,7 @@ def _annotated(
     verb: int,
     fillings: Iterable[_Filling],
 ) -> AnnotatedFrame:
-    """Return a frame of ours in the names and positions of the corpus; elements of one name there become one."""
+    """Return a frame in the names and positions of the corpus; elements with one name there become one element."""
     found: Dict[str, Tuple[FrozenSet[int], int]] = {}
     for name, words, head_word in fillings:
         corpus_name = mapping.element_name(frame, name)
@@ -95,7 +96,7 @@ def _semantic_head(tree: DependencyTree, mapping: CorpusMapping, head: int) -> i
 
 
 def _span(command: AnnotatedCommand, mapping: CorpusMapping, tokens: FrozenSet[int], head: int) -> FrozenSet[int]:
-    """Return a span by the habits of the corpus."""
+    """Return a span in the convention of the corpus."""
     kept = sorted(position for position in tokens if not mapping.is_head_span or position <= head)
     while len(kept) > 1 and command.tokens[kept[0] - 1].lower() in mapping.words_left_out:
         kept.pop(0)

@@ -1,4 +1,4 @@
-"""How the names of our frames and elements are called in a corpus: a readable file for each corpus."""
+"""Maps the names of frames and elements to those of a corpus; each corpus has a readable file."""
 
 import os
 from dataclasses import dataclass
@@ -12,19 +12,19 @@ from semantic_frames.frame import SemanticFrame
 from semantic_frames.marked_yaml import Reader
 from semantic_frames.source_files import read_text
 
-#: Said of an element that a corpus does not annotate.
+#: Marks an element that a corpus does not annotate.
 NOT_ANNOTATED = "-"
 
 
 @dataclass(frozen=True)
 class CorpusMapping:
-    """Names of a corpus for ours; what is not listed is called as ``framenet`` in the frame file says.
+    """Names of a corpus for ours. A name that is not listed is the one that ``framenet`` gives in the frame file.
 
     Attributes:
         frames: name in the corpus by name of our frame
         elements: name in the corpus by name of our frame and of its element; under the frame ``all`` for every frame
         words_left_out: words that the spans of the corpus do not begin with (articles, prepositions), lower case
-        transparent_nouns: nouns whose "of" phrase has the head for the corpus, as FrameNet's transparent nouns have:
+        transparent_nouns: nouns whose "of" phrase contains the head in the corpus, like FrameNet's transparent nouns:
             the door is the head of "the front of the door"
         is_head_span: whether a span of the corpus ends with its head ("the mug" of "the mug on the table")
         has_descriptions: whether relative clauses are annotated ("the tv that is on the table" is located)
@@ -58,7 +58,7 @@ def load_mapping(path: str) -> CorpusMapping:
     """Read a mapping.
 
     Raises:
-        FileRefused: it cannot be read, or says something else
+        FileRefused: the file cannot be read, or has another form
     """
     reader = Reader(path)
     root = reader.compose(read_text(path), "a mapping with frames and frame_elements")

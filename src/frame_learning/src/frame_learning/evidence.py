@@ -1,4 +1,4 @@
-"""What one annotated sentence teaches: the relations that lead from its verb to the heads of its frame elements."""
+"""Finds, in one annotated sentence, the relations that lead from its verb to the heads of its frame elements."""
 
 from dataclasses import dataclass
 from typing import Dict, FrozenSet, List, Mapping, Optional, Sequence, Set, Tuple
@@ -14,7 +14,7 @@ from word_classes import word_class
 _DIRECTIONS = word_class("directions")
 _HEARERS = word_class("hearers")
 _PORTALS = word_class("portals")
-#: Relations that an argument may have, the most telling first.
+#: Relations that an argument may have, the most specific first.
 _PREFERRED = (
     "dobj", "iobj", "nsubj", "nsubjpass", "prt", "ccomp", "xcomp", "acomp", "attr", "advcl", "tmod", "advmod", "poss",
 )  # fmt: skip
@@ -24,7 +24,7 @@ _LONGEST_PATH = 3
 
 @dataclass(frozen=True)
 class Lesson:
-    """What one sentence shows.
+    """The evidence of one sentence.
 
     Attributes:
         sentence: the sentence
@@ -32,10 +32,10 @@ class Lesson:
         relations: path of relations from the verb by element
         words: lemma of the head by element
         closed: elements that a word of a closed class fills ("slowly", "left", "you")
-        places: elements with a preposition that says where, behind an object: a parser may hang them on the object
-        after_place: of those, the ones behind another phrase of place, with its preposition ("on" in "take the box on
+        places: elements with a preposition of place, after an object; a parser may attach them to the object
+        after_place: those of them that follow another phrase of place, with its preposition ("on" in "take the box on
             the table on the couch")
-        arguments: by element, as the framer would give them
+        arguments: arguments by element, in the form of the framer
     """
 
     sentence: AnnotatedSentence
@@ -119,7 +119,8 @@ def _positions(sentence: Sentence, spans: Sequence[Span]) -> Tuple[int, ...]:
 
 
 def _head(sentence: Sentence, positions: Sequence[int]) -> int:
-    """Return the word of a phrase that hangs outside of it; of several the first noun or pronoun; 0 for none."""
+    """Return the word of a phrase whose head is outside the phrase; of several the first noun or pronoun; 0 for
+    none."""
     tops = [index for index in positions if sentence.word(index).head not in positions]
     nouns = [index for index in tops if sentence.word(index).upos in ("NOUN", "PROPN", "PRON", "NUM", "ADJ", "VERB")]
     return (nouns or tops or [0])[0]
@@ -148,7 +149,7 @@ def _name(relations: FrozenSet[str]) -> str:
 
 
 def _argument(sentence: Sentence, positions: Sequence[int], head: int) -> str:
-    """Return the words of an element without a preposition at its front."""
+    """Return the words of an element without its first preposition."""
     cases = {
         inner
         for child in sentence.children(head)

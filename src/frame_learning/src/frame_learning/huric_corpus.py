@@ -17,10 +17,10 @@ from frame_learning.annotated_commands import (
 
 
 def read_huric(folder: str) -> Tuple[AnnotatedCommand, ...]:
-    """Read every command below a folder, in the order of the paths.
+    """Read all commands below a folder, in the order of the paths.
 
     Raises:
-        CorpusError: no such files, or one of them is no HuRIC XML
+        CorpusError: there are no such files, or one of them is not HuRIC XML
     """
     commands: List[AnnotatedCommand] = []
     for path in sorted(Path(folder).glob("**/*.hrc")):

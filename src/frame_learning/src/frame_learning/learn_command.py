@@ -1,4 +1,4 @@
-"""``rfn learn``: lexical units from annotated sentences."""
+"""``rfn learn``: learns lexical units from annotated sentences."""
 
 import argparse
 import os
@@ -22,7 +22,7 @@ from stanford_parser_ros.model import ModelError, Parser, UnparsableText, shippe
 from utterance_passes.tree import DependencyTree
 from word_classes import word_class
 
-#: A path and what reads its text.
+#: A path and the function that reads its text.
 TextFile = Tuple[str, Callable[[], str]]
 EXAMPLES = """examples:
   rfn learn garden_sentences.yaml --out gardening
@@ -35,9 +35,9 @@ a file holds a list of sentences:
     verb: Water
     frame_elements: {plant: the roses, place: in the front garden}
 
-exit status: 0 written, 1 nothing was learned or a file is there already, 2 wrong usage
+exit status: 0 written, 1 nothing was learned or a file exists already, 2 wrong usage
 """
-#: Of "can find" the parser must not take "can" for the verb of a command.
+#: In "can find" the parser must not take "can" for the verb of a command.
 _MODALS = word_class("modals") | {"there"}
 
 
@@ -46,7 +46,9 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.epilog = EXAMPLES
     corpora = ", ".join(f"{name} DIR" for name, corpus in CORPORA.items() if corpus.is_annotated)
     parser.add_argument("files", nargs="+", help=f"files of annotated sentences, or a corpus: {corpora}")
-    parser.add_argument("--out", required=True, metavar="FOLDER", help="where frames and lexical_units are written")
+    parser.add_argument(
+        "--out", required=True, metavar="FOLDER", help="folder in which frames and lexical_units are written"
+    )
     parser.add_argument("--domains", action="append", metavar="FOLDER", help="known frames (default: shipped)")
 
 
@@ -69,7 +71,7 @@ def run(arguments: argparse.Namespace) -> int:
     paths = {os.path.join(arguments.out, path): text for path, text in files.items()}
     there = [path for path in paths if os.path.lexists(path)]
     if there:
-        print(f"rfn learn: there already: {', '.join(there)}; nothing was written", file=sys.stderr)
+        print(f"rfn learn: these files exist already: {', '.join(there)}; nothing was written", file=sys.stderr)
         return 1
     for path, text in paths.items():
         os.makedirs(os.path.dirname(path), exist_ok=True)
@@ -85,14 +87,14 @@ def run(arguments: argparse.Namespace) -> int:
 def lexicon_files(
     sentences: Sequence[AnnotatedSentence], parser: Parser, known: Knowledge
 ) -> Tuple[Dict[str, str], Tuple[str, ...]]:
-    """Learn the files of a domain.
+    """Learn a domain.
 
     Args:
-        sentences: annotated
+        sentences: annotated sentences
         parser: its models
         known: frames that need no file; its units are not used
     Returns:
-        text by path in the folder of the domain; and one line for each thing that was not explained
+        text by path in the folder of the domain, and one line for each sentence that is not explained
     """
     first_words = {sentence.text[sentence.verb[0][0] : sentence.verb[0][1]].lower() for sentence in sentences}
     verbs = frozenset(first_words - _MODALS)
@@ -135,7 +137,7 @@ def _by_frame(units: Sequence[LearnedUnit]) -> Dict[str, List[LearnedUnit]]:
 
 
 def _draft(units: Sequence[LearnedUnit], known: Knowledge) -> Knowledge:
-    """Return what the units would be without examples."""
+    """Return the units without their examples."""
     drafts = {name: to_yaml(members, lambda lesson: False) for name, members in _by_frame(units).items()}
     return learned_knowledge(known.frames, _new_frames(units, known), drafts)
 
@@ -143,9 +145,9 @@ def _draft(units: Sequence[LearnedUnit], known: Knowledge) -> Knowledge:
 def _useful(
     units: Sequence[LearnedUnit], parse: Callable[[str], DependencyTree], known: Knowledge
 ) -> Tuple[LearnedUnit, ...]:
-    """Leave out units that cost more sentences than they explain: what is seen once may spoil what is seen often.
+    """Leave out units that break more sentences than they explain: a rare pattern may break frequent ones.
 
-    Only a unit whose verbs evoke its frame by another unit too may be left out.
+    A unit may be left out only if its verbs evoke its frame through another unit as well.
     """
     frames = _draft(units, known).frames
 
@@ -169,10 +171,10 @@ def _useful(
 def learned_knowledge(
     frames: Mapping[str, SemanticFrame], new_frames: Mapping[str, str], units: Mapping[str, str]
 ) -> Knowledge:
-    """Return known frames with learned ones and learned units.
+    """Return the known frames, together with learned frames and units.
 
     Args:
-        frames: that have files
+        frames: frames that have files
         new_frames: text of learned frame files by name
         units: text of learned lexical unit files by name
     """
@@ -206,9 +208,9 @@ def _understood(
     frames: Mapping[str, SemanticFrame],
     offered: Optional[int] = None,
 ) -> Optional[int]:
-    """Return how many clauses a sentence has of which one is the lesson; None where none is.
+    """Return the number of clauses of a sentence if one of them is as annotated; None if none is.
 
-    Of the readings of a clause so many count, the best first.
+    This many readings of a clause count, the best first.
     """
     outcome, _ = read(parse(lesson.sentence.text), lexicon, frames)
     if not isinstance(outcome, Understood):

@@ -1,4 +1,4 @@
-"""Figures that say how well commands were understood, as the literature on HuRIC has them."""
+"""Figures for the understanding of commands, as in the literature on HuRIC."""
 
 from collections import Counter
 from dataclasses import dataclass
@@ -7,18 +7,18 @@ from typing import Dict, FrozenSet, Iterable, List, Mapping, Optional, Sequence,
 
 from frame_learning.annotated_commands import AnnotatedCommand, AnnotatedFrame
 
-#: Stands for a frame that is not there in a row or column of the confusion.
+#: Stands for a missing frame in a row or column of the confusion.
 NOTHING = "(none)"
 
 
 @dataclass(frozen=True)
 class Answer:
-    """What the system made of a command, in the names and positions of the corpus.
+    """The result of the system for a command, in the names and positions of the corpus.
 
     Attributes:
-        frames: that were recognised, also where the reply refuses or asks
+        frames: recognised frames, even if the reply refuses or asks
         is_answered: whether the command would be carried out
-        milliseconds: that understanding took
+        milliseconds: time to understand the command
     """
 
     frames: Tuple[AnnotatedFrame, ...]
@@ -35,19 +35,19 @@ class Count:
     annotated: int = 0
 
     def plus(self, right: int, predicted: int, annotated: int) -> "Count":
-        """Return the count with others added."""
+        """Return the sum of two counts."""
         return Count(self.right + right, self.predicted + predicted, self.annotated + annotated)
 
     @property
     def f1(self) -> float:
-        """F1 in percent; 0 where nothing was predicted and nothing annotated."""
+        """F1 in percent; 0 if nothing was predicted and nothing was annotated."""
         total = self.predicted + self.annotated
         return 200.0 * self.right / total if total else 0.0
 
 
 @dataclass(frozen=True)
 class FrameRow:
-    """A frame of the corpus: its counts, and what it was taken for."""
+    """A frame of the corpus: its counts, and the frames that it was taken for."""
 
     frame: Count
     exact: Count
@@ -57,21 +57,21 @@ class FrameRow:
 
 @dataclass(frozen=True)
 class Score:
-    """Figures over the commands of a corpus, percentages but for the first and the last.
+    """Figures over the commands of a corpus; all but the first and the last two are percentages.
 
     Attributes:
-        commands: how many
+        commands: number of commands
         fp: frame prediction, micro-F1 over (command, frame)
         aic_exact: argument identification and classification, micro-F1 over (frame, element, span)
         aic_head: the same over (frame, element, head word)
-        em: exact match, share of commands with all frames, elements and spans right and nothing besides
-        coverage: share of commands that are answered: they would be carried out
+        em: exact match, share of commands with all frames, elements and spans right, and no others
+        coverage: share of commands that are answered, that is, would be carried out
         precision_answered: over the answered commands, share of the recognised frames that are right: the precision
             that goes into ``fp``
         right_answered: share of the answered commands with all frames right and no other
         right_answered_heads: share of the answered commands with all frames and all head words right and no others
-        ms_per_command: mean time to parse and understand one
-        per_frame: by name in the corpus
+        ms_per_command: mean time to parse and understand a command
+        per_frame: figures of each frame, by its name in the corpus
     """
 
     commands: int
@@ -94,8 +94,8 @@ Counted = TypeVar("Counted")
 def score(pairs: Iterable[Tuple[AnnotatedCommand, Answer]]) -> Score:
     """Compare answers with the annotation.
 
-    A frame or element that occurs twice in a command counts twice. An element without an annotated head is right by its
-    head when the answer's head is one of its words.
+    A frame or element that occurs twice in a command counts twice. If an element has no annotated head, the head of the
+    answer is right when it is one of its words.
     """
     frame_count = exact_count = head_count = answered_count = Count()
     commands = exact_commands = answered = answered_frames = answered_heads = 0
@@ -133,7 +133,7 @@ def score(pairs: Iterable[Tuple[AnnotatedCommand, Answer]]) -> Score:
 
 
 def is_exact(command: AnnotatedCommand, answer: Answer) -> bool:
-    """Whether a whole command is right: frames, elements and spans, and nothing besides."""
+    """Whether a whole command is right: its frames, elements and spans, and no others."""
     return _frames(command.frames) == _frames(answer.frames) and _spans(command.frames) == _spans(answer.frames)
 
 
@@ -160,7 +160,7 @@ def _spans(frames: Sequence[AnnotatedFrame]) -> CounterType[Tuple[str, str, Froz
 def _heads(
     annotated: Sequence[AnnotatedFrame], answered: Sequence[AnnotatedFrame]
 ) -> Tuple[CounterType[Element], CounterType[Element]]:
-    """Return the heads of both; where none is annotated, the answer's stands for it if it lies in the span."""
+    """Return the heads of both. If none is annotated, the head of the answer replaces it when it is in the span."""
     given: List[Element] = [(frame.name, item.name, item.head) for frame in answered for item in frame.elements]
     free = list(given)
     wanted: List[Element] = []

@@ -1,4 +1,4 @@
-"""``rfn score``: how well the commands of a public corpus are understood."""
+"""``rfn score``: measures how well the commands of a public corpus are understood."""
 
 import argparse
 import json
@@ -42,16 +42,16 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         type=int,
         default=0,
         metavar="N",
-        help="score each Nth of the commands with units that are learned from the others alone",
+        help="score each Nth of the commands with units learned only from the others",
     )
     parser.add_argument("--json", action="store_true", help="one JSON object")
     parser.add_argument(
         "--behaviour",
         choices=("now", "2012"),
         default="now",
-        help="2012: single words, every other word ignored; its figures stand in the table in any case",
+        help="2012: single words, every other word ignored; the table always shows its figures",
     )
-    parser.add_argument("--wrong", metavar="FILE", help="write the commands that are not wholly right into this file")
+    parser.add_argument("--wrong", metavar="FILE", help="write the commands that are not completely right to this file")
 
 
 def run(arguments: argparse.Namespace) -> int:
@@ -114,7 +114,7 @@ def _in_folds(
     folds: int,
     understand: Callable[[Pipeline, CorpusMapping, AnnotatedCommand], Answer],
 ) -> List[Tuple[AnnotatedCommand, Answer]]:
-    """Score each fold with units that the others teach, and with none that is shipped; the frames stay."""
+    """Score each fold with units learned from the others, without the shipped units; the frames stay."""
     known = pipeline.knowledge
     found: List[Tuple[AnnotatedCommand, Answer]] = []
     for fold in range(folds):
@@ -160,7 +160,7 @@ def to_json(found: Score) -> Dict[str, object]:
 
 
 def table(rows: Sequence[Tuple[str, Score]], published: Sequence[PublishedFigures] = ()) -> str:
-    """Return the figures for a person: ours and those of others in one table, then each frame of the first row."""
+    """Return the figures for a person: ours and the published ones in one table, then each frame of the first row."""
     lines: List[Tuple[str, ...]] = [
         ("", "FP", "AIC-exact", "AIC-head", "EM", "coverage", "precision", "right", "right heads", "ms/command")
     ]
@@ -204,7 +204,7 @@ def _words(command: AnnotatedCommand, positions: Iterable[int]) -> str:
 
 
 def _score_outcomes(arguments: argparse.Namespace, pipeline: Pipeline, commands: Sequence[AnnotatedCommand]) -> int:
-    """Count what comes of commands whose frames nobody annotated."""
+    """Count the outcomes of commands without annotated frames."""
     outcomes: List[Tuple[str, str]] = []
     stops = 0
     for command in commands:

@@ -12,10 +12,10 @@ from frame_learning.annotated_commands import AnnotatedCommand, CorpusError, com
 
 
 def read_scout(folder: str) -> Tuple[AnnotatedCommand, ...]:
-    """Read every line that a person said, without the remarks of the transcriber; no frames are annotated.
+    """Read all lines that a person said, without the remarks of the transcriber; frames are not annotated.
 
     Raises:
-        CorpusError: no such files, or one of them cannot be read
+        CorpusError: there are no such files, or one of them cannot be read
     """
     commands: List[AnnotatedCommand] = []
     for path in sorted(Path(folder).glob("*_transcript.txt")):
@@ -38,5 +38,5 @@ def _unquoted(text: str) -> str:
 
 
 def without_remarks(line: str) -> str:
-    """Return a line without what the transcriber remarked: "<inhale>", "(calibrate)"."""
+    """Return a line without the remarks of the transcriber: "<inhale>", "(calibrate)"."""
     return " ".join(re.sub(r"<[^>]*>|\([^)]*\)", " ", line).split())

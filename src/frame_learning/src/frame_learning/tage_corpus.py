@@ -1,7 +1,7 @@
 """Reads tagE (Sarkar et al., "tagE: Enabling an Embodied Agent to Understand Human Instructions", EMNLP 2023).
 
 Rows of CSV files: the instruction, and ``first last Task ; first last Argument ; ... | ...`` with positions of words
-from 0. Qualities of an argument (``-9 9 isColour``) are read over: they are inside its span or beside it.
+from 0. Qualities of an argument (``-9 9 isColour``) are ignored: they are inside its span or beside it.
 """
 
 import csv
@@ -21,10 +21,10 @@ _PART = re.compile(r"\s*(\d+)\s+(\d+)\s+([A-Za-z_]+)")
 
 
 def read_tage(folder: str) -> Tuple[AnnotatedCommand, ...]:
-    """Read every row of the CSV files of a folder.
+    """Read all rows of the CSV files of a folder.
 
     Raises:
-        CorpusError: no such files, or one of them has other columns
+        CorpusError: there are no such files, or one of them has other columns
     """
     commands: List[AnnotatedCommand] = []
     for path in sorted(Path(folder).glob("*.csv")):
@@ -53,7 +53,7 @@ def _command(name: str, row: Dict[str, str]) -> AnnotatedCommand:
                 name=task_name,
                 lexical_unit=tuple(range(first, last + 1)),
                 elements=tuple(
-                    # The head of an English noun phrase without what follows it is its last word.
+                    # The head of an English noun phrase is its last word, apart from what follows the head.
                     AnnotatedElement(name=name, tokens=frozenset(range(start, end + 1)), head=end)
                     for start, end, name in spans[1:]
                 ),

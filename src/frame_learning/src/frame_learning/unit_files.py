@@ -1,4 +1,4 @@
-"""Writes what was learned as files that a person reads and edits."""
+"""Writes learned units as files that a person can read and edit."""
 
 from typing import Callable, List, Mapping, Sequence, Tuple
 
@@ -6,7 +6,7 @@ from frame_learning.evidence import Lesson
 from frame_learning.unit_induction import LearnedUnit, core_elements
 from semantic_frames.frame import SemanticFrame
 
-#: So many examples stand in a file; more make it hard to read.
+#: Number of examples in a file; more make it hard to read.
 MOST_EXAMPLES = 6
 
 
@@ -15,7 +15,7 @@ def to_yaml(units: Sequence[LearnedUnit], is_understood: Callable[[Lesson], bool
 
     Args:
         units: of one frame
-        is_understood: whether a sentence may stand as an example
+        is_understood: whether a sentence may be an example
     """
     lines: List[str] = []
     for unit in units:
@@ -39,7 +39,7 @@ def to_yaml(units: Sequence[LearnedUnit], is_understood: Callable[[Lesson], bool
 
 
 def frame_yaml(name: str, lessons: Sequence[Lesson]) -> str:
-    """Write the file of a frame that no file describes yet; what every sentence fills is core."""
+    """Write the file of a frame that no file describes yet; elements that every sentence fills are core."""
     names = list(dict.fromkeys(element for lesson in lessons for element in lesson.sentence.elements))
     core = core_elements(name, lessons, None)
     verbs = sorted({lesson.verb for lesson in lessons})
@@ -55,7 +55,7 @@ def frame_yaml(name: str, lessons: Sequence[Lesson]) -> str:
 
 
 def names_of_new_frames(frames: Mapping[str, SemanticFrame], units: Sequence[LearnedUnit]) -> Tuple[str, ...]:
-    """Return the names of frames that units evoke and no file describes."""
+    """Return the names of frames that units evoke but no file describes."""
     return tuple(sorted({unit.frame_name for unit in units} - set(frames)))
 
 

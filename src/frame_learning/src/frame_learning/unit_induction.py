@@ -1,8 +1,8 @@
-"""Lexical units from annotated sentences: the relations that their parses show between a verb and its elements.
+"""Learns lexical units from annotated sentences: the relations between a verb and its elements in the parses.
 
-FrameNet's annotations were meant for this (Thomas and Jenkins, ICRA 2012, section IV). What is learned is an ordinary
-lexical unit file: verbs of a frame that want the same elements are one unit, and a preposition stands for those of its
-kind (to: into, towards; from: out of, off), so that ten sentences say something about others.
+Thomas and Jenkins (ICRA 2012, section IV) propose FrameNet's annotations for this. The result is an ordinary lexical
+unit file. Verbs of a frame that take the same elements make one unit, and a preposition stands for those of its kind
+(to: into, towards; from: out of, off), so a few sentences cover others.
 """
 
 from collections import Counter, defaultdict
@@ -21,14 +21,14 @@ from utterance_passes.tree import DependencyTree
 from utterance_passes.vocabulary import Verbs
 from word_classes import word_list
 
-#: Prepositions that say the same of a frame element; one of a group stands for all of it.
+#: Prepositions with the same meaning for a frame element; one of a group stands for the whole group.
 PREPOSITION_GROUPS: Tuple[Tuple[str, ...], ...] = tuple(
     tuple(phrase.replace(" ", "_") for phrase in word_list(name))
     for name in ("to_prepositions", "from_prepositions", "along_prepositions", "place_prepositions_alike")
 )
-#: Prepositions that mean the same whatever the frame is.
+#: Prepositions that mean the same in every frame.
 _OF_PERIPHERAL = frozenset(f"prep_{preposition}" for group in PREPOSITION_GROUPS[1:3] for preposition in group)
-#: Words of closed classes that say the same kind of thing; one of a group stands for all of it.
+#: Words of closed classes of the same kind; one of a group stands for the whole group.
 WORD_GROUPS: Tuple[Tuple[str, ...], ...] = tuple(
     word_list(name) for name in ("manner_adverbs", "left_and_right", "forward_and_backward", "portals")
 )
@@ -38,17 +38,17 @@ _NEARLY_ALWAYS = 0.8
 
 @dataclass
 class LearnedUnit:
-    """A unit that is being put together; written by :func:`.unit_files.to_yaml`.
+    """A unit under construction; written by :func:`.unit_files.to_yaml`.
 
     Attributes:
         frame_name: the frame that it evokes
         verbs: lemmas, particles included
-        open_relations: relations by element, whatever the word is
-        closed_relations: relations by element for the words alone that were seen
+        open_relations: relations by element, for any word
+        closed_relations: relations by element, only for the words that were seen
         words: those words, by element
-        required: elements without which the unit does not count
-        after_place: elements that count only behind another phrase of place, with its preposition
-        lessons: what it was learned from
+        required: elements without which the unit does not fit
+        after_place: elements that count only after another phrase of place, with its preposition
+        lessons: evidence from which it was learned
     """
 
     frame_name: str
@@ -69,11 +69,11 @@ def learn(
     """Learn units.
 
     Args:
-        sentences: annotated
-        parse: gives the tree of a text
-        frames: that are known, by name: an element that measures takes any measure
+        sentences: annotated sentences
+        parse: returns the tree of a text
+        frames: known frames by name; an element with a quantity takes any measure
     Returns:
-        units by frame, those of several required elements first; and one line for each thing that was not explained
+        units by frame, those with several required elements first, and one line for each sentence that is not explained
     """
     lessons: List[Lesson] = []
     unexplained: List[str] = []
@@ -95,7 +95,7 @@ def _units(lessons: Sequence[Lesson], frames: Mapping[str, SemanticFrame]) -> Tu
     for lesson in lessons:
         frame = lesson.sentence.frame_name
         frames_of[lesson.verb].add(frame)
-        # A core element is looked for on the object anyway.
+        # A core element is searched for on the object anyway.
         places = lesson.places - core[frame]
         after_place = frozenset((name, preposition) for name, preposition in lesson.after_place if name in places)
         groups[(frame, lesson.verb, places, after_place)].append(lesson)
@@ -105,8 +105,8 @@ def _units(lessons: Sequence[Lesson], frames: Mapping[str, SemanticFrame]) -> Tu
     ):
         pieces = [(places, members)]
         if len(frames_of[verb]) > 1:
-            # What tells the frames of one verb apart is what each of them (nearly) always has: "move to the kitchen"
-            # has a goal; "move to your left" has none, and is a unit of its own.
+            # The frames of one verb differ in the elements that (nearly) all of their sentences have: "move to the
+            # kitchen" has a goal; "move to your left" has none and makes a unit of its own.
             telling = _telling(members)
             others = [lesson for lesson in members if not telling <= set(lesson.relations)]
             pieces = [(places | telling, [lesson for lesson in members if lesson not in others])]
@@ -128,7 +128,7 @@ def _units(lessons: Sequence[Lesson], frames: Mapping[str, SemanticFrame]) -> Tu
 def _telling(lessons: Sequence[Lesson]) -> FrozenSet[str]:
     """Return the elements that sentences of a verb and frame nearly always have.
 
-    Of one sentence those count that are open, or all where none is.
+    Of a single sentence the open elements count, or all elements if none is open.
     """
     counts = Counter(name for lesson in lessons for name in lesson.relations)
     return frozenset(
@@ -141,9 +141,9 @@ def _telling(lessons: Sequence[Lesson]) -> FrozenSet[str]:
 
 
 def _share_closed(units: Sequence[LearnedUnit], lessons: Sequence[Lesson]) -> None:
-    """Give each unit what words of a closed class were seen to do in its frame, and all of those words.
+    """Give each unit the relations of words of a closed class in its frame, and all of those words.
 
-    "Slowly" says how, with whatever verb; who is told "you" to grasp may be told to take.
+    "Slowly" says how with any verb, and "you" may be told to take as well as to grasp.
     """
     said: Dict[Tuple[str, str], List[str]] = defaultdict(list)
     of_frame: Dict[str, Set[Tuple[str, str]]] = defaultdict(set)
@@ -174,10 +174,10 @@ def _fill_closed(unit: LearnedUnit, name: str, relation: str, said: Sequence[str
 def _share_between_frames(
     units: Sequence[LearnedUnit], lessons: Sequence[Lesson], frames: Mapping[str, SemanticFrame]
 ) -> None:
-    """Give each unit what says how, along what or from where in other frames.
+    """Give each unit the relations that express manner, path or source in other frames.
 
-    An element that is core in neither frame and has one name in FrameNet (Manner, Speed, Path, Source) is said in the
-    same way in both: "go through the main door", "enter through the main door".
+    An element that is core in neither frame and has one name in FrameNet (Manner, Speed, Path, Source) is expressed in
+    the same way in both: "go through the main door", "enter through the main door".
     """
     words: Dict[Tuple[str, str], List[str]] = defaultdict(list)
     for lesson in lessons:
@@ -210,7 +210,8 @@ def _peripheral(frame: Optional[SemanticFrame]) -> Mapping[str, str]:
 
 
 def _share_optional(units: Sequence[LearnedUnit]) -> None:
-    """Give each unit the prepositions of what the other units of its frame do without: "from" with whatever verb."""
+    """Give each unit the prepositions of elements that the other units of its frame do not require: "from" with any
+    verb."""
     optional: Dict[str, Dict[str, List[str]]] = defaultdict(dict)
     for unit in units:
         for name, relations in unit.open_relations.items():
@@ -228,7 +229,7 @@ def _share_optional(units: Sequence[LearnedUnit]) -> None:
 
 
 def core_elements(name: str, lessons: Sequence[Lesson], frame: Optional[SemanticFrame]) -> FrozenSet[str]:
-    """Return the core elements of a frame: what its file says, or what every sentence fills."""
+    """Return the core elements of a frame: those of its file, or those that every sentence fills."""
     if frame is not None:
         return frozenset(element.name for element in frame.frame_elements if element.is_core)
     said = [frozenset(lesson.sentence.elements) for lesson in lessons if lesson.sentence.frame_name == name]
@@ -238,7 +239,7 @@ def core_elements(name: str, lessons: Sequence[Lesson], frame: Optional[Semantic
 def _rarer(lessons: Sequence[Lesson]) -> FrozenSet[Tuple[str, str, str]]:
     """Return frame, element and relation where another element of the frame has the relation more often.
 
-    Such elements are told apart by their words: "bring it to the kitchen", "bring it to my mother".
+    Their words distinguish such elements: "bring it to the kitchen", "bring it to my mother".
     """
     counts: CounterType[Tuple[str, str, str]] = Counter(
         (lesson.sentence.frame_name, name, relation)
@@ -257,7 +258,7 @@ def _rarer(lessons: Sequence[Lesson]) -> FrozenSet[Tuple[str, str, str]]:
 
 
 def _shape(lessons: Sequence[Lesson]) -> FrozenSet[str]:
-    """Return what most sentences of a verb and frame have: relations, or the element where its relation varies."""
+    """Return the relations that most sentences of a verb and frame have, or the element if its relation varies."""
     seen: Dict[str, List[str]] = defaultdict(list)
     for lesson in lessons:
         for name, relation in lesson.relations.items():
@@ -270,13 +271,13 @@ def _shape(lessons: Sequence[Lesson]) -> FrozenSet[str]:
 
 
 def _same_shape(lessons: Sequence[Lesson]) -> FrozenSet[Tuple[str, str, str]]:
-    """Return frame, element and relation where a verb evokes another frame by the same relations more often.
+    """Return frame, element and relation where a verb evokes another frame with the same relations more often.
 
-    Such frames are told apart by the words: "open the door", "open the water".
+    The words distinguish such frames: "open the door", "open the water".
     """
     members: Dict[Tuple[str, str], List[Lesson]] = defaultdict(list)
     for lesson in lessons:
-        # Words of a closed class tell a frame apart by themselves.
+        # Words of a closed class distinguish a frame by themselves.
         if set(lesson.relations) != lesson.closed:
             members[(lesson.verb, lesson.sentence.frame_name)].append(lesson)
     shapes = {key: _shape(some) for key, some in members.items()}

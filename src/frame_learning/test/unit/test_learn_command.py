@@ -77,7 +77,7 @@ def test_nothing_is_overwritten(learned, capsys):
     parser = learn_command.argparse.ArgumentParser()
     learn_command.add_arguments(parser)
     assert learn_command.run(parser.parse_args([str(GARDENING), "--out", str(learned)])) == 1
-    assert "there already" in capsys.readouterr().err
+    assert "exist already" in capsys.readouterr().err
 
 
 def test_words_that_are_not_in_the_sentence_are_named(tmp_path):

@@ -1,1 +1,1 @@
-"""Graph of semantic frames: who can carry out what was evoked."""
+"""The graph of semantic frames, and the servers registered for each."""

@@ -1,9 +1,10 @@
-"""Fills frames: from a lexical unit, and from a parent frame by the relations of its child."""
+"""Fills frames from a lexical unit, or from a parent frame by the relations of its child."""
 
 import operator
 from dataclasses import dataclass
 from typing import Mapping, Optional, Tuple
 
+import word_classes
 from semantic_frames.frame import (
     ConstantArgument,
     ElementMapping,
@@ -14,7 +15,6 @@ from semantic_frames.frame import (
     ValueCondition,
 )
 from spoken_quantities import QuantityError, parse_measure, parse_number
-from word_classes import without_determiner
 
 
 @dataclass(frozen=True)
@@ -24,7 +24,7 @@ class FilledFrame:
     Attributes:
         name: of the frame
         arguments: element name and argument, in the order of the frame's file; elements without one are left out
-        server: name of the action server that is to carry it out; empty while nobody is chosen
+        server: name of the action server that carries it out; empty while none is chosen
     """
 
     name: str
@@ -54,7 +54,7 @@ class Unfillable(ValueError):
 
 
 def fill(frame: SemanticFrame, arguments: Mapping[str, str]) -> FilledFrame:
-    """Fill a frame, with defaults for what is left out, and check what its file demands.
+    """Fill a frame, with defaults for what was not said, and check the values against its file.
 
     Args:
         frame: to be filled
@@ -72,13 +72,13 @@ def fill(frame: SemanticFrame, arguments: Mapping[str, str]) -> FilledFrame:
             if element.is_core:
                 raise Unfillable(
                     "MISSING_ELEMENT",
-                    element.question or f"The {words(element.name)} of {words(frame.name)} is missing.",
+                    element.question or f"The {spoken_name(element.name)} of {spoken_name(frame.name)} is missing.",
                 )
             continue
         if element.values and argument.lower() not in [value.lower() for value in element.values]:
             raise Unfillable(
                 "VALUE_NOT_ALLOWED",
-                f'The {words(element.name)} cannot be "{argument}": it is {alternatives(element.values)}.',
+                f'The {spoken_name(element.name)} cannot be "{argument}": it is {join_with_or(element.values)}.',
             )
         _check_amount(frame, element, argument, result)
     return result
@@ -95,7 +95,9 @@ def _check_amount(frame: SemanticFrame, element: FrameElement, argument: str, fi
             amount = parse_measure(f"{argument} {unit}".strip(), quantity=element.quantity.value).si_amount
     except QuantityError as error:
         code = "LIMIT" if error.code == "NOT_FINITE" else "VALUE_NOT_ALLOWED"
-        raise Unfillable(code, f"I cannot use the {words(element.name)} of {words(frame.name)}: {error}") from error
+        raise Unfillable(
+            code, f"I cannot use the {spoken_name(element.name)} of {spoken_name(frame.name)}: {error}"
+        ) from error
     for limit, is_beyond, word in (
         (element.maximum, operator.gt, "more"),
         (element.minimum, operator.lt, "less"),
@@ -110,18 +112,18 @@ def _check_amount(frame: SemanticFrame, element: FrameElement, argument: str, fi
             )
 
 
-#: What limits are told in.
+#: Units in which limits are reported.
 SI_UNITS = {Quantity.NUMBER: "", Quantity.LENGTH: "metres", Quantity.ANGLE: "radians", Quantity.DURATION: "seconds"}
 
 
 def child_arguments(parent: FilledFrame, child: RelatedFrame) -> Optional[Mapping[str, str]]:
-    """Work out what a child is filled with.
+    """Map the arguments of a filled frame to a child.
 
     Args:
         parent: filled
         child: a child in the parent's file
     Returns:
-        arguments by element of the child; None when a value condition says that the child does not stand for the parent
+        arguments by element of the child; None when a value condition of the child is not met
     """
     if unmet_condition(parent, child) is not None:
         return None
@@ -135,25 +137,25 @@ def child_arguments(parent: FilledFrame, child: RelatedFrame) -> Optional[Mappin
 
 
 def unmet_condition(parent: FilledFrame, child: RelatedFrame) -> Optional[ValueCondition]:
-    """Return the first value condition that keeps a child from standing for its filled parent, None for none."""
+    """Return the first value condition of a child that its filled parent does not meet, None for none."""
     for relation in child.frame_element_relations:
         if isinstance(relation, ValueCondition):
-            said = bare(parent.argument(relation.parent_name))
-            if said not in [bare(value) for value in relation.child_values]:
+            said = without_determiner(parent.argument(relation.parent_name))
+            if said not in [without_determiner(value) for value in relation.child_values]:
                 return relation
     return None
 
 
-def bare(argument: str) -> str:
-    """Return an argument as value conditions compare it: lower case, without a determiner ("a glass", "The glass")."""
-    return without_determiner(argument).lower()
+def without_determiner(argument: str) -> str:
+    """Return an argument as value conditions compare it: "The glass" is "glass"."""
+    return word_classes.without_determiner(argument).lower()
 
 
-def words(name: str) -> str:
-    """Return a name as a person says it."""
+def spoken_name(name: str) -> str:
+    """Return the name of a frame or an element in words: "moving_forward" is "moving forward"."""
     return name.replace("_", " ")
 
 
-def alternatives(values: Tuple[str, ...]) -> str:
-    """Return values as a person lists them: "left, right or around"."""
+def join_with_or(values: Tuple[str, ...]) -> str:
+    """Return a list of values in words: "left, right or around"."""
     return values[0] if len(values) == 1 else ", ".join(values[:-1]) + " or " + values[-1]

@@ -1,4 +1,4 @@
-"""The graph of semantic frames: what stands for what, and who registered for it."""
+"""The graph of semantic frames: their children, and the servers registered for them."""
 
 from typing import Dict, FrozenSet, List, Mapping, Optional, Set, Tuple
 
@@ -12,8 +12,7 @@ from semantic_frames.problem import FileRefused, Problem
 class FrameGraph:
     """Frames by name, their relations, and the action servers that registered for each.
 
-    A frame may be registered for, or named as a child, before its file is added: it begins to count when the file
-    comes.
+    A server may register for a frame, and a parent may name it, before its file is added.
     """
 
     def __init__(self) -> None:
@@ -28,15 +27,15 @@ class FrameGraph:
         return self._frames
 
     def add(self, frame: SemanticFrame) -> bool:
-        """Add a frame, or put it in the place of the one of that name.
+        """Add a frame; it replaces a frame of the same name.
 
         Args:
-            frame: as its file says
+            frame: read from its file
         Returns:
-            whether anything changed; False for a file that is known already
+            whether the graph changed; False for a frame that is known already
         Raises:
             FileRefused: the frame would close a cycle, or an element named in a relation does not exist; the graph
-                stays as it was
+                is not changed
         """
         known = self._frames.get(frame.name)
         if known == frame:
@@ -67,13 +66,13 @@ class FrameGraph:
         return True
 
     def remove(self, name: str) -> None:
-        """Forget a frame; what registered for it, and parents that name it, wait for it to come again."""
+        """Remove a frame. Registrations and parents that name it are kept, and count when it is added again."""
         self._frames.pop(name, None)
         if name in self._graph:
             self._graph.remove_edges_from(list(self._graph.out_edges(name)))
 
     def _element_problems(self, frame: SemanticFrame) -> List[Problem]:
-        """Relations of the frame to children that are known, and of known parents to the frame."""
+        """Check the relations of the frame to known children, and of known parents to the frame."""
         problems = []
         for child in (child for sequence in frame.children for child in sequence):
             if child.name in self._frames and child.name != frame.name:
@@ -85,13 +84,13 @@ class FrameGraph:
         return problems
 
     def register(self, frame_name: str, server: str) -> Tuple[str, ...]:
-        """Remember that an action server carries a frame out; registering twice changes nothing.
+        """Register an action server for a frame; a second registration changes nothing.
 
         Args:
-            frame_name: a frame, also one whose file is not there yet
+            frame_name: a frame, also one whose file is not added yet
             server: name of the action server
         Returns:
-            why not; empty when it is registered
+            why it is refused; empty when it is registered
         """
         if not frame_name.strip() or not server.strip():
             return ("a registration needs the name of a frame and of an action server",)
@@ -102,11 +101,11 @@ class FrameGraph:
         return ()
 
     def registrations(self) -> Tuple[Tuple[str, str], ...]:
-        """Every registration: frame name and action server, in order of arrival by frame."""
+        """Every registration: frame name and action server, by frame, in the order in which they were made."""
         return tuple((frame, server) for frame, servers in self._servers.items() for server in servers)
 
     def set_dead(self, servers: FrozenSet[str]) -> bool:
-        """Offer these servers no more, and all others again.
+        """Use these servers no more, and all others again.
 
         Returns:
             whether anything changed
@@ -117,21 +116,21 @@ class FrameGraph:
         return is_changed
 
     def is_alive(self, server: str) -> bool:
-        """Whether a server is offered."""
+        """Whether a server is used: it was not found dead."""
         return server not in self._dead
 
     def servers(self, frame_name: str) -> Tuple[str, ...]:
-        """Living action servers that registered for a frame, in the order in which they did."""
+        """Living action servers that are registered for a frame, in the order of registration."""
         return tuple(server for server in self._servers.get(frame_name, ()) if server not in self._dead)
 
     def descendants(self, frame_name: str) -> Tuple[str, ...]:
-        """Names of the frames below a frame, those that have no file included, in order of name."""
+        """Sorted names of the frames below a frame, including those without a file."""
         if frame_name not in self._graph:
             return ()
         return tuple(sorted(networkx.descendants(self._graph, frame_name)))
 
     def unknown_children(self) -> Tuple[Problem, ...]:
-        """Children that no file describes (yet): for a linter, not a reason to refuse."""
+        """Children that no file describes yet: reported by the linter, and no reason to refuse a frame."""
         return tuple(
             Problem(
                 code="UNKNOWN_FRAME",

@@ -1,4 +1,4 @@
-"""The frame registrar: who can carry out what was evoked."""
+"""The frame registrar node: filled frames in, candidates for each clause out."""
 
 import threading
 import uuid
@@ -36,54 +36,36 @@ from frame_registrar.graph import FrameGraph
 from frame_registrar.ros_liveness import LivenessWatch
 from frame_registrar.ros_messages import to_clauses, to_empty_frame, to_file_problems, to_frame_lists, to_plan
 from frame_registrar.search import Refusal, combinations, reply_outcome, search
-from roboframenet_ros.ros_log import log_from_threads
+from roboframenet_ros.parameters import Parameters, parameter
+from roboframenet_ros.ros_node import read_parameters, run_node
+from roboframenet_ros.ros_stage import Stage
 from semantic_frames import FileRefused, Problem, load_frame
 from semantic_frames.frame import SemanticFrame
 from semantic_frames.source_files import FRAMES_FOLDER, read_text, replace_problems, yaml_files
-from stage_events.ros_stage import Stage
 
-#: Kept on the master by the node for itself: files that were added while it ran.
+#: Written by the node, for its own restarts: files that were added while it ran.
 ADDED_FRAMES = "~_added_frames"
 
 
 @dataclass(frozen=True)
-class Settings:
+class Settings(Parameters):
     """Parameters of the node, checked.
 
     Attributes:
         frame_paths: files, and folders with folders named ``frames``
-        max_candidates: the search for a clause ends when so many are found
+        max_candidates: the search for a clause ends at this number
         liveness_period_s: pause between two rounds of asking the servers
         liveness_timeout_s: how long a node may take to answer
     """
 
-    frame_paths: Tuple[str, ...]
-    max_candidates: int
-    liveness_period_s: float
-    liveness_timeout_s: float
-
-    def __post_init__(self) -> None:
-        if not 1 <= self.max_candidates <= 10000:
-            raise ValueError(f"~max_candidates must be 1 to 10000, got {self.max_candidates}")
-        if not 0.1 <= self.liveness_period_s <= 60.0:
-            raise ValueError(f"~liveness_period_s must be 0.1 to 60 s, got {self.liveness_period_s}")
-        if not 0.05 <= self.liveness_timeout_s <= 10.0:
-            raise ValueError(f"~liveness_timeout_s must be 0.05 to 10 s, got {self.liveness_timeout_s}")
-
-    @classmethod
-    def from_parameters(cls) -> "Settings":
-        """Read the node's private parameters."""
-        paths = rospy.get_param("~frame_paths", [])
-        return cls(
-            frame_paths=tuple([paths] if isinstance(paths, str) else paths),
-            max_candidates=int(rospy.get_param("~max_candidates", 64)),
-            liveness_period_s=float(rospy.get_param("~liveness_period_s", 5.0)),
-            liveness_timeout_s=float(rospy.get_param("~liveness_timeout_s", 1.0)),
-        )
+    frame_paths: Tuple[str, ...] = parameter((), may_be_single=True)
+    max_candidates: int = parameter(64, least=1, most=10000)
+    liveness_period_s: float = parameter(5.0, least=0.1, most=60.0)
+    liveness_timeout_s: float = parameter(1.0, least=0.05, most=10.0)
 
 
 class FrameRegistrar:
-    """Keeps the graph of frames and answers each command with the candidates of its clauses or a refusal.
+    """Keeps the graph of frames, and answers each command with the candidates of its clauses or a refusal.
 
     Subscribes:
         command_lexical_units (CommandLexicalUnits)
@@ -152,16 +134,16 @@ class FrameRegistrar:
         before = self._graph.frame(frame.name)
         self._graph.add(frame)
         if before is not None and before.path != frame.path:
-            rospy.logwarn("frame '%s' of %s takes the place of the one of %s", frame.name, frame.path, before.path)
+            rospy.logwarn("frame '%s' of %s replaces that of %s", frame.name, frame.path, before.path)
             self._texts.pop(before.path, None)
         for name in [name for name, other in self._graph.frames.items() if other.path == frame.path]:
             if name != frame.name:
-                rospy.loginfo("frame '%s' is gone: %s describes '%s' now", name, frame.path, frame.name)
+                rospy.loginfo("frame '%s' is removed: %s now describes '%s'", name, frame.path, frame.name)
                 self._graph.remove(name)
 
     def _on_add_frame(self, request: AddFrameRequest) -> AddFrameResponse:
         path = request.absolute_file_path
-        # Of two files added at once neither may be lost from the parameter, and no command waits for the master.
+        # A lock of its own: two files added at once are both kept, and no command waits for the master.
         with self._adding:
             is_added = self._add_file(path)
             if is_added:
@@ -179,7 +161,7 @@ class FrameRegistrar:
         server = request.callback_topic
         if server.strip() and (server.startswith("~") or not rosgraph.names.is_legal_name(server)):
             errors: Tuple[str, ...] = (
-                f"'{server}' is no name of an action server: a graph name without '~' is expected",
+                f"'{server}' is not the name of an action server: expected a graph name without '~'",
             )
         else:
             with self._lock:
@@ -204,11 +186,11 @@ class FrameRegistrar:
         with self._lock:
             is_changed = self._graph.set_dead(servers)
         if is_changed:
-            rospy.loginfo("action servers that are not there: %s", ", ".join(sorted(servers)) or "none")
+            rospy.loginfo("action servers that are not running: %s", ", ".join(sorted(servers)) or "none")
             self._publish_catalogue()
 
     def _publish_catalogue(self) -> None:
-        # Published under the lock: of two changes at once, the later must be the one that stays latched.
+        # Published under the lock: the later of two changes must stay latched.
         with self._lock:
             self._catalogue.publish(
                 FrameCatalogue(
@@ -224,10 +206,10 @@ class FrameRegistrar:
     def _on_command(self, message: CommandLexicalUnits) -> None:
         try:
             if message.plan.nodes:
-                raise ValueError("the clauses of the command belong together in a way that nothing carries out yet.")
+                raise ValueError("the clauses of the command are joined in a way that is not supported yet.")
             with self._lock:
                 outcome = search(self._graph, to_clauses(message.clauses), max_candidates=self._settings.max_candidates)
-        except Exception as error:  # boundary: whatever fails here, the command gets its reply
+        except Exception as error:  # boundary: the command gets its reply, whatever fails
             rospy.logerr("cmd=%s failed: %s", message.command.id, error, exc_info=True)
             self._stage.ends(
                 message.command,
@@ -269,12 +251,5 @@ def _describe_candidates(leaf: PlanNode) -> str:
 
 
 def main() -> None:
-    """Run the node."""
-    rospy.init_node("frame_registrar")
-    log_from_threads()
-    try:
-        FrameRegistrar(Settings.from_parameters())
-    except ValueError as error:
-        rospy.logfatal("cannot start: %s", error)
-        raise SystemExit(1) from error
-    rospy.spin()
+    """Run the node until ROS shuts down; exits with a sentence when a parameter is wrong."""
+    run_node("frame_registrar", lambda: FrameRegistrar(read_parameters(Settings)))

@@ -1,42 +1,24 @@
-"""Which action servers are there, by what the master and the nodes themselves say."""
+"""Finds out which action servers are running, from the master and the nodes themselves."""
 
 import threading
 import xmlrpc.client
-from http.client import HTTPConnection, HTTPException
 from typing import Callable, Dict, FrozenSet, Iterable, Tuple
-from xml.parsers.expat import ExpatError
 
-import rosgraph
 import rospy
 
-#: What asking a node may end in. The port of a dead node may belong to somebody who speaks no XML-RPC by now.
-_NO_ANSWER = (OSError, HTTPException, ExpatError, xmlrpc.client.Error, rosgraph.MasterException)
+from roboframenet_ros.ros_master import NO_ANSWER, TimedMaster, TimedTransport
 
-
-#: A server that seems to have gone is looked for once more after this time, seconds: a node may be busy, and a server
-#: that registers before it starts is about to be there.
+#: A server that seems dead is checked again after this time, seconds: its node may be busy, or the server may have
+#: registered just before it started.
 _SECOND_LOOK_S = 1.0
 
 
-class _TimeoutTransport(xmlrpc.client.Transport):
-    """HTTP with a deadline: a node that hangs must not hang the registrar."""
-
-    def __init__(self, timeout_s: float) -> None:
-        super().__init__()
-        self._timeout_s = timeout_s
-
-    def make_connection(self, host: object) -> HTTPConnection:
-        connection = super().make_connection(host)
-        connection.timeout = self._timeout_s
-        return connection
-
-
 class LivenessWatch:
-    """Asks at a low rate whether the nodes behind action servers still answer.
+    """Asks the nodes of action servers at a low rate whether they still answer.
 
     The master knows which node publishes ``<server>/status``, also long after that node was killed; the node itself
-    answers ``getPid``. Both are the distribution's own interfaces: servers need nothing for it, and a process with
-    many servers is asked once.
+    answers ``getPid``. Both are interfaces of ROS: servers need no code for it, and a process with many servers is
+    asked once.
     """
 
     def __init__(
@@ -50,15 +32,16 @@ class LivenessWatch:
         """
         Args:
             servers: returns the names of the servers to watch
-            on_dead: called from the thread of the watch with those that are not there
+            on_dead: called from the thread of the watch with the servers that are not running
             period_s: pause between two rounds
-            timeout_s: how long a node may take to answer
+            timeout_s: how long a node, or the master, may take to answer
         """
         self._servers = servers
         self._on_dead = on_dead
         self._period_s = period_s
         self._timeout_s = timeout_s
-        # By address of the node. Connections are kept: to make one costs the node a thread and more than the answer.
+        self._master = TimedMaster(timeout_s=timeout_s)
+        # By address of the node. Connections are kept: a new one costs the node a thread and more time than the answer.
         self._proxies: Dict[str, xmlrpc.client.ServerProxy] = {}
         self._dead: FrozenSet[str] = frozenset()
         self._stop = threading.Event()
@@ -79,17 +62,15 @@ class LivenessWatch:
                 dead = self._dead_among(servers)
                 if dead - self._dead and not self._stop.wait(min(_SECOND_LOOK_S, self._period_s)):
                     dead &= self._dead_among(servers)
-            except _NO_ANSWER as error:
-                # A master that is busy or away says nothing about the servers.
+            except NO_ANSWER as error:
+                # When the master does not answer, nothing is known about the servers.
                 rospy.logwarn_throttle(30.0, "cannot ask the master who is alive: %s", error)
                 continue
             self._dead = dead
             self._on_dead(dead)
 
     def _dead_among(self, servers: Tuple[str, ...]) -> FrozenSet[str]:
-        master = rosgraph.Master(rospy.get_name())
-        publishers, _, _ = master.getSystemState()
-        nodes_of: Dict[str, Tuple[str, ...]] = {topic: tuple(nodes) for topic, nodes in publishers}
+        nodes_of = self._master.system_state().publishers
         answers: Dict[str, bool] = {}
         dead = set()
         known = self._proxies
@@ -98,17 +79,17 @@ class LivenessWatch:
             nodes = nodes_of.get(rospy.resolve_name(server + "/status"), ())
             for node in nodes:
                 if node not in answers:
-                    answers[node] = node == rospy.get_name() or self._answers(master, node, known)
+                    answers[node] = node == rospy.get_name() or self._answers(node, known)
             if not any(answers[node] for node in nodes):
                 dead.add(server)
         return frozenset(dead)
 
-    def _answers(self, master: rosgraph.Master, node: str, known: Dict[str, xmlrpc.client.ServerProxy]) -> bool:
+    def _answers(self, node: str, known: Dict[str, xmlrpc.client.ServerProxy]) -> bool:
         try:
-            uri: str = master.lookupNode(node)
-            proxy = known.get(uri) or xmlrpc.client.ServerProxy(uri, transport=_TimeoutTransport(self._timeout_s))
+            uri = self._master.uri_of(node)
+            proxy = known.get(uri) or xmlrpc.client.ServerProxy(uri, transport=TimedTransport(self._timeout_s))
             is_alive: bool = proxy.getPid(rospy.get_name())[0] == 1
             self._proxies[uri] = proxy
             return is_alive
-        except _NO_ANSWER:
+        except NO_ANSWER:
             return False

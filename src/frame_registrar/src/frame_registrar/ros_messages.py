@@ -1,4 +1,4 @@
-"""Messages of the registrar and the values that its core works with."""
+"""Converts between messages and the values of the core."""
 
 from typing import Iterable, List, Sequence, Tuple
 
@@ -50,10 +50,10 @@ def _to_reading(message: object) -> Reading:
 
 
 def to_plan(clauses: Sequence[Clause], text: str, found: Sequence[Sequence[Candidate]]) -> Plan:
-    """Return a plan.
+    """Return the plan of a command.
 
     Args:
-        clauses: that were asked for
+        clauses: of the command
         text: of the whole command
         found: candidates of each clause
     """

@@ -1,12 +1,12 @@
-"""Searches the graph of frames for everything that is able to do what was said."""
+"""Searches the graph of frames for the candidates of each clause."""
 
 from dataclasses import dataclass, replace
 from itertools import islice, product
 from typing import Dict, Iterator, List, Sequence, Tuple, Union
 
-from frame_registrar.filling import Unfillable, fill, words
+from frame_registrar.filling import Unfillable, fill, spoken_name
 from frame_registrar.graph import FrameGraph
-from frame_registrar.realisation import Frames, Realiser, Refusal
+from frame_registrar.sequence_finder import Frames, Refusal, SequenceFinder
 from semantic_frames.frame import ListPolicy, SemanticFrame
 
 __all__ = ["Argument", "Candidate", "Reading", "Refusal", "combinations", "reply_outcome", "search"]
@@ -37,7 +37,7 @@ class Reading:
         frame_name: the frame that the verb evokes
         arguments: of its elements
         coverage: share of the clause's content words that it accounts for, 0 to 1
-        preference: 0 is meant most likely, then 1; alternatives that were said ("or") are one reading
+        preference: 0 for the likeliest reading, then 1; alternatives that were said ("or") are one reading
     """
 
     frame_name: str
@@ -48,12 +48,12 @@ class Reading:
 
 @dataclass(frozen=True)
 class Candidate:
-    """Frames that, carried out in this order, do what a clause says; each names its server.
+    """Frames that carry out a clause, in this order; each names its server.
 
     Attributes:
         frames: at least one
         coverage: of the reading that it comes from
-        preference: of that reading; every candidate of 0 is to be tried before those of 1
+        preference: of that reading; every candidate of 0 is tried before those of 1
     """
 
     frames: Frames
@@ -61,9 +61,9 @@ class Candidate:
     preference: int = 0
 
 
-#: When several readings fail, the reason that tells the person most comes first.
+#: When several readings fail, the reply gives the most informative reason: the first of these.
 _REASONS = ("LIMIT", "VALUE_NOT_ALLOWED", "MISSING_ELEMENT", "NO_SERVER", "UNKNOWN_FRAME")
-#: Several roads through the graph may lead to the same frames, which count once.
+#: Limit of sequences that are examined; several paths through the graph may give the same one.
 _MOST_EXAMINED = 100_000
 _NOTHING_UNDERSTOOD = Refusal("NO_READING", "I understood nothing that I could do.")
 
@@ -80,15 +80,15 @@ def search(
 
     Args:
         graph: frames and servers
-        clauses: in the order in which they are to be done; the readings of each are alternatives
-        max_candidates: the search for a clause ends when so many are found
+        clauses: in the order in which they are carried out; the readings of each are alternatives
+        max_candidates: the search for a clause ends at this number
     Returns:
         candidates of each clause, those of the likeliest reading first; a refusal when a clause has none
     """
-    realiser = Realiser(graph)
+    finder = SequenceFinder(graph)
     by_clause: List[Tuple[Candidate, ...]] = []
     for readings in clauses:
-        found = _of_clause(realiser, readings, max_candidates)
+        found = _search_clause(finder, readings, max_candidates)
         if isinstance(found, Refusal):
             return found
         by_clause.append(found)
@@ -96,7 +96,7 @@ def search(
 
 
 def combinations(by_clause: Sequence[Sequence[Candidate]], most: int) -> Tuple[Frames, ...]:
-    """Return what 2012 published: sequences of frames that do all clauses, so many at most."""
+    """Return the candidates as 2012 published them: at most ``most`` sequences of frames that carry out all clauses."""
     products = islice(product(*by_clause), most)
     return tuple(tuple(frame for candidate in found for frame in candidate.frames) for found in products)
 
@@ -105,18 +105,18 @@ def _order(reading: Reading) -> Tuple[int, float]:
     return reading.preference, -reading.coverage
 
 
-def _of_clause(
-    realiser: Realiser, readings: Sequence[Reading], max_candidates: int
+def _search_clause(
+    finder: SequenceFinder, readings: Sequence[Reading], max_candidates: int
 ) -> Union[Tuple[Candidate, ...], Refusal]:
-    """Find the ways to carry out one clause, the likeliest reading first, none of them twice."""
+    """Find the candidates of one clause, the likeliest reading first, without duplicates."""
     found: Dict[Frames, Candidate] = {}
     refusals: List[Refusal] = []
     for reading in sorted(readings, key=_order):
-        frame = realiser.graph.frame(reading.frame_name)
+        frame = finder.graph.frame(reading.frame_name)
         if frame is None:
-            name = words(reading.frame_name)
+            name = spoken_name(reading.frame_name)
             refusals.append(
-                Refusal("UNKNOWN_FRAME", f'The lexicon speaks of "{name}", but no file describes that frame.')
+                Refusal("UNKNOWN_FRAME", f'The lexicon names the frame "{name}", but no file describes it.')
             )
             continue
         for task in _tasks(frame, reading):
@@ -125,19 +125,19 @@ def _of_clause(
             except Unfillable as error:
                 refusals.append(Refusal(error.code, str(error)))
                 continue
-            is_realised = False
-            for frames in islice(realiser.realise(filled), _MOST_EXAMINED):
-                is_realised = True
+            is_found = False
+            for frames in islice(finder.find(filled), _MOST_EXAMINED):
+                is_found = True
                 found.setdefault(frames, Candidate(frames, reading.coverage, reading.preference))
                 if len(found) >= max_candidates:
                     return tuple(found.values())
-            if not is_realised:
-                refusals += realiser.why_not(filled)
+            if not is_found:
+                refusals += finder.why_not(filled)
     if found:
         return tuple(found.values())
-    if realiser.is_cut:
+    if finder.is_truncated:
         return Refusal(
-            "TOO_MANY_CANDIDATES", "There are more ways to do that than I can look at, and none works so far."
+            "TOO_MANY_CANDIDATES", "There are more ways to do that than I can check, and I found none that works."
         )
     if not refusals:
         return _NOTHING_UNDERSTOOD
@@ -146,7 +146,7 @@ def _of_clause(
 
 
 def _tasks(frame: SemanticFrame, reading: Reading) -> Iterator[List[Dict[str, str]]]:
-    """Take lists apart: "or" gives alternative tasks, "and" one frame for each item where the frame repeats."""
+    """Expand lists: "or" gives alternative tasks; "and" gives one frame for each item if the frame repeats."""
     lists = [argument for argument in reading.arguments if len(argument.items) > 1]
     alternative = next((argument for argument in lists if argument.conjunction == "or"), None)
     if alternative is not None:

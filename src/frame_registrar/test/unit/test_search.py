@@ -6,7 +6,7 @@ from typing import Dict, List, Sequence, Tuple, Union
 
 import pytest
 
-from frame_registrar import realisation
+from frame_registrar import sequence_finder
 from frame_registrar.graph import FrameGraph
 from frame_registrar.search import Argument, Candidate, Reading, Refusal, combinations, search
 from semantic_frames import load_frame
@@ -200,7 +200,7 @@ def test_child_without_a_file_is_named_as_missing() -> None:
 
 
 def test_graph_too_large_to_look_at_is_said(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(realisation, "MOST_FRAMES", 2)
+    monkeypatch.setattr(sequence_finder, "MOST_FRAMES", 2)
     texts = [f"name: f{index}\nchildren: [{{name: f{index + 1}}}]\n" for index in range(5)] + ["name: f5\n"]
     graph = graph_of(*texts, servers=(("f5", "s"),))
     refusal = search(graph, [[reading("f0")]], max_candidates=9)

@@ -1,4 +1,4 @@
-"""Places with names: remembered, kept in a file, and found again."""
+"""Named places: remembers them, keeps them in a file, and finds them again."""
 
 import math
 import os
@@ -46,8 +46,8 @@ def read_locations(path: str) -> Dict[str, Location]:
         office: {x: 3.0, y: 1.5, heading: 1.57}
 
     Raises:
-        LocationFileError: not such a file
-        OSError: it cannot be read
+        LocationFileError: the file has another form
+        OSError: the file cannot be read
     """
     with open(path, encoding="utf-8") as file:
         try:
@@ -79,10 +79,10 @@ def _location(path: str, name: str, entry: Any) -> Location:
 
 
 def write_locations(locations: Mapping[str, Location], path: str) -> None:
-    """Write a file of places; one that is there is replaced as a whole or not at all.
+    """Write a file of places. An existing file is replaced as a whole or not at all.
 
     Raises:
-        OSError: it cannot be written
+        OSError: the file cannot be written
     """
     document = {
         name: {"x": location.x_m, "y": location.y_m, "heading": location.heading_rad, "frame_id": location.frame_id}

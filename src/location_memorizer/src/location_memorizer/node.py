@@ -28,7 +28,7 @@ def to_pose(location: Location) -> PoseStamped:
 
 
 class LocationMemorizer:
-    """Keeps places by name.
+    """Keeps places and their names.
 
     Actions:
         location_memorizer (roboframenet_msgs/FilledSemanticFrameAction): frame naming_location
@@ -46,7 +46,7 @@ class LocationMemorizer:
     def __init__(self, parameters: str = "~") -> None:
         """
         Args:
-            parameters: what stands before the names of its parameters
+            parameters: prefix of the names of the parameters
         """
         self._lock = threading.Lock()
         self._here: Optional[Location] = None
@@ -102,7 +102,7 @@ class LocationMemorizer:
             here = self._here
         if location is not None:
             return GetLocationResponse(success=True, pose=to_pose(location))
-        # Somebody who ignores 'success' and drives there stays where the robot is.
+        # A client that ignores 'success' and drives there does not move.
         return GetLocationResponse(success=False, pose=to_pose(here) if here else PoseStamped())
 
     def _on_frame(self, frame: FilledSemanticFrame) -> None:

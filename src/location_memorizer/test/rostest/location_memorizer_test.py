@@ -3,9 +3,7 @@
 
 import os
 import signal
-import time
 import unittest
-from typing import Callable
 from xmlrpc.client import ServerProxy
 
 import actionlib
@@ -21,15 +19,7 @@ from roboframenet_msgs.msg import (
     FilledSemanticFrameGoal,
 )
 
-
-def wait_until(condition: Callable[[], bool], timeout_s: float = 60.0) -> bool:
-    """Wait for a condition; return whether it came true in time."""
-    end = time.monotonic() + timeout_s
-    while time.monotonic() < end:
-        if condition():
-            return True
-        time.sleep(0.05)
-    return condition()
+from roboframenet_testing import wait_until
 
 
 class LocationMemorizerTest(unittest.TestCase):
@@ -43,7 +33,7 @@ class LocationMemorizerTest(unittest.TestCase):
     def name_this_place(self, words: str) -> "actionlib.ClientGoalHandle":
         frame = FilledSemanticFrame(name="naming_location", frame_elements=[FilledFrameElement("location", words)])
         handle = self.client.send_goal(FilledSemanticFrameGoal(frame=frame))
-        self.assertTrue(wait_until(lambda: handle.get_comm_state() == actionlib.CommState.DONE))
+        wait_until(lambda: handle.get_comm_state() == actionlib.CommState.DONE)
         return handle
 
     def ask(self, name: str) -> GetLocationResponse:
@@ -60,13 +50,13 @@ class LocationMemorizerTest(unittest.TestCase):
         pose.header.frame_id = "map"
         pose.pose.pose.position.x, pose.pose.pose.orientation.w = 2.5, 1.0
         publisher.publish(pose)
-        self.assertTrue(wait_until(lambda: self.ask("nowhere").pose.pose.position.x == 2.5))
+        wait_until(lambda: self.ask("nowhere").pose.pose.position.x == 2.5)
         self.assertEqual(self.name_this_place("the office").get_goal_status(), GoalStatus.SUCCEEDED)
         master = rosgraph.Master("/location_memorizer_test")
         pid = ServerProxy(master.lookupNode(rospy.resolve_name("location_memorizer"))).getPid("/test")[2]
         publisher.unregister()
         os.kill(pid, signal.SIGKILL)
-        self.assertTrue(wait_until(lambda: self.is_another(pid)), "the node does not return")
+        wait_until(lambda: self.is_another(pid), message="the node does not return")
         answer = self.ask("The Office")
         self.assertTrue(answer.success)
         self.assertEqual((answer.pose.header.frame_id, answer.pose.pose.position.x), ("map", 2.5))

@@ -1,1 +1,1 @@
-"""Moos when it is told to speak."""
+"""Moos when a person tells the robot to speak."""

@@ -20,16 +20,16 @@ class MooServer:
     Publishes:
         said (std_msgs/String)
     Parameters:
-        ~aloud (bool, default true): play the sound with aplay, where it is installed
-        ~timeout_s (float, default 5, seconds): after so long the sound is cut off
+        ~aloud (bool, default true): play the sound with aplay, if it is installed
+        ~timeout_s (float, default 5, seconds): when the sound is cut off
     """
 
     def __init__(self, parameters: str = "~") -> None:
         """
         Args:
-            parameters: what stands before the names of its parameters
+            parameters: prefix of the names of the parameters
         """
-        # It goes with the process that made it.
+        # The file is deleted with the process that made it.
         self._folder = tempfile.TemporaryDirectory(prefix="moo_")
         self._path = os.path.join(self._folder.name, "moo.wav")
         write_wave(moo(), self._path)

@@ -1,4 +1,4 @@
-"""The sound of a cow, as numbers."""
+"""Computes the sound of a cow."""
 
 import math
 import struct
@@ -11,7 +11,7 @@ SAMPLE_RATE_HZ = 16000
 def moo(duration_s: float = 1.6, *, loudness: float = 0.6) -> List[float]:
     """Return the samples of a moo.
 
-    A voiced sound whose pitch rises and falls again, its overtones weakened as the mouth opens and closes.
+    A voiced sound whose pitch rises and falls. Its overtones weaken as the mouth opens and closes.
 
     Args:
         duration_s: length of the sound, above 0

@@ -1,7 +1,7 @@
-"""One base, several servers: who may drive it.
+"""Decides which of several servers may drive the one base.
 
-The newest wins: a claim revokes the one before it, and is granted when that one has been released, which its holder
-does after it has stopped the base.
+The newest claim wins. It revokes the claim before it, and is granted when that claim is released. The holder of a
+revoked claim stops the base before it releases the claim.
 """
 
 import threading
@@ -18,11 +18,11 @@ class BaseClaim:
 
     @property
     def is_revoked(self) -> bool:
-        """Whether somebody newer wants the base: stop it, and release the claim."""
+        """Whether a newer claim wants the base. If so, the holder must stop the base and release this claim."""
         return self._claims.newest_ticket != self._ticket
 
     def release(self) -> None:
-        """Give the base back. Only after it has been told to stop."""
+        """Give the base back. Stop the base first."""
         self._claims.release(self._ticket)
 
 
@@ -43,18 +43,18 @@ class BaseClaims:
 
     @property
     def newest_ticket(self) -> int:
-        """Number of the claim that was made last."""
+        """Number of the newest claim."""
         with self._condition:
             return self._newest
 
     def claim(self, *, timeout_s: float, is_cancelled: Callable[[], bool] = lambda: False) -> Optional[BaseClaim]:
-        """Revoke the claim that holds, and wait until it is released.
+        """Revoke the current claim, and wait until it is released.
 
         Args:
             timeout_s: how long to wait
-            is_cancelled: asked several times a second, without a lock held
+            is_cancelled: called several times a second, without a lock
         Returns:
-            None if the base was not released in time, if a still newer claim came, or if cancelled
+            None if the base was not released in time, if a newer claim came, or if the claim was cancelled
         """
         end_s = self._now() + timeout_s
         with self._condition:
@@ -74,7 +74,7 @@ class BaseClaims:
         return None
 
     def release(self, ticket: int) -> None:
-        """Take the base back from the holder of a ticket."""
+        """Release the claim with this ticket."""
         with self._condition:
             if self._holder == ticket:
                 self._holder = 0

@@ -1,6 +1,6 @@
-"""Moving or turning by an amount: odometry in, velocity out.
+"""Moves or turns by an amount: takes odometry, returns velocities.
 
-Forward and left are positive (REP 103). Nothing here waits or reads a clock: the caller passes the time.
+Forward and left are positive (REP 103). The module neither waits nor reads a clock: the caller passes the time.
 """
 
 import enum
@@ -10,7 +10,7 @@ from typing import Optional
 
 
 class MotionKind(enum.Enum):
-    """Along the nose, or about the vertical axis."""
+    """Along the heading of the base, or about the vertical axis."""
 
     STRAIGHT = "straight"
     TURN = "turn"
@@ -48,7 +48,7 @@ class OdometrySample:
     yaw_rad: float
 
     def is_finite(self) -> bool:
-        """Tell whether all numbers can be used."""
+        """Whether all numbers are finite."""
         return all(math.isfinite(value) for value in (self.stamp_s, self.x_m, self.y_m, self.yaw_rad))
 
 
@@ -64,9 +64,9 @@ class MotionProfile:
     speed_per_s: float
     acceleration_per_s2: float
     creep_per_s: float
-    """Slowest speed that still moves the base; the last bit of the way is driven with it."""
+    """Slowest speed that still moves the base; used for the last part of a motion."""
     tolerance: float
-    """Smallest tolerance: for short ways, where a share of the amount would be below what odometry resolves."""
+    """Smallest tolerance, for short motions: a share of their amount would be below the resolution of odometry."""
 
     def __post_init__(self) -> None:
         for name in ("max_amount", "speed_per_s", "acceleration_per_s2", "creep_per_s", "tolerance"):
@@ -79,10 +79,10 @@ class MotionProfile:
 
 @dataclass(frozen=True)
 class MotionSettings:
-    """How the base is moved.
+    """Speeds, tolerances and time limits of motions.
 
     Raises:
-        ValueError: a time or share that makes no sense, or a turn rate at which turns cannot be counted
+        ValueError: a time or share is out of range, or turns cannot be counted at the turn rate
     """
 
     straight: MotionProfile = MotionProfile(
@@ -94,7 +94,7 @@ class MotionSettings:
     aim_share: float = 0.005
     """The base stops when it is within this share of the amount."""
     accept_share: float = 0.02
-    """A motion that comes no nearer than this share of the amount has failed."""
+    """A motion that ends farther from the goal than this share of the amount has failed."""
     odometry_timeout_s: float = 1.0
     stall_timeout_s: float = 3.0
 
@@ -107,7 +107,7 @@ class MotionSettings:
             value = getattr(self, name)
             if not (isinstance(value, (int, float)) and math.isfinite(value) and 0.1 <= value <= 60.0):
                 raise ValueError(f"{name} must be 0.1 to 60 s, got {value!r}")
-        # Between two samples the base must turn by less than half a turn, or nobody can tell which way it went.
+        # Between two samples the base must turn by less than half a turn; otherwise the direction is ambiguous.
         if self.turn.speed_per_s * self.odometry_timeout_s >= math.pi:
             raise ValueError(
                 f"turning with {self.turn.speed_per_s:g} rad/s for odometry_timeout_s {self.odometry_timeout_s:g} "
@@ -120,14 +120,14 @@ class MotionSettings:
 
 
 def describe_amount(goal: MotionGoal) -> str:
-    """Say an amount in words for a person."""
+    """Return an amount in words, for a person."""
     if goal.kind is MotionKind.STRAIGHT:
         return f"{goal.amount:.4g} m"
     return f"{goal.amount:.4g} rad ({math.degrees(goal.amount):.4g} degrees)"
 
 
 def check_goal(goal: MotionGoal, *, settings: MotionSettings) -> Optional[str]:
-    """Return the reason why a goal must not be driven, or None."""
+    """Return why a goal must not be driven; None if it may."""
     if not math.isfinite(goal.amount):
         return "the amount is not a finite number"
     limit = MotionGoal(kind=goal.kind, amount=settings.profile_of(goal.kind).max_amount)
@@ -137,12 +137,12 @@ def check_goal(goal: MotionGoal, *, settings: MotionSettings) -> Optional[str]:
 
 
 def wrap(angle_rad: float) -> float:
-    """Return the same direction within -pi .. pi."""
+    """Return the same direction between -pi and pi."""
     return math.remainder(angle_rad, 2.0 * math.pi)
 
 
 class MotionState(enum.Enum):
-    """Where a motion stands. ARRIVED and FAILED are final."""
+    """Progress of a motion. ARRIVED and FAILED are final."""
 
     MOVING = "moving"
     SETTLING = "settling"
@@ -152,7 +152,7 @@ class MotionState(enum.Enum):
 
 @dataclass(frozen=True)
 class MotionStep:
-    """What to do now: the velocity to publish, and with FAILED the reason."""
+    """The velocity to publish now; with FAILED also the reason."""
 
     command: MotionCommand
     state: MotionState
@@ -160,12 +160,13 @@ class MotionStep:
 
 
 class Motion:
-    """One motion, from its first odometry sample to the standstill at the end.
+    """A motion, from its first odometry sample until the base stands at the end.
 
-    Call :meth:`observe` for each odometry sample and :meth:`step` at least as often; publish what it returns.
+    Call :meth:`observe` for each odometry sample and :meth:`step` at least as often. Publish the velocity that
+    :meth:`step` returns.
 
     Args:
-        goal: a goal that :func:`check_goal` lets pass
+        goal: a goal that :func:`check_goal` accepts
         settings: speeds, tolerances, timeouts
         start: odometry now
         now_s: monotonic time now
@@ -177,11 +178,11 @@ class Motion:
     STAND_WINDOW_S = 0.2
     MAX_CORRECTIONS = 6
     JUMP = 0.3
-    """A sample this far (metres, radians) beyond three times the top speed is no motion: odometry was reset."""
+    """A sample this far (metres, radians) beyond three times the top speed means that odometry was reset."""
     HEADING_GAIN_PER_S = 1.5
     MAX_HEADING_RATE_RAD_PER_S = 0.3
     REACTION_S = 0.06
-    """Time from a measurement to the answer of the base: braking begins that much earlier."""
+    """Time from a measurement to the reaction of the base; braking begins this much earlier."""
 
     def __init__(self, goal: MotionGoal, *, settings: MotionSettings, start: OdometrySample, now_s: float) -> None:
         reason = check_goal(goal, settings=settings)
@@ -212,9 +213,9 @@ class Motion:
 
     @property
     def progress(self) -> float:
-        """How far the base has gone, in metres or radians, with the sign of :class:`MotionGoal`.
+        """Progress in metres or radians, with the sign of :class:`MotionGoal`.
 
-        Straight: the way along the nose as it pointed at the start. Turn: the sum of all turning, whole turns included.
+        Straight: the distance along the heading at the start. Turn: the sum of all rotation, including whole turns.
         """
         if self._goal.kind is MotionKind.TURN:
             return self._turned_rad
@@ -223,12 +224,12 @@ class Motion:
         ) * math.sin(self._start.yaw_rad)
 
     def observe(self, sample: OdometrySample, *, now_s: float) -> None:
-        """Take an odometry sample. One that is not finite counts as none."""
+        """Take an odometry sample. A sample that is not finite is ignored."""
         if not sample.is_finite():
             return
         passed_s = sample.stamp_s - self._last.stamp_s
         if not 0.0 < passed_s <= self._settings.odometry_timeout_s:
-            # A clock that stands or jumps (a simulation that was started again): the time of arrival has to do.
+            # When the clock stands or jumps (a restarted simulation), use the time of arrival.
             passed_s = max(0.0, now_s - self._sample_s)
         limit_m, limit_rad = (
             self.JUMP + 3.0 * profile.speed_per_s * passed_s
@@ -238,7 +239,7 @@ class Motion:
             math.hypot(sample.x_m - self._last.x_m, sample.y_m - self._last.y_m) > limit_m
             or abs(wrap(sample.yaw_rad - self._last.yaw_rad)) > limit_rad
         ):
-            self._fail("odometry has jumped: nobody knows how far the base has gone")
+            self._fail("odometry has jumped, so the distance is unknown")
             return
         self._elapsed_s += passed_s
         self._turned_rad += wrap(sample.yaw_rad - self._last.yaw_rad)
@@ -247,7 +248,7 @@ class Motion:
         self._is_new = True
 
     def step(self, *, now_s: float) -> MotionStep:
-        """Return what the base shall do now."""
+        """Return what the base must do now."""
         if self._state in (MotionState.MOVING, MotionState.SETTLING):
             self._check(now_s)
         if self._state is MotionState.MOVING:
@@ -258,7 +259,7 @@ class Motion:
             self._speed_per_s = 0.0
             return MotionStep(command=STANDING, state=self._state, reason=self._reason)
         if now_s - self._sample_s > self._settings.odometry_timeout_s / 3.0:
-            # Without eyes the base waits; after the whole timeout the motion fails.
+            # Without odometry the base waits; after the whole timeout the motion fails.
             self._speed_per_s = 0.0
             return MotionStep(command=STANDING, state=self._state)
         return MotionStep(command=self._command(), state=self._state)
@@ -283,7 +284,7 @@ class Motion:
                 f"of {describe_amount(self._goal)}"
             )
             return
-        # Twice the way to the first braking is farther than any start can slip back.
+        # Twice the distance to the first braking is more than any start can slip back.
         slip = 2.0 * self._profile.speed_per_s**2 / self._profile.acceleration_per_s2
         if math.copysign(1.0, self._goal.amount) * progress < -slip:
             self._fail("the base moves the wrong way: odometry and velocity disagree about the sign")
@@ -302,7 +303,7 @@ class Motion:
         passed_s = self._elapsed_s - self._step_elapsed_s
         self._step_elapsed_s = self._elapsed_s
         profile = self._profile
-        # Each correction is made more gently than the one before: however late odometry is, they come to an end.
+        # Each correction is slower than the one before, so corrections converge even if odometry is late.
         gentleness = 0.5**self._corrections
         to_brake = max(0.0, abs(error) - abs(self._speed_per_s) * self.REACTION_S)
         fastest = gentleness * min(profile.speed_per_s, math.sqrt(2.0 * profile.acceleration_per_s2 * to_brake))
@@ -336,12 +337,12 @@ class Motion:
         elif abs(error) <= self._accept:
             self._state = MotionState.ARRIVED
         else:
-            self._fail(f"the base comes no nearer than {self._describe(abs(error))} to {describe_amount(self._goal)}")
+            self._fail(f"the base gets no nearer than {self._describe(abs(error))} to {describe_amount(self._goal)}")
 
     def _command(self) -> MotionCommand:
         if self._goal.kind is MotionKind.TURN:
             return MotionCommand(angular_rad_per_s=self._speed_per_s)
-        # A straight way stays straight although the wheels slip.
+        # Keep the path straight even if the wheels slip.
         rate = -self.HEADING_GAIN_PER_S * self._turned_rad
         limit = self.MAX_HEADING_RATE_RAD_PER_S
         return MotionCommand(linear_m_per_s=self._speed_per_s, angular_rad_per_s=max(-limit, min(limit, rate)))

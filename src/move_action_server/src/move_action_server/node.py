@@ -29,7 +29,7 @@ from move_action_server.spoken_motion import NotUnderstood, backward_goal, forwa
 from rfnserver import RFNServer
 
 GOAL_OF_FRAME = {"moving_forward": forward_goal, "moving_backward": backward_goal, "turning": turn_goal}
-"""Reads the arguments of each frame that is served."""
+"""How to read the arguments of each frame."""
 
 
 @dataclass(frozen=True)
@@ -37,7 +37,7 @@ class Settings:
     """Parameters of the node.
 
     Raises:
-        ValueError: a time that is out of range
+        ValueError: a time is out of range
     """
 
     motion: MotionSettings
@@ -82,7 +82,7 @@ def read_settings() -> Settings:
 
 
 def sample_of(message: Odometry) -> OdometrySample:
-    """Read an odometry message; an orientation that is no rotation makes a sample that is not finite."""
+    """Read an odometry message; an orientation that is not a rotation gives a sample that is not finite."""
     rotation = message.pose.pose.orientation
     length = math.sqrt(rotation.x**2 + rotation.y**2 + rotation.z**2 + rotation.w**2)
     yaw_rad = math.nan
@@ -96,7 +96,7 @@ def sample_of(message: Odometry) -> OdometrySample:
 
 
 class LatestOdometry:
-    """The newest usable odometry sample; wakes whoever waits for the next one.
+    """Holds the newest usable odometry sample and wakes threads that wait for the next one.
 
     Subscribes ``odom`` (nav_msgs/Odometry).
     """
@@ -124,17 +124,17 @@ class LatestOdometry:
 
     @property
     def count(self) -> int:
-        """How many usable samples have come."""
+        """Number of usable samples so far."""
         with self._condition:
             return self._count
 
     def wake(self) -> None:
-        """Let whoever waits look round."""
+        """Wake all waiting threads."""
         with self._condition:
             self._condition.notify_all()
 
     def wait_newer(self, *, than: int, timeout_s: float) -> Tuple[Optional[OdometrySample], int]:
-        """Wait for a sample that came after the ``than``-th one, or to be woken.
+        """Wait for a sample that is newer than the ``than``-th one, or until the thread is woken.
 
         Returns:
             the sample, or None if none is newer; and the count of samples so far
@@ -197,10 +197,10 @@ class MoveActionServer:
 
     def _shut_down(self) -> None:
         self._odometry.wake()
-        # The base is given back after its driver has stopped it, and nobody drives after the claim made here.
+        # A driver stops the base before it gives it back, and after this claim nothing drives the base.
         self._claims.claim(timeout_s=self._settings.claim_timeout_s)
         self._publish(STANDING)
-        # A thread of the publisher sends what is queued; the topics close when this returns.
+        # A thread of the publisher sends queued messages; the topics close when this method returns.
         time.sleep(self.FLUSH_S)
 
     def _publish(self, command: MotionCommand) -> None:
@@ -210,7 +210,7 @@ class MoveActionServer:
         try:
             self._velocity.publish(message)
         except rospy.ROSException:
-            # The topic is closed at shutdown, after on_shutdown has published zero.
+            # At shutdown the topic closes after on_shutdown has published zero.
             if not rospy.is_shutdown():
                 raise
 

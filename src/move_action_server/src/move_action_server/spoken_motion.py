@@ -1,4 +1,4 @@
-"""What was said, as a motion: arguments of a frame in, metres and radians out."""
+"""Converts the arguments of a frame to a motion in metres or radians."""
 
 import math
 from typing import Mapping
@@ -13,14 +13,14 @@ AROUND = "around"
 
 
 class NotUnderstood(ValueError):
-    """Arguments that name no motion; the message is a sentence for a person."""
+    """The arguments describe no motion; the message is a sentence for a person."""
 
 
 def _amount(arguments: Mapping[str, str], *, element: str, quantity: str, question: str) -> float:
-    """Read an amount with its unit, which stands in an element of its own or behind the number.
+    """Read an amount and its unit. The unit is in an element of its own, or follows the number.
 
     Returns:
-        metres or radians; finite, with the sign that was said
+        metres or radians; finite, with the spoken sign
     """
     number = arguments.get(element, "").strip()
     unit = arguments.get(element + "_unit", "").strip()
@@ -42,7 +42,7 @@ def forward_goal(arguments: Mapping[str, str]) -> MotionGoal:
     """Read moving_forward(distance, distance_unit). A negative distance moves back.
 
     Raises:
-        NotUnderstood: no number, no unit, or no length
+        NotUnderstood: the number or the unit is missing, or it is not a length
     """
     return MotionGoal(kind=MotionKind.STRAIGHT, amount=_distance_m(arguments))
 
@@ -51,7 +51,7 @@ def backward_goal(arguments: Mapping[str, str]) -> MotionGoal:
     """Read moving_backward(distance, distance_unit). A negative distance moves forward.
 
     Raises:
-        NotUnderstood: no number, no unit, or no length
+        NotUnderstood: the number or the unit is missing, or it is not a length
     """
     return MotionGoal(kind=MotionKind.STRAIGHT, amount=-_distance_m(arguments))
 
@@ -59,10 +59,10 @@ def backward_goal(arguments: Mapping[str, str]) -> MotionGoal:
 def turn_goal(arguments: Mapping[str, str]) -> MotionGoal:
     """Read turning(direction, angle, angle_unit). A negative angle turns the other way.
 
-    "Around" is to the left, by half a turn where no angle is given.
+    "Around" turns left, by half a turn when no angle is given.
 
     Raises:
-        NotUnderstood: no number, no unit, no angle, or no direction
+        NotUnderstood: the number, the unit or the direction is missing, or it is not an angle
     """
     direction = arguments.get("direction", "").strip().lower()
     if direction == AROUND:

@@ -4,7 +4,6 @@
 import os
 import signal
 import sys
-import time
 import unittest
 import xmlrpc.client
 
@@ -22,17 +21,9 @@ from roboframenet_msgs.msg import (
     FilledSemanticFrameGoal,
 )
 
+from roboframenet_testing import wait_until
+
 DEADLINE_S = 60.0
-
-
-def wait_until(condition, timeout_s=DEADLINE_S):
-    """Wait until the condition holds; return whether it does."""
-    end_s = time.monotonic() + timeout_s
-    while not condition():
-        if time.monotonic() > end_s or rospy.is_shutdown():
-            return False
-        time.sleep(0.01)
-    return True
 
 
 def kill(node_name, signal_number):
@@ -52,7 +43,7 @@ class TestDying(unittest.TestCase):
         self.commands = rospy.Subscriber("cmd_vel", Twist, self.on_command, queue_size=100)
         self.client = actionlib.ActionClient("moving_forward", FilledSemanticFrameAction)
         self.assertTrue(self.client.wait_for_server(rospy.Duration(DEADLINE_S)))
-        self.assertTrue(wait_until(lambda: self.speed == 0.0))
+        wait_until(lambda: self.speed == 0.0)
 
     def tearDown(self):
         """Let go of the topics: the next test has its own."""
@@ -79,30 +70,30 @@ class TestDying(unittest.TestCase):
             ],
         )
         handle = self.client.send_goal(FilledSemanticFrameGoal(frame=frame))
-        self.assertTrue(wait_until(lambda: self.speed > 0.1), self.last_command)
+        wait_until(lambda: self.speed > 0.1, message=lambda: self.last_command)
         return handle
 
     def test_base_stops_when_the_server_is_killed(self):
         """Nobody says stop: the command timeout of the base does it."""
         self.move()
         kill("move_action_server", signal.SIGKILL)
-        self.assertTrue(wait_until(lambda: self.speed == 0.0))
+        wait_until(lambda: self.speed == 0.0)
 
     def test_server_that_is_shut_down_says_stop(self):
         """Zero velocity is the last command."""
         self.move()
         kill("move_action_server", signal.SIGINT)
-        self.assertTrue(wait_until(lambda: self.last_command == (0.0, 0.0)))
-        self.assertTrue(wait_until(lambda: self.speed == 0.0))
+        wait_until(lambda: self.last_command == (0.0, 0.0))
+        wait_until(lambda: self.speed == 0.0)
 
     def test_goal_is_aborted_when_odometry_is_lost(self):
         """The robot is gone: the goal ends with the reason."""
         handle = self.move()
         kill("turtlebot_sim", signal.SIGKILL)
-        self.assertTrue(wait_until(lambda: handle.get_comm_state() == actionlib.CommState.DONE))
+        wait_until(lambda: handle.get_comm_state() == actionlib.CommState.DONE)
         self.assertEqual(GoalStatus.ABORTED, handle.get_terminal_state())
         self.assertIn("odometry is lost", handle.get_goal_status_text())
-        self.assertTrue(wait_until(lambda: self.last_command == (0.0, 0.0)))
+        wait_until(lambda: self.last_command == (0.0, 0.0))
 
 
 if __name__ == "__main__":

@@ -4,7 +4,6 @@
 import math
 import sys
 import threading
-import time
 import unittest
 
 import actionlib
@@ -20,6 +19,8 @@ from roboframenet_msgs.msg import (
     FilledSemanticFrameGoal,
 )
 
+from roboframenet_testing import wait_until
+
 DEADLINE_S = 60.0
 FINAL = (
     GoalStatus.SUCCEEDED,
@@ -29,16 +30,6 @@ FINAL = (
     GoalStatus.RECALLED,
     GoalStatus.LOST,
 )
-
-
-def wait_until(condition, timeout_s=DEADLINE_S):
-    """Wait until the condition holds; return whether it does."""
-    end_s = time.monotonic() + timeout_s
-    while not condition():
-        if time.monotonic() > end_s or rospy.is_shutdown():
-            return False
-        time.sleep(0.01)
-    return True
 
 
 class Goal:
@@ -61,8 +52,7 @@ class Goal:
 
     def outcome(self):
         """Wait for the end, and return the state and the text."""
-        if not wait_until(self.is_final):
-            raise AssertionError("the goal has not ended")
+        wait_until(self.is_final, message="the goal has not ended")
         return self.handle.get_terminal_state(), self.handle.get_goal_status_text()
 
 
@@ -81,7 +71,7 @@ class TestMoveActionServer(unittest.TestCase):
         for name in ("moving_forward", "moving_backward", "turning"):
             cls.clients[name] = actionlib.ActionClient(name, FilledSemanticFrameAction)
             assert cls.clients[name].wait_for_server(rospy.Duration(DEADLINE_S)), name
-        assert wait_until(lambda: cls.yaw_rad is not None)
+        wait_until(lambda: cls.yaw_rad is not None)
 
     @classmethod
     def on_odometry(cls, message):
@@ -106,8 +96,8 @@ class TestMoveActionServer(unittest.TestCase):
 
     def assert_stands(self):
         """The base was told to stop, and does."""
-        self.assertTrue(wait_until(lambda: self.last_command == (0.0, 0.0)))
-        self.assertTrue(wait_until(lambda: self.speed == 0.0))
+        wait_until(lambda: self.last_command == (0.0, 0.0))
+        wait_until(lambda: self.speed == 0.0)
 
     def assert_turns(self, wanted_rad, **arguments):
         """A turn ends within two per cent."""
@@ -153,7 +143,7 @@ class TestMoveActionServer(unittest.TestCase):
     def test_cancel_in_mid_motion_stops_the_base(self):
         """A cancelled goal is PREEMPTED, and zero velocity has been published before."""
         goal = self.start("moving_forward", distance="15", distance_unit="metres")
-        self.assertTrue(wait_until(lambda: self.speed > 0.1))
+        wait_until(lambda: self.speed > 0.1)
         goal.handle.cancel()
         state, text = goal.outcome()
         self.assertEqual(GoalStatus.PREEMPTED, state, text)
@@ -162,7 +152,7 @@ class TestMoveActionServer(unittest.TestCase):
     def test_newer_goal_of_another_server_preempts_the_older(self):
         """One base: the newest goal of the three servers has it."""
         older = self.start("moving_forward", distance="15", distance_unit="metres")
-        self.assertTrue(wait_until(lambda: self.speed > 0.1))
+        wait_until(lambda: self.speed > 0.1)
         before_rad = self.turned_rad
         newer = self.start("turning", direction="left", angle="1", angle_unit="radian")
         state, text = older.outcome()
@@ -176,7 +166,7 @@ class TestMoveActionServer(unittest.TestCase):
     def test_newer_goal_of_the_same_server_preempts_the_older(self):
         """As in actionlib."""
         older = self.start("turning", direction="left", angle="3", angle_unit="turns")
-        self.assertTrue(wait_until(lambda: self.speed > 0.1))
+        wait_until(lambda: self.speed > 0.1)
         newer = self.start("turning", direction="right", angle="30", angle_unit="degrees")
         self.assertEqual(GoalStatus.PREEMPTED, older.outcome()[0])
         self.assertEqual(GoalStatus.SUCCEEDED, newer.outcome()[0])

@@ -1,16 +1,9 @@
 """One base for several servers."""
 
 import threading
-import time
 
 from move_action_server.base_claim import BaseClaims
-
-
-def wait_until(condition, timeout_s=10.0):
-    end_s = time.monotonic() + timeout_s
-    while not condition():
-        assert time.monotonic() < end_s
-        time.sleep(0.001)
+from roboframenet_testing import wait_until
 
 
 def test_free_base_is_granted_at_once():

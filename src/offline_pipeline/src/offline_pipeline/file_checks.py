@@ -1,4 +1,4 @@
-"""What is wrong with frame and lexical unit files: their form, what they refer to, and what their examples mean."""
+"""Checks frame and lexical unit files: their form, their references, and the meaning of their examples."""
 
 import os
 from typing import Iterable, List, Optional, Tuple
@@ -16,9 +16,9 @@ def load_paths(paths: Iterable[str], others: Iterable[str] = ()) -> Tuple[Knowle
 
     Args:
         paths: files and folders to check; a file with a key ``frame_name`` is a lexical unit file
-        others: folders that they may refer to
+        others: folders that the checked files may refer to
     Returns:
-        everything that was read, and the paths of the files to check
+        all knowledge that was read, and the paths of the files to check
     """
     frames: List[str] = []
     units: List[str] = []
@@ -42,11 +42,11 @@ def _is_unit_file(path: str) -> bool:
 
 
 def find_problems(knowledge: Knowledge, checked: Tuple[str, ...]) -> List[Problem]:
-    """Return what is wrong with the checked files: their form, cycles, unknown frames, children and elements."""
+    """Return the problems of the checked files: their form, cycles, unknown frames, children and elements."""
     problems = list(knowledge.problems) + list(knowledge.graph.unknown_children())
     for unit in knowledge.lexicon.units:
         problems += check_lexical_unit(unit, knowledge.frames)
-    # A frame that was refused has its own problem; that others name it is none.
+    # A refused frame has a problem of its own; a reference to it is not a second problem.
     refused = {f"'{name}'" for name in knowledge.read_names - set(knowledge.frames)}
     return sorted(
         (
@@ -71,9 +71,9 @@ class Examples:
         self._pipeline = pipeline or Pipeline(knowledge)
 
     def problem(self, unit: LexicalUnit, example: Example) -> Optional[Problem]:
-        """Return why an example is not understood as its unit says, None if it is.
+        """Return why an example is not understood as its unit says; None if it is.
 
-        It is when it is one clause, whose first reading has the unit's frame and the expected arguments.
+        It is understood when it is one clause whose first reading has the frame of the unit and the expected arguments.
         """
         outcome, _ = read(self._pipeline.parse(example.text), self.knowledge.lexicon, self.knowledge.frames)
         if not isinstance(outcome, Understood):

@@ -15,9 +15,9 @@ from semantic_frames.source_files import FRAMES_FOLDER, LEXICAL_UNITS_FOLDER, re
 
 @dataclass(frozen=True)
 class Knowledge:
-    """Frames and lexical units of some folders, and what is wrong with their files.
+    """Frames and lexical units of some folders, and the problems of their files.
 
-    ``read_names`` are the frames of files that could be read, also of those that the graph refused.
+    ``read_names`` are the frames of all readable files, including those that the graph refused.
     """
 
     graph: FrameGraph
@@ -32,11 +32,11 @@ class Knowledge:
 
 
 def shipped_domains() -> str:
-    """Return the folder of the domains: of the ROS package, or of the source tree that this module lies in."""
+    """Return the folder of the domains: that of the ROS package, or that of the source tree of this module."""
     beside = Path(os.path.realpath(__file__)).parents[3] / "roboframenet_domains" / "domains"
     if beside.is_dir():
         return str(beside)
-    import rospkg  # only an installed space needs it
+    import rospkg  # only an install space needs it
 
     return os.path.join(rospkg.RosPack().get_path("roboframenet_domains"), "domains")
 
@@ -48,7 +48,7 @@ def load_knowledge(paths: Iterable[str]) -> Knowledge:
 
 
 def load_files(frame_files: Iterable[str], unit_files: Iterable[str]) -> Knowledge:
-    """Read frames and units from files; a file that is wrong becomes problems."""
+    """Read frames and units from files; a file with mistakes yields problems."""
     return load_texts(_texts(frame_files), _texts(unit_files))
 
 
@@ -59,7 +59,7 @@ def _texts(paths: Iterable[str]) -> List[Tuple[str, Callable[[], str]]]:
 def load_texts(
     frame_files: Iterable[Tuple[str, Callable[[], str]]], unit_files: Iterable[Tuple[str, Callable[[], str]]]
 ) -> Knowledge:
-    """Read frames and units from paths with a function that gives the text of each."""
+    """Read frames and units from paths, with a function that returns the text of a path."""
     graph, lexicon = FrameGraph(), Lexicon()
     problems: List[Problem] = []
     owners: Dict[str, SemanticFrame] = {}
@@ -92,6 +92,6 @@ def load_texts(
 
 
 def pretend_servers(graph: FrameGraph) -> None:
-    """Pretend that a server of the same name is there for every frame: offline nothing says what a robot can do."""
+    """Register a pretended server of the same name for every frame: offline, the servers of the robot are unknown."""
     for name in graph.frames:
         graph.register(name, name)

@@ -1,9 +1,9 @@
-"""The stages from text to candidates, one after the other, with what each of them decided on the way."""
+"""The stages from text to candidates, one after the other, with the decisions of each."""
 
 from dataclasses import dataclass
 from typing import Dict, FrozenSet, Optional, Tuple, Union
 
-from command_server.command_book import refusal_of_text
+from command_server.open_commands import refusal_of_text
 from command_server.settings import Settings as CommandServerSettings
 from command_server.stop_words import is_stop
 from frame_registrar import search as registrar
@@ -18,13 +18,13 @@ from stanford_parser_ros.model import Parser, UnparsableText, shipped_model_dir
 from utterance_passes.trace import Trace, TraceLine
 from utterance_passes.tree import DependencyTree
 
-#: Refusals after which no frame is reported: the person said not to do it, or not at once.
+#: Refusals after which no frame is reported: the person said not to do it, or not now.
 _NOTHING_MEANT = frozenset([PROHIBITION, CORRECTION, DECLINED, "CONDITION"])
 
 
 @dataclass(frozen=True)
 class Reply:
-    """What the person would hear; ``outcome`` and ``code`` as in ``roboframenet_msgs/Reply``."""
+    """The reply that the person would get; ``outcome`` and ``code`` as in ``roboframenet_msgs/Reply``."""
 
     outcome: str
     code: str
@@ -33,7 +33,7 @@ class Reply:
 
 @dataclass(frozen=True)
 class Parameters:
-    """Parameters of the nodes, by their defaults.
+    """Parameters of the nodes, with their defaults.
 
     Attributes:
         max_text_length: of command_server, characters
@@ -48,17 +48,17 @@ class Parameters:
 
 @dataclass(frozen=True)
 class Understanding:
-    """All that came of a sentence.
+    """The result of understanding a sentence.
 
     Attributes:
         text: as it was said
-        reply: what the person would hear
-        tree: its parse; None where there is none
-        tree_read: what the passes made of it; None where nothing was read
+        reply: the reply that the person would get
+        tree: its parse; None if it was not parsed
+        tree_read: the parse after the passes; None if it was not read
         readings: the best reading of each clause that has one
-        descriptions: what is said of things on the way, and is no step
-        candidates: of each clause, sequences of frames that would be tried, the first first
-        trace: what each rule did, in the run that decided
+        descriptions: frames that describe things, and are not steps
+        candidates: of each clause, the sequences of frames in the order in which they would be tried
+        trace: the effect of each rule, in the run that decided
         context: what is remembered for the next sentence
     """
 
@@ -88,10 +88,10 @@ class Pipeline:
         """
         Args:
             knowledge: frames (with their servers) and units
-            parser: None for the models that are shipped
+            parser: None for the shipped models
             parameters: of the nodes
             without: names of passes that are switched off
-            is_traced: whether what each rule did is written down
+            is_traced: whether to record the effect of each rule
         Raises:
             ModelError: the models cannot be loaded
         """
@@ -109,7 +109,7 @@ class Pipeline:
         return self._parser
 
     def parse(self, text: str) -> DependencyTree:
-        """Parse a sentence with the verbs of the lexicon in mind.
+        """Parse a sentence, given the verbs of the lexicon.
 
         Raises:
             UnparsableText: no words
@@ -117,7 +117,7 @@ class Pipeline:
         return self._parser.parse(text, self._verbs)
 
     def understand(self, text: str, context: Context = Context()) -> Understanding:
-        """Understand one sentence; every sentence gives a reply.
+        """Understand one sentence; every sentence gets a reply.
 
         Args:
             text: as it was said
@@ -146,10 +146,11 @@ class Pipeline:
         return self._understanding(text, parse.tree, heard, trace)
 
     def understand_safely(self, text: str) -> Understanding:
-        """Understand one sentence of many: an error of ours becomes a reply, and the others still get theirs."""
+        """Understand one sentence of many: an internal error becomes its reply, and the other sentences are still
+        read."""
         try:
             return self.understand(text)
-        except Exception as error:  # boundary: a batch goes on behind a sentence that breaks something
+        except Exception as error:  # boundary: a batch continues after a sentence that causes an error
             return Understanding(text, Reply("FAILED", "STAGE_ERROR", f"{type(error).__name__}: {error}"))
 
     def _understanding(self, text: str, tree: DependencyTree, heard: Heard, trace: Optional[Trace]) -> Understanding:
@@ -210,7 +211,7 @@ def _registrar_reading(reading: Reading, preference: int) -> registrar.Reading:
 
 
 def to_json(understanding: Understanding) -> Dict[str, object]:
-    """Return what ``rfn explain --batch --json`` writes of a sentence."""
+    """Return what ``rfn explain --batch --json`` writes for a sentence."""
     words = understanding.tree.words if understanding.tree else ()
     left = sorted({index for reading in understanding.readings for index in reading.left_over if index <= len(words)})
     return {

@@ -22,7 +22,7 @@ SERVERS: Tuple[Tuple[str, str], ...] = (
 
 
 class PropsServer:
-    """One RFNServer for each prop, one pair of arms for all.
+    """One RFNServer for each prop, with one pair of arms for all.
 
     Actions:
         high_five, low_five, pound, hug (roboframenet_msgs/FilledSemanticFrameAction)
@@ -35,7 +35,7 @@ class PropsServer:
     def __init__(self) -> None:
         """
         Raises:
-            PropError, OSError: a file is wrong
+            PropError, OSError: a file is wrong or cannot be read
         """
         config = rospkg.RosPack().get_path("pr2_props") + "/config/"
         with open(rospy.get_param("~limits_file", config + "joint_limits.yaml"), encoding="utf-8") as file:
@@ -58,7 +58,7 @@ class PropsServer:
                 if not self._arms.perform(frame_name, is_wanted=is_wanted):
                     server.set_preempted(None, "I was interrupted; the arms are back.")
             except ArmError as error:
-                server.set_aborted(None, f"My arms did not do it: {error}.")
+                server.set_aborted(None, f"My arms failed: {error}.")
             finally:
                 self._busy.release()
 
@@ -68,7 +68,7 @@ class PropsServer:
         return server
 
     def _take_arms(self, is_wanted: Callable[[], bool]) -> bool:
-        """Wait for another prop to take the arms back; return whether they are ours."""
+        """Wait until another prop has moved the arms back; return whether the arms are free."""
         while is_wanted():
             if self._busy.acquire(timeout=0.1):
                 return True

@@ -1,4 +1,4 @@
-"""What the arms of a PR2 do for each prop: data, checked against the limits of the joints."""
+"""Trajectories of the arms of a PR2 for each prop, checked against the limits of the joints."""
 
 import math
 from dataclasses import dataclass
@@ -7,7 +7,7 @@ from typing import Any, Dict, Mapping, Sequence, Tuple
 
 
 class Arm(Enum):
-    """An arm; the value is its key in the files."""
+    """An arm. The value is its key in the files."""
 
     RIGHT = "right"
     LEFT = "left"
@@ -28,22 +28,23 @@ JOINTS = (
     "wrist_flex_joint",
     "wrist_roll_joint",
 )
-#: How long an arm takes to the safe pose, seconds.
+#: Time in which an arm moves to the safe pose, seconds.
 RETURN_S = 2.5
 
 
 class PropError(ValueError):
-    """A prop or a limit is wrong; the message names prop, arm, joint, what was found and what is allowed."""
+    """A prop or a limit is wrong; the message names the prop, the arm, the joint, what was found and what is
+    allowed."""
 
 
 @dataclass(frozen=True)
 class JointLimit:
-    """What a joint may do.
+    """Limits of a joint.
 
     Attributes:
-        lower_rad: smallest position; minus infinity for a joint that turns for ever
+        lower_rad: smallest position; minus infinity for a continuous joint
         upper_rad: largest position
-        speed_rad_per_s: largest speed, either way
+        speed_rad_per_s: largest speed in both directions
     """
 
     lower_rad: float
@@ -56,7 +57,7 @@ class Pose:
     """Positions of an arm's joints.
 
     Attributes:
-        at_s: when it is reached, seconds since the start of the trajectory
+        at_s: when the positions are reached, seconds since the start of the trajectory
         positions_rad: one for each of :data:`JOINTS`
     """
 
@@ -66,7 +67,7 @@ class Pose:
 
 @dataclass(frozen=True)
 class Props:
-    """Everything the arms can do.
+    """All trajectories of the arms.
 
     Attributes:
         safe_rad: safe pose of each arm
@@ -83,10 +84,10 @@ def joint_names(arm: Arm) -> Tuple[str, ...]:
 
 
 def read_limits(document: Mapping[str, Any]) -> Dict[str, JointLimit]:
-    """Make limits of the content of a limits file.
+    """Make limits from the content of a limits file.
 
     Raises:
-        PropError: a joint without a positive speed, or with limits that leave no room
+        PropError: the speed of a joint is not positive, or its limits leave no room
     """
     limits = {}
     for name, entry in document.items():
@@ -102,7 +103,7 @@ def read_limits(document: Mapping[str, Any]) -> Dict[str, JointLimit]:
 
 
 def read_props(document: Mapping[str, Any], limits: Mapping[str, JointLimit]) -> Props:
-    """Make props of the content of a props file, and check each against the limits.
+    """Make props from the content of a props file, and check each against the limits.
 
     Raises:
         PropError: a position or a speed is out of its limits, or a number is missing
@@ -141,18 +142,17 @@ def check(
 
     Args:
         name: of the prop, for the message
-        arm: whose it is
+        arm: the arm that moves
         start_rad: where the joints are now
-        poses: to be passed through, in order of time
+        poses: in order of time
         limits: by name of joint
     Raises:
-        PropError: a position out of its limits, a speed above its limit, a number that is not finite, time that stands
-            still
+        PropError: a position or a speed is beyond its limit, a number is not finite, or time does not advance
     """
     before_s, before_rad = 0.0, tuple(start_rad)
     for pose in poses:
         if not pose.at_s > before_s or not math.isfinite(pose.at_s):
-            raise PropError(f"{name}, {arm.value} arm: time must go on, found {pose.at_s} s after {before_s} s")
+            raise PropError(f"{name}, {arm.value} arm: time must advance, found {pose.at_s} s after {before_s} s")
         for joint, start, position in zip(joint_names(arm), before_rad, pose.positions_rad):
             limit = limits[joint]
             if not limit.lower_rad <= position <= limit.upper_rad or not math.isfinite(position):

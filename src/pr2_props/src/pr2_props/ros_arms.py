@@ -14,12 +14,12 @@ from trajectory_msgs.msg import JointTrajectory, JointTrajectoryPoint
 
 from pr2_props.props import JOINTS, RETURN_S, Arm, JointLimit, Pose, Props, check, joint_names
 
-#: How often running trajectories are looked at, seconds.
+#: Period of checks of running trajectories, seconds.
 POLL_S = 0.05
 
 
 class ArmError(RuntimeError):
-    """The arms did not do it; the message says why, for a person."""
+    """The arms failed; the message is the reason, for a person."""
 
 
 class Arms:
@@ -59,11 +59,11 @@ class Arms:
 
         Args:
             name: of the prop
-            is_wanted: asked again and again; False takes the arms back to the safe pose
+            is_wanted: called repeatedly; False moves the arms back to the safe pose
         Returns:
-            whether it came to its end; False when it was no longer wanted
+            whether the prop was completed; False when it was no longer wanted
         Raises:
-            ArmError: no controller, no joint states, a limit, or a controller that gave up
+            ArmError: a controller or joint states are missing, a limit would be exceeded, or a controller gave up
         """
         try:
             if self._run(name, self._props.trajectories[name], is_wanted=is_wanted):
@@ -75,7 +75,7 @@ class Arms:
         return False
 
     def return_to_safe_pose(self) -> None:
-        """Take both arms back; wait until they are there or cannot get there."""
+        """Move both arms back; wait until they have arrived or have failed."""
         poses = {arm: (Pose(at_s=RETURN_S, positions_rad=self._props.safe_rad[arm]),) for arm in Arm}
         try:
             self._run("safe pose", poses, is_wanted=lambda: not rospy.is_shutdown())
@@ -94,7 +94,7 @@ class Arms:
                     arm, handle = ended.get(timeout=POLL_S)
                 except queue.Empty:
                     if time.monotonic() >= end:
-                        raise ArmError(f"the {next(iter(handles)).value} arm did not come to an end in time") from None
+                        raise ArmError(f"the {next(iter(handles)).value} arm did not finish in time") from None
                     continue
                 del handles[arm]
                 if handle.get_goal_status() != GoalStatus.SUCCEEDED:

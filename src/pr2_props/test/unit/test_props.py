@@ -35,7 +35,7 @@ def test_prop_ends_in_the_safe_pose(name: str) -> None:
         (moved("shoulder_lift_joint", 1.5), "r_shoulder_lift_joint"),
         (moved("forearm_roll_joint", math.nan), "r_forearm_roll_joint"),
         (Pose(at_s=0.01, positions_rad=moved("elbow_flex_joint", -0.2).positions_rad), "rad/s"),
-        (Pose(at_s=0.0, positions_rad=SAFE), "time must go on"),
+        (Pose(at_s=0.0, positions_rad=SAFE), "time must advance"),
     ],
 )
 def test_check_refuses_what_a_joint_may_not_do(pose: Pose, message: str) -> None:

@@ -6,7 +6,7 @@ from spoken_quantities import QuantityError, parse_measure, parse_number
 
 
 class ArgumentError(ValueError):
-    """An argument is missing or is not what it should be; the message says so, for a person."""
+    """An argument is missing or of the wrong kind; the message is a sentence for the person."""
 
 
 def argument(frame: Any, name: str, default: str = "") -> str:

@@ -3,12 +3,12 @@
 A goal's fields are filled from the frame elements of the same name, or as a mapping declares::
 
     target_pose: goal                                   # the element "goal"
-    speed: {element: speed, unit: metre}                # counted in this unit
+    speed: {element: speed, unit: metre}                # in this unit
     angle: {element: angle, unit_element: angle_unit, unit: degree}
-    mode: {element: manner, default: slow}              # words to take when the element is empty
+    mode: {element: manner, default: slow}              # words used when the element is empty
     planner: {value: navfn}                             # always these words
 
-What does not fit is said when a server registers, by field, and not at the first command.
+A mapping that does not fit is refused when the server registers, with the field, and not at the first command.
 """
 
 import difflib
@@ -22,7 +22,7 @@ from word_classes import word_class
 
 SOURCE_KEYS = ("element", "unit_element", "unit", "default", "value")
 
-#: What a mapping may say of a field: the name of an element, or :data:`SOURCE_KEYS`.
+#: The mapping of one field: the name of an element, or :data:`SOURCE_KEYS`.
 Declaration = Union[str, Mapping[str, Any]]
 
 
@@ -44,14 +44,14 @@ class BoundElement:
 
 @dataclass(frozen=True)
 class FieldSource:
-    """Where the words of one field come from.
+    """Source of the words of one field.
 
     Attributes:
-        field: that is filled
+        field: to be filled
         element: whose argument fills it, empty when ``value`` does
         unit_element: the element that holds the unit of a number, empty for none
-        unit: in which the field counts; empty for metres, radians and seconds
-        default: words to take when the element has no argument
+        unit: of the field; empty for metres, radians and seconds
+        default: words used when the element has no argument
         value: words that always fill it
     """
 
@@ -91,13 +91,13 @@ def plan_goal(
     """Decide which element fills which field.
 
     Args:
-        fields: every field of the goal, those of messages inside it too
+        fields: every field of the goal, including those of nested messages
         elements: of the frame
         mapping: by path of a field; the others are filled from the element of their name
         ignored_elements: core elements that need not fill a field
     Raises:
         BindingError: a declared field or element does not exist, a field cannot be filled from words, a name fits two
-            fields, or a core element fills none: what the person says would be ignored
+            fields, or a core element fills none, so that words would be ignored
     """
     known = {element.name: element for element in elements}
     problems: List[str] = []
@@ -215,7 +215,7 @@ def goal_values(
     Args:
         plan: see :func:`plan_goal`
         arguments: of the filled frame, by name of the element
-        locate: gives the pose of a place by its words; what it gives is the value
+        locate: returns the pose of a place, by its words, as the value
     Raises:
         ArgumentError: words do not fit their field; the message is for the person who said them
     """
@@ -262,14 +262,14 @@ def _integer(source: FieldSource, words: str) -> int:
     number = _quantity(source, words, None)
     least, most = source.field.integer_range
     if number != int(number):
-        raise ArgumentError(f'"{words}" is no whole number.')
+        raise ArgumentError(f'"{words}" is not a whole number.')
     if not least <= number <= most:
         raise ArgumentError(f'"{words}" is not between {least} and {most}.')
     return int(number)
 
 
 def _constant(field: GoalField, words: str, kind: type, otherwise: Any) -> Any:
-    """Return the constant that words name: "fast" is FAST, and SPEED_FAST in a field called speed."""
+    """Return the constant that words name: "fast" is FAST, or SPEED_FAST in a field called speed."""
     wanted = "_".join(words.upper().replace("-", " ").split())
     for name in (wanted, f"{field.name.upper()}_{wanted}"):
         value = field.constants.get(name)
@@ -292,7 +292,7 @@ def _is_number(words: str) -> bool:
 
 def _boolean(words: str) -> bool:
     word = words.strip().lower()
-    # Asked for only now: the server that stops the robot imports this module, and must not depend on a file.
+    # Read here and not at import: the stop server imports this module, and must not depend on a file.
     is_true = word in word_class("true_words")
     if not is_true and word not in word_class("false_words"):
         raise ArgumentError(f'"{words}" is neither yes nor no.')
@@ -300,7 +300,7 @@ def _boolean(words: str) -> bool:
 
 
 def _quantity(source: FieldSource, words: str, quantity: Optional[str]) -> float:
-    """Return a number: in the unit of the field when words have one, as it was said when it is bare."""
+    """Return a number, converted to the unit of the field; a number without a unit is returned as it is."""
     unit = find_unit(source.unit) if source.unit else None
     try:
         if unit is None and quantity is None:

@@ -1,4 +1,4 @@
-"""What a goal is made of, as far as words can fill it."""
+"""Fields of a goal, and how words fill them."""
 
 from dataclasses import dataclass
 from enum import Enum
@@ -19,7 +19,7 @@ class Filling(Enum):
 
 
 _INTEGERS = tuple(f"{sign}int{bits}" for sign in ("", "u") for bits in (8, 16, 32, 64)) + ("byte", "char")
-#: Types that hold a pose or a part of one, and so can be looked up by the name of a place.
+#: Types that hold a pose or a part of one; the name of a place fills them.
 PLACE_TYPES = (
     "geometry_msgs/PoseStamped",
     "geometry_msgs/PointStamped",
@@ -41,12 +41,12 @@ FILLING_OF_TYPE: Dict[str, Filling] = {
 
 @dataclass(frozen=True)
 class GoalField:
-    """One field of a goal, or of a message inside it.
+    """One field of a goal, or of a message nested in it.
 
     Attributes:
         path: from the goal, "target_pose" or "limits.speed"
         type_name: as message definitions write it, "int32", "string[]", "geometry_msgs/PoseStamped"
-        constants: those of the message that the field stands in
+        constants: of the message that holds the field
     """
 
     path: str
@@ -60,7 +60,7 @@ class GoalField:
 
     @property
     def is_list(self) -> bool:
-        """Whether it holds any number of values."""
+        """Whether it is an array."""
         return self.type_name.endswith("[]")
 
     @property

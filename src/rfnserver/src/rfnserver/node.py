@@ -9,6 +9,7 @@ from std_msgs.msg import String
 
 from rfnserver.pinging import ping_sentence
 from rfnserver.rfnserver import RFNServer
+from roboframenet_ros.ros_node import run_node
 
 
 class PingServer:
@@ -45,7 +46,5 @@ class PingServer:
 
 
 def main() -> None:
-    """Run the node."""
-    rospy.init_node("ping")
-    PingServer()
-    rospy.spin()
+    """Run the node until ROS shuts down."""
+    run_node("ping", PingServer)

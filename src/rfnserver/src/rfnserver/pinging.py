@@ -1,10 +1,10 @@
-"""What the robot says to "Ping."."""
+"""The answer to "Ping."."""
 
 from typing import Iterable, Tuple
 
 
 def ping_sentence(callbacks: Iterable[Tuple[str, str, bool]]) -> str:
-    """Say that the robot is alive, and who is.
+    """Return a sentence that names the servers that are alive.
 
     Args:
         callbacks: frame name, action server, and whether the server is alive
@@ -15,4 +15,4 @@ def ping_sentence(callbacks: Iterable[Tuple[str, str, bool]]) -> str:
     alive = sorted({server for _, server, is_alive in known if is_alive})
     dead = sorted({server for _, server, is_alive in known if not is_alive} - set(alive))
     sentence = f"I am alive, with {len(alive)} server{'' if len(alive) == 1 else 's'}: {', '.join(alive) or 'none'}."
-    return sentence + (f" Not there: {', '.join(dead)}." if dead else "")
+    return sentence + (f" Not running: {', '.join(dead)}." if dead else "")

@@ -1,4 +1,4 @@
-"""Names of places: from words to one of the places that are known."""
+"""Names of places: finds the known place that words name."""
 
 import difflib
 from typing import Iterable, Tuple
@@ -7,11 +7,11 @@ from word_classes import without_determiner, word_class
 
 
 class UnknownPlace(ValueError):
-    """No place has that name; the message is for a person and offers those that come near."""
+    """No place has that name; the message is a sentence for the person, and offers similar names."""
 
 
 def location_name(words: str) -> str:
-    """Return the name under which a place is kept: "The Office" and "office" are the same place.
+    """Return the normalised name of a place: "The Office" and "office" are the same place.
 
     Args:
         words: as they were said
@@ -22,7 +22,7 @@ def location_name(words: str) -> str:
 
 
 def nearest_names(words: str, names: Iterable[str], count: int = 3) -> Tuple[str, ...]:
-    """Return the known names most like the words, the best first; all of them are offered when none is alike."""
+    """Return the known names that are most similar to words, best first; all of them when none is similar."""
     known = sorted(names)
     alike = difflib.get_close_matches(location_name(words), known, n=count, cutoff=0.5)
     return tuple(alike or known[:count])
@@ -37,11 +37,11 @@ def destination_name(words: str, known: Iterable[str]) -> str:
     Returns:
         one of the known names
     Raises:
-        UnknownPlace: none of them is meant
+        UnknownPlace: words name none of them
     """
     names = set(known)
     wanted = location_name(words)
-    # Asked for only now: the server that stops the robot imports this module, and must not depend on a file.
+    # Read here and not at import: the stop server imports this module, and must not depend on a file.
     for preposition in sorted(word_class("destination_prepositions"), key=len, reverse=True):
         if wanted.startswith(preposition + " ") and wanted not in names:
             wanted = location_name(wanted[len(preposition) :])

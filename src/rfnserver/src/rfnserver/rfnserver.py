@@ -10,26 +10,26 @@ from roboframenet_msgs.msg import (
 )
 
 from rfnserver.goal_binding import Declaration
-from rfnserver.ros_frame_entrance import FrameEntrance, FrameToGoal
+from rfnserver.registration import RequestKind
+from rfnserver.ros_frame_adapter import FrameAdapter, FrameToGoal
 from rfnserver.ros_goal_messages import is_action_type
 from rfnserver.ros_quiet_action_server import QuietActionServer, QuietSimpleActionServer
 from rfnserver.ros_registration import FrameCheck, Registration
-from rfnserver.wishes import WishKind
 
 FrameCallback = Callable[[FilledSemanticFrame], Any]
 
 
 class _Registering:
-    """What every server for frames can be asked to do. Files and registrations may be added before and after
-    ``start()``; they are given again by themselves to a registrar or framer that restarts."""
+    """Registers a server for frames. Files and registrations may be added before and after ``start()``; they are
+    repeated when the registrar or the framer restarts."""
 
     _registration: Registration
     #: Only for servers with an action type of their own.
-    _entrance: Optional[FrameEntrance] = None
+    _adapter: Optional[FrameAdapter] = None
 
     @property
     def last_error(self) -> str:
-        """Why the last call to registrar or framer failed; empty when it did not."""
+        """Why the last call to the registrar or the framer failed; empty when it succeeded."""
         return self._registration.last_error
 
     def register_with_frame(self, frame_name: str) -> bool:
@@ -38,10 +38,10 @@ class _Registering:
         Args:
             frame_name: of a frame, also one whose file is added later
         Returns:
-            True when the registrar agreed; False when it did not or is not there, or when no goal can be made of that
-            frame, logged, and tried again later
+            True when the registrar accepted; False when it refused or is not running, or when no goal can be made of
+            that frame: this is logged, and tried again later
         """
-        return self._want(WishKind.REGISTRATION, frame_name)
+        return self._request(RequestKind.REGISTRATION, frame_name)
 
     def add_semantic_frame(self, path: str) -> bool:
         """Add a frame file.
@@ -49,22 +49,22 @@ class _Registering:
         Args:
             path: of the file; the registrar reads it, so both share a file system
         Returns:
-            True when it was accepted; False when not, logged, and tried again when a registrar appears
+            True when it was accepted; False when not: this is logged, and tried again when a registrar starts
         """
-        return self._want(WishKind.FRAME_FILE, path)
+        return self._request(RequestKind.FRAME_FILE, path)
 
     def add_lexical_unit(self, path: str) -> bool:
         """Add a lexical unit file; see :meth:`add_semantic_frame`."""
-        return self._want(WishKind.LEXICAL_UNIT_FILE, path)
+        return self._request(RequestKind.LEXICAL_UNIT_FILE, path)
 
-    def _want(self, kind: WishKind, subject: str) -> bool:
-        if self._entrance is not None:
-            return self._entrance.want(kind, subject)
-        return self._registration.want(kind, subject)
+    def _request(self, kind: RequestKind, subject: str) -> bool:
+        if self._adapter is not None:
+            return self._adapter.request(kind, subject)
+        return self._registration.request(kind, subject)
 
 
 class RFNServer(_Registering, QuietSimpleActionServer):
-    """A ``SimpleActionServer`` for frames: what it can do, people can ask for.
+    """A ``SimpleActionServer`` that also carries out semantic frames.
 
     As in 2012, for frames alone::
 
@@ -72,9 +72,9 @@ class RFNServer(_Registering, QuietSimpleActionServer):
         server.register_with_frame("waving")
         server.start()
 
-    The callback gets the filled frame. If it returns without having ended the goal, the goal succeeds (or is preempted,
-    when that was asked for); if it raises, the goal is aborted with the reason. ``set_aborted(text=...)`` tells the
-    person why.
+    The callback gets the filled frame. If it returns without having ended the goal, the goal succeeds, or is preempted
+    when a preemption was requested; if it raises, the goal is aborted with the reason. ``set_aborted(text=...)`` tells
+    the person why.
 
     Or in place of ``SimpleActionServer``, with the same arguments::
 
@@ -82,8 +82,8 @@ class RFNServer(_Registering, QuietSimpleActionServer):
         server.register_with_frame("computing_sequence")
         server.start()
 
-    Such a server does for its old clients what it did, and takes frames under the name "fibonacci/frame": each becomes
-    a goal of its own type, see :mod:`rfnserver.goal_binding`.
+    Such a server keeps its clients, and takes frames under the name "fibonacci/frame": each becomes a goal of its own
+    type, see :mod:`rfnserver.goal_binding`.
     """
 
     def __init__(
@@ -106,7 +106,7 @@ class RFNServer(_Registering, QuietSimpleActionServer):
             execute_cb: called with each goal, in a thread of its own; without it, ``register_goal_callback`` is used
             auto_start: start at once, as SimpleActionServer does by default; a server for frames alone never does
             callback: the form of 2012 by keyword
-            check: for frames alone: says of a frame whether it is known, and why it cannot be carried out
+            check: for frames alone: returns whether a frame is known, and why it cannot be carried out
             frame_callback: with an action type: gets the filled frame and returns a goal, or None when it has carried
                 the frame out itself
             goal_mapping: with an action type: which element fills which field, where their names differ
@@ -115,14 +115,14 @@ class RFNServer(_Registering, QuietSimpleActionServer):
             TypeError: neither an action type nor a callback
         """
         if is_action_type(ActionSpec):
-            self._entrance = FrameEntrance(
+            self._adapter = FrameAdapter(
                 name,
                 ActionSpec,
                 frame_callback=frame_callback,
                 mapping=goal_mapping,
                 ignored_elements=ignored_elements,
             )
-            self._registration = self._entrance.registration
+            self._registration = self._adapter.registration
             super().__init__(name, ActionSpec, execute_cb=execute_cb, auto_start=auto_start)
             return
         self._frame_callback = callback or ActionSpec
@@ -141,8 +141,8 @@ class RFNServer(_Registering, QuietSimpleActionServer):
     def start(self) -> None:
         """Take goals from now on."""
         super().start()
-        if self._entrance is not None:
-            self._entrance.start()
+        if self._adapter is not None:
+            self._adapter.start()
 
     def _execute_frame(self, goal: FilledSemanticFrameGoal) -> None:
         self._frame_callback(goal.frame)
@@ -180,14 +180,14 @@ class RFNActionServer(_Registering, QuietActionServer):
             goal_mapping: see :class:`RFNServer`
             ignored_elements: see :class:`RFNServer`
         """
-        self._entrance = FrameEntrance(
+        self._adapter = FrameAdapter(
             ns, ActionSpec, frame_callback=frame_callback, mapping=goal_mapping, ignored_elements=ignored_elements
         )
-        self._registration = self._entrance.registration
+        self._registration = self._adapter.registration
         optional = {} if cancel_cb is None else {"cancel_cb": cancel_cb}
         super().__init__(ns, ActionSpec, goal_cb, auto_start=auto_start, **optional)
 
     def start(self) -> None:
         """Take goals from now on."""
         super().start()
-        self._entrance.start()
+        self._adapter.start()

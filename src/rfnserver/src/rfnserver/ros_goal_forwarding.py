@@ -1,4 +1,4 @@
-"""Sends one goal to an action server of any type and stays with it to its end."""
+"""Sends one goal to an action server of any type, and waits for its end."""
 
 import queue
 import time
@@ -9,9 +9,9 @@ import actionlib
 import rospy
 from actionlib_msgs.msg import GoalStatus
 
-from rfnserver.ros_action_connection import ActionConnection, SentGoal
+from roboframenet_ros.ros_action_connection import ActionConnection, SentGoal
 
-#: How often a running goal looks whether it is to end, seconds.
+#: How often a running goal checks whether it must end, seconds.
 POLL_S = 0.1
 
 
@@ -20,7 +20,7 @@ class ForwardingDeadlines:
     """How long each part may take, seconds.
 
     Attributes:
-        server_s: until the server is there
+        server_s: until the server is connected
         goal_s: until the goal ends by itself; infinite for as long as it takes
         preempt_s: from the cancel to the end
     """
@@ -35,8 +35,8 @@ class ForwardedEnd:
     """How a forwarded goal ended.
 
     Attributes:
-        status: one of actionlib_msgs/GoalStatus; PREEMPTED when that was asked for, here or by somebody else
-        text: why, empty when there is nothing to say
+        status: one of actionlib_msgs/GoalStatus; PREEMPTED when this or another client requested it
+        text: the reason; may be empty
         result: of the server, None when it sent none
     """
 
@@ -66,18 +66,18 @@ class GoalForwarder:
         is_to_end: Callable[[], bool],
         on_feedback: Callable[[Any], None] = lambda feedback: None,
     ) -> ForwardedEnd:
-        """Have a goal carried out; returns when the server has ended it.
+        """Send a goal; returns when the server has ended it.
 
         Args:
             goal: of the server's type
-            is_to_end: asked ten times a second; once true, the goal is cancelled
-            on_feedback: gets the feedback, in a thread of rospy
+            is_to_end: called ten times a second; the goal is cancelled when it returns true
+            on_feedback: called with each feedback, from a thread of rospy
         """
         if not self._is_there(is_to_end):
             if is_to_end():
                 return ForwardedEnd(GoalStatus.PREEMPTED, "")
             return ForwardedEnd(
-                GoalStatus.LOST, f"{self._server} is not there (waited {self._deadlines.server_s:g} s)."
+                GoalStatus.LOST, f"{self._server} is not running (waited {self._deadlines.server_s:g} s)."
             )
         ended: queue.Queue[actionlib.ClientGoalHandle] = queue.Queue()
 
@@ -99,7 +99,7 @@ class GoalForwarder:
                 late = f"{self._server} did not finish within {self._deadlines.goal_s:g} s."
                 return self._cancel(sent, ended, ForwardedEnd(GoalStatus.ABORTED, late))
             if self._connection.is_gone():
-                return ForwardedEnd(GoalStatus.LOST, f"{self._server} is gone.")
+                return ForwardedEnd(GoalStatus.LOST, f"{self._server} has died.")
         self._cancel(sent, ended, ForwardedEnd(GoalStatus.PREEMPTED, ""))
         return ForwardedEnd(GoalStatus.PREEMPTED, "shutting down")
 
@@ -124,7 +124,7 @@ class GoalForwarder:
             return ForwardedEnd(status, text, handle.get_result())
         if status in (GoalStatus.PREEMPTED, GoalStatus.RECALLED):
             return ForwardedEnd(
-                GoalStatus.PREEMPTED, text or f"somebody else stopped {self._server}", handle.get_result()
+                GoalStatus.PREEMPTED, text or f"another client stopped {self._server}", handle.get_result()
             )
         named = actionlib.TerminalState.to_string(status).lower()
         return ForwardedEnd(status, text or f"{self._server} ended the goal as {named}", handle.get_result())
@@ -135,7 +135,7 @@ class GoalForwarder:
         ended: "queue.Queue[actionlib.ClientGoalHandle]",
         end: ForwardedEnd,
     ) -> ForwardedEnd:
-        """Stop the server and wait until it says so: only then the robot stands still."""
+        """Cancel the goal, and wait until the server confirms it: only then does the robot stand still."""
         self._connection.cancel(sent)
         try:
             ended.get(timeout=self._deadlines.preempt_s)

@@ -1,4 +1,4 @@
-"""ROS messages as goals: what fields they have, and setting them."""
+"""Fields of ROS messages that are goals, and their values."""
 
 import math
 from typing import Any, Dict, Iterator, List, Mapping, Tuple
@@ -21,7 +21,7 @@ def goal_type_of(action_type: Any) -> Any:
 
 
 def fields_of(message_type: Any) -> Tuple[GoalField, ...]:
-    """Return every field of a message type, with those of the messages inside it."""
+    """Return every field of a message type, including those of nested messages."""
     return tuple(_fields(message_type, "", ()))
 
 
@@ -30,7 +30,7 @@ def _fields(message_type: Any, prefix: str, above: Tuple[Any, ...]) -> Iterator[
     for name, type_name in zip(message_type.__slots__, message_type._slot_types):
         path = prefix + name
         yield GoalField(path=path, type_name=type_name, constants=constants)
-        # A header of its own is nobody's to speak about, and a list of messages has no fields by name.
+        # Words never fill a header, and the fields of an array of messages have no single path.
         if "/" in type_name and "[" not in type_name and type_name not in PLACE_TYPES + ("std_msgs/Header",):
             inner = roslib.message.get_message_class(type_name)
             if inner is not None and inner not in above:

@@ -1,4 +1,4 @@
-"""Poses of named places, as somebody publishes them."""
+"""Poses of named places, from the topic `locations`."""
 
 import threading
 from typing import Dict
@@ -11,7 +11,7 @@ from rfnserver.places import UnknownPlace, destination_name
 
 
 class Places:
-    """The named places that are known now.
+    """The named places that are known.
 
     Subscribes:
         locations (roboframenet_msgs/Locations, latched)
@@ -27,10 +27,10 @@ class Places:
             self._poses = dict(zip(message.names, message.poses))
 
     def locate(self, words: str) -> PoseStamped:
-        """Return where a place is, stamped with the present time.
+        """Return the pose of a place, stamped with the present time.
 
         Raises:
-            UnknownPlace: it is not known; the message offers those that come near
+            UnknownPlace: it is not known; the message offers similar names
         """
         with self._lock:
             poses = dict(self._poses)
@@ -40,7 +40,7 @@ class Places:
         return pose
 
     def close(self) -> None:
-        """Hear no more."""
+        """Unsubscribe."""
         self._subscriber.unregister()
 
 

@@ -10,27 +10,27 @@ import rospy
 
 from roboframenet_ros.ros_log import log_from_threads
 
-#: The waiting thread wakes up so often although nobody notified it, seconds: a guard, not a rhythm.
+#: The waiting thread wakes up at this period without a notification, seconds; it is only a safeguard.
 WAKE_UP_S = 5.0
-#: Changes of the status within so long go into one message, seconds.
+#: Changes of the status within this time are published in one message, seconds.
 STATUS_PAUSE_S = 0.02
 
 
 class QuietActionServer(actionlib.ActionServer):
     """``actionlib.ActionServer`` that publishes its status at actionlib's rate only while it tracks a goal.
 
-    The status topic is latched, so a client that connects to an idle server still hears from it: that is all that
-    ``wait_for_server`` needs. The stock server wakes up five times a second for ever.
+    The status topic is latched, so a client that connects to an idle server still receives its status, which is all
+    that ``wait_for_server`` needs. The stock server wakes up five times a second for ever.
     """
 
     #: The timer runs while there are goals; None otherwise.
     _goal_timer: Optional[rospy.Timer] = None
-    #: Publishes what changed soon after the last time; None when nothing did.
+    #: Publishes a change that came too soon after the last message; None when there is none.
     _deferred: Optional[threading.Timer] = None
     _published_s = float("-inf")
 
     def initialize(self) -> None:
-        """Set up the topics, without the status timer, and a log that holds no goal up."""
+        """Set up the topics, without the status timer, and a log that never delays a goal."""
         log_from_threads()
         super().initialize()
         if self.status_timer is not None:
@@ -39,10 +39,10 @@ class QuietActionServer(actionlib.ActionServer):
         rospy.on_shutdown(self._end_timer)
 
     def publish_status(self) -> None:
-        """Publish the status of all goals, now or in an instant; keep doing so while there are any.
+        """Publish the status of all goals, now or shortly afterwards, and repeatedly while there are goals.
 
-        Each message holds every goal of the last seconds: when goals come one upon the other, publishing each change
-        by itself takes longer than carrying them out. Results are not held back.
+        Each message holds every goal of the last seconds: when goals come in quick succession, publishing each
+        change takes longer than carrying them out. Results are not delayed.
         """
         with self.lock:
             if self._deferred is not None:
@@ -62,7 +62,7 @@ class QuietActionServer(actionlib.ActionServer):
 
     def _publish_status_now(self) -> None:
         with self.lock:
-            # Publishing to a topic that rospy has closed already prints a traceback for nothing.
+            # Publishing to a topic that rospy has closed would print a useless traceback.
             if rospy.is_shutdown() or self.status_pub is None:
                 return
             self._published_s = time.monotonic()
@@ -79,7 +79,7 @@ class QuietActionServer(actionlib.ActionServer):
                 super().publish_status_async(event)
 
     def internal_goal_callback(self, goal: object) -> None:
-        """Take a goal; what becomes of it is published when it changes, and by the timer."""
+        """Take a goal; its status is published when it changes, and by the timer."""
         super().internal_goal_callback(goal)
         with self.lock:
             if self.started and self.status_list:
@@ -110,8 +110,8 @@ class QuietActionServer(actionlib.ActionServer):
 class QuietSimpleActionServer(actionlib.SimpleActionServer):
     """``actionlib.SimpleActionServer`` on a :class:`QuietActionServer`.
 
-    In contrast to the stock server there is no lost wake-up between two goals, no traceback at shutdown, and nothing to
-    do while there is no goal.
+    Unlike the stock server it loses no wake-up between two goals, prints no traceback at shutdown, and does nothing
+    while it has no goal.
     """
 
     def __init__(
@@ -123,7 +123,7 @@ class QuietSimpleActionServer(actionlib.SimpleActionServer):
     ) -> None:
         """See ``actionlib.SimpleActionServer``."""
         super().__init__(name, ActionSpec, execute_cb=execute_cb, auto_start=False)
-        # The one that the base class made was never started: it has no topics yet.
+        # The server of the base class was never started, so it has no topics.
         self.action_server = QuietActionServer(
             name, ActionSpec, self.internal_goal_callback, self.internal_preempt_callback, False
         )
@@ -134,8 +134,8 @@ class QuietSimpleActionServer(actionlib.SimpleActionServer):
     def executeLoop(self) -> None:  # noqa: N802 (the name is the base class's)
         """Wait for goals and run the callback, until shutdown.
 
-        The stock loop looks for a goal before it takes the lock and then sleeps a tenth of a second: a goal that comes
-        in between waits as long. Here both happen under the lock.
+        The stock loop looks for a goal before it takes the lock and then sleeps a tenth of a second: a goal that
+        arrives in between waits as long. Here both happen under the lock.
         """
         while not rospy.is_shutdown():
             with self.terminate_mutex:

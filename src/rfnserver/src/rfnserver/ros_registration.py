@@ -1,4 +1,4 @@
-"""Keeps a server known to the registrar and the framer, also when they restart."""
+"""Registers a server with the registrar and the framer, again when they restart."""
 
 import os
 import threading
@@ -8,22 +8,22 @@ import rospy
 from roboframenet_msgs.msg import FrameCatalogue, Lexicon
 from roboframenet_msgs.srv import AddFrame, AddLexicalUnit, RegisterWithFrame
 
-from rfnserver.ros_deadline import ServiceError, call_service
-from rfnserver.wishes import Knowledge, Wish, WishKind, forgotten
+from rfnserver.registration import KnownState, RegistrationRequest, RequestKind, missing_requests
+from roboframenet_ros.ros_service import ServiceError, call_service
 
-#: How long a call waits for its service, and then for the answer, seconds.
+#: Deadline of a call for its service to exist, and again for the answer, seconds.
 SERVICE_TIMEOUT_S = 5.0
-#: A wish that was refused is not tried again before so long, unless the other side restarts; seconds.
+#: A request that was refused is repeated after this time, or when the other side restarts; seconds.
 RETRY_S = 10.0
 
 FrameCheck = Callable[[str], Tuple[bool, str]]
 
 
 class Registration:
-    """The wishes of one server, and a thread that sees to them.
+    """The registration requests of one server, and a thread that repeats them.
 
     Subscribes:
-        frame_catalogue, lexicon (latched): tell when registrar or framer restarted and what they know
+        frame_catalogue, lexicon (latched): what registrar and framer know, and when they restarted
     Services:
         add_frame, add_lexical_unit, register_with_frame: called
     """
@@ -32,17 +32,17 @@ class Registration:
         """
         Args:
             server_name: name of the action server, as it is registered
-            check: says whether a frame is known by now, and why this server cannot carry it out, empty when it can
+            check: returns whether a frame is known, and why this server cannot carry it out; empty when it can
         """
         self._server_name = server_name
         self._check = check
-        #: Frames that were registered before their file was there: they are checked when it comes.
+        #: Frames that were registered before their file was added: they are checked afterwards.
         self._unchecked: Set[str] = set()
         self._condition = threading.Condition()
-        self._wishes: List[Wish] = []
-        self._registrar: Optional[Knowledge] = None
-        self._framer: Optional[Knowledge] = None
-        self._reported: Dict[Wish, str] = {}
+        self._requests: List[RegistrationRequest] = []
+        self._registrar: Optional[KnownState] = None
+        self._framer: Optional[KnownState] = None
+        self._reported: Dict[RegistrationRequest, str] = {}
         self._is_stale = False
         self._is_closed = False
         self._thread: Optional[threading.Thread] = None
@@ -50,24 +50,26 @@ class Registration:
         #: Why the last call failed; empty after one that succeeded.
         self.last_error = ""
 
-    def want(self, kind: WishKind, subject: str) -> bool:
-        """Ask for something now, and again whenever it is forgotten.
+    def request(self, kind: RequestKind, subject: str) -> bool:
+        """Make a request now, and again whenever it is missing.
 
         Args:
-            kind: what is wanted
+            kind: which service
             subject: path of a file, made absolute here, or name of a frame
         Returns:
-            whether it was granted at once; if not, :attr:`last_error` says why and it is tried again later
+            whether it was granted at once; if not, :attr:`last_error` says why, and it is repeated later
         """
-        wish = Wish(kind, subject if kind is WishKind.REGISTRATION else os.path.abspath(os.path.expanduser(subject)))
+        request = RegistrationRequest(
+            kind, subject if kind is RequestKind.REGISTRATION else os.path.abspath(os.path.expanduser(subject))
+        )
         self._watch()
         with self._condition:
-            if wish not in self._wishes:
-                self._wishes.append(wish)
-        return self._ask(wish)
+            if request not in self._requests:
+                self._requests.append(request)
+        return self._ask(request)
 
     def close(self) -> None:
-        """Stop seeing to the wishes; return when the thread has ended."""
+        """Repeat requests no more; return when the thread has ended."""
         with self._condition:
             self._is_closed = True
             self._condition.notify_all()
@@ -78,7 +80,7 @@ class Registration:
             thread.join(2.0 * SERVICE_TIMEOUT_S)
 
     def _watch(self) -> None:
-        """Start to listen and to work; once, with the first wish."""
+        """Subscribe and start the thread, with the first request."""
         with self._condition:
             if self._thread is not None or self._is_closed:
                 return
@@ -91,7 +93,7 @@ class Registration:
         self._thread.start()
 
     def _on_catalogue(self, message: FrameCatalogue) -> None:
-        knowledge = Knowledge(
+        known = KnownState(
             id=message.registrar_id,
             files=frozenset(file.path for file in message.files),
             registrations=frozenset(
@@ -99,13 +101,13 @@ class Registration:
             ),
         )
         with self._condition:
-            self._registrar = knowledge
+            self._registrar = known
             self._is_stale = True
             self._condition.notify_all()
 
     def _on_lexicon(self, message: Lexicon) -> None:
         with self._condition:
-            self._framer = Knowledge(id=message.framer_id, files=frozenset(file.path for file in message.files))
+            self._framer = KnownState(id=message.framer_id, files=frozenset(file.path for file in message.files))
             self._is_stale = True
             self._condition.notify_all()
 
@@ -116,49 +118,51 @@ class Registration:
                 if self._is_closed:
                     return
                 self._is_stale = False
-                missing = forgotten(self._wishes, registrar=self._registrar, framer=self._framer)
+                missing = missing_requests(self._requests, registrar=self._registrar, framer=self._framer)
                 unchecked = sorted(self._unchecked)
-            for wish in missing:
-                if self._ask(wish):
-                    rospy.loginfo("%s: %s %s again", self._server_name, wish.kind.value, wish.subject)
+            for request in missing:
+                if self._ask(request):
+                    rospy.loginfo("%s: %s %s repeated", self._server_name, request.kind.value, request.subject)
             for frame_name in unchecked:
-                self._report(Wish(WishKind.REGISTRATION, frame_name), self._find_fault(frame_name))
+                self._report(RegistrationRequest(RequestKind.REGISTRATION, frame_name), self._find_fault(frame_name))
 
-    def _ask(self, wish: Wish) -> bool:
+    def _ask(self, request: RegistrationRequest) -> bool:
         try:
-            error = self._call(wish)
+            error = self._call(request)
         except ServiceError as failure:
             error = str(failure)
-        self._report(wish, error)
+        self._report(request, error)
         return not error
 
-    def _report(self, wish: Wish, error: str) -> None:
-        """Remember an error, and log it unless it was the last one about the same wish: it is tried again and again."""
+    def _report(self, request: RegistrationRequest, error: str) -> None:
+        """Keep an error, and log it unless the same request failed in the same way before: it is repeated for ever."""
         self.last_error = error
-        if error and self._reported.get(wish) != error:
-            rospy.logerr("%s: %s %s: %s", self._server_name, wish.kind.value, wish.subject, error)
-        self._reported[wish] = error
+        if error and self._reported.get(request) != error:
+            rospy.logerr("%s: %s %s: %s", self._server_name, request.kind.value, request.subject, error)
+        self._reported[request] = error
 
-    def _call(self, wish: Wish) -> str:
+    def _call(self, request: RegistrationRequest) -> str:
         """Make the call; return why it was refused, empty when it was granted."""
-        if wish.kind is WishKind.REGISTRATION:
-            fault = self._find_fault(wish.subject)
+        if request.kind is RequestKind.REGISTRATION:
+            fault = self._find_fault(request.subject)
             if fault:
                 return fault
             response = call_service(
                 "register_with_frame",
                 RegisterWithFrame,
                 timeout_s=SERVICE_TIMEOUT_S,
-                frame_name=wish.subject,
+                frame_name=request.subject,
                 callback_topic=self._server_name,
             )
             return "" if response.success else "; ".join(response.error) or "refused"
-        service: Any = AddFrame if wish.kind is WishKind.FRAME_FILE else AddLexicalUnit
-        response = call_service(wish.kind.value, service, timeout_s=SERVICE_TIMEOUT_S, absolute_file_path=wish.subject)
+        service: Any = AddFrame if request.kind is RequestKind.FRAME_FILE else AddLexicalUnit
+        response = call_service(
+            request.kind.value, service, timeout_s=SERVICE_TIMEOUT_S, absolute_file_path=request.subject
+        )
         return "" if response.success else "the file was refused; the topic file_problems says why"
 
     def _find_fault(self, frame_name: str) -> str:
-        """Return why this server cannot carry out a frame; one that is not known yet is looked at again when it is."""
+        """Return why this server cannot carry out a frame; an unknown frame is checked when its file is added."""
         if self._check is None:
             return ""
         is_known, fault = self._check(frame_name)

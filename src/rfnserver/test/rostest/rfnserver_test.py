@@ -20,16 +20,7 @@ from roboframenet_msgs.msg import (
 from roboframenet_msgs.srv import RegisterWithFrame, RegisterWithFrameRequest, RegisterWithFrameResponse
 
 from rfnserver import RFNServer
-
-
-def wait_until(condition: Callable[[], bool], timeout_s: float = 60.0) -> bool:
-    """Wait for a condition; return whether it came true in time."""
-    end = time.monotonic() + timeout_s
-    while time.monotonic() < end:
-        if condition():
-            return True
-        time.sleep(0.01)
-    return condition()
+from roboframenet_testing import wait_until
 
 
 class Goal:
@@ -42,7 +33,7 @@ class Goal:
 
     def wait(self) -> int:
         """Wait for the end; return the status."""
-        assert wait_until(lambda: self.handle.get_comm_state() == actionlib.CommState.DONE), "the goal does not end"
+        wait_until(lambda: self.handle.get_comm_state() == actionlib.CommState.DONE, message="the goal does not end")
         return self.handle.get_goal_status()
 
 
@@ -126,7 +117,7 @@ class RFNServerTest(unittest.TestCase):
         server = self.serve("dreaming", lambda _frame: asked.wait(60.0))
         server.register_preempt_callback(asked.set)
         goal = Goal("dreaming", FilledSemanticFrame())
-        self.assertTrue(wait_until(server.is_active))
+        wait_until(server.is_active)
         goal.handle.cancel()
         self.assertEqual(goal.wait(), GoalStatus.PREEMPTED)
         self.assertFalse(goal.handle.get_result().success)
@@ -140,7 +131,7 @@ class RFNServerTest(unittest.TestCase):
         self.serve("sleeping", lambda _frame: None)
         statuses: List[GoalStatusArray] = []
         subscriber = rospy.Subscriber("sleeping/status", GoalStatusArray, statuses.append)
-        self.assertTrue(wait_until(lambda: len(statuses) == 1))
+        wait_until(lambda: len(statuses) == 1)
         time.sleep(1.0)
         self.assertEqual(len(statuses), 1)
         subscriber.unregister()
@@ -151,9 +142,7 @@ class RFNServerTest(unittest.TestCase):
         # Twice, where the catalogue of before the registration arrives after it; that does no harm.
         self.assertEqual({request.callback_topic for request in self.registrar.requests}, {"returning"})
         self.registrar.restart("second")
-        self.assertTrue(
-            wait_until(lambda: {request.frame_name for request in self.registrar.requests} == {"coming_back"})
-        )
+        wait_until(lambda: {request.frame_name for request in self.registrar.requests} == {"coming_back"})
 
     def test_refusal_is_false_with_the_reason(self) -> None:
         server = RFNServer("intruding", lambda _frame: None)

@@ -65,7 +65,7 @@ def test_values(mapping: Dict[str, Any], arguments: Dict[str, str], expected: Di
 @pytest.mark.parametrize(
     "name, words, reason",
     [
-        ("order", "half", "no whole number"),
+        ("order", "half", "not a whole number"),
         ("order", "banana", "banana"),
         ("small", "256", "between 0 and 255"),
         ("small", "minus one", "between 0 and 255"),

@@ -8,4 +8,4 @@ def test_ping_lists_each_living_server_once() -> None:
 
 
 def test_ping_names_the_dead() -> None:
-    assert ping_sentence([("a", "x", False)]) == "I am alive, with 0 servers: none. Not there: x."
+    assert ping_sentence([("a", "x", False)]) == "I am alive, with 0 servers: none. Not running: x."

@@ -1,4 +1,4 @@
-"""Says the sentences of a script to a running robot, shows every stage, and ends with a table."""
+"""Says the sentences of a script to a running robot, shows every stage, and prints a table at the end."""
 
 import sys
 import threading
@@ -23,9 +23,9 @@ OUTCOME_NAMES = {
     Reply.NEEDS_INFORMATION: "NEEDS_INFORMATION",
     Reply.SUPERSEDED: "SUPERSEDED",
 }
-#: How long after a reply the base may still roll out and the arms return to their safe pose, seconds.
+#: Time after a reply in which the base may come to rest and the arms may return to their safe pose, seconds.
 ROLL_OUT_S = 8.0
-#: The robot is complete when no server has registered for so long, seconds.
+#: The robot is complete when no server has registered for this time, seconds.
 SETTLED_S = 3.0
 #: Events of the stages may arrive a moment after the reply, seconds.
 LATE_EVENTS_S = 0.2
@@ -49,7 +49,7 @@ class Demonstration:
         self.failures = 0
 
     def wait_until_ready(self, timeout_s: float) -> bool:
-        """Wait until every stage listens to the one before it, and the servers of the robot have registered."""
+        """Wait until every stage has subscribed to the one before it and the servers of the robot have registered."""
         end = time.monotonic() + timeout_s
         if not self._conversation.wait_until_heard(2, timeout_s):
             return False
@@ -60,14 +60,14 @@ class Demonstration:
         return False
 
     def run(self, line: Line) -> None:
-        """Say one sentence, watch, judge, remember the row of the table."""
+        """Say one sentence, observe, judge, and add a row to the table."""
         self._show(f'\n>>> "{line.text}"')
         self._observer.begin()
         self._following.clear()
         self._conversation.say(line.text)
         texts = [line.text]
         if line.person:
-            # Who walks away before the robot has seen anybody is not followed.
+            # A person who walks away before the robot has seen anybody is not followed.
             self._following.wait(line.timeout_s)
             self._person.publish(String(data=line.person))
         if line.interruption is not None:
@@ -107,7 +107,7 @@ class Demonstration:
         )
 
     def _frame_of(self, reply: Optional[Reply]) -> Tuple[str, str, str]:
-        """Return frame with elements, server and domain of what was carried out."""
+        """Return the frame with its elements, the server and the domain that were carried out."""
         if reply is None:
             return "", "", ""
         reading = self._conversation.reading(reply.command.id)
@@ -159,9 +159,9 @@ def main() -> int:
         lines = [read_line(entry) for entry in yaml.safe_load(file)]
     rospy.init_node("roboframenet_demo", anonymous=True)
     demonstration = Demonstration()
-    print("[demo] waiting for the pipeline (loading the parser takes some seconds) ...", flush=True)
+    print("[demo] waiting for the pipeline (loading the parser takes a few seconds) ...", flush=True)
     if not demonstration.wait_until_ready(timeout_s=90.0):
-        print("[demo] the pipeline did not come up within 90 s; its log tells why.", file=sys.stderr)
+        print("[demo] the pipeline did not come up within 90 s; see its log.", file=sys.stderr)
         return 1
     for line in lines:
         if rospy.is_shutdown():

@@ -1,4 +1,4 @@
-"""Says sentences on the topic for people and collects what the stages make of them."""
+"""Says sentences on the topic for people and collects the messages of the stages."""
 
 import queue
 import time
@@ -10,7 +10,7 @@ from std_msgs.msg import String
 
 
 class Conversation:
-    """One speaker at a time.
+    """Says one sentence at a time.
 
     Publishes:
         text (std_msgs/String)
@@ -37,7 +37,7 @@ class Conversation:
         ]
 
     def wait_until_heard(self, listeners: int, timeout_s: float) -> bool:
-        """Wait until so many nodes listen to the text; return whether they do."""
+        """Wait until this many nodes subscribe to the text; return whether they do."""
         end = time.monotonic() + timeout_s
         while time.monotonic() < end and not rospy.is_shutdown():
             if self._text.get_num_connections() >= listeners:
@@ -46,7 +46,7 @@ class Conversation:
         return False
 
     def quiet_s(self) -> float:
-        """Seconds since a server registered last; 0 before the first."""
+        """Seconds since the last registration of a server; 0 before the first."""
         return time.monotonic() - self._registered_s if self._registered_s is not None else 0.0
 
     def say(self, text: str) -> None:
@@ -57,10 +57,10 @@ class Conversation:
         """Collect the replies to sentences.
 
         Args:
-            texts: the sentences, as they were said
+            texts: the sentences
             timeout_s: how long to wait for all of them
         Returns:
-            reply by sentence; a sentence that got none is missing
+            reply by sentence, without the sentences that got none
         """
         end = time.monotonic() + timeout_s
         replies: Dict[str, Reply] = {}
@@ -76,11 +76,11 @@ class Conversation:
         return replies
 
     def plan(self, command_id: str) -> Optional[CommandPlan]:
-        """Return what the arbitrator made of a command, None for nothing."""
+        """Return the plan of a command from the arbitrator; None for none."""
         return self._plans.get(command_id)
 
     def reading(self, command_id: str) -> Optional[CommandLexicalUnits]:
-        """Return what the framer made of a command, None for nothing."""
+        """Return the readings of a command from the framer; None for none."""
         return self._readings.get(command_id)
 
     def _on_catalogue(self, message: FrameCatalogue) -> None:

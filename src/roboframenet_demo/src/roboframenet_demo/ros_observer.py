@@ -54,12 +54,12 @@ class RobotObserver:
             self._said = []
 
     def is_moving(self) -> bool:
-        """Whether base or arm moved since ``begin()``, and the base still does."""
+        """Whether the base or an arm moved since ``begin()``, and whether the base still moves."""
         with self._lock:
             return self._speed > STILL or self._arm_moved_rad > 0.05
 
     def observe(self) -> Observation:
-        """Return what happened since ``begin()``."""
+        """Return the observation since ``begin()``."""
         with self._lock:
             start = self._start or (0.0, 0.0, 0.0)
             pose = self._pose or start

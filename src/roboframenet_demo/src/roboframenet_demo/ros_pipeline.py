@@ -1,14 +1,13 @@
-"""Whether the pipeline can be spoken to."""
+"""Whether the pipeline is ready for commands."""
 
 import xmlrpc.client
-from http.client import HTTPConnection, HTTPException
 from typing import Dict, Optional, Set, Tuple
-from xml.parsers.expat import ExpatError
 
-import rosgraph
 import rospy
 
-#: What each stage of the pipeline listens to; the parser does only when its models are loaded.
+from roboframenet_ros.ros_master import NO_ANSWER, TimedMaster, TimedTransport
+
+#: Topic that each stage of the pipeline subscribes to; the parser subscribes when its models are loaded.
 STAGE_TOPICS = (
     "text",
     "command_text",
@@ -17,25 +16,23 @@ STAGE_TOPICS = (
     "command_semantic_frames",
     "command_plan",
 )
-#: What goes past the pipeline, or back.
+#: Connections that bypass the pipeline, or lead back.
 OTHER_TOPICS = ("command_cancel", "stop_report", "stage_events", "reply", "lexicon", "frame_catalogue")
 #: How long a node may take to answer, seconds.
 _ANSWER_TIMEOUT_S = 5.0
-#: What asking a node may end in. The port of a dead node may belong to somebody who speaks no XML-RPC by now.
-_NO_ANSWER = (OSError, HTTPException, ExpatError, xmlrpc.client.Error, rosgraph.MasterException)
 
 
 def is_pipeline_complete() -> bool:
-    """Whether every stage listens, and all of them and this node are connected to everybody who speaks to them.
+    """Whether all stages have subscribed, and they and this node are connected to all their publishers.
 
-    What is said before is lost. Nodes that were killed stay known to the master; they do not count.
+    Messages published earlier are lost. The master still lists killed nodes; they are ignored.
     """
     graph = _Graph()
     try:
-        publishers, subscribers, _ = graph.master.getSystemState()
-    except _NO_ANSWER:
+        state = graph.master.system_state()
+    except NO_ANSWER:
         return False
-    speakers, listeners = dict(publishers), dict(subscribers)
+    speakers, listeners = state.publishers, state.subscribers
     stages = {rospy.get_name()}
     for topic in map(rospy.resolve_name, STAGE_TOPICS):
         found = {node for node in listeners.get(topic, ()) if node != rospy.get_name() and graph.is_alive(node)}
@@ -50,20 +47,11 @@ def is_pipeline_complete() -> bool:
     )
 
 
-class _TimedTransport(xmlrpc.client.Transport):
-    """HTTP that gives up on a node that hangs."""
-
-    def make_connection(self, host: object) -> HTTPConnection:
-        connection = super().make_connection(host)
-        connection.timeout = _ANSWER_TIMEOUT_S
-        return connection
-
-
 class _Graph:
-    """What the nodes say of their connections; each is asked once."""
+    """Connections of the nodes, as the nodes report them; each node is asked once."""
 
     def __init__(self) -> None:
-        self.master = rosgraph.Master(rospy.get_name())
+        self.master = TimedMaster(timeout_s=_ANSWER_TIMEOUT_S)
         self._listeners: Dict[str, Optional[Set[Tuple[str, str]]]] = {}
 
     def is_alive(self, node: str) -> bool:
@@ -71,19 +59,20 @@ class _Graph:
         return self._listeners_of(node) is not None
 
     def is_heard(self, speaker: str, topic: str, listener: str) -> bool:
-        """Whether a node that publishes a topic is connected to one that listens."""
+        """Whether a node that publishes a topic is connected to a subscriber."""
         return (topic, listener) in (self._listeners_of(speaker) or ())
 
     def _listeners_of(self, node: str) -> Optional[Set[Tuple[str, str]]]:
-        """Topics that a node publishes, each with a node that listens; None for a node that does not answer.
+        """Topics that a node publishes, each with a subscriber; None for a node that does not answer.
 
-        The publisher is asked: the listener counts a connection a moment before the publisher sends on it.
+        The publisher is asked, because the subscriber counts a connection a moment before the publisher sends on it.
         """
         if node not in self._listeners:
             try:
-                api = xmlrpc.client.ServerProxy(self.master.lookupNode(node), transport=_TimedTransport())
+                uri = self.master.uri_of(node)
+                api = xmlrpc.client.ServerProxy(uri, transport=TimedTransport(_ANSWER_TIMEOUT_S))
                 bus = api.getBusInfo(rospy.get_name())[2]
                 self._listeners[node] = {(entry[4], entry[1]) for entry in bus if entry[2] == "o" and entry[5]}
-            except _NO_ANSWER:
+            except NO_ANSWER:
                 self._listeners[node] = None
         return self._listeners[node]

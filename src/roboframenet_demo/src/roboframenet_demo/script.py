@@ -1,4 +1,4 @@
-"""The sentences of a demonstration, what each is expected to do, and the verdict on what was measured."""
+"""The sentences of a demonstration, their expected effects, and the verdict on the measurements."""
 
 import math
 from dataclasses import dataclass, field
@@ -7,25 +7,25 @@ from typing import Any, Dict, Mapping, Optional, Tuple
 
 
 class Measured(Enum):
-    """What an expectation is about; the value is its key in the script file."""
+    """What is measured. The value is its key in the script file."""
 
     TURNED_RAD = "turned_rad"  # unwrapped heading, left positive (REP 103)
     MOVED_M = "moved_m"  # along the heading at the start, forward positive
     REACHED = "reached"  # distance to a point of the map, metres
     FOLLOWED_M = "followed_m"  # path driven while following, metres; at least that much
     ARM_MOVED_RAD = "arm_moved_rad"  # largest excursion of a joint; at least that much
-    ARM_OFFSET_RAD = "arm_offset_rad"  # how far the joints are from where they began; at most that much
+    ARM_OFFSET_RAD = "arm_offset_rad"  # distance of the joints from their first positions; at most that much
     SAID = "said"  # text published by a server, or part of it
 
 
 @dataclass(frozen=True)
 class Interruption:
-    """A second sentence, said while the first is being carried out.
+    """A second sentence, said while the first is carried out.
 
     Attributes:
         text: the sentence
         after_s: how long after the robot began to move, seconds
-        outcome: outcome expected for the interruption itself
+        outcome: expected outcome of the interruption itself
     """
 
     text: str
@@ -42,9 +42,9 @@ class Line:
         outcome: name of the expected ``Reply`` outcome
         expected: expected amount, place or text by measure; empty when the robot must not move
         tolerance: relative error allowed on amounts
-        interruption: what is said in mid-action; None for nothing
+        interruption: second sentence, said during the action; None for none
         timeout_s: how long to wait for the reply, seconds
-        person: what the simulated person does then ("walk", "leave"); empty for nothing
+        person: action of the simulated person ("walk", "leave"); empty for none
     """
 
     text: str
@@ -58,7 +58,7 @@ class Line:
 
 @dataclass(frozen=True)
 class Observation:
-    """What a robot did between a sentence and its reply.
+    """Motions and texts of a robot between a sentence and its reply.
 
     Attributes:
         turned_rad: change of heading, unwrapped, left positive
@@ -66,7 +66,7 @@ class Observation:
         driven_m: length of the path driven
         position_m: (x, y) at the end, in the frame of the odometry
         arm_moved_rad: largest excursion of any arm joint
-        arm_offset_rad: how far the joint that is farthest from where it began is from there at the end
+        arm_offset_rad: largest distance of an arm joint from its first position, at the end
         said: texts published by the servers
         is_still: whether base and joints stood still at the end
     """
@@ -81,7 +81,7 @@ class Observation:
     is_still: bool = True
 
     def describe(self) -> str:
-        """Return what is worth telling, for the table."""
+        """Return the notable values, for the table."""
         parts = []
         if abs(self.turned_rad) > 0.01:
             parts.append(f"turned {self.turned_rad:+.3f} rad")
@@ -96,14 +96,14 @@ class Observation:
 
 
 def judge(line: Line, outcome: str, observation: Observation) -> Tuple[bool, str]:
-    """Compare what was expected with what was measured.
+    """Compare the measurements with the expectation.
 
     Args:
-        line: what was said and expected
+        line: the sentence and its expectation
         outcome: name of the outcome of the reply
         observation: what the robot did
     Returns:
-        whether everything is as expected, and the first thing that is not (empty when all is)
+        whether everything is as expected, and the first difference (empty for none)
     """
     if outcome != line.outcome:
         return False, f"expected {line.outcome}"
@@ -141,10 +141,10 @@ def _deviation(measured: Measured, expected: Any, observation: Observation, tole
 
 
 def read_line(entry: Dict[str, Any]) -> Line:
-    """Make a line of its mapping in a script file.
+    """Make a line from its mapping in a script file.
 
     Raises:
-        ValueError: a key that is not known, or no sentence
+        ValueError: a key is unknown, or there is no sentence
     """
     known = {"say", "outcome", "expect", "tolerance", "interrupt", "timeout_s", "person"}
     unknown = set(entry) - known

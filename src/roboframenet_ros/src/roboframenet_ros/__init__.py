@@ -1,1 +1,1 @@
-"""What several nodes share: log calls that never wait, a master with a deadline, and noticing a suspension."""
+"""What the nodes of RoboFrameNet share."""

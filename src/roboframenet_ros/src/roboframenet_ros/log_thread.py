@@ -1,4 +1,4 @@
-"""A log handler whose callers never wait: a thread writes for them."""
+"""A log handler whose callers never wait: a thread writes the records."""
 
 import logging
 import queue
@@ -11,16 +11,16 @@ from typing import List, Optional
 class LogThread(logging.Handler):
     """Hands each record to another handler, in a thread of its own.
 
-    Handlers may wait: for a disk, for a terminal that is halted, for a master that hangs. The caller of a log function
-    must not wait with them. When too many records wait, further ones are dropped and counted.
+    Handlers may wait for a disk, for a halted terminal, or for a master that hangs. Callers of log functions must not
+    wait with them. When too many records are queued, further ones are dropped and counted.
     """
 
     def __init__(self, handler: logging.Handler, *, max_waiting: int = 10_000) -> None:
         """Start the thread.
 
         Args:
-            handler: what writes the records
-            max_waiting: how many records may wait
+            handler: writes the records
+            max_waiting: most records in the queue
         """
         super().__init__(handler.level)
         self._handler = handler
@@ -32,7 +32,7 @@ class LogThread(logging.Handler):
 
     def emit(self, record: logging.LogRecord) -> None:
         """Take a record; returns at once."""
-        # What the arguments stand for may change before the thread comes to them.
+        # The arguments may change before the thread formats them.
         record.msg, record.args = record.getMessage(), None
         try:
             self._records.put_nowait(record)
@@ -40,7 +40,7 @@ class LogThread(logging.Handler):
             self._dropped += 1
 
     def wait_until_written(self, *, timeout_s: float) -> bool:
-        """Wait for what was logged so far; returns whether it is written."""
+        """Wait until all records so far are written; returns whether they are."""
         end_s = time.monotonic() + timeout_s
         with self._records.all_tasks_done:
             while self._records.unfinished_tasks:
@@ -62,17 +62,17 @@ class LogThread(logging.Handler):
                         )
                     )
                 self._handler.handle(record)
-            except Exception as error:  # boundary: a handler may fail in any way, and logging that would not end
+            except Exception as error:  # boundary: a handler may fail in any way; to log that would never end
                 sys.stderr.write(f"a log record is lost: {type(error).__name__}: {error}\n")
             finally:
                 self._records.task_done()
 
 
 def put_threads_before(logger: logging.Logger) -> List[LogThread]:
-    """Have threads write what a logger takes, one for each handler, also for those of the loggers above it.
+    """Put a `LogThread` before each handler of a logger, and of the loggers above it.
 
-    One for each, so that what is shown does not wait for the handler that asks the master. Called again, it only sees
-    to handlers that were added meanwhile.
+    One for each, so that the terminal does not wait for the handler that calls the master. A second call only covers
+    handlers that were added meanwhile.
     """
     handlers: List[logging.Handler] = []
     above: Optional[logging.Logger] = logger

@@ -1,20 +1,31 @@
-"""The master, asked with a deadline."""
+"""The master and the nodes, asked by XML-RPC with a deadline."""
 
 import http.client
 import xmlrpc.client
 from dataclasses import dataclass
-from typing import Dict, FrozenSet, Mapping
+from typing import Dict, FrozenSet, Mapping, Tuple, Type
+from xml.parsers.expat import ExpatError
 
 import rosgraph
 import rospy
 
 
 class MasterError(RuntimeError):
-    """The master answered, but not with what was asked for."""
+    """The master refused a call; the message says why."""
+
+
+#: Errors of a call to the master or to a node. The port of a dead node may now belong to a program without XML-RPC.
+NO_ANSWER: Tuple[Type[Exception], ...] = (
+    OSError,
+    http.client.HTTPException,
+    ExpatError,
+    xmlrpc.client.Error,
+    MasterError,
+)
 
 
 class TimedTransport(xmlrpc.client.Transport):
-    """HTTP that gives up on a silent host."""
+    """HTTP with a deadline for a host that does not answer."""
 
     def __init__(self, timeout_s: float) -> None:
         """Set the deadline of each connection, seconds."""
@@ -30,17 +41,16 @@ class TimedTransport(xmlrpc.client.Transport):
 
 @dataclass(frozen=True)
 class SystemState:
-    """Who publishes and who subscribes each topic: names of topics to names of nodes."""
+    """Publishers and subscribers of each topic: names of nodes by name of the topic."""
 
     publishers: Mapping[str, FrozenSet[str]]
     subscribers: Mapping[str, FrozenSet[str]]
 
 
 class TimedMaster:
-    """Questions to the master that end. One thread owns it.
+    """Calls to the master with a deadline. One thread owns it.
 
-    Every method raises what XML-RPC and HTTP know (OSError, HTTPException, xmlrpc.client.Error, ExpatError), or
-    MasterError.
+    Every method raises one of `NO_ANSWER`.
     """
 
     def __init__(self, *, timeout_s: float) -> None:
@@ -52,14 +62,14 @@ class TimedMaster:
         self._proxy = xmlrpc.client.ServerProxy(rosgraph.get_master_uri(), transport=TimedTransport(timeout_s))
 
     def topic_types(self) -> Dict[str, str]:
-        """Type of each topic that the master knows; it forgets none, not even of nodes that are gone."""
+        """Return the type of each topic that the master knows, including topics of nodes that have ended."""
         code, message, types = self._proxy.getTopicTypes(rospy.get_name())
         if code != 1:
             raise MasterError(str(message))
         return dict(types)
 
     def system_state(self) -> SystemState:
-        """Who publishes and who subscribes."""
+        """Return the publishers and subscribers of all topics."""
         code, message, state = self._proxy.getSystemState(rospy.get_name())
         if code != 1:
             raise MasterError(str(message))
@@ -68,3 +78,10 @@ class TimedMaster:
             publishers={topic: frozenset(nodes) for topic, nodes in publishers},
             subscribers={topic: frozenset(nodes) for topic, nodes in subscribers},
         )
+
+    def uri_of(self, node: str) -> str:
+        """Return the address of a node."""
+        code, message, uri = self._proxy.lookupNode(rospy.get_name(), node)
+        if code != 1:
+            raise MasterError(str(message))
+        return str(uri)

@@ -1,21 +1,21 @@
-"""Notices that the process did not run for a while."""
+"""Notices that the process was suspended."""
 
 import time
 from typing import Callable
 
 
 class SuspensionWatch:
-    """Tells a loop, and the threads beside it, that the process was suspended (SIGSTOP), or starved.
+    """Tells a loop, and other threads, that the process was suspended (SIGSTOP) or starved.
 
-    A process that wakes finds its deadlines over and its sockets full: it must read before it judges. One loop calls
-    `turn`; other threads may call `is_just_awake`.
+    After a suspension deadlines are over and sockets are full: the process must read messages before it calls a node
+    silent. One loop calls `turn`; other threads may call `is_just_awake`.
     """
 
     def __init__(self, *, longest_turn_s: float, now: Callable[[], float] = time.monotonic) -> None:
-        """Begin now.
+        """Start now.
 
         Args:
-            longest_turn_s: a turn of the loop that takes longer means that the process did not run
+            longest_turn_s: a longer turn of the loop means that the process was suspended
             now: monotonic clock, seconds
         """
         self._longest_turn_s = longest_turn_s
@@ -24,7 +24,7 @@ class SuspensionWatch:
         self._woke_s = float("-inf")
 
     def turn(self) -> float:
-        """The loop turns; returns for how long the process was away, 0 if it was not."""
+        """Called in each turn of the loop; returns how long the process was suspended, 0 if it was not."""
         now_s = self._now()
         away_s, self._turn_s = now_s - self._turn_s, now_s
         if away_s <= self._longest_turn_s:
@@ -33,6 +33,6 @@ class SuspensionWatch:
         return away_s
 
     def is_just_awake(self, *, within_s: float) -> bool:
-        """Whether the process woke so little ago, or has not turned since it was away."""
+        """Whether the process was resumed within this time, or its loop has not turned since then."""
         now_s = self._now()
         return now_s - self._turn_s > self._longest_turn_s or now_s - self._woke_s < within_s

@@ -9,7 +9,7 @@ from roboframenet_sim.base import approach
 
 @dataclass(frozen=True)
 class JointLimit:
-    """What a joint can do: radians, and radians per second. A joint without ends turns for ever."""
+    """Limits of a joint: radians, and radians per second. A joint without ends is continuous."""
 
     lower_rad: float
     upper_rad: float
@@ -18,7 +18,7 @@ class JointLimit:
 
 @dataclass(frozen=True)
 class TrajectoryPoint:
-    """Where the joints shall be, and when, counted from the start of the trajectory."""
+    """Positions of the joints, and the time from the start of the trajectory."""
 
     positions_rad: Tuple[float, ...]
     time_s: float
@@ -26,7 +26,7 @@ class TrajectoryPoint:
 
 @dataclass(frozen=True)
 class Trajectory:
-    """Points in the order of time; their positions are in the order of the joint names."""
+    """Points in order of time; their positions are in the order of the joint names."""
 
     joint_names: Tuple[str, ...]
     points: Tuple[TrajectoryPoint, ...]
@@ -55,7 +55,7 @@ TUCKED_RAD: Dict[str, float] = {
     "wrist_flex": -1.0,
     "wrist_roll": 0.0,
 }
-"""Where the joints are at the start."""
+"""Positions of the joints at the start."""
 
 
 def arm_limits(prefix: str) -> Dict[str, JointLimit]:
@@ -73,7 +73,7 @@ def arm_limits(prefix: str) -> Dict[str, JointLimit]:
 
 
 def tucked_positions(prefix: str) -> Dict[str, float]:
-    """Return where the joints of an arm of a PR2 are at the start, by the full name of the joint."""
+    """Return the positions of the joints of a PR2 arm at the start, by the full name of the joint."""
     return {f"{prefix}_{name}_joint": position for name, position in TUCKED_RAD.items()}
 
 
@@ -82,7 +82,7 @@ class Arm:
 
     Args:
         limits: by name of the joint
-        positions_rad: where the joints are
+        positions_rad: positions of the joints
     """
 
     GOAL_TOLERANCE_RAD = 0.01
@@ -97,7 +97,7 @@ class Arm:
         self._elapsed_s = 0.0
 
     def check(self, trajectory: Trajectory) -> Optional[str]:
-        """Return why a trajectory cannot be followed from here, or None."""
+        """Return why a trajectory cannot be followed from here; None if it can."""
         if sorted(trajectory.joint_names) != sorted(self.limits):
             return "the joints must be {}, got {}".format(
                 ", ".join(self.limits),
@@ -140,16 +140,16 @@ class Arm:
         self._elapsed_s = 0.0
 
     def hold(self) -> None:
-        """Stay where the joints are."""
+        """Hold the present positions."""
         self._trajectory = None
 
     @property
     def is_moving(self) -> bool:
-        """Whether a trajectory is not at its end yet."""
+        """Whether a trajectory is still running."""
         return self._trajectory is not None
 
     def step(self, duration_s: float) -> None:
-        """Let time pass. The trajectory is over when its time is up and the joints are there."""
+        """Advance the time. The trajectory ends when its time is up and the joints have arrived."""
         wanted = dict(self.positions_rad)
         trajectory = self._trajectory
         if trajectory is not None:

@@ -1,6 +1,6 @@
-"""A differential base: commanded velocity in, pose out.
+"""A differential base: takes velocity commands, returns poses.
 
-Time is whatever the caller counts in seconds; the same commands at the same times give the same poses.
+The caller counts the time in seconds; the same commands at the same times give the same poses.
 """
 
 import math
@@ -20,13 +20,13 @@ class Pose:
 
 @dataclass(frozen=True)
 class Velocity:
-    """Speed along the robot's nose and turn rate; forward and left are positive."""
+    """Speed along the heading of the robot, and turn rate; forward and left are positive."""
 
     linear_m_per_s: float = 0.0
     angular_rad_per_s: float = 0.0
 
     def is_finite(self) -> bool:
-        """Tell whether both numbers can be driven."""
+        """Whether both numbers are finite."""
         return math.isfinite(self.linear_m_per_s) and math.isfinite(self.angular_rad_per_s)
 
 
@@ -35,10 +35,10 @@ STANDING = Velocity()
 
 @dataclass(frozen=True)
 class BaseLimits:
-    """What the base can do. The speeds are those that the Turtlebot 2's base is rated for.
+    """Limits of the base. The speeds are the rated speeds of the base of the Turtlebot 2.
 
     Raises:
-        ValueError: a limit that is not a positive number, a negative noise
+        ValueError: a limit is not a positive number, or the noise is negative
     """
 
     max_linear_m_per_s: float = 0.65
@@ -47,7 +47,7 @@ class BaseLimits:
     angular_acceleration_rad_per_s2: float = 6.0
     command_timeout_s: float = 0.5
     velocity_noise: float = 0.0
-    """Standard deviation of the executed velocity, as a share of the wanted one. Odometry measures what was executed.
+    """Standard deviation of the executed velocity, as a share of the commanded one; odometry measures the former.
     """
 
     def __post_init__(self) -> None:
@@ -66,19 +66,19 @@ class BaseLimits:
 
 
 def clamp(value: float, *, limit: float) -> float:
-    """Return the value, brought into -limit .. limit."""
+    """Return the value, limited to -limit .. limit."""
     return max(-limit, min(limit, value))
 
 
 def approach(value: float, *, target: float, step: float) -> float:
-    """Return the value, brought nearer to the target by the step at most."""
+    """Return the value, moved towards the target by at most the step."""
     return value + clamp(target - value, limit=step)
 
 
 def integrate(pose: Pose, *, velocity: Velocity, duration_s: float) -> Pose:
     """Drive an arc with constant velocity, in closed form.
 
-    Turning by d while driving l along the arc moves the base by the chord l sin(d/2)/(d/2), in the direction halfway.
+    Turning by d while driving l along the arc moves the base by the chord l sin(d/2)/(d/2), in the mean direction.
     """
     turned = velocity.angular_rad_per_s * duration_s
     half = turned / 2.0
@@ -92,14 +92,14 @@ def integrate(pose: Pose, *, velocity: Velocity, duration_s: float) -> Pose:
 
 
 class DifferentialBase:
-    """A base that follows velocity commands within its limits, and stops by itself when they cease.
+    """A base that follows velocity commands within its limits, and stops by itself when commands cease.
 
     Args:
-        limits: what it can do
-        pose: where it starts
-        seed: of the velocity noise
-        is_free: tells whether the centre of the base may stand at (x_m, y_m); without it the floor is empty. A base
-            that runs against something stands still: it can turn, but its odometry does not advance.
+        limits: limits of the base
+        pose: first pose
+        seed: seed of the velocity noise
+        is_free: says whether the centre of the base may be at (x_m, y_m); without it the floor is empty. A base at an
+            obstacle can turn but not advance, and its odometry shows that.
     """
 
     MAX_STEP_S = 0.02
@@ -121,10 +121,10 @@ class DifferentialBase:
         self._is_free = is_free
 
     def command(self, velocity: Velocity) -> bool:
-        """Take a command, which holds until the next one or until the command timeout.
+        """Take a command. It holds until the next one or until the command timeout.
 
         Returns:
-            False for numbers that are not finite: the base then stops
+            False if the numbers are not finite; the base then stops
         """
         is_finite = velocity.is_finite()
         self._wanted = velocity if is_finite else STANDING
@@ -132,10 +132,10 @@ class DifferentialBase:
         return is_finite
 
     def step(self, duration_s: float) -> None:
-        """Let time pass.
+        """Advance the time.
 
         Args:
-            duration_s: finite and not negative; long steps are cut, so that the command timeout is kept exactly
+            duration_s: finite and not negative; long steps are divided so that the command timeout is exact
         """
         if not (math.isfinite(duration_s) and duration_s >= 0.0):
             raise ValueError(f"duration_s must be a finite number and not negative, got {duration_s!r}")
@@ -181,5 +181,5 @@ class DifferentialBase:
     def _is_blocked(self, pose: Pose) -> bool:
         if self._is_free is None or self._is_free(pose.x_m, pose.y_m):
             return False
-        # A base that was put onto an obstacle can still drive off.
+        # A base that starts on an obstacle can still drive off.
         return self._is_free(self.pose.x_m, self.pose.y_m)

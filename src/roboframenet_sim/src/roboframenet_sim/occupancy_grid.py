@@ -1,4 +1,4 @@
-"""Where the floor is taken: a grid of cells."""
+"""The occupied parts of the floor, as a grid of cells."""
 
 import math
 from dataclasses import dataclass
@@ -17,7 +17,7 @@ Cell = Tuple[int, int]
 
 @dataclass(frozen=True, eq=False)
 class OccupancyGrid:
-    """A grid of square cells; outside of it everything is taken.
+    """A grid of square cells; everything outside the grid is occupied.
 
     ``is_taken`` has one row per step along y and one column per step along x; the origin is the corner of cell (0, 0).
     """
@@ -28,7 +28,7 @@ class OccupancyGrid:
     is_taken: "NDArray[np.bool_]"
 
     def cell_of(self, x_m: float, y_m: float) -> Cell:
-        """Return the cell of a point, which may lie outside of the grid."""
+        """Return the cell of a point, which may lie outside the grid."""
         return (
             math.floor((y_m - self.origin_y_m) / self.resolution_m),
             math.floor((x_m - self.origin_x_m) / self.resolution_m),
@@ -42,16 +42,17 @@ class OccupancyGrid:
         )
 
     def is_cell_free(self, cell: Cell) -> bool:
-        """Tell whether a cell is on the grid and not taken."""
+        """Whether a cell is on the grid and free."""
         rows, columns = self.is_taken.shape
         return 0 <= cell[0] < rows and 0 <= cell[1] < columns and not self.is_taken[cell]
 
     def is_free(self, x_m: float, y_m: float) -> bool:
-        """Tell whether a point is on the grid and not taken."""
+        """Whether a point is on the grid and free."""
         return self.is_cell_free(self.cell_of(x_m, y_m))
 
     def inflated(self, radius_m: float) -> "OccupancyGrid":
-        """Return the grid with everything grown by a radius: where the centre of a round robot may not be."""
+        """Return the grid with all obstacles grown by a radius: the cells that the centre of a round robot must
+        avoid."""
         reach = math.ceil(radius_m / self.resolution_m)
         rows, columns = self.is_taken.shape
         padded = np.ones((rows + 2 * reach, columns + 2 * reach), dtype=bool)
@@ -71,7 +72,7 @@ def grid_of_room(room: Room) -> OccupancyGrid:
     x = (room.x_m[0] + (np.arange(columns) + 0.5) * room.resolution_m)[None, :]
     y = (room.y_m[0] + (np.arange(rows) + 0.5) * room.resolution_m)[:, None]
     is_taken = np.zeros((rows, columns), dtype=bool)
-    # A wall thinner than a cell must not fall through between the centres.
+    # A wall thinner than a cell must not be lost between the centres of cells.
     reach_m = max(room.wall_thickness_m / 2.0, room.resolution_m * math.sqrt(0.5))
     for x0, y0, x1, y1 in room.all_walls():
         length_squared = (x1 - x0) ** 2 + (y1 - y0) ** 2

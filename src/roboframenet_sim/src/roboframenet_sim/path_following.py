@@ -1,4 +1,4 @@
-"""Driving along a path: pose in, velocity out."""
+"""Drives along a path: takes the pose, returns velocities."""
 
 import math
 from dataclasses import dataclass
@@ -9,10 +9,10 @@ from roboframenet_sim.base import STANDING, Pose, Velocity, clamp
 
 @dataclass(frozen=True)
 class FollowingLimits:
-    """How a path is driven.
+    """Speeds and tolerances of driving.
 
     Raises:
-        ValueError: a number that is not positive
+        ValueError: a number is not positive
     """
 
     linear_m_per_s: float = 0.5
@@ -20,7 +20,7 @@ class FollowingLimits:
     deceleration_m_per_s2: float = 0.5
     turn_gain_per_s: float = 2.0
     turn_in_place_rad: float = 0.35
-    """With the next corner further than this to the side, the robot turns before it drives."""
+    """If the next corner is farther to the side than this angle, the robot turns before it drives."""
     corner_tolerance_m: float = 0.05
     goal_tolerance_m: float = 0.03
     yaw_tolerance_rad: float = 0.03
@@ -32,16 +32,16 @@ class FollowingLimits:
 
 
 def wrap(angle_rad: float) -> float:
-    """Return the same direction within -pi .. pi."""
+    """Return the same direction between -pi and pi."""
     return math.remainder(angle_rad, 2.0 * math.pi)
 
 
 class PathFollower:
-    """Drives from corner to corner, and turns to the wanted direction at the end.
+    """Drives from corner to corner, and turns to the final direction at the end.
 
     Args:
         corners: of the path, in metres; the last is the goal
-        yaw_rad: direction to look in at the goal
+        yaw_rad: direction of the robot at the goal
         limits: speeds and tolerances
     """
 
@@ -57,7 +57,7 @@ class PathFollower:
         self._is_turning = True
 
     def command(self, pose: Pose) -> Optional[Velocity]:
-        """Return the velocity for a robot at this pose, or None: the robot is there."""
+        """Return the velocity for a robot at this pose; None when it has arrived."""
         while self._ahead:
             distance_m = math.hypot(self._ahead[0][0] - pose.x_m, self._ahead[0][1] - pose.y_m)
             is_last = len(self._ahead) == 1
@@ -78,7 +78,7 @@ class PathFollower:
         limits = self._limits
         corner = self._ahead[0]
         error = wrap(math.atan2(corner[1] - pose.y_m, corner[0] - pose.x_m) - pose.yaw_rad)
-        # Turn until well aligned, and turn again only when far off: no swinging between the two at the threshold.
+        # Turn until well aligned, and turn again only when far off, to avoid oscillation at the threshold.
         if abs(error) > limits.turn_in_place_rad:
             self._is_turning = True
         elif abs(error) < limits.turn_in_place_rad / 5.0:

@@ -1,4 +1,4 @@
-"""A person before the robot: stands, walks a curve, leaves, comes back."""
+"""A person in front of the robot, who stands, walks a curve, leaves and comes back."""
 
 import enum
 import math
@@ -8,7 +8,7 @@ from roboframenet_sim.base import Pose, approach
 
 
 class PersonAct(enum.Enum):
-    """What the person does."""
+    """Acts of the person."""
 
     STAND = "stand"
     WALK = "walk"
@@ -18,14 +18,14 @@ class PersonAct(enum.Enum):
 
 @dataclass(frozen=True)
 class PersonSettings:
-    """How the person walks.
+    """Parameters of the walk.
 
     Raises:
-        ValueError: a number that is not positive
+        ValueError: a number is not positive
     """
 
     distance_m: float = 0.6
-    """Where the person stands at first and after COME: straight before the robot, from its centre to the person's skin.
+    """Distance of the person at first and after COME, from the centre of the robot to the person's skin.
     """
     path_m: float = 10.0
     radius_m: float = 4.0
@@ -34,7 +34,7 @@ class PersonSettings:
     acceleration_m_per_s2: float = 0.5
     leaving_speed_m_per_s: float = 1.5
     leaving_m: float = 4.0
-    """After this way to the left the person is gone."""
+    """After this distance to the left the person is gone."""
     body_radius_m: float = 0.2
     height_m: float = 1.7
 
@@ -45,11 +45,11 @@ class PersonSettings:
 
 
 class Person:
-    """A person who does what is ordered.
+    """A person who follows orders.
 
     Args:
-        settings: how the person walks
-        robot: where the robot stands, and the person before it
+        settings: parameters of the walk
+        robot: pose of the robot; the person starts in front of it
     """
 
     def __init__(self, settings: PersonSettings = PersonSettings(), *, robot: Pose = Pose()) -> None:
@@ -63,7 +63,7 @@ class Person:
 
     @property
     def act(self) -> PersonAct:
-        """What the person does now; STAND after a walk."""
+        """The present act; STAND after a walk."""
         return self._act
 
     @property
@@ -72,11 +72,11 @@ class Person:
         return self._speed_m_per_s
 
     def order(self, act: PersonAct, *, robot: Pose) -> None:
-        """Let the person do something else.
+        """Start another act.
 
         Args:
-            act: what to do
-            robot: where the robot is now: COME puts the person before it
+            act: the new act
+            robot: present pose of the robot; COME puts the person in front of it
         """
         if act is PersonAct.COME:
             self._come(robot)
@@ -100,7 +100,7 @@ class Person:
         self.is_present = True
 
     def step(self, duration_s: float) -> None:
-        """Let time pass: at most 0.1 s in one step."""
+        """Advance the time by at most 0.1 s."""
         settings = self.settings
         wanted = 0.0
         if self._act is PersonAct.WALK:

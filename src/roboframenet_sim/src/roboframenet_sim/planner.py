@@ -1,4 +1,4 @@
-"""The shortest way on an occupancy grid: A*, then the corners that matter."""
+"""Plans the shortest path on an occupancy grid: A*, then only the necessary corners."""
 
 import heapq
 import math
@@ -15,14 +15,14 @@ STEPS = [(down, right, math.hypot(down, right)) for down in (-1, 0, 1) for right
 
 
 class NoPath(Exception):
-    """There is no way; the message says why, for a person."""
+    """There is no path; the message is the reason, for a person."""
 
 
 def nearest_free_cell(grid: OccupancyGrid, *, near: Cell, reach_m: float) -> Cell:
-    """Return the free cell that is nearest to a cell.
+    """Return the free cell nearest to a cell.
 
     Raises:
-        NoPath: none is within reach
+        NoPath: no free cell is within reach
     """
     if grid.is_cell_free(near):
         return near
@@ -32,7 +32,7 @@ def nearest_free_cell(grid: OccupancyGrid, *, near: Cell, reach_m: float) -> Cel
         best = int(distances.argmin())
         if distances[best] * grid.resolution_m <= reach_m:
             return int(free[best, 0]), int(free[best, 1])
-    raise NoPath(f"the robot stands in something, with no free floor within {reach_m:g} m")
+    raise NoPath(f"the robot stands in an obstacle, with no free floor within {reach_m:g} m")
 
 
 def _search(grid: OccupancyGrid, *, start: Cell, goal: Cell) -> List[Cell]:
@@ -71,11 +71,11 @@ def _search(grid: OccupancyGrid, *, start: Cell, goal: Cell) -> List[Cell]:
                 cost[beside] = new_cost
                 came_from[beside] = cell
                 heapq.heappush(queue, (new_cost + guess(beside), beside))
-    raise NoPath("no way leads there: the robot or the goal is walled in")
+    raise NoPath("no path leads there: the robot or the goal is walled in")
 
 
 def is_clear(grid: OccupancyGrid, begin: Point, end: Point) -> bool:
-    """Tell whether the straight line between two points is free."""
+    """Whether the straight line between two points is free."""
     length_m = math.hypot(end[0] - begin[0], end[1] - begin[1])
     pieces = max(1, math.ceil(length_m / (grid.resolution_m / 4.0)))
     return all(
@@ -88,7 +88,7 @@ def _straighten(grid: OccupancyGrid, points: Sequence[Point]) -> List[Point]:
     corners = [points[0]]
     index = 0
     while index < len(points) - 1:
-        # The farthest point in sight; bisection would be wrong, since sight is not monotonic, so walk outwards.
+        # Find the farthest visible point. Visibility is not monotonic, so walk outwards instead of bisecting.
         farthest = index + 1
         for ahead in range(index + 2, len(points)):
             if is_clear(grid, points[index], points[ahead]):
@@ -101,21 +101,21 @@ def _straighten(grid: OccupancyGrid, points: Sequence[Point]) -> List[Point]:
 
 
 def plan(grid: OccupancyGrid, *, start: Point, goal: Point, escape_m: float = 0.3) -> List[Point]:
-    """Return a short way as the corners of a polyline, from the start to the goal.
+    """Return a short path as the corners of a polyline, from the start to the goal.
 
     Args:
         grid: already inflated by the radius of the robot
-        start: where the robot is; it may stand a little too near to something
-        goal: where it shall be
-        escape_m: how far a robot that stands too near to something may be from the free floor
+        start: position of the robot; it may be slightly too near to an obstacle
+        goal: position to reach
+        escape_m: largest distance from the free floor of a robot that is too near to an obstacle
     Raises:
-        NoPath: the goal is taken or outside, or walls are between
+        NoPath: the goal is occupied or outside the map, or walls are in between
     """
     if not all(math.isfinite(number) for number in (*start, *goal)):
-        raise NoPath("the start or the goal is no finite number")
+        raise NoPath("the start or the goal is not finite")
     goal_cell = grid.cell_of(*goal)
     if not grid.is_cell_free(goal_cell):
-        raise NoPath("at x {:.2f}, y {:.2f} the robot would stand in something or outside of the map".format(*goal))
+        raise NoPath("at x {:.2f}, y {:.2f} the robot would stand in an obstacle or outside the map".format(*goal))
     start_cell = nearest_free_cell(grid, near=grid.cell_of(*start), reach_m=escape_m)
     cells = _search(grid, start=start_cell, goal=goal_cell)
     points = [grid.centre_of(cell) for cell in cells[1:-1]] + [goal]

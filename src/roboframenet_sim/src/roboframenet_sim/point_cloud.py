@@ -1,7 +1,7 @@
-"""What a depth camera sees of a person, walls and the floor, as a point cloud.
+"""Computes the point cloud of a depth camera that sees a person, walls and the floor.
 
-Everything that is seen stands upright, so the distance to it depends on the column of the image alone: the picture is
-the outer product of a few rows and columns, without a loop over pixels.
+All objects are upright, so their distance depends only on the column of the image. The picture is the outer product of
+a few rows and columns, without a loop over pixels.
 """
 
 import math
@@ -23,7 +23,7 @@ class Camera:
     The field of view is that of the Turtlebot's first depth cameras: 640 pixels at a focal length of 525.
 
     Raises:
-        ValueError: a size that is not positive
+        ValueError: a size is not positive
     """
 
     width_px: int = 640
@@ -100,17 +100,17 @@ def render(
     walls: "NDArray[np.float64]" = NO_WALLS,
     wall_height_m: float = 2.0,
 ) -> "NDArray[np.float32]":
-    """Return what the camera sees.
+    """Return the point cloud of the camera.
 
     Args:
         camera: the camera
-        pose: of the robot
-        person: who stands before it, if anybody
+        pose: pose of the robot
+        person: the person in front of the robot; None for none
         walls: (n, 4) array: x, y of one end and x, y of the other, in metres
-        wall_height_m: of all walls
+        wall_height_m: height of all walls
     Returns:
         (height, width, 3) array of float32: x right, y down, z forward (REP 103, optical frame), in metres;
-        not-a-number where nothing is in range
+        NaN where nothing is in range
     """
     columns = ((np.arange(camera.width_px) - (camera.width_px - 1) / 2.0) / camera.focal_px).astype(np.float32)
     rows = ((np.arange(camera.height_px) - (camera.height_px - 1) / 2.0) / camera.focal_px).astype(np.float32)
@@ -123,7 +123,7 @@ def render(
     for column_depth, height_m in upright:
         column_depth = column_depth.astype(np.float32)
         seen = np.flatnonzero(column_depth < camera.farthest_m)
-        # Below its foot the floor is nearer anyway; above its top the thing ends.
+        # Below its foot the floor is nearer; above its top the object ends.
         top = rows[:, None] * column_depth[None, seen] >= camera.height_m - height_m
         depth[:, seen] = np.where(top, np.minimum(depth[:, seen], column_depth[None, seen]), depth[:, seen])
     depth[(depth < camera.nearest_m) | (depth > camera.farthest_m)] = np.nan

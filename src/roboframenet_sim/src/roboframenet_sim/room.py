@@ -14,7 +14,7 @@ Value = TypeVar("Value")
 
 
 class RoomError(ValueError):
-    """A room file that is wrong, with the file, the line, the key, and what was expected."""
+    """The room file is wrong; the message names the file, the line, the key, and what was expected."""
 
     def __init__(self, *, path: str, line: int, key: str, message: str) -> None:
         super().__init__(f"{path}:{line}: {key}: {message}")
@@ -24,7 +24,7 @@ class RoomError(ValueError):
 
 @dataclass(frozen=True)
 class Box:
-    """A rectangle that stands in the way, its sides along x and y."""
+    """A rectangular obstacle with sides along x and y."""
 
     name: str
     x_m: Tuple[float, float]
@@ -43,7 +43,7 @@ class Room:
     boxes: Tuple[Box, ...]
 
     def all_walls(self) -> "NDArray[np.float64]":
-        """Return the walls, with the outer ones, and the sides of the boxes, as an (n, 4) array."""
+        """Return the walls, the outer walls and the sides of the boxes, as an (n, 4) array."""
         rectangles = [(self.x_m, self.y_m)] + [(box.x_m, box.y_m) for box in self.boxes]
         sides: List[Sequence[float]] = list(self.walls)
         for (left, right), (low, high) in rectangles:
@@ -57,17 +57,17 @@ class Room:
 
 
 class _Reader:
-    """Reads YAML nodes, and says where one is wrong."""
+    """Reads YAML nodes, and says which one is wrong."""
 
     def __init__(self, path: str) -> None:
         self._path = path
 
     def error(self, node: yaml.Node, key: str, message: str) -> RoomError:
-        """Return the error at a node."""
+        """Return an error that names the place of a node."""
         return RoomError(path=self._path, line=node.start_mark.line + 1, key=key, message=message)
 
     def mapping(self, node: yaml.Node, key: str, *, keys: Sequence[str] = ()) -> Dict[str, yaml.Node]:
-        """Read a mapping: of exactly these keys, if any are given."""
+        """Read a mapping, with exactly the given keys if there are any."""
         if not isinstance(node, yaml.MappingNode):
             raise self.error(node, key, "expected a mapping")
         result: Dict[str, yaml.Node] = {}
@@ -94,7 +94,7 @@ class _Reader:
         return value
 
     def numbers(self, node: yaml.Node, key: str, *, count: int) -> Tuple[float, ...]:
-        """Read a list of a number of finite numbers."""
+        """Read a list of a given number of finite numbers."""
         if not isinstance(node, yaml.SequenceNode) or len(node.value) != count:
             raise self.error(node, key, f"expected a list of {count} numbers")
         return tuple(self.number(entry, key) for entry in node.value)
@@ -127,7 +127,7 @@ def load_room(text: str, *, path: str) -> Room:
         text: YAML with the keys of :class:`Room`'s fields; see ``config/room.yaml``
         path: for messages
     Raises:
-        RoomError: naming the first thing that is wrong
+        RoomError: the file is wrong; the message names the first mistake
     """
     reader = _Reader(path)
     try:

@@ -1,4 +1,4 @@
-"""A simulated base on its topics: velocity commands in, odometry and tf out."""
+"""The topics of a simulated base: takes velocity commands, publishes odometry and tf."""
 
 import math
 import threading
@@ -15,10 +15,10 @@ from roboframenet_sim.ros_stepping import publish
 
 @dataclass(frozen=True)
 class BaseSettings:
-    """Where the base starts and what its frames are called.
+    """First pose of the base, and the names of its frames.
 
     Raises:
-        ValueError: a start that is no finite number, an empty frame name
+        ValueError: the first pose is not finite, or a frame name is empty
     """
 
     limits: BaseLimits
@@ -78,7 +78,7 @@ class RosBase:
     """The base, its command topic, and its odometry.
 
     Subscribes:
-        the command topic (geometry_msgs/Twist): linear.x in m/s and angular.z in rad/s are driven, the rest is ignored
+        the command topic (geometry_msgs/Twist): linear.x in m/s and angular.z in rad/s are used, the rest is ignored
     Publishes:
         ``odom`` (nav_msgs/Odometry), ``/tf`` from the odometry frame to the base frame
     """
@@ -93,7 +93,7 @@ class RosBase:
 
     @property
     def pose(self) -> Pose:
-        """Where the base is, in the odometry frame."""
+        """The pose of the base in the odometry frame."""
         with self._lock:
             return self._base.pose
 
@@ -106,7 +106,7 @@ class RosBase:
             rospy.logerr_throttle(1.0, "velocity command that is not finite: the base stops")
 
     def step(self, duration_s: float, stamp: rospy.Time) -> None:
-        """Let time pass, and publish where the base is."""
+        """Advance the time, and publish the pose of the base."""
         with self._lock:
             self._base.step(duration_s)
             pose, velocity = self._base.pose, self._base.velocity
@@ -129,7 +129,7 @@ class RosBase:
 
 
 def publish_transform(broadcaster: tf2_ros.TransformBroadcaster, transform: TransformStamped) -> None:
-    """Send a transform; a topic that is closed because the node shuts down is no error."""
+    """Send a transform; a topic that closes because the node shuts down is not an error."""
     try:
         broadcaster.sendTransform(transform)
     except rospy.ROSException:

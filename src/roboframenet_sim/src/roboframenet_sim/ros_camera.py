@@ -1,4 +1,4 @@
-"""A simulated person and the depth camera that sees it, on their topics."""
+"""The topics of a simulated person and of the depth camera that sees the person."""
 
 import math
 import sys
@@ -24,10 +24,10 @@ POINT_STEP_BYTES = 16
 
 @dataclass(frozen=True)
 class CameraSettings:
-    """The camera, its frame, and how often it sends.
+    """The camera, its frame and its rate.
 
     Raises:
-        ValueError: a rate out of range
+        ValueError: the rate is out of range
     """
 
     camera: Camera
@@ -93,7 +93,7 @@ class RosPerson:
         ``person/act`` (std_msgs/String): stand, walk, leave, come
     Publishes:
         ``person/pose`` (geometry_msgs/PoseStamped) and ``person/marker`` (visualization_msgs/Marker) while present,
-        ``camera/depth/points`` (sensor_msgs/PointCloud2) while somebody listens
+        ``camera/depth/points`` (sensor_msgs/PointCloud2) while there are subscribers
     """
 
     def __init__(
@@ -121,12 +121,12 @@ class RosPerson:
         rospy.loginfo("person: %s", message.data)
 
     def step(self, duration_s: float, stamp: rospy.Time, *, robot: Pose) -> None:
-        """Let time pass.
+        """Advance the time.
 
         Args:
-            duration_s: how much, in seconds
-            stamp: of the messages
-            robot: where the robot is now
+            duration_s: duration of the step in seconds
+            stamp: stamp of the messages
+            robot: present pose of the robot
         """
         with self._lock:
             self._robot = robot
@@ -146,7 +146,7 @@ class RosPerson:
         self._since_image_s += duration_s
         if self._since_image_s + 1e-9 < 1.0 / self._settings.rate_hz:
             return
-        # What is late by less than a picture stays in the account, so that the mean rate is the wanted one.
+        # A delay of less than a picture is carried over, so that the mean rate is right.
         self._since_image_s = min(self._since_image_s - 1.0 / self._settings.rate_hz, 1.0 / self._settings.rate_hz)
         if body is not None:
             self._show(body, stamp)

@@ -32,7 +32,7 @@ class NavigationSettings:
     """Parameters of the node.
 
     Raises:
-        ValueError: a number out of range
+        ValueError: a number is out of range
     """
 
     room: str
@@ -70,25 +70,25 @@ def read_settings() -> NavigationSettings:
 
 
 class BadPose(ValueError):
-    """A pose that is no pose; the message says why."""
+    """The pose is not usable; the message is the reason."""
 
 
 def yaw_of(rotation: Quaternion) -> float:
     """Return the direction of a robot on the floor.
 
     Raises:
-        BadPose: no rotation, or not about the vertical axis
+        BadPose: the orientation is not a rotation, or not about the vertical axis
     """
     length = math.sqrt(rotation.x**2 + rotation.y**2 + rotation.z**2 + rotation.w**2)
     if not 0.9 < length < 1.1:
-        raise BadPose(f"the orientation is no rotation: its quaternion has length {length:.3g}")
+        raise BadPose(f"the orientation is not a rotation: its quaternion has length {length:.3g}")
     if math.hypot(rotation.x, rotation.y) > 0.05:
         raise BadPose("the orientation is not about the vertical axis")
     return 2.0 * math.atan2(rotation.z, rotation.w)
 
 
 def message_of_grid(grid: OccupancyGrid, *, header: Header) -> OccupancyGridMessage:
-    """Pack a grid as a map: 100 is taken, 0 is free."""
+    """Pack a grid as a map: 100 is occupied, 0 is free."""
     message = OccupancyGridMessage(header=header)
     message.info.map_load_time = header.stamp
     message.info.resolution = grid.resolution_m
@@ -102,7 +102,8 @@ def message_of_grid(grid: OccupancyGrid, *, header: Header) -> OccupancyGridMess
 class MoveBaseSim:
     """Plans on the map and drives there.
 
-    Odometry of the simulated robots is exact and starts at their pose in the map: map and odometry frame are one.
+    The odometry of the simulated robots is exact and starts at their pose in the map, so map and odometry frame are the
+    same.
 
     Subscribes:
         ``odom`` (nav_msgs/Odometry)
@@ -161,7 +162,7 @@ class MoveBaseSim:
             self._condition.notify_all()
 
     def run(self) -> None:
-        """Plan and drive until shutdown. All decisions are made here, in one thread."""
+        """Plan and drive until shutdown. This thread makes all decisions."""
         while not rospy.is_shutdown():
             with self._condition:
                 if not self._is_new:
@@ -197,7 +198,7 @@ class MoveBaseSim:
         return message
 
     def _begin(self, target: PoseStamped, odometry: Optional[Tuple[Pose, float, str]], now_s: float) -> None:
-        """Plan. The base stands meanwhile."""
+        """Plan. The base stands during planning."""
         self._follower = None
         self._publish_velocity(STANDING)
         try:
@@ -264,7 +265,7 @@ class MoveBaseSim:
         self._server.action_server.status_timer.shutdown()
         if self._server.is_active():
             self._publish_velocity(STANDING)
-            # A thread of the publisher sends what is queued; the topics close when this returns.
+            # A thread of the publisher sends queued messages; the topics close when this method returns.
             time.sleep(0.1)
 
 

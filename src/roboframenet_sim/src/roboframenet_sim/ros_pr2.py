@@ -19,7 +19,7 @@ ROBOT_RADIUS_M = 0.33
 
 
 def trajectory_of(goal: JointTrajectoryGoal) -> Trajectory:
-    """Read a goal. Velocities and accelerations of the points are left out: the arm goes straight between them."""
+    """Read a goal. Velocities and accelerations of the points are ignored: the arm moves straight between them."""
     return Trajectory(
         joint_names=tuple(goal.trajectory.joint_names),
         points=tuple(
@@ -32,18 +32,18 @@ def trajectory_of(goal: JointTrajectoryGoal) -> Trajectory:
 class ArmController:
     """The trajectory action of one arm.
 
-    Goals are looked at in the steps of the simulation: nothing waits, and a new goal takes the place of the one before.
+    The steps of the simulation handle goals: nothing waits, and a new goal replaces the one before.
     """
 
     def __init__(self, name: str, arm: Arm) -> None:
         self._arm = arm
         self._server = actionlib.SimpleActionServer(name, JointTrajectoryAction, auto_start=False)
         self._server.start()
-        # The status timer of a stock server publishes on while the topics close.
+        # The status timer of a stock server still publishes while the topics close.
         rospy.on_shutdown(self._server.action_server.status_timer.shutdown)
 
     def step(self, duration_s: float) -> None:
-        """Let time pass."""
+        """Advance the time."""
         if self._server.is_new_goal_available():
             self._accept()
         self._arm.step(duration_s)
@@ -94,7 +94,7 @@ class Pr2Sim:
         ]
 
     def step(self, duration_s: float, stamp: rospy.Time) -> None:
-        """Let time pass."""
+        """Advance the time."""
         self._base.step(duration_s, stamp)
         message = JointState()
         message.header.stamp = stamp

@@ -1,4 +1,4 @@
-"""The time of a simulated robot: steps of one length, along the wall clock or along a /clock of its own."""
+"""The time of a simulated robot: regular steps that follow the wall clock or a /clock of its own."""
 
 import math
 import threading
@@ -13,10 +13,10 @@ from rosgraph_msgs.msg import Clock
 
 @dataclass(frozen=True)
 class SteppingSettings:
-    """How time passes.
+    """Rate and clock of the simulation.
 
     Raises:
-        ValueError: a number out of range, or a rate factor without a clock to change
+        ValueError: a number is out of range, or there is a rate factor but no clock
     """
 
     rate_hz: float = 50.0
@@ -54,10 +54,9 @@ def read_stepping_settings(*, rate_hz: float) -> SteppingSettings:
 class Stepper:
     """Calls a function once per period until the node is shut down.
 
-    The node that publishes /clock makes every step exactly one period long, however busy the machine is: the simulation
-    then runs slower, but the same. Along the wall clock, or the /clock of another node, a step is as long as the time
-    that
-    has passed.
+    The node that publishes /clock makes every step exactly one period long, however busy the machine is. The simulation
+    then runs slower, with the same result. With the wall clock, or the /clock of another node, a step is as long as the
+    time that has passed.
 
     Args:
         settings: rate and clock
@@ -100,7 +99,7 @@ class Stepper:
             try:
                 rate.sleep()
             except rospy.ROSTimeMovedBackwardsException:
-                # The clock was started again: this step takes no time.
+                # The clock was restarted: this step takes no time.
                 last_s = rospy.get_time()
             except rospy.ROSInterruptException:
                 return
@@ -119,10 +118,9 @@ class Stepper:
 
 
 def run_until_shutdown(loop: Callable[[], None]) -> None:
-    """Run a loop in a thread of its own until the node is shut down.
+    """Run a loop in its own thread until the node is shut down.
 
-    Signal handlers run in the main thread, wherever it is: rospy closes the topics there, which must not happen in the
-    middle of a publish.
+    Signal handlers run in the main thread, and rospy closes the topics there. This must not happen during a publish.
 
     Args:
         loop: returns soon after shutdown; if it raises, the node is shut down
@@ -131,7 +129,7 @@ def run_until_shutdown(loop: Callable[[], None]) -> None:
     def run() -> None:
         try:
             loop()
-        except Exception as error:  # boundary: a thread that dies silently would leave a dead robot
+        except Exception as error:  # boundary: if the thread died silently, the robot would stop working without a sign
             if not rospy.is_shutdown():
                 rospy.logfatal("%s", traceback.format_exc())
                 rospy.signal_shutdown(f"{type(error).__name__}: {error}")
@@ -143,7 +141,7 @@ def run_until_shutdown(loop: Callable[[], None]) -> None:
 
 
 def publish(publisher: Optional[rospy.Publisher], message: object) -> None:
-    """Publish; a topic that is closed because the node shuts down is no error."""
+    """Publish; a topic that closes because the node shuts down is not an error."""
     try:
         if publisher is not None:
             publisher.publish(message)

@@ -12,11 +12,11 @@ from roboframenet_sim.ros_camera import RosPerson, read_camera_settings, read_pe
 from roboframenet_sim.ros_stepping import Stepper, read_stepping_settings
 
 ROBOT_RADIUS_M = 0.18
-"""Radius of the Turtlebot's base: it cannot come nearer to a wall."""
+"""Radius of the Turtlebot's base: it cannot get nearer to a wall."""
 
 
 class TurtlebotSim:
-    """A Turtlebot, and a person before it if wanted.
+    """A Turtlebot, and optionally a person in front of it.
 
     Subscribes:
         ``cmd_vel`` (geometry_msgs/Twist), ``person/act`` (std_msgs/String)
@@ -46,7 +46,7 @@ class TurtlebotSim:
         )
 
     def step(self, duration_s: float, stamp: rospy.Time) -> None:
-        """Let time pass."""
+        """Advance the time."""
         self._base.step(duration_s, stamp)
         self._person.step(duration_s, stamp, robot=self._base.pose)
 

@@ -4,7 +4,6 @@
 import math
 import os
 import sys
-import time
 import unittest
 
 import actionlib
@@ -16,18 +15,10 @@ from geometry_msgs.msg import PoseStamped, PoseWithCovarianceStamped, Twist
 from move_base_msgs.msg import MoveBaseAction, MoveBaseGoal
 from nav_msgs.msg import OccupancyGrid, Odometry
 
+from roboframenet_testing import wait_until
+
 DEADLINE_S = 60.0
 PLACES = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "config", "places.yaml")
-
-
-def wait_until(condition, timeout_s=DEADLINE_S):
-    """Wait until the condition holds; return whether it does."""
-    end_s = time.monotonic() + timeout_s
-    while not condition():
-        if time.monotonic() > end_s or rospy.is_shutdown():
-            return False
-        time.sleep(0.01)
-    return True
 
 
 class TestMoveBaseSim(unittest.TestCase):
@@ -53,8 +44,8 @@ class TestMoveBaseSim(unittest.TestCase):
         cls.client = actionlib.ActionClient("move_base", MoveBaseAction)
         cls.walled_in = actionlib.ActionClient("walled_in/move_base", MoveBaseAction)
         for client in (cls.client, cls.walled_in):
-            assert wait_until(lambda client=client: client.wait_for_server(rospy.Duration(1.0)))
-        assert wait_until(lambda: cls.odometry is not None and cls.amcl_pose is not None)
+            wait_until(lambda client=client: client.wait_for_server(rospy.Duration(1.0)))
+        wait_until(lambda: cls.odometry is not None and cls.amcl_pose is not None)
         with open(PLACES, encoding="utf-8") as file:
             cls.places = yaml.safe_load(file)
 
@@ -68,7 +59,7 @@ class TestMoveBaseSim(unittest.TestCase):
 
     def outcome(self, handle):
         """Wait for the end, and return state and text."""
-        self.assertTrue(wait_until(lambda: handle.get_comm_state() == actionlib.CommState.DONE))
+        wait_until(lambda: handle.get_comm_state() == actionlib.CommState.DONE)
         return handle.get_terminal_state(), handle.get_goal_status_text()
 
     def test_goes_round_walls_and_the_kitchen_table(self):
@@ -84,19 +75,19 @@ class TestMoveBaseSim(unittest.TestCase):
         self.assertEqual((GoalStatus.SUCCEEDED, "the goal is reached"), self.outcome(handle))
         position = self.odometry.pose.pose.position
         self.assertLess(math.hypot(position.x - place["x"], position.y - place["y"]), 0.1)
-        self.assertTrue(wait_until(lambda: self.last_command == (0.0, 0.0)))
-        self.assertTrue(wait_until(lambda: abs(self.amcl_pose.pose.pose.position.x - place["x"]) < 0.1))
+        wait_until(lambda: self.last_command == (0.0, 0.0))
+        wait_until(lambda: abs(self.amcl_pose.pose.pose.position.x - place["x"]) < 0.1)
         self.assertTrue(feedback)
 
     def test_cancel_in_mid_way_stops_the_robot(self):
         """PREEMPTED, and zero velocity."""
         place = self.places["office"]
         handle = self.go(place["x"], place["y"])
-        self.assertTrue(wait_until(lambda: abs(self.odometry.twist.twist.linear.x) > 0.1))
+        wait_until(lambda: abs(self.odometry.twist.twist.linear.x) > 0.1)
         handle.cancel()
         self.assertEqual(GoalStatus.PREEMPTED, self.outcome(handle)[0])
-        self.assertTrue(wait_until(lambda: self.last_command == (0.0, 0.0)))
-        self.assertTrue(wait_until(lambda: self.odometry.twist.twist.linear.x == 0.0))
+        wait_until(lambda: self.last_command == (0.0, 0.0))
+        wait_until(lambda: self.odometry.twist.twist.linear.x == 0.0)
 
     def test_goals_that_cannot_be_are_aborted_with_the_reason(self):
         """In a wall, outside, in another frame."""
@@ -118,7 +109,7 @@ class TestMoveBaseSim(unittest.TestCase):
 
     def test_map_has_the_walls(self):
         """The latched map is the room."""
-        self.assertTrue(wait_until(lambda: self.map is not None))
+        wait_until(lambda: self.map is not None)
         info = self.map.info
         self.assertEqual((240, 160), (info.width, info.height))
         column = int((-2.0 - info.origin.position.x) / info.resolution)

@@ -2,7 +2,6 @@
 """The arms and the base of the simulated PR2, as its clients see them."""
 
 import sys
-import time
 import unittest
 
 import actionlib
@@ -15,20 +14,12 @@ from pr2_controllers_msgs.msg import JointTrajectoryAction, JointTrajectoryGoal
 from sensor_msgs.msg import JointState
 from trajectory_msgs.msg import JointTrajectoryPoint
 
+from roboframenet_testing import wait_until
+
 DEADLINE_S = 60.0
 SUFFIXES = ("shoulder_pan", "shoulder_lift", "upper_arm_roll", "elbow_flex", "forearm_roll", "wrist_flex", "wrist_roll")
 HIGH = (-0.3, -0.2, -0.5, -0.8, 0.0, -0.4, 0.0)
 TUCKED = (0.0, 1.1, 0.0, -1.9, 0.0, -1.0, 0.0)
-
-
-def wait_until(condition, timeout_s=DEADLINE_S):
-    """Wait until the condition holds; return whether it does."""
-    end_s = time.monotonic() + timeout_s
-    while not condition():
-        if time.monotonic() > end_s or rospy.is_shutdown():
-            return False
-        time.sleep(0.01)
-    return True
 
 
 class TestPr2Sim(unittest.TestCase):
@@ -46,7 +37,7 @@ class TestPr2Sim(unittest.TestCase):
         }
         for client in cls.arms.values():
             assert client.wait_for_server(rospy.Duration(DEADLINE_S))
-        assert wait_until(lambda: len(cls.positions) == 14 and cls.odometry is not None)
+        wait_until(lambda: len(cls.positions) == 14 and cls.odometry is not None)
 
     @classmethod
     def on_joints(cls, message):
@@ -69,7 +60,7 @@ class TestPr2Sim(unittest.TestCase):
 
     def outcome(self, handle):
         """Wait for the end, and return the state."""
-        self.assertTrue(wait_until(lambda: handle.get_comm_state() == actionlib.CommState.DONE))
+        wait_until(lambda: handle.get_comm_state() == actionlib.CommState.DONE)
         return handle.get_terminal_state()
 
     def is_at(self, positions, prefix="r"):
@@ -83,9 +74,9 @@ class TestPr2Sim(unittest.TestCase):
         """Each arm has an action of its own."""
         left = self.send(TUCKED, 2.0, prefix="l")
         self.assertEqual(GoalStatus.SUCCEEDED, self.outcome(self.send(HIGH, 2.0)))
-        self.assertTrue(wait_until(lambda: self.is_at(HIGH)))
+        wait_until(lambda: self.is_at(HIGH))
         self.assertEqual(GoalStatus.SUCCEEDED, self.outcome(left))
-        self.assertTrue(wait_until(lambda: self.is_at(TUCKED, prefix="l")))
+        wait_until(lambda: self.is_at(TUCKED, prefix="l"))
 
     def test_limits_abort_with_the_joint(self):
         """Beyond the range, and faster than the joint."""
@@ -100,30 +91,30 @@ class TestPr2Sim(unittest.TestCase):
         """A cancelled goal is PREEMPTED, and the arm is where it was."""
         self.assertEqual(GoalStatus.SUCCEEDED, self.outcome(self.send(TUCKED, 2.0)))
         handle = self.send(HIGH, 30.0)
-        self.assertTrue(wait_until(lambda: self.velocities["r_shoulder_lift_joint"] < 0.0))
+        wait_until(lambda: self.velocities["r_shoulder_lift_joint"] < 0.0)
         handle.cancel()
         self.assertEqual(GoalStatus.PREEMPTED, self.outcome(handle))
-        self.assertTrue(wait_until(lambda: self.velocities["r_shoulder_lift_joint"] == 0.0))
+        wait_until(lambda: self.velocities["r_shoulder_lift_joint"] == 0.0)
         self.assertFalse(self.is_at(HIGH))
 
     def test_newer_trajectory_takes_the_place_of_the_older(self):
         """As on the real controller."""
         older = self.send(HIGH, 30.0)
-        self.assertTrue(wait_until(lambda: older.get_goal_status() == GoalStatus.ACTIVE))
+        wait_until(lambda: older.get_goal_status() == GoalStatus.ACTIVE)
         newer = self.send(TUCKED, 2.0)
         self.assertEqual(GoalStatus.PREEMPTED, self.outcome(older))
         self.assertEqual(GoalStatus.SUCCEEDED, self.outcome(newer))
-        self.assertTrue(wait_until(lambda: self.is_at(TUCKED)))
+        wait_until(lambda: self.is_at(TUCKED))
 
     def test_base_moves_and_stops_by_itself(self):
         """A commander that falls silent: the base stands after the command timeout."""
         publisher = rospy.Publisher("base_controller/command", Twist, queue_size=1)
-        self.assertTrue(wait_until(lambda: publisher.get_num_connections() > 0))
+        wait_until(lambda: publisher.get_num_connections() > 0)
         command = Twist()
         command.linear.x = 0.3
         publisher.publish(command)
-        self.assertTrue(wait_until(lambda: self.fastest > 0.25))
-        self.assertTrue(wait_until(lambda: self.odometry.twist.twist.linear.x == 0.0))
+        wait_until(lambda: self.fastest > 0.25)
+        wait_until(lambda: self.odometry.twist.twist.linear.x == 0.0)
         self.assertGreater(self.odometry.pose.pose.position.x, 0.1)
 
 

@@ -64,7 +64,7 @@ def test_robot_that_stands_too_near_may_leave():
     corners = plan(WALL, start=(2.95, 2.5), goal=(0.5, 2.5), escape_m=1.0)
     assert corners[0] == (2.95, 2.5)
     assert plan(WALL, start=(3.1, 2.5), goal=(0.5, 2.5), escape_m=1.2)[-1] == (0.5, 2.5)
-    with pytest.raises(NoPath, match="stands in something"):
+    with pytest.raises(NoPath, match="stands in an obstacle"):
         plan(WALL, start=(3.1, 2.5), goal=(0.5, 2.5), escape_m=0.1)
 
 

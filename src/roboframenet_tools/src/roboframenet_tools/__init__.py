@@ -1,1 +1,1 @@
-"""rfn: what a person asks of the system."""
+"""The command line ``rfn``."""

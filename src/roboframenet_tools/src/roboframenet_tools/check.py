@@ -1,4 +1,4 @@
-"""``rfn check``: what is wrong with frame and lexical unit files."""
+"""``rfn check``: finds problems in frame and lexical unit files."""
 
 import argparse
 import os
@@ -12,24 +12,26 @@ EXAMPLES = """examples:
   rfn check --examples my_domain
   rfn check my_domain/frames/waving.yaml --with my_domain
 
-exit status: 0 nothing wrong, 1 problems, 2 wrong usage
+exit status: 0 no problems, 1 problems, 2 wrong usage
 """
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Declare the arguments of ``rfn check``."""
     parser.epilog = EXAMPLES
-    parser.add_argument("paths", nargs="+", help="files, and folders with the folders frames and lexical_units in them")
+    parser.add_argument(
+        "paths", nargs="+", help="files, and folders that contain folders named frames and lexical_units"
+    )
     parser.add_argument(
         "--with",
         dest="others",
         action="append",
         default=[],
         metavar="FOLDER",
-        help="frames and units that the files may refer to, not checked themselves",
+        help="frames and units that the files may refer to; they are not checked",
     )
     parser.add_argument(
-        "--examples", action="store_true", help="run each unit's examples through the parser and the framer"
+        "--examples", action="store_true", help="run the examples of each unit through the parser and the framer"
     )
 
 
@@ -41,7 +43,7 @@ def run(arguments: argparse.Namespace) -> int:
         return 2
     knowledge, checked = load_paths(arguments.paths, arguments.others)
     if not checked:
-        print("rfn check: no YAML files there, in folders named frames and lexical_units", file=sys.stderr)
+        print("rfn check: found no YAML files in folders named frames and lexical_units", file=sys.stderr)
         return 2
     problems = find_problems(knowledge, checked)
     if arguments.examples:

@@ -1,4 +1,4 @@
-"""The command line ``rfn``: one subcommand for each thing a person asks of the system."""
+"""The command line ``rfn``, with a subcommand for each task."""
 
 import argparse
 import importlib
@@ -7,28 +7,28 @@ import select
 import sys
 from typing import List, Optional, Sequence
 
-#: Subcommand, module that implements it, and the line that ``rfn --help`` shows. A module offers
-#: ``add_arguments(parser)`` and ``run(arguments) -> exit status``; it is imported only when it is asked for, so that
-#: a subcommand that needs no ROS works without ROS, and ``rfn --help`` is quick.
+#: Subcommand, module that implements it, and the line that ``rfn --help`` shows. A module defines
+#: ``add_arguments(parser)`` and ``run(arguments) -> exit status``. It is imported only when its subcommand runs. So a
+#: subcommand that needs no ROS works without ROS, and ``rfn --help`` is quick.
 COMMANDS = (
-    ("say", "roboframenet_tools.ros_say", "say a sentence to the robot and see what comes of it"),
+    ("say", "roboframenet_tools.ros_say", "say a sentence to the robot and show what happens"),
     ("explain", "roboframenet_tools.explain", "show how a sentence is understood, without running it"),
-    ("passes", "roboframenet_tools.passes", "list the rules that rewrite a sentence, and what each does to a corpus"),
+    ("passes", "roboframenet_tools.passes", "list the rules that rewrite a sentence, and their effect on a corpus"),
     ("check", "roboframenet_tools.check", "check frame and lexical unit files"),
     (
         "list",
         "roboframenet_tools.listing",
-        "count domains, frames, lexical units and what is grounded, beside the paper",
+        "count domains, frames, lexical units and grounded frames, beside the paper",
     ),
     ("graph", "roboframenet_tools.graph", "draw the graph of semantic frames"),
-    ("new", "roboframenet_tools.new", "make the files of a new frame: frame, lexical unit, RFNServer, test"),
+    ("new", "roboframenet_tools.new", "write the files of a new frame: frame, lexical unit, RFNServer, test"),
     ("port", "roboframenet_tools.port", "show or make the one-line change from an action server to an RFNServer"),
-    ("doctor", "roboframenet_tools.doctor", "look for what keeps the system from working"),
+    ("doctor", "roboframenet_tools.doctor", "find out why the system does not work"),
     ("learn", "frame_learning.learn_command", "learn lexical units from annotated sentences"),
     ("score", "frame_learning.score_command", "score the understanding of a public corpus"),
     ("completion", "roboframenet_tools.completion", "print the completion of rfn for bash"),
 )
-#: Exit status when whoever read the output has gone ("rfn score ... | head"): that of a program ended by SIGPIPE.
+#: Exit status when the reader of the output has closed it ("rfn score ... | head"): that of a program ended by SIGPIPE.
 OUTPUT_CLOSED = 128 + 13
 
 
@@ -36,9 +36,9 @@ def main(argv: Optional[Sequence[str]] = None) -> int:
     """Run one subcommand.
 
     Args:
-        argv: the words behind ``rfn``; None for those of the process
+        argv: the words after ``rfn``; None for those of the process
     Returns:
-        exit status: 0 when what was asked for is done, 2 for wrong usage, ``OUTPUT_CLOSED`` when nobody reads it
+        exit status: 0 for success, 2 for wrong usage, ``OUTPUT_CLOSED`` when the output is closed
     """
     try:
         try:
@@ -48,13 +48,13 @@ def main(argv: Optional[Sequence[str]] = None) -> int:
     except BrokenPipeError:
         if not _is_output_closed():
             raise
-        # What is still to be written goes nowhere, or the interpreter would complain of it when it ends.
+        # Discard the remaining output; otherwise the interpreter reports an error when it ends.
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
         return OUTPUT_CLOSED
 
 
 def _is_output_closed() -> bool:
-    """Whether nobody reads the standard output any more; another pipe or socket may have broken."""
+    """Whether the standard output is closed; the error may come from another pipe or socket."""
     poll = select.poll()
     poll.register(sys.stdout.fileno(), 0)
     return any(event & select.POLLERR for _, event in poll.poll(0))
@@ -62,7 +62,9 @@ def _is_output_closed() -> bool:
 
 def _run(words: List[str]) -> int:
     parser = argparse.ArgumentParser(
-        prog="rfn", description="RoboFrameNet from the command line.", epilog="'rfn COMMAND --help' tells more of each."
+        prog="rfn",
+        description="RoboFrameNet from the command line.",
+        epilog="'rfn COMMAND --help' says more about each.",
     )
     subparsers = parser.add_subparsers(dest="command", metavar="COMMAND")
     for name, module, line in COMMANDS:

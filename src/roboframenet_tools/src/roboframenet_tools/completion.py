@@ -1,4 +1,4 @@
-"""``rfn completion``: prints what bash needs to complete ``rfn``."""
+"""``rfn completion``: prints the bash function that completes ``rfn``."""
 
 import argparse
 import importlib
@@ -21,7 +21,7 @@ def run(arguments: argparse.Namespace) -> int:
 
 
 def script() -> str:
-    """Return the bash function; options are those that the subcommands declare."""
+    """Return the bash function, with the options that the subcommands declare."""
     from roboframenet_tools.cli import COMMANDS
 
     cases = []
@@ -29,7 +29,7 @@ def script() -> str:
         parser = argparse.ArgumentParser()
         try:
             importlib.import_module(module).add_arguments(parser)
-        except ImportError:  # a subcommand whose libraries are not here is completed by its name alone
+        except ImportError:  # a subcommand whose libraries are missing is completed by its name only
             continue
         options = [option for option in parser._option_string_actions if option.startswith("--")]
         cases.append(f'    {name}) COMPREPLY=($(compgen -W "{" ".join(options)}" -- "$word")) ;;')

@@ -1,4 +1,4 @@
-"""``rfn doctor``: what keeps the system from working, and what to do about it."""
+"""``rfn doctor``: finds out why the system does not work, and what to do about it."""
 
 import argparse
 import importlib
@@ -11,9 +11,9 @@ from stanford_parser_ros.model import ModelError, check_model_folder, shipped_mo
 
 EXAMPLES = """examples:
   rfn doctor
-  rfn doctor --no-master    only what needs no running graph
+  rfn doctor --no-master    only checks that need no running graph
 
-exit status: 0 everything is well, 1 a problem
+exit status: 0 no problem, 1 a problem
 """
 
 
@@ -39,13 +39,13 @@ def run(arguments: argparse.Namespace) -> int:
 
 
 def interpreter() -> Finding:
-    """Look at the Python that runs this."""
+    """Check the Python interpreter."""
     found = f"{sys.executable} {sys.version.split()[0]}"
     return Finding("interpreter", found, "" if sys.version_info >= (3, 8) else "use Python 3.8 or later")
 
 
 def library(name: str) -> Finding:
-    """Look whether a library can be imported."""
+    """Check whether a library can be imported."""
     try:
         module = importlib.import_module(name)
     except ImportError as error:
@@ -59,7 +59,7 @@ def library(name: str) -> Finding:
 
 
 def models() -> Finding:
-    """Look at the models of the parser."""
+    """Check the models of the parser."""
     folder = shipped_model_dir()
     try:
         check_model_folder(folder, "default")
@@ -69,7 +69,7 @@ def models() -> Finding:
 
 
 def host_name() -> Finding:
-    """Look at the name by which other nodes reach ours."""
+    """Check the host name under which other nodes reach this machine."""
     names: List[str] = [f"{name}={os.environ[name]}" for name in ("ROS_HOSTNAME", "ROS_IP") if os.environ.get(name)]
     if names:
         return Finding("host name", ", ".join(names))

@@ -7,7 +7,7 @@ from utterance_passes.tree import DependencyTree, Word
 
 
 def _levels(tree: DependencyTree) -> List[Tuple[Word, int]]:
-    """Words with a head, and how high the arc of each must pass, from 1; short arcs lie below long ones."""
+    """Return the words with a head and the level of the arc of each, from 1; short arcs lie below long ones."""
     placed: List[Tuple[int, int, int]] = []
     found = []
     for word in sorted(
@@ -21,7 +21,8 @@ def _levels(tree: DependencyTree) -> List[Tuple[Word, int]]:
 
 
 def draw_arcs(tree: DependencyTree) -> str:
-    """Return the tree for a terminal: one line for each level of arcs, the words below, an arrow at each dependent."""
+    """Return the tree for a terminal: one line for each level of arcs, the words below, and an arrow at each
+    dependent."""
     widths = [max(len(word.form), len(word.deprel) + 4) + 2 for word in tree.words]
     centres, at = [], 0
     for width, word in zip(widths, tree.words):

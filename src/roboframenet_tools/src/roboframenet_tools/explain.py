@@ -1,4 +1,4 @@
-"""``rfn explain``: how a sentence is understood, step by step."""
+"""``rfn explain``: shows how a sentence is understood, step by step."""
 
 import argparse
 import json
@@ -21,12 +21,12 @@ EXAMPLES = """examples:
   rfn explain --live
   rfn explain --batch sentences.txt --json > understood.jsonl
 
-With --live a sentence is explained with what the running graph knows, and is not carried out; without a sentence each
-command that the graph hears is explained by its own nodes, until Ctrl-C.
+With --live a sentence is explained with the knowledge of the running graph, and is not carried out. Without a sentence,
+the nodes of the graph explain each command that they hear, until Ctrl-C.
 
 exit status: 0 it would be done (a batch: every line has its object), 1 it would not, 2 wrong usage
 """
-#: Columns of the name of a rule.
+#: Width of the column of rule names.
 _RULE_WIDTH = 22
 
 
@@ -40,14 +40,16 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "--live",
         action="store_true",
-        help="frames, units, servers and parameters of the running graph; without a sentence, what the graph hears",
+        help="use what the running graph knows and its parameters; without a sentence, explain what the graph hears",
     )
     parser.add_argument(
         "--without", action="append", default=[], metavar="PASS", help="switch a pass off ('rfn passes' lists them)"
     )
     parser.add_argument("--svg", metavar="FILE", help="also draw the parse into this file")
-    parser.add_argument("--batch", metavar="FILE", help="one sentence a line; '-' reads standard input")
-    parser.add_argument("--json", action="store_true", help="one JSON object a sentence")
+    parser.add_argument(
+        "--batch", metavar="FILE", help="a file with one sentence in each line; '-' reads standard input"
+    )
+    parser.add_argument("--json", action="store_true", help="write one JSON object for each sentence")
 
 
 def run(arguments: argparse.Namespace) -> int:
@@ -83,7 +85,8 @@ def run(arguments: argparse.Namespace) -> int:
 
 
 def _lines(path: str) -> List[str]:
-    """Lines of a batch; bytes that are no UTF-8 become replacement characters, since every line gets its object."""
+    """Return the lines of a batch. Bytes that are not UTF-8 become replacement characters, because every line gets an
+    object."""
     if path == "-":
         content = sys.stdin.buffer.read()
     else:
@@ -106,7 +109,7 @@ def _pipeline(arguments: argparse.Namespace) -> Pipeline:
 
 
 def _follow() -> int:
-    """Print what the stages of the running graph tell of each command, until the person ends it."""
+    """Print the events of the running graph about each command, until Ctrl-C."""
     from roboframenet_tools.ros_graph import live_traces
 
     for text in live_traces():
@@ -130,7 +133,7 @@ def describe(understanding: Understanding) -> str:
     lines += [describe_line(line) for line in understanding.trace]
     if understanding.readings:
         lines.append("frames reached: " + ", then ".join(reading.unit.frame_name for reading in understanding.readings))
-    lines += [f"said on the way: {reading}" for reading in understanding.descriptions]
+    lines += [f"description: {reading}" for reading in understanding.descriptions]
     for number, (reading, candidates) in enumerate(zip(understanding.readings, understanding.candidates), start=1):
         if len(understanding.candidates) > 1:
             lines.append(f'clause {number}, "{reading.clause_text}"')
@@ -144,5 +147,5 @@ def describe(understanding: Understanding) -> str:
 
 
 def describe_line(line: TraceLine) -> str:
-    """Return a line of the trace, the names of the rules below each other."""
+    """Return a line of the trace, with the name of the rule in a column of its own."""
     return f"  {line.rule:<{_RULE_WIDTH}} {line.what}"

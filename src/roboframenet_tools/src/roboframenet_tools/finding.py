@@ -1,11 +1,11 @@
-"""What ``rfn doctor`` finds."""
+"""A finding of ``rfn doctor``."""
 
 from dataclasses import dataclass
 
 
 @dataclass(frozen=True)
 class Finding:
-    """One thing that was looked at; ``advice`` is empty when it is well."""
+    """The result of one check; ``advice`` is empty when there is no problem."""
 
     subject: str
     found: str

@@ -42,7 +42,7 @@ def run(arguments: argparse.Namespace) -> int:
 
 
 def dot(graph: FrameGraph) -> str:
-    """Return the graph for Graphviz: steps of a sequence are numbered, a frame that stands alone for its parent is
+    """Return the graph for Graphviz. Steps of a sequence are numbered; a frame that alone stands for its parent is
     dashed.
     """
     lines = ["digraph frames {", "  rankdir=LR; node [shape=box, fontname=sans];"]
@@ -55,7 +55,7 @@ def dot(graph: FrameGraph) -> str:
 
 
 def _edges(graph: FrameGraph) -> List[Tuple[str, str, str]]:
-    """Parent, child, and for a sequence its number and the step in it: "1.2"."""
+    """Yield parent, child, and for a sequence its number and the step in it: "1.2"."""
     return [
         (frame.name, child.name, f"{number}.{step}" if len(sequence) > 1 else "")
         for frame in graph.frames.values()
@@ -65,7 +65,7 @@ def _edges(graph: FrameGraph) -> List[Tuple[str, str, str]]:
 
 
 def layers(graph: FrameGraph) -> Dict[str, int]:
-    """Return how many relations lead to each frame at most; the graph has no cycle."""
+    """Return the length of the longest path to each frame; the graph has no cycle."""
     parents: Dict[str, List[str]] = {}
     names = list(graph.frames)
     for parent, child, _ in _edges(graph):
@@ -84,7 +84,8 @@ def _layer(name: str, parents: Mapping[str, List[str]], found: Dict[str, int]) -
 
 
 def svg(graph: FrameGraph) -> str:
-    """Return the graph as SVG, parents left of their children; frames without relations stand in the last column."""
+    """Return the graph as SVG, with parents to the left of their children, and frames without relations in the last
+    column."""
     edges = _edges(graph)
     related = {name for parent, child, _ in edges for name in (parent, child)}
     layer = layers(graph)

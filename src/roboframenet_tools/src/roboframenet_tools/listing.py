@@ -1,4 +1,4 @@
-"""``rfn list``: the paper's evaluation table beside ours, counted."""
+"""``rfn list``: counts domains, frames and servers, beside the evaluation table of the paper."""
 
 import argparse
 import os
@@ -28,7 +28,7 @@ PAPER = (
 
 @dataclass(frozen=True)
 class Domain:
-    """What a folder of a domain holds; ``grounded`` is None when no graph runs."""
+    """The counts of a domain; ``grounded`` is None when no graph runs."""
 
     name: str
     frames: int
@@ -55,13 +55,13 @@ def run(arguments: argparse.Namespace) -> int:
             live = live_knowledge(timeout_s=5.0)
             robots = robots_up()
     except (ImportError, LookupError) as error:
-        print(f"rfn list: no running graph is counted: {error}", file=sys.stderr)
+        print(f"rfn list: the running graph is not counted: {error}", file=sys.stderr)
     print(table(count(knowledge, live.graph if live else None), robots))
     return 0
 
 
 def is_grounded(graph: FrameGraph, name: str) -> bool:
-    """Whether living servers can carry a frame out: one of its own, or those of one of its sequences of children."""
+    """Whether live servers can carry a frame out: a server of its own, or those of one of its sequences of children."""
     frame = graph.frame(name)
     return bool(graph.servers(name)) or (
         frame is not None
@@ -70,7 +70,7 @@ def is_grounded(graph: FrameGraph, name: str) -> bool:
 
 
 def count(knowledge: Knowledge, live: Optional[FrameGraph]) -> Tuple[Domain, ...]:
-    """Count frames and units by the folder that their files lie in."""
+    """Count frames and units by the folder of their files."""
     domains: Dict[str, List[str]] = {}
     for name, frame in knowledge.frames.items():
         domains.setdefault(_domain(frame.path), []).append(name)

@@ -1,4 +1,4 @@
-"""``rfn new``: the files that a new frame needs, ready to be filled in."""
+"""``rfn new``: writes the files that a new frame needs, ready to be filled in."""
 
 import argparse
 import os
@@ -11,7 +11,7 @@ EXAMPLES = """examples:
   rfn new waving --verb wave --folder my_robot
   rfn check --examples my_robot
 
-It refuses to overwrite a file. Exit status: 0 written, 1 a file is there already, 2 wrong usage
+It refuses to overwrite a file. Exit status: 0 written, 1 a file exists already, 2 wrong usage
 """
 _FRAME = """# Name the frame of FrameNet here, or say in a comment why it has none.
 name: {name}
@@ -81,7 +81,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.epilog = EXAMPLES
     parser.add_argument("name", help="name of the frame, such as waving")
     parser.add_argument("--verb", help="verb that evokes it, base form (default: the name)")
-    parser.add_argument("--folder", default=".", help="where the files go (default: here)")
+    parser.add_argument("--folder", default=".", help="folder for the files (default: this one)")
 
 
 def run(arguments: argparse.Namespace) -> int:
@@ -94,7 +94,7 @@ def run(arguments: argparse.Namespace) -> int:
     paths = {os.path.join(arguments.folder, path): text for path, text in files.items()}
     there = [path for path in paths if os.path.lexists(path)]
     if there:
-        print(f"rfn new: there already: {', '.join(there)}; nothing was written", file=sys.stderr)
+        print(f"rfn new: these files exist already: {', '.join(there)}; nothing was written", file=sys.stderr)
         return 1
     for path, text in paths.items():
         os.makedirs(os.path.dirname(path), exist_ok=True)
@@ -113,12 +113,14 @@ def scaffold(name: str, verb: str) -> Dict[str, str]:
         name: of the frame: lower case letters, digits and underscores
         verb: that evokes it, with a particle if it has one
     Raises:
-        ValueError: the name or the verb is not written so
+        ValueError: the name or the verb has another form
     """
     if not re.fullmatch(r"[a-z][a-z0-9_]*", name):
-        raise ValueError(f"'{name}' is no name of a frame: lower case letters, digits and underscores, such as waving")
+        raise ValueError(
+            f"'{name}' is not the name of a frame: use lower case letters, digits and underscores, such as waving"
+        )
     if not re.fullmatch(r"[a-z]+( [a-z]+)*", verb):
-        raise ValueError(f"'{verb}' is no verb: lower case words, such as 'pick up' (give it with --verb)")
+        raise ValueError(f"'{verb}' is not a verb: use lower case words, such as 'pick up' (give it with --verb)")
     words = {"name": name, "verb": verb, "capital": verb.capitalize()}
     templates = {
         f"frames/{name}.yaml": _FRAME,

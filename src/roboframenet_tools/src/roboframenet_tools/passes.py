@@ -1,4 +1,4 @@
-"""``rfn passes``: the rules that rewrite a sentence before it is read, and what each does to a corpus."""
+"""``rfn passes``: lists the rules that rewrite a sentence before it is read, and their effect on a corpus."""
 
 import argparse
 import sys
@@ -17,8 +17,8 @@ EXAMPLES = """examples:
   rfn passes --corpus huric huric-2.1/english
   rfn passes --corpus huric huric-2.1/english --show quotations
 
-"changes" counts the sentences where it fires; "read otherwise" those that have other frames, arguments or another reply
-without it.
+"changes" counts the sentences that a pass changes; "read otherwise" counts those that have other frames, arguments or
+another reply without it.
 
 exit status: 0 listed, 2 wrong usage
 """
@@ -26,12 +26,12 @@ exit status: 0 listed, 2 wrong usage
 
 @dataclass(frozen=True)
 class Effect:
-    """What a pass does to a corpus.
+    """The effect of a pass on a corpus.
 
     Attributes:
         name: of the pass
         changed: sentences that it changes
-        read_otherwise: those of them that come out otherwise without it, with and without the pass
+        read_otherwise: those of them that are understood differently without it; results with and without the pass
     """
 
     name: str
@@ -45,7 +45,9 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "--corpus", nargs=2, metavar=("NAME", "DIR"), help=f"one of {', '.join(CORPORA)}, and its folder"
     )
-    parser.add_argument("--show", metavar="PASS", help="print each sentence that is read otherwise without this pass")
+    parser.add_argument(
+        "--show", metavar="PASS", help="print each sentence that is understood differently without this pass"
+    )
     parser.add_argument("--domains", action="append", metavar="FOLDER", help="frames and units (default: shipped)")
 
 
@@ -53,7 +55,7 @@ def run(arguments: argparse.Namespace) -> int:
     """List the passes; return the exit status."""
     names = [one.name for one in PASSES]
     if arguments.show is not None and (arguments.show not in names or not arguments.corpus):
-        print("rfn passes: --show wants the name of a pass, and --corpus", file=sys.stderr)
+        print("rfn passes: --show needs the name of a pass, and --corpus", file=sys.stderr)
         return 2
     if not arguments.corpus:
         for one in PASSES:
@@ -81,12 +83,12 @@ def run(arguments: argparse.Namespace) -> int:
 
 
 def effects_of(pipeline: Pipeline, said: Iterable[str], names: Sequence[str]) -> List[Effect]:
-    """Count what passes change, and what comes out otherwise without each of them.
+    """Count the sentences that passes change, and those that are understood differently without each pass.
 
     Args:
         pipeline: traced, with every pass
         said: sentences
-        names: of the passes to look at
+        names: of the passes to examine
     """
     fired: Dict[str, List[Tuple[str, str]]] = {name: [] for name in names}
     for text in said:
@@ -96,7 +98,7 @@ def effects_of(pipeline: Pipeline, said: Iterable[str], names: Sequence[str]) ->
     effects = []
     for name, found in fired.items():
         lacking = Pipeline(pipeline.knowledge, pipeline.parser, without=frozenset([name]))
-        # Where it changes nothing, nothing is otherwise without it.
+        # A sentence that a pass does not change is the same without the pass.
         pairs = [(text, outcome, _outcome(lacking.understand_safely(text))) for text, outcome in found]
         otherwise = tuple((text, outcome, other) for text, outcome, other in pairs if outcome != other)
         effects.append(Effect(name, tuple(text for text, _ in found), otherwise))
@@ -104,7 +106,7 @@ def effects_of(pipeline: Pipeline, said: Iterable[str], names: Sequence[str]) ->
 
 
 def _outcome(understanding: Understanding) -> str:
-    """Return what a person would notice: the readings, and the reply where nothing would be done."""
+    """Return what a person would notice: the readings, and the reply if nothing would be done."""
     readings = "; ".join(map(str, understanding.readings))
     reply = understanding.reply
     return f"{readings} {'' if reply.code == 'DONE' else f'[{reply.code}] {reply.sentence}'}".strip()

@@ -29,7 +29,7 @@ _PORTED_NAMES = {
 _RFN_NAMES = {
     f"{module}.{name}" for module in ("rfnserver", "rfnserver.rfnserver") for name in ("RFNServer", "RFNActionServer")
 }
-#: What a line ends with, as Python reads it; ``splitlines`` would also split at form feeds and others.
+#: The line ends that Python knows; ``splitlines`` would also split at form feeds and other characters.
 _LINE = re.compile(r"[^\r\n]*(?:\r\n|\r|\n)|[^\r\n]+$")
 
 
@@ -43,12 +43,12 @@ class AlreadyPorted(PortError):
 
 @dataclass(frozen=True)
 class Site:
-    """One place that names the class of an action server.
+    """A place that names the class of an action server.
 
     Attributes:
-        expression: what stands there
-        name: class of rfnserver that has to stand there
-        server: expression under which the program then has the server, empty when that is not seen
+        expression: the text of the place
+        name: class of rfnserver that replaces it
+        server: expression that holds the server in the program; empty if it is not found
     """
 
     expression: ast.expr
@@ -58,7 +58,7 @@ class Site:
 
 @dataclass(frozen=True)
 class Ported:
-    """A ported source: its text, and what its servers are called in it, each once."""
+    """A ported source: its text, and the expressions of its servers, each once."""
 
     text: str
     servers: Tuple[str, ...]
@@ -91,8 +91,8 @@ def run(arguments: argparse.Namespace) -> int:
         print(f"rfn port: {path}: {error}", file=sys.stderr)
         return 1
     print(difference(text, ported.text, path), end="")
-    print(f"\n{path} is changed." if arguments.apply else "\nNothing is changed yet: --apply does it.")
-    print("Then register each server for what it can do, and name the package in package.xml:")
+    print(f"\n{path} is changed." if arguments.apply else "\nNothing is changed yet; --apply makes the change.")
+    print("Then register each server for its frames, and name the package in package.xml:")
     for server in ported.servers:
         print(f'    {server}.register_with_frame("frame_name")    # after {server}.start()')
     print("    <exec_depend>rfnserver</exec_depend>")
@@ -100,16 +100,16 @@ def run(arguments: argparse.Namespace) -> int:
 
 
 def port(text: str) -> Ported:
-    """Return the source with RFNServers in the place of its action servers.
+    """Return the source with RFNServers instead of its action servers.
 
     Raises:
         AlreadyPorted: it has only RFNServers
-        PortError: it is no Python 3, has no action server, or uses the name rfnserver for something else
+        PortError: it is not Python 3, has no action server, or uses the name rfnserver for something else
     """
     try:
         tree = ast.parse(text)
     except SyntaxError as error:
-        raise PortError(f"line {error.lineno}: this is no Python 3 ({error.msg}); nothing is changed") from error
+        raise PortError(f"line {error.lineno}: this is not Python 3 ({error.msg}); nothing is changed") from error
     except ValueError as error:
         raise PortError(f"this is no Python source ({error}); nothing is changed") from error
     names = _imported_names(tree)
@@ -120,8 +120,8 @@ def port(text: str) -> Ported:
     )
     if not sites:
         if any(_resolve(node, names) in _RFN_NAMES for node in ast.walk(tree) if isinstance(node, ast.expr)):
-            raise AlreadyPorted("its servers are RFNServers already; nothing is to be changed")
-        raise PortError("nothing in it makes an action server of actionlib; nothing is to be changed")
+            raise AlreadyPorted("its servers are RFNServers already; there is nothing to change")
+        raise PortError("it does not make an action server of actionlib; there is nothing to change")
     lines = _LINE.findall(text)
     module, insert_at = _module_name(tree, sites[0].expression.lineno)
     for site in reversed(sites):
@@ -141,7 +141,7 @@ def difference(before: str, after: str, path: str) -> str:
 
 
 def _decode(source: bytes) -> Tuple[str, str]:
-    """Text of a source file, with the line ends that it has, and its encoding."""
+    """Return the text of a source file, with its own line ends, and its encoding."""
     try:
         encoding, _ = tokenize.detect_encoding(io.BytesIO(source).readline)
         return source.decode(encoding), encoding
@@ -150,7 +150,7 @@ def _decode(source: bytes) -> Tuple[str, str]:
 
 
 def _replace(path: str, content: bytes) -> None:
-    """Write a file in one step, with the mode that it has; a link stays a link."""
+    """Write a file in one step and keep its mode; a link stays a link."""
     path = os.path.realpath(path)
     descriptor, new_path = tempfile.mkstemp(dir=os.path.dirname(path), prefix=".rfn_port_")
     try:
@@ -164,7 +164,7 @@ def _replace(path: str, content: bytes) -> None:
 
 
 def _imported_names(tree: ast.Module) -> Dict[str, str]:
-    """What the names that are imported anywhere in the file stand for, as dotted names."""
+    """Return the dotted names of the names that the file imports anywhere."""
     names: Dict[str, str] = {}
     for node in ast.walk(tree):
         if isinstance(node, ast.Import):
@@ -183,7 +183,7 @@ def _imported_names(tree: ast.Module) -> Dict[str, str]:
 
 
 def _dotted(node: Optional[ast.AST]) -> str:
-    """A name with its attributes, as it is written; empty for every other expression."""
+    """Return a name with its attributes, as it is written; empty for any other expression."""
     if isinstance(node, ast.Name):
         return node.id
     if isinstance(node, ast.Attribute):
@@ -193,13 +193,13 @@ def _dotted(node: Optional[ast.AST]) -> str:
 
 
 def _resolve(node: Optional[ast.AST], names: Dict[str, str]) -> str:
-    """What an expression stands for, as a dotted name; empty when nothing imported."""
+    """Return the dotted name of an expression; empty when it is not imported."""
     first, dot, rest = _dotted(node).partition(".")
     return names[first] + dot + rest if first in names else ""
 
 
 def _sites(tree: ast.Module, names: Dict[str, str]) -> Iterator[Site]:
-    """Every place where an action server of actionlib is made, inherited or given another name."""
+    """Return every place where an action server of actionlib is made, inherited from or renamed."""
 
     def site(expression: ast.expr, server: str = "") -> Iterator[Site]:
         name = _PORTED_NAMES.get(_resolve(expression, names))
@@ -221,16 +221,16 @@ def _sites(tree: ast.Module, names: Dict[str, str]) -> Iterator[Site]:
             yield from bases
             if not bases:
                 continue
-            # SimpleActionServer.__init__(self, ...) has to be that of the new base.
+            # SimpleActionServer.__init__(self, ...) must become that of the new base.
             for inner in ast.walk(node):
                 if isinstance(inner, ast.Attribute):
                     yield from site(inner.value)
 
 
 def _module_name(tree: ast.Module, first_line: int) -> Tuple[str, Optional[int]]:
-    """What the module rfnserver is called in front of a line, and where its import has to go (None when it is there).
+    """Return the name of the module rfnserver before a line, and the place for its import (None when it is imported).
 
-    The place is the number of lines that come before it.
+    The place is the number of lines before it.
     """
     place = 0
     for position, node in enumerate(tree.body):
@@ -242,12 +242,12 @@ def _module_name(tree: ast.Module, first_line: int) -> Tuple[str, Optional[int]]
                 if alias.name == "rfnserver" or (alias.name.startswith("rfnserver.") and not alias.asname):
                     return alias.asname or "rfnserver", None
         is_docstring = position == 0 and ast.get_docstring(tree) is not None
-        # What shares its line with an import ("import roslib; roslib.load_manifest(...)") belongs to it.
+        # Statements on the line of an import ("import roslib; roslib.load_manifest(...)") belong to the import.
         if is_docstring or isinstance(node, (ast.Import, ast.ImportFrom)) or (place and node.lineno <= place):
             place = node.end_lineno or node.lineno
     _refuse_other_meaning(tree)
     if place == 0 and tree.body:
-        # Behind the comments at the top: one may be the interpreter, one the encoding.
+        # After the comments at the top: one may name the interpreter, one the encoding.
         place = min([tree.body[0].lineno] + [d.lineno for d in getattr(tree.body[0], "decorator_list", ())]) - 1
     return "rfnserver", place
 
@@ -279,6 +279,6 @@ def _put(lines: List[str], expression: ast.expr, text: str) -> None:
     replaced = "".join(lines[first : last + 1])[len(before) :]
     replaced = replaced[: len(replaced) - len(behind)]
     if not replaced.startswith(_dotted(expression).split(".")[0]):
-        # Python up to 3.11 does not know the place of what stands inside a formatted string.
+        # Python up to 3.11 does not know the positions of expressions inside a formatted string.
         raise PortError(f"line {expression.lineno}: the server is inside a formatted string; nothing is changed")
     lines[first : last + 1] = [before + text + behind] + [""] * (last - first)

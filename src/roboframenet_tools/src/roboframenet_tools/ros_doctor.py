@@ -1,4 +1,4 @@
-"""What ``rfn doctor`` asks of the running graph."""
+"""Checks of the running graph for ``rfn doctor``."""
 
 from typing import List
 
@@ -21,7 +21,7 @@ PIPELINE = (
 
 
 def graph_findings() -> List[Finding]:
-    """Look at the master, the nodes of the pipeline, and the time."""
+    """Check the master, the nodes of the pipeline, and the time."""
     if not rosgraph.is_master_online():
         return [
             Finding(
@@ -60,7 +60,7 @@ def _time() -> Finding:
     except rospy.ROSException as error:
         return Finding(
             "time",
-            f"simulated, but no clock comes: {error}",
-            "start what publishes /clock, or set /use_sim_time to false",
+            f"simulated, but no clock arrives: {error}",
+            "start the publisher of /clock, or set /use_sim_time to false",
         )
     return Finding("time", "simulated, the clock runs")

@@ -23,10 +23,10 @@ def live_knowledge(*, timeout_s: float) -> Knowledge:
     Args:
         timeout_s: how long to wait for each, seconds
     Raises:
-        LookupError: no master, or nobody publishes them
+        LookupError: there is no master, or nothing publishes them
     """
     if not is_master_up():
-        raise LookupError("no ROS master answers: start the pipeline, or leave --live away")
+        raise LookupError("no ROS master answers: start the pipeline, or omit --live")
     try:
         _join()
         catalogue = rospy.wait_for_message("frame_catalogue", FrameCatalogue, timeout=timeout_s)
@@ -49,10 +49,10 @@ def _join() -> None:
 
 
 def live_parameters() -> Parameters:
-    """Read what the running nodes were started with; defaults where a node has no such parameter.
+    """Read the parameters of the running nodes; a missing parameter has its default.
 
     Raises:
-        LookupError: a value that the node would not take
+        LookupError: a value that the node would refuse
     """
     try:
         policy = Policy(
@@ -70,13 +70,13 @@ def live_parameters() -> Parameters:
 
 
 def live_traces() -> Iterator[str]:
-    """What the stages tell of each command, as it passes them.
+    """Yield the events of the stages about each command, as they come.
 
     Raises:
-        LookupError: no master
+        LookupError: there is no master
     """
     if not is_master_up():
-        raise LookupError("no ROS master answers: start the pipeline, or give a sentence and leave --live away")
+        raise LookupError("no ROS master answers: start the pipeline, or give a sentence and omit --live")
     _join()
     events: queue.Queue[StageEvent] = queue.Queue()
     subscriber = rospy.Subscriber("stage_events", StageEvent, events.put, queue_size=100)
@@ -93,17 +93,18 @@ def live_traces() -> Iterator[str]:
 
 
 def describe_event(event: StageEvent) -> str:
-    """Return what a stage tells of a command, with the lines of its trace."""
+    """Return the event of a stage as text, with the lines of its trace."""
     lines = [f'"{event.command.text}" {event.stage}: {event.sentence}']
     return "\n".join(lines + [f"  {line}" for line in event.trace.splitlines()])
 
 
-#: Subscribed by a PR2, real or simulated; a robot that takes velocities and has no such arm counts as a Turtlebot.
+#: Topics to which a PR2 subscribes, real or simulated; a robot that takes velocities and has no such arm counts as a
+#: Turtlebot.
 _ARM_GOAL = "r_arm_controller/joint_trajectory_action/goal"
 
 
 def robots_up() -> Tuple[str, ...]:
-    """Return the robots in the running graph, by what is subscribed to in each namespace."""
+    """Return the robots in the running graph, found by the subscriptions in each namespace."""
     _, subscribers, _ = rosgraph.Master("/rfn").getSystemState()
     topics = [topic for topic, nodes in subscribers if nodes]
     arms = {topic[: -len(_ARM_GOAL)] for topic in topics if topic.endswith("/" + _ARM_GOAL)}

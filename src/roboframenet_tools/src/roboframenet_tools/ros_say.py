@@ -1,4 +1,4 @@
-"""``rfn say``: a sentence through the action ``command``, with the stages as they pass."""
+"""``rfn say``: sends a sentence to the action ``command`` and shows the stages as they report."""
 
 import argparse
 import queue
@@ -24,7 +24,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Declare the arguments of ``rfn say``."""
     parser.epilog = EXAMPLES
     parser.add_argument("text", nargs="+", help="the sentence; several words are joined by blanks")
-    parser.add_argument("--json", action="store_true", help="one JSON object a line: events, then the reply")
+    parser.add_argument("--json", action="store_true", help="one JSON object in each line: events, then the reply")
     parser.add_argument(
         "--timeout",
         type=float,
@@ -37,7 +37,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         type=float,
         default=10.0,
         metavar="SECONDS",
-        help="how long to wait for the command server to be there (default 10)",
+        help="how long to wait for the command server (default 10)",
     )
 
 

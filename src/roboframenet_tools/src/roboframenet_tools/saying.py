@@ -1,4 +1,4 @@
-"""What ``rfn say`` prints, and the exit status that it ends with."""
+"""The output of ``rfn say``, and its exit status."""
 
 import json
 from dataclasses import asdict, dataclass
@@ -23,13 +23,13 @@ EXIT_STATUS = {
     Outcome.NEEDS_INFORMATION: 4,
     Outcome.SUPERSEDED: 5,
 }
-#: Exit status when no reply came at all.
+#: Exit status when no reply came.
 NO_REPLY = 6
 
 
 @dataclass(frozen=True)
 class Stage:
-    """Something that a stage said of the command."""
+    """An event of a stage about the command."""
 
     stage: str
     sentence: str
@@ -48,7 +48,7 @@ class Answer:
 
 
 def format_stage(stage: Stage, *, as_json: bool) -> str:
-    """Return the line for a stage that passed."""
+    """Return the line for an event of a stage."""
     if as_json:
         return json.dumps({"event": asdict(stage)})
     return f"  {stage.stage:<20} {stage.sentence}"

@@ -48,7 +48,7 @@ def test_what_is_said_on_the_way_is_no_step(pipeline):
     ]
     steps = [step for candidates in understanding.candidates for candidate in candidates for step in candidate.frames]
     assert "being_located" not in [step.name for step in steps]
-    assert "said on the way: being_located(theme=that, location=the bathroom)" in describe(understanding)
+    assert "description: being_located(theme=that, location=the bathroom)" in describe(understanding)
     assert to_json(pipeline.understand("Don't bring me the towel that is in the bathroom."))["frames"] == []
 
 

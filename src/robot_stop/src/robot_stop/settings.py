@@ -1,21 +1,13 @@
-"""Parameters of whoever stops the robot."""
+"""Parameters of what stops the robot."""
 
-import math
 from dataclasses import dataclass
 from typing import Tuple
 
-
-def _check_number(name: str, value: object, least: float, most: float, unit: str) -> None:
-    if (
-        isinstance(value, bool)
-        or not isinstance(value, (int, float))
-        or not (math.isfinite(value) and least <= value <= most)
-    ):
-        raise ValueError(f"~{name} must be {least:g} to {most:g} {unit}, got {value!r}")
+from roboframenet_ros.parameters import Parameters, parameter
 
 
 @dataclass(frozen=True)
-class BrakeSettings:
+class BrakeSettings(Parameters):
     """Private parameters, checked.
 
     Attributes:
@@ -29,27 +21,14 @@ class BrakeSettings:
         master_timeout_s: how long the master may take to answer
 
     Raises:
-        ValueError: a value out of its range
+        ParameterError: a value out of its range
     """
 
-    velocity_topics: Tuple[str, ...] = ("cmd_vel",)
-    zero_velocity_duration_s: float = 1.0
-    zero_velocity_limit_s: float = 10.0
-    zero_velocity_rate_hz: float = 20.0
-    confirmation_timeout_s: float = 1.0
-    also_cancel: Tuple[str, ...] = ("move_base",)
-    refresh_period_s: float = 1.0
-    master_timeout_s: float = 2.0
-
-    def __post_init__(self) -> None:
-        for name in ("velocity_topics", "also_cancel"):
-            value = getattr(self, name)
-            if not isinstance(value, (list, tuple)) or not all(isinstance(entry, str) and entry for entry in value):
-                raise ValueError(f"~{name} must be a list of names, got {value!r}")
-            object.__setattr__(self, name, tuple(value))
-        _check_number("zero_velocity_duration_s", self.zero_velocity_duration_s, 0.0, 10.0, "s")
-        _check_number("zero_velocity_limit_s", self.zero_velocity_limit_s, 0.0, 600.0, "s")
-        _check_number("zero_velocity_rate_hz", self.zero_velocity_rate_hz, 1.0, 100.0, "Hz")
-        _check_number("confirmation_timeout_s", self.confirmation_timeout_s, 0.2, 10.0, "s")
-        _check_number("refresh_period_s", self.refresh_period_s, 0.1, 60.0, "s")
-        _check_number("master_timeout_s", self.master_timeout_s, 0.1, 60.0, "s")
+    velocity_topics: Tuple[str, ...] = parameter(("cmd_vel",))
+    zero_velocity_duration_s: float = parameter(1.0, least=0.0, most=10.0)
+    zero_velocity_limit_s: float = parameter(10.0, least=0.0, most=600.0)
+    zero_velocity_rate_hz: float = parameter(20.0, least=1.0, most=100.0)
+    confirmation_timeout_s: float = parameter(1.0, least=0.2, most=10.0)
+    also_cancel: Tuple[str, ...] = parameter(("move_base",))
+    refresh_period_s: float = parameter(1.0, least=0.1, most=60.0)
+    master_timeout_s: float = parameter(2.0, least=0.1, most=60.0)

@@ -25,6 +25,7 @@ from roboframenet_msgs.msg import (
 from roboframenet_msgs.srv import AddLexicalUnit, AddLexicalUnitRequest, AddLexicalUnitResponse
 
 from roboframenet_ros.ros_log import log_from_threads
+from roboframenet_ros.ros_stage import Stage
 from semantic_framer.behaviour_2012 import Arguments, Questions, with_habits
 from semantic_framer.dialogue import Context
 from semantic_framer.framed_lexicon import FramedLexicon
@@ -36,7 +37,6 @@ from semantic_framer.ros_messages import to_clauses, to_filled_units
 from semantic_frames import FileRefused, load_frame
 from semantic_frames.frame import SemanticFrame
 from semantic_frames.source_files import LEXICAL_UNITS_FOLDER, yaml_files
-from stage_events.ros_stage import Stage
 from stanford_parser_ros.ros_messages import to_tree
 from utterance_passes.trace import Trace
 from utterance_passes.tree import DependencyTree

@@ -3,7 +3,6 @@
 
 import os
 import tempfile
-import time
 import unittest
 
 import rospy
@@ -24,6 +23,8 @@ from roboframenet_msgs.msg import (
 from roboframenet_msgs.srv import AddLexicalUnit
 from stanford_parser_msgs.msg import UniversalWord
 
+from roboframenet_testing import wait_until
+
 FRAME = "name: turning\nframe_elements:\n  - {name: direction, is_core: True, values: [left, right]}\n"
 UNIT = (
     "- frame_name: turning\n  verb: turn\n  frame_element_grammatical_relations:\n"
@@ -32,15 +33,6 @@ UNIT = (
 )
 #: Of a command that says no time.
 NO_STAMP = rospy.Time()
-
-
-def wait_until(condition, timeout_s=60.0):
-    end = time.monotonic() + timeout_s
-    while time.monotonic() < end:
-        if condition():
-            return True
-        time.sleep(0.02)
-    return condition()
 
 
 class SemanticFramerNodeTest(unittest.TestCase):
@@ -62,7 +54,7 @@ class SemanticFramerNodeTest(unittest.TestCase):
         rospy.wait_for_service("add_lexical_unit", timeout=60.0)
         cls.add = rospy.ServiceProxy("add_lexical_unit", AddLexicalUnit)
         connected = [cls.parses, cls.stops, cls.catalogue] + cls.subscribers
-        assert wait_until(lambda: all(end.get_num_connections() for end in connected))
+        wait_until(lambda: all(end.get_num_connections() for end in connected))
         assert cls.add(absolute_file_path=cls.file("units.yaml", UNIT)).success
         cls.catalogue.publish(FrameCatalogue(registrar_id="test", files=[SourceFile(path="turning.yaml", text=FRAME)]))
 
@@ -92,7 +84,7 @@ class SemanticFramerNodeTest(unittest.TestCase):
         return [event for event in list(self.events) if event.command.id == command_id]
 
     def ending(self, command_id):
-        self.assertTrue(wait_until(lambda: self.events_of(command_id)))
+        wait_until(lambda: self.events_of(command_id))
         (event,) = self.events_of(command_id)
         self.assertTrue(event.is_final)
         self.assertEqual([], [message for message in self.units if message.command.id == command_id])
@@ -100,8 +92,8 @@ class SemanticFramerNodeTest(unittest.TestCase):
 
     def test_command_is_passed_on_with_its_frame(self):
         self.say("turn", "turn turn VERB VB 0 root", "left left ADV RB 1 advmod")
-        self.assertTrue(wait_until(lambda: any(message.command.id == "turn" for message in self.units)))
-        self.assertTrue(wait_until(lambda: self.units_2012 and self.events_of("turn")))
+        wait_until(lambda: any(message.command.id == "turn" for message in self.units))
+        wait_until(lambda: self.units_2012 and self.events_of("turn"))
         (message,) = [message for message in self.units if message.command.id == "turn"]
         unit = message.clauses[0].readings[0].lexical_unit
         self.assertEqual(("turning", "turn"), (unit.frame_name, unit.verb))
@@ -121,9 +113,9 @@ class SemanticFramerNodeTest(unittest.TestCase):
         events = []
         subscriber = rospy.Subscriber("quiet/stage_events", StageEvent, events.append)
         parses = rospy.Publisher("quiet/command_parse", CommandParse, queue_size=1)
-        self.assertTrue(wait_until(lambda: subscriber.get_num_connections() and parses.get_num_connections()))
+        wait_until(lambda: subscriber.get_num_connections() and parses.get_num_connections())
         parses.publish(CommandParse(command=Command(id="quiet", text="")))
-        self.assertTrue(wait_until(lambda: events))
+        wait_until(lambda: events)
         self.assertEqual(("NO_VERB", ""), (events[0].reply.code, events[0].trace))
 
     def test_negated_command_is_refused(self):
@@ -140,21 +132,21 @@ class SemanticFramerNodeTest(unittest.TestCase):
         reply = self.ending("ask")
         self.assertEqual((Reply.NEEDS_INFORMATION, "MISSING_ELEMENT"), (reply.outcome, reply.code))
         self.say("answer", "right right ADV RB 0 root")
-        self.assertTrue(wait_until(lambda: any(message.command.id == "answer" for message in self.units)))
+        wait_until(lambda: any(message.command.id == "answer" for message in self.units))
 
     def test_question_from_before_a_stop_is_answered_by_nothing(self):
         before = rospy.Time.now()
         self.stops.publish(StopReport(stop_stamp=before + rospy.Duration(1e-6)))
         answers = []
         # The report and the parses come on connections of their own.
-        self.assertTrue(wait_until(lambda: self.is_refused_as_answer(answers, before)))
+        wait_until(lambda: self.is_refused_as_answer(answers, before))
 
     def is_refused_as_answer(self, answers, stamp):
         """Ask a question that was said at a time, and answer it; whether nothing comes of the answer."""
         number = len(answers)
         self.say(f"asked{number}", "turn turn VERB VB 0 root", stamp=stamp)
         self.say(f"answer{number}", "right right ADV RB 0 root")
-        self.assertTrue(wait_until(lambda: self.events_of(f"answer{number}")))
+        wait_until(lambda: self.events_of(f"answer{number}"))
         answers.append(self.events_of(f"answer{number}")[0])
         return answers[-1].is_final and answers[-1].reply.code == "NO_VERB"
 
@@ -172,17 +164,17 @@ class SemanticFramerNodeTest(unittest.TestCase):
         self.assertNotEqual(Reply.DONE, self.ending("broken").outcome)
 
     def test_lexicon_is_latched(self):
-        self.assertTrue(wait_until(lambda: any("units.yaml" in f.path for m in self.lexicons for f in m.files)))
+        wait_until(lambda: any("units.yaml" in f.path for m in self.lexicons for f in m.files))
         self.assertTrue(all(message.framer_id for message in self.lexicons))
 
     def test_wrong_file_is_refused_with_its_line_and_the_rest_works(self):
         path = self.file("wrong.yaml", "frame_name: turning\nverbs: turn\n")
         self.assertFalse(self.add(absolute_file_path=path).success)
-        self.assertTrue(wait_until(lambda: any(p.path == path for m in self.problems for p in m.problems)))
+        wait_until(lambda: any(p.path == path for m in self.problems for p in m.problems))
         problem = next(p for message in self.problems for p in message.problems if p.path == path and p.key == "verbs")
         self.assertEqual(2, problem.line)
         self.say("still", "turn turn VERB VB 0 root", "left left ADV RB 1 advmod")
-        self.assertTrue(wait_until(lambda: any(message.command.id == "still" for message in self.units)))
+        wait_until(lambda: any(message.command.id == "still" for message in self.units))
 
     def test_file_that_was_added_is_kept_for_a_restart(self):
         self.assertIn(

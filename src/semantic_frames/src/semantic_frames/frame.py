@@ -1,4 +1,4 @@
-"""Semantic frames as values: what a frame file says, checked and without its spelling."""
+"""Semantic frames as values: the checked content of a frame file."""
 
 from dataclasses import dataclass
 from enum import Enum
@@ -6,7 +6,7 @@ from typing import Optional, Tuple, Union
 
 
 class Quantity(Enum):
-    """What the number in a frame element measures. Inside the system the unit is the one of REP 103."""
+    """What the number in a frame element measures. Inside the system the units are those of REP 103."""
 
     NUMBER = "number"
     LENGTH = "length"  # metres
@@ -22,15 +22,15 @@ class FrameElement:
         name: unique in its frame
         is_core: whether the scene cannot be understood without it (FrameNet's coreness)
         default: argument when nothing fills it; empty for none
-        quantity: what it measures, where it holds a number; None for words
+        quantity: what the number measures; None for an element of words
         unit_element: name of the element of the same frame that holds the unit of the number; empty when the
             unit is part of the argument ("3 feet")
         minimum: smallest amount allowed, in SI units; None for no limit
         maximum: largest amount allowed, in SI units; None for no limit
         values: the only arguments allowed; empty for any
-        question: what to ask a person for it ("How far should I move?"); empty for a question made of the name
+        question: asks a person for the element ("How far should I move?"); empty for a question made of the name
         answer: an example of an answer ("three feet"); empty for none
-        framenet: name of the frame element in FrameNet; empty where FrameNet has none
+        framenet: name of the frame element in FrameNet; empty when FrameNet has none
     """
 
     name: str
@@ -89,7 +89,7 @@ class RelatedFrame:
 
 
 class ListPolicy(Enum):
-    """What a frame does with a list ("the mug and the plate") in one of its elements."""
+    """What a list ("the mug and the plate") in one of its elements means for a frame."""
 
     TOGETHER = "together"  # one frame whose argument is the list
     REPEAT = "repeat"  # the frame once for each item
@@ -105,9 +105,9 @@ class SemanticFrame:
         frame_elements: in the order of the file
         children: each entry is a sequence of frames that together do what this frame does. A sequence of one
             frame is specificity, a longer one sequentiality (Thomas and Jenkins, ICRA 2012).
-        framenet: name of the frame in FrameNet 1.7; empty where FrameNet has none
+        framenet: name of the frame in FrameNet 1.7; empty when FrameNet has none
         on_list: what a list in an element means
-        is_confirmed: whether a person is asked "yes or no" before it is carried out
+        is_confirmed: whether a person must say yes before the frame is carried out
         path: the file it came from
         line: where it begins, from 1
     """

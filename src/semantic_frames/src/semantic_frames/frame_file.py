@@ -44,9 +44,9 @@ def load_frame(text: str, path: str) -> SemanticFrame:
         text: content of the file
         path: where it came from, for problems and for :attr:`SemanticFrame.path`
     Returns:
-        the frame, consistent in itself; whether its children exist is a matter of all frames together
+        the frame, consistent in itself; whether its children exist is not checked here
     Raises:
-        FileRefused: with every mistake of the file
+        FileRefused: the file has mistakes; the exception carries all of them
     """
     reader = Reader(path)
     root = reader.compose(text, "a mapping with name")

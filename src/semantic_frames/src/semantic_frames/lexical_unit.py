@@ -36,11 +36,11 @@ class ElementRelation:
         relations: alternatives, the first that matches fills the element
         argument: which words become the argument
         words: the only head words (lemmas or forms, lower case) that may fill it; empty for any
-        is_required: whether the unit counts only when this relation matches, also where the element is not core or
-            has a default ("Give me 5" is a high five because of the 5)
-        after_place: prepositions; a phrase of place counts only behind another one with one of these: of "the box on
-            the table on the couch" the couch; empty for wherever it stands
-        line: where the file says so, from 1
+        is_required: whether the unit fits only when this relation matches, even if the element is not core or has a
+            default ("Give me 5" is a high five because of the 5)
+        after_place: prepositions; a phrase of place fills the element only when it follows a phrase with one of these:
+            the couch in "the box on the table on the couch"; empty for any position
+        line: line of the file, from 1
     """
 
     name: str
@@ -59,7 +59,7 @@ class Example:
     Attributes:
         text: the utterance
         frame_elements: expected argument by element name
-        line: where the file says so, from 1
+        line: line of the file, from 1
     """
 
     text: str
@@ -76,7 +76,7 @@ class LexicalUnit:
         verbs: lemmas, a particle included ("pick up"), lower case
         relations: how the elements are filled
         examples: utterances that the unit understands
-        path: the file it came from
+        path: the file that it came from
         line: where it begins, from 1
     """
 

@@ -24,7 +24,7 @@ def load_lexical_units(text: str, path: str) -> Tuple[LexicalUnit, ...]:
     Returns:
         its units, at least one
     Raises:
-        FileRefused: with every mistake of the file
+        FileRefused: the file has mistakes; the exception carries all of them
     """
     reader = Reader(path)
     root = reader.compose(text, "a mapping with frame_name and verb, or a list of them")
@@ -121,7 +121,7 @@ def _example(reader: Reader, node: yaml.Node, key: str) -> Example:
 
 
 def check_lexical_unit(unit: LexicalUnit, frames: Mapping[str, SemanticFrame]) -> List[Problem]:
-    """Check a unit against the frames that are known.
+    """Check a unit against the known frames.
 
     Args:
         unit: the unit

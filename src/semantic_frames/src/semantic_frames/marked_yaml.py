@@ -1,4 +1,4 @@
-"""YAML whose every value knows its line, read against a schema that collects all mistakes at once."""
+"""YAML nodes with their lines, read against a schema that collects all mistakes of a file at once."""
 
 import difflib
 from typing import Dict, Iterable, List, Optional, Sequence, Tuple
@@ -15,13 +15,13 @@ _BOOLEANS = {"true": True, "yes": True, "false": False, "no": False}
 
 
 class Reader:
-    """Reads the nodes of one file and collects what is wrong with it.
+    """Reads the nodes of one file and collects its problems.
 
     Nothing is converted before the schema asks for it: ``on`` stays "on", ``5`` stays "5".
 
     Attributes:
         path: the file, for the problems
-        problems: what was found so far
+        problems: found so far
     """
 
     def __init__(self, path: str) -> None:
@@ -29,7 +29,7 @@ class Reader:
         self.problems: List[Problem] = []
 
     def report(self, code: str, node: yaml.Node, key: str, found: str, expected: str, hint: str = "") -> None:
-        """Remember a problem at the place of a node."""
+        """Add a problem at the line of a node."""
         self.problems.append(
             Problem(code=code, path=self.path, line=line_of(node), key=key, found=found, expected=expected, hint=hint)
         )
@@ -37,7 +37,7 @@ class Reader:
     def refuse_if_wrong(self) -> None:
         """
         Raises:
-            FileRefused: when a problem was reported
+            FileRefused: a problem was reported
         """
         if self.problems:
             raise FileRefused(self.problems)
@@ -51,7 +51,7 @@ class Reader:
         Returns:
             the root
         Raises:
-            FileRefused: empty, no YAML, several documents, too large, nested too deeply, an alias
+            FileRefused: the text is empty, not YAML, several documents, too large or nested too deeply, or has an alias
         """
         if len(text) > LARGEST_FILE:
             raise FileRefused(
@@ -101,7 +101,7 @@ class Reader:
     def mapping(
         self, node: yaml.Node, key: str, known: Sequence[str], required: Sequence[str] = ()
     ) -> Dict[str, yaml.Node]:
-        """Return the entries of a mapping; unknown, duplicate and missing keys are reported."""
+        """Return the entries of a mapping; report unknown, duplicate and missing keys."""
         if not isinstance(node, yaml.MappingNode):
             self.report(
                 "WRONG_TYPE", node, key or "file", describe(node), f"a mapping with {', '.join(required or known)}"
@@ -126,7 +126,7 @@ class Reader:
                     key_node,
                     prefix + name,
                     f"a second '{name}'",
-                    f"one, the first stands in line {line_of(entries[name])}",
+                    f"one, the first is in line {line_of(entries[name])}",
                 )
             else:
                 entries[name] = value
@@ -145,7 +145,7 @@ class Reader:
         return [(f"{key}[{index}]", item) for index, item in enumerate(node.value)]
 
     def text(self, node: Optional[yaml.Node], key: str, default: str = "") -> str:
-        """Return a scalar as it is written, blanks at its ends removed."""
+        """Return a scalar as it is written, without blanks at its ends."""
         if node is None:
             return default
         if not isinstance(node, yaml.ScalarNode):
@@ -154,14 +154,14 @@ class Reader:
         return str(node.value).strip()
 
     def name(self, node: Optional[yaml.Node], key: str) -> str:
-        """Return a text that must not be empty; a key that is missing was reported with its mapping."""
+        """Return a text that must not be empty; a missing key was reported with its mapping."""
         value = self.text(node, key)
         if node is not None and not value and isinstance(node, yaml.ScalarNode):
             self.report("EMPTY", node, key, "nothing", "a name")
         return value
 
     def boolean(self, node: Optional[yaml.Node], key: str, default: bool = False) -> bool:
-        """Return a truth value: True, False, yes or no in any case."""
+        """Return a truth value: True, False, yes or no, in upper or lower case."""
         if node is None:
             return default
         value = self.text(node, key).lower()
@@ -193,7 +193,7 @@ class Reader:
         return tuple(self.name(item, item_key) for item_key, item in self.sequence(node, key))
 
     def choice(self, node: Optional[yaml.Node], key: str, choices: Sequence[str], default: str) -> str:
-        """Return one of some texts."""
+        """Return a text that must be one of the given ones."""
         if node is None:
             return default
         value = self.text(node, key)
@@ -211,12 +211,12 @@ def line_of(node: yaml.Node) -> int:
 
 
 def is_empty(node: yaml.Node) -> bool:
-    """Whether nothing is written behind a key."""
+    """Whether the value of a key is empty."""
     return isinstance(node, yaml.ScalarNode) and node.value == "" and node.style is None
 
 
 def describe(node: yaml.Node) -> str:
-    """Return in words what a node is, for a problem."""
+    """Describe a node in words, for a problem."""
     if isinstance(node, yaml.MappingNode):
         return "a mapping"
     if isinstance(node, yaml.SequenceNode):
@@ -225,6 +225,6 @@ def describe(node: yaml.Node) -> str:
 
 
 def did_you_mean(word: str, known: Iterable[str]) -> str:
-    """Return a hint at the known word that comes nearest, empty when none does."""
+    """Return a hint that names the nearest known word; empty when none is near."""
     near = difflib.get_close_matches(word, list(known), n=1, cutoff=0.6)
     return f"did you mean '{near[0]}'?" if near else ""

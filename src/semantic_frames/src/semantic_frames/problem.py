@@ -1,4 +1,4 @@
-"""What is wrong with a file that a robot programmer wrote."""
+"""Problems of files that robot programmers write."""
 
 from dataclasses import dataclass
 from typing import Sequence, Tuple
@@ -13,9 +13,9 @@ class Problem:
         path: the file
         line: line of the file, from 1
         key: the key the mistake is about, as a path such as ``children[0].name``
-        found: what stands there
-        expected: what should stand there
-        hint: how to mend it, empty for none
+        found: the text that was found
+        expected: what was expected instead
+        hint: how to correct it; empty for none
     """
 
     code: str
@@ -32,7 +32,7 @@ class Problem:
 
 
 class FileRefused(ValueError):
-    """A file was refused; it carries every problem that was found in it.
+    """A file was refused; the exception carries all of its problems.
 
     Attributes:
         problems: at least one problem

@@ -18,14 +18,14 @@ STANFORD: FrozenSet[str] = frozenset(
     "partmod pcomp pobj poss possessive preconj predet prep prepc prt punct purpcl quantmod rcmod ref rel root "
     "tmod vmod vocative xcomp xsubj".split()
 )
-#: Measures hang on the verb in several ways ("3 feet" as obl:unmarked, dobj, tmod): this name stands for all of them.
+#: Measures relate to the verb in several ways ("3 feet" as obl:unmarked, dobj, tmod): this name stands for all of them.
 MEASURE = "measure"
-#: Relations whose name goes on with a word of the sentence or with a subtype.
+#: Relations whose name continues with a word of the sentence or with a subtype.
 _OPEN = re.compile(r"^(prep|prepc|conj)_[a-z_]+$|^[a-z]+:[a-z_]+$")
 
 
 def is_relation_name(name: str) -> bool:
-    """Whether a lexical unit may use the name; "obl:to" and "prep_to" are open in what follows their first part."""
+    """Whether a lexical unit may use the name; any word may follow the first part of "obl:to" and "prep_to"."""
     if name in UNIVERSAL or name in STANFORD or name == MEASURE:
         return True
     return bool(_OPEN.match(name)) and re.split("[:_]", name)[0] in UNIVERSAL | STANFORD

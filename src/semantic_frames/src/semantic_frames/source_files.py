@@ -1,4 +1,4 @@
-"""Finds and reads the files of robot programmers."""
+"""Finds and reads the files that robot programmers write."""
 
 import os
 from typing import Iterable, Iterator, List, Tuple
@@ -14,8 +14,8 @@ def yaml_files(paths: Iterable[str], folder_name: str) -> Iterator[str]:
     """Find the YAML files below some paths.
 
     Args:
-        paths: files, taken as they are, and folders, of which the YAML files of every folder named ``folder_name`` are
-            taken
+        paths: files, which are taken as they are, and folders, below which the YAML files of every folder named
+            ``folder_name`` are taken
         folder_name: :data:`FRAMES_FOLDER` or :data:`LEXICAL_UNITS_FOLDER`
     Returns:
         absolute paths, in the order of the paths and by name within a folder
@@ -54,6 +54,6 @@ def read_text(path: str) -> str:
 
 
 def replace_problems(problems: Iterable[Problem], path: str, new: Iterable[Problem]) -> Tuple[Problem, ...]:
-    """Return the problems with those of one file replaced: a file that was mended has none."""
+    """Replace the problems of one file; a corrected file has none."""
     kept: List[Problem] = [problem for problem in problems if problem.path != path]
     return tuple(kept) + tuple(new)

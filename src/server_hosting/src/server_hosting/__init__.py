@@ -1,1 +1,1 @@
-"""Many RFNServers in one process, and servers that are started when a command needs them."""
+"""Many RFNServers in one process, and servers that start on demand."""

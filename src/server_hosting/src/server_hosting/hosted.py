@@ -16,8 +16,8 @@ class Hosted:
     """One server of a host.
 
     Attributes:
-        name: under which its parameters stand
-        module: that holds its class
+        name: namespace of its parameters
+        module: of its class
         class_name: constructed with the keyword ``parameters``, the prefix of its parameters
     """
 
@@ -27,7 +27,7 @@ class Hosted:
 
     @property
     def parameters(self) -> str:
-        """What stands before the names of its parameters: those of "moo" are "~moo/aloud" and so on."""
+        """The prefix of its parameters: "~moo/" for "moo"."""
         return f"~{self.name}/"
 
 
@@ -35,9 +35,9 @@ def read_hosted(arguments: Iterable[str]) -> Tuple[Hosted, ...]:
     """Read the arguments of a host.
 
     Args:
-        arguments: "moo=moo.node:MooServer" and so on; those that roslaunch appends ("__name:=...") are passed over
+        arguments: "moo=moo.node:MooServer" and so on; those that roslaunch appends ("__name:=...") are ignored
     Raises:
-        HostedError: one of them does not look like that, or names a second server as another one
+        HostedError: one of them has another form, or two have the same name
     """
     hosted: List[Hosted] = []
     for argument in arguments:

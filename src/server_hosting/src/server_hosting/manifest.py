@@ -59,9 +59,9 @@ class Manifest:
     Attributes:
         server: name of the RFNServer, once it runs
         frame_names: frames that it carries out
-        launch: how to start it, if by a launch file
-        program: how to start it, if by a program
-        start_timeout_s: how long it may take until it takes goals
+        launch: starts it; None if a program does
+        program: starts it; None if a launch file does
+        start_timeout_s: deadline until it accepts goals
         idle_s: how long it is kept after its last goal
         path: the file
         line: of the file
@@ -84,7 +84,7 @@ def load_manifests(text: str, path: str) -> Tuple[Manifest, ...]:
         text: content of the file
         path: where it came from, for problems
     Raises:
-        FileRefused: with every mistake of the file
+        FileRefused: names every mistake in the file
     """
     reader = Reader(path)
     root = reader.compose(text, "a mapping with on_demand")
@@ -150,7 +150,7 @@ def _program(reader: Reader, node: yaml.Node, key: str) -> Program:
 
 
 def by_frame(manifests: Sequence[Manifest]) -> Tuple[Dict[str, Manifest], Tuple[str, ...]]:
-    """Return which manifest carries out each frame, and a sentence for each frame that another file has already."""
+    """Return the manifest of each frame, and a sentence for each frame that two manifests name."""
     chosen: Dict[str, Manifest] = {}
     doubles: List[str] = []
     for manifest in manifests:

@@ -14,10 +14,10 @@ def host(hosted: Hosted) -> Any:
     """Construct a server.
 
     Raises:
-        Exception: whatever its module or constructor raises
+        Exception: raised by its module or constructor
     """
     server_class = getattr(importlib.import_module(hosted.module), hosted.class_name)
-    # A server without parameters need not know that it is hosted.
+    # Servers without parameters may have a constructor without arguments.
     takes_parameters = "parameters" in inspect.signature(server_class).parameters
     return server_class(parameters=hosted.parameters) if takes_parameters else server_class()
 

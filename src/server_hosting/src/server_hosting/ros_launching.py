@@ -1,4 +1,4 @@
-"""Starts and ends the processes of a server through roslaunch. All of it has to be called from the main thread."""
+"""Starts and ends the processes of a server through roslaunch. For the main thread only."""
 
 import os
 from typing import List, Tuple
@@ -17,7 +17,7 @@ class Launched:
     """The processes of one server."""
 
     def __init__(self, manifest: Manifest) -> None:
-        """Start them; they may still be about to come up when this returns.
+        """Start them; they may still be starting up when this returns.
 
         Raises:
             LaunchError: no such package, file or program, or roslaunch cannot start it
@@ -39,14 +39,14 @@ class Launched:
             raise LaunchError(f"{manifest.server} cannot be started: {error}") from error
         if not self._parent.pm.get_active_names():
             self.end()
-            raise LaunchError(f"{manifest.server} cannot be started: no process came up")
+            raise LaunchError(f"{manifest.server} cannot be started: no process started")
 
     def is_running(self) -> bool:
-        """Whether one of the processes has not ended, or is about to be started again."""
+        """Whether a process is running, or will be restarted."""
         monitor = self._parent.pm
         if monitor is None or monitor.is_shutdown:
             return False
-        # The processes themselves are asked: the monitor learns of a death some tenths of a second after it.
+        # The processes are asked directly: the monitor notices a death some tenths of a second later.
         return any(process.respawn or process.is_alive() for process in tuple(monitor.procs))
 
     def end(self) -> None:

@@ -17,22 +17,22 @@ from roboframenet_msgs.msg import (
 )
 
 from rfnserver import RFNServer
-from rfnserver.ros_frame_entrance import conclude
+from rfnserver.ros_frame_adapter import conclude
 from rfnserver.ros_goal_forwarding import ForwardedEnd, ForwardingDeadlines, GoalForwarder
 from semantic_frames.problem import FileRefused
 from semantic_frames.source_files import read_text
 from server_hosting.manifest import Manifest, by_frame, load_manifests
-from server_hosting.residence import Residence
 from server_hosting.ros_launching import Launched, LaunchError
+from server_hosting.server_lease import ServerLease
 
-#: How often the main thread looks whether a server may go or has died, seconds.
+#: How often the main thread checks for servers that are idle or have died, seconds.
 LOOK_S = 0.5
 BUSY = (GoalStatus.PENDING, GoalStatus.ACTIVE, GoalStatus.PREEMPTING, GoalStatus.RECALLING)
 
 
 @dataclass(frozen=True)
 class _Need:
-    """A goal needs a server; the answer is why it cannot have it, empty when it can."""
+    """A goal needs a server; the answer is why it cannot be started, empty when it runs."""
 
     manifest: Manifest
     answer: "queue.Queue[str]"
@@ -48,70 +48,70 @@ class _Server:
 
     def __init__(self, manifest: Manifest) -> None:
         self.manifest = manifest
-        self.residence = Residence()
+        self.lease = ServerLease()
         self.launched: Optional[Launched] = None
         self.is_up = threading.Event()
         self._busy = threading.Event()
         self._status = rospy.Subscriber(manifest.server + "/status", GoalStatusArray, self._on_status, queue_size=1)
 
     def _on_status(self, message: GoalStatusArray) -> None:
-        # Once it runs it is registered itself, and gets goals that do not come through here.
+        # Once it runs, it is registered itself, and also gets goals directly.
         if any(status.status in BUSY for status in message.status_list):
             self._busy.set()
         else:
             self._busy.clear()
 
     def look(self, now_s: float) -> None:
-        """See whether it died, works, or may go."""
+        """Check whether it has died, works, or has been idle for too long."""
         if self.launched is None:
             return
         if not self.launched.is_running():
-            rospy.logwarn("%s has ended", self.manifest.server)
+            rospy.logwarn("%s has died", self.manifest.server)
             self.end()
         elif self._busy.is_set():
-            self.residence = self.residence.seen_busy(now_s)
-        elif self.residence.may_go(idle_s=self.manifest.idle_s, now_s=now_s):
-            rospy.loginfo("%s was idle for %g s and is ended", self.manifest.server, self.manifest.idle_s)
+            self.lease = self.lease.seen_busy(now_s)
+        elif self.lease.is_expired(idle_s=self.manifest.idle_s, now_s=now_s):
+            rospy.loginfo("%s was idle for %g s and is stopped", self.manifest.server, self.manifest.idle_s)
             self.end()
 
     def enter(self, now_s: float) -> None:
-        """Start it unless it runs.
+        """Start it, unless it is running.
 
         Raises:
             LaunchError: it cannot be started
         """
         if self.launched is not None and not self.launched.is_running():
-            # A goal that comes just after its death must not wait for what is dead.
-            rospy.logwarn("%s has ended", self.manifest.server)
+            # A goal that arrives just after it died must not wait for it.
+            rospy.logwarn("%s has died", self.manifest.server)
             self.end()
         if self.launched is None:
             rospy.loginfo("starting %s", self.manifest.server)
             self.launched = Launched(self.manifest)
             self.is_up.set()
-        self.residence = self.residence.entered(now_s)
+        self.lease = self.lease.acquired(now_s)
 
     def leave(self, now_s: float) -> None:
-        """A goal does not need it any more."""
-        self.residence = self.residence.left(now_s)
+        """A goal has finished with it."""
+        self.lease = self.lease.released(now_s)
 
     def end(self) -> None:
         """End its processes."""
         launched, self.launched = self.launched, None
         self.is_up.clear()
         self._busy.clear()
-        self.residence = self.residence.down()
+        self.lease = self.lease.ended()
         if launched is not None:
             launched.end()
 
 
 class OnDemand:
-    """Takes every frame of the manifests; one process, however many there are.
+    """Takes every frame of the manifests, in one process.
 
     Actions:
         on_demand (roboframenet_msgs/FilledSemanticFrameAction): all frames
-        SERVER (roboframenet_msgs/FilledSemanticFrameAction): client of the servers that run
+        SERVER (roboframenet_msgs/FilledSemanticFrameAction): client of each running server
     Subscribes:
-        SERVER/status (actionlib_msgs/GoalStatusArray): whether they work for others
+        SERVER/status (actionlib_msgs/GoalStatusArray): whether they work for other clients
     """
 
     def __init__(self, manifests: Dict[str, Manifest]) -> None:
@@ -128,14 +128,14 @@ class OnDemand:
         self._server.start()
 
     def register(self) -> None:
-        """Let people ask for the frames."""
+        """Register for the frames."""
         for frame_name in self._manifests:
             if rospy.is_shutdown():
                 return
             self._server.register_with_frame(frame_name)
 
     def run(self) -> None:
-        """Start and end servers, in the main thread as roslaunch wants it, until the node is shut down."""
+        """Start and end servers until the node shuts down, in the main thread, as roslaunch requires."""
         while not rospy.is_shutdown():
             with contextlib.suppress(queue.Empty):
                 self._handle(self._inbox.get(timeout=LOOK_S))
@@ -165,7 +165,7 @@ class OnDemand:
     def _on_frame(self, frame: FilledSemanticFrame) -> None:
         manifest = self._manifests.get(frame.name)
         if manifest is None:
-            self._server.set_aborted(None, f"no server is known that could be started for {frame.name}")
+            self._server.set_aborted(None, f"no manifest names a server for {frame.name}")
             return
         need = _Need(manifest, queue.Queue())
         self._inbox.put(need)
@@ -173,7 +173,7 @@ class OnDemand:
             fault = need.answer.get(timeout=manifest.start_timeout_s)
         except queue.Empty:
             fault = f"{manifest.server} was not started within {manifest.start_timeout_s:g} s"
-            # It may be started yet: nobody needs it then.
+            # It may still start later: nobody uses it then.
             self._inbox.put(_Release(manifest))
         if fault:
             self._server.set_aborted(None, fault)
@@ -194,12 +194,12 @@ class OnDemand:
             on_feedback=lambda _: self._server.publish_feedback(FilledSemanticFrameFeedback(is_succeeding=True)),
         )
         if end.status == GoalStatus.PREEMPTED and not self._server.is_preempt_requested():
-            return ForwardedEnd(GoalStatus.ABORTED, f"{manifest.server} has ended before it was done")
+            return ForwardedEnd(GoalStatus.ABORTED, f"{manifest.server} died before it had finished")
         return end
 
 
 def read_manifests(paths: List[str]) -> Dict[str, Manifest]:
-    """Read manifest files; what is wrong is logged, and the other files count."""
+    """Read manifest files; files with mistakes are logged and skipped."""
     manifests: List[Manifest] = []
     for path in paths:
         try:

@@ -1,9 +1,8 @@
 #!/usr/bin/python3
 """Servers that are started by the first goal, kept, and ended; and many servers in one process."""
 
-import time
 import unittest
-from typing import Any, Callable, Tuple
+from typing import Any, Tuple
 
 import actionlib
 import rosgraph
@@ -16,14 +15,7 @@ from roboframenet_msgs.msg import (
     FilledSemanticFrameGoal,
 )
 
-
-def wait_until(condition: Callable[[], bool], timeout_s: float = 60.0) -> bool:
-    end = time.monotonic() + timeout_s
-    while time.monotonic() < end:
-        if condition():
-            return True
-        time.sleep(0.02)
-    return condition()
+from roboframenet_testing import wait_until
 
 
 def is_up(server: str) -> bool:
@@ -44,15 +36,15 @@ class ServerHostingTest(unittest.TestCase):
         )
 
     def end(self, handle: Any) -> Tuple[int, str]:
-        self.assertTrue(wait_until(lambda: handle.get_comm_state() == actionlib.CommState.DONE))
+        wait_until(lambda: handle.get_comm_state() == actionlib.CommState.DONE)
         return handle.get_goal_status(), handle.get_goal_status_text()
 
     def test_started_by_the_first_goal_kept_for_the_second_and_ended_when_idle(self) -> None:
-        self.assertTrue(wait_until(lambda: not is_up("chopping_server")))
+        wait_until(lambda: not is_up("chopping_server"))
         status, first = self.end(self.send("chopping"))
         self.assertEqual(GoalStatus.SUCCEEDED, status, first)
         self.assertEqual((GoalStatus.SUCCEEDED, first), self.end(self.send("slicing")))
-        self.assertTrue(wait_until(lambda: not is_up("chopping_server")), "it was not ended")
+        wait_until(lambda: not is_up("chopping_server"), message="it was not ended")
         status, again = self.end(self.send("chopping"))
         self.assertEqual(GoalStatus.SUCCEEDED, status, again)
         self.assertNotEqual(first, again)
@@ -65,7 +57,7 @@ class ServerHostingTest(unittest.TestCase):
 
     def test_launch_file_and_preemption(self) -> None:
         handle = self.send("folding", duration_s="100")
-        self.assertTrue(wait_until(lambda: is_up("folding_server")))
+        wait_until(lambda: is_up("folding_server"))
         handle.cancel()
         self.assertEqual(GoalStatus.PREEMPTED, self.end(handle)[0])
 
@@ -73,8 +65,8 @@ class ServerHostingTest(unittest.TestCase):
         for frame_name, reason in (
             ("missing_program", "nowhere cannot be started"),
             ("missing_file", "no_such.launch"),
-            ("silent", "another_name is not there"),
-            ("unknown", "no server is known"),
+            ("silent", "another_name is not running"),
+            ("unknown", "no manifest names a server"),
         ):
             status, text = self.end(self.send(frame_name))
             self.assertEqual(GoalStatus.ABORTED, status, frame_name)

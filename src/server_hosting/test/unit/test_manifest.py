@@ -6,7 +6,7 @@ import pytest
 
 from semantic_frames.problem import FileRefused
 from server_hosting.manifest import by_frame, load_manifests
-from server_hosting.residence import Residence
+from server_hosting.server_lease import ServerLease
 
 GOOD = """on_demand:
   - frame: chopping
@@ -57,13 +57,13 @@ def test_a_frame_of_two_files_is_started_by_the_first() -> None:
     assert len(doubles) == 3 and "b.yaml:2: frame 'chopping' is started by a.yaml:2 already" in doubles
 
 
-def test_residence() -> None:
-    server = Residence().entered(10.0)
-    assert not server.may_go(idle_s=5.0, now_s=100.0)
-    server = server.left(20.0)
-    assert not server.may_go(idle_s=5.0, now_s=24.0)
-    assert server.may_go(idle_s=5.0, now_s=25.0)
-    assert not server.seen_busy(24.0).may_go(idle_s=5.0, now_s=25.0)
-    assert not server.down().may_go(idle_s=5.0, now_s=25.0)
-    two = server.entered(30.0).entered(31.0).left(32.0)
-    assert two.users == 1 and not two.may_go(idle_s=1.0, now_s=99.0)
+def test_server_lease() -> None:
+    server = ServerLease().acquired(10.0)
+    assert not server.is_expired(idle_s=5.0, now_s=100.0)
+    server = server.released(20.0)
+    assert not server.is_expired(idle_s=5.0, now_s=24.0)
+    assert server.is_expired(idle_s=5.0, now_s=25.0)
+    assert not server.seen_busy(24.0).is_expired(idle_s=5.0, now_s=25.0)
+    assert not server.ended().is_expired(idle_s=5.0, now_s=25.0)
+    two = server.acquired(30.0).acquired(31.0).released(32.0)
+    assert two.users == 1 and not two.is_expired(idle_s=1.0, now_s=99.0)

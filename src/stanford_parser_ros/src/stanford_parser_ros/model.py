@@ -1,4 +1,4 @@
-"""The Stanza models: which ones, loaded how, and the parse of a sentence."""
+"""Loads the Stanza models and parses sentences."""
 
 import os
 import time
@@ -29,7 +29,7 @@ WARM_UP = "Turn left 120 degrees."
 
 
 class ModelError(RuntimeError):
-    """No model, or one that cannot be loaded; the message says what was looked for, where, and what to do."""
+    """The model is missing or cannot be loaded; the message says what was expected, where, and what to do."""
 
 
 class UnparsableText(ValueError):
@@ -43,7 +43,7 @@ class UnparsableText(ValueError):
 
 @dataclass(frozen=True)
 class LoadTimes:
-    """What the start was spent on, in seconds.
+    """Times of the steps of loading, in seconds.
 
     Attributes:
         torch_s: importing torch
@@ -59,7 +59,7 @@ class LoadTimes:
 
     @property
     def total_s(self) -> float:
-        """All of it."""
+        """The sum."""
         return self.torch_s + self.stanza_s + self.models_s + self.warm_up_s
 
 
@@ -67,7 +67,7 @@ def check_model_folder(folder: Path, package: str) -> None:
     """Check that a folder holds a Stanza package of English.
 
     Raises:
-        ModelError: it does not
+        ModelError: the folder holds none
     """
     hint = "leave ~model_dir empty for the models that are shipped, or download a package with Stanza beforehand"
     if not folder.is_dir():
@@ -80,13 +80,13 @@ def check_model_folder(folder: Path, package: str) -> None:
 
 
 def processors_of(folder: Path) -> str:
-    """Return the processors to load from a folder, as Stanza wants them."""
+    """Return the processors to load from a folder, in the form that Stanza expects."""
     return PROCESSORS + (f",{CONSTITUENCY}" if any((folder / "en" / CONSTITUENCY).glob("*.pt")) else "")
 
 
 @dataclass(frozen=True)
 class Parse:
-    """A parse, and what the passes of the parser did on the way.
+    """A parse, and the changes that the passes of the parser made.
 
     Attributes:
         tree: Universal Dependencies; positions of characters are those of the text as it was said
@@ -106,9 +106,9 @@ class Parser:
             model_dir: folder with ``resources.json`` and ``en/``, as Stanza lays it out
             package: name of a package in that folder
             threads: of torch; one is fastest and steadiest for single short sentences
-            cache_size: so many parses are kept, the oldest go first
+            cache_size: number of parses that are kept; the oldest is dropped first
         Raises:
-            ModelError: no such models, or Stanza is not installed
+            ModelError: the models are missing, or Stanza is not installed
         """
         check_model_folder(model_dir, package)
         started = time.monotonic()
@@ -154,24 +154,24 @@ class Parser:
         """Parse one utterance as one sentence.
 
         Args:
-            text: as it was said
-            verbs: verbs of the lexicon, base forms in lower case: one of them at the front of a command is its verb
+            text: the utterance
+            verbs: verbs of the lexicon, base forms in lower case; one of them at the front of a command is its verb
         Returns:
             its Universal Dependencies; positions of characters are those of the text as it was said
         Raises:
-            UnparsableText: no words
+            UnparsableText: the text has no words
         """
         return self.traced(text, verbs).tree
 
     def traced(self, text: str, verbs: FrozenSet[str] = frozenset(), *, without: FrozenSet[str] = frozenset()) -> Parse:
-        """Parse one utterance, and tell what the passes of the parser did.
+        """Parse one utterance, and record what the passes of the parser changed.
 
         Args:
-            text: as it was said
+            text: the utterance
             verbs: as for :meth:`parse`
             without: names of passes that are switched off
         Raises:
-            UnparsableText: no words
+            UnparsableText: the text has no words
         """
         key = (text, verbs, without)
         parse = self._cache.get(key)
@@ -211,7 +211,7 @@ class Parser:
         document = self._pipeline(spelling.text)
         words = document.sentences[0].words
         forms, tags = [word.text for word in words], [word.upos for word in words]
-        # Without a verb nothing is known better than by the tagger.
+        # Without known verbs the tagger knows best.
         is_known = bool(run.vocabulary.words)
         cuts = run_cut_passes(
             forms, tags, run.vocabulary, CUT_PASSES if is_known else (), without=run.without, trace=run.trace
@@ -257,7 +257,7 @@ def _to_tree(text: str, sentence: Any, spelling: Spelling) -> DependencyTree:
     for token in sentence.tokens:
         at = token.start_char
         for word in token.words:
-            # The words of a multi-word token ("don't") are written one after the other where their letters allow it.
+            # The words of a multi-word token ("don't") get consecutive positions when their letters match the text.
             start = at if spelling.text[at : at + len(word.text)] == word.text else token.start_char
             end = start + len(word.text) if start == at else token.end_char
             at = min(end, token.end_char)
@@ -280,10 +280,9 @@ def _to_tree(text: str, sentence: Any, spelling: Spelling) -> DependencyTree:
 
 
 def shipped_model_dir(package_share: Optional[str] = None) -> Path:
-    """Return the folder of the models that are shipped.
+    """Return the folder of the shipped models.
 
     Args:
-        package_share: share folder of this package, for an install space; None for the source folder that this module
-            is in
+        package_share: share folder of this package, for an install space; None for the source folder of this module
     """
     return Path(package_share) / "models" if package_share else Path(os.path.realpath(__file__)).parents[2] / "models"

@@ -1,4 +1,4 @@
-"""The parser: from the text of a command to its dependencies."""
+"""The parser node: turns the text of a command into dependencies."""
 
 import queue
 import threading
@@ -12,14 +12,14 @@ from roboframenet_msgs.msg import Command, CommandParse, Lexicon, Reply
 from stanford_parser_msgs.msg import Parse
 
 from roboframenet_ros.ros_log import log_from_threads
+from roboframenet_ros.ros_stage import Stage
 from semantic_frames import FileRefused, load_lexical_units
-from stage_events.ros_stage import Stage
 from stanford_parser_ros.model import ModelError, Parser, UnparsableText, shipped_model_dir
 from stanford_parser_ros.ros_messages import to_command_parse
 from stanford_parser_ros.stanford_dependencies import collapsed
 from utterance_passes.tree import DependencyTree
 
-#: How often the worker looks whether it has to end, seconds.
+#: Period in which the worker checks whether to end, seconds.
 WAKE_UP_S = 1.0
 
 
@@ -31,9 +31,9 @@ class Settings:
         model_dir: folder of the Stanza models
         package: name of a package in it
         threads: of torch
-        cache_size: so many parses are kept
-        queue_size: so many commands may wait; one more is refused
-        trace: whether what the passes did goes with each command
+        cache_size: number of parses that are kept
+        queue_size: number of commands that may wait; one more is refused
+        trace: whether events say what the passes changed
     """
 
     model_dir: Path
@@ -71,7 +71,7 @@ class Settings:
 
 
 class ParserNode:
-    """Parses one command after the other, in a thread of its own.
+    """Parses one command after the other, in its own thread.
 
     Subscribes:
         command_text (Command), lexicon (Lexicon, latched)
@@ -86,11 +86,11 @@ class ParserNode:
             ModelError: the models cannot be loaded
         """
         self._settings = settings
-        # Whoever listens connects while the models load: the first parse must not find nobody.
+        # Subscribers connect while the models load, so that the first parse is not lost.
         self._parses = rospy.Publisher("command_parse", CommandParse, queue_size=100)
         self._parses_2012 = rospy.Publisher("parse", Parse, queue_size=100)
         self._stage = Stage("stanford_parser_ros")
-        # What the lexicon knows is read while the models load, so that it counts for the first command.
+        # The lexicon arrives while the models load, so that the first command is parsed with it.
         self._verbs: FrozenSet[str] = frozenset()
         self._verbs_of_file: Dict[str, FrozenSet[str]] = {}
         self._lexicon = rospy.Subscriber("lexicon", Lexicon, self._on_lexicon, queue_size=1)
@@ -120,9 +120,9 @@ class ParserNode:
         verbs_of_file: Dict[str, FrozenSet[str]] = {}
         for file in message.files:
             try:
-                # One file that is added must not cost the reading of all others again.
+                # Adding one file must not make the node read all others again.
                 verbs_of_file[file.text] = self._verbs_of_file.get(file.text) or frozenset(
-                    # The base form stands in front of the particle: "pick" of "pick up".
+                    # The base form precedes the particle: "pick" of "pick up".
                     verb.split()[0]
                     for unit in load_lexical_units(file.text, file.path)
                     for verb in unit.verbs
@@ -159,7 +159,7 @@ class ParserNode:
             code, sentence = reason.refusal
             self._stage.ends(command, outcome=Reply.REFUSED, code=code, sentence=sentence)
             return
-        except Exception as error:  # boundary: whatever Stanza does with a text, the command gets its reply
+        except Exception as error:  # boundary: the command gets its reply even if Stanza fails
             rospy.logerr("cmd=%s cannot be parsed", command.id, exc_info=True)
             self._stage.ends(
                 command,

@@ -1,9 +1,7 @@
-"""The phrase tree of a sentence, with Penn Treebank tags: of the constituency parser, or projected from its
-dependencies.
+"""The phrase tree of a sentence, with Penn Treebank tags: from the constituency parser, or projected from dependencies.
 
-A head projects a phrase; its dependents are the phrase's other children, in the order of the sentence. A word with a
-preposition is a
-PP around the preposition and the rest.
+A head projects a phrase. Its dependents are the other children of the phrase, in the order of the sentence. A word with
+a preposition becomes a PP of the preposition and the rest.
 """
 
 from dataclasses import dataclass
@@ -51,9 +49,7 @@ class Tree:
 
 @dataclass(frozen=True)
 class SquashedNode:
-    """A node of a flattened tree: the fields of ``stanford_parser_msgs/SquashedParseTreeNode``, the tag in Penn
-    spelling.
-    """
+    """A node of a flattened tree: the fields of ``stanford_parser_msgs/SquashedParseTreeNode``, with a Penn tag."""
 
     tag: str
     parent_id: int
@@ -62,7 +58,7 @@ class SquashedNode:
 
 
 def phrase_tree(tree: DependencyTree) -> Tree:
-    """Return the phrase tree of a sentence: what the constituency parser made of it, else what its heads project."""
+    """Return the phrase tree of a sentence: that of the constituency parser, or else the one that its heads project."""
     if tree.brackets:
         return from_brackets(tree.brackets)
     root = Tree("ROOT", 1.0)
@@ -129,7 +125,7 @@ def first_index(tree: Tree) -> int:
 
 
 def squash(tree: Tree) -> Tuple[SquashedNode, ...]:
-    """Flatten a tree; a parent stands before its children."""
+    """Flatten a tree; a parent precedes its children."""
     nodes: List[SquashedNode] = []
 
     def visit(node: Tree, parent_id: int) -> None:
@@ -143,8 +139,8 @@ def squash(tree: Tree) -> Tuple[SquashedNode, ...]:
 
 
 def constant_of_tag(tag: str) -> str:
-    """Return the name of the message constant of a Penn tag: ``-TMP`` is ``_TMP``, ``PRP$`` is ``PRP_S``; ``X`` for an
-    unknown one.
+    """Return the name of the message constant of a Penn tag: ``-TMP`` is ``_TMP``, ``PRP$`` is ``PRP_S``, an unknown
+    one ``X``.
     """
     name = tag.replace("-", "_").replace("$", "_S")
     return name if name.replace("_", "").isalpha() and name.isascii() else "SYM"
@@ -154,14 +150,14 @@ def unsquash(nodes: Tuple[SquashedNode, ...], words: Tuple[str, ...]) -> Tree:
     """Rebuild a tree.
 
     Raises:
-        ValueError: no node, no root, or a parent that is no earlier node
+        ValueError: there is no node or no root, or a parent is not an earlier node
     """
     built: List[Tree] = []
     for position, node in enumerate(nodes):
         word = words[node.word_index] if 0 <= node.word_index < len(words) else ""
         tree = Tree(node.tag, node.score, word, node.word_index)
         if position and not 0 <= node.parent_id < position:
-            raise ValueError(f"node {position}: its parent must stand before it, found {node.parent_id}")
+            raise ValueError(f"node {position}: its parent must precede it, found {node.parent_id}")
         if position:
             built[node.parent_id].children.append(tree)
         built.append(tree)

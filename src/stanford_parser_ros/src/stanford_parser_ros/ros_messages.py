@@ -1,4 +1,4 @@
-"""Parses as messages."""
+"""Converts parses to messages and back."""
 
 from typing import List
 
@@ -34,7 +34,7 @@ def to_command_parse(command: Command, tree: DependencyTree) -> CommandParse:
 
 
 def to_parse(tree: DependencyTree) -> Parse:
-    """Return the parse as in 2012: collapsed Stanford dependencies, indices that point straight into ``words``."""
+    """Return the parse as in 2012: collapsed Stanford dependencies whose indices are positions in ``words``."""
     return Parse(
         nodes=[
             SquashedParseTreeNode(
@@ -57,7 +57,7 @@ def to_parse(tree: DependencyTree) -> Parse:
 
 
 def to_tree(text: str, words: List[UniversalWord]) -> DependencyTree:
-    """Return the tree that a message holds."""
+    """Return the tree of a message."""
     return DependencyTree(
         text=text,
         words=tuple(

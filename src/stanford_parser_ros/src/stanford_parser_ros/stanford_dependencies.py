@@ -1,7 +1,7 @@
-"""From Universal Dependencies (v2) to the typed dependencies of the Stanford Dependencies manual.
+"""Converts Universal Dependencies (v2) to the typed dependencies of the Stanford Dependencies manual.
 
 Sources: M.-C. de Marneffe and C. Manning, *Stanford typed dependencies manual* (2008, revised 2013) for the names and
-for collapsing; universaldependencies.org/u/dep and /en/dep for the relations that come in.
+for collapsing; universaldependencies.org/u/dep and /en/dep for the universal relations.
 """
 
 from dataclasses import dataclass
@@ -10,9 +10,8 @@ from typing import Dict, FrozenSet, List, Optional, Set, Tuple
 from utterance_passes.tree import DependencyTree, Word
 from word_classes import word_class, word_list
 
-#: Universal relation -> Stanford names. The first is the name that is written into ``Parse``; a lexical unit may use
-#: any.
-#: Measures ("3 feet" in "move forward 3 feet") were tmod, npadvmod or dobj, depending on the words: all are accepted.
+#: Universal relation -> Stanford names. The first name is written into ``Parse``; a lexical unit may use any. Measures
+#: ("3 feet" in "move forward 3 feet") were tmod, npadvmod or dobj, depending on the words: all are accepted.
 RULES: Dict[str, Tuple[str, ...]] = {
     "root": ("root",),
     "nsubj": ("nsubj",),
@@ -78,7 +77,7 @@ _NEGATING_ADVERBS = word_class("negating_adverbs")
 
 @dataclass(frozen=True)
 class Arc:
-    """A relation between two words, under every name that it has.
+    """A relation between two words, with all of its names.
 
     Attributes:
         governor: index of the governing word, 0 for the root
@@ -107,7 +106,7 @@ class TypedDependency:
 
 
 def preposition(tree: DependencyTree, word: Word) -> str:
-    """Return the preposition of a word as collapsed names have it: "to", "next_to", "out_of"; empty for none."""
+    """Return the preposition of a word as in collapsed names: "to", "next_to", "out_of"; empty for none."""
     parts: List[str] = []
     for child in tree.children(word.index):
         if child.deprel == "case" and child.form.lower() not in ("'s", "'", "’s"):
@@ -117,7 +116,7 @@ def preposition(tree: DependencyTree, word: Word) -> str:
 
 
 def stanford_names(tree: DependencyTree, word: Word) -> Tuple[str, ...]:
-    """Return the Stanford names of the relation of a word to its head, the one that is written first in front."""
+    """Return the Stanford names of the relation of a word to its head; ``Parse`` gets the first."""
     lemma = word.lemma.lower()
     if word.deprel == "advmod" and (lemma in _NEGATING_ADVERBS or word.form.lower() in _NEGATING_ADVERBS):
         return ("neg", "advmod")
@@ -144,12 +143,11 @@ def stanford_names(tree: DependencyTree, word: Word) -> Tuple[str, ...]:
 
 
 def arcs(tree: DependencyTree) -> Tuple[Arc, ...]:
-    """Return every relation of a sentence under all of its names, collapsed and propagated to conjuncts.
+    """Return every relation of a sentence with all of its names, collapsed and propagated to conjuncts.
 
-    Besides the arcs of the tree: "in front of the fridge" relates *go* and *fridge* directly; "the mug and the plate"
-        relates both
-    to the verb; in "the cup is on the table" both *cup* and *table* hang on *is* too, where the Stanford scheme has
-    them.
+    In addition to the arcs of the tree, "in front of the fridge" relates *go* and *fridge* directly, "the mug and the
+    plate" relates both to the verb, and in "the cup is on the table" both *cup* and *table* depend on *is*, as in the
+    Stanford scheme.
     """
     found: List[Arc] = []
     for word in tree.words:
@@ -171,7 +169,7 @@ def _all_names(tree: DependencyTree, word: Word) -> FrozenSet[str]:
     prep = preposition(tree, word)
     if prep:
         names.add(f"{base}:{prep}")
-        # "From behind the sink" is from there, as "from the sink" is.
+        # "From behind the sink" counts as "from the sink".
         if prep.startswith("from_"):
             names |= {f"{base}:from", "prep_from"}
     return frozenset(names)
@@ -189,7 +187,7 @@ def _complex_preposition(tree: DependencyTree, word: Word) -> Optional[Tuple[int
 
 
 def _arcs_of_copula(tree: DependencyTree, predicate: Word, copula: Word) -> List[Arc]:
-    """Where the Stanford scheme makes the form of "be" the head: prepositional predicates, and "where"."""
+    """Predicates for which the Stanford scheme makes the form of "be" the head: prepositional phrases and "where"."""
     found = []
     for child in tree.children(predicate.index):
         if child.deprel.startswith(("nsubj", "expl")):
@@ -201,7 +199,7 @@ def _arcs_of_copula(tree: DependencyTree, predicate: Word, copula: Word) -> List
 
 
 def _propagated(tree: DependencyTree, found: List[Arc]) -> List[Arc]:
-    """Relations that a conjunct shares with the first one: its role, and the subject of a conjoined verb."""
+    """Relations that a conjunct shares with the first conjunct: its role, and the subject of a conjoined verb."""
     extra: List[Arc] = []
     for word in tree.words:
         if word.deprel != "conj" or word.head == 0:
@@ -221,16 +219,9 @@ def _propagated(tree: DependencyTree, found: List[Arc]) -> List[Arc]:
                 for arc in found
                 if arc.dependent == first.index and arc.governor != 0 and "conj" not in arc.relations
             ]
-        else:
-            extra += [
-                Arc(
-                    first.head,
-                    word.index,
-                    frozenset({"obl", f"obl:{preposition(tree, word)}", f"prep_{preposition(tree, word)}", "prep"}),
-                )
-                for _ in range(1)
-                if first.head != 0
-            ]
+        elif first.head != 0:
+            prep = preposition(tree, word)
+            extra.append(Arc(first.head, word.index, frozenset({"obl", f"obl:{prep}", f"prep_{prep}", "prep"})))
     return extra
 
 
@@ -248,7 +239,8 @@ def _coordinator(tree: DependencyTree, word: Word) -> str:
 
 
 def basic(tree: DependencyTree) -> Tuple[TypedDependency, ...]:
-    """Return the basic typed dependencies: every word has one governor, prepositions stand between (prep and pobj)."""
+    """Return the basic typed dependencies: every word has one governor, and prepositions are words of their own (prep
+    and pobj)."""
     found = []
     for word in tree.words:
         names = stanford_names(tree, word)

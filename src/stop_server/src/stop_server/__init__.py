@@ -1,1 +1,1 @@
-"""The short way of Stop: cancels every goal and publishes zero velocity, whatever else is dead."""
+"""Stops the robot without the pipeline: cancels every goal and publishes zero velocity."""

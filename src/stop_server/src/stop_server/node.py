@@ -14,7 +14,7 @@ from roboframenet_msgs.msg import Command, ExecuteCommandActionGoal, FrameCatalo
 from std_msgs.msg import String
 
 from command_server.stop_words import is_stop
-from roboframenet_ros.ros_log import log_from_threads
+from roboframenet_ros.ros_node import read_parameters, run_node
 from robot_stop.braking import Finding, StopOrder
 from robot_stop.ros_brake import Brake, Braked
 from robot_stop.sentences import sentence_of
@@ -24,13 +24,13 @@ from stop_server.ros_stopping_frame import SERVER, StoppingFrame
 
 STAGE = "stop_server"
 _JOIN_TIMEOUT_S = 2.0
-# Stops whose reports may still be repeated.
+# How many stops are kept whose reports may be repeated.
 _MOST_TOLD = 1000
 
 
 @dataclass(frozen=True)
 class _StopHeard:
-    """A stop: `text` as it was said, `command_id` of a goal or empty, `findings` of one that came as a frame."""
+    """A stop: `text` as it was said, `command_id` of a goal or empty, `findings` for one that came as a frame."""
 
     text: str
     stamp: rospy.Time
@@ -40,7 +40,7 @@ class _StopHeard:
 
 @dataclass(frozen=True)
 class _Told:
-    """What of a stop the next reports repeat."""
+    """The part of a stop that later reports repeat."""
 
     heard: _StopHeard
     command: Command
@@ -70,7 +70,7 @@ class StopServerNode:
         self._frame = StoppingFrame(self._stop_for_frame)
 
     def start(self) -> None:
-        """Begin to hear."""
+        """Subscribe."""
         rospy.on_shutdown(self._shutdown)
         self._brake.start()
         self._subscribers = [
@@ -115,7 +115,7 @@ class StopServerNode:
         )
 
     def _stop_for_frame(self) -> str:
-        """Stop what the executor has not preempted; returns why the robot may still move, empty when it stands."""
+        """Stop everything; returns why the robot may still move, empty when it stands still."""
         findings: queue.Queue[Finding] = queue.Queue()
         self._stop(_StopHeard(text="", stamp=rospy.Time.now(), findings=findings), except_server=self._own_server)
         try:
@@ -125,7 +125,7 @@ class StopServerNode:
         return "" if finding.obedience.is_complete else self._sentence_of(finding, server_count=0)
 
     def _report_stop(self, braked: Braked) -> None:
-        """Tell at once that commands up to now must not act."""
+        """Report at once that commands up to now must not run."""
         key = braked.order.key
         with self._lock:
             heard = self._heard.pop(key)
@@ -141,7 +141,7 @@ class StopServerNode:
         rospy.loginfo("stopped in %.1f ms, cancelled %s", 1000.0 * braked.took_s, list(braked.cancelled))
 
     def _report_finding(self, finding: Finding) -> None:
-        """Answer a stop when it is known who obeys, and tell when that changes."""
+        """Reply to a stop when it is known who obeys, and report when that changes."""
         told = self._told[finding.order.key]
         sentence = self._sentence_of(finding, server_count=len(told.braked.cancelled))
         if told.heard.findings is not None:
@@ -177,7 +177,7 @@ class StopServerNode:
         return sentence_of(finding, server_count=server_count, limit_s=self._settings.zero_velocity_limit_s)
 
     def _is_answered(self, told: _Told) -> bool:
-        """Whether the command server, to which this node seemed silent, has replied already."""
+        """Whether the command server has replied already, because this node seemed silent."""
         with self._lock:
             return self._others.take(
                 told.heard.command_id,
@@ -187,34 +187,14 @@ class StopServerNode:
             )
 
 
-def read_settings() -> BrakeSettings:
-    """Read the private parameters.
-
-    Raises:
-        ValueError: a parameter is out of its range
-    """
-    defaults = BrakeSettings
-    return BrakeSettings(
-        velocity_topics=rospy.get_param("~velocity_topics", defaults.velocity_topics),
-        zero_velocity_duration_s=rospy.get_param("~zero_velocity_duration_s", defaults.zero_velocity_duration_s),
-        zero_velocity_limit_s=rospy.get_param("~zero_velocity_limit_s", defaults.zero_velocity_limit_s),
-        zero_velocity_rate_hz=rospy.get_param("~zero_velocity_rate_hz", defaults.zero_velocity_rate_hz),
-        confirmation_timeout_s=rospy.get_param("~confirmation_timeout_s", defaults.confirmation_timeout_s),
-        also_cancel=rospy.get_param("~also_cancel", defaults.also_cancel),
-        refresh_period_s=rospy.get_param("~refresh_period_s", defaults.refresh_period_s),
-        master_timeout_s=rospy.get_param("~master_timeout_s", defaults.master_timeout_s),
-    )
+def _start() -> StopServerNode:
+    settings = read_parameters(BrakeSettings)
+    rospy.loginfo("stop_server: %s", settings)
+    node = StopServerNode(settings)
+    node.start()
+    return node
 
 
 def main() -> None:
     """Run the node until ROS shuts down; exits with a sentence when a parameter is wrong."""
-    rospy.init_node("stop_server")
-    log_from_threads()
-    try:
-        settings = read_settings()
-    except ValueError as error:
-        rospy.logfatal("%s", error)
-        raise SystemExit(f"stop_server: {error}") from error
-    rospy.loginfo("stop_server: %s", settings)
-    StopServerNode(settings).start()
-    rospy.spin()
+    run_node("stop_server", _start)

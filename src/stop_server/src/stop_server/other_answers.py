@@ -1,11 +1,11 @@
-"""Stops that the command server answered in place of a stop server that was hung."""
+"""Stops that the command server answered because the stop server hung."""
 
 import time
 from collections import deque
 from dataclasses import dataclass
 from typing import Callable, Deque
 
-# Two nodes hear one utterance at nearly the same time.
+# Two nodes receive one utterance at nearly the same time.
 _SKEW_NS = 500_000_000
 _FORGET_S = 30.0
 _MOST_KEPT = 1000
@@ -20,7 +20,7 @@ class _Answer:
 
 
 class OtherAnswers:
-    """Says of a stop whether it has its reply already. Not for several threads at once."""
+    """Keeps which stops have been answered already. For one thread."""
 
     def __init__(self, *, now: Callable[[], float] = time.monotonic) -> None:
         """Start with none.
@@ -32,7 +32,7 @@ class OtherAnswers:
         self._answers: Deque[_Answer] = deque(maxlen=_MOST_KEPT)
 
     def note(self, command_id: str, text: str, *, stamp_ns: int) -> None:
-        """Somebody else answered a stop that was said at `stamp_ns`, nanoseconds of ROS time."""
+        """Another node answered a stop that was said at `stamp_ns`, nanoseconds of ROS time."""
         self._answers.append(_Answer(command_id, text, stamp_ns, self._now()))
 
     def take(self, command_id: str, text: str, *, stamp_ns: int, is_just_awake: bool) -> bool:
@@ -41,8 +41,8 @@ class OtherAnswers:
         Args:
             command_id: of a stop that came as a goal; empty for one that came as text
             text: as it was said
-            stamp_ns: when it was heard here, nanoseconds of ROS time
-            is_just_awake: this process was suspended, so that it may have been said long before
+            stamp_ns: when it arrived here, nanoseconds of ROS time
+            is_just_awake: this process was suspended, so the stop may have been said long before
         """
         while self._answers and self._answers[0].noted_s < self._now() - _FORGET_S:
             self._answers.popleft()

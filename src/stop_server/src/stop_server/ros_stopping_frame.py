@@ -1,4 +1,4 @@
-"""The frames `stopping` and `waiting` for sentences that reach the stop server through language."""
+"""The frames `stopping` and `waiting`, for sentences that reach the stop server through the pipeline."""
 
 import threading
 import time
@@ -8,28 +8,28 @@ import rospy
 
 SERVER = "stopping"
 FRAMES = ("stopping", "waiting")
-#: How often a robot that waits looks whether it is asked for something else, seconds.
+#: How often a robot that waits checks for another command, seconds.
 POLL_S = 0.05
 
 
 class StoppingFrame:
     """Offers an RFNServer for the frames, from a thread of its own.
 
-    The import and the registration may take long or fail, and the short way must not wait for either.
+    The import and the registration may take long or fail, and a stop must not wait for either.
     """
 
     def __init__(self, stop: Callable[[], str]) -> None:
         """Prepare the thread.
 
         Args:
-            stop: stops the robot and says why it may still move, empty when it stands; called from a thread of the
-                action server
+            stop: stops the robot and returns why it may still move, empty when it stands still; called from a thread of
+                the action server
         """
         self._stop = stop
         self._thread = threading.Thread(target=self._offer, name="stopping_frame", daemon=True)
 
     def start(self) -> None:
-        """Begin to offer the frames; returns at once."""
+        """Start to offer the frames; returns at once."""
         self._thread.start()
 
     def close(self, *, timeout_s: float) -> None:
@@ -44,13 +44,13 @@ class StoppingFrame:
             for frame_name in FRAMES:
                 server.register_with_frame(frame_name)
             server.start()
-        except Exception as error:  # boundary: whatever is wrong with the long way, the short way works on
+        except Exception as error:  # boundary: a fault of the pipeline must not keep stops from working
             rospy.logwarn("the frames %s are not offered: %s: %s", ", ".join(FRAMES), type(error).__name__, error)
             return
         self._server = server
 
     def _carry_out(self, server: Any, frame: Any) -> None:
-        """Stop; "wait for two minutes" also keeps still for so long, unless another command comes."""
+        """Stop; "wait for two minutes" also stands still for that time, unless another command comes."""
         from rfnserver.arguments import ArgumentError, argument, duration_s
 
         reason = self._stop()

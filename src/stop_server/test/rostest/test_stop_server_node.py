@@ -2,7 +2,6 @@
 """The node, with the rest of the pipeline dead."""
 
 import threading
-import time
 import unittest
 
 import actionlib
@@ -23,14 +22,7 @@ from roboframenet_msgs.msg import (
 )
 from std_msgs.msg import String
 
-
-def wait_until(condition, timeout_s=60.0):
-    end = time.monotonic() + timeout_s
-    while time.monotonic() < end:
-        if condition():
-            return True
-        time.sleep(0.02)
-    return condition()
+from roboframenet_testing import wait_until
 
 
 class Mover:
@@ -48,7 +40,7 @@ class Mover:
 
     def start_goal(self, goal):
         handle = self.client.send_goal(goal)
-        assert wait_until(lambda: handle.get_goal_status() == GoalStatus.ACTIVE)
+        wait_until(lambda: handle.get_goal_status() == GoalStatus.ACTIVE)
         return handle
 
 
@@ -66,9 +58,7 @@ class StopServerNodeTest(unittest.TestCase):
         cls.text = rospy.Publisher("text", String, queue_size=100)
         cls.goal = rospy.Publisher("command/goal", ExecuteCommandActionGoal, queue_size=10)
         cls.catalogue = rospy.Publisher("frame_catalogue", FrameCatalogue, queue_size=1, latch=True)
-        assert wait_until(
-            lambda: all(entity.get_num_connections() == 1 for entity in subscribers + [cls.text, cls.goal])
-        )
+        wait_until(lambda: all(entity.get_num_connections() == 1 for entity in subscribers + [cls.text, cls.goal]))
         cls.movers = [Mover("turn_server", FilledSemanticFrameAction), Mover("drive_server", FilledSemanticFrameAction)]
         cls.navigation = Mover("navigation_stack", TestAction)
         cls.registered = Mover("registered_server", TestAction)
@@ -88,13 +78,13 @@ class StopServerNodeTest(unittest.TestCase):
                 [report for report in list(self.reports) if report.reply.command.text == text],
             )
 
-        self.assertTrue(wait_until(lambda: all(answers())), answers())
+        wait_until(lambda: all(answers()), message=answers)
         replies, reports = answers()
         return replies[0], reports[0]
 
     def wait_until_server_is_known(self, mover):
         # One cancel publisher is the client of this test, the other is the stop server's.
-        self.assertTrue(wait_until(lambda: mover.server.cancel_sub.get_num_connections() == 2))
+        wait_until(lambda: mover.server.cancel_sub.get_num_connections() == 2)
 
     def test_stop_cancels_every_goal_and_publishes_zero_velocity(self):
         expected = self.movers + [self.navigation, self.registered]
@@ -104,13 +94,11 @@ class StopServerNodeTest(unittest.TestCase):
         handles += [mover.start_goal(TestGoal()) for mover in (self.navigation, self.registered)]
         stranger = self.stranger.start_goal(TestGoal())
         self.text.publish("STOP!!")
-        self.assertTrue(
-            wait_until(lambda: all(handle.get_comm_state() == actionlib.CommState.DONE for handle in handles))
-        )
+        wait_until(lambda: all(handle.get_comm_state() == actionlib.CommState.DONE for handle in handles))
         self.assertEqual({GoalStatus.PREEMPTED}, {handle.get_terminal_state() for handle in handles})
         self.assertEqual(GoalStatus.ACTIVE, stranger.get_goal_status())
         stranger.cancel()
-        self.assertTrue(wait_until(lambda: len(self.velocities) > 3 and len(self.other_velocities) > 3))
+        wait_until(lambda: len(self.velocities) > 3 and len(self.other_velocities) > 3)
         self.assertTrue(all(velocity == Twist() for velocity in self.velocities + self.other_velocities))
         reply, report = self.answer_to("STOP!!")
         self.assertEqual((Reply.DONE, "stop_server"), (reply.outcome, reply.stage))
@@ -129,14 +117,14 @@ class StopServerNodeTest(unittest.TestCase):
             self.text.publish("stop")
             self.text.publish("stop at the kitchen")
         self.text.publish("halt")
-        self.assertTrue(wait_until(lambda: any(reply.command.text == "halt" for reply in self.replies)))
+        wait_until(lambda: any(reply.command.text == "halt" for reply in self.replies))
         replies = [reply for reply in self.replies if reply.command.text in ("stop", "stop at the kitchen", "halt")]
         self.assertEqual(["stop"] * 25 + ["halt"], [reply.command.text for reply in replies])
         self.assertEqual(26, len({reply.command.id for reply in replies}))
 
     def test_zero_velocity_ends(self):
         self.text.publish("stop")
-        self.assertTrue(wait_until(lambda: self.velocities))
+        wait_until(lambda: self.velocities)
         quiet = threading.Event()
 
         def has_ended():
@@ -144,7 +132,7 @@ class StopServerNodeTest(unittest.TestCase):
             quiet.wait(0.5)
             return count == len(self.velocities)
 
-        self.assertTrue(wait_until(has_ended))
+        wait_until(has_ended)
 
     def test_goal_that_was_on_its_way_is_cancelled_and_a_later_one_is_not(self):
         mover = self.movers[0]
@@ -152,10 +140,10 @@ class StopServerNodeTest(unittest.TestCase):
         self.text.publish("Stop there!")
         late = self.client_goal_stamped(mover, self.answer_to("Stop there!")[1].stop_stamp - rospy.Duration(0.001))
         new = mover.client.send_goal(FilledSemanticFrameGoal())
-        self.assertTrue(wait_until(lambda: late.get_comm_state() == actionlib.CommState.DONE))
-        self.assertTrue(wait_until(lambda: new.get_goal_status() == GoalStatus.ACTIVE))
+        wait_until(lambda: late.get_comm_state() == actionlib.CommState.DONE)
+        wait_until(lambda: new.get_goal_status() == GoalStatus.ACTIVE)
         new.cancel()
-        self.assertTrue(wait_until(lambda: new.get_comm_state() == actionlib.CommState.DONE))
+        wait_until(lambda: new.get_comm_state() == actionlib.CommState.DONE)
 
     def client_goal_stamped(self, mover, stamp):
         """Send a goal that was stamped before it arrives."""
@@ -174,18 +162,18 @@ class StopServerNodeTest(unittest.TestCase):
         moving = mover.start_goal(FilledSemanticFrameGoal())
         goal = FilledSemanticFrameGoal(frame=FilledSemanticFrame(name="stopping"))
         stopping = client.send_goal(goal)
-        self.assertTrue(wait_until(lambda: stopping.get_comm_state() == actionlib.CommState.DONE))
+        wait_until(lambda: stopping.get_comm_state() == actionlib.CommState.DONE)
         self.assertEqual(GoalStatus.SUCCEEDED, stopping.get_terminal_state(), stopping.get_goal_status_text())
-        self.assertTrue(wait_until(lambda: moving.get_comm_state() == actionlib.CommState.DONE))
+        wait_until(lambda: moving.get_comm_state() == actionlib.CommState.DONE)
         self.assertEqual(GoalStatus.PREEMPTED, moving.get_terminal_state())
         twist = Twist()
         twist.angular.z = 0.3
         velocity = rospy.Publisher("other_cmd_vel", Twist, queue_size=1)
         driver = rospy.Timer(rospy.Duration(0.05), lambda _: velocity.publish(twist))
         try:
-            self.assertTrue(wait_until(lambda: twist in self.other_velocities))
+            wait_until(lambda: twist in self.other_velocities)
             stopping = client.send_goal(goal)
-            self.assertTrue(wait_until(lambda: stopping.get_comm_state() == actionlib.CommState.DONE))
+            wait_until(lambda: stopping.get_comm_state() == actionlib.CommState.DONE)
         finally:
             driver.shutdown()
             velocity.unregister()
@@ -200,9 +188,9 @@ class StopServerNodeTest(unittest.TestCase):
         rospy.on_shutdown(stubborn.status_timer.shutdown)
         client = actionlib.ActionClient("stubborn", FilledSemanticFrameAction)
         self.assertTrue(client.wait_for_server(rospy.Duration(60.0)))
-        self.assertTrue(wait_until(lambda: stubborn.cancel_sub.get_num_connections() == 2))
+        wait_until(lambda: stubborn.cancel_sub.get_num_connections() == 2)
         handle = client.send_goal(FilledSemanticFrameGoal())
-        self.assertTrue(wait_until(lambda: handle.get_goal_status() == GoalStatus.ACTIVE))
+        wait_until(lambda: handle.get_goal_status() == GoalStatus.ACTIVE)
         self.text.publish("Whoa!")
         reply, report = self.answer_to("Whoa!")
         self.assertEqual((Reply.FAILED, "NOT_STOPPED"), (reply.outcome, reply.code))
@@ -211,12 +199,10 @@ class StopServerNodeTest(unittest.TestCase):
         # It ends late, which is said without a second reply.
         for tracker in stubborn.status_list:
             actionlib.ServerGoalHandle(tracker, stubborn).set_canceled()
-        self.assertTrue(
-            wait_until(
-                lambda: any(
-                    report.sentence == "Stopped now: everybody obeys." and report.command.text == "Whoa!"
-                    for report in list(self.reports)
-                )
+        wait_until(
+            lambda: any(
+                report.sentence == "Stopped now: everybody obeys." and report.command.text == "Whoa!"
+                for report in list(self.reports)
             )
         )
         self.assertEqual(1, len([reply for reply in self.replies if reply.command.text == "Whoa!"]))
@@ -226,7 +212,7 @@ class StopServerNodeTest(unittest.TestCase):
         self.wait_until_server_is_known(late)
         handle = late.start_goal(FilledSemanticFrameGoal())
         self.text.publish("Freeze!")
-        self.assertTrue(wait_until(lambda: handle.get_comm_state() == actionlib.CommState.DONE))
+        wait_until(lambda: handle.get_comm_state() == actionlib.CommState.DONE)
         self.assertEqual(GoalStatus.PREEMPTED, handle.get_terminal_state())
 
 

@@ -1,4 +1,4 @@
-"""The middle of what stands before the robot, in a point cloud.
+"""The centroid of the points in front of the robot, in a point cloud.
 
 The cloud is in the optical frame of the camera (REP 103): x right, y down, z forward, metres.
 """
@@ -15,13 +15,13 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class Box:
-    """Where a person is looked for.
+    """The box in which a person is searched for.
 
-    The names and values are those of the Turtlebot's follower. The y limits count upwards from the camera, against
-    the y of the cloud: the box begins above the camera, so that the floor is never in it.
+    The names and values are those of the Turtlebot's follower. The y limits count upwards from the camera, opposite to
+    the y of the cloud. The box begins above the camera, so it never contains the floor.
 
     Raises:
-        ValueError: a limit that is no finite number, or a box without room
+        ValueError: a limit is not a finite number, or the box is empty
     """
 
     min_x_m: float = -0.2
@@ -35,12 +35,12 @@ class Box:
             if not (isinstance(value, (int, float)) and math.isfinite(value)):
                 raise ValueError(f"{name} must be a finite number, got {value!r}")
         if not (self.min_x_m < self.max_x_m and self.min_y_m < self.max_y_m and self.max_z_m > 0.0):
-            raise ValueError(f"the box has no room: {self}")
+            raise ValueError(f"the box is empty: {self}")
 
 
 @dataclass(frozen=True)
 class Centroid:
-    """Mean of the points in the box: metres to the right, and metres ahead."""
+    """Mean of the points in the box: metres to the right and metres ahead."""
 
     x_m: float
     z_m: float
@@ -67,7 +67,7 @@ def points_of(
     datatypes: Mapping[str, int],
     pixel_step: int = 1,
 ) -> "NDArray[np.void]":
-    """Look at the points of a PointCloud2 without copying them.
+    """View the points of a PointCloud2 without copying them.
 
     Args:
         data: of the message
@@ -78,17 +78,17 @@ def points_of(
         is_bigendian: byte order
         offsets: byte offset of x, y and z in a point
         datatypes: PointField code of x, y and z
-        pixel_step: look only at every n-th point of every n-th row
+        pixel_step: use only every n-th point of every n-th row
     Returns:
         structured array (rows, columns) with the fields x, y, z
     Raises:
-        CloudError: a field is missing or no float32, or the data are too short
+        CloudError: a field is missing or is not float32, or the data are too short
     """
     for axis in "xyz":
         if axis not in offsets:
             raise CloudError(f'the cloud has no field "{axis}"')
         if datatypes.get(axis) != FLOAT32:
-            raise CloudError(f'the field "{axis}" is no float32')
+            raise CloudError(f'the field "{axis}" is not float32')
         if not 0 <= offsets[axis] <= point_step - 4:
             raise CloudError(f'the field "{axis}" lies outside of the point')
     if row_step < width * point_step or len(data) < row_step * height:
@@ -103,23 +103,23 @@ def points_of(
         }
     )
     rows: NDArray[np.void] = np.ndarray(shape=(height, width), dtype=point, buffer=data, strides=(row_step, point_step))
-    # An unorganised cloud is one long row.
+    # An unorganised cloud is a single row.
     return rows[::pixel_step, ::pixel_step] if height > 1 else rows[:, ::pixel_step]
 
 
 def centroid(points: "NDArray[np.void]", *, box: Box, min_share: float) -> Optional[Centroid]:
-    """Return the middle of the points in the box.
+    """Return the centroid of the points in the box.
 
     Args:
-        points: structured array with the fields x, y, z; not-a-number where the camera saw nothing
+        points: structured array with the fields x, y, z; NaN where the camera saw nothing
         box: where to look
-        min_share: of all points that must be in the box: less is no person
+        min_share: share of all points that must be in the box for a person
     Returns:
         None if too few points are in the box
     """
     if not points.size:
         return None
-    # Few points are near: what is tested first thins out the rest. Comparisons with not-a-number are false.
+    # Few points are near, so the first test removes most of them. Comparisons with NaN are false.
     with np.errstate(invalid="ignore"):
         near = points[(points["z"] < box.max_z_m) & (points["z"] > 0.0)]
         inside = near[

@@ -1,4 +1,4 @@
-"""Following a person: the person's place in, velocity out."""
+"""Follows a person: takes the position of the person, returns velocities."""
 
 import enum
 from dataclasses import dataclass
@@ -9,17 +9,17 @@ from turtlebot_follower.centroid import Centroid
 
 @dataclass(frozen=True)
 class FollowingSettings:
-    """How a person is followed. goal_z, z_scale and x_scale are those of the Turtlebot's follower.
+    """Parameters of following. goal_z, z_scale and x_scale are those of the Turtlebot's follower.
 
     Raises:
-        ValueError: a number out of range
+        ValueError: a number is out of range
     """
 
     goal_z_m: float = 0.6
     z_scale_per_s: float = 1.0
     x_scale_rad_per_m_s: float = 5.0
     speed_share: float = 1.0
-    """How much of the person's own speed is driven at once; 0 is the law of 2012, which needs a gap to be fast."""
+    """Share of the person's own speed that is added; 0 is the law of 2012, which is fast only when the gap is wide."""
     max_linear_m_per_s: float = 0.65
     max_angular_rad_per_s: float = 1.5
     lost_timeout_s: float = 3.0
@@ -57,16 +57,15 @@ class FollowingStep:
 
 
 class Follower:
-    """Follows one person, from the start of a goal to its end.
+    """Follows a person from the start of a goal to its end.
 
-    The law of the Turtlebot's follower turns by ``-x x_scale`` and drives by ``(z - goal_z) z_scale``. It alone lets
-    the
-    person get ahead by speed / z_scale: at half a metre per second that is further than the box reaches. So the
-    speed of the person, which is the change of z plus what the robot drives, is driven too.
+    The law of the Turtlebot's follower turns by ``-x x_scale`` and drives by ``(z - goal_z) z_scale``. With this law
+    alone the person gets ahead by speed / z_scale: at half a metre per second that is beyond the box. So the speed of
+    the person, which is the change of z plus the speed of the robot, is added.
 
     Args:
-        settings: how
-        now_s: monotonic time now; the person need not be there yet
+        settings: parameters of following
+        now_s: monotonic time now; the person need not be present yet
     """
 
     FILTER_S = 0.25
@@ -84,12 +83,12 @@ class Follower:
     def observe(
         self, centroid: Optional[Centroid], *, stamp_s: float, driven_m_per_s: Optional[float], now_s: float
     ) -> FollowingStep:
-        """Take a picture, and return what to drive.
+        """Take a picture, and return the velocity to drive.
 
         Args:
             centroid: where the person is, or None
             stamp_s: when the picture was taken, on the clock of the robot
-            driven_m_per_s: speed of the robot by odometry; None if unknown: then its own command is used
+            driven_m_per_s: speed of the robot by odometry; None to use the commanded speed instead
             now_s: monotonic time now
         """
         if centroid is None:
@@ -109,7 +108,7 @@ class Follower:
         self._last_stamp_s = stamp_s
         gap_m = centroid.z_m - settings.goal_z_m
         linear = settings.z_scale_per_s * gap_m + settings.speed_share * self._person_m_per_s
-        # A person who stands is stood before, without creeping to and fro.
+        # In front of a standing person the robot stands, without creeping back and forth.
         if abs(gap_m) < self.DEAD_M and abs(linear) < 2.0 * self.DEAD_M:
             linear = 0.0
         angular = -settings.x_scale_rad_per_m_s * centroid.x_m
@@ -124,6 +123,6 @@ class Follower:
         )
 
     def wait(self, *, now_s: float) -> FollowingStep:
-        """Return what to do without a picture, or with one in which nobody is: stand, and lose patience in the end."""
+        """Return what to do without a picture, or without a person in it: stand, and give up in the end."""
         sight = Sight.LOST if now_s - self._seen_s > self.settings.lost_timeout_s else Sight.UNSEEN
         return FollowingStep(0.0, 0.0, sight)

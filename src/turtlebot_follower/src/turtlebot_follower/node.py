@@ -24,7 +24,7 @@ FRAME_NAME = "following"
 
 
 class Mode(enum.Enum):
-    """Who follows: this node, a follower behind a service, or one in a launch file."""
+    """Which follower is used: this node, a service, or a launch file."""
 
     OWN = "own"
     SERVICE = "service"
@@ -36,7 +36,7 @@ class Settings:
     """Parameters that do not change while the node runs.
 
     Raises:
-        ValueError: an unknown mode, a missing launch file, a number out of range
+        ValueError: the mode is unknown, the launch file is missing, or a number is out of range
     """
 
     mode: str
@@ -74,7 +74,7 @@ def read_settings() -> Settings:
 
 @dataclass(frozen=True)
 class Tuning:
-    """What dynamic_reconfigure changes."""
+    """Parameters that dynamic_reconfigure can change."""
 
     box: Box
     following: FollowingSettings
@@ -85,7 +85,7 @@ def tuning_of(config: Any) -> Tuning:
     """Read a configuration of dynamic_reconfigure.
 
     Raises:
-        ValueError: a box without room
+        ValueError: the box is empty
     """
     return Tuning(
         box=Box(
@@ -106,7 +106,7 @@ def tuning_of(config: Any) -> Tuning:
 
 @dataclass(frozen=True)
 class Picture:
-    """What a point cloud held: the person, if anybody, and when."""
+    """The person in a point cloud, if any, and the time of the cloud."""
 
     person: Optional[Centroid]
     stamp_s: float
@@ -114,7 +114,7 @@ class Picture:
 
 
 class TurtlebotFollower:
-    """Follows who stands before the robot, as long as the goal is active.
+    """Follows the person in front of the robot while the goal is active.
 
     Subscribes:
         ``camera/depth/points`` (sensor_msgs/PointCloud2) and ``odom`` (nav_msgs/Odometry), only while following
@@ -128,7 +128,7 @@ class TurtlebotFollower:
     FEEDBACK_S = 0.5
     FLUSH_S = 0.1
     CLOUD_BUFFER_BYTES = 1 << 24
-    """A cloud of 640x480 has five megabytes: it is read in one piece."""
+    """A cloud of 640x480 has five megabytes, and is read at once."""
 
     def __init__(self, settings: Settings) -> None:
         self._settings = settings
@@ -156,7 +156,7 @@ class TurtlebotFollower:
         except ValueError as error:
             if self._tuning is None:
                 raise
-            rospy.logerr("kept as it was: %s", error)
+            rospy.logerr("parameters unchanged: %s", error)
             return self._configuration
         self._configuration = config
         self._tuning = tuning
@@ -169,7 +169,7 @@ class TurtlebotFollower:
 
     def _shut_down(self) -> None:
         self._wake()
-        # The thread of the goal stops the robot; a thread of the publisher sends what is queued.
+        # The thread of the goal stops the robot; a thread of the publisher sends queued messages.
         self._idle.wait(2.0 * self._settings.service_timeout_s)
         time.sleep(self.FLUSH_S)
 
@@ -210,7 +210,7 @@ class TurtlebotFollower:
         self._driven = (message.twist.twist.linear.x, time.monotonic())
 
     def _follow(self, _frame: FilledSemanticFrame) -> None:
-        """Follow until preempted or the person is lost."""
+        """Follow until the goal is preempted or the person is lost."""
         self._idle.clear()
         try:
             if self._settings.mode == Mode.OWN.value:
@@ -237,7 +237,7 @@ class TurtlebotFollower:
         return rospy.is_shutdown() or self._server.is_preempt_requested()
 
     def _follow_oneself(self) -> str:
-        """Follow, and return why it ended; nothing when it was preempted."""
+        """Follow, and return why it ended; empty when it was preempted."""
         with self._condition:
             self._picture = None
         subscribers = [
@@ -286,14 +286,14 @@ class TurtlebotFollower:
             if step.sight is Sight.LOST:
                 if last_number == 0:
                     return f"I see nothing: no point cloud on {topic}."
-                return f"I have lost you: nobody was before me for {follower.settings.lost_timeout_s:g} seconds."
+                return f"I have lost you: I saw nobody for {follower.settings.lost_timeout_s:g} seconds."
             if now_s - feedback_s >= self.FEEDBACK_S:
                 feedback_s = now_s
                 self._server.publish_feedback(FilledSemanticFrameFeedback(is_succeeding=step.sight is Sight.SEEN))
         return ""
 
     def _let_follow(self, follower: Union[ServiceFollower, LaunchFollower]) -> str:
-        """Let the robot's own follower follow, and return why it ended; nothing when it was preempted."""
+        """Run the robot's own follower, and return why it ended; empty when it was preempted."""
         try:
             follower.start()
             problem = ""

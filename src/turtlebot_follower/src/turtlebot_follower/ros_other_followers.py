@@ -1,4 +1,4 @@
-"""Followers that a robot already has: behind a service, or in a launch file, as in 2012."""
+"""Existing followers of a robot: behind a service, or in a launch file, as in 2012."""
 
 import os
 import signal
@@ -27,23 +27,23 @@ class ServiceFollower:
         self._timeout_s = timeout_s
 
     def start(self) -> None:
-        """Let it follow.
+        """Make it follow.
 
         Raises:
-            FollowerError: not there, silent, or unwilling
+            FollowerError: the service is missing, silent, or refuses
         """
         self._set(SetFollowStateRequest.FOLLOW)
 
     def stop(self) -> None:
-        """Let it stop.
+        """Make it stop.
 
         Raises:
-            FollowerError: not there, silent, or unwilling
+            FollowerError: the service is missing, silent, or refuses
         """
         self._set(SetFollowStateRequest.STOPPED)
 
     def problem(self) -> str:
-        """Return why it does not follow any more: a service does not say so."""
+        """Return why it no longer follows; unknown, because a service does not say so."""
         return ""
 
     def _set(self, state: int) -> None:
@@ -56,7 +56,7 @@ class ServiceFollower:
             except (rospy.ROSException, rospy.ServiceException) as error:
                 answers.append(str(error))
 
-        # A service call in rospy has no deadline: a thread that may be left behind has one.
+        # A service call in rospy has no deadline, so a thread makes it, and may be abandoned.
         thread = threading.Thread(target=call, daemon=True)
         thread.start()
         thread.join(2.0 * self._timeout_s)
@@ -67,7 +67,7 @@ class ServiceFollower:
 
 
 class LaunchFollower:
-    """A follower in a launch file, which runs while it follows.
+    """A follower in a launch file. The launch file runs while the robot follows.
 
     Args:
         path: of the launch file
@@ -83,12 +83,12 @@ class LaunchFollower:
         """Launch it.
 
         Raises:
-            FollowerError: no such file, or no roslaunch
+            FollowerError: the file or roslaunch does not exist
         """
         if not os.path.isfile(self._path):
             raise FollowerError(f"~launchfile: there is no file {self._path!r}")
         try:
-            # A group of its own: the interrupt of a terminal must not reach it before stop() does.
+            # In a process group of its own, so that an interrupt in the terminal does not reach it before stop() does.
             self._process = subprocess.Popen(
                 ["roslaunch", self._path], stdin=subprocess.DEVNULL, start_new_session=True
             )
@@ -96,11 +96,11 @@ class LaunchFollower:
             raise FollowerError(f"roslaunch cannot be started: {error}") from error
 
     def stop(self) -> None:
-        """End all that was launched."""
+        """End all launched processes."""
         process, self._process = self._process, None
         if process is None:
             return
-        # Killing roslaunch would leave its nodes behind: it gets its time to end them.
+        # Killing roslaunch would leave its nodes running, so it gets time to end them.
         for signal_number, patience in ((signal.SIGINT, 10.0), (signal.SIGTERM, 5.0), (signal.SIGKILL, 1.0)):
             try:
                 os.killpg(process.pid, signal_number)
@@ -113,7 +113,7 @@ class LaunchFollower:
                 rospy.logwarn("%s does not end", self._path)
 
     def problem(self) -> str:
-        """Return why it does not follow any more, or nothing."""
+        """Return why it no longer follows; empty while it does."""
         if self._process is not None and self._process.poll() is not None:
             return f"the launch file ended with status {self._process.returncode}"
         return ""

@@ -4,7 +4,6 @@
 import math
 import sys
 import threading
-import time
 import unittest
 
 import actionlib
@@ -23,20 +22,12 @@ from roboframenet_msgs.msg import (
 from std_msgs.msg import String
 from turtlebot_msgs.srv import SetFollowState, SetFollowStateRequest, SetFollowStateResponse
 
+from roboframenet_testing import wait_until
+
 DEADLINE_S = 60.0
 BODY_RADIUS_M = 0.2
 BAND_M = (0.3, 0.9)
 """From the robot's centre to the person's skin, while following."""
-
-
-def wait_until(condition, timeout_s=DEADLINE_S):
-    """Wait until the condition holds; return whether it does."""
-    end_s = time.monotonic() + timeout_s
-    while not condition():
-        if time.monotonic() > end_s or rospy.is_shutdown():
-            return False
-        time.sleep(0.01)
-    return True
 
 
 class TestTurtlebotFollower(unittest.TestCase):
@@ -56,8 +47,8 @@ class TestTurtlebotFollower(unittest.TestCase):
         ]
         cls.act = rospy.Publisher("person/act", String, queue_size=10)
         cls.client = actionlib.ActionClient("following", FilledSemanticFrameAction)
-        assert wait_until(lambda: cls.client.wait_for_server(rospy.Duration(1.0)))
-        assert wait_until(lambda: cls.robot and cls.person and cls.act.get_num_connections() > 0)
+        wait_until(lambda: cls.client.wait_for_server(rospy.Duration(1.0)))
+        wait_until(lambda: cls.robot and cls.person and cls.act.get_num_connections() > 0)
 
     @classmethod
     def on_odometry(cls, message):
@@ -104,22 +95,22 @@ class TestTurtlebotFollower(unittest.TestCase):
 
     def outcome(self, handle):
         """Wait for the end, and return state and text."""
-        self.assertTrue(wait_until(lambda: handle.get_comm_state() == actionlib.CommState.DONE))
+        wait_until(lambda: handle.get_comm_state() == actionlib.CommState.DONE)
         return handle.get_terminal_state(), handle.get_goal_status_text()
 
     def meet(self):
         """The person comes before the robot, which follows from then on."""
         self.order("come")
-        self.assertTrue(wait_until(lambda: self.gaps_m and abs(self.gaps_m[-1] - 0.6) < 0.05))
+        wait_until(lambda: self.gaps_m and abs(self.gaps_m[-1] - 0.6) < 0.05)
         seen = []
         handle = self.follow(feedback_cb=lambda _, message: seen.append(message.is_succeeding))
-        self.assertTrue(wait_until(lambda: any(seen)))
+        wait_until(lambda: any(seen))
         return handle
 
     def assert_stands(self):
         """The robot was told to stop, and does."""
-        self.assertTrue(wait_until(lambda: self.last_command == (0.0, 0.0)))
-        self.assertTrue(wait_until(lambda: self.speed == 0.0))
+        wait_until(lambda: self.last_command == (0.0, 0.0))
+        wait_until(lambda: self.speed == 0.0)
 
     def test_curve_of_ten_metres_keeps_the_band_and_then_stands(self):
         """Ten metres at half a metre per second, an S; then the person stands, and so does the robot; then cancel."""
@@ -127,8 +118,8 @@ class TestTurtlebotFollower(unittest.TestCase):
         type(self).path_m = 0.0
         del self.gaps_m[:]
         self.order("walk")
-        self.assertTrue(wait_until(lambda: self.path_m > 9.5), (self.path_m, handle.get_goal_status_text()))
-        self.assertTrue(wait_until(lambda: self.speed == 0.0))
+        wait_until(lambda: self.path_m > 9.5, message=lambda: (self.path_m, handle.get_goal_status_text()))
+        wait_until(lambda: self.speed == 0.0)
         gaps_m = list(self.gaps_m)
         self.assertGreater(min(gaps_m), BAND_M[0])
         self.assertLess(max(gaps_m), BAND_M[1])
@@ -141,7 +132,7 @@ class TestTurtlebotFollower(unittest.TestCase):
         """PREEMPTED, and zero velocity."""
         handle = self.meet()
         self.order("walk")
-        self.assertTrue(wait_until(lambda: self.speed > 0.2))
+        wait_until(lambda: self.speed > 0.2)
         handle.cancel()
         self.assertEqual(GoalStatus.PREEMPTED, self.outcome(handle)[0])
         self.assert_stands()
@@ -158,7 +149,7 @@ class TestTurtlebotFollower(unittest.TestCase):
     def test_without_a_camera_the_goal_is_aborted(self):
         """The reason names the topic."""
         client = actionlib.ActionClient("blind/following", FilledSemanticFrameAction)
-        self.assertTrue(wait_until(lambda: client.wait_for_server(rospy.Duration(1.0))))
+        wait_until(lambda: client.wait_for_server(rospy.Duration(1.0)))
         state, text = self.outcome(self.follow(client))
         self.assertEqual(GoalStatus.ABORTED, state)
         self.assertIn("/blind/camera/depth/points", text)
@@ -166,7 +157,7 @@ class TestTurtlebotFollower(unittest.TestCase):
     def test_follower_behind_a_service_is_switched_on_and_off(self):
         """turtlebot_msgs/SetFollowState; without the service the goal is aborted."""
         client = actionlib.ActionClient("served/following", FilledSemanticFrameAction)
-        self.assertTrue(wait_until(lambda: client.wait_for_server(rospy.Duration(1.0))))
+        wait_until(lambda: client.wait_for_server(rospy.Duration(1.0)))
         state, text = self.outcome(self.follow(client))
         self.assertEqual(GoalStatus.ABORTED, state)
         self.assertIn("change_state", text)
@@ -178,7 +169,7 @@ class TestTurtlebotFollower(unittest.TestCase):
 
         service = rospy.Service("served/turtlebot_follower/change_state", SetFollowState, answer)
         handle = self.follow(client)
-        self.assertTrue(wait_until(lambda: states == [SetFollowStateRequest.FOLLOW]))
+        wait_until(lambda: states == [SetFollowStateRequest.FOLLOW])
         handle.cancel()
         self.assertEqual(GoalStatus.PREEMPTED, self.outcome(handle)[0])
         self.assertEqual([SetFollowStateRequest.FOLLOW, SetFollowStateRequest.STOPPED], states)
@@ -192,7 +183,7 @@ class TestTurtlebotFollower(unittest.TestCase):
             return any(node.endswith("/other_follower/other_follower") for _, nodes in published for node in nodes)
 
         client = actionlib.ActionClient("launched/following", FilledSemanticFrameAction)
-        self.assertTrue(wait_until(lambda: client.wait_for_server(rospy.Duration(1.0))))
+        wait_until(lambda: client.wait_for_server(rospy.Duration(1.0)))
         handle = self.follow(client)
         # It works, so its start is over: rospy cannot end a node that is just talking with the master.
         rospy.wait_for_message("launched/other_follower/odom", Odometry, timeout=60.0)

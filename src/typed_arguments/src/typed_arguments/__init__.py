@@ -1,4 +1,4 @@
-"""Typed arguments of frame elements: what was said, and what it means."""
+"""Typed arguments of frame elements: words and meaning."""
 
 from typed_arguments.argument import EmbeddedFrame, Measure, Modifier, Source, TimeExpression, TypedArgument
 from typed_arguments.goal_text import GoalArguments, from_goal_text, to_goal_text

@@ -1,8 +1,8 @@
-"""A typed argument: what fills a frame element, as it was said and as it was understood.
+"""A typed argument of a frame element: its words and their meaning.
 
 The attributes are those of the messages ``TypedArgument``, ``Phrase``, ``Modifier``, ``Measure``, ``TimeExpression``
-and ``EmbeddedFrame`` of roboframenet_msgs, which say what each means. What a message says by NaN, -1, 0 or an empty
-kind is None here, and parts are values instead of positions. Times and durations are seconds.
+and ``EmbeddedFrame`` of roboframenet_msgs, which define each of them. NaN, -1, 0 or an empty kind in a message is None
+here, and parts are values instead of positions. Times and durations are in seconds.
 """
 
 import enum
@@ -10,17 +10,17 @@ import math
 from dataclasses import dataclass, fields
 from typing import Iterable, Optional, Tuple, Union
 
-#: An argument and its parts, together.
+#: Number of phrases of an argument: the argument and its parts.
 MOST_PHRASES = 64
-#: Levels of parts inside of parts.
+#: Levels of nested parts.
 MOST_LEVELS = 8
-#: ROS times are seconds in 32 bits without a sign; durations have one.
+#: ROS times are seconds in 32 bits without a sign; durations are signed.
 _LATEST_S = 2.0**32
 _LONGEST_S = 2.0**31
 
 
 class Source(enum.IntEnum):
-    """Where an argument comes from; the numbers are those of the message."""
+    """The origin of an argument; the numbers are those of the message."""
 
     SAID = 0
     DEFAULT = 1
@@ -29,10 +29,10 @@ class Source(enum.IntEnum):
 
 @dataclass(frozen=True)
 class Modifier:
-    """What a word says of the head of a phrase.
+    """A property of the head of a phrase.
 
     Raises:
-        ValueError: no kind, or a number that cannot travel
+        ValueError: there is no kind, or a number does not fit into the message
     """
 
     kind: str
@@ -53,11 +53,11 @@ class Measure:
     """An amount that can be measured.
 
     Attributes:
-        amount: as it was said, finite; None when no number was said
-        si: metres, radians, seconds, ..., finite; None when it is not known
+        amount: the spoken number, finite; None when no number was said
+        si: metres, radians, seconds, ..., finite; None when unknown
 
     Raises:
-        ValueError: no kind, or a number that cannot travel
+        ValueError: there is no kind, or a number does not fit into the message
     """
 
     kind: str
@@ -76,17 +76,17 @@ class Measure:
 
 @dataclass(frozen=True)
 class TimeExpression:
-    """When or for how long.
+    """A point in time or a duration.
 
     Attributes:
-        begin_s: ROS time, more than 0; None with end_s when it is relative or not known
+        begin_s: ROS time, more than 0; None, like end_s, when the time is relative or unknown
         end_s: ROS time, not before begin_s
         offset_s: from the stamp of the command, not 0
         length_s: more than 0
         period_s: more than 0
 
     Raises:
-        ValueError: no kind, a time that cannot be, or a number that cannot travel
+        ValueError: there is no kind, a time is impossible, or a number does not fit into the message
     """
 
     kind: str
@@ -114,13 +114,13 @@ class TimeExpression:
 
 @dataclass(frozen=True)
 class EmbeddedFrame:
-    """A clause inside of a phrase.
+    """A clause inside a phrase.
 
     Attributes:
         frame_elements: filled elements of the frame, each with its name
 
     Raises:
-        ValueError: no role, an element without a name, or a number that cannot travel
+        ValueError: there is no role, an element has no name, or a number does not fit into the message
     """
 
     role: str
@@ -142,18 +142,19 @@ class EmbeddedFrame:
 
 @dataclass(frozen=True)
 class TypedArgument:
-    """What fills a frame element, or a part of it.
+    """The argument of a frame element, or a part of it.
 
-    A value of which only name and text are given says what 2012's string says.
+    A value with only name and text is equivalent to the string of 2012.
 
     Attributes:
-        name: of the frame element; empty for a part that fills none
+        name: name of the frame element; empty for a part that fills none
         text: the string of 2012
         count: 0 or more; None for none
-        referent_count: -1 for all that there are
+        referent_count: -1 for all
 
     Raises:
-        ValueError: a count, position or list that cannot be, too many parts, or a number that cannot travel
+        ValueError: a count, position or list is impossible, there are too many parts, or a number does not fit into the
+            message
     """
 
     name: str = ""
@@ -212,12 +213,12 @@ class TypedArgument:
 
     @property
     def size(self) -> int:
-        """How many phrases this one and its parts are."""
+        """Number of phrases: this one and its parts."""
         return 1 + sum(part.size for part in self.parts)
 
     @property
     def levels(self) -> int:
-        """How many phrases are inside of each other, at most."""
+        """Number of levels of nested phrases."""
         return 1 + max((part.levels for part in self.parts), default=0)
 
 
@@ -230,7 +231,7 @@ def _refuse_if(is_wrong: bool, reason: str) -> None:
 
 
 def _check(value: _Value) -> None:
-    """Refuse numbers that cannot travel: those that are not finite, and those that need more than 32 bits."""
+    """Refuse numbers that do not fit into the message: those that are not finite, or need more than 32 bits."""
     for field in fields(value):
         part = getattr(value, field.name)
         for number in part if isinstance(part, tuple) else (part,):

@@ -1,9 +1,9 @@
-"""Typed arguments as the text that travels with a goal of 2012.
+"""Converts typed arguments to the text that travels with a goal of 2012, and back.
 
-The action of 2012 has no field for them, and its checksums stay. Its goal has a string that nobody uses:
-``header.frame_id`` of ``FilledSemanticFrameActionGoal``. It holds ``{"typed_arguments": 1, "arguments": [...]}``: JSON,
-the number of the version, and the attributes of each argument that differ from their defaults. Nothing of it is
-evaluated, and whatever is wrong with it, the strings of 2012 remain.
+The action of 2012 has no field for them, and its checksums must not change. Its goal has a string that nobody uses:
+``header.frame_id`` of ``FilledSemanticFrameActionGoal``. It holds ``{"typed_arguments": 1, "arguments": [...]}``: JSON
+with the version, and the attributes of each argument that differ from their defaults. The text is never evaluated. If
+it is malformed, the strings of 2012 remain.
 """
 
 import json
@@ -25,11 +25,11 @@ VERSION = 1
 LONGEST_GOAL_TEXT = 65536
 #: Arguments of one goal.
 MOST_ARGUMENTS = 100
-#: Objects inside of each other: parts of an argument, and the frames and measures between and below them.
+#: Levels of nested objects: parts of an argument, and the frames and measures between and below them.
 _DEEPEST = 2 * MOST_LEVELS + 2
-#: Whole numbers below it are floats as well.
+#: Floats represent all whole numbers below this one.
 _LARGEST_WHOLE = 2**53
-#: Types of the attributes of each class that is written.
+#: Types of the attributes of each written class.
 _TYPES: Mapping[Any, Mapping[str, Any]] = {
     kind: get_type_hints(kind) for kind in (TypedArgument, Modifier, Measure, TimeExpression, EmbeddedFrame)
 }
@@ -41,7 +41,7 @@ class GoalArguments:
 
     Attributes:
         arguments: one for each frame element of the goal, in its order
-        reason: why they hold nothing but the strings of 2012; empty when they hold more, and when no more was sent
+        reason: why the arguments have only the strings of 2012; empty when they have more, or when no more was sent
     """
 
     arguments: Tuple[TypedArgument, ...]
@@ -49,10 +49,10 @@ class GoalArguments:
 
 
 def to_goal_text(arguments: Sequence[TypedArgument]) -> str:
-    """Return the text for arguments, in ASCII.
+    """Return the text for some arguments, in ASCII.
 
     Raises:
-        ValueError: it would be too long, or there are too many of them
+        ValueError: the text would be too long, or there are too many arguments
     """
     if len(arguments) > MOST_ARGUMENTS:
         raise ValueError(f"a goal has {len(arguments)} arguments, and may have {MOST_ARGUMENTS}")
@@ -71,8 +71,8 @@ def from_goal_text(text: str, elements: Sequence[Tuple[str, str]]) -> GoalArgume
 
     Args:
         text: ``header.frame_id`` of the goal; empty from a client that knows only 2012
-        elements: name and argument of each frame element of the goal. They are what counts: a text that says
-            something else is not believed.
+        elements: name and argument of each frame element of the goal. They count: a text that contradicts them is
+            ignored.
     """
     plain = tuple(TypedArgument(name=name, text=argument) for name, argument in elements)
     if not text:
@@ -86,7 +86,7 @@ def from_goal_text(text: str, elements: Sequence[Tuple[str, str]]) -> GoalArgume
 
 
 def _read(text: str, elements: Sequence[Tuple[str, str]]) -> Dict[str, TypedArgument]:
-    """Return arguments by name; raises ValueError or RecursionError for anything that is not as it should be."""
+    """Return arguments by name; raises ValueError or RecursionError if the text is malformed."""
     if len(text) > LONGEST_GOAL_TEXT:
         raise ValueError(f"it has {len(text)} characters, and may have {LONGEST_GOAL_TEXT}")
     whole = json.loads(text, object_pairs_hook=_without_doubles, parse_constant=_refuse_constant)
@@ -154,7 +154,7 @@ def _decode_value(kind: Type[Any], found: Any, name: str, depth: int) -> Any:
 def _decode(kind: Any, found: Any, name: str, depth: int) -> Any:
     """Make a value of an attribute's type; raises ValueError."""
     arguments: Any = getattr(kind, "__args__", ())
-    if getattr(kind, "__origin__", None) is Union:  # Optional; what is None is left out
+    if getattr(kind, "__origin__", None) is Union:  # Optional; None is left out
         return _decode(arguments[0], found, name, depth)
     if getattr(kind, "__origin__", None) is tuple:
         return tuple(_decode_list(arguments[0], found, name, depth))
@@ -164,11 +164,11 @@ def _decode(kind: Any, found: Any, name: str, depth: int) -> Any:
         return Source(found)
     if kind is float and type(found) is int and abs(found) < _LARGEST_WHOLE:
         return float(found)
-    # A bool is an int in Python, and none in JSON.
+    # A bool is an int in Python, but not in JSON.
     if type(found) is not kind:
         raise ValueError(f"{name} is {type(found).__name__}, and must be {kind.__name__}")
     if kind is str:
-        found.encode("utf-8")  # half a pair of surrogates is no character; UnicodeEncodeError is a ValueError
+        found.encode("utf-8")  # a lone surrogate is not a character; UnicodeEncodeError is a ValueError
     return found
 
 

@@ -1,4 +1,4 @@
-"""Typed arguments between messages and values."""
+"""Converts typed arguments to messages and back."""
 
 import math
 from dataclasses import fields, replace
@@ -17,30 +17,31 @@ from typed_arguments.argument import (
     TypedArgument,
 )
 
-#: Attributes of a phrase that are fields of the message as they are: strings, flags and numbers that are never None.
+#: Attributes of a phrase that equal fields of the message: strings, flags and numbers that are never None.
 _SAME = tuple(
     field.name for field in fields(TypedArgument) if type(field.default) in (str, bool, int) and field.name != "name"
 )
 
 
 def to_message(argument: TypedArgument) -> msg.TypedArgument:
-    """Turn a value into a message."""
+    """Convert a value to a message."""
     phrases: List[msg.Phrase] = []
     _add_phrase(argument, phrases)
     return msg.TypedArgument(name=argument.name, phrases=phrases)
 
 
 def from_message(message: msg.TypedArgument) -> TypedArgument:
-    """Turn a message into a value.
+    """Convert a message to a value.
 
     Raises:
-        ValueError: the phrases are no argument with its parts, or one of them is malformed; the text says why
+        ValueError: the phrases are not an argument with its parts, or one of them is malformed; the message is the
+            reason
     """
     phrases = message.phrases
     if not 1 <= len(phrases) <= MOST_PHRASES:
         raise ValueError(f"an argument has 1 to {MOST_PHRASES} phrases, got {len(phrases)}")
     values: Dict[int, TypedArgument] = {}
-    # Parts stand behind what they are parts of: from the last on, the parts of each phrase are there before it.
+    # Parts follow the phrase that they belong to. Going backwards, the parts of each phrase are known before it.
     for position in range(len(phrases) - 1, -1, -1):
         try:
             values[position] = _from_phrase(message.name if position == 0 else "", phrases[position], position, values)
@@ -92,11 +93,11 @@ def _add_phrase(argument: TypedArgument, phrases: List[msg.Phrase]) -> int:
 
 
 def _from_phrase(name: str, phrase: msg.Phrase, position: int, values: Dict[int, TypedArgument]) -> TypedArgument:
-    """Make a value of a phrase, whose parts are taken out of `values`; raises ValueError."""
+    """Make a value of a phrase, and take its parts out of `values`; raises ValueError."""
 
     def part(at: int) -> TypedArgument:
         if at not in values:
-            raise ValueError(f"phrase {at} is not there, does not stand behind it, or is a part of something else")
+            raise ValueError(f"phrase {at} is missing, does not follow it, or is a part of something else")
         return values.pop(at)
 
     def frame(message: msg.EmbeddedFrame) -> EmbeddedFrame:
@@ -195,5 +196,5 @@ def _time_from_message(message: msg.TimeExpression) -> TimeExpression:
 
 
 def _seconds(time: Union[genpy.Time, genpy.Duration]) -> Optional[float]:
-    """Return seconds; None for a time of zero, which means none."""
+    """Return seconds; None for zero, which means no time."""
     return None if time.is_zero() else time.to_sec()

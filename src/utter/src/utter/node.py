@@ -17,21 +17,21 @@ def elements(frame: FilledSemanticFrame) -> dict:
 
 
 class UtterServer:
-    """Says what a frame asks for.
+    """Says the text that a frame asks for.
 
     Actions:
         saying, telling (roboframenet_msgs/FilledSemanticFrameAction)
     Publishes:
         said (std_msgs/String)
     Parameters:
-        ~aloud (bool, default true): make sound with espeak-ng, where it is installed
-        ~timeout_s (float, default 30, seconds): after so long a sound is cut off
+        ~aloud (bool, default true): make sound with espeak-ng, if it is installed
+        ~timeout_s (float, default 30, seconds): when a sound is cut off
     """
 
     def __init__(self, parameters: str = "~") -> None:
         """
         Args:
-            parameters: what stands before the names of its parameters
+            parameters: prefix of the names of the parameters
         """
         self._voice = Voice(
             is_aloud=rospy.get_param(parameters + "aloud", True),

@@ -1,25 +1,25 @@
-"""External programs that make sound, bounded in time and ended when they are no longer wanted."""
+"""Runs external programs that make sound, with a time limit, and ends them when they are no longer wanted."""
 
 import shutil
 import subprocess
 import time
 from typing import Callable, List, Optional, Sequence
 
-#: How often a running program is looked at, seconds.
+#: Period of checks of a running program, seconds.
 POLL_S = 0.05
-#: What a program that is asked to end is given before it is killed, seconds.
+#: Time for a program to end before it is killed, seconds.
 GRACE_S = 0.5
 
 
 def speech_command(text: str) -> Optional[List[str]]:
-    """Return the command line that says a text aloud, None when no speech program is installed."""
+    """Return the command line that says a text aloud; None when no speech program is installed."""
     program = shutil.which("espeak-ng") or shutil.which("espeak")
-    # The text follows "--", so that one that begins with a dash is not an option.
+    # The text follows "--", so that a text with a dash at its front is not an option.
     return [program, "--", text] if program else None
 
 
 def wave_command(path: str) -> Optional[List[str]]:
-    """Return the command line that plays a WAV file, None when no player is installed."""
+    """Return the command line that plays a WAV file; None when no player is installed."""
     program = shutil.which("aplay")
     return [program, "-q", path] if program else None
 
@@ -29,10 +29,10 @@ def run_bounded(command: Sequence[str], *, timeout_s: float, is_wanted: Callable
 
     Args:
         command: program and arguments; no shell is involved
-        timeout_s: after so long it is ended
-        is_wanted: asked again and again; False ends the program
+        timeout_s: seconds after which the program is ended
+        is_wanted: called repeatedly; False ends the program
     Returns:
-        whether the program came to its own end with exit status 0
+        whether the program ended by itself with exit status 0
     """
     try:
         process = subprocess.Popen(

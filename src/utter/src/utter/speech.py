@@ -1,19 +1,19 @@
-"""What to say: from the elements of a filled frame to a sentence."""
+"""Makes a sentence from the elements of a filled frame."""
 
 import datetime
 from typing import Optional
 
 from word_classes import without_determiner, word_class
 
-#: Nobody listens to more.
+#: Characters of the longest text; nobody listens to more.
 LONGEST_TEXT = 500
 _DETERMINERS = word_class("determiners_and_possessives")
-#: Nobody is called by these.
+#: Words for an addressee without a name.
 _PARTICIPANTS = word_class("participants")
 
 
 class NothingToSay(ValueError):
-    """There is no sentence for this frame; the message says why, for a person."""
+    """The frame gives no sentence; the message is the reason, for a person."""
 
 
 def spoken_text(message: str, addressee: str = "") -> str:
@@ -39,7 +39,7 @@ def spoken_text(message: str, addressee: str = "") -> str:
 
 
 def told_fact(message: str, now: datetime.datetime) -> str:
-    """Return the sentence that tells something the robot knows by itself.
+    """Return a sentence about something that the robot itself knows.
 
     Args:
         message: what to tell, "the time"

@@ -1,4 +1,4 @@
-"""English words by what they have in common, as rules compare them with what was said."""
+"""Named classes of English words, which rules compare with a sentence."""
 
 from word_classes.shipped import UnknownWordClass, without_determiner, word_class, word_classes, word_list
 from word_classes.word_file import WordClass, load_word_classes

@@ -8,17 +8,17 @@ from semantic_frames.marked_yaml import did_you_mean
 from semantic_frames.source_files import read_text
 from word_classes.word_file import WordClass, load_word_classes
 
-#: Beside this module in the source, devel and install space.
+#: The file is beside this module in the source, devel and install space.
 WORDS_FILE = Path(__file__).resolve().parent / "words.yaml"
 
 
 class UnknownWordClass(LookupError):
-    """No class has that name."""
+    """No class has this name."""
 
 
 @lru_cache(maxsize=None)
 def word_classes() -> Mapping[str, WordClass]:
-    """Return every class, read once.
+    """Return all classes; the file is read once.
 
     Raises:
         FileRefused: the file is wrong
@@ -30,7 +30,7 @@ def word_list(name: str) -> Tuple[str, ...]:
     """Return the words of a class in the order of the file.
 
     Raises:
-        UnknownWordClass: no class has that name
+        UnknownWordClass: no class has this name
     """
     known = word_classes()
     if name not in known:
@@ -43,17 +43,17 @@ def word_class(name: str) -> FrozenSet[str]:
     """Return the words of a class.
 
     Raises:
-        UnknownWordClass: no class has that name
+        UnknownWordClass: no class has this name
     """
     return frozenset(word_list(name))
 
 
 def without_determiner(name: str, determiners: Optional[FrozenSet[str]] = None) -> str:
-    """Return a name without the determiner in front of it: "office" for "the office", "the" for "the".
+    """Return a name without its determiner: "office" for "the office", "the" for "the".
 
     Args:
-        name: as it was said
-        determiners: what is left out; None for the class of that name
+        name: the spoken name
+        determiners: words to leave out; None for the class of that name
     """
     first, _, rest = name.strip().partition(" ")
     known = word_class("determiners") if determiners is None else determiners

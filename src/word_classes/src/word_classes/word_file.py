@@ -1,4 +1,4 @@
-"""The file of word classes: each class with what it is for, its words, and the classes that it includes."""
+"""Reads the file of word classes: the purpose and the words of each class, and the classes that it includes."""
 
 from dataclasses import dataclass
 from typing import Dict, List, Mapping, Optional, Set, Tuple
@@ -12,12 +12,12 @@ KEYS = ("for", "includes", "words")
 
 @dataclass(frozen=True)
 class WordClass:
-    """Words that have something in common.
+    """A class of words.
 
     Attributes:
-        name: by which it is asked for
-        purpose: what it is for, one sentence
-        words: in lower case, those of included classes first; one of several words is a phrase, "next to"
+        name: name of the class
+        purpose: one sentence
+        words: in lower case, those of included classes first; an entry of several words is a phrase, "next to"
     """
 
     name: str
@@ -27,7 +27,7 @@ class WordClass:
 
 @dataclass(frozen=True)
 class _Entry:
-    """A class as it is written: included classes and words of its own, each with its node."""
+    """A class as it is written: included classes and its own words, each with its node."""
 
     name: yaml.Node
     purpose: str
@@ -44,7 +44,7 @@ def load_word_classes(text: str, path: str) -> Mapping[str, WordClass]:
     Returns:
         the classes by name
     Raises:
-        FileRefused: with every mistake of the file
+        FileRefused: the file has mistakes; the exception carries all of them
     """
     reader = Reader(path)
     root = reader.compose(text, "a mapping of word classes")
@@ -70,7 +70,7 @@ def _entries(reader: Reader, root: yaml.Node) -> Dict[str, _Entry]:
         keys = reader.mapping(node, name, KEYS, required=("for",))
         if name in entries:
             first = line_of(entries[name].name)
-            expected = f"one, the first stands in line {first}"
+            expected = f"one, the first is in line {first}"
             reader.report("DUPLICATE_CLASS", name_node, name, f"a second '{name}'", expected)
             continue
         included = reader.sequence(keys.get("includes"), f"{name}.includes")
@@ -89,7 +89,7 @@ def _entries(reader: Reader, root: yaml.Node) -> Dict[str, _Entry]:
 
 
 def _own_words(reader: Reader, node: Optional[yaml.Node], key: str) -> Tuple[Tuple[str, yaml.Node], ...]:
-    """Return the words of a text, or the entries of a list, where they may be phrases."""
+    """Return the words of a text, or the entries of a list, which may be phrases."""
     found: List[Tuple[str, yaml.Node]] = []
     if isinstance(node, yaml.ScalarNode):
         found = [(word, node) for word in reader.text(node, key).split()]
@@ -107,7 +107,7 @@ def _own_words(reader: Reader, node: Optional[yaml.Node], key: str) -> Tuple[Tup
 
 
 def _check_inclusion(reader: Reader, entries: Mapping[str, _Entry]) -> None:
-    """Report classes that are not there, and circles."""
+    """Report unknown classes and cycles."""
     for name, entry in entries.items():
         for other, node in entry.includes:
             if other not in entries:
@@ -131,7 +131,7 @@ def _reaches(entries: Mapping[str, _Entry], start: str, goal: str) -> bool:
 
 
 def _words(reader: Reader, name: str, entries: Mapping[str, _Entry]) -> Tuple[str, ...]:
-    """Return the words of a class, those of included classes first; its own must be new."""
+    """Return the words of a class, those of included classes first; its own words must be new."""
     entry = entries[name]
     found: Dict[str, str] = {}
     for other, _ in entry.includes:

@@ -2,7 +2,6 @@
 """What the introspection topics say, with a real master."""
 
 import json
-import time
 import unittest
 
 import rospy
@@ -11,15 +10,7 @@ from smach_msgs.msg import SmachContainerInitialStatusCmd, SmachContainerStatus,
 
 import smach
 import smach_ros
-
-
-def wait_until(condition, timeout_s=20.0):
-    end = time.monotonic() + timeout_s
-    while time.monotonic() < end:
-        if condition():
-            return True
-        time.sleep(0.02)
-    return bool(condition())
+from roboframenet_testing import wait_until
 
 
 def machine():
@@ -49,7 +40,7 @@ class IntrospectionTest(unittest.TestCase):
         self.machine.userdata.thing = object()
         self.server = smach_ros.IntrospectionServer("show", self.machine, "/ROOT")
         self.server.start()
-        self.assertTrue(wait_until(lambda: set(self.structures) == {"/ROOT", "/ROOT/FIRST"}))
+        wait_until(lambda: set(self.structures) == {"/ROOT", "/ROOT/FIRST"})
 
     def tearDown(self):
         self.server.stop()
@@ -63,10 +54,8 @@ class IntrospectionTest(unittest.TestCase):
             ("done", "FIRST", "SECOND"), list(zip(root.internal_outcomes, root.outcomes_from, root.outcomes_to))
         )
         self.assertEqual(self.machine.execute(), "done")
-        self.assertTrue(
-            wait_until(
-                lambda: any(status.path == "/ROOT" and status.active_states == ["SECOND"] for status in self.statuses)
-            )
+        wait_until(
+            lambda: any(status.path == "/ROOT" and status.active_states == ["SECOND"] for status in self.statuses)
         )
         values = self.values_of_root(lambda values: values.get("answer") == 42)
         self.assertIn("object object", values["thing"], "what JSON cannot say is described")
@@ -88,14 +77,14 @@ class IntrospectionTest(unittest.TestCase):
             ]
             return bool(found)
 
-        self.assertTrue(wait_until(look), [status.local_data for status in self.statuses])
+        wait_until(look, message=lambda: [status.local_data for status in self.statuses])
         return found[0]
 
     def test_client_sets_initial_state_and_bad_commands_are_refused(self):
         client = smach_ros.IntrospectionClient()
-        self.assertTrue(wait_until(lambda: any("show" in name for name in client.get_servers())))
+        wait_until(lambda: any("show" in name for name in client.get_servers()))
         pub = rospy.Publisher("show/smach/container_init", SmachContainerInitialStatusCmd, queue_size=5)
-        self.assertTrue(wait_until(lambda: pub.get_num_connections() > 0))
+        wait_until(lambda: pub.get_num_connections() > 0)
         pub.publish(SmachContainerInitialStatusCmd(path="/ROOT", initial_states=["NOWHERE"]))
         pub.publish(
             SmachContainerInitialStatusCmd(

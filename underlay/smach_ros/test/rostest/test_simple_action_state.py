@@ -2,7 +2,6 @@
 """SimpleActionState with a real actionlib server."""
 
 import threading
-import time
 import unittest
 
 import actionlib
@@ -13,17 +12,9 @@ from actionlib_msgs.msg import GoalStatus
 
 import smach
 import smach_ros
+from roboframenet_testing import wait_until
 
 SUCCEED, ABORT, PREEMPT_ITSELF, OBEY, STUBBORN = range(5)
-
-
-def wait_until(condition, timeout_s=20.0):
-    end = time.monotonic() + timeout_s
-    while time.monotonic() < end:
-        if condition():
-            return True
-        time.sleep(0.02)
-    return bool(condition())
 
 
 class Server:
@@ -65,7 +56,7 @@ class SimpleActionStateTest(unittest.TestCase):
 
     def tearDown(self):
         self.server.release.set()
-        self.assertTrue(wait_until(lambda: not self.server.is_active()))
+        wait_until(lambda: not self.server.is_active())
 
     def run_in_machine(self, state, userdata=None, outcomes=("succeeded", "aborted", "preempted")):
         """Return the outcome of the state and the userdata behind it."""
@@ -167,7 +158,7 @@ class SimpleActionStateTest(unittest.TestCase):
     def test_request_cancels_the_goal(self):
         state = self.state(goal=TestGoal(OBEY), result_slots=["result"])
         thread, outcomes = self.start(state)
-        self.assertTrue(wait_until(lambda: self.server.goals == [OBEY]))
+        wait_until(lambda: self.server.goals == [OBEY])
         state.request_preempt()
         thread.join(20.0)
         self.assertEqual(outcomes, ["preempted"])
@@ -178,7 +169,7 @@ class SimpleActionStateTest(unittest.TestCase):
     def test_goal_that_succeeds_in_spite_of_the_request(self):
         state = self.state(goal=TestGoal(STUBBORN))
         thread, outcomes = self.start(state)
-        self.assertTrue(wait_until(lambda: self.server.goals == [STUBBORN]))
+        wait_until(lambda: self.server.goals == [STUBBORN])
         state.request_preempt()
         self.assertTrue(self.server.cancelled.wait(20.0))
         self.server.release.set()
@@ -188,11 +179,11 @@ class SimpleActionStateTest(unittest.TestCase):
     def test_goal_that_does_not_stop_is_given_up(self):
         state = self.state(goal=TestGoal(STUBBORN), preempt_timeout=rospy.Duration(0.3))
         thread, outcomes = self.start(state)
-        self.assertTrue(wait_until(lambda: self.server.goals == [STUBBORN]))
+        wait_until(lambda: self.server.goals == [STUBBORN])
         state.request_preempt()
         thread.join(20.0)
         self.assertEqual(outcomes, ["aborted"])
-        self.assertTrue(wait_until(self.server.cancelled.is_set))
+        wait_until(self.server.cancelled.is_set)
 
     def test_goal_out_of_time_is_cancelled_and_aborted(self):
         state = self.state(goal=TestGoal(OBEY), exec_timeout=rospy.Duration(0.3))
@@ -242,7 +233,7 @@ class SimpleActionStateTest(unittest.TestCase):
             smach.Concurrence.add("A", self.state(goal=TestGoal(OBEY)))
             smach.Concurrence.add("B", smach_ros.SimpleActionState("act_beside", TestAction, TestGoal(OBEY)))
         thread, outcomes = self.start(both)
-        self.assertTrue(wait_until(lambda: self.server.goals == other.goals == [OBEY]))
+        wait_until(lambda: self.server.goals == other.goals == [OBEY])
         both.request_preempt()
         thread.join(20.0)
         self.assertEqual(outcomes, ["preempted"])

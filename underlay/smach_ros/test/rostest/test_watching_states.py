@@ -2,7 +2,6 @@
 """States that watch a topic or a condition, with a real master."""
 
 import threading
-import time
 import unittest
 
 import rospy
@@ -11,15 +10,7 @@ from std_msgs.msg import Int32
 
 import smach
 import smach_ros
-
-
-def wait_until(condition, timeout_s=20.0):
-    end = time.monotonic() + timeout_s
-    while time.monotonic() < end:
-        if condition():
-            return True
-        time.sleep(0.02)
-    return bool(condition())
+from roboframenet_testing import wait_until
 
 
 class WatchingStatesTest(unittest.TestCase):
@@ -30,7 +21,7 @@ class WatchingStatesTest(unittest.TestCase):
         pub = rospy.Publisher("numbers", Int32, queue_size=10)
         thread.start()
         try:
-            self.assertTrue(wait_until(lambda: pub.get_num_connections() > 0))
+            wait_until(lambda: pub.get_num_connections() > 0)
             for value in values:
                 pub.publish(Int32(value))
             if not values:

@@ -1,0 +1,104 @@
+"""Recognises utterances that take back or forbid what was said before ("no, go to the garage"), by words alone.
+
+Any stage may refuse what they ask for, or hang; what they take back must end all the same. So the command server
+decides this itself, without a parser or a file.
+"""
+
+from typing import FrozenSet, Optional, Sequence, Tuple
+
+from command_server.cries import FILLERS, SOFT
+from command_server.spoken_words import plain_text, tokens_of
+
+#: Openings of corrections and prohibitions, in plain words: contractions are spelled out.
+OBJECTIONS: Tuple[str, ...] = (
+    "no",
+    "nope",
+    "nah",
+    "not",
+    "wrong",
+    "do not",
+    "never",
+    "i mean",
+    "i meant",
+    "i said",
+    "i wanted",
+    "i do not want",
+    "i do not need",
+    "the other one",
+    "the other way",
+    "the other side",
+    "the other direction",
+    "the other hand",
+    "other way",
+    "that is not",
+    "that is wrong",
+    "that was not",
+    "that was wrong",
+    "this is not",
+    "this is wrong",
+    "it is not",
+    "it is wrong",
+    "you are not",
+    "you are wrong",
+)
+#: Openings that may also be said alone, and then take nothing back: "sorry".
+WEAK_OBJECTIONS: Tuple[str, ...] = ("oops", "sorry", "actually", "rather", "instead")
+#: Ends of corrections: "go to the garage instead".
+BEHIND: Tuple[str, ...] = ("instead", "rather", "i mean", "i meant")
+#: After "no" and "not" these take nothing back: "no problem", "not yet".
+TALK: FrozenSet[str] = frozenset(
+    "thanks thank problem problems worries worry idea doubt hurry rush need matter bad yet sure now one at".split()
+)
+#: A negation of these means to go on: "no, don't stop".
+ENDING: FrozenSet[str] = frozenset(
+    "stop halt pause wait hesitate worry forget hurry rush panic mind freeze quit cancel abort bother".split()
+)
+_PAUSES: FrozenSet[str] = frozenset(",.")
+_NEGATIONS: FrozenSet[str] = frozenset(["not", "never"])
+_EMPHASIS: FrozenSet[str] = frozenset(["ever", "even"])
+_AROUND: FrozenSet[str] = (FILLERS | SOFT | _PAUSES) - {phrase.split()[0] for phrase in OBJECTIONS + WEAK_OBJECTIONS}
+# Words: "you must not ever stop".
+_LONGEST_AUXILIARY = 4
+
+
+def takes_back(text: str) -> bool:
+    """Whether an utterance opens or ends like a correction of what was said before, or opens like a prohibition.
+
+    Args:
+        text: in any spelling; of a very long one only the beginning counts
+    """
+    words = [token.word for token in tokens_of(plain_text(text)[1])]
+    front = _behind_fillers(words, 0)
+    if _phrase_at(words, front, WEAK_OBJECTIONS) is not None:
+        return _behind_fillers(words, front + 1) < len(words) and not _goes_on(words)
+    opening = _phrase_at(words, front, OBJECTIONS)
+    if opening is None:
+        said = [word for word in words if word not in _PAUSES]
+        return any(len(said) > len(phrase) and said[-len(phrase) :] == phrase for phrase in map(str.split, BEHIND))
+    behind = words[front + len(opening.split()) :]
+    if opening in ("no", "not") and behind and behind[0] in TALK:
+        return False
+    return not _goes_on(words[front:])
+
+
+def _behind_fillers(words: Sequence[str], position: int) -> int:
+    while position < len(words) and words[position] in _AROUND:
+        position += 1
+    return position
+
+
+def _phrase_at(words: Sequence[str], position: int, phrases: Sequence[str]) -> Optional[str]:
+    """Return the longest phrase that stands at a position, None for none."""
+    found = [phrase for phrase in phrases if list(words[position : position + len(phrase.split())]) == phrase.split()]
+    return max(found, key=len) if found else None
+
+
+def _goes_on(words: Sequence[str]) -> bool:
+    """Whether an end is forbidden: "no, don't stop"."""
+    for position, word in enumerate(words):
+        if word in _NEGATIONS:
+            following = words[position + 1 : position + _LONGEST_AUXILIARY]
+            behind = [other for other in following if other not in _AROUND | _EMPHASIS]
+            if behind and behind[0] in ENDING:
+                return True
+    return False

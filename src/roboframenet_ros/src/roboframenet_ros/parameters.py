@@ -1,0 +1,108 @@
+"""Parameters of a node as fields of a frozen dataclass, each with its range::
+
+    @dataclass(frozen=True)
+    class Settings(Parameters):
+        timeout_s: float = parameter(2.0, least=0.1, most=60.0)
+        max_waiting: int = parameter(100, least=1, most=1000)
+        topics: Tuple[str, ...] = parameter(("cmd_vel",))
+
+The type of the default is the type of the parameter; a float takes an integer too. The unit is the suffix of the name.
+"""
+
+import math
+from dataclasses import dataclass, field, fields
+from typing import Any, Mapping, Optional
+
+#: Suffixes of names, and how the error says the unit.
+_UNITS: Mapping[str, str] = {"s": " s", "hz": " Hz", "m": " m", "rad": " rad"}
+_RANGE = "range"
+
+
+class ParameterError(ValueError):
+    """A parameter has the wrong type or is out of its range; the message says which one and what is expected."""
+
+
+@dataclass(frozen=True)
+class _Range:
+    """Allowed values of a parameter; None for no bound."""
+
+    least: Optional[float] = None
+    most: Optional[float] = None
+    may_be_empty: bool = True
+    may_be_single: bool = False
+
+    def holds(self, value: float) -> bool:
+        """Whether a number is finite and within the bounds."""
+        return (
+            math.isfinite(value)
+            and (self.least is None or self.least <= value)
+            and (self.most is None or value <= self.most)
+        )
+
+    def __str__(self) -> str:
+        if self.least is None or self.most is None:
+            return ""
+        return f"{self.least:g} to {self.most:g}"
+
+
+def parameter(
+    default: Any,
+    *,
+    least: Optional[float] = None,
+    most: Optional[float] = None,
+    may_be_empty: bool = True,
+    may_be_single: bool = False,
+) -> Any:
+    """Declare a field of a class of `Parameters`.
+
+    Args:
+        default: its value when the parameter is not set: a bool, number, string or tuple of strings
+        least: bound of a number; both bounds or none
+        most: the other bound
+        may_be_empty: of a string
+        may_be_single: of a list: one string stands for a list that holds only it
+    """
+    return field(default=default, metadata={_RANGE: _Range(least, most, may_be_empty, may_be_single)})
+
+
+class Parameters:
+    """Base of frozen dataclasses that hold the parameters of a node.
+
+    Raises:
+        ParameterError: a value of another type, or out of its range
+    """
+
+    def __post_init__(self) -> None:
+        for declared in fields(self):  # type: ignore[arg-type]  # subclasses are dataclasses
+            if _RANGE in declared.metadata:
+                value = _checked(
+                    declared.name, getattr(self, declared.name), declared.default, declared.metadata[_RANGE]
+                )
+                object.__setattr__(self, declared.name, value)
+
+
+def _checked(name: str, value: object, default: object, allowed: _Range) -> object:
+    """Return the value in the type of its default.
+
+    Raises:
+        ParameterError: it has another type, or is out of its range
+    """
+    if isinstance(default, bool):
+        is_right, expected = isinstance(value, bool), "true or false"
+    elif isinstance(default, int):
+        is_right = isinstance(value, int) and not isinstance(value, bool) and allowed.holds(value)
+        expected = f"an integer from {allowed}" if str(allowed) else "an integer"
+    elif isinstance(default, float):
+        is_right = isinstance(value, (int, float)) and not isinstance(value, bool) and allowed.holds(value)
+        expected = f"{str(allowed) or 'a number'}{_UNITS.get(name.rpartition('_')[2], '')}"
+    elif isinstance(default, str):
+        is_right = isinstance(value, str) and bool(value or allowed.may_be_empty)
+        expected = "a text" if allowed.may_be_empty else "a name"
+    else:
+        if isinstance(value, str) and allowed.may_be_single:
+            value = (value,)
+        is_right = isinstance(value, (list, tuple)) and all(isinstance(entry, str) and entry for entry in value)
+        expected = "a list of names"
+    if not is_right:
+        raise ParameterError(f"~{name} must be {expected}, got {value!r}")
+    return tuple(value) if isinstance(value, list) else value

@@ -1,0 +1,104 @@
+"""The client of one action server of any type."""
+
+from typing import Any, Callable, List
+
+import actionlib
+import rosgraph.names
+import rospy
+from actionlib_msgs.msg import GoalID, GoalStatusArray
+
+
+class SentGoal:
+    """A goal that was sent. actionlib drops a goal whose handle is not kept: keep this object."""
+
+    def __init__(self, handle: actionlib.ClientGoalHandle, goal_id: str) -> None:
+        self.handle = handle
+        self.goal_id = goal_id
+
+
+class ActionConnection:
+    """The client of one action server. Callbacks run in threads of rospy and must only enqueue."""
+
+    def __init__(self, server: str, action_type: Any) -> None:
+        """Connect. This calls the master, without a deadline.
+
+        Args:
+            server: name of the action server
+            action_type: class of its action
+
+        Raises:
+            ValueError: not a legal name of a topic
+        """
+        if not rosgraph.names.is_legal_name(server):
+            # rospy only warns of such a name, and then waits for a topic that cannot exist.
+            raise ValueError("it is not a legal name")
+        self.server = server
+        self._client = actionlib.ActionClient(server, action_type)
+        self._listeners: List[Callable[[], None]] = []
+        self._status = rospy.Subscriber(
+            rospy.remap_name(server) + "/status", GoalStatusArray, self._tell_listeners, queue_size=10
+        )
+
+    def close(self) -> None:
+        """Disconnect."""
+        self._status.unregister()
+        self._client.stop()
+
+    def is_ready(self) -> bool:
+        """Whether the server has published its status and is connected both ways; returns at once."""
+        status = self._client.last_status_msg
+        if status is None:
+            return False
+        server_node = status._connection_header["callerid"]
+        return (
+            self._client.pub_goal.impl.has_connection(server_node)
+            and self._client.pub_cancel.impl.has_connection(server_node)
+            and self._hears(self._client.result_sub, server_node)
+            and self._hears(self._client.feedback_sub, server_node)
+        )
+
+    @staticmethod
+    def _hears(subscriber: rospy.Subscriber, server_node: str) -> bool:
+        return any(connection.callerid_pub == server_node for connection in subscriber.impl.connections)
+
+    def listen(self, on_sign: Callable[[], None]) -> None:
+        """Call `on_sign` for each status message from now on."""
+        self._listeners = self._listeners + [on_sign]
+
+    def unlisten(self, on_sign: Callable[[], None]) -> None:
+        """End `listen`."""
+        self._listeners = [listener for listener in self._listeners if listener is not on_sign]
+
+    def _tell_listeners(self, _: GoalStatusArray) -> None:
+        for listener in self._listeners:
+            listener()
+
+    def is_gone(self) -> bool:
+        """Whether the server has no subscriber for goals any more: its process has ended."""
+        return self._client.pub_goal.get_num_connections() == 0
+
+    def send(
+        self,
+        goal: Any,
+        *,
+        on_transition: Callable[[actionlib.ClientGoalHandle], None],
+        on_feedback: Callable[[Any], None],
+    ) -> SentGoal:
+        """Send a goal.
+
+        Args:
+            goal: of the server's type
+            on_transition: called with the handle whenever its state changes
+            on_feedback: called with each feedback
+        """
+        handle = self._client.send_goal(
+            goal, transition_cb=on_transition, feedback_cb=lambda _handle, feedback: on_feedback(feedback)
+        )
+        return SentGoal(handle, handle.comm_state_machine.action_goal.goal_id.id)
+
+    def cancel(self, goal: SentGoal) -> None:
+        """Send one cancel.
+
+        Not through the handle: a second cancel of the handle turns a goal that has just ended into one that never ends.
+        """
+        self._client.pub_cancel.publish(GoalID(id=goal.goal_id))

@@ -1,0 +1,85 @@
+"""Publishes the events of a pipeline stage on ``stage_events``."""
+
+import threading
+from typing import Callable
+
+import rospy
+from roboframenet_msgs.msg import Command, Reply, StageEvent
+
+from roboframenet_ros.bounded_text import bounded
+from roboframenet_ros.recent import Recent
+
+# The default deadline of the command server for a stage; after it, the command is answered without the event.
+_MAX_AGE_S = 15.0
+# The command server keeps this many commands open by default.
+_MAX_COUNT = 1000
+
+
+class Stage(rospy.SubscribeListener):
+    """Reports what became of each command in a stage; one in a node.
+
+    Publishes: ``stage_events``. A final event is resent to every subscriber that connects within 15 s; otherwise it
+    would be lost, and the reply to the command with it.
+    """
+
+    def __init__(self, name: str) -> None:
+        """Advertise the topic.
+
+        Args:
+            name: of the stage, which is that of its package
+        """
+        self._name = name
+        self._final_events: Recent[StageEvent] = Recent(max_count=_MAX_COUNT, max_age_s=_MAX_AGE_S)
+        # rospy calls peer_subscribe() without the lock of the publisher, and both ways of publishing share one buffer.
+        self._lock = threading.Lock()
+        # Resent events must not push newer ones out of the queue.
+        self._publisher = rospy.Publisher(
+            "stage_events", StageEvent, subscriber_listener=self, queue_size=2 * _MAX_COUNT
+        )
+
+    def passes_on(self, command: Command, sentence: str, *, trace: str = "") -> None:
+        """Report a command that is passed on to the next stage.
+
+        Args:
+            command: as it was received
+            sentence: for the person
+            trace: one line for each rule that did something
+        """
+        event = StageEvent(
+            command=command, stage=self._name, stamp=rospy.Time.now(), sentence=sentence, trace=bounded(trace)
+        )
+        with self._lock:
+            self._publisher.publish(event)
+
+    def ends(self, command: Command, *, outcome: int, code: str, sentence: str, trace: str = "") -> None:
+        """Report a command that ends in this stage.
+
+        Args:
+            command: as it was received
+            outcome: one of the constants of Reply
+            code: stable name of the reason
+            sentence: for the person
+            trace: one line for each rule that did something
+        """
+        now = rospy.Time.now()
+        reply = Reply(command=command, outcome=outcome, stage=self._name, code=code, sentence=sentence, stamp=now)
+        event = StageEvent(
+            command=command,
+            stage=self._name,
+            stamp=now,
+            sentence=sentence,
+            is_final=True,
+            reply=reply,
+            trace=bounded(trace),
+        )
+        with self._lock:
+            self._final_events.add(event)
+            self._publisher.publish(event)
+
+    def peer_subscribe(
+        self, topic_name: str, topic_publish: Callable[[StageEvent], None], peer_publish: Callable[[StageEvent], None]
+    ) -> None:
+        """Resend the final events that a new subscriber may have missed; called by rospy."""
+        with self._lock:
+            for event in self._final_events.values():
+                peer_publish(event)

@@ -1,0 +1,89 @@
+"""Parameters of the right type and within their range pass; every other one is named."""
+
+from dataclasses import dataclass
+from typing import Tuple
+
+import pytest
+
+from roboframenet_ros.parameters import ParameterError, Parameters, parameter
+
+
+@dataclass(frozen=True)
+class Settings(Parameters):
+    timeout_s: float = parameter(2.0, least=0.1, most=60.0)
+    offset: float = parameter(0.0)
+    count: int = parameter(100, least=1, most=1000)
+    seed: int = parameter(-1)
+    is_on: bool = parameter(True)
+    policy: str = parameter("random", may_be_empty=False)
+    remark: str = parameter("")
+    topics: Tuple[str, ...] = parameter(("cmd_vel",))
+    paths: Tuple[str, ...] = parameter((), may_be_single=True)
+
+
+@pytest.mark.parametrize(
+    "name, value",
+    [
+        ("timeout_s", 0.1),
+        ("timeout_s", 60),
+        ("offset", -1e9),
+        ("count", 1),
+        ("count", 1000),
+        ("seed", -5),
+        ("is_on", False),
+        ("policy", "all"),
+        ("remark", ""),
+        ("topics", ("a", "b")),
+        ("topics", ()),
+    ],
+)
+def test_right_value_is_kept(name, value):
+    assert getattr(Settings(**{name: value}), name) == value
+
+
+def test_defaults_are_right():
+    assert Settings() == Settings(
+        timeout_s=2.0,
+        offset=0.0,
+        count=100,
+        seed=-1,
+        is_on=True,
+        policy="random",
+        remark="",
+        topics=("cmd_vel",),
+        paths=(),
+    )
+    assert Settings.timeout_s == 2.0
+
+
+def test_list_becomes_a_tuple():
+    assert Settings(topics=["a", "b"]).topics == ("a", "b")
+    assert Settings(paths="one").paths == ("one",)
+
+
+@pytest.mark.parametrize(
+    "name, value, told",
+    [
+        ("timeout_s", 0.0, "~timeout_s must be 0.1 to 60 s, got 0.0"),
+        ("timeout_s", 61, "~timeout_s must be 0.1 to 60 s, got 61"),
+        ("timeout_s", float("nan"), "~timeout_s must be 0.1 to 60 s, got nan"),
+        ("timeout_s", float("inf"), "~timeout_s must be 0.1 to 60 s, got inf"),
+        ("timeout_s", True, "~timeout_s must be 0.1 to 60 s, got True"),
+        ("timeout_s", "2", "~timeout_s must be 0.1 to 60 s, got '2'"),
+        ("offset", float("inf"), "~offset must be a number, got inf"),
+        ("count", 0, "~count must be an integer from 1 to 1000, got 0"),
+        ("count", 2.0, "~count must be an integer from 1 to 1000, got 2.0"),
+        ("count", True, "~count must be an integer from 1 to 1000, got True"),
+        ("seed", "x", "~seed must be an integer, got 'x'"),
+        ("is_on", 1, "~is_on must be true or false, got 1"),
+        ("policy", "", "~policy must be a name, got ''"),
+        ("remark", None, "~remark must be a text, got None"),
+        ("topics", "a", "~topics must be a list of names, got 'a'"),
+        ("topics", ["a", ""], "~topics must be a list of names, got ['a', '']"),
+        ("paths", [1], "~paths must be a list of names, got [1]"),
+    ],
+)
+def test_wrong_value_is_named_with_what_is_expected(name, value, told):
+    with pytest.raises(ParameterError) as raised:
+        Settings(**{name: value})
+    assert str(raised.value) == told

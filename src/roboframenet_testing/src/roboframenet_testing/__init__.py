@@ -1,0 +1,5 @@
+"""Helpers for tests; no product code imports this package."""
+
+from roboframenet_testing.waiting import comes_true, wait_until
+
+__all__ = ["comes_true", "wait_until"]
