@@ -9,6 +9,7 @@ from semantic_frames import FileRefused, Problem
 from utterance_passes.corrections import without_corrected
 from utterance_passes.formula_file import KINDS, Formula, load_formulas, shipped_formulas
 from utterance_passes.formulas import without_formulas, without_opening
+from utterance_passes.objections import without_objection
 from utterance_passes.tree import DependencyTree, Word
 from utterance_passes.vocabulary import Verbs
 
@@ -42,6 +43,8 @@ def left_of(kind: str, tree: DependencyTree) -> str:
         return " ".join(word.form for word in tree.words if word.index not in tree.fillers)
     if kind in ("editing_terms", "withdrawals"):
         tree = without_corrected(tree, _VERBS)
+    elif kind == "objections":
+        tree = without_objection(tree, _VERBS)
     elif kind == "openings":
         tree = without_opening(tree, _VERBS)
     else:
