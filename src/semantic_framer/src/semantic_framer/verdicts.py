@@ -1,106 +1,18 @@
 """What is not done, and which readings are dropped: named verdicts, each with its reason, in one order."""
 
-from dataclasses import dataclass
-from typing import Callable, FrozenSet, Iterable, Optional, Tuple
+from typing import FrozenSet, Iterable, Optional, Tuple
 
-from semantic_framer.attachment import is_side_of_something
-from semantic_framer.frame_roles import NO_THINGS, PLACES, THEME
-from semantic_framer.framed_lexicon import FramedLexicon
-from semantic_framer.outcome import PROHIBITION, LeftOverWords, Policy, Refusal, left_over_refusal, not_then
-from semantic_framer.reading import ElementValue, Reading, rank
+from semantic_framer.outcome import PROHIBITION, LeftOverWords, Refusal, left_over_refusal, not_then
+from semantic_framer.reading import Reading, rank
 from semantic_framer.sentence import Sentence
+from semantic_framer.verdict_cases import Case, ClauseCase, ClauseVerdict, ReadingVerdict, SentenceVerdict
 from utterance_passes.clauses import Clause, inner_condition
 from utterance_passes.trace import Trace
-from utterance_passes.verb_matching import VerbMatch
 from word_classes import word_class
 
 _ADDRESSEES = word_class("addressees")
 _AROUND_REQUESTS = word_class("verbs_around_requests")
-_DEGREES = word_class("degrees")
-_LEFT_AND_RIGHT = word_class("left_and_right")
 _PARTICIPANTS = word_class("participants")
-
-
-@dataclass(frozen=True)
-class Case:
-    """What is judged.
-
-    Attributes:
-        sentence: the sentence
-        clauses: all of it
-        known: lexical units and frames
-        policy: how careful to be
-    """
-
-    sentence: Sentence
-    clauses: Tuple[Clause, ...]
-    known: FramedLexicon
-    policy: Policy
-
-
-@dataclass(frozen=True)
-class ClauseCase:
-    """A clause that is judged.
-
-    Attributes:
-        of: the sentence around it
-        clause: the clause
-        matches: verbs of the lexicon that it uses
-    """
-
-    of: Case
-    clause: Clause
-    matches: Tuple[VerbMatch, ...]
-
-    @property
-    def sentence(self) -> Sentence:
-        """The sentence."""
-        return self.of.sentence
-
-    @property
-    def said(self) -> str:
-        """The words of the clause."""
-        words = sorted(self.clause.positions)
-        return self.sentence.text([index for index in words if self.sentence.word(index).upos != "PUNCT"])
-
-
-@dataclass(frozen=True)
-class SentenceVerdict:
-    """Refuses a whole sentence, for a reason that a person may read; ``refuse`` returns None where it does not."""
-
-    name: str
-    reason: str
-    refuse: Callable[[Case], Optional[Refusal]]
-
-
-@dataclass(frozen=True)
-class ClauseVerdict:
-    """Refuses a clause whatever its readings are."""
-
-    name: str
-    reason: str
-    refuse: Callable[[ClauseCase], Optional[Refusal]]
-
-
-#: Whether a reading is dropped, seen beside the others.
-Drops = Callable[[ClauseCase, Reading, Tuple[Reading, ...]], bool]
-
-
-@dataclass(frozen=True)
-class ReadingVerdict:
-    """Drops readings of a clause.
-
-    Attributes:
-        name: by which it is traced
-        reason: why such a reading cannot be meant
-        drops: whether a reading is dropped
-        refuse: what a person hears where none is left; None goes on to the next verdict
-    """
-
-    name: str
-    reason: str
-    drops: Drops
-    refuse: Callable[[ClauseCase], Optional[Refusal]] = lambda case: None
 
 
 # --- sentences
@@ -198,108 +110,7 @@ CLAUSE_VERDICTS: Tuple[ClauseVerdict, ...] = (
 )
 
 
-# --- readings that take words for what they are not
-
-
-def _of_any_value(judge: Callable[[ClauseCase, Reading, ElementValue, Tuple[Reading, ...]], bool]) -> Drops:
-    """Judge a reading by each of its values; words that its unit lists ("give me 5") are what the unit says."""
-
-    def drops(case: ClauseCase, reading: Reading, beside: Tuple[Reading, ...]) -> bool:
-        return any(
-            judge(case, reading, value, beside)
-            for value in reading.values
-            if value.head_position and value.head_position not in reading.listed
-        )
-
-    return drops
-
-
-def _is_noun_of_a_verb(case: ClauseCase, reading: Reading, value: ElementValue, beside: Tuple[Reading, ...]) -> bool:
-    return any(
-        value.head_position in other.verb_positions
-        and value.head_position not in reading.verb_positions
-        and case.sentence.word(value.head_position).upos in ("NOUN", "PROPN", "NUM")
-        for other in beside
-    )
-
-
-def _is_measure_elsewhere(case: ClauseCase, reading: Reading, value: ElementValue, beside: Tuple[Reading, ...]) -> bool:
-    is_phrase = any(child.deprel == "case" for child in case.sentence.children(value.head_position))
-    return (
-        not is_phrase
-        and value.head_position not in _measured(reading)
-        and any(value.head_position in _measured(other) for other in beside)
-    )
-
-
-def _is_unread_elsewhere(case: ClauseCase, reading: Reading, value: ElementValue, beside: Tuple[Reading, ...]) -> bool:
-    unread = {position for other in beside for amount in other.unread for position in amount.positions}
-    return not reading.unread and bool(unread & frozenset(value.positions))
-
-
-def _measured(reading: Reading) -> FrozenSet[int]:
-    return frozenset(position for value in reading.values if value.quantity for position in value.positions)
-
-
-def _roles(case: ClauseCase, reading: Reading, value: ElementValue) -> Tuple[str, ...]:
-    """FrameNet's name of the element that a value fills; none for an amount."""
-    if value.quantity:
-        return ()
-    element = case.of.known.frames[reading.unit.frame_name].element(value.name)
-    return () if element is None or element.quantity is not None else (element.framenet,)
-
-
-def _is_numbered_place(case: ClauseCase, reading: Reading, value: ElementValue, beside: Tuple[Reading, ...]) -> bool:
-    if not set(_roles(case, reading, value)) & PLACES or case.sentence.word(value.head_position).upos != "NUM":
-        return False
-    frame = case.of.known.frames[reading.unit.frame_name]
-    themes = {
-        element.name for element in frame.frame_elements if element.framenet == THEME and element.quantity is None
-    }
-    return any(other.name in themes and other.positions for other in reading.values)
-
-
-def _is_degree(case: ClauseCase, reading: Reading, value: ElementValue, beside: Tuple[Reading, ...]) -> bool:
-    word = case.sentence.word(value.head_position)
-    return (
-        bool(_roles(case, reading, value))
-        and word.form.lower() in _DEGREES
-        and not any(child.deprel == "nmod" for child in case.sentence.children(word.index))
-    )
-
-
-def _is_side(case: ClauseCase, reading: Reading, value: ElementValue, beside: Tuple[Reading, ...]) -> bool:
-    word = case.sentence.word(value.head_position)
-    is_side = word.form.lower() in _LEFT_AND_RIGHT and not is_side_of_something(case.sentence.tree, word.index)
-    roles = set(_roles(case, reading, value))
-    return is_side and word.deprel == "obj" and bool(roles) and not roles & (PLACES | NO_THINGS)
-
-
-#: Each is judged beside all readings of the clause.
-PLAUSIBILITY: Tuple[ReadingVerdict, ...] = (
-    ReadingVerdict(
-        "noun_of_another_verb",
-        'A noun fills an element though it is part of the verb of another unit: "take a look".',
-        _of_any_value(_is_noun_of_a_verb),
-    ),
-    ReadingVerdict(
-        "measured_elsewhere",
-        'A number fills an element though another unit measures with it: "turn one eighty".',
-        _of_any_value(_is_measure_elsewhere),
-    ),
-    ReadingVerdict(
-        "unread_elsewhere",
-        'An amount that another unit asks for, and must not be acted on, is taken for a thing: "two or three metres".',
-        _of_any_value(_is_unread_elsewhere),
-    ),
-    ReadingVerdict(
-        "number_is_no_place",
-        'A number is taken for the place of something: "set the thermostat to 20".',
-        _of_any_value(_is_numbered_place),
-    ),
-    ReadingVerdict("degree_is_no_thing", 'A degree is taken for a thing: "move a bit".', _of_any_value(_is_degree)),
-    ReadingVerdict("side_is_no_thing", 'A side is taken for a thing: "take a right".', _of_any_value(_is_side)),
-)
+# --- readings that say less than others
 
 
 def _says_less(case: ClauseCase, reading: Reading, beside: Tuple[Reading, ...]) -> bool:
