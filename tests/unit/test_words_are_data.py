@@ -80,7 +80,7 @@ NO_SPEECH: Dict[str, Tuple[str, str]] = {
     "utter/speech.py": ("what the robot can tell, a sentence for each", "time, date, day, name"),
     "utterance_passes/formula_file.py": (
         "keys of a file",
-        "openings, anywhere, apart, endings, objections, withdrawals, fillers, pattern, example, becomes",
+        "openings, anywhere, apart, comparisons, endings, objections, withdrawals, fillers, pattern, example, becomes",
     ),
     "word_classes/word_file.py": ("keys of a file", "for, includes, words"),
 }

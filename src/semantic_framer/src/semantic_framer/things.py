@@ -1,4 +1,4 @@
-"""Which nouns are no things: what people do, what happens, and the ways that they go."""
+"""Which nouns are no things: what people do, what happens, and the ways that they go; and phrases without a noun."""
 
 from utterance_passes.tree import DependencyTree
 from word_classes import word_class
@@ -8,6 +8,7 @@ _DEEDS_WITH_LIGHT_VERBS = word_class("deed_nouns_with_light_verbs")
 _INDEFINITE_ARTICLES = word_class("indefinite_articles")
 _LIGHT_VERBS = word_class("light_verbs_of_deeds")
 _OF_RIDING = word_class("riding_verbs")
+_ONLY_BEFORE_NOUNS = word_class("only_before_nouns")
 _WAYS = word_class("ways_and_vehicles")
 
 
@@ -35,3 +36,10 @@ def is_definite(tree: DependencyTree, index: int) -> bool:
     """Whether a noun has another determiner, or belongs to somebody: "the seat", "my seat"."""
     children = tree.children(index)
     return any(child.deprel in ("det", "nmod:poss") for child in children) and not is_indefinite(tree, index)
+
+
+def is_unfinished(tree: DependencyTree, index: int) -> bool:
+    """Whether a phrase has no noun: "to the" of "go to the"."""
+    words = [word for word in map(tree.word, tree.subtree(index)) if word.index not in tree.fillers]
+    named = [word for word in words if word.deprel != "case" and word.upos != "PUNCT"]
+    return all(word.form.lower() in _ONLY_BEFORE_NOUNS for word in named)

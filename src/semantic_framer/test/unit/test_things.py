@@ -4,7 +4,7 @@ from typing import Any
 
 import pytest
 
-from semantic_framer.framer import Understood
+from semantic_framer.framer import Question, Understood
 
 NO_THINGS = """
 take a photo northwards
@@ -74,8 +74,83 @@ def test_a_thing_is_moved(understand: Any, text: str, arguments: Any) -> None:
 
 @pytest.mark.parametrize(
     "text, frame",
-    [("take a left", "turning"), ("take a photo of the door", "photographing"), ("have a look at the door", "perceiving")],
+    [
+        ("take a left", "turning"),
+        ("take a photo of the door", "photographing"),
+        ("have a look at the door", "perceiving"),
+    ],
 )
 def test_the_unit_that_is_about_a_deed_does_it(understand: Any, text: str, frame: str) -> None:
     outcome, _ = understand(text)
     assert isinstance(outcome, Understood) and outcome.clauses[0][0].unit.frame_name == frame
+
+
+@pytest.mark.parametrize(
+    "text, asked",
+    [
+        ("go to the", "Where should I go?"),
+        ("go to my", "Where should I go?"),
+        ("go to the uh", "Where should I go?"),
+        ("bring me the", "What should I bring?"),
+        ("take a", "What should I take?"),
+        ("pick up the", "What should I take?"),
+        ("follow your", "Whom should I follow?"),
+        ("open every", "What should I open?"),
+        ("put the mug on the", "Where should I put it?"),
+        ("bring the mug to the", "Where should I bring it?"),
+        ("bring the to the kitchen", "What should I bring?"),
+    ],
+)
+def test_an_article_alone_is_a_missing_element(understand: Any, text: str, asked: str) -> None:
+    outcome, context = understand(text)
+    assert isinstance(outcome, Question) and outcome.sentence.startswith(asked)
+    for unfinished in ("the", "to the"):
+        answered, _ = understand(unfinished, context)
+        assert not isinstance(answered, Understood)
+    assert isinstance(understand("the office", context)[0], Understood)
+
+
+@pytest.mark.parametrize(
+    "text, arguments",
+    [
+        ("bring the mug to room C", {"theme": "the mug", "goal": "room C"}),
+        ("bring the parcel to building C", {"theme": "the parcel", "goal": "building C"}),
+        ("go to room 5", {"goal": "room 5"}),
+        ("go to room B12", {"goal": "room B12"}),
+        ("go to lab x", {"goal": "lab x"}),
+        ("drive to bay D", {"goal": "bay D"}),
+        ("drive to gate seven", {"goal": "gate seven"}),
+        ("put the box on shelf a", {"theme": "the box", "goal": "shelf a"}),
+        ("take the box from shelf A to room C", {"theme": "the box", "source": "shelf A", "goal": "room C"}),
+        ("turn to section D", {"goal": "section D"}),
+        ("go to point A", {"goal": "point A"}),
+        ("take the mug I need", {"theme": "the mug I need"}),
+        ("put a mug on a table", {"theme": "a mug", "goal": "a table"}),
+    ],
+)
+def test_a_letter_behind_a_noun_is_its_name(understand: Any, text: str, arguments: Any) -> None:
+    outcome, _ = understand(text)
+    assert isinstance(outcome, Understood)
+    assert {value.name: value.argument for value in outcome.clauses[0][0].values} == arguments
+
+
+@pytest.mark.parametrize(
+    "text, arguments",
+    [
+        ("drive as quickly as you can to the gate", {"goal": "the gate"}),
+        ("as fast as possible go to the kitchen", {"goal": "the kitchen"}),
+        ("bring me the mug as fast as you possibly can", {"theme": "the mug", "beneficiary": "me"}),
+        ("move as slowly as you can to the wall", {"goal": "the wall", "manner": "slowly"}),
+        ("as quietly as you can go to the bedroom", {"goal": "the bedroom", "manner": "quietly"}),
+        ("hurry to the gate as best you can", {"goal": "the gate"}),
+    ],
+)
+def test_as_well_as_it_can_be_done_is_no_place(understand: Any, text: str, arguments: Any) -> None:
+    outcome, _ = understand(text)
+    assert isinstance(outcome, Understood)
+    assert {value.name: value.argument for value in outcome.clauses[0][0].values} == arguments
+
+
+@pytest.mark.parametrize("text", ["drive as far as you can", "go as far as the door", "walk as quickly as a cat home"])
+def test_other_comparisons_are_left_over(understand: Any, text: str) -> None:
+    assert not isinstance(understand(text)[0], Understood)

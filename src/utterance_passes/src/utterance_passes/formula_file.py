@@ -14,9 +14,19 @@ from word_classes import word_class, word_classes
 
 #: Beside this module in the source, devel and install space.
 FORMULAS_FILE = Path(__file__).resolve().parent / "formulas.yaml"
-KINDS = ("openings", "anywhere", "apart", "endings", "objections", "editing_terms", "withdrawals", "fillers")
+KINDS = (
+    "openings",
+    "anywhere",
+    "apart",
+    "comparisons",
+    "endings",
+    "objections",
+    "editing_terms",
+    "withdrawals",
+    "fillers",
+)
 _KEYS = ("pattern", "example", "becomes")
-_CLASS = re.compile(r"<(\w+)>")
+_CLASS = re.compile(r"(?<!\?P)<(\w+)>")
 
 
 @dataclass(frozen=True)
@@ -77,7 +87,7 @@ def _pattern(reader: Reader, node: yaml.Node, key: str) -> Pattern[str]:
             hint = did_you_mean(name, known)
             reader.report("UNKNOWN_CLASS", node, key, f"'{name}'", "the name of a word class", hint)
             return re.compile("")
-    if text != text.lower():
+    if text.replace("(?P<", "(?p<") != text.lower():
         reader.report("NOT_LOWER_CASE", node, key, f"'{text}'", f"'{text.lower()}'")
     try:
         return re.compile(_CLASS.sub(lambda match: _alternatives(word_class(match[1])), text))

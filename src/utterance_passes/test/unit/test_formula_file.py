@@ -6,6 +6,7 @@ from typing import List, Tuple
 import pytest
 
 from semantic_frames import FileRefused, Problem
+from utterance_passes.comparisons import without_comparisons
 from utterance_passes.corrections import without_corrected
 from utterance_passes.formula_file import KINDS, Formula, load_formulas, shipped_formulas
 from utterance_passes.formulas import without_formulas, without_opening
@@ -43,6 +44,8 @@ def left_of(kind: str, tree: DependencyTree) -> str:
         return " ".join(word.form for word in tree.words if word.index not in tree.fillers)
     if kind in ("editing_terms", "withdrawals"):
         tree = without_corrected(tree, _VERBS)
+    elif kind == "comparisons":
+        tree = without_comparisons(tree, _VERBS)
     elif kind == "objections":
         tree = without_objection(tree, _VERBS)
     elif kind == "openings":
