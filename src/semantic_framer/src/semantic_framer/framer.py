@@ -22,8 +22,7 @@ from semantic_framer.outcome import (
 from semantic_framer.readings import ClauseReadings, readings_of_clause
 from semantic_framer.sentence import Sentence
 from semantic_framer.settling import Now, ask_which, resolve_and_confirm, without_positions
-from semantic_framer.verdict_cases import Case, SentenceVerdict
-from semantic_framer.verdicts import REST_VERDICTS, SENTENCE_VERDICTS, words_outside
+from semantic_framer.verdicts import REST_VERDICTS, SENTENCE_VERDICTS, Case, SentenceVerdict, words_outside
 from semantic_frames.frame import SemanticFrame
 from utterance_passes.clauses import Clause, find_clauses, whole_sentence
 from utterance_passes.running import run_tree_passes

@@ -6,12 +6,20 @@ from typing import FrozenSet, Optional, Tuple, Union
 from semantic_framer.frame_roles import NAME
 from semantic_framer.matching import read_clause
 from semantic_framer.outcome import Refusal
-from semantic_framer.plausibility import PLAUSIBILITY
 from semantic_framer.reading import Reading, rank, without_duplicates
 from semantic_framer.sentence import Sentence
 from semantic_framer.things import is_indefinite
-from semantic_framer.verdict_cases import Case, ClauseCase, ClauseVerdict, ReadingVerdict
-from semantic_framer.verdicts import CLAUSE_VERDICTS, DOMINATED, READING_VERDICTS, drop
+from semantic_framer.verdicts import (
+    CLAUSE_VERDICTS,
+    DOMINATED,
+    PLAUSIBILITY,
+    READING_VERDICTS,
+    Case,
+    ClauseCase,
+    ClauseVerdict,
+    ReadingVerdict,
+    drop,
+)
 from semantic_frames.lexical_unit import ArgumentForm
 from utterance_passes.clauses import Clause
 from utterance_passes.trace import Trace

@@ -8,6 +8,8 @@ _DEEDS_WITH_LIGHT_VERBS = word_class("deed_nouns_with_light_verbs")
 _INDEFINITE_ARTICLES = word_class("indefinite_articles")
 _LIGHT_VERBS = word_class("light_verbs_of_deeds")
 _OF_RIDING = word_class("riding_verbs")
+#: Relations of words in front of a noun, which a unit may ask for: "Roger *'s* door".
+_OF_NOUNS = frozenset(["det", "nmod:poss", "case"])
 _ONLY_BEFORE_NOUNS = word_class("only_before_nouns")
 _WAYS = word_class("ways_and_vehicles")
 
@@ -42,4 +44,5 @@ def is_unfinished(tree: DependencyTree, index: int) -> bool:
     """Whether a phrase has no noun: "to the" of "go to the"."""
     words = [word for word in map(tree.word, tree.subtree(index)) if word.index not in tree.fillers]
     named = [word for word in words if word.deprel != "case" and word.upos != "PUNCT"]
-    return all(word.form.lower() in _ONLY_BEFORE_NOUNS for word in named)
+    is_of_noun = tree.word(index).deprel in _OF_NOUNS
+    return not is_of_noun and all(word.form.lower() in _ONLY_BEFORE_NOUNS for word in named)

@@ -1,18 +1,104 @@
 """What is not done, and which readings are dropped: named verdicts, each with its reason, in one order."""
 
-from typing import FrozenSet, Iterable, Optional, Tuple
+from dataclasses import dataclass
+from typing import Callable, FrozenSet, Iterable, Optional, Tuple
 
-from semantic_framer.outcome import PROHIBITION, LeftOverWords, Refusal, left_over_refusal, not_then
+from semantic_framer import plausibility
+from semantic_framer.framed_lexicon import FramedLexicon
+from semantic_framer.outcome import PROHIBITION, LeftOverWords, Policy, Refusal, left_over_refusal, not_then
+from semantic_framer.plausibility import Filled
 from semantic_framer.reading import Reading, rank
 from semantic_framer.sentence import Sentence
-from semantic_framer.verdict_cases import Case, ClauseCase, ClauseVerdict, ReadingVerdict, SentenceVerdict
 from utterance_passes.clauses import Clause, inner_condition
 from utterance_passes.trace import Trace
+from utterance_passes.verb_matching import VerbMatch
 from word_classes import word_class
 
 _ADDRESSEES = word_class("addressees")
 _AROUND_REQUESTS = word_class("verbs_around_requests")
 _PARTICIPANTS = word_class("participants")
+
+
+@dataclass(frozen=True)
+class Case:
+    """What is judged.
+
+    Attributes:
+        sentence: the sentence
+        clauses: all of it
+        known: lexical units and frames
+        policy: how careful to be
+    """
+
+    sentence: Sentence
+    clauses: Tuple[Clause, ...]
+    known: FramedLexicon
+    policy: Policy
+
+
+@dataclass(frozen=True)
+class ClauseCase:
+    """A clause that is judged.
+
+    Attributes:
+        of: the sentence around it
+        clause: the clause
+        matches: verbs of the lexicon that it uses
+    """
+
+    of: Case
+    clause: Clause
+    matches: Tuple[VerbMatch, ...]
+
+    @property
+    def sentence(self) -> Sentence:
+        """The sentence."""
+        return self.of.sentence
+
+    @property
+    def said(self) -> str:
+        """The words of the clause."""
+        words = sorted(self.clause.positions)
+        return self.sentence.text([index for index in words if self.sentence.word(index).upos != "PUNCT"])
+
+
+@dataclass(frozen=True)
+class SentenceVerdict:
+    """Refuses a whole sentence, for a reason that a person may read; ``refuse`` returns None where it does not."""
+
+    name: str
+    reason: str
+    refuse: Callable[[Case], Optional[Refusal]]
+
+
+@dataclass(frozen=True)
+class ClauseVerdict:
+    """Refuses a clause whatever its readings are."""
+
+    name: str
+    reason: str
+    refuse: Callable[[ClauseCase], Optional[Refusal]]
+
+
+#: Whether a reading is dropped, seen beside the others.
+Drops = Callable[[ClauseCase, Reading, Tuple[Reading, ...]], bool]
+
+
+@dataclass(frozen=True)
+class ReadingVerdict:
+    """Drops readings of a clause.
+
+    Attributes:
+        name: by which it is traced
+        reason: why such a reading cannot be meant
+        drops: whether a reading is dropped
+        refuse: what a person hears where none is left; None goes on to the next verdict
+    """
+
+    name: str
+    reason: str
+    drops: Drops
+    refuse: Callable[[ClauseCase], Optional[Refusal]] = lambda case: None
 
 
 # --- sentences
@@ -110,7 +196,62 @@ CLAUSE_VERDICTS: Tuple[ClauseVerdict, ...] = (
 )
 
 
-# --- readings that say less than others
+# --- readings that take words for what they are not
+
+
+def _of_any_value(judge: Callable[[Filled], bool]) -> Drops:
+    """Judge a reading by each of its values; words that its unit lists ("give me 5") are what the unit says."""
+
+    def drops(case: ClauseCase, reading: Reading, beside: Tuple[Reading, ...]) -> bool:
+        frames = case.of.known.frames
+        return any(
+            judge(Filled(value, reading, beside, frames[reading.unit.frame_name], case.sentence.tree))
+            for value in reading.values
+            if value.head_position and value.head_position not in reading.listed
+        )
+
+    return drops
+
+
+#: Each is judged beside all readings of the clause.
+PLAUSIBILITY: Tuple[ReadingVerdict, ...] = (
+    ReadingVerdict(
+        "noun_of_another_verb",
+        'A noun fills an element though it is part of the verb of another unit: "take a look".',
+        _of_any_value(plausibility.is_noun_of_a_verb),
+    ),
+    ReadingVerdict(
+        "measured_elsewhere",
+        'A number fills an element though another unit measures with it: "turn one eighty".',
+        _of_any_value(plausibility.is_measure_elsewhere),
+    ),
+    ReadingVerdict(
+        "unread_elsewhere",
+        'An amount that another unit asks for, and must not be acted on, is taken for a thing: "two or three metres".',
+        _of_any_value(plausibility.is_unread_elsewhere),
+    ),
+    ReadingVerdict(
+        "number_is_no_place",
+        'A number is taken for the place of something: "set the thermostat to 20".',
+        _of_any_value(plausibility.is_numbered_place),
+    ),
+    ReadingVerdict(
+        "degree_is_no_thing", 'A degree is taken for a thing: "move a bit".', _of_any_value(plausibility.is_degree)
+    ),
+    ReadingVerdict(
+        "side_is_no_thing", 'A side is taken for a thing: "take a right".', _of_any_value(plausibility.is_side)
+    ),
+    ReadingVerdict(
+        "deed_is_no_thing",
+        'A deed, an event or a way is taken for a thing: "take a nap", "take the lift".',
+        _of_any_value(plausibility.is_deed),
+    ),
+    ReadingVerdict(
+        "listed_elsewhere",
+        'An indefinite noun is taken for a thing though another unit lists it: "take a photo northwards".',
+        _of_any_value(plausibility.is_listed_elsewhere),
+    ),
+)
 
 
 def _says_less(case: ClauseCase, reading: Reading, beside: Tuple[Reading, ...]) -> bool:

@@ -2,8 +2,14 @@
 
 from pathlib import Path
 
-from semantic_framer.plausibility import PLAUSIBILITY
-from semantic_framer.verdicts import CLAUSE_VERDICTS, DOMINATED, READING_VERDICTS, REST_VERDICTS, SENTENCE_VERDICTS
+from semantic_framer.verdicts import (
+    CLAUSE_VERDICTS,
+    DOMINATED,
+    PLAUSIBILITY,
+    READING_VERDICTS,
+    REST_VERDICTS,
+    SENTENCE_VERDICTS,
+)
 
 README = Path(__file__).resolve().parents[2] / "README.md"
 IN_ORDER = (
