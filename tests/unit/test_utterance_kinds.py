@@ -123,14 +123,12 @@ def wrong(verdicts: Iterable[Verdict]) -> List[str]:
     return [f"{verdict.text}: {verdict.code} {verdict.meaning}" for verdict in verdicts if not verdict.is_right]
 
 
-@pytest.mark.skip(reason="rules to come")
 @pytest.mark.parametrize("acts, count", [(False, 100), (True, 50)], ids=["no act", "request"])
 def test_a_sample_acts_when_it_is_a_request_only(judge: Judge, acts: bool, count: int) -> None:
     utterances = tuple(utterance for utterance in generate("tune") if utterance.template.acts is acts)
     assert wrong(judge.verdicts(sample(utterances, count))) == []
 
 
-@pytest.mark.skip(reason="rules to come")
 @pytest.mark.acceptance
 @pytest.mark.parametrize("which", SETS)
 @pytest.mark.parametrize("acts", [False, True], ids=["no act", "request"])

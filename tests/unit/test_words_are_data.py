@@ -62,10 +62,15 @@ NO_SPEECH: Dict[str, Tuple[str, str]] = {
             "taken for, lines, answered, refused, stops, errors"
         ),
     ),
+    "semantic_framer/mood_file.py": (
+        "keys of a file",
+        "spellings, parts, acting, telling, name, kind, pattern, example",
+    ),
     "semantic_framer/objections.py": (
         "keys of a file",
         "corrections, contrasts, forbidding, asking, reporting",
     ),
+    "semantic_framer/verdicts.py": ("names of rules", "thanks, greeting, chatter"),
     "semantic_frames/frame_file.py": (
         "keys of a file",
         "name, description, children, framenet, confirm, default, quantity, minimum, maximum, values, question, answer",
@@ -80,7 +85,10 @@ NO_SPEECH: Dict[str, Tuple[str, str]] = {
     "utter/speech.py": ("what the robot can tell, a sentence for each", "time, date, day, name"),
     "utterance_passes/formula_file.py": (
         "keys of a file",
-        "openings, anywhere, apart, comparisons, endings, objections, withdrawals, fillers, pattern, example, becomes",
+        (
+            "openings, anywhere, apart, comparisons, endings, objections, tails, withdrawals, fillers, contractions, "
+            "pattern, example, becomes"
+        ),
     ),
     "word_classes/word_file.py": ("keys of a file", "for, includes, words"),
 }

@@ -11,6 +11,7 @@ from semantic_framer.lexicon import Lexicon
 from semantic_framer.objections import against_what_runs
 from semantic_framer.outcome import (
     DECLINED,
+    REPORT,
     Alternatives,
     LeftOverWords,
     Outcome,
@@ -21,8 +22,14 @@ from semantic_framer.outcome import (
 )
 from semantic_framer.readings import ClauseReadings, readings_of_clause
 from semantic_framer.sentence import Sentence
+from semantic_framer.sentence_verdicts import (
+    REST_VERDICTS,
+    SENTENCE_VERDICTS,
+    SentenceVerdict,
+    words_outside,
+)
 from semantic_framer.settling import Now, ask_which, resolve_and_confirm, without_positions
-from semantic_framer.verdicts import REST_VERDICTS, SENTENCE_VERDICTS, Case, SentenceVerdict, words_outside
+from semantic_framer.verdicts import Case, case_of
 from semantic_frames.frame import SemanticFrame
 from utterance_passes.clauses import Clause, find_clauses, whole_sentence
 from utterance_passes.running import run_tree_passes
@@ -177,16 +184,21 @@ class _Hearing:
     def _read(self, sentence: Sentence, context: Context) -> Heard:
         """Understand a sentence that answers nothing."""
         known, policy = self._now.known, self._now.policy
-        case = Case(sentence, self._clauses(sentence), known, policy)
+        case = case_of(sentence, self._clauses(sentence), known, policy)
+        if self._trace is not None:
+            for clause, kind in zip(case.clauses, case.kinds):
+                self._trace.add("utterance_kind", case.text_of(clause), after=str(kind), positions=clause.positions)
         refusal = self._refusal(SENTENCE_VERDICTS, case)
         if refusal is not None:
             return Heard(refusal, context, sentence)
-        clauses = tuple(readings_of_clause(case, clause, self._trace) for clause in case.clauses)
+        clauses = self._readings(case)
         refusal = next((read.refusal for read in clauses if read.refusal), None) or self._refusal(REST_VERDICTS, case)
         if refusal is not None:
             return Heard(refusal, context, sentence, clauses)
         best = [read.kept[0] for read in clauses]
-        choices = choices_of_clauses(sentence, case.clauses, known) or choices_of_amounts(sentence, best, known)
+        choices = choices_of_clauses(sentence, [read.clause for read in clauses], known) or choices_of_amounts(
+            sentence, best, known
+        )
         if choices:
             return Heard(*ask_which(choices, context, self._now), sentence, clauses)
         kept = tuple(read.kept for read in clauses)
@@ -196,6 +208,19 @@ class _Hearing:
             ignored = " ".join(sentence.word(index).form for index in words)
             outcome = replace(outcome, warning=f"{outcome.warning or 'ignored:'} {ignored}")
         return Heard(outcome, context, sentence, clauses)
+
+    def _readings(self, case: Case) -> Tuple[ClauseReadings, ...]:
+        """Read each clause, but for those that only tell something."""
+        found = []
+        for clause, kind in zip(case.clauses, case.kinds):
+            is_read = kind.is_read or clause.is_negated
+            read = readings_of_clause(case, clause, self._trace) if is_read else None
+            is_told = read is None or (read.refusal is not None and read.refusal.code == REPORT)
+            if read is not None and not (is_told and case.is_background(clause)):
+                found.append(read)
+            elif self._trace is not None:
+                self._trace.add("told", case.text_of(clause), after="no step", positions=clause.positions)
+        return tuple(found)
 
     def _refusal(self, verdicts: Sequence[SentenceVerdict], case: Case) -> Optional[Refusal]:
         for verdict in verdicts:

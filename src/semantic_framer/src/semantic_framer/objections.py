@@ -9,7 +9,7 @@ from functools import lru_cache
 from pathlib import Path
 from typing import FrozenSet, Mapping, Optional, Tuple
 
-from semantic_framer.outcome import CORRECTION, PROHIBITION, Outcome, Question, Refusal
+from semantic_framer.outcome import CORRECTION, PROHIBITION, QUESTION, REPORT, TALK, WISH, Outcome, Question, Refusal
 from semantic_frames.source_files import read_text
 from utterance_passes.formula_file import Formula, any_of, is_filler, load_formulas
 from utterance_passes.objections import plain
@@ -44,6 +44,10 @@ def shipped_objections() -> Mapping[str, Tuple[Formula, ...]]:
 
 #: Refusals that may be corrections; what is unknown only for now (UNKNOWN_FRAME) is none of them.
 _UNCLEAR = frozenset(["NO_VERB", "UNKNOWN_VERB", "LEFT_OVER_WORDS", "NO_READING", "CONDITION", PROHIBITION])
+#: Refusals that also say why a correction cannot be carried out.
+_SAYING_WHY = _UNCLEAR - {"NO_VERB", PROHIBITION}
+#: Refusals of what asks for nothing: "that's wrong" is a report, "no" is talk.
+_ASKING_FOR_NOTHING = frozenset([QUESTION, REPORT, WISH, TALK])
 _CORRECTIONS = any_of(shipped_objections()["corrections"])
 _CLEAR = any_of(shipped_objections()["clear_corrections"])
 _CONTRASTS = any_of(shipped_objections()["contrasts"])
@@ -64,14 +68,14 @@ def against_what_runs(outcome: Outcome, tree: DependencyTree) -> Outcome:
     if isinstance(outcome, Question):
         return replace(outcome, code=CORRECTION) if is_objection(tree) else outcome
     code = code_of(tree, outcome.code if isinstance(outcome, Refusal) else "")
-    if code == CORRECTION and isinstance(outcome, Refusal) and outcome.code not in ("NO_VERB", PROHIBITION):
+    if code == CORRECTION and isinstance(outcome, Refusal) and outcome.code in _SAYING_WHY:
         return replace(outcome, code=CORRECTION)
     if code == CORRECTION:
         return Refusal(CORRECTION, "I do not know what you want instead. Say it in a whole sentence.")
     if code == PROHIBITION and not (isinstance(outcome, Refusal) and outcome.code == PROHIBITION):
         return Refusal(PROHIBITION, f'I am not doing that. You said not to: "{tree.text.strip()}".')
-    if code == "NO_READING":
-        return Refusal("NO_READING", f'"{tree.text.strip()}" does not ask me to do anything.')
+    if code == REPORT:
+        return Refusal(REPORT, f'"{tree.text.strip()}" does not ask me to do anything.')
     return outcome
 
 
@@ -82,24 +86,24 @@ def code_of(tree: DependencyTree, code: str) -> Optional[str]:
         tree: the sentence
         code: of the refusal, as it was made
     Returns:
-        `PROHIBITION` or `CORRECTION`; "NO_READING" for a negation that forbids nothing; None for any other refusal
+        `PROHIBITION` or `CORRECTION`; `REPORT` for a negation that forbids nothing; None for any other refusal
     """
     text = " ".join(plain(word) for word in tree.words).strip(" ,")
     if _CLEAR.fullmatch(text):
         return CORRECTION
-    if code not in _UNCLEAR:
+    if code not in _UNCLEAR | _ASKING_FOR_NOTHING:
         return None
     if _GOING_ON.fullmatch(text) or _NO_OBJECTIONS.fullmatch(text):
-        return "NO_READING" if code == PROHIBITION else None
+        return REPORT if code == PROHIBITION else None
     if _FORBIDDEN_DEEDS.fullmatch(text):
         return PROHIBITION
     is_forbidden = code == PROHIBITION and _FORBIDDING.fullmatch(text)
     if _CORRECTIONS.fullmatch(text) and not is_forbidden:
         return CORRECTION
     if code != PROHIBITION:
-        return CORRECTION if _CONTRASTS.fullmatch(text) else None
+        return CORRECTION if code in _UNCLEAR and _CONTRASTS.fullmatch(text) else None
     if _ASKING.fullmatch(text) or _is_statement(tree):
-        return CORRECTION if _CORRECTIONS.fullmatch(text) else "NO_READING"
+        return CORRECTION if _CORRECTIONS.fullmatch(text) else REPORT
     return PROHIBITION
 
 

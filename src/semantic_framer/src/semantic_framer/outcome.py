@@ -10,6 +10,11 @@ from semantic_framer.sentence import Sentence
 #: Codes of refusals of what was said against something that runs.
 PROHIBITION = "NEGATED"
 CORRECTION = "CORRECTION"
+#: Codes of refusals of what asks for nothing to be done.
+QUESTION = "QUESTION"
+REPORT = "REPORT"
+WISH = "WISH"
+TALK = "TALK"
 #: What a person says who answers no, or takes back what they were saying: nothing that runs is meant.
 DECLINED = "DECLINED"
 

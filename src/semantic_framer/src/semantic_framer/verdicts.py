@@ -5,18 +5,28 @@ from typing import Callable, FrozenSet, Iterable, Optional, Tuple
 
 from semantic_framer import plausibility
 from semantic_framer.framed_lexicon import FramedLexicon
-from semantic_framer.outcome import PROHIBITION, LeftOverWords, Policy, Refusal, left_over_refusal, not_then
+from semantic_framer.mood_file import UtteranceKind
+from semantic_framer.outcome import PROHIBITION, QUESTION, REPORT, TALK, WISH, LeftOverWords, Policy, Refusal, not_then
 from semantic_framer.plausibility import Filled
 from semantic_framer.reading import Reading, rank
 from semantic_framer.sentence import Sentence
-from utterance_passes.clauses import Clause, inner_condition
+from semantic_framer.utterance_kind import KindVerdict, kinds_of_clauses
+from utterance_passes.clauses import Clause, inner_condition, shared_subject
 from utterance_passes.trace import Trace
 from utterance_passes.verb_matching import VerbMatch
 from word_classes import word_class
 
-_ADDRESSEES = word_class("addressees")
-_AROUND_REQUESTS = word_class("verbs_around_requests")
-_PARTICIPANTS = word_class("participants")
+_RENEWING = word_class("renewing_conjunctions")
+
+
+_REPLIES = {
+    QUESTION: 'I can only carry out commands, and "{said}" is a question.',
+    REPORT: '"{said}" does not ask me to do anything.',
+    WISH: '"{said}" is something that you want to do. Tell me what I should do.',
+    TALK: "I hear you.",
+}
+#: Replies to talk, by the name of the rule that takes it for talk.
+_REPLIES_TO_TALK = {"thanks": "You are welcome.", "greeting": "Hello.", "chatter": "All right."}
 
 
 @dataclass(frozen=True)
@@ -26,14 +36,50 @@ class Case:
     Attributes:
         sentence: the sentence
         clauses: all of it
+        kinds: of each clause: whether it asks for something, or asks or tells something
         known: lexical units and frames
         policy: how careful to be
     """
 
     sentence: Sentence
     clauses: Tuple[Clause, ...]
+    kinds: Tuple[KindVerdict, ...]
     known: FramedLexicon
     policy: Policy
+
+    @property
+    def acts(self) -> bool:
+        """Whether any clause asks for something to be done."""
+        return any(kind.acts for kind in self.kinds)
+
+    def kind_of(self, clause: Clause) -> KindVerdict:
+        """Return the kind of one of the clauses."""
+        return self.kinds[self.clauses.index(clause)]
+
+    def text_of(self, clause: Clause) -> str:
+        """Return the words of a clause."""
+        words = sorted(clause.positions)
+        return self.sentence.text([index for index in words if self.sentence.word(index).upos != "PUNCT"])
+
+    def is_background(self, clause: Clause) -> bool:
+        """Whether a clause is said beside a command, and tells why it is given: "*I'm thirsty*, bring me water".
+
+        It has a subject and a verb of its own, and stands before another clause, or behind a mark or a conjunction:
+        "the door *we just left*" tells which door is meant.
+        """
+        if not self.acts or not self.kind_of(clause).is_background:
+            return False
+        if clause.verb < max(other.verb for other in self.clauses):
+            return True
+        first = self.sentence.word(min(clause.positions))
+        before = self.sentence.word(first.index - 1) if first.index > 1 else first
+        is_joined = bool({before.deprel, first.deprel} & {"punct", "cc", "mark"})
+        return is_joined or first.form.lower() in _RENEWING
+
+
+def case_of(sentence: Sentence, clauses: Tuple[Clause, ...], known: FramedLexicon, policy: Policy) -> Case:
+    """Decide of what kind each clause is, before any unit is tried."""
+    return Case(sentence, clauses, kinds_of_clauses(sentence.tree, clauses, known), known, policy)
 
 
 @dataclass(frozen=True)
@@ -58,17 +104,12 @@ class ClauseCase:
     @property
     def said(self) -> str:
         """The words of the clause."""
-        words = sorted(self.clause.positions)
-        return self.sentence.text([index for index in words if self.sentence.word(index).upos != "PUNCT"])
+        return self.of.text_of(self.clause)
 
-
-@dataclass(frozen=True)
-class SentenceVerdict:
-    """Refuses a whole sentence, for a reason that a person may read; ``refuse`` returns None where it does not."""
-
-    name: str
-    reason: str
-    refuse: Callable[[Case], Optional[Refusal]]
+    @property
+    def kind(self) -> KindVerdict:
+        """Whether it asks for something, or asks or tells something."""
+        return self.of.kind_of(self.clause)
 
 
 @dataclass(frozen=True)
@@ -101,77 +142,25 @@ class ReadingVerdict:
     refuse: Callable[[ClauseCase], Optional[Refusal]] = lambda case: None
 
 
-# --- sentences
+def asks_for_nothing(kind: KindVerdict, said: str) -> Refusal:
+    """Return the refusal of what only asks or tells something.
 
-
-def _time(case: Case) -> Optional[Refusal]:
-    """Refuse what is to be done at another time.
-
-    No element of a frame holds a time, and it hides the verb from the parser ("at five turn left"): so it counts
-    wherever it stands, and whatever became of the clauses. What is negated is refused for that.
+    Args:
+        kind: why nothing is to be done
+        said: the words
     """
-    tree = case.sentence.tree
-    times = [time for time in tree.times if not time & (tree.abandoned | tree.quoted)]
-    inside = frozenset().union(*times)
-    is_command = any(
-        case.known.verbs_beginning_with(spelling)
-        for word in tree.words
-        if word.index not in inside
-        for spelling in (word.lemma.lower(), word.form.lower())
-    )
-    if times and is_command and not any(clause.is_negated for clause in case.clauses):
-        return not_then(case.sentence, times[0])
-    return None
-
-
-def _no_verb(case: Case) -> Optional[Refusal]:
-    if case.clauses:
-        return None
-    return Refusal("NO_VERB", f'I hear no command in "{case.sentence.tree.text.strip()}".')
-
-
-def _outside(case: Case) -> Optional[Refusal]:
-    words = words_outside(case.sentence, case.clauses)
-    if words and case.policy.left_over_words is LeftOverWords.STRICT:
-        return left_over_refusal(case.sentence, words)
-    return None
-
-
-def words_outside(sentence: Sentence, clauses: Iterable[Clause]) -> Tuple[int, ...]:
-    """Return content words that are in no clause; those around a request ("I would like you to ...") are none."""
-    inside = frozenset().union(*(clause.positions for clause in clauses))
-    return tuple(
-        word.index
-        for word in sentence.tree.words
-        if word.index not in inside
-        and sentence.is_content(word.index)
-        and word.lemma.lower() not in _AROUND_REQUESTS
-        and not (word.deprel.startswith("nsubj") and word.form.lower() in _PARTICIPANTS)
-    )
-
-
-#: Before the clauses are read.
-SENTENCE_VERDICTS: Tuple[SentenceVerdict, ...] = (
-    SentenceVerdict("another_time", "It is to be done at another time.", _time),
-    SentenceVerdict("no_verb", "Nothing in it asks for anything.", _no_verb),
-)
-#: After every clause was read.
-REST_VERDICTS: Tuple[SentenceVerdict, ...] = (
-    SentenceVerdict("words_outside", "Words of the sentence are in no clause.", _outside),
-)
+    code = kind.kind.name
+    reply = _REPLIES_TO_TALK.get(kind.reason, _REPLIES[code])
+    return Refusal(code, reply.format(said=said))
 
 
 # --- clauses
 
 
 def _negated(case: ClauseCase) -> Optional[Refusal]:
-    if not case.clause.is_negated:
+    if not case.clause.is_negated and case.kind.kind is not UtteranceKind.PROHIBITION:
         return None
     return Refusal(PROHIBITION, f'I am not doing that. You said not to: "{case.said}".')
-
-
-def _question(case: ClauseCase) -> Optional[Refusal]:
-    return Refusal("NO_READING", f'"{case.said}" is a question, and no command.') if case.clause.is_question else None
 
 
 def _condition_without_verb(case: ClauseCase) -> Optional[Refusal]:
@@ -190,7 +179,6 @@ def _unknown_verb(case: ClauseCase) -> Optional[Refusal]:
 
 CLAUSE_VERDICTS: Tuple[ClauseVerdict, ...] = (
     ClauseVerdict("negated", "It is not to be done.", _negated),
-    ClauseVerdict("question", "It asks how something is.", _question),
     ClauseVerdict("condition_without_verb", "It depends on something, and no verb is known.", _condition_without_verb),
     ClauseVerdict("unknown_verb", "No lexical unit has its verb.", _unknown_verb),
 )
@@ -276,23 +264,32 @@ DOMINATED: Tuple[ReadingVerdict, ...] = (
 # --- readings that are not asked for, or not as much as another one
 
 
-def _is_without_its_subject(case: ClauseCase, reading: Reading, beside: Tuple[Reading, ...]) -> bool:
-    return case.clause.is_report and not _is_about_its_subject(case, reading)
+def _is_no_fact(case: ClauseCase, reading: Reading, beside: Tuple[Reading, ...]) -> bool:
+    """ "The mug stands on the table": only a unit that is about its subject tells how something is."""
+    return case.kind.is_fact and case.clause.lemma != "be" and not _is_about_its_subject(case, reading)
+
+
+def _is_about_its_performer(case: ClauseCase, reading: Reading, beside: Tuple[Reading, ...]) -> bool:
+    """ "Could you stand next to the desk": who is to do something is no thing that a unit is about."""
+    return (
+        case.kind.acts
+        and _is_about_its_subject(case, reading)
+        and not all(_is_about_its_subject(case, other) for other in beside)
+    )
 
 
 def _is_about_its_subject(case: ClauseCase, reading: Reading) -> bool:
-    """Whether the frame is about the subject, "the mug stands on the table"; it is not about who does something."""
-    subject = case.clause.subject
-    if not subject or case.sentence.word(subject).form.lower() in _ADDRESSEES:
-        return False
+    subject = case.clause.subject or shared_subject(case.sentence.tree, case.clause.verb)
     elements = case.of.known.frames[reading.unit.frame_name].frame_elements
     core = {element.name for element in elements if element.is_core}
     required = {relation.name for relation in reading.unit.relations if relation.is_required}
-    return any(subject in value.positions and value.name in core | required for value in reading.values)
+    return bool(subject) and any(
+        subject in value.positions and value.name in core | required for value in reading.values
+    )
 
 
 def _report(case: ClauseCase) -> Optional[Refusal]:
-    return Refusal("NO_READING", f'"{case.said}" does not ask me to do anything.') if case.clause.is_report else None
+    return asks_for_nothing(case.kind, case.said) if case.kind.is_fact else None
 
 
 def _is_never_dropped(case: ClauseCase, reading: Reading, beside: Tuple[Reading, ...]) -> bool:
@@ -353,12 +350,8 @@ def _named(reading: Reading) -> FrozenSet[int]:
 
 #: One after the other, each beside the readings that are left, the likeliest first.
 READING_VERDICTS: Tuple[ReadingVerdict, ...] = (
-    ReadingVerdict(
-        "report",
-        "It tells or asks what happens, and the unit is not about its subject.",
-        _is_without_its_subject,
-        _report,
-    ),
+    ReadingVerdict("report", "It tells how something is, and the unit is not about its subject.", _is_no_fact, _report),
+    ReadingVerdict("performer", "The unit is about who is to do something.", _is_about_its_performer),
     ReadingVerdict("nothing_fits", "No lexical unit of the verb fits.", _is_never_dropped, _nothing_fits),
     ReadingVerdict("condition", "It depends on something, or is to be done later.", _depends_on_something, _condition),
     ReadingVerdict("incomplete", "A core element is missing, and another reading has all.", _is_incomplete),

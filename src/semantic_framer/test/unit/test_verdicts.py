@@ -2,14 +2,8 @@
 
 from pathlib import Path
 
-from semantic_framer.verdicts import (
-    CLAUSE_VERDICTS,
-    DOMINATED,
-    PLAUSIBILITY,
-    READING_VERDICTS,
-    REST_VERDICTS,
-    SENTENCE_VERDICTS,
-)
+from semantic_framer.sentence_verdicts import REST_VERDICTS, SENTENCE_VERDICTS
+from semantic_framer.verdicts import CLAUSE_VERDICTS, DOMINATED, PLAUSIBILITY, READING_VERDICTS
 
 README = Path(__file__).resolve().parents[2] / "README.md"
 IN_ORDER = (
@@ -22,10 +16,10 @@ IN_ORDER = (
 
 def test_order() -> None:
     assert [verdict.name for verdict, _ in IN_ORDER] == (
-        "another_time no_verb negated question condition_without_verb unknown_verb "
+        "asks_for_nothing another_time no_verb negated condition_without_verb unknown_verb "
         "noun_of_another_verb measured_elsewhere unread_elsewhere number_is_no_place degree_is_no_thing "
-        "side_is_no_thing deed_is_no_thing listed_elsewhere says_less report nothing_fits condition incomplete "
-        "less_likely_asked leaves_more_over lists_less words_outside"
+        "side_is_no_thing deed_is_no_thing listed_elsewhere says_less report performer nothing_fits condition "
+        "incomplete less_likely_asked leaves_more_over lists_less told_inside words_outside"
     ).split()
 
 

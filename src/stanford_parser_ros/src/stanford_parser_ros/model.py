@@ -3,15 +3,22 @@
 import os
 import time
 from collections import OrderedDict
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any, FrozenSet, List, Optional, Tuple
 
-from utterance_passes.running import run_tag_passes, run_text_passes, run_tree_passes
-from utterance_passes.spelling import Spelling
-from utterance_passes.table import PARSER_TREE_PASSES, TAG_PASSES, TEXT_PASSES
-from utterance_passes.trace import Trace, TraceLine
+from utterance_passes.running import (
+    run_cut_passes,
+    run_surroundings_passes,
+    run_tag_passes,
+    run_text_passes,
+    run_tree_passes,
+)
+from utterance_passes.spelling import Spelling, stripped
+from utterance_passes.table import CUT_PASSES, PARSER_TREE_PASSES, SURROUNDINGS_PASSES, TAG_PASSES, TEXT_PASSES
+from utterance_passes.trace import Trace, TraceLine, moved
 from utterance_passes.tree import DependencyTree, Word
+from utterance_passes.tree_edits import joined, with_words_around
 from utterance_passes.vocabulary import Verbs
 
 PROCESSORS = "tokenize,mwt,pos,lemma,depparse"
@@ -182,28 +189,67 @@ class Parser:
         spelling = run_text_passes(text, TEXT_PASSES, without=without, trace=trace)
         if not any(character.isalnum() for character in spelling.text):
             raise UnparsableText("there are no words in it")
-        vocabulary = Verbs(verbs)
         with self._inference_mode():
-            document = self._pipeline(spelling.text)
-            words = document.sentences[0].words
-            # Without a verb nothing is known better than by the tagger.
-            retags = run_tag_passes(
-                [word.text for word in words],
-                [word.upos for word in words],
-                vocabulary,
-                TAG_PASSES if verbs else (),
-                without=without,
-                trace=trace,
-            )
-            for retag in retags:
-                word = words[retag.position - 1]
-                word.upos, word.xpos, word.feats = retag.upos, retag.xpos, retag.feats or None
-                word.lemma = word.text.lower()
-            if retags:
-                document = self._pipeline.processors["depparse"].process(document)
-            tree = _to_tree(text, document.sentences[0], spelling)
-        tree = run_tree_passes(tree, vocabulary, PARSER_TREE_PASSES, without=without, trace=trace)
+            tree = self._tree(text, spelling, _Run(Verbs(verbs), without, trace))
         return Parse(tree, trace.lines)
+
+    def _tree(self, text: str, spelling: Spelling, run: "_Run") -> DependencyTree:
+        """Parse a command alone, and put around its tree what is said around it."""
+        around = run_surroundings_passes(
+            spelling, run.vocabulary, SURROUNDINGS_PASSES, without=run.without, trace=run.trace
+        )
+        if around is None:
+            return self._tree_of_commands(text, spelling, run)
+        inner = replace(run, trace=Trace())
+        command = self._tree_of_commands(text, around.command, inner)
+        whole = with_words_around(command, text, around.verb, around.base, around.words)
+        run.trace.extend(moved(inner.trace.lines, command, whole))
+        return whole
+
+    def _tree_of_commands(self, text: str, spelling: Spelling, run: "_Run") -> DependencyTree:
+        """Parse one command, or each of several."""
+        document = self._pipeline(spelling.text)
+        words = document.sentences[0].words
+        forms, tags = [word.text for word in words], [word.upos for word in words]
+        # Without a verb nothing is known better than by the tagger.
+        is_known = bool(run.vocabulary.words)
+        cuts = run_cut_passes(
+            forms, tags, run.vocabulary, CUT_PASSES if is_known else (), without=run.without, trace=run.trace
+        )
+        if cuts:
+            bounds = [0, *(_start(words[position - 1]) for position in cuts), len(spelling.text)]
+            parts = [spelling.part(start, end) for start, end in zip(bounds, bounds[1:])]
+            runs = [replace(run, trace=Trace()) for _ in parts]
+            trees = [self._tree(text, stripped(part), each) for part, each in zip(parts, runs)]
+            whole = joined(text, trees)
+            for tree, each in zip(trees, runs):
+                run.trace.extend(moved(each.trace.lines, tree, whole))
+            return whole
+        retags = run_tag_passes(
+            forms, tags, run.vocabulary, TAG_PASSES if is_known else (), without=run.without, trace=run.trace
+        )
+        for retag in retags:
+            word = words[retag.position - 1]
+            word.upos, word.xpos, word.feats = retag.upos, retag.xpos, retag.feats or None
+            word.lemma = word.text.lower()
+        if retags:
+            document = self._pipeline.processors["depparse"].process(document)
+        tree = _to_tree(text, document.sentences[0], spelling)
+        return run_tree_passes(tree, run.vocabulary, PARSER_TREE_PASSES, without=run.without, trace=run.trace)
+
+
+@dataclass(frozen=True)
+class _Run:
+    """What one parse goes by, and where it is written."""
+
+    vocabulary: Verbs
+    without: FrozenSet[str]
+    trace: Trace
+
+
+def _start(word: Any) -> int:
+    """Return where a word begins; the words of a multi-word token begin where it does."""
+    return int(word.start_char if word.start_char is not None else word.parent.start_char)
 
 
 def _to_tree(text: str, sentence: Any, spelling: Spelling) -> DependencyTree:

@@ -32,8 +32,6 @@ class Clause:
         condition: words of a condition ("when I say so"), empty for none
         condition_positions: of those words
         subject: index of the subject, 0 for none
-        is_report: whether it tells or asks what happens ("I turned left", "did you turn left?"), asking for nothing
-        is_question: whether it asks how something is ("where are my keys?", "is the door open?")
     """
 
     verb: int
@@ -43,8 +41,6 @@ class Clause:
     condition: str
     condition_positions: FrozenSet[int]
     subject: int = 0
-    is_report: bool = False
-    is_question: bool = False
 
 
 def find_clauses(tree: DependencyTree, vocabulary: Vocabulary = Verbs()) -> Tuple[Clause, ...]:
@@ -222,7 +218,7 @@ def whole_sentence(tree: DependencyTree, verb: int) -> Clause:
     positions = frozenset(word.index for word in tree.words) - tree.abandoned
     is_negated = any(_has_negation(tree, tree.word(index)) for index in positions)
     clause = clause_of(tree, verb, positions, is_negated or _is_of_nothing(tree, positions))
-    return replace(clause, lemma=tree.word(verb).form.lower(), subject=0, is_report=False)
+    return replace(clause, lemma=tree.word(verb).form.lower(), subject=0)
 
 
 def clause_of(tree: DependencyTree, verb: int, positions: FrozenSet[int], is_negated: bool) -> Clause:
@@ -237,8 +233,6 @@ def clause_of(tree: DependencyTree, verb: int, positions: FrozenSet[int], is_neg
         condition=tree.text_of(sorted(condition)) if condition else "",
         condition_positions=condition,
         subject=subject,
-        is_report=_is_report(tree, verb, subject),
-        is_question=_is_question(tree, verb, positions),
     )
 
 
@@ -253,41 +247,6 @@ def shared_subject(tree: DependencyTree, verb: int) -> int:
             if child.deprel.startswith("nsubj"):
                 return child.index
     return 0
-
-
-def _is_report(tree: DependencyTree, verb: int, subject: int) -> bool:
-    """Whether a verb tells or asks what happens; "I need ..." and other wishes ask for something.
-
-    Statements with "be" are what units for them are about ("There are two chairs in the kitchen.").
-    """
-    word = tree.word(verb)
-    if word.deprel == "cop" or word.lemma.lower() == "be":
-        return False
-    if not subject:
-        # "Bob turned left" where the parser takes Bob for the one who is spoken to; "put" and "set" may be commands.
-        return word.xpos in ("VBD", "VBZ") and word.form.lower() != word.lemma.lower()
-    if any(
-        child.deprel in ("aux", "aux:pass") and child.form.lower() in _REPORTING_AUXILIARIES
-        for child in tree.children(verb)
-    ):
-        return True
-    said = tree.word(subject).form.lower()
-    if said == "i" and word.lemma.lower() in _REQUEST_VERBS:
-        return False
-    return word.xpos == "VBD" or said not in _ADDRESSEES
-
-
-def _is_question(tree: DependencyTree, verb: int, positions: FrozenSet[int]) -> bool:
-    """Whether a clause with "be" begins with a form of it, a modal, or a word that asks; "be careful" and "here is the
-    kitchen" ask nothing.
-    """
-    word = tree.word(verb)
-    said = (tree.word(index) for index in sorted(positions))
-    spoken = (other for other in said if other.upos not in ("PUNCT", "INTJ", "CCONJ"))
-    first = next((other for other in spoken if other.form.lower() not in _LEAD_IN), word)
-    is_first = first.index == verb and word.form.lower() != "be"
-    is_inverted = is_first or (first.deprel == "aux" and first.head in (verb, word.head))
-    return word.lemma.lower() == "be" and (is_inverted or first.form.lower() in _QUESTION_WORDS)
 
 
 def _condition(tree: DependencyTree, top: int, positions: FrozenSet[int]) -> FrozenSet[int]:

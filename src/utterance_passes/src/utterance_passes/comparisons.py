@@ -21,7 +21,7 @@ def without_comparisons(tree: DependencyTree, vocabulary: Vocabulary) -> Depende
     """
     while True:
         found = _find(tree)
-        verb = _verb_of(tree, found[0] | {found[1]}, vocabulary) if found else 0
+        verb = _verb_of(tree, found[0] | ({found[1]} - {0}), vocabulary) if found else 0
         if found is None or not verb:
             return tree
         tree = _set_aside(tree, *found, verb)
@@ -65,7 +65,7 @@ def _find(tree: DependencyTree) -> Optional[Tuple[FrozenSet[int], int]]:
 
 def _verb_of(tree: DependencyTree, inside: FrozenSet[int], vocabulary: Vocabulary) -> int:
     """Return the verb that is done so: the one above the words, else the first of the lexicon; 0 for none."""
-    above = {_outside(tree, index, inside)[0] for index in inside - {0}} - {0}
+    above = {_outside(tree, index, inside)[0] for index in inside} - {0}
     verbs = [word for word in tree.open_words if word.index not in inside and word.upos in ("VERB", "AUX")]
     known = [word for word in verbs if is_verb(vocabulary, word)]
     return next((word.index for word in verbs if word.index in above), known[0].index if known else 0)

@@ -16,16 +16,23 @@ from word_classes import word_class, word_classes
 FORMULAS_FILE = Path(__file__).resolve().parent / "formulas.yaml"
 KINDS = (
     "openings",
+    "modal_openings",
+    "gerund_openings",
     "anywhere",
     "apart",
     "comparisons",
     "endings",
+    "tails",
+    "set_off_tails",
     "objections",
     "editing_terms",
     "withdrawals",
     "fillers",
+    "contractions",
 )
 _KEYS = ("pattern", "example", "becomes")
+#: The kind of which each formula says how it is written in full.
+WRITTEN_OUT = "contractions"
 _CLASS = re.compile(r"(?<!\?P)<(\w+)>")
 
 
@@ -37,11 +44,13 @@ class Formula:
         pattern: matches the whole of some words, in lower case with one blank between them
         example: a sentence with it
         becomes: what is left of the example; empty in a file of whole utterances
+        written: how it is written in full, with the groups of the pattern as ``\\1``; empty where it is left out
     """
 
     pattern: Pattern[str]
     example: str
     becomes: str = ""
+    written: str = ""
 
 
 def load_formulas(
@@ -65,12 +74,14 @@ def load_formulas(
     for kind, node in nodes.items():
         formulas: List[Formula] = []
         for key, item in reader.sequence(node, kind):
-            entries = reader.mapping(item, key, keys, required=keys)
+            wanted = (*keys, "written") if kind == WRITTEN_OUT else keys
+            entries = reader.mapping(item, key, wanted, required=wanted)
+            written = reader.name(entries.get("written"), f"{key}.written") if "written" in entries else ""
             example = reader.name(entries.get("example"), f"{key}.example")
             becomes = reader.name(entries.get("becomes"), f"{key}.becomes") if "becomes" in keys else ""
             if "pattern" in entries:
                 pattern = _pattern(reader, entries["pattern"], f"{key}.pattern")
-                formulas.append(Formula(pattern, example, becomes))
+                formulas.append(Formula(pattern, example, becomes, written))
         if not formulas:
             reader.report("EMPTY", node, kind, "nothing", "a list of patterns")
         found[kind] = tuple(formulas)
@@ -121,8 +132,15 @@ def any_of(formulas: Iterable[Formula]) -> Pattern[str]:
 
 
 _FILLER = pattern_of("fillers")
+_PADDING = word_class("padding")
 
 
 def is_filler(form: str) -> bool:
     """Whether a word is said only while thinking: "um", "uhhh"."""
     return _FILLER.fullmatch(form.lower()) is not None
+
+
+def without_padding(forms: Iterable[str]) -> str:
+    """Return words as the patterns of openings have them: in lower case, and without those that change nothing."""
+    said = (form.lower().replace("’", "'") for form in forms)
+    return " ".join(form for form in said if form not in _PADDING and form != ",")

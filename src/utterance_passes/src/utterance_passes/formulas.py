@@ -1,4 +1,4 @@
-"""What is only said around a command: "I was wondering if you could ...", "if you don't mind", "right away".
+"""What is only said beside a command: "if you don't mind", "right away".
 
 Such formulas are no wishes, conditions or negations of their own. Their words become *asides* of the sentence, which
 nothing that is read later looks at.
@@ -10,23 +10,12 @@ from utterance_passes.formula_file import pattern_of
 from utterance_passes.tree import ASIDE, DependencyTree, Word
 from utterance_passes.tree_edits import set_aside
 from utterance_passes.vocabulary import Vocabulary, is_verb
-from word_classes import word_class
 
-_OPENINGS = pattern_of("openings")
 _ANYWHERE = pattern_of("anywhere")
 _APART = pattern_of("apart")
 _ENDINGS = pattern_of("endings")
 #: No formula has more words.
 _LONGEST = 12
-#: What may stand between a formula and the verb.
-_LEADING = word_class("lead_in") | word_class("hedges")
-_NEGATIONS = word_class("negations")
-
-
-def without_opening(tree: DependencyTree, vocabulary: Vocabulary) -> DependencyTree:
-    """Set the formula aside that a command is opened with: "I was wondering if you could ..."."""
-    positions = _opening(tree, vocabulary)
-    return set_aside(tree, positions, ASIDE, lambda word: is_verb(vocabulary, word)) if positions else tree
 
 
 def without_formulas(tree: DependencyTree, vocabulary: Vocabulary) -> DependencyTree:
@@ -38,29 +27,6 @@ def without_formulas(tree: DependencyTree, vocabulary: Vocabulary) -> Dependency
         if not positions:
             return tree
         tree = set_aside(tree, positions, ASIDE, lambda word: is_verb(vocabulary, word))
-
-
-def _opening(tree: DependencyTree, vocabulary: Vocabulary) -> FrozenSet[int]:
-    words = tree.open_words
-    first = _behind_lead_in(words, 0)
-    for behind in range(min(len(words) - 1, first + _LONGEST), first, -1):
-        said = words[first:behind]
-        if said[-1].upos == "PUNCT" or not _OPENINGS.fullmatch(_text(said)):
-            continue
-        following = _behind_lead_in(words, behind)
-        # "... if you could not turn left" negates as ever.
-        following += following < len(words) - 1 and words[following].form.lower() in _NEGATIONS
-        if following < len(words) and is_verb(vocabulary, words[following]):
-            return frozenset(word.index for word in said)
-    return frozenset()
-
-
-def _behind_lead_in(words: Sequence[Word], position: int) -> int:
-    while position < len(words) and (
-        words[position].upos in ("PUNCT", "INTJ") or words[position].form.lower() in _LEADING
-    ):
-        position += 1
-    return position
 
 
 def _around(tree: DependencyTree, vocabulary: Vocabulary) -> FrozenSet[int]:

@@ -1,12 +1,20 @@
 """Runs passes of the table, in its order."""
 
-from typing import AbstractSet, FrozenSet, List, Optional, Sequence, Tuple
+from typing import AbstractSet, FrozenSet, List, Optional, Sequence, Set, Tuple
 
 from utterance_passes.spelling import Spelling, as_said
 from utterance_passes.trace import Trace
 from utterance_passes.tree import DependencyTree
 from utterance_passes.tree_edits import NotATree
-from utterance_passes.utterance_pass import Retag, TagPass, TextPass, TreePass
+from utterance_passes.utterance_pass import (
+    CutPass,
+    Retag,
+    Surroundings,
+    SurroundingsPass,
+    TagPass,
+    TextPass,
+    TreePass,
+)
 from utterance_passes.vocabulary import Vocabulary
 
 NONE: FrozenSet[str] = frozenset()
@@ -31,6 +39,43 @@ def run_text_passes(
                 trace.add(one.name, before=repr(spelling.text), after=repr(made.text))
             spelling = made
     return spelling
+
+
+def run_surroundings_passes(
+    spelling: Spelling,
+    vocabulary: Vocabulary,
+    passes: Sequence[SurroundingsPass],
+    *,
+    without: AbstractSet[str] = NONE,
+    trace: Optional[Trace] = None,
+) -> Optional[Surroundings]:
+    """Return what the first pass finds around a command; None where none finds anything."""
+    for one in passes:
+        around = one.run(spelling, vocabulary) if one.name not in without else None
+        if around is not None:
+            if trace is not None:
+                trace.add(one.name, before=repr(spelling.text), after=f"{around.command.text!r}, parsed alone")
+            return around
+    return None
+
+
+def run_cut_passes(
+    forms: Sequence[str],
+    tags: Sequence[str],
+    vocabulary: Vocabulary,
+    passes: Sequence[CutPass],
+    *,
+    without: AbstractSet[str] = NONE,
+    trace: Optional[Trace] = None,
+) -> Tuple[int, ...]:
+    """Return the positions of the words with which further commands begin."""
+    found: Set[int] = set()
+    for one in passes:
+        for position in one.run(forms, tags, vocabulary) if one.name not in without else ():
+            if trace is not None:
+                trace.add(one.name, forms[position - 1], "", "begins a command, parsed alone", [position])
+            found.add(position)
+    return tuple(sorted(found))
 
 
 def run_tag_passes(

@@ -3,9 +3,11 @@
 import re
 import unicodedata
 from dataclasses import dataclass
+from functools import partial
 from typing import Callable, List, Tuple, Union
 
 from spoken_quantities import number_words
+from utterance_passes.formula_file import WRITTEN_OUT, shipped_formulas
 
 #: Words that a number begins with.
 _NUMBER = f"(?:{'|'.join(number_words())})"
@@ -26,6 +28,10 @@ MINUS_SIGN = re.compile(rf"(?<!\S)-(?=\.?\d|{_NUMBER}\b)", re.IGNORECASE)
 NEGATIVE_SIGN = re.compile(rf"\bnegative\s+(?=\.?\d|{_NUMBER}\b)", re.IGNORECASE)
 RATIO = re.compile(r"(?<=\d)/(?=\d)")
 BLANKS = re.compile(r"\s+")
+_CONTRACTIONS = tuple(
+    (re.compile(rf"(?<![\w'-])(?:{formula.pattern.pattern})(?![\w'-])", re.IGNORECASE), formula.written)
+    for formula in shipped_formulas()[WRITTEN_OUT]
+)
 
 
 @dataclass(frozen=True)
@@ -39,6 +45,10 @@ class Spelling:
 
     text: str
     origins: Tuple[int, ...]
+
+    def part(self, start: int, end: int) -> "Spelling":
+        """Return what stands between two positions of the rewritten text."""
+        return Spelling(self.text[start:end], self.origins[start : end + 1])
 
 
 def as_said(text: str) -> Spelling:
@@ -71,6 +81,18 @@ def replaced(
     pieces.append(spelling.text[position:])
     sources += spelling.origins[position:]
     return Spelling("".join(pieces), tuple(sources))
+
+
+def written_out(spelling: Spelling) -> Spelling:
+    """Write words that are said as one in full: "gonna", "dont"."""
+    for pattern, written in _CONTRACTIONS:
+        spelling = replaced(spelling, pattern, partial(_in_full, written=written))
+    return spelling
+
+
+def _in_full(short: "re.Match[str]", written: str) -> str:
+    full = short.expand(written)
+    return full[:1].upper() + full[1:] if short.group()[:1].isupper() else full
 
 
 def stripped(spelling: Spelling) -> Spelling:

@@ -13,12 +13,23 @@ from utterance_passes import (
     objections,
     quotations,
     relations,
+    run_ons,
     shared_verbs,
     spelling,
+    surroundings,
     tagging,
     times,
 )
-from utterance_passes.utterance_pass import Example, Pass, Stage, TagPass, TextPass, TreePass
+from utterance_passes.utterance_pass import (
+    CutPass,
+    Example,
+    Pass,
+    Stage,
+    SurroundingsPass,
+    TagPass,
+    TextPass,
+    TreePass,
+)
 from utterance_passes.vocabulary import Speech, Verbs
 
 _TURN = Verbs(frozenset(["turn", "go"]), lists={"turn": (("left", "right"),)})
@@ -73,8 +84,41 @@ TEXT_PASSES: Tuple[TextPass, ...] = (
         "minus ",
     ),
     _text("ratios", "Part the two numbers of a ratio.", "3/4", "3 / 4", spelling.RATIO, " / "),
+    TextPass(
+        "contractions",
+        "Write words that are said as one in full.",
+        Example("didja move, I'm gonna go", ("did you move, I'm going to go",)),
+        Stage.PARSER,
+        spelling.written_out,
+    ),
     _text("blanks", "Write one blank between words.", "go \t on", "go on", spelling.BLANKS, " "),
     TextPass("ends", "Leave out blanks at both ends.", Example(" go ", ("go",)), Stage.PARSER, spelling.stripped),
+)
+
+#: What the parser leaves out, and puts around the tree of the rest.
+SURROUNDINGS_PASSES: Tuple[SurroundingsPass, ...] = (
+    SurroundingsPass(
+        "surroundings",
+        'Parse a command without what is said around it: "could you ..., please".',
+        Example(
+            "robot, could you turn left please",
+            ("turn left", "robot: vocative", ",: punct", "could: aux", "you: nsubj", "please: discourse:aside"),
+            _TURN,
+        ),
+        Stage.PARSER,
+        surroundings.surroundings,
+    ),
+)
+
+#: Where the parser cuts a text, to parse each part alone.
+CUT_PASSES: Tuple[CutPass, ...] = (
+    CutPass(
+        "run_ons",
+        "Cut commands apart that are said without a mark between them.",
+        Example("open|VERB the|DET box|NOUN close|ADP the|DET door|NOUN", ("4",), Verbs(frozenset(["open", "close"]))),
+        Stage.PARSER,
+        run_ons.run_ons,
+    ),
 )
 
 TAG_PASSES: Tuple[TagPass, ...] = (
@@ -291,24 +335,7 @@ PARSE_CORRECTING_PASSES: Tuple[TreePass, ...] = (
 
 #: What is said around a command, and for a verb; then what the tree that is read must look like.
 REPHRASING_PASSES: Tuple[TreePass, ...] = (
-    (
-        TreePass(
-            "opening_formula",
-            'Set the formula aside that a command is opened with: "I wonder if you could ...".',
-            Example(
-                "go|VERB|0|root ahead|ADV|1|advmod and|CCONJ|4|cc turn|VERB|1|conj",
-                (
-                    "go: root -> discourse:aside(turn)",
-                    "ahead: advmod(go) -> discourse:aside(turn)",
-                    "and: cc(turn) -> discourse:aside(turn)",
-                    "turn: conj(go) -> root",
-                ),
-                _TURN,
-            ),
-            Stage.FRAMER,
-            formulas.without_opening,
-        ),
-    )
+    ()
     + PARSE_CORRECTING_PASSES
     + (
         TreePass(
@@ -389,4 +416,6 @@ REPHRASING_PASSES: Tuple[TreePass, ...] = (
 
 FRAMER_TREE_PASSES: Tuple[TreePass, ...] = CORRECTION_PASSES + REPHRASING_PASSES
 #: The whole order, from the text to the tree that is read.
-PASSES: Tuple[Pass, ...] = TEXT_PASSES + TAG_PASSES + PARSER_TREE_PASSES + FRAMER_TREE_PASSES
+PASSES: Tuple[Pass, ...] = (
+    TEXT_PASSES + SURROUNDINGS_PASSES + CUT_PASSES + TAG_PASSES + PARSER_TREE_PASSES + FRAMER_TREE_PASSES
+)

@@ -1,6 +1,6 @@
 """What the run that decides writes down: each rule that changed or settled something, in order."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import FrozenSet, Iterable, List, Tuple
 
 from utterance_passes.tree import DependencyTree, Word
@@ -49,6 +49,10 @@ class Trace:
         """Write a line."""
         self._lines.append(TraceLine(rule, tuple(sorted(positions)), about, before, after))
 
+    def extend(self, lines: Iterable[TraceLine]) -> None:
+        """Write lines that were written elsewhere."""
+        self._lines += lines
+
     def add_changes(self, rule: str, before: DependencyTree, after: DependencyTree) -> None:
         """Write a line for each word that differs, and for each mark that was set."""
         self._lines += changes(rule, before, after)
@@ -60,6 +64,22 @@ class Trace:
     def rules(self) -> FrozenSet[str]:
         """Names of the rules that wrote something."""
         return frozenset(line.rule for line in self._lines)
+
+
+def moved(lines: Iterable[TraceLine], part: DependencyTree, whole: DependencyTree) -> List[TraceLine]:
+    """Return what was written on a part of a sentence, with the positions of its words in the whole.
+
+    Args:
+        lines: with positions in the part
+        part: the tree of the part
+        whole: the tree of the sentence, in which every word of the part begins at the same character
+    """
+    places = {word.start_character: word.index for word in whole.words}
+    positions = {word.index: places.get(word.start_character, 0) for word in part.words}
+    return [
+        replace(line, positions=tuple(sorted(positions[index] for index in line.positions if positions.get(index))))
+        for line in lines
+    ]
 
 
 def changes(rule: str, before: DependencyTree, after: DependencyTree) -> List[TraceLine]:

@@ -1,7 +1,7 @@
 """The only place where one dependency tree is made of another; what comes of an edit is a tree, or nothing does."""
 
-from dataclasses import replace
-from typing import AbstractSet, Callable, FrozenSet, Tuple
+from dataclasses import dataclass, replace
+from typing import AbstractSet, Callable, FrozenSet, List, Sequence, Tuple, Union
 
 from utterance_passes.tree import DependencyTree, Word
 
@@ -109,3 +109,84 @@ def mark_sharing_a_verb(tree: DependencyTree, heads: FrozenSet[int]) -> Dependen
     """Mark the heads of phrases that share the verb of the phrase before them, with those marked before."""
     marked = tree.sharing_a_verb | heads
     return tree if marked == tree.sharing_a_verb else replace(tree, sharing_a_verb=marked)
+
+
+@dataclass(frozen=True)
+class WordAround:
+    """A word that is said around a command.
+
+    Attributes:
+        form: as said
+        upos: universal part of speech
+        xpos: part of speech of the Penn Treebank
+        deprel: its relation to the root of the command
+        start_character: where it begins in the text
+        end_character: where it ends
+    """
+
+    form: str
+    upos: str
+    xpos: str
+    deprel: str
+    start_character: int
+    end_character: int
+
+
+def with_words_around(
+    tree: DependencyTree, text: str, verb: str, base: str, around: Sequence[WordAround]
+) -> DependencyTree:
+    """Put words that are said around a command around its tree, in the order in which they stand in the text.
+
+    Args:
+        tree: of the command alone, which begins with its verb
+        text: the whole utterance
+        verb: the form that the verb has in it
+        base: the base form of the verb
+        around: each hangs on the root of the command, by its relation
+    """
+    first = tree.words[0]
+    xpos = first.xpos if verb.lower() == base else "VBG"
+    command = (replace(first, form=verb, lemma=base, xpos=xpos), *tree.words[1:])
+    # The mark at the end of the command alone is none of the utterance.
+    if around and command[-1].upos == "PUNCT" and around[-1].start_character >= command[-1].start_character:
+        command = command[:-1]
+    ordered: List[Union[Word, WordAround]] = sorted([*command, *around], key=lambda word: word.start_character)
+    moved = {word.index: position for position, word in enumerate(ordered, start=1) if isinstance(word, Word)}
+    root = next(moved[word.index] for word in command if word.head == 0)
+    words = tuple(
+        replace(word, index=position, head=moved.get(word.head, 0))
+        if isinstance(word, Word)
+        else _hanging_on(root, position, word)
+        for position, word in enumerate(ordered, start=1)
+    )
+    return DependencyTree(text=text, words=words)
+
+
+def _hanging_on(root: int, position: int, word: WordAround) -> Word:
+    return Word(
+        index=position,
+        form=word.form,
+        lemma=word.form.lower(),
+        upos=word.upos,
+        xpos=word.xpos,
+        feats="",
+        head=root,
+        deprel=word.deprel,
+        start_character=word.start_character,
+        end_character=word.end_character,
+    )
+
+
+def joined(text: str, trees: Sequence[DependencyTree]) -> DependencyTree:
+    """Return one tree of the trees of an utterance's parts; each of the others hangs beside the first."""
+    words: List[Word] = []
+    first = 0
+    for tree in trees:
+        shift = len(words)
+        for word in tree.words:
+            is_beside = bool(first) and not word.head
+            head = word.head + shift if word.head else first
+            deprel = "parataxis" if is_beside else word.deprel
+            words.append(replace(word, index=word.index + shift, head=head, deprel=deprel))
+        first = first or next(word.index for word in words if word.head == 0)
+    return DependencyTree(text=text, words=tuple(words))

@@ -2,10 +2,11 @@
 
 from dataclasses import dataclass
 from enum import Enum
-from typing import Callable, Sequence, Tuple
+from typing import Callable, Optional, Sequence, Tuple
 
 from utterance_passes.spelling import Spelling
 from utterance_passes.tree import DependencyTree
+from utterance_passes.tree_edits import WordAround
 from utterance_passes.vocabulary import Verbs, Vocabulary
 
 
@@ -53,6 +54,44 @@ class TextPass(Pass):
     """Rewrites the text; it remembers where each character came from."""
 
     run: Callable[[Spelling], Spelling]
+
+
+@dataclass(frozen=True)
+class Surroundings:
+    """A command, and what is said around it.
+
+    Attributes:
+        command: the command alone, as a plain command is written
+        verb: the form that its verb has in the utterance: "scrubbing" of "would you mind scrubbing"
+        base: its base form
+        words: what is said around it, in the order of the utterance
+    """
+
+    command: Spelling
+    verb: str
+    base: str
+    words: Tuple[WordAround, ...]
+
+
+@dataclass(frozen=True)
+class SurroundingsPass(Pass):
+    """Says what is said around a command; the parser parses the command alone.
+
+    ``run`` returns None where nothing is said around it.
+    """
+
+    run: Callable[[Spelling, Vocabulary], Optional[Surroundings]]
+
+
+@dataclass(frozen=True)
+class CutPass(Pass):
+    """Says where further commands begin; the parser parses each alone.
+
+    ``run`` takes the words of the sentence, their universal tags, and the vocabulary; it returns positions of words,
+    from 1.
+    """
+
+    run: Callable[[Sequence[str], Sequence[str], Vocabulary], Tuple[int, ...]]
 
 
 @dataclass(frozen=True)

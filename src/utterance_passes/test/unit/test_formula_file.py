@@ -1,7 +1,7 @@
 """Formulas: each does with its example what the file says, and what is said of a wrong file."""
 
 import re
-from typing import List, Tuple
+from typing import List, Pattern, Tuple
 
 import pytest
 
@@ -9,8 +9,10 @@ from semantic_frames import FileRefused, Problem
 from utterance_passes.comparisons import without_comparisons
 from utterance_passes.corrections import without_corrected
 from utterance_passes.formula_file import KINDS, Formula, load_formulas, shipped_formulas
-from utterance_passes.formulas import without_formulas, without_opening
+from utterance_passes.formulas import without_formulas
 from utterance_passes.objections import without_objection
+from utterance_passes.spelling import as_said, written_out
+from utterance_passes.surroundings import surroundings
 from utterance_passes.tree import DependencyTree, Word
 from utterance_passes.vocabulary import Verbs
 
@@ -18,9 +20,13 @@ _VERBS = Verbs(frozenset(["turn"]), lists={"turn": (("left", "right"),)})
 _SHIPPED = [(kind, formula) for kind in KINDS for formula in shipped_formulas()[kind]]
 
 
+def _forms(text: str) -> List[str]:
+    return re.findall(r"n't|'\w+|[a-z]+?(?=n't)|\w+|,", text, re.IGNORECASE)
+
+
 def tree_of(text: str) -> DependencyTree:
     """A tree of the words as the parser divides them, all on the verb."""
-    forms = re.findall(r"n't|'\w+|[a-z]+?(?=n't)|\w+|,", text, re.IGNORECASE)
+    forms = _forms(text)
     verb = 1 + forms.index("turn")
     words = tuple(
         Word(
@@ -38,8 +44,18 @@ def tree_of(text: str) -> DependencyTree:
     return DependencyTree(text, words)
 
 
-def left_of(kind: str, tree: DependencyTree) -> str:
+#: Kinds of which the parser leaves out what is said around a command.
+_AROUND = ("openings", "modal_openings", "gerund_openings", "tails", "set_off_tails")
+
+
+def left_of(kind: str, text: str) -> str:
     """What the pass of a kind leaves of a sentence."""
+    if kind == "contractions":
+        return written_out(as_said(text)).text
+    if kind in _AROUND:
+        around = surroundings(as_said(text), _VERBS)
+        return around.command.text.lower() if around is not None else text
+    tree = tree_of(text)
     if kind == "fillers":
         return " ".join(word.form for word in tree.words if word.index not in tree.fillers)
     if kind in ("editing_terms", "withdrawals"):
@@ -48,36 +64,41 @@ def left_of(kind: str, tree: DependencyTree) -> str:
         tree = without_comparisons(tree, _VERBS)
     elif kind == "objections":
         tree = without_objection(tree, _VERBS)
-    elif kind == "openings":
-        tree = without_opening(tree, _VERBS)
     else:
         tree = without_formulas(tree, _VERBS)
     return " ".join(word.form for word in tree.open_words if word.upos != "PUNCT")
 
 
-def phrases_of(text: str) -> List[str]:
-    forms = [word.form.lower() for word in tree_of(text).words if word.upos != "PUNCT"]
-    ends = range(1, len(forms) + 1)
-    return [" ".join(forms[start:end]) for end in ends for start in range(end)]
+def phrases_of(kind: str, text: str) -> List[str]:
+    """The words of a text that a formula of a kind may be: the first ones, the last ones, or any."""
+    forms = [form.lower() for form in _forms(text) if form != ","]
+    starts = (0,) if kind.endswith("openings") else range(len(forms))
+    ends = (len(forms),) if kind.endswith("tails") else range(1, len(forms) + 1)
+    return [" ".join(forms[start:end]) for end in ends for start in starts if start < end]
+
+
+def is_in(kind: str, pattern: Pattern[str], text: str) -> bool:
+    """Whether a formula of a kind is said in a text."""
+    if kind == "contractions":
+        return re.search(rf"(?<![\w'])(?:{pattern.pattern})(?![\w'])", text, re.IGNORECASE) is not None
+    return any(pattern.fullmatch(phrase) for phrase in phrases_of(kind, text))
 
 
 @pytest.mark.parametrize("kind, formula", _SHIPPED, ids=lambda value: getattr(value, "example", value))
 def test_an_example_becomes_what_the_file_says(kind: str, formula: Formula) -> None:
-    assert left_of(kind, tree_of(formula.example)) == formula.becomes
+    assert left_of(kind, formula.example) == formula.becomes
 
 
 @pytest.mark.parametrize("kind, formula", _SHIPPED, ids=lambda value: getattr(value, "example", value))
 def test_an_example_is_of_its_own_formula(kind: str, formula: Formula) -> None:
     matching = [
-        other.pattern.pattern
-        for other in shipped_formulas()[kind]
-        if any(other.pattern.fullmatch(phrase) for phrase in phrases_of(formula.example))
+        other.pattern.pattern for other in shipped_formulas()[kind] if is_in(kind, other.pattern, formula.example)
     ]
     assert matching == [formula.pattern.pattern]
 
 
 def test_an_example_without_its_formula_stays() -> None:
-    assert left_of("openings", tree_of("kindly whistle and turn left")) == "kindly whistle and turn left"
+    assert left_of("openings", "whistle and turn left") == "whistle and turn left"
 
 
 def test_a_class_stands_for_its_words() -> None:
@@ -87,7 +108,9 @@ def test_a_class_stands_for_its_words() -> None:
 
 def text_with(entry: str) -> str:
     usual = "[{pattern: so, example: so go, becomes: go}]"
-    return "\n".join(f"{kind}: {entry if kind == 'openings' else usual}" for kind in KINDS)
+    in_full = "[{pattern: dont, example: dont go, becomes: don't go, written: don't}]"
+    others = {kind: in_full if kind == "contractions" else usual for kind in KINDS}
+    return "\n".join(f"{kind}: {content}" for kind, content in {**others, "openings": entry}.items())
 
 
 def formulas_with(pattern: str) -> Tuple[Formula, ...]:

@@ -7,17 +7,25 @@ from typing import List, Tuple
 import pytest
 
 from utterance_passes.conllu import from_short
-from utterance_passes.running import run_tag_passes, run_text_passes, run_tree_passes
+from utterance_passes.running import (
+    run_cut_passes,
+    run_surroundings_passes,
+    run_tag_passes,
+    run_text_passes,
+    run_tree_passes,
+)
+from utterance_passes.spelling import as_said
 from utterance_passes.table import PASSES, TAG_PASSES, TEXT_PASSES
 from utterance_passes.trace import Trace
-from utterance_passes.utterance_pass import Pass, Stage, TagPass, TextPass, TreePass
+from utterance_passes.utterance_pass import CutPass, Pass, Stage, SurroundingsPass, TagPass, TextPass, TreePass
 
 ORDER = (
     "transcribers_marks apostrophes quotation_marks dashes fraction_signs fraction_slash degree_sign units "
-    "minus_sign negative_sign ratios blanks ends "
+    "minus_sign negative_sign ratios contractions blanks ends "
+    "surroundings run_ons "
     "command_verb numbered_noun "
     "one_object particle_predicates verb_compounds infinitive_conjuncts reroot "
-    "objection restarts corrections opening_formula "
+    "objection restarts corrections "
     "modals_as_nouns particles_on_the_way places_of_devices places_of_all measured_turns sides_apart around_apart "
     "degrees letters_as_names light_verbs quotations comparisons formulas shared_verbs times"
 ).split()
@@ -42,14 +50,28 @@ def test_a_pass_says_what_it_does_in_one_sentence(one: Pass) -> None:
     assert one.what.endswith(".") and one.what[0].isupper() and ". " not in one.what.replace("...", "")
 
 
+def tagged(said: str) -> Tuple[List[str], List[str]]:
+    """The words and the tags of "open|VERB it|PRON"."""
+    words = [item.split("|") for item in said.split()]
+    return [word[0] for word in words], [word[1] for word in words]
+
+
 def result(one: Pass, passes: Tuple[Pass, ...]) -> List[str]:
     """What passes make of the example of a pass."""
     example = one.example
     if isinstance(one, TextPass):
         return [run_text_passes(example.said, [each for each in passes if isinstance(each, TextPass)]).text]
+    if isinstance(one, SurroundingsPass):
+        surrounding = [each for each in passes if isinstance(each, SurroundingsPass)]
+        around = run_surroundings_passes(as_said(example.said), example.vocabulary, surrounding)
+        assert around is not None
+        return [around.command.text, *(f"{word.form}: {word.deprel}" for word in around.words)]
+    if isinstance(one, CutPass):
+        forms, tags = tagged(example.said)
+        cutting = [each for each in passes if isinstance(each, CutPass)]
+        return [str(position) for position in run_cut_passes(forms, tags, example.vocabulary, cutting)]
     if isinstance(one, TagPass):
-        words = [item.split("|") for item in example.said.split()]
-        forms, tags = [word[0] for word in words], [word[1] for word in words]
+        forms, tags = tagged(example.said)
         tagging = [each for each in passes if isinstance(each, TagPass)]
         return [
             f"{tag.position} {tag.upos} {tag.xpos}" for tag in run_tag_passes(forms, tags, example.vocabulary, tagging)
@@ -72,9 +94,14 @@ def test_switched_off_by_name(one: Pass) -> None:
     example = one.example
     if isinstance(one, TextPass):
         assert run_text_passes(example.said, [one], without={one.name}, trace=trace).text == example.said
+    elif isinstance(one, SurroundingsPass):
+        said = as_said(example.said)
+        assert run_surroundings_passes(said, example.vocabulary, [one], without={one.name}, trace=trace) is None
+    elif isinstance(one, CutPass):
+        forms, tags = tagged(example.said)
+        assert not run_cut_passes(forms, tags, example.vocabulary, [one], without={one.name}, trace=trace)
     elif isinstance(one, TagPass):
-        words = [item.split("|") for item in example.said.split()]
-        forms, tags = [word[0] for word in words], [word[1] for word in words]
+        forms, tags = tagged(example.said)
         assert not run_tag_passes(forms, tags, example.vocabulary, [one], without={one.name}, trace=trace)
     elif isinstance(one, TreePass):
         tree = from_short(example.said)
@@ -114,8 +141,8 @@ def test_no_pass_calls_another() -> None:
 
 def test_the_modules_of_passes_import_no_module_of_another_pass() -> None:
     modules = {module for module, _ in RUNS} | {"spelling"}
-    # What finds times and clauses looks at a tree and changes none.
-    looking = {"times": {"find_times"}}
+    # What finds times and clauses looks at a tree and changes none, and a spelling is a value.
+    looking = {"times": {"find_times"}, "spelling": {"Spelling"}}
     for module in modules:
         tree = ast.parse((PACKAGE / f"{module}.py").read_text(encoding="utf-8"))
         for node in ast.walk(tree):

@@ -1,0 +1,154 @@
+"""The file of moods: which words in front of a verb make a command, a request, a question, a report or a wish."""
+
+import re
+from dataclasses import dataclass
+from enum import Enum
+from functools import lru_cache
+from pathlib import Path
+from typing import Dict, List, Mapping, Optional, Pattern, Tuple
+
+import yaml
+
+from semantic_frames.marked_yaml import Reader, did_you_mean
+from semantic_frames.source_files import read_text
+from word_classes import word_class, word_classes
+
+#: Beside this module in the source, devel and install space.
+MOODS_FILE = Path(__file__).resolve().parent / "moods.yaml"
+_SECTIONS = ("spellings", "parts", "acting", "telling")
+_KEYS = ("name", "kind", "pattern", "example")
+_PART = re.compile(r"<(\w+)>")
+
+
+class UtteranceKind(Enum):
+    """What somebody does by saying something. What stops the robot is found before (``command_server.stop_words``)."""
+
+    COMMAND = "command"
+    REQUEST = "request"  # "could you ..."
+    QUESTION = "question"
+    REPORT = "report"  # what happens, happened, or is so
+    WISH = "wish"  # of the speaker's own: "I want to go home"
+    PROHIBITION = "prohibition"
+    CORRECTION = "correction"  # "no, the office"
+    ANSWER = "answer"  # no clause: "two feet"
+    TALK = "talk"
+
+
+_KINDS = tuple(kind.value for kind in UtteranceKind)
+
+
+@dataclass(frozen=True)
+class MoodRule:
+    """Words in front of a verb that say of what kind a clause is.
+
+    Attributes:
+        name: by which it is traced
+        kind: of the clause
+        pattern: of formula words
+        example: formula words that fit
+        is_fact: whether the clause says how something is now
+    """
+
+    name: str
+    kind: UtteranceKind
+    pattern: Pattern[str]
+    example: str
+    is_fact: bool = False
+
+
+@dataclass(frozen=True)
+class Moods:
+    """What the file says.
+
+    Attributes:
+        spellings: the full form of each short one, "not" of "n't"
+        acting: rules for clauses that ask for something to be done
+        telling: rules for the others
+    """
+
+    spellings: Mapping[str, str]
+    acting: Tuple[MoodRule, ...]
+    telling: Tuple[MoodRule, ...]
+
+
+def load_moods(text: str, path: str) -> Moods:
+    """Read a file of moods.
+
+    Args:
+        text: content of the file
+        path: where it came from, for problems
+    Raises:
+        FileRefused: with every mistake of the file
+    """
+    reader = Reader(path)
+    sections = reader.mapping(reader.compose(text, "a mapping of rules"), "", _SECTIONS, required=_SECTIONS)
+    spellings: Dict[str, str] = {}
+    parts: Dict[str, str] = {}
+    for full, short, node in _pairs(reader, sections.get("spellings"), "spellings"):
+        spellings.update({reader.name(item, key): full for key, item in reader.sequence(node, short)})
+    for name, key, node in _pairs(reader, sections.get("parts"), "parts"):
+        parts[name] = f"(?:{_filled(reader, node, key, parts)})"
+    acting, telling = (_rules(reader, sections.get(name), name, parts) for name in ("acting", "telling"))
+    reader.refuse_if_wrong()
+    return Moods(spellings, acting, telling)
+
+
+def _pairs(reader: Reader, node: Optional[yaml.Node], key: str) -> List[Tuple[str, str, yaml.Node]]:
+    """Return names and values of a mapping, with the key of each value."""
+    if node is None:
+        return []
+    if not isinstance(node, yaml.MappingNode):
+        reader.mapping(node, key, ("name",))
+        return []
+    pairs = []
+    for name_node, value in node.value:
+        name = reader.name(name_node, key)
+        pairs.append((name, f"{key}.{name}", value))
+    return pairs
+
+
+def _rules(reader: Reader, node: Optional[yaml.Node], section: str, parts: Mapping[str, str]) -> Tuple[MoodRule, ...]:
+    rules = []
+    for key, item in reader.sequence(node, section):
+        entries = reader.mapping(item, key, (*_KEYS, "is_fact"), required=_KEYS)
+        kind = reader.choice(entries.get("kind"), f"{key}.kind", _KINDS, UtteranceKind.TALK.value)
+        is_fact = reader.boolean(entries.get("is_fact"), f"{key}.is_fact")
+        name, example = (reader.name(entries.get(name), f"{key}.{name}") for name in ("name", "example"))
+        if "pattern" in entries:
+            pattern = _pattern(reader, entries["pattern"], f"{key}.pattern", parts)
+            rules.append(MoodRule(name, UtteranceKind(kind), pattern, example, is_fact))
+    return tuple(rules)
+
+
+def _pattern(reader: Reader, node: yaml.Node, key: str, parts: Mapping[str, str]) -> Pattern[str]:
+    try:
+        return re.compile(_filled(reader, node, key, parts))
+    except re.error as error:
+        reader.report("BAD_PATTERN", node, key, "a pattern", "a regular expression", str(error))
+        return re.compile("")
+
+
+def _filled(reader: Reader, node: yaml.Node, key: str, parts: Mapping[str, str]) -> str:
+    """Return a pattern with the parts and the words of the classes that it names."""
+    text = reader.name(node, key)
+    known = {**dict.fromkeys(word_classes(), ""), **parts}
+    for name in _PART.findall(text):
+        if name not in known:
+            hint = did_you_mean(name, known)
+            reader.report("UNKNOWN_PART", node, key, f"'{name}'", "a part or a word class", hint)
+            return ""
+    return _PART.sub(lambda match: parts.get(match[1]) or _any_of(match[1]), text)
+
+
+def _any_of(name: str) -> str:
+    return f"(?:{'|'.join(map(re.escape, sorted(word_class(name))))})"
+
+
+@lru_cache(maxsize=None)
+def shipped_moods() -> Moods:
+    """Return the moods of ``moods.yaml``, read once.
+
+    Raises:
+        FileRefused: the file is wrong
+    """
+    return load_moods(read_text(str(MOODS_FILE)), str(MOODS_FILE))

@@ -1,0 +1,109 @@
+"""Why nothing of a sentence is done: named verdicts on the whole of it, each with its reason, in one order."""
+
+from dataclasses import dataclass
+from typing import Callable, Iterable, Optional, Tuple
+
+from semantic_framer.mood_file import UtteranceKind
+from semantic_framer.outcome import LeftOverWords, Refusal, left_over_refusal, not_then
+from semantic_framer.sentence import Sentence
+from semantic_framer.utterance_kind import kind_without_clause
+from semantic_framer.verdicts import Case, asks_for_nothing
+from utterance_passes.clauses import Clause
+from word_classes import word_class
+
+_AROUND_REQUESTS = word_class("verbs_around_requests")
+_PARTICIPANTS = word_class("participants")
+#: What is said of the sentence as a whole is quoted without its last mark.
+_MARKS = " .!?"
+
+
+@dataclass(frozen=True)
+class SentenceVerdict:
+    """Refuses a whole sentence, for a reason that a person may read; ``refuse`` returns None where it does not."""
+
+    name: str
+    reason: str
+    refuse: Callable[[Case], Optional[Refusal]]
+
+
+def _asks_for_nothing(case: Case) -> Optional[Refusal]:
+    """Refuse what only asks or tells something, but for what a unit may be about: "the mug is on the table"."""
+    said = case.sentence.tree.text.strip(_MARKS)
+    if not case.clauses:
+        kind = kind_without_clause(case.sentence.tree)
+        return asks_for_nothing(kind, said) if kind.kind in (UtteranceKind.TALK, UtteranceKind.QUESTION) else None
+    for clause, kind in zip(case.clauses, case.kinds):
+        if kind.kind is UtteranceKind.QUESTION:
+            return asks_for_nothing(kind, case.text_of(clause))
+    if any(kind.is_read for kind in case.kinds) or any(clause.is_negated for clause in case.clauses):
+        return None
+    return asks_for_nothing(case.kinds[0], said)
+
+
+def _time(case: Case) -> Optional[Refusal]:
+    """Refuse what is to be done at another time.
+
+    No element of a frame holds a time, and it hides the verb from the parser ("at five turn left"): so it counts
+    wherever it stands, and whatever became of the clauses. What is negated is refused for that.
+    """
+    tree = case.sentence.tree
+    times = [time for time in tree.times if not time & (tree.abandoned | tree.quoted)]
+    inside = frozenset().union(*times)
+    is_command = any(
+        case.known.verbs_beginning_with(spelling)
+        for word in tree.words
+        if word.index not in inside
+        for spelling in (word.lemma.lower(), word.form.lower())
+    )
+    if times and is_command and not any(clause.is_negated for clause in case.clauses):
+        return not_then(case.sentence, times[0])
+    return None
+
+
+def _no_verb(case: Case) -> Optional[Refusal]:
+    if case.clauses:
+        return None
+    return Refusal("NO_VERB", f'I hear no command in "{case.sentence.tree.text.strip()}".')
+
+
+def _told_inside(case: Case) -> Optional[Refusal]:
+    """Refuse what tells something in the middle of what it asks for: neither is certain."""
+    for clause, kind in zip(case.clauses, case.kinds):
+        if not kind.is_read and not case.is_background(clause):
+            return left_over_refusal(case.sentence, sorted(clause.positions))
+    return None
+
+
+def _outside(case: Case) -> Optional[Refusal]:
+    words = words_outside(case.sentence, case.clauses)
+    if words and case.policy.left_over_words is LeftOverWords.STRICT:
+        return left_over_refusal(case.sentence, words)
+    return None
+
+
+def words_outside(sentence: Sentence, clauses: Iterable[Clause]) -> Tuple[int, ...]:
+    """Return content words that are in no clause; those around a request ("I would like you to ...") are none."""
+    inside = frozenset().union(*(clause.positions for clause in clauses))
+    return tuple(
+        word.index
+        for word in sentence.tree.words
+        if word.index not in inside
+        and sentence.is_content(word.index)
+        and word.lemma.lower() not in _AROUND_REQUESTS
+        and not (word.deprel.startswith("nsubj") and word.form.lower() in _PARTICIPANTS)
+    )
+
+
+#: Before the clauses are read.
+SENTENCE_VERDICTS: Tuple[SentenceVerdict, ...] = (
+    SentenceVerdict("asks_for_nothing", "It is a question, a report, a wish or talk.", _asks_for_nothing),
+    SentenceVerdict("another_time", "It is to be done at another time.", _time),
+    SentenceVerdict("no_verb", "No verb asks for anything.", _no_verb),
+)
+#: After every clause was read.
+REST_VERDICTS: Tuple[SentenceVerdict, ...] = (
+    SentenceVerdict(
+        "told_inside", "One of its clauses tells something, and is no background of the others.", _told_inside
+    ),
+    SentenceVerdict("words_outside", "Words of the sentence are in no clause.", _outside),
+)

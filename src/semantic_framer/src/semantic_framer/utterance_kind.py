@@ -1,0 +1,400 @@
+"""What kind of utterance each clause is: a command, a request, a question, a report, a wish, a prohibition, or talk.
+
+Mood, word order, auxiliaries, tense and subject decide it, before any lexical unit is tried. The words in front of the
+verb of a clause become *formula words* (``moods.yaml``), and the verb itself becomes its form. A clause acts only where
+they make a formula of a command or a request: "BASE", "could you BASE", "i want you to BASE". Everything else with a
+subject, an auxiliary or a question word in front of its verb asks or tells something.
+"""
+
+from dataclasses import dataclass, replace
+from typing import Dict, FrozenSet, List, Optional, Sequence, Tuple
+
+from semantic_framer.mood_file import MoodRule, UtteranceKind, shipped_moods
+from utterance_passes.clauses import Clause
+from utterance_passes.formula_file import is_filler
+from utterance_passes.tree import ASIDE, DependencyTree, Word
+from utterance_passes.vocabulary import Vocabulary
+from word_classes import word_class
+
+_AUXILIARIES = word_class("modals") | word_class("forms_of_have") | word_class("forms_of_do")
+_BE = word_class("forms_of_be")
+_CHATTER = word_class("chatter")
+_CONDITIONS = word_class("subordinators")
+_EVALUATIONS = word_class("evaluations")
+_GREETINGS = word_class("greetings_alone")
+_HABITUAL = word_class("habitual_adverbs")
+_HEARERS = word_class("hearers") | {"robot"}
+_JOINING = word_class("clause_joiners")
+_MOODS = word_class("moods")
+_MOOD_ADVERBS = word_class("mood_adverbs")
+_NEGATING = word_class("negating_words")
+_NONFINITE_BE = word_class("nonfinite_forms_of_be")
+_OBJECTS = word_class("speaker_objects")
+_OPINION_SUBJECTS = word_class("opinion_subjects")
+_OPINION_VERBS = word_class("opinion_verbs")
+_PADDING = word_class("padding")
+_PERSONS = word_class("personal_subjects")
+_PLACE_ADVERBS = word_class("destination_adverbs")
+_QUESTION_WORDS = word_class("question_words")
+_RENEWING = word_class("renewing_conjunctions")
+_SAID_AROUND = word_class("lead_in") | word_class("hedges")
+_SPEAKERS = word_class("speaker_subjects")
+_SUBJECTS = word_class("subject_pronouns")
+_SUBORDINATING = word_class("relative_adverbs")
+_THANKS = word_class("thanks")
+_WANTING = word_class("wanting_verbs")
+_WATCHING = word_class("watching_verbs")
+#: Here is the kitchen, there are two chairs: places in front of "be".
+_SHOWN = frozenset(["here", "there"])
+#: Behind these reasons a base form is no part of the clause before: "I'm tired *and bring me water*".
+_FINISHED = frozenset(["PAST", "PART", "GERUND", "BE", "THIRD"])
+_FORM_OF_TAG = {"VBZ": "THIRD", "VBD": "PAST", "VBN": "PART", "VBG": "GERUND"}
+_SUFFIX_OF_TAG = {"VBG": "-ing", "VBD": "-ed", "VBN": "-ed", "VBZ": "-s"}
+
+
+@dataclass(frozen=True)
+class KindVerdict:
+    """The kind of a clause or an utterance, and why.
+
+    Attributes:
+        kind: what it is
+        reason: name of the rule that says so
+        words: the formula words that it goes by
+        is_fact: whether it says how something is now, which a unit may be about: "the mug is on the table"
+        is_background: whether it has a subject and a verb of its own, and may be said beside a command: "I'm thirsty"
+    """
+
+    kind: UtteranceKind
+    reason: str
+    words: str = ""
+    is_fact: bool = False
+    is_background: bool = False
+
+    def __str__(self) -> str:
+        return f"{self.kind.value}: {self.reason}, {self.words}" if self.words else f"{self.kind.value}: {self.reason}"
+
+    @property
+    def acts(self) -> bool:
+        """Whether it asks for something to be done."""
+        return self.kind in (UtteranceKind.COMMAND, UtteranceKind.REQUEST)
+
+    @property
+    def is_read(self) -> bool:
+        """Whether lexical units are tried: they may be about it, or it must be known what is not to be done."""
+        return self.acts or self.is_fact or self.kind is UtteranceKind.PROHIBITION
+
+
+def kinds_of_clauses(
+    tree: DependencyTree, clauses: Sequence[Clause], vocabulary: Vocabulary
+) -> Tuple[KindVerdict, ...]:
+    """Decide of what kind each clause of a sentence is.
+
+    Args:
+        tree: the sentence
+        clauses: its clauses
+        vocabulary: what was done by one of its verbs is no property of a thing: "the drawer is closed"
+    Returns:
+        a verdict for each clause
+    """
+    tops = _tops(tree, clauses)
+    decided: Dict[int, KindVerdict] = {}
+    for clause in sorted(clauses, key=lambda clause: clause.verb):
+        front = _Front(tree, clause, tops, vocabulary)
+        same, joined = decided.get(front.same_clause()), decided.get(front.joined_to())
+        if same is None and joined is not None and (front.is_watched() or front.is_renewed(joined)):
+            joined = None
+        decided.setdefault(clause.verb, same or joined or front.verdict())
+    if any(verdict.acts for verdict in decided.values()):
+        # "It's late, please open the door": "it" is nothing that was spoken of.
+        for verb, verdict in decided.items():
+            subjects = {child.form.lower() for child in tree.children(tops[verb]) if child.deprel.startswith("nsubj")}
+            if verdict.is_fact and "it" in subjects:
+                decided[verb] = replace(verdict, is_fact=False)
+    return tuple(decided[clause.verb] for clause in clauses)
+
+
+def kind_without_clause(tree: DependencyTree) -> KindVerdict:
+    """Decide of what kind an utterance without a verb is."""
+    hidden = tree.abandoned | tree.quoted | tree.fillers
+    said = [word for word in tree.words if word.index not in hidden and word.upos != "PUNCT"]
+    forms = [word.form.lower() for word in said]
+    text = " ".join(forms)
+    is_chatter = bool(forms) and frozenset(forms) <= _CHATTER | _GREETINGS | _THANKS
+    if _THANKS & frozenset(forms[:1]) or (is_chatter and _THANKS & frozenset(forms)):
+        return KindVerdict(UtteranceKind.TALK, "thanks", text)
+    if is_chatter:
+        is_greeting = bool(_GREETINGS & frozenset(forms))
+        return KindVerdict(UtteranceKind.TALK, "greeting" if is_greeting else "chatter", text)
+    if forms and (forms[0] in _QUESTION_WORDS or tree.text.rstrip().endswith("?")):
+        return KindVerdict(UtteranceKind.QUESTION, "question_word", text)
+    return KindVerdict(UtteranceKind.ANSWER, "no_clause", text)
+
+
+class _Front:
+    """A clause from its first word to its verb."""
+
+    def __init__(self, tree: DependencyTree, clause: Clause, tops: Dict[int, int], vocabulary: Vocabulary) -> None:
+        self._tree = tree
+        self._clause = clause
+        self._verb = tree.word(clause.verb)
+        self._tops = tops
+        self._top = tops[clause.verb]
+        self._vocabulary = vocabulary
+        self._is_first = clause.verb == min(tops)
+        inside = set(tree.subtree(self._top))
+        for other in {top for top in tops.values() if top != self._top} & inside:
+            inside -= tree.subtree(other)
+        first = 1 if self._is_first else min(inside | {clause.verb})
+        hidden = tree.abandoned | tree.quoted
+        in_front = tree.words[first - 1 : clause.verb - 1]
+        self._before = [word for word in in_front if word.index not in hidden]
+        self._is_asked = any(
+            word.form == "?" for word in tree.words[clause.verb :] if word.index in inside and word.index not in hidden
+        )
+        self._has_aside = any(word.deprel == ASIDE and word.form.lower() not in _PADDING for word in in_front)
+        self._said = self._formula_words()
+        self._form = self._said[-1]
+
+    def same_clause(self) -> int:
+        """Return the verb that this one is below, 0 for none: "go" of "go to the kitchen to get the mug"."""
+        above = (verb for verb, top in self._tops.items() if top == self._top and verb < self._clause.verb)
+        return min(above, default=0)
+
+    def joined_to(self) -> int:
+        """Return the verb before whose subject and auxiliaries may belong to this one as well, 0 for none."""
+        top = self._tree.word(self._top)
+        if top.deprel != "conj" or not top.head:
+            return 0
+        owner = _top(self._tree, top.head)
+        return max((verb for verb, top in self._tops.items() if top == owner and verb < self._clause.verb), default=0)
+
+    def is_renewed(self, before: KindVerdict) -> bool:
+        """Whether a joined clause begins anew: by a subject, an auxiliary, "so" or "but", or as a command behind a
+        statement that it cannot be a part of ("I'm tired and bring me water").
+        """
+        children = self._tree.children(self._top)
+        if any(word.deprel.startswith(("nsubj", "aux")) for word in children):
+            return True
+        in_front = {child.form.lower() for child in children if child.index < self._clause.verb}
+        if in_front & _RENEWING or (self._before and self._before[0].form.lower() in _RENEWING):
+            return True
+        is_telling = before.kind in (UtteranceKind.REPORT, UtteranceKind.TALK)
+        return self._form == "BASE" and is_telling and before.words.split(" ")[-1] in _FINISHED
+
+    def is_watched(self) -> bool:
+        """Whether a verb says what somebody else does: "watch me *turn left*"."""
+        top = self._tree.word(self._top)
+        before = self._tree.word(self._verb.index - 1) if self._verb.index > 1 else self._verb
+        is_object = before.head == top.head and before.deprel in ("obj", "iobj") and before.upos in ("PRON", "PROPN")
+        return bool(top.head) and self._tree.word(top.head).lemma.lower() in _WATCHING and is_object
+
+    def verdict(self) -> KindVerdict:
+        """Decide by the words in front of the verb."""
+        verdict = self._kind()
+        if verdict.kind is UtteranceKind.COMMAND and self._has_aside:
+            verdict = replace(verdict, kind=UtteranceKind.REQUEST, reason="request_formula")
+        has_subject = bool(frozenset(self._said) & (_SUBJECTS | {"NP"}))
+        is_background = has_subject and verdict.kind in (UtteranceKind.REPORT, UtteranceKind.WISH, UtteranceKind.TALK)
+        return replace(verdict, is_background=is_background)
+
+    def _kind(self) -> KindVerdict:
+        if self.is_watched():
+            return KindVerdict(UtteranceKind.REPORT, "complement", self._form)
+        said = self._said
+        start = next((number for number, text in enumerate(said) if _is_decisive(text)), None)
+        if start is None:
+            return self._without_subject()
+        following = said[start + 1] if start + 1 < len(said) else ""
+        if said[start] in _SUBORDINATING and following not in _AUXILIARIES | _BE | {"BE", "PAST"}:
+            # "Where the counter is" tells which place; "where is the counter" asks.
+            return KindVerdict(UtteranceKind.REPORT, "subordinate_clause", " ".join(said))
+        is_inverted = following in _SUBJECTS | {"not"}
+        is_statement = "NP" in said[:start] and said[start] in _AUXILIARIES | _BE and not is_inverted
+        return self._by_rules((["NP"] if is_statement else []) + said[start:])
+
+    def _by_rules(self, said: Sequence[str]) -> KindVerdict:
+        """Decide by the rules of the file, and for "be" by what is said of whom."""
+        text, subject = " ".join(said), said[0]
+        acting = _rule(shipped_moods().acting, text)
+        if acting is not None:
+            return KindVerdict(acting.kind, acting.name, text)
+        is_negated = "not" in said or subject == "nobody"
+        affirmed = _rule(shipped_moods().acting, " ".join(word for word in said if word != "not"))
+        if "not" in said and affirmed is not None:
+            return KindVerdict(UtteranceKind.PROHIBITION, affirmed.name, text)
+        rule = _rule(shipped_moods().telling, text)
+        if rule is not None and rule.kind is UtteranceKind.QUESTION:
+            return KindVerdict(rule.kind, rule.name, text)
+        if self._is_asked:
+            return KindVerdict(UtteranceKind.QUESTION, "question_mark", text)
+        if is_negated and "you" in said and self._form in ("BASE", "GERUND"):
+            return KindVerdict(UtteranceKind.PROHIBITION, "negated_duty", text)
+        if self._form == "BE":
+            return self._state(subject, said)
+        if subject in _SPEAKERS and (self._verb.lemma.lower() in _OPINION_VERBS or self._verb.upos == "AUX"):
+            return KindVerdict(UtteranceKind.TALK, "opinion", text)
+        if rule is None or (rule.is_fact and self._form == "BASE" and self._verb.xpos != "VBP"):
+            # "Bob turn left" is no fact.
+            return KindVerdict(UtteranceKind.REPORT, "statement", text)
+        return KindVerdict(rule.kind, rule.name, text, is_fact=rule.is_fact)
+
+    def _state(self, subject: str, said: Sequence[str]) -> KindVerdict:
+        """Decide of a clause with "be": where or what a thing is may be noted, how somebody feels is talk."""
+        text = " ".join(said)
+        predicate = self._tree.word(self._top) if self._verb.deprel == "cop" else self._verb
+        children = self._tree.children(predicate.index)
+        relations = {child.deprel.split(":")[0] for child in children}
+        is_place = predicate.form.lower() in _PLACE_ADVERBS or "case" in relations
+        is_person = subject in _PERSONS
+        is_opinion = subject in _OPINION_SUBJECTS and predicate.form.lower() in _EVALUATIONS
+        if is_opinion or (is_person and (not is_place or predicate.lemma.lower() in _MOODS)):
+            return KindVerdict(UtteranceKind.TALK, "state", text)
+        is_noun = predicate.upos in ("NOUN", "PROPN") and "csubj" not in relations
+        has_clause = bool(relations & {"xcomp", "ccomp", "csubj", "advcl"})
+        is_for_something = is_place and any(child.deprel == "acl" for child in children)
+        is_verb = predicate.upos == "VERB" and self._verb.deprel == "cop"
+        is_event = frozenset(said[:-1]) & (_AUXILIARIES | _BE | _NONFINITE_BE | {"not"}) or self._is_done(predicate)
+        is_event = bool(is_event) or any(child.form.lower() == "being" for child in children)
+        is_fact = not (is_for_something or (has_clause and not is_noun) or is_verb or is_event)
+        return KindVerdict(UtteranceKind.REPORT, "fact" if is_fact else "statement", text, is_fact=is_fact)
+
+    def _is_done(self, predicate: Word) -> bool:
+        """Whether a predicate says what was done with a thing: "closed", "put on the table"."""
+        form = predicate.form.lower()
+        stems = (form[:-1], form[:-2], form[:-3], form[:-3] + "y") if form.endswith("ed") else ()
+        is_participle = predicate.xpos in ("VBN", "VBG")
+        return is_participle or any(self._vocabulary.verbs_beginning_with(stem) for stem in stems if stem)
+
+    def _without_subject(self) -> KindVerdict:
+        """Decide of a clause without a pronoun, an auxiliary or a question word in front of its verb."""
+        said, form = self._said, self._form
+        text = " ".join(said)
+        if form == "BE" and not frozenset(said) & ({"NP"} | _SHOWN) and self._is_first:
+            return KindVerdict(UtteranceKind.QUESTION, "inversion", text)
+        if "not" in said and form in ("BASE", "GERUND"):
+            return KindVerdict(UtteranceKind.PROHIBITION, "negated", text)
+        if said[0] == "let" and len(said) > 1 and said[1] != "us":
+            return KindVerdict(UtteranceKind.WISH, "let_me", text)
+        if form == "GERUND":
+            return self._gerund(text)
+        subject = self._clause.subject
+        is_spoken_to = not subject or self._tree.word(subject).form.lower() in _HEARERS or subject > self._clause.verb
+        if form == "BASE" and is_spoken_to:
+            is_infinitive = text.endswith(" to BASE") and _rule(shipped_moods().acting, text) is None
+            if is_infinitive or (said[0] == "to" and self._verb.head > self._verb.index):
+                return KindVerdict(UtteranceKind.TALK, "infinitive", text)
+            return KindVerdict(UtteranceKind.COMMAND, "imperative", text)
+        if form == "WISH":
+            return KindVerdict(UtteranceKind.REQUEST, "wish_for_thing", text)
+        start = said.index("NP") if "NP" in said else len(said) - 1
+        return self._by_rules(said[start:])
+
+    def _gerund(self, text: str) -> KindVerdict:
+        if self._verb.head > self._verb.index:
+            return KindVerdict(UtteranceKind.REPORT, "gerund_subject", text)
+        if text == "mind GERUND" or (self._has_aside and text == "GERUND"):
+            return KindVerdict(UtteranceKind.REQUEST, "minding", text)
+        if text == "GERUND":
+            return KindVerdict(UtteranceKind.REPORT, "gerund_alone", text)
+        return KindVerdict(UtteranceKind.TALK, "gerund", text)
+
+    def _formula_words(self) -> List[str]:
+        """Return the words in front of the verb, and the form of the verb, as formulas have them."""
+        skipped = self._subordinate()
+        said: List[str] = []
+        for word in self._before:
+            if word.index in skipped or word.upos == "PUNCT" or is_filler(word.form):
+                continue
+            text = _formula_word(word)
+            if text and (text != "NP" or said[-1:] != ["NP"]):
+                said.append(text)
+        return [*said, self._verb_form()]
+
+    def _subordinate(self) -> FrozenSet[int]:
+        """Return the words of conditions and relative clauses that end in front of the verb."""
+        found: FrozenSet[int] = frozenset()
+        for word in self._before:
+            relation = word.deprel.split(":")[0]
+            inside = self._tree.subtree(word.index)
+            if relation in ("advcl", "acl") and self._verb.index not in inside:
+                marks = {child.form.lower() for child in self._tree.children(word.index)}
+                found |= inside if relation == "acl" or marks & _CONDITIONS else frozenset()
+        return found
+
+    def _verb_form(self) -> str:
+        word, form, lemma = self._verb, self._verb.form.lower(), self._verb.lemma.lower()
+        if lemma == "be":
+            is_helped = any(other.upos == "AUX" for other in self._before)
+            return "BASE" if form == "be" and not is_helped else "BE"
+        if form == lemma:
+            if lemma in _WANTING:
+                return "WISH"
+            is_helped = any(child.deprel.startswith("aux") for child in self._tree.children(word.index))
+            if word.xpos == "VBN" and is_helped:
+                return "PART"
+            return "PAST" if word.xpos == "VBD" and self._clause.subject else "BASE"
+        by_ending = "GERUND" if form.endswith("ing") else "PAST" if form.endswith("ed") else "BASE"
+        return _FORM_OF_TAG.get(word.xpos, by_ending)
+
+
+def _is_decisive(text: str) -> bool:
+    """Whether a formula word tells that more than a command stands in front of a verb."""
+    return text in _SUBJECTS or text in _AUXILIARIES or text in _BE or text in _QUESTION_WORDS
+
+
+def _rule(rules: Sequence[MoodRule], text: str) -> Optional[MoodRule]:
+    return next((rule for rule in rules if rule.pattern.fullmatch(text)), None)
+
+
+def _formula_word(word: Word) -> str:
+    """Return how formulas have a word, empty for one that they do not have."""
+    form = word.form.lower()
+    said = shipped_moods().spellings.get(form, form)
+    if word.deprel == "vocative" and said not in _SUBJECTS:
+        return ""
+    if said in _NEGATING and word.upos != "INTJ":
+        return "not"
+    if said in _HABITUAL:
+        return "habit"
+    if form in _SAID_AROUND or word.upos in ("INTJ", "CCONJ", "SYM"):
+        return ""
+    if said == "'s":
+        return "is" if word.upos in ("AUX", "VERB") else "" if word.upos == "PART" else "us"
+    if said in _QUESTION_WORDS | _OBJECTS | _SHOWN or said in _MOOD_ADVERBS - {"about"}:
+        return said
+    if said in _SUBJECTS:
+        return "NP" if word.deprel == "det" else said
+    is_verb = word.upos in ("AUX", "VERB") or word.xpos == "MD"
+    if is_verb and said in _AUXILIARIES | _BE | _NONFINITE_BE:
+        return said
+    if word.upos == "ADV":
+        return said if said in _MOOD_ADVERBS else ""
+    if said in _JOINING:
+        return said
+    if word.upos in ("ADP", "SCONJ"):
+        return "PREP"
+    if word.upos == "VERB":
+        lemma = word.lemma.lower()
+        return lemma + (_SUFFIX_OF_TAG.get(word.xpos, "") if form != lemma else "")
+    return said if word.upos == "ADJ" and word.deprel != "amod" else "NP"
+
+
+def _top(tree: DependencyTree, index: int) -> int:
+    """Return the highest word of the sentence, or of the part joined to it, that a word is in."""
+    word = tree.word(index)
+    while word.head and word.deprel.split(":")[0] not in ("conj", "parataxis", "list"):
+        word = tree.word(word.head)
+    return word.index
+
+
+def _tops(tree: DependencyTree, clauses: Sequence[Clause]) -> Dict[int, int]:
+    """Return the top of each clause by its verb; a verb that is joined to one of no clause belongs to the part of that:
+    "we are going to go ahead and look".
+    """
+    tops = {clause.verb: _top(tree, clause.verb) for clause in clauses}
+    for verb, top in list(tops.items()):
+        word = tree.word(top)
+        while word.deprel == "conj" and _top(tree, word.head) not in tops.values():
+            word = tree.word(_top(tree, word.head))
+        tops[verb] = word.index
+    return tops

@@ -1,0 +1,81 @@
+"""Commands that are said one after the other without a mark: "open the cupboard close the drawer".
+
+Speech recognisers give no punctuation, and a parser that learned from text takes the second verb for anything but a
+verb. So such an utterance is cut where a known verb with an object of its own begins behind a phrase that is complete,
+and each part is parsed alone.
+"""
+
+from typing import Sequence, Tuple
+
+from utterance_passes.vocabulary import Vocabulary
+from word_classes import word_class
+
+_FORMS_OF_BE = word_class("forms_of_be")
+_LEADING_VERBS = word_class("leading_verbs")
+_LEAD_IN = word_class("lead_in")
+_MODALS = word_class("polite_modals")
+_NEVER_LAST = word_class("never_last")
+_OBJECTS = word_class("object_beginnings")
+_OBJECT_PRONOUNS = word_class("object_pronouns")
+_PARTICLES = word_class("verb_particles")
+_SAYING = word_class("saying_verbs")
+_SUBJECTS = word_class("clause_subjects")
+_WITH_A_VERB = word_class("verbs_with_verbs")
+#: Join a command to the one before it, as the parser knows.
+_JOINING = frozenset(["and", "then"])
+#: A phrase ends with one of these parts of speech.
+_COMPLETE = frozenset(["NOUN", "PROPN", "PRON", "NUM", "ADV", "INTJ", "SYM"])
+
+
+def run_ons(forms: Sequence[str], tags: Sequence[str], vocabulary: Vocabulary) -> Tuple[int, ...]:
+    """Find the words with which further commands begin.
+
+    Args:
+        forms: words of the utterance
+        tags: their universal parts of speech
+        vocabulary: known verbs
+    Returns:
+        their positions, from 1
+    """
+    said = [form.lower() for form in forms]
+    if _SAYING & frozenset(said):
+        return ()
+    found = []
+    for position in range(2, len(said) - 1):
+        first = position
+        while first > 1 and said[first - 1] in _LEAD_IN - _JOINING:
+            first -= 1
+        is_joined = said[first - 1] in _JOINING
+        if (
+            not is_joined
+            and _begins_command(said, tags, position, vocabulary)
+            and _is_complete(said[:first], tags[:first])
+        ):
+            found.append(first + 1)
+    return tuple(found)
+
+
+def _begins_command(said: Sequence[str], tags: Sequence[str], position: int, vocabulary: Vocabulary) -> bool:
+    following = said[position + 1]
+    if said[position] in _MODALS:
+        behind = position + 2 + (said[position + 2 : position + 3] == ["please"])
+        return following == "you" and bool(vocabulary.verbs_beginning_with("".join(said[behind : behind + 1])))
+    if not vocabulary.verbs_beginning_with(said[position]) or tags[position] == "AUX":
+        return False
+    is_phrasal = following in _PARTICLES and tags[position] == "VERB"
+    return following in _OBJECTS or (is_phrasal and "".join(said[position + 2 : position + 3]) in _OBJECTS)
+
+
+def _is_complete(said: Sequence[str], tags: Sequence[str]) -> bool:
+    """Whether words can end where a command begins."""
+    last, before = said[-1], said[-2] if len(said) > 1 else ""
+    if last in _NEVER_LAST | _SUBJECTS | (_OBJECTS - _OBJECT_PRONOUNS):
+        return False
+    verbs = {word for word, tag in zip(said, tags) if tag == "VERB"}
+    if verbs & _WITH_A_VERB or not (verbs or _FORMS_OF_BE & frozenset(said)):
+        return False
+    is_predicate = tags[-1] == "ADJ" and before in _FORMS_OF_BE
+    # "I want to sleep turn off the light"; "I want to go get the mug" goes on.
+    is_infinitive = tags[-1] == "VERB" and before == "to" and last not in _LEADING_VERBS and last != "help"
+    is_particle = tags[-1] == "ADP" and last in _PARTICLES and tags[-2:-1] != ["VERB"]
+    return tags[-1] in _COMPLETE or is_predicate or is_infinitive or is_particle

@@ -1,0 +1,169 @@
+"""What is said around a command: "could you please ...", "I was wondering if you could ...", "..., robot".
+
+A parser that learned from text, in which commands are rare, parses such a command worse than the command alone: so it
+gets the command alone, and the words around it, whose analysis is known, are put around its tree. What is only said
+around it becomes an *aside* of its verb; in "could you" the modal is the auxiliary of the verb, and "you" its subject.
+"""
+
+import re
+from dataclasses import dataclass
+from typing import AbstractSet, Dict, List, Mapping, Optional, Sequence, Tuple
+
+from utterance_passes.formula_file import pattern_of, without_padding
+from utterance_passes.spelling import Spelling
+from utterance_passes.tree import ASIDE
+from utterance_passes.tree_edits import WordAround
+from utterance_passes.utterance_pass import Surroundings
+from utterance_passes.vocabulary import Vocabulary
+from word_classes import word_class
+
+_OPENINGS = pattern_of("openings")
+_MODAL = pattern_of("modal_openings")
+_MINDING = pattern_of("gerund_openings")
+_POLITE = pattern_of("anywhere")
+_TAILS = pattern_of("tails")
+_SET_OFF_TAILS = pattern_of("set_off_tails")
+_DOUBTING = word_class("doubting_adverbs")
+_FORMS_OF_BE = word_class("forms_of_be")
+_LEAD_IN = word_class("lead_in")
+_NO_COMMANDS = word_class("clause_verbs")
+_OBJECTS = word_class("object_beginnings")
+_PADDING = word_class("padding")
+_SAYING = word_class("saying_verbs")
+#: No formula has more words.
+_LONGEST = 14
+_MARKS = (".", "?", "!")
+_TOKEN = re.compile(r"\w+?(?=n't\b)|n't\b|'\w\w?\b|[\w-]+|[^\w\s]")
+#: Parts of speech by relation; the other words around a command are interjections.
+_TAGS: Dict[str, Tuple[str, str]] = {"aux": ("AUX", "MD"), "nsubj": ("PRON", "PRP"), "vocative": ("NOUN", "NN")}
+
+
+@dataclass(frozen=True)
+class _Token:
+    form: str
+    start: int
+    end: int
+
+    @property
+    def said(self) -> str:
+        return self.form.lower()
+
+
+@dataclass(frozen=True)
+class _Front:
+    """Where the verb of a command stands, its base form, and the relations of formula words in front of it."""
+
+    verb: int
+    base: str
+    relations: Mapping[int, str]
+
+
+def surroundings(spelling: Spelling, vocabulary: Vocabulary) -> Optional[Surroundings]:
+    """Find a command, and what is said around it.
+
+    Args:
+        spelling: of the utterance
+        vocabulary: known verbs
+    Returns:
+        the command and the words around it; None where nothing is said around it, or no known verb begins it
+    """
+    tokens = [_Token(match.group(), *match.span()) for match in _TOKEN.finditer(spelling.text)]
+    front = _front(tokens, 0, vocabulary)
+    if front is None:
+        return None
+    verb = front.verb
+    # "Please" and "thanks" may be what is to be said: "say yes, please".
+    end = _end(tokens, verb + (3 if front.base in _SAYING else 2))
+    if not verb and end == len(tokens) - (tokens[-1].form in _MARKS):
+        return None
+    before = [_word(token, spelling, front.relations.get(number, "")) for number, token in enumerate(tokens[:verb])]
+    behind = [_word(token, spelling, "" if token.said == "robot" else ASIDE) for token in tokens[end:]]
+    command = _command(spelling, tokens[verb], front.base, tokens[end - 1].end)
+    return Surroundings(command, tokens[verb].form, front.base, tuple(before + behind))
+
+
+def _front(
+    tokens: Sequence[_Token], start: int, vocabulary: Vocabulary, *, is_minding: bool = False
+) -> Optional[_Front]:
+    """Find the verb of a command behind any number of formulas."""
+    first = _behind(tokens, start, _LEAD_IN | _PADDING)
+    for behind in range(min(len(tokens), first + _LONGEST), first, -1):
+        forms = [token.said for token in tokens[first:behind]]
+        if forms[-1] in _PADDING or forms[-1] == ",":
+            continue
+        text = without_padding(forms)
+        is_modal, minds = _MODAL.fullmatch(text) is not None, _MINDING.fullmatch(text) is not None
+        if is_modal and behind < len(tokens) and tokens[behind].said in _DOUBTING:
+            return None
+        is_formula = is_modal or minds or _OPENINGS.fullmatch(text) or _POLITE.fullmatch(text)
+        found = _front(tokens, behind, vocabulary, is_minding=minds) if is_formula else None
+        if found is not None and not (is_modal and found.relations):
+            relations = {
+                number: ("nsubj" if tokens[number].said == "you" else "aux") if is_modal else ASIDE
+                for number in range(first, behind)
+                if tokens[number].said not in _PADDING
+            }
+            return _Front(found.verb, found.base, {**relations, **found.relations})
+    # "Let" and "hurry" are verbs as well, but not in "let's turn left" and "hurry up and turn left".
+    base = _base(tokens, first, vocabulary, is_minding)
+    return _Front(first, base, {}) if base else None
+
+
+def _behind(tokens: Sequence[_Token], position: int, skipped: AbstractSet[str]) -> int:
+    while position < len(tokens) and (tokens[position].said in skipped or tokens[position].form == ","):
+        position += 1
+    return position
+
+
+def _base(tokens: Sequence[_Token], verb: int, vocabulary: Vocabulary, is_gerund: bool) -> str:
+    """Return the base form of the verb of a command; empty where no known one stands there."""
+    form = tokens[verb].said if verb < len(tokens) else ""
+    following = tokens[verb + 1].said if verb + 1 < len(tokens) else ""
+    # "Name is Bob" is no command, and in "could you have opened it" nothing is asked for.
+    is_auxiliary = form in _NO_COMMANDS and following not in _OBJECTS
+    if not form or is_auxiliary or following in _FORMS_OF_BE:
+        return ""
+    forms = _bases_of_gerund(form[:-3] if form.endswith("ing") else "") if is_gerund else [form]
+    return next((base for base in forms if vocabulary.verbs_beginning_with(base)), "")
+
+
+def _bases_of_gerund(stem: str) -> List[str]:
+    """Return what may have been in front of "ing": "scrub" for "scrubb", "bake" for "bak"."""
+    doubled = [stem[:-1]] if stem[-1:] == stem[-2:-1] else []
+    tied = [stem[:-1] + "ie"] if stem.endswith("y") else []
+    return [stem, stem + "e", *doubled, *tied] if len(stem) > 1 else []
+
+
+def _end(tokens: Sequence[_Token], earliest: int) -> int:
+    """Return the position behind the last word of the command."""
+    last = len(tokens) - (tokens[-1].form in _MARKS)
+    for end in range(earliest, last):
+        is_set_off = tokens[end].form == ","
+        said = " ".join(token.said for token in tokens[end + is_set_off : last])
+        if _TAILS.fullmatch(said) or (is_set_off and _SET_OFF_TAILS.fullmatch(said)):
+            return end
+    return last
+
+
+def _command(spelling: Spelling, verb: _Token, base: str, end: int) -> Spelling:
+    """Return the command alone, written as the plain command would be, with a mark where the utterance ends in one."""
+    written = base[0].upper() + base[1:] if spelling.text[:1].isupper() else base
+    mark = "." if spelling.text[-1:] in _MARKS else ""
+    start, stop = spelling.origins[verb.start], spelling.origins[end]
+    return Spelling(
+        written + spelling.text[verb.end : end] + mark,
+        (start,) * len(base) + spelling.origins[verb.end : end] + (stop,) * (1 + len(mark)),
+    )
+
+
+def _word(token: _Token, spelling: Spelling, relation: str) -> WordAround:
+    said = token.said
+    upos, xpos = _TAGS.get(relation, ("INTJ", "UH"))
+    if re.fullmatch(r"\W", said):
+        upos, xpos, relation = "PUNCT", "." if said in _MARKS else ",", "punct"
+    elif not relation and said == "robot":
+        upos, xpos, relation = "NOUN", "NN", "vocative"
+    elif not relation:
+        relation = ASIDE if said in _PADDING and said != "please" else "discourse"
+    start, end = spelling.origins[token.start], spelling.origins[token.end]
+    return WordAround(token.form, upos, xpos, relation, start, end)
