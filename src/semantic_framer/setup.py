@@ -6,6 +6,8 @@ from catkin_pkg.python_setup import generate_distutils_setup
 
 setup(
     **generate_distutils_setup(
-        packages=["semantic_framer"], package_dir={"": "src"}, package_data={"semantic_framer": ["moods.yaml"]}
+        packages=["semantic_framer"],
+        package_dir={"": "src"},
+        package_data={"semantic_framer": ["moods.yaml", "objections.yaml"]},
     )
 )

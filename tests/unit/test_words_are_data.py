@@ -26,7 +26,6 @@ EXEMPT = {
     "spoken_quantities/numbers.py": "spoken numbers",
     "utterance_passes/amounts.py": "spoken numbers",
     "utterance_passes/measures.py": "spoken numbers",
-    "utterance_passes/objections.py": "patterns of corrections: not yet in formulas.yaml",
     "utterance_passes/spelling.py": "spoken numbers: units that are written to a number",
 }
 #: Words that nobody says to the robot, or that have an answer of their own each; every other list of the module counts.
@@ -70,6 +69,10 @@ NO_SPEECH: Dict[str, Tuple[str, str]] = {
         "keys of a file",
         "spellings, parts, acting, telling, name, kind, pattern, example",
     ),
+    "semantic_framer/objections.py": (
+        "keys of a file",
+        "corrections, contrasts, forbidding, asking, reporting",
+    ),
     "semantic_framer/verdicts.py": ("names of rules", "thanks, greeting, chatter"),
     "semantic_frames/frame_file.py": (
         "keys of a file",
@@ -85,7 +88,10 @@ NO_SPEECH: Dict[str, Tuple[str, str]] = {
     "utter/speech.py": ("what the robot can tell, a sentence for each", "time, date, day, name"),
     "utterance_passes/formula_file.py": (
         "keys of a file",
-        "openings, anywhere, apart, endings, tails, withdrawals, fillers, contractions, pattern, example, becomes",
+        (
+            "openings, anywhere, apart, comparisons, endings, objections, tails, withdrawals, fillers, contractions, "
+            "pattern, example, becomes"
+        ),
     ),
     "word_classes/word_file.py": ("keys of a file", "for, includes, words"),
 }
@@ -191,7 +197,11 @@ def test_every_word_class_that_is_asked_for_is_there() -> None:
 def test_every_word_class_is_used() -> None:
     text = (SOURCES / "word_classes/src/word_classes/words.yaml").read_text(encoding="utf-8")
     included = set(re.findall(r"\w+", " ".join(re.findall(r"includes: \[(.*)\]", text))))
-    formulas = (SOURCES / "utterance_passes/src/utterance_passes/formulas.yaml").read_text(encoding="utf-8")
+    files = (
+        "utterance_passes/src/utterance_passes/formulas.yaml",
+        "semantic_framer/src/semantic_framer/objections.yaml",
+    )
+    formulas = "".join((SOURCES / name).read_text(encoding="utf-8") for name in files)
     used = set().union(*asked_for().values()) | included | set(re.findall(r"<(\w+)>", formulas))
     own = {"determiners"}  # by without_determiner
     assert not set(word_classes()) - used - own

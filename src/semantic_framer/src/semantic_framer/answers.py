@@ -7,6 +7,7 @@ from semantic_framer.frame_roles import MESSAGE
 from semantic_framer.framed_lexicon import FramedLexicon
 from semantic_framer.reading import ElementValue, Reading, with_value
 from semantic_framer.sentence import Sentence
+from semantic_framer.things import is_unfinished
 from semantic_framer.values import amount_value, phrase_value, unit_value
 from semantic_frames.frame import FrameElement, SemanticFrame
 from semantic_frames.lexical_unit import ArgumentForm
@@ -128,4 +129,6 @@ def _fragment_values(sentence: Sentence, frame: SemanticFrame, element: FrameEle
         return []
     heads = list(sentence.children(0))
     head = heads[0].index if heads and heads[0].index in positions else positions[0]
+    if is_unfinished(sentence.tree, head):
+        return []
     return [phrase_value(sentence.tree, element.name, head, ArgumentForm.PHRASE, frozenset())]

@@ -6,6 +6,8 @@ MESSAGE = "Message"
 ADDRESSEE = "Addressee"
 THEME = "Theme"
 NAME = "Name"
+#: What is moved, given or held.
+THINGS: FrozenSet[str] = frozenset([THEME, "Entity"])
 #: Places, and not things.
 PLACES: FrozenSet[str] = frozenset(["Goal", "Source", "Location", "Ground", "Area", "Place", "Path"])
 #: Neither things nor places.

@@ -18,6 +18,7 @@ from semantic_framer.framed_lexicon import FramedLexicon
 from semantic_framer.measured_elements import measured_elements, measures_as_in_2012, numeral_at
 from semantic_framer.reading import ElementValue, Reading
 from semantic_framer.sentence import Sentence
+from semantic_framer.things import is_unfinished
 from semantic_framer.values import amount_value, given_value, phrase_value, unit_value
 from semantic_frames.frame import FrameElement, SemanticFrame
 from semantic_frames.lexical_unit import ArgumentForm, ElementRelation, LexicalUnit
@@ -124,6 +125,8 @@ class _Filling:
         measured = measured_elements(sentence, unit, frame, match.positions, amounts)
         self._amount_of = measured.amount_of
         self._unread = measured.unread
+        #: Words of phrases without a noun: what they were to fill is asked for.
+        self._unfinished: FrozenSet[int] = frozenset()
         #: Numbers of several words, in units of 2012.
         self._numeral_of: Dict[str, Amount] = {}
         self._subject = clause.subject or shared_subject(sentence.tree, clause.verb)
@@ -185,6 +188,10 @@ class _Filling:
             for head in heads:
                 if head in self._heads.values() or head in self._match.positions or not self._is_in_clause(head):
                     continue
+                if not relation.words and is_unfinished(self._sentence.tree, head):
+                    self._unread[relation.name] = ()
+                    self._unfinished |= self._sentence.subtree(head)
+                    return
                 listed = self._listed_words(head, relation.words)
                 if relation.words and not listed:
                     continue
@@ -364,7 +371,7 @@ class _Filling:
         )
 
     def _coverage(self, values: Tuple[ElementValue, ...]) -> Tuple[Tuple[int, ...], float]:
-        used: Set[int] = set(self._match.positions)
+        used: Set[int] = set(self._match.positions) | self._unfinished
         for value in values:
             used.update(value.positions)
             # A measure has its number, its unit and hedges; what else hangs on it is said for itself.

@@ -4,14 +4,43 @@ Inside one utterance the pass `corrections` carries a correction out. Here it is
 framer does not know what runs: a refusal gets the code that says what it was, and who knows what runs acts on it.
 """
 
-import re
 from dataclasses import replace
-from typing import FrozenSet, Optional
+from functools import lru_cache
+from pathlib import Path
+from typing import FrozenSet, Mapping, Optional, Tuple
 
 from semantic_framer.outcome import CORRECTION, PROHIBITION, QUESTION, REPORT, TALK, WISH, Outcome, Question, Refusal
-from utterance_passes.formula_file import is_filler
-from utterance_passes.objections import AROUND, MEANT, OBJECTION, plain
+from semantic_frames.source_files import read_text
+from utterance_passes.formula_file import Formula, any_of, is_filler, load_formulas
+from utterance_passes.objections import plain
 from utterance_passes.tree import DependencyTree
+from word_classes import word_class
+
+#: Beside this module in the source, devel and install space.
+OBJECTIONS_FILE = Path(__file__).resolve().parent / "objections.yaml"
+KINDS = (
+    "corrections",
+    "clear_corrections",
+    "contrasts",
+    "no_objections",
+    "going_on",
+    "forbidding",
+    "forbidden_deeds",
+    "asking",
+    "reporting",
+)
+
+
+@lru_cache(maxsize=None)
+def shipped_objections() -> Mapping[str, Tuple[Formula, ...]]:
+    """Return the patterns of ``objections.yaml``, read once.
+
+    Raises:
+        FileRefused: the file is wrong
+    """
+    text = read_text(str(OBJECTIONS_FILE))
+    return load_formulas(text, str(OBJECTIONS_FILE), KINDS, keys=("pattern", "example"))
+
 
 #: Refusals that may be corrections; what is unknown only for now (UNKNOWN_FRAME) is none of them.
 _UNCLEAR = frozenset(["NO_VERB", "UNKNOWN_VERB", "LEFT_OVER_WORDS", "NO_READING", "CONDITION", PROHIBITION])
@@ -19,47 +48,19 @@ _UNCLEAR = frozenset(["NO_VERB", "UNKNOWN_VERB", "LEFT_OVER_WORDS", "NO_READING"
 _SAYING_WHY = _UNCLEAR - {"NO_VERB", PROHIBITION}
 #: Refusals of what asks for nothing: "that's wrong" is a report, "no" is talk.
 _ASKING_FOR_NOTHING = frozenset([QUESTION, REPORT, WISH, TALK])
-_CORRECTIONS = re.compile(
-    "|".join(
-        [
-            f"({AROUND} )*({OBJECTION}|not|{MEANT}|(the )?other (one|way|side|direction|hand)|forget)( .*)?",
-            "(oops|sorry|actually|rather|instead)( ,)? .+",
-            f".+ (instead|rather|{MEANT})",
-            "(.+ )?wrong( .+)?",
-            (
-                "(that|this) ('s|is|was) (not|n't) .+|(that|this) (is|was) n't .+|(it|you) ('s|is|'re|are) (not|n't) "
-                "(there|here|that|this|right|the) ?.*"
-            ),
-            "i do (not|n't) (want|need|like) (to|that|this) ?.*",
-        ]
-    )
-)
-#: "Left, not right", where there is no verb that is negated.
-_CONTRASTS = re.compile("[^ ]+( [^ ]+){0,3} (, )?not .+")
-#: Corrections whatever else they might mean.
-_CLEAR = re.compile(
-    "(no )?(, )?(that|this|it|you) ('s|is|'re|are) (all |completely |totally )?(wrong|not right|n't right|the wrong .+)"
-)
-#: Talk with a no that is against nothing.
-_TALK = re.compile(
-    "(no|not) (thanks|thank|problem|problems|worries|worry|idea|doubt|hurry|rush|need|matter|bad|yet|sure|now|one|body|"
-    "at all)( .*)?"
-)
-#: Not to do these is to go on.
-_ENDING = "(stop|halt|pause|wait|hesitate|worry|forget|hurry|rush|panic|mind|freeze|quit|cancel|abort|bother|hold on)"
-_GOING_ON = re.compile(
-    f"(({AROUND}|and|but|so|ok|okay|just|now|{OBJECTION}) )*"
-    "((you )?(must|should|can|may|need) (not|n't)|do (not|n't)|never)"
-    f"( you| ever| just| please| even)* {_ENDING}( .*)?"
-)
-_FORBIDDING = re.compile("(^| )(not|n't|never)( |$)")
-_NO_DOING = re.compile(r"no( more)? \w+ing( |$)")
-_ASKING = re.compile(
-    "(is|are|am|was|were|do|does|did|have|has|had) (?!not |n't )|(what|where|who|how|when|which) |why (?!do n't|not )"
-)
-_NOBODY = frozenset(["nobody", "none", "noone"])
-_WISHING = frozenset("want need like ask tell say wish wonder expect mean think believe".split())
-_REPORTING = re.compile("(^| )(did|was|were|has|had|been|'ve|have(?! to))( |$)")
+_CORRECTIONS = any_of(shipped_objections()["corrections"])
+_CLEAR = any_of(shipped_objections()["clear_corrections"])
+_CONTRASTS = any_of(shipped_objections()["contrasts"])
+_NO_OBJECTIONS = any_of(shipped_objections()["no_objections"])
+_GOING_ON = any_of(shipped_objections()["going_on"])
+_FORBIDDING = any_of(shipped_objections()["forbidding"])
+_FORBIDDEN_DEEDS = any_of(shipped_objections()["forbidden_deeds"])
+_ASKING = any_of(shipped_objections()["asking"])
+_REPORTING = any_of(shipped_objections()["reporting"])
+_HEARERS = word_class("hearers") | {"robot"}
+_OBJECTIONS = word_class("objections")
+_NO_PRONOUNS = word_class("no_pronouns")
+_OF_OPINION = word_class("verbs_of_opinion")
 
 
 def against_what_runs(outcome: Outcome, tree: DependencyTree) -> Outcome:
@@ -92,16 +93,16 @@ def code_of(tree: DependencyTree, code: str) -> Optional[str]:
         return CORRECTION
     if code not in _UNCLEAR | _ASKING_FOR_NOTHING:
         return None
-    if _GOING_ON.fullmatch(text) or _TALK.fullmatch(text):
+    if _GOING_ON.fullmatch(text) or _NO_OBJECTIONS.fullmatch(text):
         return REPORT if code == PROHIBITION else None
-    if _NO_DOING.match(text):
+    if _FORBIDDEN_DEEDS.fullmatch(text):
         return PROHIBITION
-    is_forbidden = code == PROHIBITION and _FORBIDDING.search(text)
+    is_forbidden = code == PROHIBITION and _FORBIDDING.fullmatch(text)
     if _CORRECTIONS.fullmatch(text) and not is_forbidden:
         return CORRECTION
     if code != PROHIBITION:
         return CORRECTION if code in _UNCLEAR and _CONTRASTS.fullmatch(text) else None
-    if _ASKING.match(text) or _is_statement(tree):
+    if _ASKING.fullmatch(text) or _is_statement(tree):
         return CORRECTION if _CORRECTIONS.fullmatch(text) else REPORT
     return PROHIBITION
 
@@ -109,7 +110,7 @@ def code_of(tree: DependencyTree, code: str) -> Optional[str]:
 def is_objection(tree: DependencyTree) -> bool:
     """Whether a sentence opens with an objection: "no, turn", which is asked about."""
     words = [plain(word) for word in tree.words if word.upos != "PUNCT" and not is_filler(word.form)]
-    return bool(words) and re.fullmatch(OBJECTION, words[0]) is not None
+    return bool(words) and words[0] in _OBJECTIONS
 
 
 def _is_statement(tree: DependencyTree) -> bool:
@@ -120,7 +121,7 @@ def _is_statement(tree: DependencyTree) -> bool:
     if subject is None:
         return False
     behind: FrozenSet[str] = frozenset(forms[subject.index :])
-    if plain(subject) in ("you", "u", "robot"):
-        return _REPORTING.search(" ".join(forms)) is not None
-    is_wish = root.lemma.lower() in _WISHING or plain(subject) in _NOBODY
+    if plain(subject) in _HEARERS:
+        return _REPORTING.fullmatch(" ".join(forms)) is not None
+    is_wish = root.lemma.lower() in _OF_OPINION or plain(subject) in _NO_PRONOUNS
     return not (is_wish and "you" in behind)

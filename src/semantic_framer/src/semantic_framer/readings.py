@@ -8,6 +8,7 @@ from semantic_framer.matching import read_clause
 from semantic_framer.outcome import Refusal
 from semantic_framer.reading import Reading, rank, without_duplicates
 from semantic_framer.sentence import Sentence
+from semantic_framer.things import is_indefinite
 from semantic_framer.verdicts import (
     CLAUSE_VERDICTS,
     DOMINATED,
@@ -30,7 +31,6 @@ from word_classes import word_class
 _PHRASES = frozenset(["nmod", "obl", "acl", "advcl", "appos"])
 #: Which of several is meant: "the *second* left".
 _CHOOSING = frozenset(["amod", "nummod"])
-_INDEFINITE_ARTICLES = word_class("indefinite_articles")
 #: Join a clause to the one before it: "go to the kitchen *to* get the mug".
 _JOINING = frozenset(["and", "to"])
 _LEFT_AND_RIGHT = word_class("left_and_right")
@@ -138,15 +138,9 @@ def _unlikely(case: ClauseCase, reading: Reading, listed: FrozenSet[int]) -> int
     names = frozenset(element.name for element in frame.frame_elements if element.framenet == NAME)
     return sum(
         value.head_position in listed - reading.listed
-        or (value.name in names and _is_indefinite(case.sentence, value.head_position))
+        or (value.name in names and is_indefinite(case.sentence.tree, value.head_position))
         for value in reading.values
         if value.head_position
-    )
-
-
-def _is_indefinite(sentence: Sentence, head: int) -> bool:
-    return any(
-        child.deprel == "det" and child.form.lower() in _INDEFINITE_ARTICLES for child in sentence.children(head)
     )
 
 

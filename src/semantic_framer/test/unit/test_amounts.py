@@ -39,6 +39,12 @@ def best(outcome: Any) -> Any:
         ("Turn around.", "turning_around", {"direction": "around", "angle": "180", "angle_unit": "degrees"}),
         ("Turn around 90 degrees.", "turning_around", {"angle": "90", "angle_unit": "degrees"}),
         ("turn around to the left", "turning_around", {"direction": "left", "angle": "180"}),
+        (
+            "Rotate around two and two thirds turns right.",
+            "turning_around",
+            {"direction": "right", "angle_unit": "turns"},
+        ),
+        ("spin two and one fifth turns clockwise", "turning", {"direction": "clockwise", "angle": "2.2"}),
         ("wait two and a half minutes", "waiting", {"duration": "2.5 minutes"}),
     ],
 )

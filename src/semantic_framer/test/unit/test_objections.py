@@ -1,11 +1,14 @@
 """What is said against something that runs: the refusal's code says so, and what was not understood runs nothing."""
 
+import re
 from typing import Any
 
 import pytest
 
 from semantic_framer.dialogue import Context
 from semantic_framer.framer import Question, Refusal, Understood
+from semantic_framer.objections import KINDS, shipped_objections
+from utterance_passes.formula_file import Formula
 
 PROHIBITIONS = (
     "don't follow me",
@@ -102,6 +105,39 @@ NEITHER = (
     "hello",
     "Colorless green ideas sleep furiously.",
 )
+
+
+_SHIPPED = [(kind, formula) for kind in KINDS for formula in shipped_objections()[kind]]
+#: The code of a refusal behind which a pattern of a kind was found; empty for none.
+CODES = {
+    "corrections": "CORRECTION",
+    "clear_corrections": "CORRECTION",
+    "contrasts": "CORRECTION",
+    "no_objections": "",
+    "going_on": "",
+    "forbidding": "NEGATED",
+    "forbidden_deeds": "NEGATED",
+    "asking": "",
+    "reporting": "",
+}
+
+
+def divided(text: str) -> str:
+    """A text as the parser divides it: "do n't go , please"."""
+    return re.sub(r"(n't|'\w+|,)", r" \1", text.lower().replace("n't", " n't")).replace("  ", " ")
+
+
+@pytest.mark.parametrize("kind, formula", _SHIPPED, ids=lambda value: getattr(value, "example", value))
+def test_an_example_is_of_its_own_pattern(kind: str, formula: Formula) -> None:
+    matching = [one for one in shipped_objections()[kind] if one.pattern.fullmatch(divided(formula.example))]
+    assert matching == [formula]
+
+
+@pytest.mark.parametrize("kind, formula", _SHIPPED, ids=lambda value: getattr(value, "example", value))
+def test_an_example_is_what_its_kind_says(understand: Any, kind: str, formula: Formula) -> None:
+    outcome, _ = understand(formula.example)
+    assert isinstance(outcome, Refusal)
+    assert (outcome.code if outcome.code in ("NEGATED", "CORRECTION") else "") == CODES[kind]
 
 
 @pytest.mark.parametrize("text", PROHIBITIONS)

@@ -3,6 +3,7 @@
 from typing import Iterable, List
 
 from spoken_quantities import find_unit, number_words
+from utterance_passes.amounts import read_amounts
 from utterance_passes.tree import DependencyTree, Word
 from utterance_passes.tree_edits import TreeEdit
 from utterance_passes.vocabulary import Vocabulary
@@ -95,8 +96,8 @@ def with_measured_turns(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
     turn left", "make a 30 degree turn".
     """
     for turn in tree.words[2:]:
-        phrase = _phrase_before(tree, turn)
-        if turn.form.lower() not in _TURNS | _SEVERAL_TURNS or turn.upos != "VERB" or not turn.head or not phrase:
+        phrase = _number_before(tree, turn) or _phrase_before(tree, turn)
+        if not _is_turn(turn) or not turn.head or not phrase:
             continue
         if not any(word.form.lower() in _PARTS_OF_A_TURN or word.upos == "NUM" for word in phrase):
             continue
@@ -186,6 +187,21 @@ def _is_of_a_measure(word: Word) -> bool:
 
 def _is_numeral(word: Word) -> bool:
     return word.deprel == "nummod" or word.form.lower() in number_words()
+
+
+def _is_turn(word: Word) -> bool:
+    return word.form.lower() in _TURNS | _SEVERAL_TURNS and word.upos == "VERB"
+
+
+def _number_before(tree: DependencyTree, unit: Word) -> List[Word]:
+    """Return the words of the number that a unit is said with, "two and two thirds"; none where there is none."""
+    amounts = read_amounts(tree, [word.index for word in tree.words[: unit.index]]) if _is_turn(unit) else ()
+    return [
+        tree.word(index)
+        for amount in amounts[-1:]
+        if amount.unit_position == unit.index
+        for index in amount.positions[:-1]
+    ]
 
 
 def _phrase_before(tree: DependencyTree, noun: Word) -> List[Word]:

@@ -4,7 +4,7 @@ import re
 from dataclasses import dataclass
 from functools import lru_cache
 from pathlib import Path
-from typing import Dict, Iterable, List, Mapping, Pattern, Tuple
+from typing import Dict, Iterable, List, Mapping, Pattern, Sequence, Tuple
 
 import yaml
 
@@ -20,9 +20,11 @@ KINDS = (
     "gerund_openings",
     "anywhere",
     "apart",
+    "comparisons",
     "endings",
     "tails",
     "set_off_tails",
+    "objections",
     "editing_terms",
     "withdrawals",
     "fillers",
@@ -31,7 +33,7 @@ KINDS = (
 _KEYS = ("pattern", "example", "becomes")
 #: The kind of which each formula says how it is written in full.
 WRITTEN_OUT = "contractions"
-_CLASS = re.compile(r"<(\w+)>")
+_CLASS = re.compile(r"(?<!\?P)<(\w+)>")
 
 
 @dataclass(frozen=True)
@@ -41,38 +43,42 @@ class Formula:
     Attributes:
         pattern: matches the whole of some words, in lower case with one blank between them
         example: a sentence with it
-        becomes: what is left of the example
+        becomes: what is left of the example; empty in a file of whole utterances
         written: how it is written in full, with the groups of the pattern as ``\\1``; empty where it is left out
     """
 
     pattern: Pattern[str]
     example: str
-    becomes: str
+    becomes: str = ""
     written: str = ""
 
 
-def load_formulas(text: str, path: str) -> Mapping[str, Tuple[Formula, ...]]:
+def load_formulas(
+    text: str, path: str, kinds: Sequence[str] = KINDS, keys: Sequence[str] = _KEYS
+) -> Mapping[str, Tuple[Formula, ...]]:
     """Read a file of formulas.
 
     Args:
         text: content of the file
         path: where it came from, for problems
+        kinds: that the file must have
+        keys: that each formula must have
     Returns:
-        formulas by kind, one of :data:`KINDS`
+        formulas by kind
     Raises:
         FileRefused: with every mistake of the file
     """
     reader = Reader(path)
-    kinds = reader.mapping(reader.compose(text, "a mapping of formulas"), "", KINDS, required=KINDS)
+    nodes = reader.mapping(reader.compose(text, "a mapping of formulas"), "", kinds, required=kinds)
     found: Dict[str, Tuple[Formula, ...]] = {}
-    for kind, node in kinds.items():
+    for kind, node in nodes.items():
         formulas: List[Formula] = []
         for key, item in reader.sequence(node, kind):
-            keys = (*_KEYS, "written") if kind == WRITTEN_OUT else _KEYS
-            entries = reader.mapping(item, key, keys, required=keys)
+            wanted = (*keys, "written") if kind == WRITTEN_OUT else keys
+            entries = reader.mapping(item, key, wanted, required=wanted)
             written = reader.name(entries.get("written"), f"{key}.written") if "written" in entries else ""
             example = reader.name(entries.get("example"), f"{key}.example")
-            becomes = reader.name(entries.get("becomes"), f"{key}.becomes")
+            becomes = reader.name(entries.get("becomes"), f"{key}.becomes") if "becomes" in keys else ""
             if "pattern" in entries:
                 pattern = _pattern(reader, entries["pattern"], f"{key}.pattern")
                 formulas.append(Formula(pattern, example, becomes, written))
@@ -92,16 +98,16 @@ def _pattern(reader: Reader, node: yaml.Node, key: str) -> Pattern[str]:
             hint = did_you_mean(name, known)
             reader.report("UNKNOWN_CLASS", node, key, f"'{name}'", "the name of a word class", hint)
             return re.compile("")
-    if text != text.lower():
+    if text.replace("(?P<", "(?p<") != text.lower():
         reader.report("NOT_LOWER_CASE", node, key, f"'{text}'", f"'{text.lower()}'")
     try:
-        return re.compile(_CLASS.sub(lambda match: _any_of(word_class(match[1])), text))
+        return re.compile(_CLASS.sub(lambda match: _alternatives(word_class(match[1])), text))
     except re.error as error:
         reader.report("BAD_PATTERN", node, key, f"'{text}'", "a regular expression", str(error))
         return re.compile("")
 
 
-def _any_of(words: Iterable[str]) -> str:
+def _alternatives(words: Iterable[str]) -> str:
     return f"(?:{'|'.join(map(re.escape, sorted(words)))})"
 
 
@@ -116,8 +122,13 @@ def shipped_formulas() -> Mapping[str, Tuple[Formula, ...]]:
 
 
 def pattern_of(kind: str) -> Pattern[str]:
-    """Return the pattern that matches what any formula of a kind does."""
-    return re.compile("|".join(f"(?:{formula.pattern.pattern})" for formula in shipped_formulas()[kind]))
+    """Return the pattern that matches what any shipped formula of a kind does."""
+    return any_of(shipped_formulas()[kind])
+
+
+def any_of(formulas: Iterable[Formula]) -> Pattern[str]:
+    """Return the pattern that matches what any of some formulas does."""
+    return re.compile("|".join(f"(?:{formula.pattern.pattern})" for formula in formulas))
 
 
 _FILLER = pattern_of("fillers")

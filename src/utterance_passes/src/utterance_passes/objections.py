@@ -1,23 +1,13 @@
 """Words that open a correction of what runs: "no, turn right", "no I meant turn right"."""
 
-import re
-
+from utterance_passes.formula_file import pattern_of
 from utterance_passes.tree import ASIDE, DependencyTree, Word
 from utterance_passes.tree_edits import set_aside
 from utterance_passes.vocabulary import Vocabulary, is_verb
 from word_classes import word_class
 
 _LEAD_IN = word_class("lead_in")
-OBJECTION = "(no|nope|nah|wrong)"
-MEANT = "i (really |actually )?(mean|meant|said|wanted)( to say)?"
-AROUND = "(oh|ah|hey|well|wait|robot|sorry|oops|please|actually|,)"
-_SET_OFF = "(wait|please|just|now|then|instead|rather)"
-#: What may stand in front of the command that a correction is: "no, ..." and "no I meant ...", but not "no ...", which
-#: may forbid.
-_OPENING = re.compile(
-    f"({AROUND} )*({OBJECTION} (({AROUND}|{OBJECTION}) )*(,|{OBJECTION}|{_SET_OFF}|{MEANT})|{MEANT})"
-    f"( ({AROUND}|{_SET_OFF}))*"
-)
+_OPENING = pattern_of("objections")
 
 
 def without_objection(tree: DependencyTree, vocabulary: Vocabulary) -> DependencyTree:

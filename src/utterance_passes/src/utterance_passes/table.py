@@ -4,10 +4,12 @@ from functools import partial
 from typing import Callable, Match, Pattern, Tuple, Union
 
 from utterance_passes import (
+    comparisons,
     correct_parse,
     corrections,
     formulas,
     light_verbs,
+    names,
     objections,
     quotations,
     relations,
@@ -319,6 +321,16 @@ PARSE_CORRECTING_PASSES: Tuple[TreePass, ...] = (
         Stage.FRAMER,
         correct_parse.with_degrees,
     ),
+    TreePass(
+        "letters_as_names",
+        "Hang a letter or a number behind a noun on the noun: it is the name of it.",
+        Example(
+            "go|VERB|0|root to|ADP|3|case room|NOUN|1|obl C|PROPN|1|vocative",
+            ("C: vocative(go) -> flat(room)",),
+        ),
+        Stage.FRAMER,
+        names.with_letters_as_names,
+    ),
 )
 
 #: What is said around a command, and for a verb; then what the tree that is read must look like.
@@ -353,6 +365,23 @@ REPHRASING_PASSES: Tuple[TreePass, ...] = (
             ),
             Stage.FRAMER,
             quotations.with_quotations,
+        ),
+        TreePass(
+            "comparisons",
+            'Set aside what says that something is to be done as well as it can be, "as soon as possible".',
+            Example(
+                "go|VERB|0|root as|ADV|3|advmod fast|ADV|1|advmod as|ADV|5|advmod possible|ADJ|1|xcomp to|ADP|7|case "
+                "Bob|PROPN|5|obl",
+                (
+                    "as: advmod(fast) -> discourse:aside(go)",
+                    "fast: advmod(go) -> discourse:aside(go)",
+                    "as: advmod(possible) -> discourse:aside(go)",
+                    "possible: xcomp(go) -> discourse:aside(go)",
+                    "Bob: obl(possible) -> obl(go)",
+                ),
+            ),
+            Stage.FRAMER,
+            comparisons.without_comparisons,
         ),
         TreePass(
             "formulas",

@@ -1,5 +1,6 @@
 """What the lexicon knows better than a tagger that learned from text in which commands are rare."""
 
+import re
 from typing import Optional, Sequence, Tuple
 
 from utterance_passes.tree import DependencyTree
@@ -10,6 +11,8 @@ from word_classes import word_class
 
 _FORMS_OF_BE = word_class("forms_of_be")
 _LEAD_IN = word_class("lead_in")
+#: A name of one letter.
+_LETTER = re.compile("[A-Z][0-9]*")
 _NOUNS = {"NOUN", "PROPN", "PRON", "NUM", "ADJ", "DET"}
 #: Relations of what hangs on the verb of the command, and not on the word that the parser took for it.
 _OF_THE_VERB = frozenset(["punct", "obl", "advmod", "discourse", "vocative", "conj", "parataxis"])
@@ -43,15 +46,15 @@ def command_verb_position(forms: Sequence[str], vocabulary: Vocabulary) -> Optio
 
 
 def numbered_noun(forms: Sequence[str], tags: Sequence[str], vocabulary: Vocabulary) -> Tuple[Retag, ...]:
-    """Make a noun of a word between "to" and a last number that the lexicon does not know as a verb: it is what the
-    number counts. No command tells the robot to "order seven".
+    """Make a noun of a word between "to" and a last number or letter that the lexicon does not know as a verb: it is
+    what the number counts. No command tells the robot to "order seven".
     """
     position = numbered_noun_position(forms, tags, vocabulary)
     return () if position is None else (Retag(position - 1, "ADP", "IN"), Retag(position, "NOUN", "NN", "Number=Sing"))
 
 
 def numbered_noun_position(forms: Sequence[str], tags: Sequence[str], vocabulary: Vocabulary) -> Optional[int]:
-    """Find a noun that was taken for a verb because "to" stands before it, and a number behind it.
+    """Find a noun that was taken for a verb because "to" stands before it, and a number or a letter behind it.
 
     Args:
         forms: words of the sentence
@@ -66,7 +69,7 @@ def numbered_noun_position(forms: Sequence[str], tags: Sequence[str], vocabulary
             forms[position - 1].lower() == "to"
             and tags[position] == "VERB"
             and not vocabulary.verbs_beginning_with(forms[position].lower())
-            and tags[position + 1] == "NUM"
+            and (tags[position + 1] == "NUM" or _LETTER.fullmatch(forms[position + 1]))
             and is_last
         ):
             return position + 1

@@ -6,9 +6,11 @@ from typing import List, Pattern, Tuple
 import pytest
 
 from semantic_frames import FileRefused, Problem
+from utterance_passes.comparisons import without_comparisons
 from utterance_passes.corrections import without_corrected
 from utterance_passes.formula_file import KINDS, Formula, load_formulas, shipped_formulas
 from utterance_passes.formulas import without_formulas
+from utterance_passes.objections import without_objection
 from utterance_passes.spelling import as_said, written_out
 from utterance_passes.surroundings import surroundings
 from utterance_passes.tree import DependencyTree, Word
@@ -58,6 +60,10 @@ def left_of(kind: str, text: str) -> str:
         return " ".join(word.form for word in tree.words if word.index not in tree.fillers)
     if kind in ("editing_terms", "withdrawals"):
         tree = without_corrected(tree, _VERBS)
+    elif kind == "comparisons":
+        tree = without_comparisons(tree, _VERBS)
+    elif kind == "objections":
+        tree = without_objection(tree, _VERBS)
     else:
         tree = without_formulas(tree, _VERBS)
     return " ".join(word.form for word in tree.open_words if word.upos != "PUNCT")

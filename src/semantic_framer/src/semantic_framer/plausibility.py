@@ -1,0 +1,119 @@
+"""Values that take words for what they are not: a side, a degree or a deed for a thing."""
+
+from dataclasses import dataclass
+from typing import FrozenSet, Tuple
+
+from semantic_framer.attachment import is_direction, is_side_of_something
+from semantic_framer.frame_roles import NO_THINGS, PLACES, THEME, THINGS
+from semantic_framer.reading import ElementValue, Reading
+from semantic_framer.things import is_indefinite, is_no_thing
+from semantic_frames.frame import SemanticFrame
+from utterance_passes.tree import DependencyTree, Word
+from word_classes import word_class
+
+_DEGREES = word_class("degrees")
+_LEFT_AND_RIGHT = word_class("left_and_right")
+_SIDES = word_class("sides")
+
+
+@dataclass(frozen=True)
+class Filled:
+    """A value that is judged.
+
+    Attributes:
+        value: it has a head
+        reading: of which it is
+        beside: all readings of the clause
+        frame: of the reading
+        tree: the sentence
+    """
+
+    value: ElementValue
+    reading: Reading
+    beside: Tuple[Reading, ...]
+    frame: SemanticFrame
+    tree: DependencyTree
+
+    @property
+    def head(self) -> Word:
+        """The head of its words."""
+        return self.tree.word(self.value.head_position)
+
+    @property
+    def roles(self) -> FrozenSet[str]:
+        """FrameNet's name of the element that it fills; none for an amount."""
+        element = None if self.value.quantity else self.frame.element(self.value.name)
+        return frozenset() if element is None or element.quantity is not None else frozenset([element.framenet])
+
+
+def is_noun_of_a_verb(filled: Filled) -> bool:
+    """Whether a noun is a part of another unit's verb: "take a look"."""
+    return filled.head.upos in ("NOUN", "PROPN", "NUM") and any(
+        filled.head.index in other.verb_positions and filled.head.index not in filled.reading.verb_positions
+        for other in filled.beside
+    )
+
+
+def is_measure_elsewhere(filled: Filled) -> bool:
+    """Whether another unit measures with a number: "turn one eighty"."""
+    is_phrase = any(child.deprel == "case" for child in filled.tree.children(filled.head.index))
+    return (
+        not is_phrase
+        and filled.head.index not in _measured(filled.reading)
+        and any(filled.head.index in _measured(other) for other in filled.beside)
+    )
+
+
+def is_unread_elsewhere(filled: Filled) -> bool:
+    """Whether words are an amount that another unit asks for, and that must not be acted on."""
+    unread = {position for other in filled.beside for amount in other.unread for position in amount.positions}
+    return not filled.reading.unread and bool(unread & frozenset(filled.value.positions))
+
+
+def _measured(reading: Reading) -> FrozenSet[int]:
+    return frozenset(position for value in reading.values if value.quantity for position in value.positions)
+
+
+def is_numbered_place(filled: Filled) -> bool:
+    """Whether a number is the place of something: "set the projector to 20"."""
+    if not filled.roles & PLACES or filled.head.upos != "NUM":
+        return False
+    elements = filled.frame.frame_elements
+    themes = {element.name for element in elements if element.framenet == THEME and element.quantity is None}
+    return any(other.name in themes and other.positions for other in filled.reading.values)
+
+
+def is_degree(filled: Filled) -> bool:
+    """Whether a degree is a thing: "move a bit"; "a bit of bread" is one."""
+    children = filled.tree.children(filled.head.index)
+    is_of_something = any(child.deprel == "nmod" for child in children)
+    return bool(filled.roles) and filled.head.form.lower() in _DEGREES and not is_of_something
+
+
+def is_side(filled: Filled) -> bool:
+    """Whether a side or a direction is a thing: "take a right"; also "northwards", where the parser sees a noun."""
+    form = filled.head.form.lower()
+    if filled.roles & THINGS and is_direction(filled.tree, filled.head.index) and form not in _SIDES:
+        return True
+    is_one = form in _LEFT_AND_RIGHT and not is_side_of_something(filled.tree, filled.head.index)
+    return is_one and filled.head.deprel == "obj" and bool(filled.roles) and not filled.roles & (PLACES | NO_THINGS)
+
+
+def is_deed(filled: Filled) -> bool:
+    """Whether a deed, an event or a way is moved, given or held: "take a nap"."""
+    is_subject = filled.head.deprel.startswith("nsubj")
+    is_moved = bool(filled.roles & THINGS) and not is_subject
+    return is_moved and is_no_thing(filled.tree, filled.head.index, filled.reading.verb)
+
+
+def is_listed_elsewhere(filled: Filled) -> bool:
+    """Whether another unit lists an indefinite noun: "the photo" may be a thing that is known, "a photo" is what the
+    other unit is about.
+    """
+    head = filled.head
+    is_bare = not any(child.deprel in ("det", "nmod:poss") for child in filled.tree.children(head.index))
+    is_new = is_bare or is_indefinite(filled.tree, head.index)
+    return (head.upos == "NOUN" and head.deprel == "obj" and is_new) and any(
+        head.index in other.listed and other.unit.frame_name != filled.reading.unit.frame_name
+        for other in filled.beside
+    )

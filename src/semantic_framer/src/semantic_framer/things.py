@@ -1,0 +1,48 @@
+"""Which nouns are no things: what people do, what happens, and the ways that they go; and phrases without a noun."""
+
+from utterance_passes.tree import DependencyTree
+from word_classes import word_class
+
+_DEEDS = word_class("deed_nouns")
+_DEEDS_WITH_LIGHT_VERBS = word_class("deed_nouns_with_light_verbs")
+_INDEFINITE_ARTICLES = word_class("indefinite_articles")
+_LIGHT_VERBS = word_class("light_verbs_of_deeds")
+_OF_RIDING = word_class("riding_verbs")
+#: Relations of words in front of a noun, which a unit may ask for: "Roger *'s* door".
+_OF_NOUNS = frozenset(["det", "nmod:poss", "case"])
+_ONLY_BEFORE_NOUNS = word_class("only_before_nouns")
+_WAYS = word_class("ways_and_vehicles")
+
+
+def is_no_thing(tree: DependencyTree, index: int, verb: str) -> bool:
+    """Whether a noun names no thing that a verb can be done with.
+
+    Args:
+        tree: the sentence
+        index: of the noun
+        verb: "take a seat" has no thing, "bring a seat" has one
+    """
+    lemma = tree.word(index).lemma.lower()
+    first = verb.split()[0]
+    is_deed = lemma in _DEEDS
+    is_deed |= lemma in _DEEDS_WITH_LIGHT_VERBS and first in _LIGHT_VERBS and not is_definite(tree, index)
+    return is_deed or (lemma in _WAYS and first in _OF_RIDING)
+
+
+def is_indefinite(tree: DependencyTree, index: int) -> bool:
+    """Whether a noun has an indefinite article."""
+    return any(child.deprel == "det" and child.form.lower() in _INDEFINITE_ARTICLES for child in tree.children(index))
+
+
+def is_definite(tree: DependencyTree, index: int) -> bool:
+    """Whether a noun has another determiner, or belongs to somebody: "the seat", "my seat"."""
+    children = tree.children(index)
+    return any(child.deprel in ("det", "nmod:poss") for child in children) and not is_indefinite(tree, index)
+
+
+def is_unfinished(tree: DependencyTree, index: int) -> bool:
+    """Whether a phrase has no noun: "to the" of "go to the"."""
+    words = [word for word in map(tree.word, tree.subtree(index)) if word.index not in tree.fillers]
+    named = [word for word in words if word.deprel != "case" and word.upos != "PUNCT"]
+    is_of_noun = tree.word(index).deprel in _OF_NOUNS
+    return not is_of_noun and all(word.form.lower() in _ONLY_BEFORE_NOUNS for word in named)

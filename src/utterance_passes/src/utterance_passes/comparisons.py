@@ -1,0 +1,79 @@
+"""What says that something is to be done as well as it can be: "as quickly as you can", "as close as possible"."""
+
+from typing import FrozenSet, Optional, Tuple
+
+from utterance_passes.formula_file import pattern_of
+from utterance_passes.tree import ASIDE, DependencyTree
+from utterance_passes.tree_edits import TreeEdit
+from utterance_passes.vocabulary import Vocabulary, is_verb
+
+_COMPARISONS = pattern_of("comparisons")
+#: The group of a pattern that is left: "as *slowly* as you can".
+_LEFT = "how"
+#: No comparison has more words.
+_LONGEST = 7
+
+
+def without_comparisons(tree: DependencyTree, vocabulary: Vocabulary) -> DependencyTree:
+    """Set such words aside wherever they stand, but for the adverb among them: "as *slowly* as you can".
+
+    The parser takes what follows for a part of them: "as quickly as *you can to the gate*".
+    """
+    while True:
+        found = _find(tree)
+        verb = _verb_of(tree, found[0] | ({found[1]} - {0}), vocabulary) if found else 0
+        if found is None or not verb:
+            return tree
+        tree = _set_aside(tree, *found, verb)
+
+
+def _set_aside(tree: DependencyTree, said: FrozenSet[int], adverb: int, verb: int) -> DependencyTree:
+    inside = said | ({adverb} - {0})
+    edit = TreeEdit(tree)
+    for word in tree.words:
+        if word.index in said:
+            edit.rehang(word.index, verb, ASIDE)
+        elif word.index == adverb:
+            edit.retag(word.index, "ADV")
+            edit.rehang(word.index, verb, "advmod")
+        elif word.index == verb:
+            edit.rehang(word.index, *_outside(tree, word.index, inside))
+        else:
+            below = tree.children(word.index)
+            is_phrase = word.deprel == "advcl" and word.upos not in ("VERB", "AUX")
+            is_of_it = word.head in inside or any(child.index in said for child in below)
+            if is_of_it:
+                is_phrase = is_phrase and any(child.deprel == "case" and child.index not in said for child in below)
+                edit.rehang(word.index, verb if word.head in inside else word.head, "obl" if is_phrase else "")
+    return edit.tree()
+
+
+def _find(tree: DependencyTree) -> Optional[Tuple[FrozenSet[int], int]]:
+    """Find the first comparison: its words, and the adverb that is left, 0 for none."""
+    words = tree.open_words
+    for first in range(len(words)):
+        for behind in range(min(len(words), first + _LONGEST), first, -1):
+            said = words[first:behind]
+            match = _COMPARISONS.fullmatch(" ".join(word.form.lower() for word in said))
+            if match and len(said) < len(words):
+                positions = frozenset(word.index for word in said)
+                left = match.groupdict()[_LEFT]
+                adverb = next((word.index for word in said if left and word.form.lower() == left), 0)
+                return positions - {adverb}, adverb
+    return None
+
+
+def _verb_of(tree: DependencyTree, inside: FrozenSet[int], vocabulary: Vocabulary) -> int:
+    """Return the verb that is done so: the one above the words, else the first of the lexicon; 0 for none."""
+    above = {_outside(tree, index, inside)[0] for index in inside} - {0}
+    verbs = [word for word in tree.open_words if word.index not in inside and word.upos in ("VERB", "AUX")]
+    known = [word for word in verbs if is_verb(vocabulary, word)]
+    return next((word.index for word in verbs if word.index in above), known[0].index if known else 0)
+
+
+def _outside(tree: DependencyTree, index: int, inside: FrozenSet[int]) -> Tuple[int, str]:
+    """Return the head of a word, and its relation, where the words between them are left out."""
+    word = tree.word(index)
+    while word.head in inside:
+        word = tree.word(word.head)
+    return word.head, word.deprel
