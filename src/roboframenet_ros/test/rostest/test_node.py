@@ -1,0 +1,93 @@
+#!/usr/bin/python3
+"""Nodes start with the parameters that are set, end with a sentence when one is wrong, and wait for nobody for ever."""
+
+import subprocess
+import sys
+import threading
+import unittest
+
+import rospy
+import rostest
+from std_srvs.srv import Trigger, TriggerResponse
+
+from roboframenet_ros.ros_master import MasterError, TimedMaster
+from roboframenet_ros.ros_persistent_parameter import PersistentParameter
+from roboframenet_ros.ros_service import ServiceError, call_service
+
+NODE = """
+import sys
+from dataclasses import dataclass
+import rospy
+from roboframenet_ros.parameters import Parameters, parameter
+from roboframenet_ros.ros_node import read_parameters, run_node
+
+@dataclass(frozen=True)
+class Settings(Parameters):
+    timeout_s: float = parameter(2.0, least=0.1, most=60.0)
+    name: str = parameter("nobody")
+
+def start():
+    settings = read_parameters(Settings)
+    print(settings.timeout_s, settings.name, flush=True)
+    rospy.Timer(rospy.Duration(0.1), lambda _: rospy.signal_shutdown("read"), oneshot=True)
+
+run_node("reader", start)
+"""
+
+
+def run(*arguments: str) -> "subprocess.CompletedProcess[str]":
+    return subprocess.run(
+        [sys.executable, "-c", NODE, *arguments], capture_output=True, text=True, timeout=120, check=False
+    )
+
+
+class NodeTest(unittest.TestCase):
+    def test_parameters_are_read(self) -> None:
+        ended = run("_timeout_s:=7", "_name:=somebody")
+        self.assertEqual((0, "7 somebody"), (ended.returncode, ended.stdout.splitlines()[0]), ended.stderr)
+
+    def test_wrong_parameter_ends_the_node_with_a_sentence(self) -> None:
+        ended = run("_timeout_s:=100", "_name:=somebody")
+        self.assertEqual(1, ended.returncode)
+        self.assertIn("reader: ~timeout_s must be 0.1 to 60 s, got 100", ended.stderr)
+        self.assertNotIn("Traceback", ended.stderr)
+
+    def test_value_outlives_its_node(self) -> None:
+        value = [{"id": "a", "stamp_ns": 1_700_000_000_000_000_000, "text": "say \x07 it"}]
+        first = PersistentParameter("~kept")
+        self.assertIsNone(first.load())
+        self.assertTrue(first.save(value, timeout_s=60.0))
+        first.close(timeout_s=60.0)
+        second = PersistentParameter("~kept")
+        self.assertEqual(value, second.load())
+        second.close(timeout_s=60.0)
+
+    def test_service_answers(self) -> None:
+        service = rospy.Service("~ready", Trigger, lambda _: TriggerResponse(success=True, message="yes"))
+        self.assertEqual("yes", call_service(service.resolved_name, Trigger, timeout_s=60.0).message)
+
+    def test_service_that_hangs_or_fails_or_is_missing_is_named(self) -> None:
+        may_end = threading.Event()
+        hanging = rospy.Service("~hanging", Trigger, lambda _: may_end.wait(60.0) and TriggerResponse())
+        failing = rospy.Service("~failing", Trigger, lambda _: None)
+        for name, timeout_s, fault in (
+            (hanging.resolved_name, 0.5, "did not answer within 0.5 s"),
+            (failing.resolved_name, 60.0, "failed: "),
+            ("nowhere", 0.5, "is not available (waited 0.5 s)"),
+        ):
+            with self.assertRaises(ServiceError) as raised:
+                call_service(name, Trigger, timeout_s=60.0 if name != "nowhere" else 0.5, answer_timeout_s=timeout_s)
+            self.assertIn(fault, str(raised.exception))
+        may_end.set()
+
+    def test_master_knows_this_node_and_no_stranger(self) -> None:
+        master = TimedMaster(timeout_s=60.0)
+        self.assertEqual(rospy.get_node_uri(), master.uri_of(rospy.get_name()))
+        self.assertIn("/rosout", master.system_state().publishers)
+        with self.assertRaises(MasterError):
+            master.uri_of("/nobody")
+
+
+if __name__ == "__main__":
+    rospy.init_node("test_node")
+    rostest.rosrun("roboframenet_ros", "node", NodeTest)
