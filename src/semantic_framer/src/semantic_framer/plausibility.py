@@ -13,6 +13,7 @@ from word_classes import word_class
 
 _DEGREES = word_class("degrees")
 _LEFT_AND_RIGHT = word_class("left_and_right")
+_PLACING = word_class("placing_prepositions")
 _SIDES = word_class("sides")
 
 
@@ -81,6 +82,19 @@ def is_numbered_place(filled: Filled) -> bool:
     elements = filled.frame.frame_elements
     themes = {element.name for element in elements if element.framenet == THEME and element.quantity is None}
     return any(other.name in themes and other.positions for other in filled.reading.values)
+
+
+def is_one_of_two_places(filled: Filled) -> bool:
+    """Whether one thing is to be put in two places: in "put the cup on the table and the bowl" nobody can tell whether
+    the bowl is a place. A thing can be brought "to Anna and Ben" one after the other.
+    """
+    if filled.value.conjunction != "and" or "Goal" not in filled.roles:
+        return False
+    prepositions = [child for child in filled.tree.children(filled.head.index) if child.deprel == "case"]
+    elements = filled.frame.frame_elements
+    themes = {element.name for element in elements if element.framenet == THEME and element.quantity is None}
+    is_put = any(other.name in themes and other.positions for other in filled.reading.values)
+    return is_put and bool(prepositions) and prepositions[0].form.lower() in _PLACING
 
 
 def is_degree(filled: Filled) -> bool:
