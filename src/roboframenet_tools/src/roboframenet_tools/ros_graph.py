@@ -9,6 +9,7 @@ from roboframenet_msgs.msg import FrameCatalogue, Lexicon, StageEvent
 
 from offline_pipeline.knowledge import Knowledge, load_texts
 from offline_pipeline.pipeline import Parameters
+from semantic_framer.behaviour_2012 import Arguments, Questions
 from semantic_framer.outcome import Alternatives, LeftOverWords, Policy
 
 
@@ -64,6 +65,8 @@ def live_parameters() -> Parameters:
             max_text_length=int(rospy.get_param("command_server/max_text_length", default.max_text_length)),
             policy=policy,
             max_candidates=int(rospy.get_param("frame_registrar/max_candidates", default.max_candidates)),
+            arguments=Arguments(rospy.get_param("semantic_framer/arguments", default.arguments.value)),
+            questions=Questions(rospy.get_param("semantic_framer/questions", default.questions.value)),
         )
     except ValueError as error:
         raise LookupError(f"a parameter of the running graph is wrong: {error}") from error
