@@ -21,7 +21,10 @@ def declared_parameters() -> Dict[str, Set[str]]:
                 found[f"{path.parent.name}.{path.stem}.{node.name}"] = {
                     f"~{field.target.id}"
                     for field in node.body
-                    if isinstance(field, ast.AnnAssign) and isinstance(field.target, ast.Name)
+                    if isinstance(field, ast.AnnAssign)
+                    and isinstance(field.target, ast.Name)
+                    and isinstance(field.value, ast.Call)
+                    and getattr(field.value.func, "id", "") == "parameter"
                 }
     return found
 
