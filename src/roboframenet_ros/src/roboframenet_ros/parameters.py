@@ -64,7 +64,7 @@ def parameter(
     """Declare a field of a class of `Parameters`.
 
     Args:
-        default: its value when the parameter is not set: a bool, number, string, tuple of strings, or a member of an enum
+        default: its value when the parameter is not set: a bool, number, string, tuple of strings, or member of an enum
             whose values are strings
         least: bound of a number; both bounds or none
         most: the other bound
