@@ -378,7 +378,7 @@ class CommandServerNode:
             self._replies.note("The robot stands still now." if is_stopped else may_still_move(finding.obedience))
             return
         remark = (
-            "Everything that it had started is stopped: zero velocity, and no goal goes on."
+            "Everything that it had started is stopped: zero velocity, and no goal is left."
             if is_stopped
             else may_still_move(finding.obedience)
         )
