@@ -33,6 +33,9 @@ OUTCOMES = {
     Reply.SUPERSEDED: "SUPERSEDED",
 }
 
+#: Stages that write a trace.
+STAGES = ("stanford_parser_ros", "semantic_framer")
+
 
 class Ears:
     """Records what the graph publishes about each command."""
@@ -41,7 +44,7 @@ class Ears:
         self._lock = threading.Lock()
         self.replies: List[Reply] = []
         self.candidates: Dict[str, CommandSemanticFrames] = {}
-        self.traces: Dict[str, List[str]] = {}
+        self.traces: Dict[str, Dict[str, List[str]]] = {}
         self.subscribers = [
             rospy.Subscriber("reply", Reply, self.replies.append),
             rospy.Subscriber("command_semantic_frames", CommandSemanticFrames, self._on_candidates),
@@ -52,9 +55,16 @@ class Ears:
         self.candidates[message.command.id] = message
 
     def _on_event(self, event: StageEvent) -> None:
-        if event.stage in ("stanford_parser_ros", "semantic_framer"):
+        if event.stage in STAGES:
             with self._lock:
-                self.traces.setdefault(event.command.id, []).extend(event.trace.splitlines())
+                by_stage = self.traces.setdefault(event.command.id, {})
+                by_stage.setdefault(event.stage, []).extend(event.trace.splitlines())
+
+    def trace(self, command: str) -> List[str]:
+        """Return the lines of a command in the order of the stages: their events come on separate connections."""
+        with self._lock:
+            by_stage = self.traces.get(command, {})
+            return [line for stage in STAGES for line in by_stage.get(stage, [])]
 
 
 class ExplainAndLiveTest(unittest.TestCase):
@@ -122,7 +132,7 @@ def heard(ears: Ears, reply: Reply) -> tuple:
         if node.kind == PlanNode.DO
     ]
     sentence = "" if reply.outcome == Reply.DONE else reply.sentence
-    return OUTCOMES[reply.outcome], reply.code, sentence, clauses, ears.traces.get(reply.command.id, [])
+    return OUTCOMES[reply.outcome], reply.code, sentence, clauses, ears.trace(reply.command.id)
 
 
 def expected(understanding: Understanding) -> tuple:

@@ -273,7 +273,9 @@ class _Front:
         """Decide of a clause without a pronoun, an auxiliary or a question word in front of its verb."""
         said, form = self._said, self._form
         text = " ".join(said)
-        if form == "BE" and not frozenset(said) & ({"NP"} | _SHOWN) and self._is_first:
+        is_inverted = form == "BE" and not frozenset(said) & ({"NP"} | _SHOWN)
+        # "Did the door open" where the parser takes "did" for the verb.
+        if self._is_first and (is_inverted or (said == [form] and self._is_finite_auxiliary())):
             return KindVerdict(UtteranceKind.QUESTION, "inversion", text)
         if "not" in said and form in ("BASE", "GERUND"):
             return KindVerdict(UtteranceKind.PROHIBITION, "negated", text)
@@ -292,6 +294,9 @@ class _Front:
             return KindVerdict(UtteranceKind.REQUEST, "wish_for_thing", text)
         start = said.index("NP") if "NP" in said else len(said) - 1
         return self._by_rules(said[start:])
+
+    def _is_finite_auxiliary(self) -> bool:
+        return self._verb.form.lower() in _AUXILIARIES and self._form in ("PAST", "THIRD")
 
     def _gerund(self, text: str) -> KindVerdict:
         if self._verb.head > self._verb.index:

@@ -10,6 +10,8 @@ from utterance_passes.vocabulary import Vocabulary
 from word_classes import word_class
 
 _DEGREES = word_class("degrees")
+#: Relations of phrases that end with a noun.
+_NOMINAL = frozenset(["obj", "iobj", "obl", "nmod"])
 _DEGREE_ADJECTIVES = word_class("degree_adjectives")
 _INDEFINITES = word_class("indefinites")
 _PARTICLES_ON_THE_WAY = word_class("particles_on_the_way")
@@ -89,6 +91,37 @@ def _places_at(tree: DependencyTree, words: Iterable[Word], position: int) -> Li
     if position > len(tree.words) or tree.word(position).form.lower() not in _PLACE_PREPOSITIONS:
         return []
     return [word for word in words if word.deprel == "obl" and min(tree.subtree(word.index)) == position]
+
+
+def with_objects_of_vocatives(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
+    """Make the object of a word that ends it, and that the parser takes for who is spoken to: "push the blue robot".
+
+    Who is spoken to is set off, or stands at an end, and the phrase before is complete without it.
+    """
+    edit = TreeEdit(tree)
+    for word in tree.words[2:]:
+        before = tree.word(word.index - 1)
+        determiners = [child for child in tree.children(word.index) if child.deprel in ("det", "nmod:poss")]
+        if word.deprel != "vocative" or not word.head > 0:
+            continue
+        verb = tree.word(word.head)
+        if determiners and min(child.index for child in determiners) > verb.index and not _has_object(tree, verb):
+            edit.rehang(word.index, verb.index, "obj")
+        elif before.upos == "ADJ" and before.deprel in _NOMINAL and before.head and _has_determiner(tree, before):
+            edit.rehang(word.index, before.head, before.deprel)
+            edit.rehang(before.index, word.index, "amod")
+            for child in tree.children(before.index):
+                if child.index < before.index:
+                    edit.rehang(child.index, word.index, child.deprel)
+    return edit.tree()
+
+
+def _has_object(tree: DependencyTree, verb: Word) -> bool:
+    return any(child.deprel in ("obj", "ccomp", "xcomp") for child in tree.children(verb.index))
+
+
+def _has_determiner(tree: DependencyTree, word: Word) -> bool:
+    return any(child.deprel in ("det", "nmod:poss") for child in tree.children(word.index))
 
 
 def with_measured_turns(tree: DependencyTree, _: Vocabulary) -> DependencyTree:

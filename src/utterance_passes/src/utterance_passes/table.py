@@ -322,6 +322,16 @@ PARSE_CORRECTING_PASSES: Tuple[TreePass, ...] = (
         correct_parse.with_degrees,
     ),
     TreePass(
+        "objects_of_vocatives",
+        "Make the object of a word that ends it, and that the parser takes for who is spoken to.",
+        Example(
+            "push|VERB|0|root the|DET|3|det blue|ADJ|1|obj robot|NOUN|1|vocative",
+            ("the: det(blue) -> det(robot)", "blue: obj(push) -> amod(robot)", "robot: vocative(push) -> obj(push)"),
+        ),
+        Stage.FRAMER,
+        correct_parse.with_objects_of_vocatives,
+    ),
+    TreePass(
         "letters_as_names",
         "Hang a letter or a number behind a noun on the noun: it is the name of it.",
         Example(

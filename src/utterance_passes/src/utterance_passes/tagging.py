@@ -9,7 +9,9 @@ from utterance_passes.utterance_pass import Retag
 from utterance_passes.vocabulary import Vocabulary
 from word_classes import word_class
 
+_AUXILIARIES = word_class("forms_of_have") | word_class("forms_of_do")
 _FORMS_OF_BE = word_class("forms_of_be")
+_PERSONS = word_class("personal_subjects")
 _LEAD_IN = word_class("lead_in")
 #: A name of one letter.
 _LETTER = re.compile("[A-Z][0-9]*")
@@ -41,7 +43,9 @@ def command_verb_position(forms: Sequence[str], vocabulary: Vocabulary) -> Optio
     if position < len(forms) and vocabulary.verbs_beginning_with(forms[position].lower()):
         # "Name is Bob", "Face it": a noun that is followed by a finite verb is no command.
         following = forms[position + 1].lower() if position + 1 < len(forms) else ""
-        return None if following in _FORMS_OF_BE else position + 1
+        # "Have you been there" asks.
+        is_auxiliary = forms[position].lower() in _AUXILIARIES and following in _PERSONS
+        return None if following in _FORMS_OF_BE or is_auxiliary else position + 1
     return None
 
 
