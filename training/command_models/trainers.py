@@ -139,7 +139,7 @@ def tagger(data: Path, models: Path, effort: Effort, seed: int) -> List[str]:
 
 
 def settled_tagger(data: Path, models: Path, effort: Effort, seed: int) -> List[str]:
-    """The best tagger, trained further at a fifth of the rate, with a quarter of the commands: it knows them by then."""
+    """The best tagger, trained further at a fifth of the rate, with a quarter of the commands (by then known)."""
     files = [models / "tagger-full.pt", models / "tagger.pt", models / "vectors.pt", data / "written.dev.conllu"]
     train = [data / "written.train.conllu", data / "commands.quarter.conllu"]
     counts = [str(effort.settle_tagger), str(seed + 1)]
