@@ -11,9 +11,9 @@ from command_server.taking_back import takes_back
 PROHIBITION = "NEGATED"
 CORRECTION = "CORRECTION"
 _AGAINST_WHAT_RUNS: FrozenSet[str] = frozenset([PROHIBITION, CORRECTION])
-#: Codes of the framer for a "no" to a question, and for a negation that forbids nothing.
 _FRAMER = "semantic_framer"
-_AGAINST_NOTHING: FrozenSet[str] = frozenset(["DECLINED", "NO_READING"])
+#: Its codes for a "no" to a question, and for what asks for nothing: "it is not hot" forbids nothing.
+_AGAINST_NOTHING: FrozenSet[str] = frozenset(["DECLINED", "QUESTION", "REPORT", "WISH", "TALK"])
 _REFUSED: FrozenSet[Outcome] = frozenset([Outcome.REFUSED, Outcome.NEEDS_INFORMATION, Outcome.FAILED])
 #: Sentences for commands that ended as expected; the reply need not repeat them.
 _PLAIN_ENDS = ("Stopped.", "A stop ended it.", "A newer command took its place.", "Cancelled before it began.")

@@ -144,6 +144,7 @@ def test_what_waits_itself_is_not_ended(withdrawals):
         ("No, go to the garage.", Outcome.REFUSED, "frame_registrar", "NO_SERVER"),
         ("No, move forward 3 kilometres.", Outcome.REFUSED, "frame_registrar", "LIMIT"),
         ("no, wave", Outcome.REFUSED, "semantic_framer", "UNKNOWN_FRAME"),
+        ("actually, take the lift", Outcome.REFUSED, "semantic_framer", "NO_READING"),
         ("nope, turn", Outcome.NEEDS_INFORMATION, "semantic_framer", "MISSING_ELEMENT"),
         ("no, turn left", Outcome.FAILED, "stanford_parser_ros", "STAGE_SILENT"),
     ],
@@ -157,7 +158,8 @@ def test_correction_that_anybody_refuses_is_against_what_runs(text, outcome, sta
     [
         ("Go to the garage.", Outcome.REFUSED, "frame_registrar", "NO_SERVER"),
         ("No.", Outcome.REFUSED, "semantic_framer", "DECLINED"),
-        ("No, I don't know.", Outcome.REFUSED, "semantic_framer", "NO_READING"),
+        ("It is not hot.", Outcome.REFUSED, "semantic_framer", "REPORT"),
+        ("I don't want coffee.", Outcome.REFUSED, "semantic_framer", "REPORT"),
         ("no, turn left", Outcome.DONE, "executor", "DONE"),
         ("no, turn left", Outcome.SUPERSEDED, "executor", "NEW_COMMAND"),
     ],
