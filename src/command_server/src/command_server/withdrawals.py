@@ -126,8 +126,8 @@ def _incomplete(withdrawal: _Withdrawal, timeout_s: float) -> Ending:
             [_how(ended) for ended in withdrawal.ended]
             + [
                 (
-                    f"I told {names} to end, but nobody has confirmed that within {timeout_s:g} s: "
-                    "the robot may still move."
+                    f"I cancelled {names}, but the end was not confirmed within {timeout_s:g} s. "
+                    "The robot may still move."
                 )
             ]
         ),

@@ -99,8 +99,8 @@ def test_wait_is_bounded(withdrawals, clock):
     (ending,) = withdrawals.take_overdue()
     assert (ending.outcome, ending.code) == (Outcome.FAILED, "NOT_STOPPED")
     assert ending.sentence == (
-        'I stopped "turn left". I told "Follow me" to end, but nobody has confirmed that within '
-        "10 s: the robot may still move."
+        'I stopped "turn left". I cancelled "Follow me", but the end was not confirmed within 10 s. '
+        "The robot may still move."
     )
     assert withdrawals.take_overdue() == [] and withdrawals.hear_end(end_of(FOLLOW)) == []
 
