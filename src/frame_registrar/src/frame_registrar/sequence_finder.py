@@ -178,6 +178,7 @@ def _not_among(filled: FilledFrame, element: str, values: Sequence[str]) -> Refu
     said = filled.argument(element)
     if not said:
         return Refusal(
-            "MISSING_ELEMENT", f"The {spoken_name(element)} of {spoken_name(filled.name)} is missing. It can be {allowed}."
+            "MISSING_ELEMENT",
+            f"The {spoken_name(element)} of {spoken_name(filled.name)} is missing. It can be {allowed}.",
         )
     return Refusal("VALUE_NOT_ALLOWED", f'The {spoken_name(element)} cannot be "{said}", only {allowed}.')
