@@ -338,7 +338,7 @@ def ending_of_silent_stop(stop: CommandText, *, timeout_s: float, standing: str)
     Args:
         stop: the stop
         timeout_s: how long the stop server had
-        standing: who obeys, as a sentence
+        standing: a sentence that says whether every node obeys
     """
     sentence = f"{STOP_STAGE} did not answer within {timeout_s:g} s, so {OWN_STAGE} carried out the stop. {standing}"
     return Ending(command=stop, outcome=Outcome.FAILED, stage=STOP_STAGE, code="STAGE_SILENT", sentence=sentence)
