@@ -1,6 +1,6 @@
-"""What people cry when a robot must stop, as tables: the cries, and the words that may stand around them.
+"""Tables of the cries that stop a robot, and of the words that may surround them.
 
-A stop needs no file and no other node, so these words stand in a module of their own, and not among the word classes.
+A stop must not need a file or another node, so these words are in this module and not among the word classes.
 """
 
 import enum
@@ -20,12 +20,12 @@ class Kind(enum.Enum):
 class Tail(enum.Enum):
     """What may follow a cry besides fillers, a pause in speech, or the next cry."""
 
-    ANYTHING = "anything"  # but a place, a distance, a time or a condition, which belong to a command
-    LASTING = "lasting"  # a clause of its own, or how long: "don't move for a minute"
-    UNTIL = "until"  # a clause of its own, or until when: "stay there until I come back"
-    CLAUSE = "clause"  # a clause of its own: "hold on you're too close"
+    ANYTHING = "anything"  # except a place, a distance, a time or a condition, which make a command of it
+    LASTING = "lasting"  # a separate clause, or how long: "don't move for a minute"
+    UNTIL = "until"  # a separate clause, or until when: "stay there until I come back"
+    CLAUSE = "clause"  # a separate clause: "hold on you're too close"
     OBJECT = "object"  # a clause, or what was asked for: "cancel that", "cancel the last command"
-    NEEDS_OBJECT = "needs_object"  # what was asked for, and no less: "forget that"
+    NEEDS_OBJECT = "needs_object"  # what was asked for, necessarily: "forget that"
     ACTIVITY = "activity"  # a clause, an activity or "it": "quit following me", "enough driving"
     NOTHING = "nothing"
 
@@ -35,15 +35,15 @@ class Cry:
     """An utterance that stops the robot.
 
     Attributes:
-        kind: what it is for
-        rest: what was said behind it
+        kind: its kind
+        rest: the text after it
     """
 
     kind: Kind
     rest: str = ""
 
 
-#: The table of cries, in plain words: contractions are spelled out before it is asked ("dont", "don't": "do not").
+#: The table of cries, in plain words: contractions are spelled out before the comparison ("dont", "don't": "do not").
 CRIES: Tuple[Tuple[Kind, Tail, str], ...] = (
     (
         Kind.STOP,
@@ -124,12 +124,12 @@ CRIES: Tuple[Tuple[Kind, Tail, str], ...] = (
     (Kind.FORGET, Tail.CLAUSE, "forget i said anything; forget i said that; forget i said it"),
 )
 
-#: Cries that may also stand behind a name or a warning without a pause in speech: "Rosie stop".
+#: Cries that may also follow a name or a warning without a pause in speech: "Rosie stop".
 STRONG: FrozenSet[str] = frozenset("stop halt estop whoa woah freeze wait".split())
 
-#: Words that are passed over wherever they stand.
+#: Words that are skipped everywhere.
 SOFT: FrozenSet[str] = frozenset("please kindly really maybe simply just".split())
-#: Words that change nothing, before or behind a cry.
+#: Words without effect before or after a cry.
 FILLERS: FrozenSet[str] = frozenset(
     (
         "robot turtlebot computer machine now right immediately instantly quickly quick hey hi yo oh ah uh "
@@ -165,9 +165,9 @@ FILLER_PHRASES: Tuple[str, ...] = (
     "no matter what",
 )
 
-#: "And stop" is a cry of its own, but not behind "Go to the kitchen."
+#: "And stop" is a cry, but not after "Go to the kitchen."
 OPENINGS: Tuple[str, ...] = ("and", "then", "and then", "but")
-#: What leads to a cry: "could you please stop", "I said stop".
+#: Words that introduce a cry: "could you please stop", "I said stop".
 LEADS: Tuple[str, ...] = (
     "can you",
     "could you",
@@ -250,7 +250,7 @@ LEADS: Tuple[str, ...] = (
     "where are you going",
 )
 
-#: What may stand behind any cry.
+#: Words that may follow any cry.
 TRAILS: Tuple[str, ...] = (
     "where you are",
     "a second",
@@ -293,7 +293,7 @@ TRAILS: Tuple[str, ...] = (
     "this second",
 )
 
-#: What was asked for, as "cancel" and its like may name it.
+#: Names for what was asked for, after "cancel" and similar cries.
 OBJECTS: FrozenSet[str] = frozenset(
     (
         "it this that them everything all the my your last previous current whole what i just said asked told "
@@ -304,7 +304,7 @@ OBJECTS: FrozenSet[str] = frozenset(
 )
 WEAK_OBJECTS: FrozenSet[str] = frozenset("the my your last previous current whole of i you are were about".split())
 
-#: Behind "stop": a place, a distance or a time, which make a command of it that goes the long way.
+#: After "stop": a place, a distance or a time, which make a command for the pipeline of it.
 PLACES: FrozenSet[str] = frozenset(
     (
         "at by in near next beside behind on onto under underneath below above outside inside between opposite "
@@ -312,7 +312,7 @@ PLACES: FrozenSet[str] = frozenset(
         "toward during every later tomorrow tonight as where wherever"
     ).split()
 )
-#: ... unless the words go on like this.
+#: Phrases with these words that are not such places.
 NO_PLACES: Tuple[str, ...] = (
     "at once",
     "at this",
@@ -373,7 +373,7 @@ AMOUNTS: FrozenSet[str] = frozenset(
 #: "A stop sign" is a thing.
 COMPOUNDS: FrozenSet[str] = frozenset("sign signs button".split())
 
-#: Begin a clause of its own behind a cry: "wait you are going the wrong way".
+#: First words of a separate clause after a cry: "wait you are going the wrong way".
 CLAUSES: FrozenSet[str] = frozenset(
     "you i he she we they no not and then or but let do because somebody what why how could can would".split()
 )
@@ -383,7 +383,7 @@ VERBS_OF_IT: FrozenSet[str] = frozenset("is was will might could can does has lo
 LASTS: FrozenSet[str] = frozenset("until till while unless before or".split())
 TAIL_WORDS: Mapping[Tail, FrozenSet[str]] = {Tail.UNTIL: LASTS, Tail.LASTING: LASTS | {"for"}}
 
-#: Words that take a cry as what is said, not as a cry.
+#: Words that quote a cry: "say stop" is not a cry.
 SAYING: FrozenSet[str] = frozenset(
     (
         "say says saying said tell tells telling told ask asks asked shout shouts shouted yell yells cry call "
@@ -391,7 +391,7 @@ SAYING: FrozenSet[str] = frozenset(
         "display draw sing"
     ).split()
 )
-#: Before "stop": a name ends with none of these.
+#: A name before "stop" ends with none of these.
 NO_NAMES: FrozenSet[str] = frozenset(
     (
         "a an the this that these those my your his her its our their two next last first second final only "
@@ -407,7 +407,7 @@ WARNINGS: FrozenSet[str] = frozenset(
     ("you your i we that it its there not wrong too watch look mind careful be ouch ow oh no nope hey god help").split()
 )
 BLOCKING: FrozenSet[str] = SAYING | {"until", "till", "when", "whenever", "if", "once", "never", "unless"}
-#: Said just before a cry they set it off: "a bit further okay stop".
+#: Interjections that separate a cry from the words before: "a bit further okay stop".
 SET_OFF: FrozenSet[str] = frozenset("ok okay no nope oh hey whoa wait alright ouch enough".split())
 
 #: Verbs of commands.
@@ -421,7 +421,7 @@ COMMAND_VERBS: FrozenSet[str] = frozenset(
         "step switch take tell throw travel turn unlock vacuum visit walk wash wipe withdraw"
     ).split()
 )
-#: Words that are mistyped, and the English words that a slip of them would give.
+#: Words that are mistyped, and the English words that a typing error would make of them.
 TYPED: Mapping[str, Kind] = {
     "stop": Kind.STOP,
     "halt": Kind.STOP,
