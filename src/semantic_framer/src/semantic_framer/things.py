@@ -4,7 +4,10 @@ from utterance_passes.tree import DependencyTree
 from word_classes import word_class
 
 _DEEDS = word_class("deed_nouns")
+_DEEDS_BROUGHT_ABOUT = word_class("deed_nouns_brought_about")
+_DEEDS_SET = word_class("deed_nouns_set")
 _DEEDS_WITH_LIGHT_VERBS = word_class("deed_nouns_with_light_verbs")
+_BRINGING_ABOUT = word_class("bringing_about_verbs")
 _INDEFINITE_ARTICLES = word_class("indefinite_articles")
 _LIGHT_VERBS = word_class("light_verbs_of_deeds")
 _OF_RIDING = word_class("riding_verbs")
@@ -24,9 +27,13 @@ def is_no_thing(tree: DependencyTree, index: int, verb: str) -> bool:
     """
     lemma = tree.word(index).lemma.lower()
     first = verb.split()[0]
-    is_deed = lemma in _DEEDS
-    is_deed |= lemma in _DEEDS_WITH_LIGHT_VERBS and first in _LIGHT_VERBS and not is_definite(tree, index)
-    return is_deed or (lemma in _WAYS and first in _OF_RIDING)
+    is_deed = (
+        (lemma in _DEEDS_WITH_LIGHT_VERBS and first in _LIGHT_VERBS)
+        or (lemma in _DEEDS_BROUGHT_ABOUT and first in _BRINGING_ABOUT)
+        or (lemma in _DEEDS_SET and first == "set")
+    )
+    is_chosen = is_definite(tree, index)
+    return lemma in _DEEDS or (is_deed and not is_chosen) or (lemma in _WAYS and first in _OF_RIDING)
 
 
 def is_indefinite(tree: DependencyTree, index: int) -> bool:

@@ -42,10 +42,17 @@ give Anna a shout
 give me your opinion
 put some pressure on the lid
 bring the party to the garden
+bring an end to the noise
+put a stop to the music
+set a timer
+set an alarm on the table
 """.strip().splitlines()
 THINGS = {
     "take the step ladder to the garage": {"theme": "the step ladder", "goal": "the garage"},
     "take the seat to the hall": {"theme": "the seat", "goal": "the hall"},
+    "put a timer on the table": {"theme": "a timer", "goal": "the table"},
+    "set the timer on the table": {"theme": "the timer", "goal": "the table"},
+    "bring the end table to the hall": {"theme": "the end table", "goal": "the hall"},
     "bring me a seat": {"theme": "a seat", "beneficiary": "me"},
     "take the rest of the plates to the kitchen": {"theme": "the rest of the plates", "goal": "the kitchen"},
     "take the photo to Anna": {"theme": "the photo", "goal": "Anna"},
