@@ -46,6 +46,17 @@ REFUSED_CORRECTIONS = (
     ("wrong, bring me the mug", "NO_SERVER"),
     ("Go to the garage instead.", "CORRECTION"),
 )
+#: Said while the robot drives: it drives on.
+NO_CRIES = (
+    "Don't stop!",
+    "stop at the door",
+    "why did you stop",
+    "step",
+    "no, keep going",
+    "No, continue.",
+    "no go on",
+    "no keep moving forward",
+)
 STANDING = 0.001
 
 
@@ -204,7 +215,7 @@ class CriesTest(unittest.TestCase):
 
     def test_other_sentences_do_not_stop_the_robot(self) -> None:
         since = self.start(DRIVE)
-        for said in ("Don't stop!", "stop at the door", "why did you stop", "step"):
+        for said in NO_CRIES:
             reply = self.say(said)
             self.assertNotEqual(reply.stage, "stop_server", said)
         self.assertGreater(self.speed(), 0.05)

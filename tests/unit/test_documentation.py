@@ -21,7 +21,10 @@ def declared_parameters() -> Dict[str, Set[str]]:
                 found[f"{path.parent.name}.{path.stem}.{node.name}"] = {
                     f"~{field.target.id}"
                     for field in node.body
-                    if isinstance(field, ast.AnnAssign) and isinstance(field.target, ast.Name)
+                    if isinstance(field, ast.AnnAssign)
+                    and isinstance(field.target, ast.Name)
+                    and isinstance(field.value, ast.Call)
+                    and getattr(field.value.func, "id", "") == "parameter"
                 }
     return found
 
@@ -40,10 +43,19 @@ def parameters_read_by_class(path: Path) -> Set[str]:
     }
     names: Set[str] = set()
     for node in ast.walk(tree):
-        if isinstance(node, ast.Call) and getattr(node.func, "id", "") == "read_parameters":
+        if (
+            isinstance(node, ast.Call)
+            and getattr(node.func, "id", "") == "read_parameters"
+            and not any(is_prefix_of_another_node(keyword) for keyword in node.keywords)
+        ):
             kind = getattr(node.args[0], "id", "")
             names |= DECLARED[origins.get(kind, f"{path.parent.name}.{path.stem}.{kind}")]
     return names
+
+
+def is_prefix_of_another_node(keyword: ast.keyword) -> bool:
+    """Whether an argument says that the parameters are those of another node."""
+    return keyword.arg == "prefix" and isinstance(keyword.value, ast.Constant) and keyword.value.value != "~"
 
 
 def parameters_in_code(package: Path) -> Set[str]:

@@ -6,7 +6,7 @@ command server decides this itself, without a parser or a file.
 
 from typing import FrozenSet, Optional, Sequence, Tuple
 
-from command_server.cries import FILLERS, SOFT
+from command_server.cries import FILLER_PHRASES, FILLERS, LEADS, SOFT
 from command_server.spoken_words import plain_text, tokens_of
 
 #: Openings of corrections and prohibitions, in plain words: contractions are spelled out.
@@ -53,8 +53,48 @@ TALK: FrozenSet[str] = frozenset(
 ENDING: FrozenSet[str] = frozenset(
     "stop halt pause wait hesitate worry forget hurry rush panic mind freeze quit cancel abort bother".split()
 )
+#: What tells the robot to go on, when nothing else is said: "no, keep going".
+GOING_ON: Tuple[str, ...] = (
+    "keep going",
+    "keep moving",
+    "keep on",
+    "keep at it",
+    "keep it up",
+    "continue",
+    "go on",
+    "go ahead",
+    "carry on",
+    "move on",
+    "proceed",
+    "resume",
+    "as you were",
+)
+#: Before an activity: "no, keep following me".
+KEEPING: Tuple[str, ...] = ("keep", "keep on", "continue", "go on", "carry on")
+#: They end like an activity, and are none.
+NO_ACTIVITIES: FrozenSet[str] = frozenset(
+    "nothing anything something everything morning evening building ceiling during king string".split()
+)
+#: What may stand behind "go on".
+ON_TAILS: Tuple[str, ...] = (
+    "like that",
+    "like this",
+    "as before",
+    "as you were",
+    "with it",
+    "with that",
+    "with this",
+    "what you are doing",
+    "with what you are doing",
+    "doing that",
+    "doing what you are doing",
+)
+#: Words among the fillers that say where to, or no.
+_NO_FILLERS: FrozenSet[str] = frozenset("no nope right there here back".split())
+_INTRODUCTIONS: Tuple[str, ...] = ("nah", "oops", "rather", "i mean", "i meant", *LEADS)
 _PAUSES: FrozenSet[str] = frozenset(",.")
 _NEGATIONS: FrozenSet[str] = frozenset(["not", "never"])
+_ENDS_ACTIVITY: FrozenSet[str] = _PAUSES | _NEGATIONS | frozenset("no nope and but then instead rather".split())
 _EMPHASIS: FrozenSet[str] = frozenset(["ever", "even"])
 _AROUND: FrozenSet[str] = (FILLERS | SOFT | _PAUSES) - {phrase.split()[0] for phrase in OBJECTIONS + WEAK_OBJECTIONS}
 # Words: "you must not ever stop".
@@ -67,6 +107,8 @@ def takes_back(text: str) -> bool:
     Args:
         text: in any spelling; only the beginning of a very long text counts
     """
+    if tells_to_go_on(text):
+        return False
     words = [token.word for token in tokens_of(plain_text(text)[1])]
     front = _behind_fillers(words, 0)
     if _phrase_at(words, front, WEAK_OBJECTIONS) is not None:
@@ -79,6 +121,42 @@ def takes_back(text: str) -> bool:
     if opening in ("no", "not") and behind and behind[0] in TALK:
         return False
     return not _goes_on(words[front:])
+
+
+def tells_to_go_on(text: str) -> bool:
+    """Whether an utterance asks for nothing but to go on with what runs: "no, keep going", "no, keep following me".
+
+    Args:
+        text: in any spelling; of a very long one only the beginning counts
+    """
+    words = [token.word for token in tokens_of(plain_text(text)[1])]
+    front = _behind(words, 0, phrases=_INTRODUCTIONS, fillers=_PAUSES | SOFT | FILLERS)
+    keeping = _phrase_at(words, front, KEEPING)
+    if keeping is not None:
+        activity, *behind = words[front + len(keeping.split()) :] or [""]
+        # More than one thing may be said after a pause, an "and" or a "not".
+        if activity.endswith("ing") and activity not in NO_ACTIVITIES and not _ENDS_ACTIVITY & set(behind):
+            return True
+    going_on = _phrase_at(words, front, GOING_ON)
+    if going_on is None:
+        return False
+    end = _behind(
+        words,
+        front + len(going_on.split()),
+        phrases=ON_TAILS + FILLER_PHRASES,
+        fillers=(_PAUSES | SOFT | FILLERS) - _NO_FILLERS,
+    )
+    return end == len(words)
+
+
+def _behind(words: Sequence[str], position: int, *, phrases: Sequence[str], fillers: FrozenSet[str]) -> int:
+    """Return the position behind all phrases and fillers."""
+    while position < len(words):
+        phrase = _phrase_at(words, position, phrases)
+        if phrase is None and words[position] not in fillers:
+            break
+        position += len(phrase.split()) if phrase else 1
+    return position
 
 
 def _behind_fillers(words: Sequence[str], position: int) -> int:

@@ -5,7 +5,7 @@ from dataclasses import dataclass, field, replace
 from typing import Callable, Dict, FrozenSet, Iterable, List, Optional, Tuple
 
 from command_server.open_commands import CommandText, Ending, Outcome
-from command_server.taking_back import takes_back
+from command_server.taking_back import takes_back, tells_to_go_on
 
 #: Codes of the framer for a prohibition and a correction. The framer does not know what runs.
 PROHIBITION = "NEGATED"
@@ -24,8 +24,9 @@ def is_against_what_runs(ending: Ending) -> bool:
 
     The framer knows prohibitions ("don't go there") and corrections that it does not understand. A correction that any
     stage refuses, asks about or does not answer is against what runs too: "no, go to the garage" with no server for it.
+    "No, keep going" is against nothing, although the framer takes it for a correction.
     """
-    if ending.outcome not in _REFUSED:
+    if ending.outcome not in _REFUSED or tells_to_go_on(ending.command.text):
         return False
     if ending.code in _AGAINST_WHAT_RUNS:
         return True

@@ -158,6 +158,9 @@ def test_correction_that_anybody_refuses_is_against_what_runs(text, outcome, sta
     [
         ("Go to the garage.", Outcome.REFUSED, "frame_registrar", "NO_SERVER"),
         ("No.", Outcome.REFUSED, "semantic_framer", "DECLINED"),
+        ("no, keep going", Outcome.REFUSED, "semantic_framer", "CORRECTION"),
+        ("no go on", Outcome.NEEDS_INFORMATION, "semantic_framer", "CORRECTION"),
+        ("no, continue", Outcome.FAILED, "stanford_parser_ros", "STAGE_SILENT"),
         ("It is not hot.", Outcome.REFUSED, "semantic_framer", "REPORT"),
         ("I don't want coffee.", Outcome.REFUSED, "semantic_framer", "REPORT"),
         ("no, turn left", Outcome.DONE, "executor", "DONE"),

@@ -236,6 +236,16 @@ PLAUSIBILITY: Tuple[ReadingVerdict, ...] = (
         _of_any_value(plausibility.is_numbered_place),
     ),
     ReadingVerdict(
+        "one_place",
+        'One thing is put in two places: "put the cup on the table and the bowl".',
+        _of_any_value(plausibility.is_one_of_two_places),
+    ),
+    ReadingVerdict(
+        "two_phrases",
+        'Two noun phrases fill one element with nothing between them: "go to room 3 polish the table".',
+        _of_any_value(plausibility.is_two_phrases),
+    ),
+    ReadingVerdict(
         "degree_is_no_thing", 'A degree is taken for a thing: "move a bit".', _of_any_value(plausibility.is_degree)
     ),
     ReadingVerdict(
