@@ -1,7 +1,7 @@
 """Recognises utterances that take back or forbid what was said before ("no, go to the garage"), by words alone.
 
-Any stage may refuse what they ask for, or hang; what they take back must end all the same. So the command server
-decides this itself, without a parser or a file.
+Any stage may refuse such an utterance, or hang, but the commands that it takes back must end in any case. So the
+command server decides this itself, without a parser or a file.
 """
 
 from typing import FrozenSet, Optional, Sequence, Tuple
@@ -41,7 +41,7 @@ OBJECTIONS: Tuple[str, ...] = (
     "you are not",
     "you are wrong",
 )
-#: Openings that may also be said alone, and then take nothing back: "sorry".
+#: Openings that take nothing back when they are said alone: "sorry".
 WEAK_OBJECTIONS: Tuple[str, ...] = ("oops", "sorry", "actually", "rather", "instead")
 #: Ends of corrections: "go to the garage instead".
 BEHIND: Tuple[str, ...] = ("instead", "rather", "i mean", "i meant")
@@ -49,7 +49,7 @@ BEHIND: Tuple[str, ...] = ("instead", "rather", "i mean", "i meant")
 TALK: FrozenSet[str] = frozenset(
     "thanks thank problem problems worries worry idea doubt hurry rush need matter bad yet sure now one at".split()
 )
-#: A negation of these means to go on: "no, don't stop".
+#: Negated, these mean to continue: "no, don't stop".
 ENDING: FrozenSet[str] = frozenset(
     "stop halt pause wait hesitate worry forget hurry rush panic mind freeze quit cancel abort bother".split()
 )
@@ -105,7 +105,7 @@ def takes_back(text: str) -> bool:
     """Whether an utterance opens or ends like a correction of what was said before, or opens like a prohibition.
 
     Args:
-        text: in any spelling; of a very long one only the beginning counts
+        text: in any spelling; only the beginning of a very long text counts
     """
     if tells_to_go_on(text):
         return False
@@ -166,13 +166,13 @@ def _behind_fillers(words: Sequence[str], position: int) -> int:
 
 
 def _phrase_at(words: Sequence[str], position: int, phrases: Sequence[str]) -> Optional[str]:
-    """Return the longest phrase that stands at a position, None for none."""
+    """Return the longest phrase at a position, None for none."""
     found = [phrase for phrase in phrases if list(words[position : position + len(phrase.split())]) == phrase.split()]
     return max(found, key=len) if found else None
 
 
 def _goes_on(words: Sequence[str]) -> bool:
-    """Whether an end is forbidden: "no, don't stop"."""
+    """Whether the utterance forbids to stop: "no, don't stop"."""
     for position, word in enumerate(words):
         if word in _NEGATIONS:
             following = words[position + 1 : position + _LONGEST_AUXILIARY]

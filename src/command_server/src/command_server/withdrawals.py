@@ -11,9 +11,9 @@ from command_server.taking_back import takes_back, tells_to_go_on
 PROHIBITION = "NEGATED"
 CORRECTION = "CORRECTION"
 _AGAINST_WHAT_RUNS: FrozenSet[str] = frozenset([PROHIBITION, CORRECTION])
-#: Codes of the framer for a "no" to a question, and for a negation that forbids nothing.
 _FRAMER = "semantic_framer"
-_AGAINST_NOTHING: FrozenSet[str] = frozenset(["DECLINED", "NO_READING"])
+#: Its codes for a "no" to a question, and for what asks for nothing: "it is not hot" forbids nothing.
+_AGAINST_NOTHING: FrozenSet[str] = frozenset(["DECLINED", "QUESTION", "REPORT", "WISH", "TALK"])
 _REFUSED: FrozenSet[Outcome] = frozenset([Outcome.REFUSED, Outcome.NEEDS_INFORMATION, Outcome.FAILED])
 #: Sentences for commands that ended as expected; the reply need not repeat them.
 _PLAIN_ENDS = ("Stopped.", "A stop ended it.", "A newer command took its place.", "Cancelled before it began.")
@@ -127,8 +127,8 @@ def _incomplete(withdrawal: _Withdrawal, timeout_s: float) -> Ending:
             [_how(ended) for ended in withdrawal.ended]
             + [
                 (
-                    f"I told {names} to end, but nobody has confirmed that within {timeout_s:g} s: "
-                    "the robot may still move."
+                    f"I cancelled {names}, but the end was not confirmed within {timeout_s:g} s. "
+                    "The robot may still move."
                 )
             ]
         ),

@@ -59,10 +59,13 @@ def live_parameters() -> Parameters:
         LookupError: a value that the node would refuse
     """
     try:
+        framer = read_parameters(SemanticFramerSettings, prefix="semantic_framer/")
         return Parameters(
             max_text_length=read_parameters(CommandServerSettings, prefix="command_server/").max_text_length,
-            policy=read_parameters(SemanticFramerSettings, prefix="semantic_framer/").policy,
+            policy=framer.policy,
             max_candidates=read_parameters(FrameRegistrarSettings, prefix="frame_registrar/").max_candidates,
+            arguments=framer.arguments,
+            questions=framer.questions,
         )
     except ParameterError as error:
         raise LookupError(f"a parameter of the running graph is wrong: {error}") from error

@@ -191,7 +191,11 @@ class SemanticFramer:
                     )
                 ):
                     outcome, context = with_habits(
-                        outcome, heard.context, arguments=self._settings.arguments, questions=self._settings.questions
+                        outcome,
+                        heard.context,
+                        arguments=self._settings.arguments,
+                        questions=self._settings.questions,
+                        trace=trace,
                     )
                     # A clock that was set back makes all stamps early; a command that is stopped already asks nothing.
                     is_stopped = stamp <= self._stop_stamp <= rospy.Time.now() and not self._stop_stamp.is_zero()
