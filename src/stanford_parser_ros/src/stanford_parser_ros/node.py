@@ -84,9 +84,10 @@ class ParserNode:
         )
         times = self._parser.load_times
         self._commands: queue.Queue[Command] = queue.Queue(settings.queue_size)
+        self._is_closing = threading.Event()
         self._worker = threading.Thread(target=self._run, name="parser", daemon=True)
         self._worker.start()
-        rospy.on_shutdown(lambda: self._worker.join(2.0 * WAKE_UP_S))
+        rospy.on_shutdown(self._close)
         self._subscriber = rospy.Subscriber("command_text", Command, self._on_command, queue_size=settings.queue_size)
         rospy.loginfo(
             "ready after %.1f s (torch %.1f, Stanza %.1f, models %.1f, first parse %.1f): %s",
@@ -125,8 +126,14 @@ class ParserNode:
                 sentence="Too many commands are waiting to be parsed.",
             )
 
+    def _close(self) -> None:
+        """Let the current parse end while its reply can still be published."""
+        # is_shutdown() is still false while the hooks of a shutdown run.
+        self._is_closing.set()
+        self._worker.join(2.0 * WAKE_UP_S)
+
     def _run(self) -> None:
-        while not rospy.is_shutdown():
+        while not self._is_closing.is_set():
             try:
                 command = self._commands.get(timeout=WAKE_UP_S)
             except queue.Empty:
