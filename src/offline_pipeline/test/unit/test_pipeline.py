@@ -53,6 +53,18 @@ ODD = (
     ("turn up the heating a little", "degrees: little: nmod:unmarked(heating) -> obl:unmarked(turn)"),
     ("turn the volume to level three", "leaves_more_over: facing(goal=level three): dropped."),
     ("stop", "stop_words: stops at once"),
+    ("boil the noodles in the big pot", "reattached: in the big pot: container of the verb, not part of noodles"),
+    ("grab the mug on the table", 'places_behind: on the table: part of the theme "mug"'),
+    ("bring the mug close to the door", 'words_before: close: part of the goal "door"'),
+    ("could you go to the hall and take the mug", "shared_subject: you: agent of this clause too"),
+    ("bring the mug to the", "unfinished: to the: no noun for goal"),
+    ("drive east", "no_default: something else is said for direction than forward"),
+    ("take a left at the door", "phrases_left_over: turning(direction=left, angle=90, angle_unit=degrees): left over"),
+    ("take the mug and bring it to me", "references: bringing(theme=it, beneficiary=me): bringing(theme=the mug"),
+    ("bring it to me", "references: it: asked."),
+    ("follow", "missing_element: following(): asked. No words for cotheme."),
+    ("go to the office frobnicatingly", "left_over_words: frobnicatingly: refused."),
+    ("turn left or go back", "choices: turn left or go back: asked."),
 )
 
 

@@ -108,7 +108,7 @@ def hear(
         without: names of passes that are switched off, for those who look for what a pass does
         trace: where every rule that changes or settles something is written; None for nowhere
     """
-    heard = _Hearing(Now(known, policy, now_s), without, trace).hear(tree, context.at(now_s))
+    heard = _Hearing(Now(known, policy, now_s, trace), without).hear(tree, context.at(now_s))
     outcome = against_what_runs(heard.outcome, tree)
     if trace is not None:
         if not isinstance(outcome, Understood) and outcome != heard.outcome:
@@ -144,10 +144,10 @@ def restructured(
 class _Hearing:
     """Understands one utterance."""
 
-    def __init__(self, now: Now, without: FrozenSet[str], trace: Optional[Trace]) -> None:
+    def __init__(self, now: Now, without: FrozenSet[str]) -> None:
         self._now = now
         self._without = without
-        self._trace = trace
+        self._trace = now.trace
 
     def hear(self, tree: DependencyTree, context: Context) -> Heard:
         """Take an utterance as an answer to the open question, if it is one, or as a command."""
@@ -160,12 +160,14 @@ class _Hearing:
         if pending is None:
             return self._read(meant, context)
         if is_no(tree.text):
+            self._now.write("answer", tree.text, "a no to the question before")
             return Heard(Refusal(DECLINED, "All right, I do nothing."), context, meant)
         known, policy = self._now.known, self._now.policy
         if pending.readings:
             choice = chosen(meant, pending.readings, known)
             if choice is None:
                 return self._read(meant, context)
+            self._now.write("answer", tree.text, f'chooses "{choice.text}"')
             picked = self._restructured(choice.tree, REPHRASING_PASSES)
             if not isinstance(picked, Sentence):
                 return Heard(*ask_which(picked, context, self._now))
@@ -178,6 +180,7 @@ class _Hearing:
         answered = answer(meant, pending, known, is_strict=is_strict)
         if answered is None:
             return self._read(meant, context)
+        self._now.write("answer", tree.text, "; ".join(str(readings[0]) for readings in answered))
         # A yes counts only where it was asked for: "right" may be a direction.
         is_confirmed = not pending.elements
         return Heard(*resolve_and_confirm(answered, meant, context, self._now, is_confirmed=is_confirmed), meant)
@@ -204,6 +207,8 @@ class _Hearing:
             sentence, best, known
         )
         if choices:
+            offered = " or ".join(choice.text for choice in choices)
+            self._now.write("choices", offered, "asked. The person left it open.")
             return Heard(*ask_which(choices, context, self._now), sentence, clauses)
         kept = tuple(read.kept for read in clauses)
         outcome, context = resolve_and_confirm(kept, sentence, context, self._now)
@@ -252,5 +257,6 @@ class _Hearing:
         if words:
             front = whole_sentence(tree, words[0].index)
             if match_verbs(tree, front, known):
+                self._now.write("verb_at_the_front", tree.word(front.verb).form, "a verb, though the parser saw none")
                 return (front,)
         return clauses

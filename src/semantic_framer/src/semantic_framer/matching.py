@@ -1,7 +1,7 @@
 """Matches lexical units against a clause: which words fill which frame element."""
 
 from dataclasses import replace
-from typing import Dict, FrozenSet, List, Optional, Sequence, Set, Tuple
+from typing import Dict, FrozenSet, Iterable, List, Optional, Sequence, Set, Tuple
 
 from semantic_framer.attachment import (
     is_direction,
@@ -25,7 +25,7 @@ from semantic_frames.lexical_unit import ArgumentForm, ElementRelation, LexicalU
 from semantic_frames.relation_names import MEASURE
 from utterance_passes.clauses import Clause, shared_subject
 from utterance_passes.measures import Amount, amounts_of
-from utterance_passes.trace import Trace
+from utterance_passes.trace import Trace, TraceLine
 from utterance_passes.verb_matching import VerbMatch, match_verbs
 from word_classes import word_class
 
@@ -62,6 +62,8 @@ def read_clause(
             filling = _Filling(sentence, clause, unit, frame, match, amounts)
             reading = filling.reading()
             if trace is not None:
+                if reading is not None:
+                    trace.extend(filling.notes)
                 _write(trace, sentence, match, unit, reading, filling.unfilled())
             if reading is not None:
                 readings.append(reading)
@@ -131,6 +133,9 @@ class _Filling:
         self._numeral_of: Dict[str, Amount] = {}
         self._subject = clause.subject or shared_subject(sentence.tree, clause.verb)
         self._is_measuring_of_2012 = measures_as_in_2012(unit)
+        self._moved: Set[int] = set()
+        #: Phrases that rules moved or left out, for the trace.
+        self.notes: List[TraceLine] = []
 
     def reading(self) -> Optional[Reading]:
         """Return the reading; None when a required relation does not match."""
@@ -162,6 +167,10 @@ class _Filling:
             unread=tuple(dict.fromkeys(amount for amounts in self._unread.values() for amount in amounts)),
         )
 
+    def _note(self, rule: str, positions: Iterable[int], what: str) -> None:
+        words = frozenset(positions)
+        self.notes.append(TraceLine(rule, tuple(sorted(words)), self._sentence.text(sorted(words)), "", what))
+
     def unfilled(self) -> Tuple[ElementRelation, ...]:
         """Return the relations that found nothing."""
         return tuple(relation for relation in self._unit.relations if not self._is_taken(relation.name))
@@ -191,6 +200,7 @@ class _Filling:
                 if not relation.words and is_unfinished(self._sentence.tree, head):
                     self._unread[relation.name] = ()
                     self._unfinished |= self._sentence.subtree(head)
+                    self._note("unfinished", self._sentence.subtree(head), f"no noun for {relation.name}")
                     return
                 listed = self._listed_words(head, relation.words)
                 if relation.words and not listed:
@@ -207,7 +217,15 @@ class _Filling:
                     continue
                 self._heads[relation.name] = head
                 self._listed[relation.name] = listed
+                self._note_where_from(relation.name, head)
                 return
+
+    def _note_where_from(self, name: str, head: int) -> None:
+        if head == self._subject and not self._clause.subject:
+            self._note("shared_subject", [head], f"{name} of this clause too")
+        elif head in self._moved:
+            governor = self._sentence.word(self._sentence.word(head).head).form
+            self._note("reattached", self._sentence.subtree(head), f"{name} of the verb, not part of {governor}")
 
     def _is_in_a_measure(self, head: int) -> bool:
         """Whether a word measures ("two degrees"), and so is no thing; a bare number may be one ("give me 5")."""
@@ -280,11 +298,13 @@ class _Filling:
         particle = [
             index for index in self._match.positions[1:] if self._sentence.word(index).form.lower() == preposition
         ]
-        return [
+        heads = [
             head
             for head in found
             if head not in particle and not self._sentence.word(head).deprel.startswith("acl")  # "which is on the bed"
         ]
+        self._moved.update(heads)
+        return heads
 
     def _values(self) -> Tuple[ElementValue, ...]:
         verb_words = frozenset(self._match.positions)
@@ -305,9 +325,9 @@ class _Filling:
                     if is_unit
                     else amount_value(self._sentence.tree, element.name, amount, is_whole=not element.unit_element)
                 )
-                before = words_before_amount(self._sentence.tree, min(amount.positions))
+                hedges = words_before_amount(self._sentence.tree, min(amount.positions))
                 if not is_unit:
-                    values[-1] = replace(values[-1], positions=tuple(sorted(before)) + values[-1].positions)
+                    values[-1] = replace(values[-1], positions=tuple(sorted(hedges)) + values[-1].positions)
             elif element.name in self._numeral_of:
                 numeral = self._numeral_of[element.name]
                 values.append(amount_value(self._sentence.tree, element.name, numeral, is_whole=False))
@@ -322,13 +342,19 @@ class _Filling:
                 ]
                 left_out = verb_words | amount_words | frozenset().union(*others) | self._outside(head)
                 relation = next(relation for relation in self._unit.relations if relation.name == element.name)
-                attached = self._listed[element.name] | self._places_behind(head, element, left_out)
-                attached |= self._words_before(head, left_out)
+                behind = self._places_behind(head, element, left_out)
+                before = self._words_before(head, left_out)
+                for rule, positions in (("places_behind", behind), ("words_before", before)):
+                    if positions:
+                        self._note(rule, positions, f'part of the {element.name} "{self._sentence.word(head).form}"')
+                attached = self._listed[element.name] | behind | before
                 values.append(
                     phrase_value(self._sentence.tree, element.name, head, relation.argument, left_out, attached)
                 )
             elif element.default and not self._is_said_otherwise(element):
                 values.append(given_value(element.name, element.default))
+            elif element.default:
+                self._note("no_default", (), f"something else is said for {element.name} than {element.default}")
         return tuple(values)
 
     def _is_said_otherwise(self, element: FrameElement) -> bool:

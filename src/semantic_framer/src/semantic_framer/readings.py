@@ -100,10 +100,18 @@ def _refused(
 
 def plausible_readings(case: ClauseCase, trace: Optional[Trace] = None) -> Tuple[Reading, ...]:
     """Return the ways to understand a clause, the best first, without those that take words for what they are not."""
-    readings = tuple(
-        _with_phrases_left_over(case.sentence, reading)
-        for reading in without_duplicates(read_clause(case.sentence, case.clause, case.of.known, trace))
-    )
+    found = read_clause(case.sentence, case.clause, case.of.known, trace)
+    different = without_duplicates(found)
+    readings = tuple(_with_phrases_left_over(case.sentence, reading) for reading in different)
+    if trace is not None:
+        for reading in found:
+            if not any(reading is other for other in different):
+                reason = "dropped. Another unit says the same."
+                trace.add("same_meaning", str(reading), "", reason, reading.verb_positions)
+        for before, after in zip(different, readings):
+            if before != after:
+                words = sorted(set(after.left_over) - set(before.left_over))
+                trace.add("phrases_left_over", str(after), "", f"left over: {case.sentence.text(words)}", words)
     plausible = drop(PLAUSIBILITY, case, readings, readings, trace)
     listed = frozenset().union(*(reading.listed for reading in plausible))
     text = _clause_text(case.sentence.tree, case.clause)

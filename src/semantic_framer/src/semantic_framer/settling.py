@@ -22,6 +22,7 @@ from semantic_framer.outcome import (
 from semantic_framer.reading import ElementValue, Reading
 from semantic_framer.references import remember, resolve
 from semantic_framer.sentence import Sentence
+from utterance_passes.trace import Trace
 from utterance_passes.utterance_pass import Choice
 
 Clauses = Tuple[Tuple[Reading, ...], ...]
@@ -35,11 +36,18 @@ class Now:
         known: lexical units and frames
         policy: how careful to be
         time_s: the caller's clock, seconds; questions expire on it
+        trace: where each rule writes what it changes; None for nowhere
     """
 
     known: FramedLexicon
     policy: Policy
     time_s: float
+    trace: Optional[Trace] = None
+
+    def write(self, rule: str, about: str, after: str) -> None:
+        """Write a line of the trace."""
+        if self.trace is not None:
+            self.trace.add(rule, about, after=after)
 
     @property
     def expires_s(self) -> float:
@@ -72,11 +80,13 @@ def resolve_and_confirm(
     if policy.left_over_words is LeftOverWords.STRICT:
         for readings in clauses:
             if readings[0].left_over:
+                words = sentence.text(readings[0].left_over)
+                now.write("left_over_words", words, "refused. No element has these words.")
                 return left_over_refusal(sentence, readings[0].left_over), context
     ignored = [sentence.word(index).form for readings in clauses for index in readings[0].left_over]
     done: List[Tuple[Reading, ...]] = []
     for readings in clauses:
-        question = _resolved(readings, context, policy)
+        question = _resolved(readings, context, now)
         if isinstance(question, _Open):
             waiting = without_positions(tuple(done) + (question.readings,) + clauses[len(done) + 1 :])
             pending = Pending(waiting, len(done), question.elements, now.expires_s, question.choices)
@@ -87,6 +97,7 @@ def resolve_and_confirm(
     if confirm and not is_confirmed:
         pending = Pending(without_positions(tuple(done)), 0, (), now.expires_s)
         acts = ", then ".join(_in_words(readings[0]) for readings in done)
+        now.write("confirm", acts, "asked. The frame wants a yes.")
         asked = Question("CONFIRM", f'Shall I really do this: "{acts}"? Say yes or no.')
         return asked, replace(context, pending=pending)
     warning = f"ignored: {' '.join(ignored)}" if ignored and policy.left_over_words is LeftOverWords.WARN else ""
@@ -103,7 +114,7 @@ class _Open:
     choices: Tuple[str, ...] = ()
 
 
-def _resolved(readings: Tuple[Reading, ...], context: Context, policy: Policy) -> Union[Tuple[Reading, ...], _Open]:
+def _resolved(readings: Tuple[Reading, ...], context: Context, now: Now) -> Union[Tuple[Reading, ...], _Open]:
     """Return readings of a clause with what pronouns stand for, or what must be asked."""
     resolved: List[Reading] = []
     unresolved: List[Tuple[Reading, ElementValue]] = []
@@ -113,16 +124,21 @@ def _resolved(readings: Tuple[Reading, ...], context: Context, policy: Policy) -
             unresolved.append((reading, outcome))
         else:
             resolved.append(outcome)
+            if outcome != reading:
+                now.write("references", str(reading), str(outcome))
     if unresolved:
+        now.write("references", unresolved[0][1].argument, "asked. Nothing is known that it stands for.")
         question = Question("AMBIGUOUS", f'What do you mean by "{unresolved[0][1].argument}"?')
         names = tuple(value.name for _, value in unresolved)
         return _Open(question, tuple(reading for reading, _ in unresolved), names)
     best = resolved[0]
     if best.missing:
         names = tuple(reading.asked[0].name for reading in resolved)
+        now.write("missing_element", str(best), f"asked. No words for {' or '.join(dict.fromkeys(names))}.")
         return _Open(Question("MISSING_ELEMENT", question_of(resolved)), tuple(resolved), names)
     alternative: Optional[ElementValue] = next((value for value in best.values if value.conjunction == "or"), None)
-    if alternative is not None and policy.alternatives is Alternatives.ASK:
+    if alternative is not None and now.policy.alternatives is Alternatives.ASK:
+        now.write("alternatives", str(best), f"asked. {alternative.argument} leaves a choice.")
         question = Question("AMBIGUOUS", f"Which one: {join_with_or(alternative.items)}?")
         return _Open(question, (best,), (alternative.name,), alternative.items)
     return tuple(resolved)
