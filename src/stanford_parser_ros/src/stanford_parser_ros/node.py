@@ -14,7 +14,8 @@ from stanford_parser_msgs.msg import Parse
 from roboframenet_ros.ros_log import log_from_threads
 from roboframenet_ros.ros_stage import Stage
 from semantic_frames import FileRefused, load_lexical_units
-from stanford_parser_ros.model import ModelError, Parser, UnparsableText, shipped_model_dir
+from stanford_parser_ros.inference import ModelError, StanzaInference, shipped_model_dir
+from stanford_parser_ros.model import Parser, UnparsableText
 from stanford_parser_ros.ros_messages import to_command_parse
 from stanford_parser_ros.stanford_dependencies import collapsed
 from utterance_passes.tree import DependencyTree
@@ -94,13 +95,9 @@ class ParserNode:
         self._verbs: FrozenSet[str] = frozenset()
         self._verbs_of_file: Dict[str, FrozenSet[str]] = {}
         self._lexicon = rospy.Subscriber("lexicon", Lexicon, self._on_lexicon, queue_size=1)
-        self._parser = Parser(
-            model_dir=settings.model_dir,
-            package=settings.package,
-            threads=settings.threads,
-            cache_size=settings.cache_size,
-        )
-        times = self._parser.load_times
+        models = StanzaInference(model_dir=settings.model_dir, package=settings.package, threads=settings.threads)
+        self._parser = Parser(models, cache_size=settings.cache_size)
+        times = models.load_times
         self._commands: queue.Queue[Command] = queue.Queue(settings.queue_size)
         self._worker = threading.Thread(target=self._run, name="parser", daemon=True)
         self._worker.start()
