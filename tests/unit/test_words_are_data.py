@@ -73,7 +73,6 @@ NO_SPEECH: Dict[str, Tuple[str, str]] = {
         "keys of a file",
         "corrections, contrasts, forbidding, asking, reporting",
     ),
-    "semantic_framer/verdicts.py": ("names of rules", "thanks, greeting, chatter"),
     "semantic_frames/frame_file.py": (
         "keys of a file",
         "name, description, children, framenet, confirm, default, quantity, minimum, maximum, values, question, answer",

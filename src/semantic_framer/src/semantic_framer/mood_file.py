@@ -1,6 +1,5 @@
 """The file of moods: which words in front of a verb make a command, a request, a question, a report or a wish."""
 
-import re
 from dataclasses import dataclass
 from enum import Enum
 from functools import lru_cache
@@ -9,15 +8,14 @@ from typing import Dict, List, Mapping, Optional, Pattern, Tuple
 
 import yaml
 
-from semantic_frames.marked_yaml import Reader, did_you_mean
+from semantic_frames.marked_yaml import Reader
 from semantic_frames.source_files import read_text
-from word_classes import word_class, word_classes
+from word_classes import fill_pattern, read_pattern
 
 #: Beside this module in the source, devel and install space.
 MOODS_FILE = Path(__file__).resolve().parent / "moods.yaml"
 _SECTIONS = ("spellings", "parts", "acting", "telling")
 _KEYS = ("name", "kind", "pattern", "example")
-_PART = re.compile(r"<(\w+)>")
 
 
 class UtteranceKind(Enum):
@@ -87,7 +85,7 @@ def load_moods(text: str, path: str) -> Moods:
     for full, short, node in _pairs(reader, sections.get("spellings"), "spellings"):
         spellings.update({reader.name(item, key): full for key, item in reader.sequence(node, short)})
     for name, key, node in _pairs(reader, sections.get("parts"), "parts"):
-        parts[name] = f"(?:{_filled(reader, node, key, parts)})"
+        parts[name] = f"(?:{fill_pattern(reader, node, key, parts)})"
     acting, telling = (_rules(reader, sections.get(name), name, parts) for name in ("acting", "telling"))
     reader.refuse_if_wrong()
     return Moods(spellings, acting, telling)
@@ -115,33 +113,9 @@ def _rules(reader: Reader, node: Optional[yaml.Node], section: str, parts: Mappi
         is_fact = reader.boolean(entries.get("is_fact"), f"{key}.is_fact")
         name, example = (reader.name(entries.get(name), f"{key}.{name}") for name in ("name", "example"))
         if "pattern" in entries:
-            pattern = _pattern(reader, entries["pattern"], f"{key}.pattern", parts)
+            pattern = read_pattern(reader, entries["pattern"], f"{key}.pattern", parts)
             rules.append(MoodRule(name, UtteranceKind(kind), pattern, example, is_fact))
     return tuple(rules)
-
-
-def _pattern(reader: Reader, node: yaml.Node, key: str, parts: Mapping[str, str]) -> Pattern[str]:
-    try:
-        return re.compile(_filled(reader, node, key, parts))
-    except re.error as error:
-        reader.report("BAD_PATTERN", node, key, "a pattern", "a regular expression", str(error))
-        return re.compile("")
-
-
-def _filled(reader: Reader, node: yaml.Node, key: str, parts: Mapping[str, str]) -> str:
-    """Return a pattern with the parts and the words of the classes that it names."""
-    text = reader.name(node, key)
-    known = {**dict.fromkeys(word_classes(), ""), **parts}
-    for name in _PART.findall(text):
-        if name not in known:
-            hint = did_you_mean(name, known)
-            reader.report("UNKNOWN_PART", node, key, f"'{name}'", "a part or a word class", hint)
-            return ""
-    return _PART.sub(lambda match: parts.get(match[1]) or _any_of(match[1]), text)
-
-
-def _any_of(name: str) -> str:
-    return f"(?:{'|'.join(map(re.escape, sorted(word_class(name))))})"
 
 
 @lru_cache(maxsize=None)

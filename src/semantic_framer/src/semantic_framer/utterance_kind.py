@@ -25,6 +25,7 @@ _GREETINGS = word_class("greetings_alone")
 _HABITUAL = word_class("habitual_adverbs")
 _HEARERS = word_class("hearers") | {"robot"}
 _JOINING = word_class("clause_joiners")
+_LEFT_AND_RIGHT = word_class("left_and_right")
 _MODALS = word_class("modals")
 _MOODS = word_class("moods")
 _MOOD_ADVERBS = word_class("mood_adverbs")
@@ -120,7 +121,8 @@ def kind_without_clause(tree: DependencyTree) -> KindVerdict:
     said = [word for word in tree.words if word.index not in hidden and word.upos != "PUNCT"]
     forms = [word.form.lower() for word in said]
     text = " ".join(forms)
-    is_chatter = bool(forms) and frozenset(forms) <= _CHATTER | _GREETINGS | _THANKS
+    # "Right" alone may answer "left or right?".
+    is_chatter = bool(frozenset(forms) - _LEFT_AND_RIGHT) and frozenset(forms) <= _CHATTER | _GREETINGS | _THANKS
     if _THANKS & frozenset(forms[:1]) or (is_chatter and _THANKS & frozenset(forms)):
         return KindVerdict(UtteranceKind.TALK, "thanks", text)
     if is_chatter:
@@ -310,6 +312,7 @@ class _Front:
     def _formula_words(self) -> List[str]:
         """Return the words in front of the verb, and the form of the verb, as formulas have them."""
         skipped = self._subordinate()
+        form = self._verb_form()
         said: List[str] = []
         for word in self._before:
             if word.index in skipped or word.upos == "PUNCT" or is_filler(word.form):
@@ -318,9 +321,11 @@ class _Front:
             if said and said[-1] in _AUXILIARIES and word.upos in ("NOUN", "PROPN"):
                 # Who is spoken to, or somebody else: "can Bob open the door".
                 text = "" if word.form.lower() in _HEARERS else "NP"
+            if said[-1:] == ["PREP"] and form == "BASE" and text in _OPINION_SUBJECTS:
+                continue  # "After that turn left": its verb would be "turns".
             if text and (text != "NP" or said[-1:] != ["NP"]):
                 said.append(text)
-        return [*said, self._verb_form()]
+        return [*said, form]
 
     def _subordinate(self) -> FrozenSet[int]:
         """Return the words of conditions and relative clauses that end in front of the verb."""

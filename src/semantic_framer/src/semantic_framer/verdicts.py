@@ -23,10 +23,10 @@ _REPLIES = {
     QUESTION: 'I can only carry out commands, and "{said}" is a question.',
     REPORT: '"{said}" does not ask me to do anything.',
     WISH: '"{said}" is something that you want to do. Tell me what I should do.',
-    TALK: "I hear you.",
+    TALK: "I hear you. There is nothing for me to do.",
 }
 #: Replies to talk, by the name of the rule that takes it for talk.
-_REPLIES_TO_TALK = {"thanks": "You are welcome.", "greeting": "Hello.", "chatter": "All right."}
+_REPLIES_TO_TALK = {"thanks": "You are welcome.", "greeting": "Hello."}
 
 
 @dataclass(frozen=True)

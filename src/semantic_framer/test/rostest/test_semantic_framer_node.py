@@ -102,7 +102,7 @@ class SemanticFramerNodeTest(unittest.TestCase):
         event = self.events_of("turn")[0]
         self.assertFalse(event.is_final)
         rules = [line.partition(":")[0] for line in event.trace.splitlines()]
-        self.assertEqual(["clause", "unit", "rank", "outcome"], rules)
+        self.assertEqual(["utterance_kind", "clause", "unit", "rank", "outcome"], rules)
 
     def test_refusal_has_a_trace(self):
         self.say("refused", "never never ADV RB 2 advmod", "turn turn VERB VB 0 root")

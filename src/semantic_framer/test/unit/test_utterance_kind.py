@@ -82,7 +82,7 @@ def test_parts_and_classes_stand_in_patterns() -> None:
     "entry, code, key",
     [
         ("kind: wich, pattern: BASE, example: BASE", "UNKNOWN_VALUE", "telling[0].kind"),
-        ("kind: wish, pattern: <nobody>, example: BASE", "UNKNOWN_PART", "telling[0].pattern"),
+        ("kind: wish, pattern: <nobody>, example: BASE", "UNKNOWN_CLASS", "telling[0].pattern"),
         ('kind: wish, pattern: "(BASE", example: BASE', "BAD_PATTERN", "telling[0].pattern"),
         ("kind: wish, example: BASE", "MISSING_KEY", "telling[0].pattern"),
     ],

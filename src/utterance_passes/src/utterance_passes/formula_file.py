@@ -8,9 +8,9 @@ from typing import Dict, Iterable, List, Mapping, Pattern, Sequence, Tuple
 
 import yaml
 
-from semantic_frames.marked_yaml import Reader, did_you_mean
+from semantic_frames.marked_yaml import Reader
 from semantic_frames.source_files import read_text
-from word_classes import word_class, word_classes
+from word_classes import read_pattern, word_class
 
 #: Beside this module in the source, devel and install space.
 FORMULAS_FILE = Path(__file__).resolve().parent / "formulas.yaml"
@@ -33,7 +33,6 @@ KINDS = (
 _KEYS = ("pattern", "example", "becomes")
 #: The kind of which each formula says how it is written in full.
 WRITTEN_OUT = "contractions"
-_CLASS = re.compile(r"(?<!\?P)<(\w+)>")
 
 
 @dataclass(frozen=True)
@@ -90,25 +89,10 @@ def load_formulas(
 
 
 def _pattern(reader: Reader, node: yaml.Node, key: str) -> Pattern[str]:
-    """Return a pattern with the words of the classes that it names."""
     text = reader.name(node, key)
-    known = word_classes()
-    for name in _CLASS.findall(text):
-        if name not in known:
-            hint = did_you_mean(name, known)
-            reader.report("UNKNOWN_CLASS", node, key, f"'{name}'", "the name of a word class", hint)
-            return re.compile("")
     if text.replace("(?P<", "(?p<") != text.lower():
         reader.report("NOT_LOWER_CASE", node, key, f"'{text}'", f"'{text.lower()}'")
-    try:
-        return re.compile(_CLASS.sub(lambda match: _alternatives(word_class(match[1])), text))
-    except re.error as error:
-        reader.report("BAD_PATTERN", node, key, f"'{text}'", "a regular expression", str(error))
-        return re.compile("")
-
-
-def _alternatives(words: Iterable[str]) -> str:
-    return f"(?:{'|'.join(map(re.escape, sorted(words)))})"
+    return read_pattern(reader, node, key)
 
 
 @lru_cache(maxsize=None)

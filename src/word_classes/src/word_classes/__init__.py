@@ -1,12 +1,15 @@
 """Named classes of English words, which rules compare with a sentence."""
 
+from word_classes.pattern_reader import fill_pattern, read_pattern
 from word_classes.shipped import UnknownWordClass, without_determiner, word_class, word_classes, word_list
 from word_classes.word_file import WordClass, load_word_classes
 
 __all__ = [
     "UnknownWordClass",
     "WordClass",
+    "fill_pattern",
     "load_word_classes",
+    "read_pattern",
     "without_determiner",
     "word_class",
     "word_classes",
