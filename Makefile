@@ -32,8 +32,8 @@ acceptance: build ## run full tables and corpora, at most 75 minutes (DATA=folde
 reliability: build ## run the long tests with faults (FILTER=package)
 	@scripts/test reliability $(if $(FILTER),-R $(FILTER))
 
-record: build ## record what the parser's models answer to the unit tests, after a new sentence or new models
-	@scripts/record
+record: build ## record what the parser's models answer to the unit tests (FILTER=package adds what is missing)
+	@scripts/record $(FILTER)
 
 format: setup ## format the Python code, and mend what ruff can mend by itself
 	@.venv/bin/ruff check --fix-only --quiet . && .venv/bin/ruff format .

@@ -2,7 +2,7 @@
 
 import os
 from pathlib import Path
-from typing import Any, Iterator
+from typing import Any, Iterator, Optional
 from unittest import mock
 
 import pytest
@@ -14,7 +14,9 @@ MODELS = "stanford_parser_ros.model.StanzaInference"
 
 def pytest_addoption(parser: pytest.Parser) -> None:
     parser.addoption(
-        "--record", action="store_true", help="parse with the models, and record their answers ('make record')"
+        "--record",
+        choices=("anew", "add"),
+        help="parse with the models and record their answers ('make record'): anew for all tests, add for some",
     )
 
 
@@ -28,8 +30,8 @@ class Parses:
     The passes run for real. A test that shows what the models say makes a ``StanzaInference`` of its own.
     """
 
-    def __init__(self, is_recording: bool) -> None:
-        self._is_recording = is_recording
+    def __init__(self, record: Optional[str]) -> None:
+        self._record = record
         self._answers: Any = None
 
     @pytest.hookimpl(hookwrapper=True)
@@ -41,7 +43,7 @@ class Parses:
                 yield
 
     def pytest_sessionfinish(self) -> None:
-        if self._is_recording and self._answers is not None:
+        if self._record and self._answers is not None:
             from roboframenet_testing.recorded_parses import RECORDING, render_recording
 
             RECORDING.write_text(render_recording(self._answers.parses), encoding="utf-8")
@@ -51,10 +53,12 @@ class Parses:
             from roboframenet_testing import recorded_parses
             from stanford_parser_ros.inference import StanzaInference, shipped_model_dir
 
-            if self._is_recording:
-                self._answers = recorded_parses.RecordingInference(StanzaInference(model_dir=shipped_model_dir()))
+            known = {} if self._record == "anew" else recorded_parses.read_shipped_recording()
+            if self._record:
+                models = StanzaInference(model_dir=shipped_model_dir())
+                self._answers = recorded_parses.RecordingInference(models, known)
             else:
-                self._answers = recorded_parses.RecordedInference(recorded_parses.read_shipped_recording())
+                self._answers = recorded_parses.RecordedInference(known)
         return self._answers
 
 

@@ -109,9 +109,14 @@ class RecordedInference:
 class RecordingInference:
     """Asks the models once for each answer, and keeps it."""
 
-    def __init__(self, models: Models) -> None:
+    def __init__(self, models: Models, known: Mapping[Key, DependencyTree]) -> None:
+        """
+        Args:
+            models: who is asked
+            known: answers that are kept without asking
+        """
         self._models = models
-        self.parses: Dict[Key, DependencyTree] = {}
+        self.parses: Dict[Key, DependencyTree] = dict(known)
 
     def parse(self, text: str) -> DependencyTree:
         """Return the parse of a text, and keep it."""

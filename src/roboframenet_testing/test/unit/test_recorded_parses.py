@@ -50,7 +50,7 @@ class Models:
 
 @pytest.fixture
 def recording() -> RecordingInference:
-    found = RecordingInference(Models())
+    found = RecordingInference(Models(), {})
     found.parse("ping Bob")
     found.reparse(as_verb(PING, is_root=False))
     found.parse("go home")
@@ -64,13 +64,22 @@ def test_what_was_recorded_is_answered(recording: RecordingInference) -> None:
     assert recorded.reparse(as_verb(PING, is_root=False)) == as_verb(PING, is_root=True)
 
 
-def test_the_models_are_asked_once_for_each_answer(recording: RecordingInference) -> None:
+def test_the_models_are_asked_once_for_each_answer() -> None:
     models = Models()
-    again = RecordingInference(models)
+    again = RecordingInference(models, {})
     for _ in range(2):
         again.parse("ping Bob")
         again.reparse(as_verb(PING, is_root=False))
     assert models.asked == ["ping Bob", "ping Bob by tags"]
+
+
+def test_what_is_known_is_kept_and_not_asked() -> None:
+    models = Models()
+    more = RecordingInference(models, {key_of_text("go home"): GO})
+    more.parse("go home")
+    more.parse("ping Bob")
+    assert models.asked == ["ping Bob"]
+    assert set(more.parses) == {key_of_text("go home"), key_of_text("ping Bob")}
 
 
 def test_the_order_of_questions_does_not_matter(recording: RecordingInference) -> None:
