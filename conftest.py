@@ -12,7 +12,7 @@ TIERS = ("acceptance", "reliability")
 MODELS = "stanford_parser_ros.model.StanzaInference"
 
 
-def pytest_addoption(parser: pytest.Parser) -> None:
+def pytest_addoption(parser: "pytest.Parser") -> None:
     parser.addoption(
         "--record",
         choices=("anew", "add"),
@@ -20,7 +20,7 @@ def pytest_addoption(parser: pytest.Parser) -> None:
     )
 
 
-def pytest_configure(config: pytest.Config) -> None:
+def pytest_configure(config: "pytest.Config") -> None:
     config.pluginmanager.register(Parses(config.getoption("record")), "parses")
 
 

@@ -190,7 +190,7 @@ def test_the_check_itself_finds_what_loads_the_models(tmp_path: Path, line: str)
     assert loads_models(module)
 
 
-def test_recorded_answers_are_behind_the_shipped_parser(request: pytest.FixtureRequest) -> None:
+def test_recorded_answers_are_behind_the_shipped_parser(request: "pytest.FixtureRequest") -> None:
     if request.config.getoption("record"):
         pytest.skip("the models answer while they are recorded")
     parser = shipped_parser()
