@@ -1,4 +1,4 @@
-# RoboFrameNet: 'make demo' shows it, 'make test' checks it; both set up what they need.
+# RoboFrameNet: 'make demo' shows it, 'make test' checks it; both install what they need.
 SHELL := /bin/bash
 .DEFAULT_GOAL := help
 ROBOT ?= turtlebot
@@ -17,7 +17,7 @@ build: setup ## build the workspace into devel/
 	@scripts/build
 	$(if $(filter build,$(MAKECMDGOALS)),@echo "[build] built; now 'make demo' or 'make run'")
 
-demo: build ## start simulated robots, say the paper's sentences, show what each did
+demo: build ## start simulated robots, say the paper's sentences, show what each robot did
 	@scripts/demo
 
 run: build ## keep the stack up for your own 'rostopic pub' (ROBOT=pr2 for the other robot)
@@ -35,7 +35,7 @@ reliability: build ## run the long tests with faults (FILTER=package)
 record: build ## record what the parser's models answer to the unit tests (FILTER=package adds what is missing)
 	@scripts/record $(FILTER)
 
-format: setup ## format the Python code, and mend what ruff can mend by itself
+format: setup ## format the Python code, and apply the safe fixes of ruff
 	@.venv/bin/ruff check --fix-only --quiet . && .venv/bin/ruff format .
 
 lint: build ## check format, rules, types, packages and launch files; change nothing

@@ -1,4 +1,4 @@
-"""What the tests of all packages share: the tiers, recorded parses, and the corpora of the acceptance tests."""
+"""Shared by the tests of all packages: the tiers, recorded parses, and the corpora of the acceptance tests."""
 
 import os
 from pathlib import Path
@@ -63,14 +63,14 @@ class Parses:
 
 
 def pytest_sessionfinish(session: pytest.Session, exitstatus: int) -> None:
-    """A package without a test of the tier that was asked for is no failure."""
+    """Let a package without a test of the chosen tier pass."""
     if exitstatus == pytest.ExitCode.NO_TESTS_COLLECTED and session.config.getoption("markexpr") in TIERS:
         session.exitstatus = pytest.ExitCode.OK
 
 
 @pytest.fixture(scope="session")
 def corpora() -> Path:
-    """The folder of corpora; a test that needs it is skipped where none is given."""
+    """The folder of corpora; without one, the test that needs it is skipped."""
     folder = os.environ.get("ROBOFRAMENET_DATA", "")
     if not folder:
         pytest.skip("no folder of corpora is given: make acceptance DATA=folder")

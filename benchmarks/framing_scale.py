@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""How long framing takes with 50 lexical units and with 10,000, in turn in one run, on the same parsed sentences."""
+"""Compares framing with 50 lexical units and with 10,000, alternately in one run, on the same parsed sentences."""
 
 import dataclasses
 import statistics
@@ -22,14 +22,14 @@ SYLLABLES = ("ba", "ko", "li", "mu", "ne", "ra", "so", "ti", "vu", "ze")
 
 
 def made_up_verb(number: int) -> str:
-    """A verb that nobody says: "bakoli", ..."""
+    """Return an invented verb: "bakoli", ..."""
     return "".join(SYLLABLES[int(digit)] for digit in f"{number:05d}")
 
 
 def lexicons() -> Tuple[Dict[int, Lexicon], Mapping[str, SemanticFrame], List[str]]:
     """Return lexicons by their size, the frames, and sentences for the units that all of them hold.
 
-    The units that are added have verbs of their own: what grows is the lexicon, not the number of meanings of a verb.
+    The added units have verbs of their own: the lexicon grows, but not the number of meanings of a verb.
     """
     knowledge = load_knowledge([shipped_domains()])
     shipped = list(knowledge.lexicon.units)[: min(COUNTS)]

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""How long a command takes to be parsed, beside Stanza's own Pipeline call with the same models, in one run.
+"""Compares parsing a command with Stanza's own Pipeline call on the same models, in one run.
 
 The two are called in turn on the same sentences, so that a machine that is busy is busy for both. Each sentence is
 parsed
@@ -37,7 +37,7 @@ def timed(call: Callable[[str], object], text: str) -> float:
 
 
 def measure(threads: int) -> None:
-    """Print one comparison, in a process of its own: torch takes its threads at the start."""
+    """Print one comparison; it runs in a separate process because torch fixes its threads at the start."""
     from stanford_parser_ros.inference import PROCESSORS, StanzaInference, shipped_model_dir
     from stanford_parser_ros.model import Parser
 

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""From sentence to goal with 10 registrations and with 1,000, two pipelines side by side, spoken to in turn."""
+"""Compares the time from sentence to goal with 10 and with 1,000 registrations: two pipelines, addressed in turn."""
 
 import os
 import socket
@@ -39,7 +39,7 @@ def measure(count: int) -> None:
         if not server.register_with_frame(frame_name):
             raise SystemExit(server.last_error)
     end_s = time.monotonic() + START_TIMEOUT_S
-    parser = rospy.Publisher("command_text", Command, queue_size=1)  # only to see whether the parser listens by now
+    parser = rospy.Publisher("command_text", Command, queue_size=1)  # only to see whether the parser listens yet
     while (text.get_num_connections() < 2 or parser.get_num_connections() < 1) and time.monotonic() < end_s:
         time.sleep(0.05)
     print(ANSWER, "ready", flush=True)
@@ -52,7 +52,7 @@ def measure(count: int) -> None:
 
 
 def write_frames(folder: str) -> None:
-    """Write frames that are registered and never asked for."""
+    """Write frames that are registered and never used."""
     os.makedirs(os.path.join(folder, "frames"))
     for number in range(max(COUNTS)):
         with open(os.path.join(folder, "frames", f"frame_{number}.yaml"), "w", encoding="utf-8") as file:
@@ -66,7 +66,7 @@ def free_port() -> int:
 
 
 def answer_of(process: "subprocess.Popen[str]") -> str:
-    """Read the next answer, with a deadline; what rospy logs is passed over."""
+    """Read the next answer, with a deadline; skip the log lines of rospy."""
     timer = threading.Timer(START_TIMEOUT_S, process.kill)
     timer.start()
     try:

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""What idle RFNServers cost beside stock actionlib servers, and how fast both take goals; both sides in one run.
+"""Compares RFNServers with stock actionlib servers in one run: the cost of idling, and the rate of goals.
 
 Everything idles at the same time for the same seconds, so that a machine that is busy is busy for all. Processor time
 is that of the kernel's account of each process; memory is the proportional set size (shared pages are shared out).
@@ -27,7 +27,7 @@ START_TIMEOUT_S = 600.0
 TICKS_PER_S = os.sysconf("SC_CLK_TCK")
 
 
-# ---- in the processes that are measured
+# ---- in the measured processes
 
 
 def serve(kind: str, first: int, count: int) -> None:
@@ -71,7 +71,7 @@ def take_goals(kind: str) -> None:
     rospy.spin()
 
 
-# ---- the one that measures
+# ---- in the measuring process
 
 
 class Process:
@@ -176,7 +176,7 @@ def on_demand_files(folder: str) -> str:
 
 
 def idle(stack: ExitStack, folder: str) -> bool:
-    """Measure what idling costs."""
+    """Measure the cost of idling."""
     import rospy
     from roboframenet_msgs.msg import FrameCatalogue
 
@@ -210,7 +210,7 @@ def idle(stack: ExitStack, folder: str) -> bool:
         "on demand": [on_demand],
         **{f"{kind} alone": processes for kind, processes in single.items()},
     }
-    time.sleep(5.0)  # what starting left to do
+    time.sleep(5.0)  # let the work of starting finish
     before = {name: sum(process.cpu_s() for process in group) for name, group in groups.items()}
     time.sleep(IDLE_S)
     cpu = {

@@ -13,7 +13,7 @@ def main() -> int:
     for path in sorted(Path(sys.argv[1]).rglob("*.xml")):
         cases = ElementTree.parse(path).getroot().findall(".//testcase")
         failed = [case for case in cases if case.find("failure") is not None or case.find("error") is not None]
-        # rostest writes a wrapper beside the file with the cases: it counts only when it tells of a failure.
+        # Beside the file with the cases, rostest writes a wrapper; it counts only if it reports a failure.
         if path.name.startswith("rostest-") and not failed:
             continue
         reasons = [case.find("skipped").get("message", "") for case in cases if case.find("skipped") is not None]

@@ -1,4 +1,4 @@
-# Sourced by the other scripts: the workspace's environment, and nothing that listens beyond this machine.
+# Sourced by the other scripts: the environment of the workspace; nodes listen on this machine only.
 if [ ! -f devel/setup.bash ]; then
   echo "devel/setup.bash is missing: run 'make build' first." >&2
   exit 1

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Frames that nobody can carry out are refused by name; registering a server makes each of them run."""
+"""A frame without a server is refused by name; when a server registers, the frame runs."""
 
 import unittest
 from typing import Dict, List
@@ -21,7 +21,7 @@ SENTENCES = (
 
 
 class AddedAbilitiesTest(unittest.TestCase):
-    """The pipeline, and servers that come one after the other."""
+    """The pipeline, and servers that are added one after the other."""
 
     @classmethod
     def setUpClass(cls) -> None:

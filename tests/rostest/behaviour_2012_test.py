@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""What somebody who knows the system of 2012 sees: sentences by rostopic pub, servers, and the topics of 2012."""
+"""With ``behaviour:=2012``, sentences, servers and topics behave as in the system of 2012."""
 
 import subprocess
 import unittest
@@ -14,19 +14,19 @@ from rfnserver import RFNServer
 from roboframenet_demo.ros_pipeline import is_pipeline_complete
 from roboframenet_testing import wait_until
 
-#: Server and frame. Two servers go to places: which of them is tried first is drawn.
+#: Server and frame. Two servers go to places; the policy draws lots for which of them is tried first.
 SERVERS = (
     ("walking", "navigating_to_location"),
     ("rolling", "navigating_to_location"),
     ("turning", "turning"),
     ("moving_forward", "moving_forward"),
 )
-#: Drawing one of two servers so often gives both, but for one time in two thousand; the seed is fixed.
+#: This many draws between two servers give both, except in one run of two thousand; the seed is fixed.
 DRAWS = 12
 
 
 class Behaviour2012Test(unittest.TestCase):
-    """The pipeline as in 2012, and servers that only write down what they were told."""
+    """The pipeline as in 2012, and servers that only record their goals."""
 
     @classmethod
     def setUpClass(cls) -> None:
@@ -92,20 +92,20 @@ class Behaviour2012Test(unittest.TestCase):
         self.assertEqual(reply.outcome, Reply.DONE, reply.sentence)
         self.assertEqual(self.done, [("turning", {"direction": "right", "angle": "2", "angle_unit": "radians"})])
 
-    def test_nothing_is_asked_back(self) -> None:
+    def test_no_question_is_asked(self) -> None:
         reply = self.say("Move forward.")
         self.assertEqual((reply.outcome, reply.code), (Reply.REFUSED, "MISSING_ELEMENT"), reply.sentence)
         reply = self.say("three feet")
         self.assertEqual(reply.outcome, Reply.REFUSED, reply.sentence)
         self.assertEqual(self.done, [])
 
-    def test_which_server_does_it_is_drawn(self) -> None:
+    def test_lots_decide_which_server_is_tried_first(self) -> None:
         for _ in range(DRAWS):
             self.assertEqual(self.say("Go to the office.").outcome, Reply.DONE)
         self.assertEqual({name for name, _ in self.done}, {"walking", "rolling"})
         self.assertEqual({len(arguments) for _, arguments in self.done}, {1})
 
-    def test_what_must_not_be_done_is_not_done(self) -> None:
+    def test_negated_commands_are_refused(self) -> None:
         self.assertEqual(self.say("Don't turn left.").code, "NEGATED")
         self.assertEqual(self.done, [])
 

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""What people cry at a robot that drives: odometry tells whether it stands, the replies what it stopped."""
+"""Cries such as "Whoa!" stop a robot that drives: odometry shows that it stands, and the reply says what it stopped."""
 
 import math
 import threading
@@ -39,18 +39,29 @@ PROHIBITIONS = (
     ("wrong way", "CORRECTION"),
     ("no no the other one", "CORRECTION"),
 )
-#: Corrections that are understood and that a later stage refuses, and its reason.
+#: Corrections that are understood but refused by a later stage, with its code.
 REFUSED_CORRECTIONS = (
     ("No, go to the garage.", "NO_SERVER"),
     ("No, move forward 3 kilometres.", "LIMIT"),
     ("wrong, bring me the mug", "NO_SERVER"),
     ("Go to the garage instead.", "CORRECTION"),
 )
+#: Said while the robot drives: it drives on.
+NO_CRIES = (
+    "Don't stop!",
+    "stop at the door",
+    "why did you stop",
+    "step",
+    "no, keep going",
+    "No, continue.",
+    "no go on",
+    "no keep moving forward",
+)
 STANDING = 0.001
 
 
 class CriesTest(unittest.TestCase):
-    """One robot; the person whom it can follow stands where it begins."""
+    """One robot, and a person to follow who stands where the robot starts."""
 
     @classmethod
     def setUpClass(cls) -> None:
@@ -107,14 +118,14 @@ class CriesTest(unittest.TestCase):
         return self.wait_for_reply(text, since)
 
     def start(self, text: str) -> int:
-        """Let the robot move; return how many replies there were before."""
+        """Start a motion; return the number of replies before it."""
         since = len(self.replies)
         self.text.publish(String(data=text))
         wait_until(lambda: self.speed() > 0.05, message="the robot does not move")
         return since
 
     def fence(self) -> None:
-        """Return when what was said before has been answered."""
+        """Return when all earlier sentences have been answered."""
         self.assertEqual(self.say("Fly to the moon.").outcome, Reply.REFUSED)
 
     def test_cries_stop_the_robot(self) -> None:
@@ -153,7 +164,7 @@ class CriesTest(unittest.TestCase):
     def test_0_following_that_is_forbidden_ends(self) -> None:
         since = len(self.replies)
         self.text.publish(String(data="Follow me."))
-        # Who walks away before the robot has seen anybody is not followed.
+        # A person who walks away before the robot has seen them is not followed.
         wait_until(lambda: any(feedback.feedback.is_succeeding for feedback in self.following))
         self.person.publish(String(data="walk"))
         wait_until(lambda: self.speed() > 0.05, message="the robot does not follow")
@@ -202,9 +213,9 @@ class CriesTest(unittest.TestCase):
         self.wait_for_rest()
         self.assertLessEqual(abs(self.turned - start - math.radians(90)), math.radians(2))
 
-    def test_what_is_no_cry_stops_nothing(self) -> None:
+    def test_other_sentences_do_not_stop_the_robot(self) -> None:
         since = self.start(DRIVE)
-        for said in ("Don't stop!", "stop at the door", "why did you stop", "step"):
+        for said in NO_CRIES:
             reply = self.say(said)
             self.assertNotEqual(reply.stage, "stop_server", said)
         self.assertGreater(self.speed(), 0.05)

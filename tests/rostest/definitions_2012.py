@@ -1,4 +1,4 @@
-"""The action and the services as a program of 2012 has them: from their text alone, and nothing of ours."""
+"""The action and the services as a program of 2012 has them, generated from their text alone."""
 
 from typing import Any
 
@@ -6,7 +6,7 @@ from genpy.dynamic import generate_dynamic
 
 LINE = "=" * 80
 ACTION_NAME = "roboframenet_msgs/FilledSemanticFrameAction"
-#: The sum that was published in 2012.
+#: The MD5 sum that was published in 2012.
 ACTION_SUM = "155f2082a80e8d33020a74c63f2ac0f6"
 FRAME = """string name
 FilledFrameElement[] frame_elements

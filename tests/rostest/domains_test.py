@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Says the sentences of a script to a simulated robot; each must do what the script expects of it."""
+"""Says the sentences of a script to a simulated robot; each must do what the script expects."""
 
 import unittest
 

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""What ``rfn explain --live`` says of a sentence is what the nodes of the running graph say, rule by rule."""
+"""``rfn explain`` agrees with the nodes of the running graph, rule by rule."""
 
 import random
 import sys
@@ -22,7 +22,7 @@ from semantic_framer.dialogue import Context
 sys.path.insert(0, str(Path(__file__).resolve().parent))
 
 SEED = 20120514
-#: Of the frames, one in so many has no server, so that some commands find nobody.
+#: One frame in this many has no server, so that some commands find none.
 WITHOUT_A_SERVER = 7
 ODD = Path(__file__).resolve().parent / "odd_sentences.txt"
 OUTCOMES = {
@@ -38,7 +38,7 @@ STAGES = ("stanford_parser_ros", "semantic_framer")
 
 
 class Ears:
-    """Hears what the graph says of each command."""
+    """Records what the graph publishes about each command."""
 
     def __init__(self) -> None:
         self._lock = threading.Lock()
@@ -68,7 +68,7 @@ class Ears:
 
 
 class ExplainAndLiveTest(unittest.TestCase):
-    """The same sentences both ways."""
+    """The same sentences, explained offline and said to the running graph."""
 
     maxDiff = None
 
@@ -91,7 +91,7 @@ class ExplainAndLiveTest(unittest.TestCase):
         )
         subscriber.unregister()
         everybody = [text] + ears.subscribers
-        # Two hear the text: command_server and stop_server.
+        # Two nodes subscribe to the text: command_server and stop_server.
         wait_until(lambda: all(end.get_num_connections() for end in everybody) and text.get_num_connections() > 1)
         knowledge = live_knowledge(timeout_s=60.0)
         pipeline = Pipeline(knowledge, parameters=live_parameters(), is_traced=True)
@@ -102,7 +102,7 @@ class ExplainAndLiveTest(unittest.TestCase):
         for sentence in said:
             understanding = pipeline.understand(sentence, context)
             if any(reading.unit.frame_name == "waiting" for reading in understanding.readings):
-                # The stop server does it, and takes the minute that is said.
+                # The stop server carries it out, which takes the minute that was said.
                 continue
             context = understanding.context
             count = len(ears.replies)
@@ -110,7 +110,7 @@ class ExplainAndLiveTest(unittest.TestCase):
             wait_until(lambda before=count: len(ears.replies) > before, message=f"no reply to {sentence!r}")
             reply = ears.replies[count]
             offline = (understanding.reply.outcome, understanding.reply.code) + expected(understanding)
-            # Events and candidates come on other connections than the reply.
+            # Events and candidates arrive on other connections than the reply.
             if not comes_true(lambda reply=reply, offline=offline: heard(ears, reply) == offline, 5.0):
                 live = heard(ears, reply)
                 different.append(f"{sentence!r}\n  live    {live}\n  offline {offline}")
@@ -118,7 +118,7 @@ class ExplainAndLiveTest(unittest.TestCase):
 
 
 def heard(ears: Ears, reply: Reply) -> tuple:
-    """Outcome and code, the sentence of a refusal, what would run of a command that was done, and the rules."""
+    """Return outcome and code, the sentence of a refusal, the candidates of a command that was done, and the rules."""
     nodes = ears.candidates[reply.command.id].plan.nodes if reply.command.id in ears.candidates else ()
     clauses = [
         [
@@ -136,19 +136,19 @@ def heard(ears: Ears, reply: Reply) -> tuple:
 
 
 def expected(understanding: Understanding) -> tuple:
-    """The same of the offline pipeline."""
+    """Return the sentence of a refusal, the candidates and the rules of the offline pipeline."""
     clauses = [
         [[(frame.name, list(frame.arguments)) for frame in candidate.frames] for candidate in candidates]
         for candidates in understanding.candidates
     ]
     sentence = "" if understanding.reply.outcome == "DONE" else understanding.reply.sentence
-    # What follows is said by other nodes than the two that tell what their rules did.
+    # The rest is said by other nodes than the two that report their rules.
     trace = [str(line) for line in understanding.trace if line.rule not in ("registrar", "stop_words")]
     return sentence, clauses, trace
 
 
 def sentences(examples: List[str]) -> List[str]:
-    """Odd ones, examples of the units, and the table of commands: a sample that is always the same."""
+    """Return odd sentences, examples of the units and the table of commands: always the same sample."""
     table = Path(rospy.get_param("~commands")).read_text(encoding="utf-8").splitlines()
     commands = [line.split("\t")[0] for line in table if line and not line.startswith("#")]
     odd = ODD.read_text(encoding="utf-8").split("\n")

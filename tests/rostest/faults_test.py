@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Wrong files are refused by file, line and key; nodes that are killed come back, and so does everything they knew."""
+"""Wrong files are refused by file, line and key; killed nodes come back with everything that they knew."""
 
 import os
 import random
@@ -23,7 +23,7 @@ NODES = ("frame_registrar", "semantic_framer", "greeting_server")
 
 
 class FaultsTest(unittest.TestCase):
-    """The pipeline, a server that may be killed, and nobody who can move."""
+    """The pipeline and a server that may be killed; no server can move the robot."""
 
     @classmethod
     def setUpClass(cls) -> None:
@@ -57,7 +57,7 @@ class FaultsTest(unittest.TestCase):
         return path
 
     def pid(self, node: str) -> int:
-        """Return the process of a node, 0 while it is not there."""
+        """Return the process id of a node, 0 while it does not run."""
         try:
             uri = rosgraph.Master("/faults_test").lookupNode(rospy.resolve_name(node))
             return int(ServerProxy(uri).getPid("/faults_test")[2])
@@ -65,7 +65,7 @@ class FaultsTest(unittest.TestCase):
             return 0
 
     def kill(self, node: str) -> int:
-        """Kill a node the hard way; return its process."""
+        """Kill a node with SIGKILL; return its process id."""
         wait_until(lambda: self.pid(node) != 0, message=f"{node} is not there")
         pid = self.pid(node)
         os.kill(pid, signal.SIGKILL)

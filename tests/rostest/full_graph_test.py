@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Sentences go in as 'rostopic pub' would send them; odometry tells what the robot did."""
+"""Sentences are published as by 'rostopic pub'; odometry shows what the robot did."""
 
 import math
 import os
@@ -26,7 +26,7 @@ PIPELINE = ("stanford_parser_ros", "semantic_framer", "frame_registrar", "arbitr
 
 
 class FullGraphTest(unittest.TestCase):
-    """One robot, one conversation; the methods run in the order of their names."""
+    """One robot and one conversation; the methods run in the order of their names."""
 
     @classmethod
     def setUpClass(cls) -> None:
@@ -44,7 +44,7 @@ class FullGraphTest(unittest.TestCase):
             rospy.Subscriber("odom", Odometry, cls.on_odometry, queue_size=200),
             rospy.Subscriber("turning/status", GoalStatusArray, cls.on_status, queue_size=100),
         ]
-        # A burst must not be cut short on the side of the test.
+        # The test's own queue must not drop messages of a burst.
         cls.text = rospy.Publisher("text", String, queue_size=100)
         wait_until(lambda: cls.text.get_num_connections() >= 2, message="nobody listens to 'text'")
         wait_until(is_pipeline_complete, 120.0, "the pipeline did not come up")
@@ -84,7 +84,7 @@ class FullGraphTest(unittest.TestCase):
         return self.replies_to(text, since)[0]
 
     def wait_for_rest(self) -> None:
-        """Odometry and replies come on connections of their own: what was driven is known when the robot stands."""
+        """Wait until the robot stands: odometry and replies arrive on separate connections."""
         wait_until(lambda: self.speed < 0.001, message="still moving")
 
     def wait_for_motion(self) -> None:
@@ -207,7 +207,7 @@ class FullGraphTest(unittest.TestCase):
 
         make("test_bowing_well", False)
         make("test_bowing_badly", True)
-        # The order is random: whichever comes first, the command is done; both orders are seen within some tries.
+        # The order is random. The command succeeds in either order, and a few tries show both.
         for _ in range(12):
             reply = self.say_and_wait("Bow.")
             self.assertEqual(reply.outcome, Reply.DONE, reply.sentence)
@@ -217,7 +217,7 @@ class FullGraphTest(unittest.TestCase):
         self.assertIn("test_bowing_badly", ran)
 
     def test_08_clause_that_was_done_is_not_done_again(self) -> None:
-        # "Bow." has two servers by now, the worse of which fails; lots decide which comes first.
+        # "Bow." has two servers by now, one of which fails; lots decide which is tried first.
         text = "Wave at Alice, then bow."
         for _ in range(12):
             del self.waves[:]
@@ -229,7 +229,7 @@ class FullGraphTest(unittest.TestCase):
                 break
         self.assertEqual(self.bows[bows:], ["test_bowing_badly", "test_bowing_well"])
 
-    def test_09_every_one_of_a_burst_gets_one_reply(self) -> None:
+    def test_09_each_sentence_of_a_burst_gets_one_reply(self) -> None:
         since = len(self.replies)
         texts = [f"Fly to planet {number}." for number in range(20)]
         for text in texts:
@@ -237,7 +237,7 @@ class FullGraphTest(unittest.TestCase):
         wait_until(lambda: len(self.replies) - since >= len(texts), 60.0)
         self.assertEqual(sorted(reply.command.text for reply in self.replies[since:]), sorted(texts))
 
-    def test_99_stop_works_when_the_whole_pipeline_is_dead(self) -> None:
+    def test_99_stop_works_while_the_whole_pipeline_is_dead(self) -> None:
         self.say("Move forward 10 metres.")
         self.wait_for_motion()
         master = rosgraph.Master("/full_graph_test")

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""A server that brings its own frame and lexical unit, and may be killed at any time."""
+"""A server with its own frame and lexical unit; the tests kill it at any time."""
 
 import os
 import tempfile

@@ -1,6 +1,8 @@
 #!/usr/bin/python3
-"""Programs that know only 2012 go on: a server gets its sentences byte for byte, a client's goals run an RFNServer, and
-typed arguments beside a goal change nothing for either."""
+"""Programs of 2012 still work: a server gets goals byte for byte, and a client's goals run an RFNServer.
+
+Typed arguments beside a goal change nothing for either.
+"""
 
 import struct
 import unittest
@@ -24,19 +26,19 @@ CAPTAIN = TypedArgument("addressee", "captain", relation="to", head="captain", m
 
 
 def packed(text: str) -> bytes:
-    """A string as ROS sends it."""
+    """Return a string as ROS serializes it."""
     data = text.encode("utf-8")
     return struct.pack("<I", len(data)) + data
 
 
 def frame_2012(server: str) -> bytes:
-    """The goal of 2012 for "Salute the captain.", written down by hand: name, elements, servers."""
+    """Return the goal of 2012 for "Salute the captain.", serialized by hand: name, elements, servers."""
     elements = packed("addressee") + packed("captain") + packed("manner") + packed("plainly")
     return packed("saluting") + struct.pack("<I", 2) + elements + struct.pack("<I", 1) + packed(server)
 
 
 def taken_apart(data: bytes) -> Tuple[str, bytes]:
-    """Text of the header and the bytes of the goal in a FilledSemanticFrameActionGoal as it was sent."""
+    """Return the text of the header and the bytes of the goal of a FilledSemanticFrameActionGoal as sent."""
     at = 12
     (length,) = struct.unpack_from("<I", data, at)
     text = data[at + 4 : at + 4 + length].decode("ascii")
@@ -46,7 +48,7 @@ def taken_apart(data: bytes) -> Tuple[str, bytes]:
 
 
 def goal_of(definitions: Any, server: str) -> Any:
-    """The goal that `frame_2012` writes down, of somebody's class."""
+    """Return the goal of `frame_2012` as an instance of a class."""
     elements = [
         definitions.FilledFrameElement(name="addressee", argument="captain"),
         definitions.FilledFrameElement(name="manner", argument="plainly"),
@@ -56,7 +58,7 @@ def goal_of(definitions: Any, server: str) -> Any:
 
 
 class TypedClient:
-    """A client that sends a text beside each goal, as the executor may."""
+    """A client that sends typed arguments beside each goal, as the executor may."""
 
     def __init__(self, server: str) -> None:
         self.text = ""
@@ -69,7 +71,7 @@ class TypedClient:
         self._client.pub_goal.publish(goal)
 
     def is_done_by_server(self, goal: Any) -> bool:
-        """Whether the server succeeds."""
+        """Send the goal; return whether the server succeeds."""
         handle = self._client.send_goal(goal)
         wait_until(lambda: handle.get_comm_state() == actionlib.CommState.DONE)
         result = handle.get_result()
@@ -80,7 +82,7 @@ class TypedClient:
 
 
 class Interfaces2012Test(unittest.TestCase):
-    """The pipeline, a server that knows only 2012, and an RFNServer."""
+    """The pipeline, a server of 2012, and an RFNServer."""
 
     @classmethod
     def setUpClass(cls) -> None:
@@ -130,7 +132,7 @@ class Interfaces2012Test(unittest.TestCase):
         _, goal = taken_apart(self.goals[0])
         self.assertEqual(goal, frame_2012("salute_2012"))
 
-    def test_empty_frame_is_told_as_in_2012(self) -> None:
+    def test_empty_frame_is_served_as_in_2012(self) -> None:
         frame = rospy.ServiceProxy("get_empty_frame", definitions_2012.GetEmptyFrame)("saluting").frame
         elements = [(element.name, element.default, element.is_core) for element in frame.frame_elements]
         self.assertEqual(elements, [("addressee", "", True), ("manner", "plainly", False)])
@@ -159,7 +161,7 @@ class Interfaces2012Test(unittest.TestCase):
             self.assertEqual(taken_apart(self.goals[0]), (text, frame_2012("salute_2012")))
         client.close()
 
-    def test_each_goal_brings_its_own_typed_arguments_to_an_rfnserver(self) -> None:
+    def test_rfnserver_gets_the_typed_arguments_of_each_goal(self) -> None:
         client = TypedClient("salute_rfn")
         said = [("addressee", "captain"), ("manner", "plainly")]
         for count in range(20):

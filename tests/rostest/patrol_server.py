@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""A server that drives on whatever is cancelled, as some drivers do."""
+"""A server that ignores cancels and drives on, as some drivers do."""
 
 import rospy
 from geometry_msgs.msg import Twist

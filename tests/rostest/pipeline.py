@@ -1,4 +1,4 @@
-"""What the tests of the whole graph share."""
+"""Shared by the tests of the whole graph."""
 
 import os
 from typing import Iterable, Set
@@ -10,14 +10,14 @@ from roboframenet_testing import comes_true
 
 
 def can_do(frames: Iterable[str], *, unit_files: Iterable[str] = (), timeout_s: float = 60.0) -> bool:
-    """Wait until somebody who lives has registered for each frame; a server may come later than the pipeline.
+    """Wait until a living server has registered for each frame; a server may start later than the pipeline.
 
     Args:
         frames: names of frames
-        unit_files: names of lexical unit files, without folders, that are read by then
+        unit_files: names, without folders, of lexical unit files that must have been read
         timeout_s: how long to wait
     Returns:
-        whether all is there
+        whether all of it is there
     """
     done: Set[str] = set()
     known: Set[str] = set()

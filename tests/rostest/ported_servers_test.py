@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Action servers ported by one line: what their old clients see is what it was, and people can use them."""
+"""Action servers ported by one line serve their old clients as before, and people by language."""
 
 import os
 import unittest
@@ -34,20 +34,20 @@ from rfnserver import RFNActionServer, RFNServer
 from roboframenet_demo.ros_pipeline import is_pipeline_complete
 from roboframenet_testing import wait_until
 
-#: Steps of the sequence that a server computes before it lets itself be stopped.
+#: Steps of the sequence that a server computes before it can be preempted.
 LONG = 1000
 Record = Tuple[int, str, bytes, Tuple[bytes, ...]]
 
 
 def written(message: Any) -> bytes:
-    """A message as it goes over the wire."""
+    """Return a message as ROS serializes it."""
     buffer = BytesIO()
     message.serialize(buffer)
     return buffer.getvalue()
 
 
 def counting(make_server: Any, name: str) -> Any:
-    """A server that counts to the order of its goal, made by a given class."""
+    """Create a server of a given class that counts to the order of its goal."""
 
     def execute(goal: FibonacciGoal) -> None:
         feedback = FibonacciFeedback()
@@ -61,7 +61,7 @@ def counting(make_server: Any, name: str) -> Any:
             rospy.sleep(0.01)
         if goal.order == 0:
             server.set_aborted(FibonacciResult(), "nothing to count")
-        elif goal.order != 3:  # three: the callback forgets to end the goal
+        elif goal.order != 3:  # order 3: the callback forgets to end the goal
             server.set_succeeded(FibonacciResult(sequence=[goal.order]), "counted")
 
     server = make_server(name, FibonacciAction, execute_cb=execute, auto_start=False)
@@ -70,11 +70,11 @@ def counting(make_server: Any, name: str) -> Any:
 
 
 class Client:
-    """An old client that keeps what it was sent."""
+    """An old client that records what it receives."""
 
     def __init__(self, name: str) -> None:
         self._client = actionlib.ActionClient(name, FibonacciAction)
-        # actionlib drops feedback that comes, on a connection of its own, after the result.
+        # Feedback has its own connection, and actionlib drops feedback that arrives after the result.
         self._heard: List[FibonacciActionFeedback] = []
         self._feedback = rospy.Subscriber(name + "/feedback", FibonacciActionFeedback, self._heard.append)
         assert self._client.wait_for_server(rospy.Duration(60.0)), f"no server {name}"
@@ -96,7 +96,7 @@ class Client:
 
 
 def story(name: str) -> List[Record]:
-    """What a client goes through: success, abort, a forgotten end, a cancel, a goal that replaces another."""
+    """Return what a client sees: success, abort, a forgotten end, a cancel, a goal that replaces another."""
     client = Client(name)
     records = [client.end(client.send(order)) for order in (5, 0, 3)]
     cancelled = client.send(LONG)
@@ -110,7 +110,7 @@ def story(name: str) -> List[Record]:
 
 
 class PortedServersTest(unittest.TestCase):
-    """Servers in the test and beside it."""
+    """Ported servers in the process of the test and in their own."""
 
     @classmethod
     def setUpClass(cls) -> None:
@@ -121,14 +121,14 @@ class PortedServersTest(unittest.TestCase):
         cls.timer = rospy.Timer(rospy.Duration(0.02), lambda _: cls.numbers.publish(Float32(data=0.75)))
         wait_until(lambda: cls.text.get_num_connections() >= 2, message="nobody listens to 'text'")
         wait_until(is_pipeline_complete, 120.0, "the pipeline did not come up")
-        # A frame for the servers in the test, which must not be asked for by what people say to the others.
+        # A frame for the servers in the test; the sentences for the other servers must not evoke it.
         cls.frames = RFNServer("frames", lambda frame: None)
         path = os.path.join(os.path.dirname(os.path.abspath(__file__)), "ported", "frames", "counting.yaml")
         assert cls.frames.add_semantic_frame(path), cls.frames.last_error
         assert can_do(("computing_fibonacci_sequence", "averaging"), unit_files=("compute.yaml", "average.yaml")), (
             "the servers did not register"
         )
-        # The parser reads the lexicon too, and is at it perhaps.
+        # The parser reads the lexicon too, and may still be busy with it.
         cls.text.publish(String(data="Hello."))
         wait_until(lambda: cls.replies, message="no reply")
 
@@ -153,7 +153,7 @@ class PortedServersTest(unittest.TestCase):
         wait_until(lambda: handle.get_comm_state() == actionlib.CommState.DONE)
         return handle.get_goal_status(), handle.get_goal_status_text()
 
-    def test_old_clients_see_what_they_saw(self) -> None:
+    def test_old_clients_see_no_difference(self) -> None:
         servers = [counting(actionlib.SimpleActionServer, "stock"), counting(RFNServer, "ported")]
         servers[1].register_with_frame("counting")
         self.assertEqual(story("stock"), story("ported"))
@@ -211,7 +211,7 @@ class PortedServersTest(unittest.TestCase):
         server.start()
         self.assertTrue(server.register_with_frame("counting"), server.last_error)
         self.assertEqual((GoalStatus.SUCCEEDED, "12 and 5"), self.carry_out("adding", "counting", samples="twelve"))
-        # Not the simple client: it loses the end of a goal that is done before its own send_goal has returned.
+        # The simple client would miss the end of a goal that ends before its send_goal has returned.
         client = actionlib.ActionClient("adding", TwoIntsAction)
         self.assertTrue(client.wait_for_server(rospy.Duration(60.0)))
         handle = client.send_goal(TwoIntsGoal(a=1, b=2))
@@ -226,7 +226,7 @@ class PortedServersTest(unittest.TestCase):
         self.assertTrue(server.register_with_frame("counting"), server.last_error)
         self.assertEqual((GoalStatus.SUCCEEDED, "counted"), self.carry_out("framed", "counting", samples="6"))
 
-    def test_what_cannot_be_mapped_is_said_at_registration(self) -> None:
+    def test_unmappable_goal_is_reported_at_registration(self) -> None:
         server = RFNServer("unmapped", FibonacciAction, execute_cb=lambda goal: None, auto_start=False)
         server.start()
         self.assertFalse(server.register_with_frame("counting"))
@@ -245,7 +245,7 @@ class PortedServersTest(unittest.TestCase):
 
 
 def counting_with_frames() -> RFNServer:
-    """A server whose frame callback makes the goals."""
+    """Create a server whose frame callback makes the goals."""
 
     def execute(goal: FibonacciGoal) -> None:
         server.set_succeeded(FibonacciResult(sequence=[goal.order]), "counted")

@@ -1,7 +1,7 @@
 #!/usr/bin/python3
-"""An action server that knows 2012's definitions and actionlib, and nothing of ours.
+"""An action server with the definitions of 2012 and actionlib only.
 
-It tells the bytes of each goal that it carried out, in hexadecimal digits, on the topic "goals_2012".
+It publishes the bytes of each goal that it carried out, in hexadecimal digits, on the topic "goals_2012".
 """
 
 import os
@@ -54,7 +54,7 @@ def main() -> None:
     goals = rospy.Publisher("goals_2012", String, queue_size=10)
 
     def execute(goal: object) -> None:
-        # What a server of 2012 does with a goal: its name and its strings.
+        # A server of 2012 reads the name and the strings of a goal.
         arguments = {element.name: element.argument for element in goal.frame.frame_elements}
         rospy.loginfo("%s %s", goal.frame.name, arguments)
         goals.publish(String(data=received[-1].hex()))

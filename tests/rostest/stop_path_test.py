@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Nodes hang and die while the robot drives: it stands, and what the person hears is true."""
+"""Nodes hang and die while the robot drives: a stop still works, and the replies are true."""
 
 import math
 import os
@@ -48,7 +48,7 @@ from roboframenet_testing.ros_connections import is_connected
 
 STAGES = ("stanford_parser_ros", "semantic_framer", "frame_registrar")
 DRIVE = "moving_forward distance=15,distance_unit=metres"
-#: Publishers of velocities: the stop server, the command server, the motion, the patrol and the test.
+#: Publishers of velocities: stop server, command server, motion server, patrol and test.
 VELOCITY_PUBLISHERS = 5
 LISTENERS = (
     ("/arbitrator", "command_plan", "/executor"),
@@ -70,7 +70,7 @@ LISTENERS = (
 
 
 class StopPathTest(unittest.TestCase):
-    """One robot; each test leaves it standing, with every node alive."""
+    """One robot; after each test it stands, and every node is alive."""
 
     @classmethod
     def setUpClass(cls) -> None:
@@ -109,7 +109,7 @@ class StopPathTest(unittest.TestCase):
 
     @classmethod
     def wait_for_graph(cls) -> None:
-        """What is published before its listener has connected is lost."""
+        """Wait for all connections: messages published before a subscriber has connected are lost."""
         wait_until(lambda: cls.text.get_num_connections() == 2 and cls.frames.get_num_connections() == 1, 120.0)
         wait_until(lambda: cls.said.get_num_connections() == 2, 120.0)
         for connection in LISTENERS:
@@ -127,7 +127,7 @@ class StopPathTest(unittest.TestCase):
 
     @classmethod
     def on_command(cls, command: Command) -> None:
-        """Parser, framer and registrar: a text is "SERVER ELEMENT=VALUE,...", or several with " / " between."""
+        """Stand in for parser, framer and registrar; " / " separates candidates "SERVER ELEMENT=VALUE,..."."""
         if cls.is_parser_hung:
             cls.unparsed.append(command)
             return
@@ -170,7 +170,7 @@ class StopPathTest(unittest.TestCase):
         wait_until(lambda: self.speed < 0.001, message="the robot does not stand")
 
     def assert_stays(self, duration_s: float = 2.0) -> None:
-        """See that the robot stands, and goes on standing."""
+        """Assert that the robot stands and does not start again."""
         self.wait_for_rest()
         with self.lock:
             before = self.position
@@ -180,7 +180,7 @@ class StopPathTest(unittest.TestCase):
         self.assertLess(way, 0.02)
 
     def assert_works(self) -> None:
-        """Everything is as it was: a command is carried out."""
+        """Assert that commands are carried out again."""
         text = f"turning angle=10,angle_unit=degrees,direction=left,number={time.monotonic()}"
         self.say(text)
         reply = self.reply_to(text)
@@ -192,7 +192,7 @@ class StopPathTest(unittest.TestCase):
         return int(ServerProxy(api).getPid(rospy.get_name())[2])
 
     def kill(self, node: str) -> None:
-        """Kill a node the hard way and wait until it is back."""
+        """Kill a node with SIGKILL and wait until it is back."""
         old = self.pid_of(node)
         os.kill(old, signal.SIGKILL)
 
@@ -206,7 +206,7 @@ class StopPathTest(unittest.TestCase):
 
     @contextmanager
     def hung(self, *nodes: str) -> Iterator[None]:
-        """Halt nodes; they go on at the end."""
+        """Suspend nodes for the length of a block."""
         pids = [self.pid_of(node) for node in nodes]
         for pid in pids:
             os.kill(pid, signal.SIGSTOP)
@@ -216,14 +216,14 @@ class StopPathTest(unittest.TestCase):
             for pid in pids:
                 os.kill(pid, signal.SIGCONT)
 
-    def test_01_stop_stands_before_it_says_so(self) -> None:
+    def test_01_robot_stands_before_the_reply_says_so(self) -> None:
         self.begin_to_drive()
         self.say("Stop.")
         reply = self.reply_to("Stop.")
         self.assertEqual((Reply.DONE, "DONE"), (reply.outcome, reply.code), reply.sentence)
         self.assertEqual(Reply.SUPERSEDED, self.reply_to(DRIVE).outcome)
         self.assert_stays()
-        # The first report comes before it is known who obeys.
+        # The first report comes before it is known which nodes obey.
         self.assertFalse(self.reports[0].reply.command.id)
         self.assertTrue(any(report.reply.command.id for report in self.reports))
 
@@ -239,7 +239,7 @@ class StopPathTest(unittest.TestCase):
         self.assertEqual(GoalStatus.PREEMPTED, handle.get_terminal_state())
         client.stop()
 
-    def test_03_somebody_who_drives_against_the_stop_is_named(self) -> None:
+    def test_03_node_that_drives_against_the_stop_is_named(self) -> None:
         twist = Twist()
         twist.linear.x = 0.2
         driver = rospy.Timer(rospy.Duration(0.02), lambda _: self.velocity.publish(twist))
@@ -250,11 +250,11 @@ class StopPathTest(unittest.TestCase):
             reply = self.reply_to("Stop.")
             self.assertEqual((Reply.FAILED, "NOT_STOPPED"), (reply.outcome, reply.code), reply.sentence)
             self.assertIn(f"{rospy.get_name()} publishes velocities on /cmd_vel", reply.sentence)
-            # As many zeros as velocities, or nearly so: the base is held although the driver is the faster one.
+            # About as many zeros as velocities: the base is held although the driver publishes faster.
             wait_until(lambda: len(self.velocities) > 200)
             zeros = sum(velocity == Twist() for velocity in self.velocities[:200])
             self.assertGreater(zeros, 60)
-            # It ends, and is said to.
+            # It ends, and the status says so.
             wait_until(lambda: "Zero velocity has ended after 3 s" in self.status.sentence)
         finally:
             driver.shutdown()
@@ -277,7 +277,7 @@ class StopPathTest(unittest.TestCase):
         self.wait_for_rest()
         self.assert_works()
 
-    def test_05_killed_command_server_stops_what_it_had_begun_before_it_answers(self) -> None:
+    def test_05_killed_command_server_stops_its_commands_before_it_answers(self) -> None:
         self.begin_to_drive()
         self.kill("/command_server")
         reply = self.reply_to(DRIVE)
@@ -288,7 +288,7 @@ class StopPathTest(unittest.TestCase):
         self.wait_for_graph()
         self.assert_works()
 
-    def test_06_hung_executor_is_silent_and_the_robot_stands_for_good(self) -> None:
+    def test_06_silent_executor_is_named_and_the_robot_does_not_start_again(self) -> None:
         self.begin_to_drive()
         with self.hung("/executor"):
             reply = self.reply_to(DRIVE)
@@ -305,7 +305,7 @@ class StopPathTest(unittest.TestCase):
         self.say(text)
         wait_until(lambda: self.speed > 0.2, message="the robot does not move")
         with self.hung("/executor"):
-            # The server fails while nobody looks: it loses the odometry.
+            # Meanwhile the server fails: it loses the odometry.
             with self.hung("/turtlebot_sim"):
                 wait_until(lambda: GoalStatus.ABORTED in self.motion)
             self.assertEqual("STAGE_SILENT", self.reply_to(text).code)
@@ -331,7 +331,7 @@ class StopPathTest(unittest.TestCase):
             self.say("Stop.")
             self.reply_to("Stop.")
             self.say("Stop.")
-        # One that was answered while it hung, one that still waited, one from after it.
+        # One stop answered while it hung, one that still waited, and one from afterwards.
         self.say("Stop.")
         self.reply_to("Stop.", 3)
         self.kill("/stop_server")
@@ -350,7 +350,7 @@ class StopPathTest(unittest.TestCase):
             self.say("Stop.")
             self.assertEqual(Reply.DONE, self.reply_to("Stop.").outcome)
             self.wait_for_rest()
-            time.sleep(6.0)  # longer than any stage may be silent
+            time.sleep(6.0)  # longer than the deadline of any stage
         self.assertEqual("STOPPED", self.reply_to(DRIVE).code)
         self.assert_works()
         self.assertEqual(1, len(self.replies_to("Stop.")))
@@ -360,7 +360,7 @@ class StopPathTest(unittest.TestCase):
         self.say(DRIVE)
         reply = self.reply_to(DRIVE)
         self.assertEqual(("STAGE_SILENT", "stanford_parser_ros"), (reply.code, reply.stage))
-        # The executor is another one by then, and still must know.
+        # A new executor has started by then, and must know too.
         self.kill("/executor")
         self.wait_for_graph()
         for command in self.unparsed:
@@ -382,7 +382,7 @@ class StopPathTest(unittest.TestCase):
         try:
             for number in range(1, 4):
                 if number > 1:
-                    # What the stop before repeats has ended.
+                    # The repetitions of the previous stop have ended.
                     wait_until(self.is_quiet)
                 for known in (self.velocities, cancels, self.reports):
                     del known[:]

@@ -1,4 +1,4 @@
-"""How well the corpora are understood does not fall below what was reached."""
+"""The scores on the corpora do not fall below those reached before."""
 
 import json
 import subprocess

@@ -1,4 +1,4 @@
-"""The tables of parameters in the READMEs say what the code reads, no more and no less."""
+"""The tables in READMEs and docs/architecture.md agree with the code."""
 
 import ast
 import re
@@ -13,7 +13,7 @@ WITH_CODE = [package for package in PACKAGES if list(package.glob("src/*/*.py"))
 
 
 def declared_parameters() -> Dict[str, Set[str]]:
-    """Names of the parameters that each module declares as fields of a class of `Parameters`, by module and class."""
+    """Return the parameters that each module declares as fields of a class of `Parameters`, by module and class."""
     found: Dict[str, Set[str]] = {}
     for path in REPOSITORY.glob("src/*/src/*/*.py"):
         for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
@@ -21,7 +21,10 @@ def declared_parameters() -> Dict[str, Set[str]]:
                 found[f"{path.parent.name}.{path.stem}.{node.name}"] = {
                     f"~{field.target.id}"
                     for field in node.body
-                    if isinstance(field, ast.AnnAssign) and isinstance(field.target, ast.Name)
+                    if isinstance(field, ast.AnnAssign)
+                    and isinstance(field.target, ast.Name)
+                    and isinstance(field.value, ast.Call)
+                    and getattr(field.value.func, "id", "") == "parameter"
                 }
     return found
 
@@ -30,7 +33,7 @@ DECLARED = declared_parameters()
 
 
 def parameters_read_by_class(path: Path) -> Set[str]:
-    """Names of the parameters of the classes that a module gives to `read_parameters`."""
+    """Return the parameters of the classes that a module passes to `read_parameters`."""
     tree = ast.parse(path.read_text(encoding="utf-8"))
     origins = {
         alias.asname or alias.name: f"{node.module}.{alias.name}"
@@ -40,14 +43,23 @@ def parameters_read_by_class(path: Path) -> Set[str]:
     }
     names: Set[str] = set()
     for node in ast.walk(tree):
-        if isinstance(node, ast.Call) and getattr(node.func, "id", "") == "read_parameters":
+        if (
+            isinstance(node, ast.Call)
+            and getattr(node.func, "id", "") == "read_parameters"
+            and not any(is_prefix_of_another_node(keyword) for keyword in node.keywords)
+        ):
             kind = getattr(node.args[0], "id", "")
             names |= DECLARED[origins.get(kind, f"{path.parent.name}.{path.stem}.{kind}")]
     return names
 
 
+def is_prefix_of_another_node(keyword: ast.keyword) -> bool:
+    """Whether an argument says that the parameters are those of another node."""
+    return keyword.arg == "prefix" and isinstance(keyword.value, ast.Constant) and keyword.value.value != "~"
+
+
 def parameters_in_code(package: Path) -> Set[str]:
-    """Names of the private parameters that a package reads: by a class, or by a literal that begins with '~'."""
+    """Return the private parameters that a package reads, by a class or by a literal that begins with '~'."""
     names: Set[str] = set()
     for path in package.glob("src/**/*.py"):
         names |= parameters_read_by_class(path)
@@ -72,7 +84,7 @@ READERS = {"get_param", "has_param", "search_param"}
 
 
 def parameters_in_readme(package: Path) -> Set[str]:
-    """Names in the first column of the README's tables that begin with '~'."""
+    """Return the names that begin with '~' in the first column of the README's tables."""
     text = (package / "README.md").read_text(encoding="utf-8")
     return set(re.findall(r"^\| `(~\w+)`", text, re.MULTILINE))
 
@@ -86,7 +98,7 @@ def test_readme_lists_every_parameter(package: Path) -> None:
 
 
 @pytest.mark.parametrize("package", WITH_CODE, ids=lambda package: package.name)
-def test_readme_lists_no_parameter_that_is_gone(package: Path) -> None:
+def test_readme_lists_no_removed_parameter(package: Path) -> None:
     sources = list(package.glob("src/**/*.py")) + list(package.glob("cfg/*"))
     code = "\n".join(path.read_text(encoding="utf-8") for path in sources)
     read = parameters_in_code(package)
@@ -108,7 +120,7 @@ OPENERS = {"Publisher", "Subscriber", "Service", "ServiceProxy", "ActionClient",
 
 
 def names_in_code(package: Path) -> Set[str]:
-    """Names of topics, services and actions that a package opens by a literal name."""
+    """Return the topics, services and actions that a package opens by a literal name."""
     names: Set[str] = set()
     for path in package.glob("src/**/*.py"):
         for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
@@ -130,7 +142,7 @@ def test_readme_lists_every_topic_service_and_action(package: Path) -> None:
 
 
 def is_internal(name: str) -> bool:
-    """Whether a node keeps the parameter for itself, across its own restarts."""
+    """Whether a node writes the parameter itself, to keep values across restarts."""
     return name.startswith("~_")
 
 
@@ -147,7 +159,7 @@ def test_package_has_a_changelog(package: Path) -> None:
     assert "Forthcoming\n-----------" in text and f"Changelog for package {package.name}" in text
 
 
-def test_links_of_the_main_readme_lead_somewhere() -> None:
+def test_links_of_the_main_readme_exist() -> None:
     text = (REPOSITORY / "README.md").read_text(encoding="utf-8")
     links = re.findall(r"\]\((?!https?:)([^)#]+)", text)
     assert links and not [link for link in links if not (REPOSITORY / link).exists()]
@@ -157,13 +169,13 @@ MESSAGES = REPOSITORY / "src" / "roboframenet_msgs"
 
 
 def interface_files() -> Dict[str, Path]:
-    """Every file of roboframenet_msgs by the name in its README: that of its message; an action has its suffix."""
+    """Return the files of roboframenet_msgs by their names in its README: message names; an action keeps its suffix."""
     paths = sorted(path for folder in ("msg", "srv", "action") for path in MESSAGES.glob(f"{folder}/*.*"))
     return {path.name if path.suffix == ".action" else path.stem: path for path in paths}
 
 
 def interface_rows() -> List[Tuple[str, str, List[str], str]]:
-    """Name, whose it is, the columns in between and the meaning of each row of the README."""
+    """Return name, owner, the columns in between and the meaning of each row of the README."""
     rows = []
     for line in (MESSAGES / "README.md").read_text(encoding="utf-8").splitlines():
         cells = [cell.strip() for cell in line.strip("|").split("|")]
@@ -196,7 +208,7 @@ def test_row_of_an_interface_is_true(row: Tuple[str, str, List[str], str]) -> No
             assert modules, f"{other} does not say {name}"
 
 
-#: Tables of these sections of docs/architecture.md name modules of ours, and what they define.
+#: Tables of these sections of docs/architecture.md name our modules and their definitions.
 SECTIONS_WITH_MODULES = (
     "From a sentence to readings",
     "From readings to goals",
@@ -206,7 +218,7 @@ SECTIONS_WITH_MODULES = (
 
 
 def modules_in_architecture() -> List[str]:
-    """Dotted names, package first, in the tables of the sections that say where something is done."""
+    """Return the dotted names in the tables of these sections, package first."""
     text = (REPOSITORY / "docs" / "architecture.md").read_text(encoding="utf-8")
     rows = []
     for section in re.split(r"^## ", text, flags=re.MULTILINE):
@@ -217,7 +229,7 @@ def modules_in_architecture() -> List[str]:
 
 
 def defined_names(path: Path) -> Set[str]:
-    """Functions, classes and constants of a module, and the methods of its classes as ``Class.method``."""
+    """Return the functions, classes and constants of a module, and the methods of its classes as ``Class.method``."""
     names: Set[str] = set()
     for node in ast.parse(path.read_text(encoding="utf-8")).body:
         if isinstance(node, (ast.FunctionDef, ast.ClassDef)):
@@ -236,7 +248,7 @@ def test_architecture_names_many_modules() -> None:
 
 
 @pytest.mark.parametrize("name", modules_in_architecture())
-def test_what_architecture_names_is_there(name: str) -> None:
+def test_names_in_architecture_exist(name: str) -> None:
     package, module, *inner = name.split(".")
     path = REPOSITORY / "src" / package / "src" / package / f"{module}.py"
     assert path.exists()

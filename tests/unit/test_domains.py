@@ -1,4 +1,4 @@
-"""Every file of the domains is right, and every example in it is understood as it says."""
+"""Every file of the domains is valid, and every example in it is understood as the file says."""
 
 import os
 from dataclasses import replace
@@ -21,8 +21,7 @@ from semantic_framer import ros_messages as framer_messages
 from semantic_framer.framer import Understood, read
 
 DOMAINS = Path(os.path.realpath(__file__)).parents[2] / "src" / "roboframenet_domains" / "domains"
-#: Examples that people say and that are not understood yet, with the reason. One that is understood must leave the
-#: list.
+#: Examples that are not understood yet, with the reason. An example that is understood must leave this list.
 KNOWN: Dict[str, str] = {}
 
 
@@ -41,11 +40,11 @@ def examples(loaded, pipeline):
     return Examples(loaded[0], pipeline)
 
 
-def test_files_are_right(loaded):
+def test_files_are_valid(loaded):
     assert [str(problem) for problem in find_problems(*loaded)] == []
 
 
-def test_at_least_the_papers_numbers(loaded):
+def test_domains_have_at_least_the_numbers_of_the_paper(loaded):
     knowledge, _ = loaded
     assert len(knowledge.frames) >= 52
     assert len({Path(frame.path).parents[1].name for frame in knowledge.frames.values()}) == 10
@@ -68,7 +67,7 @@ def test_every_frame_names_its_framenet_frame_or_says_why_not(loaded):
     assert silent == []
 
 
-def test_every_example_is_understood_but_those_known(loaded, examples):
+def test_examples_are_understood_except_known_ones(loaded, examples):
     failing = {}
     for unit in loaded[0].lexicon.units:
         for example in unit.examples:
@@ -80,7 +79,7 @@ def test_every_example_is_understood_but_those_known(loaded, examples):
 
 
 def understood(pipeline: Pipeline, text: str) -> Sequence[Clause]:
-    """What the framer sends to the registrar."""
+    """Return the frames that the framer sends to the registrar."""
     tree = pipeline.parse(text)
     outcome, _ = read(tree, pipeline.knowledge.lexicon, pipeline.knowledge.frames)
     assert isinstance(outcome, Understood), text
@@ -88,7 +87,7 @@ def understood(pipeline: Pipeline, text: str) -> Sequence[Clause]:
 
 
 def first_of(clauses: Sequence[Clause], graph: FrameGraph, seeds: Sequence[int]) -> List[Tuple[FilledFrame, ...]]:
-    """What the executor would begin with, for each seed of the random policy."""
+    """Return the first candidate for each seed of the random policy."""
     found = search(graph, to_clauses(clauses), max_candidates=64)
     assert not isinstance(found, Refusal), found
     plan = plan_from_message(to_plan(clauses, "", found))
@@ -96,7 +95,7 @@ def first_of(clauses: Sequence[Clause], graph: FrameGraph, seeds: Sequence[int])
 
 
 def test_lots_never_change_what_an_example_means(loaded, pipeline):
-    """Every frame has a server. Where none has children, there is one way to do what was meant: it is always first."""
+    """Every frame has a server. If no frame has children, one candidate does what was meant, and it is always first."""
     pretend_servers(pipeline.knowledge.graph)
     childless = FrameGraph()
     for frame in loaded[0].frames.values():
@@ -105,7 +104,7 @@ def test_lots_never_change_what_an_example_means(loaded, pipeline):
     for text in dict.fromkeys(example.text for unit in loaded[0].lexicon.units for example in unit.examples):
         clauses = understood(pipeline, text)
         assert len(set(first_of(clauses, childless, range(50)))) == 1, text
-        # Children are ways to do it, so lots are drawn; but only between the ways to do what was meant.
+        # Children are alternative candidates, so lots are drawn, but only among candidates with the meant values.
         best = [Clause(words=clause.words, readings=clause.readings[:1]) for clause in clauses]
         ways = set(first_of(best, pipeline.knowledge.graph, range(50)))
         assert set(first_of(clauses, pipeline.knowledge.graph, range(50))) <= ways, text

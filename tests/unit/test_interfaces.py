@@ -1,6 +1,6 @@
-"""The sums of every message, service and action of ours: a change of one is seen here, and meant.
+"""The MD5 sums of all our messages, services and actions: whoever changes one must change this table too.
 
-The sums of 2012, which may never change, stand in test_interfaces_2012.py.
+The sums of 2012, which must never change, are in test_interfaces_2012.py.
 """
 
 import importlib
@@ -68,7 +68,7 @@ SUMS = {
 
 
 def defined() -> Dict[str, str]:
-    """Module of everything that our packages define, by package and name."""
+    """Return the generated module of each interface of our packages, by package and name."""
     folders = (("msg", "msg", ""), ("srv", "srv", ""), ("action", "msg", "Action"))
     return {
         f"{path.parts[-3]}/{path.stem}{suffix}": f"{path.parts[-3]}.{module}"
@@ -77,17 +77,17 @@ def defined() -> Dict[str, str]:
     }
 
 
-def test_table_has_every_interface_and_no_other():
+def test_table_lists_exactly_our_interfaces():
     assert set(SUMS) == set(defined())
 
 
 @pytest.mark.parametrize("name", sorted(defined()))
-def test_sum_is_the_one_of_the_table(name):
+def test_sum_agrees_with_the_table(name):
     interface = getattr(importlib.import_module(defined()[name]), name.split("/")[1])
     assert interface._md5sum == SUMS.get(name)
 
 
-def test_profile_as_it_is_created_means_what_a_registration_of_2012_means():
+def test_default_profile_means_a_registration_of_2012():
     profile = ServerProfile()
     assert profile.purpose == ServerProfile.ACTS
     assert not profile.action_type  # FilledSemanticFrame
@@ -101,6 +101,6 @@ def test_goal_of_2012_has_the_string_that_typed_arguments_travel_in():
     assert FilledSemanticFrameActionGoal().header.frame_id == ""
 
 
-def test_kinds_of_a_plan_have_numbers_of_their_own():
+def test_kinds_of_a_plan_have_different_numbers():
     kinds = [value for name, value in vars(PlanNode).items() if name.isupper() and name not in ("HOLDS", "BEGINS")]
     assert sorted(kinds) == list(range(1, len(kinds) + 1))

@@ -1,4 +1,4 @@
-"""The 2012 messages keep their fields: every published checksum is compared."""
+"""The messages of 2012 keep their fields: each has its published MD5 sum."""
 
 import importlib
 

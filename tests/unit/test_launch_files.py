@@ -1,4 +1,4 @@
-"""What the launch files say of their arguments is what there is."""
+"""Launch files and READMEs agree on arguments, robots, policies and behaviours."""
 
 import os
 import re
@@ -18,13 +18,13 @@ ROBOTS = {path.stem for path in (BRINGUP / "launch" / "robots").glob("*.launch")
 
 
 def meanings(launch_file: str) -> Dict[str, str]:
-    """Return what a launch file says of each of its arguments."""
+    """Return the documentation of each argument of a launch file."""
     root = ElementTree.parse(str(BRINGUP / "launch" / launch_file)).getroot()
     return {argument.attrib["name"]: argument.attrib.get("doc", "") for argument in root.findall("arg")}
 
 
 def readme_meanings() -> Dict[str, str]:
-    """Return what the README says of each argument of robot.launch."""
+    """Return the meaning of each argument of robot.launch in the README."""
     rows = re.findall(
         r"^\| `(\w+)` \|.*\| ([^|]+) \|$", (BRINGUP / "README.md").read_text(encoding="utf-8"), re.MULTILINE
     )
@@ -32,7 +32,7 @@ def readme_meanings() -> Dict[str, str]:
 
 
 def listed(text: str) -> Set[str]:
-    """Return the names behind the colon: "which robot: pr2 or turtlebot; empty: the first"."""
+    """Return the names after the colon: "which robot: pr2 or turtlebot; empty: the first"."""
     return set(re.split(r", | or ", text.split(": ", 1)[1].split(";")[0]))
 
 
@@ -47,7 +47,7 @@ def behaviour(name: str) -> Dict[str, str]:
 
 
 def default_of(parameter: str) -> str:
-    """Return the default of ``node/parameter`` that the README of the node's package names."""
+    """Return the default of ``node/parameter`` in the README of the node's package."""
     package, name = parameter.split("/")
     text = (REPOSITORY / "src" / package / "README.md").read_text(encoding="utf-8")
     found = re.search(rf"^\| `~{name}` \| \w+ \| `?(\w+)`? \|", text, re.MULTILINE)
@@ -66,7 +66,7 @@ def run_robot(name: str) -> "subprocess.CompletedProcess[str]":
     )
 
 
-def test_every_policy_is_listed_and_none_that_is_gone() -> None:
+def test_listed_policies_are_those_that_exist() -> None:
     known = set(POLICIES) | {"package.module:ClassName"}
     assert listed(meanings("robot.launch")["policy"]) == listed(readme_meanings()["policy"]) == known
 
@@ -80,14 +80,14 @@ def test_readme_lists_the_arguments_of_the_launch_file() -> None:
     assert readme_meanings() == meanings("robot.launch")
 
 
-def test_an_unknown_robot_is_refused_with_the_names_of_those_there_are() -> None:
+def test_an_unknown_robot_is_refused_with_the_known_names() -> None:
     ended = run_robot("pepper")
     assert ended.returncode == 2
     assert "no robot 'pepper'" in ended.stderr
     assert all(robot in ended.stderr for robot in ROBOTS)
 
 
-def test_behaviour_now_is_what_the_nodes_do_anyway() -> None:
+def test_behaviour_now_equals_the_defaults_of_the_nodes() -> None:
     assert behaviour("now") == {parameter: default_of(parameter) for parameter in behaviour("now")}
 
 

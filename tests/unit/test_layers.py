@@ -1,4 +1,4 @@
-"""The cores stay free of ROS: only the thin modules of a package import it."""
+"""Layers: cores import no ROS, stages import no other stage, and no modules import each other in a circle."""
 
 import ast
 import re
@@ -13,7 +13,7 @@ from roboframenet_testing.recorded_parses import NotRecorded
 from stanford_parser_ros.model import shipped_parser
 
 REPOSITORY = Path(__file__).resolve().parents[2]
-#: Modules that may import ROS; ``ros_*.py`` too.
+#: Modules that may import ROS, besides ``ros_*.py``.
 SHELL_MODULES = {"node.py", "rfnserver.py"}
 ROS_PACKAGES = {
     "rospy",
@@ -34,17 +34,17 @@ LONGEST_MODULE = 450
 
 
 def product_modules() -> Iterator[Path]:
-    """Every Python module of a package, without tests and without the generated or optional underlay."""
+    """Return all Python modules of our packages, without tests, generated code and the underlay."""
     yield from sorted(REPOSITORY.glob("src/*/src/**/*.py"))
 
 
 def module_name(path: Path) -> str:
-    """Return how others import a module."""
+    """Return the name by which a module is imported."""
     return path.parent.name if path.name == "__init__.py" else f"{path.parent.name}.{path.stem}"
 
 
 def modules_imported(path: Path, known: Set[str]) -> Set[str]:
-    """Modules of ours that a module imports, also inside functions."""
+    """Return those of our modules that a module imports, also inside functions."""
     names: Set[str] = set()
     for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"), str(path))):
         if isinstance(node, ast.Import):
@@ -55,7 +55,7 @@ def modules_imported(path: Path, known: Set[str]) -> Set[str]:
 
 
 def circle(graph: Dict[str, Set[str]]) -> List[str]:
-    """Return nodes of which each leads to the next and the last to the first; none when there is no circle."""
+    """Return nodes of which each leads to the next and the last to the first; none if there is no circle."""
     left = {name: set(names) for name, names in graph.items()}
     while True:
         ends = {name for name, names in left.items() if not names & set(left)}
@@ -75,7 +75,7 @@ def is_shell(path: Path) -> bool:
 
 
 def imported_packages(path: Path) -> Set[str]:
-    """First components of everything that a module imports, also inside functions."""
+    """Return the top-level names that a module imports, also inside functions."""
     names: Set[str] = set()
     for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"), str(path))):
         if isinstance(node, ast.Import):
@@ -182,7 +182,7 @@ def test_one_file_of_unit_tests_loads_the_models() -> None:
         "import torch",
     ],
 )
-def test_the_check_itself_finds_what_loads_the_models(tmp_path: Path, line: str) -> None:
+def test_what_loads_the_models_is_found(tmp_path: Path, line: str) -> None:
     module = tmp_path / "test_something.py"
     module.write_text("from stanford_parser_ros.model import shipped_parser\n", encoding="utf-8")
     assert not loads_models(module)
@@ -198,26 +198,26 @@ def test_recorded_answers_are_behind_the_shipped_parser(request: "pytest.Fixture
         parser.parse("Nobody has ever said these words in a test of this project.")
 
 
-def test_the_check_itself_finds_an_import_of_rospy(tmp_path: Path) -> None:
+def test_an_import_of_rospy_is_found(tmp_path: Path) -> None:
     module = tmp_path / "core.py"
     module.write_text("def late():\n    from rospy import Time\n    return Time\n", encoding="utf-8")
     assert {name for name in imported_packages(module) if is_ros(name)} == {"rospy"}
 
 
 @pytest.mark.parametrize("path", product_modules(), ids=lambda path: str(path.relative_to(REPOSITORY / "src")))
-def test_module_fits_in_one_room(path: Path) -> None:
+def test_module_has_at_most_450_lines(path: Path) -> None:
     assert len(path.read_text(encoding="utf-8").splitlines()) <= LONGEST_MODULE
 
 
 PACKAGES = sorted(path.parent for path in REPOSITORY.glob("src/*/package.xml"))
-#: Commands go from stage to stage by topics. The plan and its machine belong to the arbitrator, and the executor runs
-#: them; the framer reads the parse with the parser's own types.
+#: Stages pass commands on by topics. Exceptions: the executor runs the plan and the machine that the arbitrator builds,
+#: and the framer reads the parse with the types of the parser.
 STAGES = {"command_server", "stanford_parser_ros", "semantic_framer", "frame_registrar", "arbitrator", "executor"}
 ARROWS_BETWEEN_STAGES = {("executor", "arbitrator"), ("semantic_framer", "stanford_parser_ros")}
 
 
 def packages_imported(package: Path) -> Set[str]:
-    """Other packages of ours that a package imports."""
+    """Return those of our packages that a package imports."""
     paths = package.glob("src/**/*.py")
     names: Set[str] = set().union(*(imported_packages(path) for path in paths))
     return names & {other.name for other in PACKAGES} - {package.name}
@@ -228,7 +228,7 @@ def test_a_stage_imports_no_other_stage() -> None:
     assert {arrow for arrow in arrows if set(arrow) <= STAGES} == ARROWS_BETWEEN_STAGES
 
 
-def test_what_all_nodes_share_imports_only_messages() -> None:
+def test_roboframenet_ros_imports_only_messages() -> None:
     assert packages_imported(REPOSITORY / "src" / "roboframenet_ros") == {"roboframenet_msgs"}
 
 
@@ -239,7 +239,7 @@ def test_package_xml_names_what_is_imported(package: Path) -> None:
 
 
 def internal_imports(package: Path) -> Dict[str, Set[str]]:
-    """Which modules of a package each of its modules imports."""
+    """Return the modules of the same package that each module of a package imports."""
     modules = {path.stem: path for path in package.glob("*.py") if path.name != "__init__.py"}
     found: Dict[str, Set[str]] = {}
     for name, path in modules.items():
@@ -254,7 +254,7 @@ def internal_imports(package: Path) -> Dict[str, Set[str]]:
 
 
 def levels(imports: Dict[str, Set[str]]) -> Dict[str, int]:
-    """The level of each module: 1 for one that imports no other.
+    """Return the level of each module: 1 for one that imports no other.
 
     Raises:
         ValueError: modules import each other in a circle
@@ -269,11 +269,11 @@ def levels(imports: Dict[str, Set[str]]) -> Dict[str, int]:
 
 
 @pytest.mark.parametrize("name, most", [("semantic_framer", 6), ("utterance_passes", 7), ("offline_pipeline", 3)])
-def test_rooms_have_few_floors(name: str, most: int) -> None:
+def test_packages_have_few_levels(name: str, most: int) -> None:
     floors = levels(internal_imports(REPOSITORY / "src" / name / "src" / name))
     assert max(floors.values()) <= most, sorted(floors.items(), key=lambda item: item[1])
 
 
-def test_the_check_itself_finds_a_circle() -> None:
+def test_a_circle_of_modules_is_found() -> None:
     with pytest.raises(ValueError, match="circle"):
         levels({"one": {"other"}, "other": {"one"}, "alone": set()})

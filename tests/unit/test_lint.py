@@ -1,4 +1,4 @@
-"""The linters have nothing to say: the same four checks as ``make lint``."""
+"""The linters find nothing: the four checks of ``make lint``."""
 
 import ast
 import os
@@ -11,7 +11,7 @@ from typing import Iterator, Tuple
 import pytest
 
 REPOSITORY = Path(__file__).resolve().parents[2]
-#: Checks of scripts/lint, and the program that each runs.
+#: The checks of scripts/lint, and the program that each runs.
 CHECKS = {"format": "ruff", "rules": "ruff", "types": "mypy", "packages": "catkin_lint"}
 
 
@@ -31,7 +31,7 @@ def test_lint_finds_nothing(check: str) -> None:
 
 
 def broad_handlers(text: str) -> Iterator[Tuple[int, str]]:
-    """Line number and line of every ``except`` that catches all exceptions."""
+    """Return line number and line of every ``except`` that catches all exceptions."""
     lines = text.splitlines()
     for node in ast.walk(ast.parse(text)):
         if isinstance(node, ast.ExceptHandler):
@@ -52,6 +52,6 @@ def test_a_broad_except_names_its_boundary() -> None:
     assert not unnamed, "say behind 'except' which boundary it is: # boundary: the reason\n" + "\n".join(unnamed)
 
 
-def test_the_check_itself_finds_a_broad_except() -> None:
+def test_a_broad_except_is_found() -> None:
     text = "try:\n    pass\nexcept OSError:\n    pass\nexcept Exception as error:\n    pass\n"
     assert list(broad_handlers(text)) == [(5, "except Exception as error:")]

@@ -1,4 +1,4 @@
-"""Amounts as people say them come out right in radians and metres, or are asked about, or refused; never wrong."""
+"""Spoken amounts become the right radians and metres, or the robot asks or refuses; they are never wrong."""
 
 import pytest
 from spoken_amounts.judging import Judge, table
@@ -20,7 +20,7 @@ def judged(judge: Judge, count: int, policy: str) -> None:
     ]
     assert not wrong
     plain = [verdict for verdict in verdicts if verdict.phrase.motions is not None and verdict.phrase.is_within_limits]
-    # A framer that refuses everything is never wrong, and no use.
+    # A framer that refuses everything would never be wrong.
     assert sum(verdict.outcome == "right" for verdict in plain) > 0.9 * len(plain)
 
 

@@ -1,4 +1,4 @@
-"""Questions, reports, wishes, prohibitions and talk do not act; requests do what the plain command does."""
+"""Questions, reports, wishes, prohibitions and talk start nothing; a request does what the plain command does."""
 
 import hashlib
 from collections import Counter
@@ -22,7 +22,7 @@ from utterance_kinds.utterances import (
     sample,
 )
 
-#: Nobody edits the frozen templates; a change that cannot be avoided is said in the commit that changes this sum.
+#: Do not edit the frozen templates. If a change cannot be avoided, explain it in the commit that changes this sum.
 FROZEN_SHA256 = "5626f692156c405af7a6cffb776baa8fc29b8fb5b4af32584be818efe98c3be9"
 QUESTION = Template("tune", "question", False, "listener", "?", "did you {base}")
 WISH = Template("tune", "wish_of_speaker", False, "speaker", ".", "I want to {base}")
@@ -59,7 +59,7 @@ def test_a_verb_is_inflected(verb: str, forms: Forms) -> None:
     assert inflect(verb) == forms
 
 
-def test_of_a_clause_the_verb_is_inflected_and_the_particle_stays() -> None:
+def test_in_a_clause_only_the_verb_is_inflected() -> None:
     assert inflect_clause("pick up the box").past == "picked up the box"
     assert inflect_clause("high five me").gerund == "high fiving me"
 
@@ -83,7 +83,7 @@ def test_an_utterance_is_written_in_four_styles() -> None:
     ]
 
 
-def test_there_are_enough_and_each_template_clause_and_style_is_used(everything: List[Utterance]) -> None:
+def test_set_is_large_and_uses_each_template_clause_and_style(everything: List[Utterance]) -> None:
     templates = [template for which in SETS for template in load_templates(which)]
     assert Counter(template.acts for template in templates)[False] >= 60
     assert Counter(template.acts for template in templates)[True] >= 25
@@ -98,14 +98,14 @@ def test_there_are_enough_and_each_template_clause_and_style_is_used(everything:
         assert set(counts.values()) == {CLAUSES_PER_TEMPLATE[acts]}
 
 
-def test_a_third_of_each_kind_is_frozen_and_stays_as_it_is() -> None:
+def test_a_third_of_each_kind_is_frozen_and_unchanged() -> None:
     tune, frozen = (Counter(template.kind for template in load_templates(which)) for which in SETS)
     for kind in tune:
         assert abs(frozen[kind] - (tune[kind] + frozen[kind]) / 3) < 1
     assert hashlib.sha256((FOLDER / "templates_frozen.yaml").read_bytes()).hexdigest() == FROZEN_SHA256
 
 
-def test_a_verdict_wants_the_same_as_the_plain_command_and_nothing_for_a_question(judge: Judge) -> None:
+def test_a_request_must_do_what_the_plain_command_does_and_a_question_nothing(judge: Judge) -> None:
     door = Clause("opening", "open the door", "the door")
     (request,) = judge.verdicts([Utterance(REQUEST, door, STYLES[0])])
     assert request.is_right and request.acted
@@ -119,12 +119,12 @@ def test_a_verdict_wants_the_same_as_the_plain_command_and_nothing_for_a_questio
 
 
 def wrong(verdicts: Iterable[Verdict]) -> List[str]:
-    """What is wrong, so that it can be read in the report of the test."""
+    """Return what is wrong, in a form that can be read in the report of the test."""
     return [f"{verdict.text}: {verdict.code} {verdict.meaning}" for verdict in verdicts if not verdict.is_right]
 
 
 @pytest.mark.parametrize("acts, count", [(False, 100), (True, 50)], ids=["no act", "request"])
-def test_a_sample_acts_when_it_is_a_request_only(judge: Judge, acts: bool, count: int) -> None:
+def test_in_a_sample_only_requests_act(judge: Judge, acts: bool, count: int) -> None:
     utterances = tuple(utterance for utterance in generate("tune") if utterance.template.acts is acts)
     assert wrong(judge.verdicts(sample(utterances, count))) == []
 
@@ -132,10 +132,10 @@ def test_a_sample_acts_when_it_is_a_request_only(judge: Judge, acts: bool, count
 @pytest.mark.acceptance
 @pytest.mark.parametrize("which", SETS)
 @pytest.mark.parametrize("acts", [False, True], ids=["no act", "request"])
-def test_every_utterance_acts_when_it_is_a_request_only(judge: Judge, which: str, acts: bool) -> None:
+def test_in_the_whole_set_only_requests_act(judge: Judge, which: str, acts: bool) -> None:
     utterances = [utterance for utterance in generate(which) if utterance.template.acts is acts]
     verdicts = list(judge.verdicts(utterances))
     assert len(verdicts) >= 0.9 * len(utterances), "too many plain commands do nothing"
-    if which == "frozen" and wrong(verdicts):  # whoever writes the rules sees how many, and not which
+    if which == "frozen" and wrong(verdicts):  # The writer of the rules may see how many are wrong, but not which.
         pytest.fail("\n".join(table_by_kind(verdicts)), pytrace=False)
     assert wrong(verdicts) == []

@@ -1,4 +1,4 @@
-"""English words that rules compare with what is said stand in ``words.yaml`` and ``formulas.yaml``, in no module."""
+"""English words that rules compare with a sentence are in ``words.yaml`` and ``formulas.yaml``, not in modules."""
 
 import ast
 import re
@@ -28,7 +28,7 @@ EXEMPT = {
     "utterance_passes/measures.py": "spoken numbers",
     "utterance_passes/spelling.py": "spoken numbers: units that are written to a number",
 }
-#: Words that nobody says to the robot, or that have an answer of their own each; every other list of the module counts.
+#: Exempt words: nobody says them to the robot, or each has its own treatment. Other lists of the module count.
 NO_SPEECH: Dict[str, Tuple[str, str]] = {
     "arbitrator/state_machine.py": ("outcomes of SMACH", "succeeded, aborted, preempted"),
     "executor/ros_driver_settings.py": ("keys of a record", "node, name, former"),
@@ -165,12 +165,12 @@ def test_a_list_of_words_is_found(code: str) -> None:
         'WORDS = word_class("left_and_right")',
     ],
 )
-def test_what_is_no_list_of_words_is_left_alone(code: str) -> None:
+def test_other_code_is_not_taken_for_a_list_of_words(code: str) -> None:
     assert not word_lists(code, RELATIONS)
 
 
 def asked_for() -> Dict[str, Set[str]]:
-    """Names that stand in calls for a word class, by module, and all texts of modules that import them."""
+    """Return the names in calls for a word class, by module, and all strings of modules that import them."""
     found: Dict[str, Set[str]] = {}
     for name, path in MODULES.items():
         code = path.read_text(encoding="utf-8")
@@ -183,7 +183,7 @@ def asked_for() -> Dict[str, Set[str]]:
     return found
 
 
-def test_every_word_class_that_is_asked_for_is_there() -> None:
+def test_every_requested_word_class_exists() -> None:
     unknown = {}
     for name in asked_for():
         for node in ast.walk(ast.parse(MODULES[name].read_text(encoding="utf-8"))):
@@ -203,5 +203,5 @@ def test_every_word_class_is_used() -> None:
     )
     formulas = "".join((SOURCES / name).read_text(encoding="utf-8") for name in files)
     used = set().union(*asked_for().values()) | included | set(re.findall(r"<(\w+)>", formulas))
-    own = {"determiners"}  # by without_determiner
+    own = {"determiners"}  # used by without_determiner
     assert not set(word_classes()) - used - own

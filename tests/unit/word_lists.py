@@ -1,22 +1,22 @@
-"""Lists of English words in Python, which should be classes in ``words.yaml`` or patterns in ``formulas.yaml``."""
+"""Finds lists of English words in Python modules; they belong in ``words.yaml`` or ``formulas.yaml``."""
 
 import ast
 import re
 from dataclasses import dataclass
 from typing import FrozenSet, Iterator, List, Set
 
-#: So many words that are compared with what is said are a list.
+#: Number of words from which on they count as a list.
 FEWEST = 3
-#: A word or a phrase of up to three; what holds a capital, a digit, an underscore or a slash is a name or a code.
+#: A phrase of up to three words. A string with a capital, a digit, an underscore or a slash is a name or a code.
 _WORD = re.compile(r"'?[a-z][a-z'’.-]*( [a-z'’.-]+){0,2}")
-#: Alternatives of a regular expression, with parts that may be missing.
+#: Alternatives of a regular expression, with optional parts.
 _ALTERNATIVE = r"[a-z'’][a-z'’ ]*\??(?:\([a-z' ]+\)\?)?"
 _ALTERNATIVES = re.compile(rf"(?<![|A-Za-z0-9]){_ALTERNATIVE}(?:\|{_ALTERNATIVE})+(?![|A-Za-z0-9])")
 
 
 @dataclass(frozen=True)
 class WordList:
-    """Words that stand together in a module: their line, and what they are."""
+    """Words that form a list in a module: their line, and the words."""
 
     line: int
     words: FrozenSet[str]
@@ -25,12 +25,12 @@ class WordList:
 def word_lists(code: str, names: FrozenSet[str] = frozenset()) -> List[WordList]:
     """Find the lists of words of a module.
 
-    Sets, lists, tuples, keys of mappings, texts that are split, comparisons that are joined by "or" or "and", and
-    alternatives of regular expressions count; tuples and lists of them are one.
+    Sets, lists, tuples, keys of mappings, strings that are split, comparisons joined by "or" or "and", and alternatives
+    of regular expressions count; nested tuples and lists count as one.
 
     Args:
-        code: of the module
-        names: words that are none of speech wherever all of a list are of them: names of grammatical relations
+        code: source code of the module
+        names: words that do not count if a list has no others: names of grammatical relations
     """
     tree = ast.parse(code)
     documentation = set(_documentation(tree))
@@ -46,7 +46,7 @@ def word_lists(code: str, names: FrozenSet[str] = frozenset()) -> List[WordList]
 
 
 def _documentation(tree: ast.AST) -> Iterator[ast.AST]:
-    """Texts that are no data: docstrings, and names that a module exports."""
+    """Return the strings that are no data: docstrings, and names that a module exports."""
     for node in ast.walk(tree):
         if isinstance(node, ast.Expr) and isinstance(node.value, ast.Constant):
             yield node.value
@@ -55,7 +55,7 @@ def _documentation(tree: ast.AST) -> Iterator[ast.AST]:
 
 
 def _words(node: ast.AST, inner: Set[ast.AST]) -> Iterator[str]:
-    """The words of a node; nodes inside of it that are a part of the same list are added to ``inner``."""
+    """Return the words of a node; add nested nodes of the same list to ``inner``."""
     if isinstance(node, (ast.Set, ast.List, ast.Tuple, ast.Dict)):
         items = [key for key in node.keys if key] if isinstance(node, ast.Dict) else node.elts
         for item in items:

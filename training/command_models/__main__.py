@@ -123,7 +123,7 @@ def _generate(options: argparse.Namespace) -> None:
 
 
 def main(arguments: Optional[List[str]] = None) -> int:
-    """Run the tool; 0 when all went well, 1 with one line on the error stream otherwise."""
+    """Run the tool; return 0 on success, otherwise 1 with one line on the error stream."""
     options = _arguments().parse_args(arguments)
     try:
         if options.action == "build":

@@ -1,4 +1,4 @@
-"""From treebank folders to a packaged model: the steps, what each reads and writes."""
+"""The steps from treebank folders to a packaged model, with what each reads and writes."""
 
 import sys
 from dataclasses import asdict, dataclass
@@ -12,7 +12,7 @@ from .packing import pack
 from .steps import Step, execute, tell
 
 _HERE = Path(__file__).resolve().parent
-# Sources whose change has to make the sentences anew.
+# When one of these sources changes, the sentences must be generated again.
 _GENERATOR = (
     "generate.py",
     "sentences.py",
@@ -32,7 +32,7 @@ _GENERATOR = (
 
 @dataclass(frozen=True)
 class Plan:
-    """What to build a model from, and how.
+    """The inputs and settings of a build.
 
     ``commands``: number of generated sentences; ``size``: number of word vectors; ``jobs``: trainings at once.
     """
@@ -51,7 +51,7 @@ class Plan:
 
 
 def versions() -> Dict[str, str]:
-    """Versions of what trains and what will have to load the models."""
+    """Return the versions of the libraries that train the models and must load them."""
     import stanza
     import torch
 
@@ -59,7 +59,7 @@ def versions() -> Dict[str, str]:
 
 
 def prepare_sentences(plan: Plan) -> None:
-    """Select the treebanks, mine their words, generate commands, write all training files."""
+    """Select from the treebanks, mine their words, generate commands, and write all training files."""
     data = plan.work / "data"
     source = treebanks.written(plan.ewt)
     banned = evaluation_words()
@@ -70,7 +70,7 @@ def prepare_sentences(plan: Plan) -> None:
     mined = mining.mine([data / "written.train.conllu", data / "spoken.conllu"], banned)
     commands = list(generate.training(plan.commands, plan.seed, mined))
     dev = list(read(source.dev))
-    # development sentences of the small models: same words, another seed; the evaluation words stay unseen
+    # development sentences of the small models: same words, another seed, and no evaluation words
     others = list(generate.training(300, plan.seed + 1, mined))
     write(data / "commands.conllu", commands)
     write(data / "commands.quarter.conllu", commands[: len(commands) // 4])
@@ -88,7 +88,7 @@ def prepare_sentences(plan: Plan) -> None:
 def make_vectors(plan: Plan) -> None:
     """Train the word vectors and convert them to Stanza's form.
 
-    In a process of its own: only there can hashing be fixed, on which the vectors depend.
+    This runs in a separate process, because the vectors depend on hashing, which can only be fixed at its start.
     """
     data, models = plan.work / "data", plan.work / "models"
     text = data / "words.vec"
@@ -107,7 +107,7 @@ def make_vectors(plan: Plan) -> None:
 
 
 def steps(plan: Plan) -> List[Step]:
-    """All steps of a plan; the long ones stand first, so that they start first."""
+    """Return all steps of a plan, the longest first, so that they start first."""
     data, models, logs = plan.work / "data", plan.work / "models", plan.work / "logs"
     treebank_files = tuple(asdict(treebanks.written(plan.ewt)).values()) + tuple(
         sorted(plan.childes.glob("**/*.conllu"))
@@ -213,7 +213,7 @@ def steps(plan: Plan) -> List[Step]:
 
 
 def build(plan: Plan) -> None:
-    """Run every step that is not done, then pack."""
+    """Run every step that is not done yet, then pack."""
     for name in ("data", "models", "logs", "records"):
         (plan.work / name).mkdir(parents=True, exist_ok=True)
     execute(steps(plan), plan.work / "records", plan.jobs)
@@ -221,7 +221,7 @@ def build(plan: Plan) -> None:
 
 
 def pack_plan(work: Path, out: Path) -> None:
-    """Pack whatever models a working folder holds by now: trainers save their best so far."""
+    """Pack the present models of a working folder: trainers save the best so far."""
     packed = pack(work / "models", out, versions())
     for entry in packed:
         tell(f"      {entry.path:<28} {entry.size:9d} bytes")

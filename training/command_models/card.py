@@ -1,4 +1,4 @@
-"""The figures in the model card: measured by ``score --json``, put between two marks of the card."""
+"""Writes the figures of ``score --json`` into the model card, between two marks."""
 
 import json
 from pathlib import Path
@@ -17,7 +17,7 @@ RAW, GOLD = "ewt test, raw text", "ewt test, gold words"
 
 
 def section(figures: Mapping[str, Mapping[str, float]], manifest: Mapping[str, object]) -> str:
-    """The card's figures as Markdown, in the order data size, treebank, commands, HuRIC, latency."""
+    """Return the figures as Markdown, in the order file sizes, treebank, commands, HuRIC, latency."""
     lines: List[str] = [BEGIN, ""]
     files = manifest.get("files")
     if isinstance(files, list):
@@ -44,7 +44,7 @@ def section(figures: Mapping[str, Mapping[str, float]], manifest: Mapping[str, o
 
 
 def update(card: Path, figures: Path, manifest: Path) -> None:
-    """Put the figures into the card between its marks.
+    """Replace the figures between the marks of the card.
 
     Raises TrainingError when a file or a mark is missing.
     """

@@ -1,4 +1,4 @@
-"""Clauses about how things are: "the oven is hot", "the keys are on the table"."""
+"""Clauses that describe a state: "the oven is hot", "the keys are on the table"."""
 
 import random
 from dataclasses import dataclass

@@ -1,4 +1,4 @@
-"""Sentences in CoNLL-U: reading, writing and the rules that a tree has to keep."""
+"""Sentences in CoNLL-U: reading, writing, and checks that a sentence is a tree."""
 
 from dataclasses import dataclass
 from pathlib import Path
@@ -28,7 +28,7 @@ class Word:
 
 @dataclass(frozen=True)
 class Span:
-    """A multi-word token: the words ``first`` to ``last`` (1-based) are written as ``form``."""
+    """A multi-word token: the words ``first`` to ``last`` (1-based) are written together as ``form``."""
 
     first: int
     last: int
@@ -45,7 +45,7 @@ class Sentence:
     comments: Tuple[str, ...] = ()
 
     def comment(self, key: str) -> str:
-        """Value of the comment ``key = value``; empty when there is none."""
+        """Return the value of the comment ``key = value``; empty if there is none."""
         for line in self.comments:
             name, found, value = line.partition("=")
             if found and name.strip() == key:
@@ -53,7 +53,7 @@ class Sentence:
         return ""
 
     def text(self) -> str:
-        """The sentence as a person would write it, from the forms and SpaceAfter."""
+        """The running text of the sentence, from the forms and SpaceAfter."""
         pieces: List[str] = []
         covered = 0
         starts: Dict[int, Span] = {span.first: span for span in self.spans}
@@ -68,7 +68,7 @@ class Sentence:
 
 
 def problems(sentence: Sentence) -> List[str]:
-    """What is wrong with the tree of a sentence; an empty list when it is a tree.
+    """Return what is wrong with the tree of a sentence; an empty list for a tree.
 
     Checked: one root, heads in range, no word its own ancestor, `root` exactly where the head is 0,
     multi-word tokens in order and inside the sentence.
@@ -105,7 +105,7 @@ def problems(sentence: Sentence) -> List[str]:
 
 
 def render(sentence: Sentence) -> str:
-    """One sentence as CoNLL-U text, with the blank line that ends it."""
+    """Return a sentence as CoNLL-U, with the blank line that ends it."""
     lines = ["# " + comment for comment in sentence.comments]
     starts = {span.first: span for span in sentence.spans}
     for place, word in enumerate(sentence.words, 1):
@@ -132,7 +132,7 @@ def render(sentence: Sentence) -> str:
 
 
 def write(path: Path, sentences: Iterable[Sentence]) -> int:
-    """Write sentences to a CoNLL-U file; answers how many."""
+    """Write sentences to a CoNLL-U file; return their number."""
     count = 0
     with path.open("w", encoding="utf-8") as stream:
         for sentence in sentences:
@@ -142,7 +142,7 @@ def write(path: Path, sentences: Iterable[Sentence]) -> int:
 
 
 def read(path: Path) -> Iterator[Sentence]:
-    """Sentences of a CoNLL-U file; empty nodes (``8.1``) are left out.
+    """Read the sentences of a CoNLL-U file; leave out empty nodes (``8.1``).
 
     Raises TrainingError with file and line when a row has not ten columns or no number.
     """

@@ -1,5 +1,5 @@
-"""The one exception that the tool raises for anything the user can mend."""
+"""The exception for everything that the user can correct."""
 
 
 class TrainingError(Exception):
-    """A wrong file, argument or state; the message says where, what was expected and what to do."""
+    """A wrong file, argument or state; the message says where, what was expected, and what to do."""

@@ -1,7 +1,7 @@
-"""The verbs, particles and prepositions that the frames themselves are made of.
+"""The verbs, particles and prepositions of the frames.
 
-They are shared by training and evaluation sentences: what is split between the two is the open vocabulary.
-A word that stands several times in a list is drawn more often.
+Training and evaluation sentences share them; only the open-class words differ.
+A word that is listed several times is drawn more often.
 """
 
 from typing import Tuple

@@ -1,4 +1,4 @@
-"""The generator of annotated command sentences: trees from the frames, then the ways they are written."""
+"""Generates annotated command sentences: builds trees from the frames and writes them in several styles."""
 
 import random
 from dataclasses import dataclass, replace
@@ -32,7 +32,7 @@ SPOKEN = Style(False, False, True)
 
 
 def draw_style(chooser: random.Random) -> Style:
-    """35 % written out, 10 % without the full stop, 10 % lower case with it, 45 % as a recogniser writes."""
+    """Draw a style: 35 % written, 10 % without full stop, 10 % in lower case with it, 45 % as from a recogniser."""
     draw = chooser.random()
     if draw < 0.35:
         return CANONICAL
@@ -44,10 +44,10 @@ def draw_style(chooser: random.Random) -> Style:
 
 
 def write_out(root: Node, style: Style, mark: str, comments: List[str]) -> Sentence:
-    """A tree as a sentence in a style; ``mark`` is the final punctuation to use when the style has it.
+    """Write a tree as a sentence in a style; ``mark`` is its final punctuation if the style has any.
 
-    Without final punctuation there are no commas either: recognisers write none, and people who leave
-    out the one leave out the other.
+    Without final punctuation there are no commas either: recognisers write none, and people who leave out one leave out
+    the other.
     """
     if not style.final:
         root = _without_commas(root)
@@ -99,9 +99,9 @@ def generate(
     prefix: str,
     banned: FrozenSet[str] = frozenset(),
 ) -> Iterator[Sentence]:
-    """``count`` different sentences without ``banned`` words, each a paragraph of its own.
+    """Return ``count`` different sentences without ``banned`` words, each as one paragraph.
 
-    Raises TrainingError if a frame ever builds something that is no tree: that is a mistake in the frame.
+    Raises TrainingError if a frame builds something that is not a tree, which is a mistake in the frame.
     """
     chooser = random.Random(seed)
     build = builder(chooser, lexicon, mined, wide)
@@ -119,10 +119,10 @@ def generate(
         mark = "?" if _asks(root) else "!" if chooser.random() < 0.08 else "."
         sentence = write_out(root, style, mark, [])
         if any(word.form.lower() in banned or word.lemma.lower() in banned for word in sentence.words):
-            continue  # a made-up word may by chance be a real one
+            continue  # a made-up word may happen to be a real one
         text = sentence.text()
         if text in seen:
-            # Short utterances repeat; a few repetitions are wanted, for they are what people say most.
+            # Short utterances recur; a few repetitions are wanted, because people say them most.
             if len(sentence.words) > 2 or chooser.random() > 0.3:
                 continue
         seen.add(text)

@@ -1,7 +1,7 @@
 """Scoring against HuRIC 2.1: robot commands with Stanford typed dependencies (basic) and semantic frames.
 
-HuRIC's trees came out of a parser and were not all corrected: "please" is the root of some, a noun of
-others.  The score therefore asks about the *lexical units* of the annotated frames, which people chose:
+A parser made HuRIC's trees, and not all were corrected: "please" is the root of some and a noun in others. The score
+therefore uses the *lexical units* of the annotated frames, which people chose:
 
 * predicate: the root of our tree is the lexical unit that the gold tree puts highest (in gold trees whose
   root is no lexical unit: the first lexical unit of the command);
@@ -24,7 +24,7 @@ Arc = Tuple[int, int, str]  # governor, dependant, relation; places are 1-based
 
 _SAME = {"dobj": "dobj", "dojb": "dobj", "iobj": "iobj", "nsubj": "nsubj", "prt": "prt", "nsubjpass": "nsubj"}
 _OURS = {"obj": "dobj", "iobj": "iobj", "nsubj": "nsubj", "nsubj:pass": "nsubj", "compound:prt": "prt"}
-# Names that HuRIC writes for what the rules call otherwise: it has no vocative, and no passive subjects apart.
+# HuRIC's names for relations that the rules name otherwise: it has no vocative and no separate passive subjects.
 _RENAMED = {"vocative": "nsubj", "nsubjpass": "nsubj"}
 _DIRECTIONS = frozenset("left right back down up off on forward backward over away".split())
 
@@ -40,7 +40,7 @@ class Command:
     units: FrozenSet[int]
 
     def predicate(self) -> int:
-        """Place of the gold predicate, 0 when no lexical unit is annotated."""
+        """Position of the gold predicate, 0 when no lexical unit is annotated."""
         heads = {dependant: governor for governor, dependant, _ in self.arcs}
         roots = [dependant for governor, dependant, relation in self.arcs if relation == "root"]
         if roots and roots[0] in self.units:
@@ -49,7 +49,7 @@ class Command:
 
 
 def read_folder(folder: Path) -> List[Command]:
-    """All commands under a HuRIC folder (``*.hrc``), in order of their paths.
+    """Read all commands under a HuRIC folder (``*.hrc``), in the order of their paths.
 
     Raises TrainingError when there are none, or when a file is no HuRIC XML.
     """
@@ -69,7 +69,7 @@ def read_folder(folder: Path) -> List[Command]:
             units: Set[int] = set()
             for frame in command.findall("semantics/frames/frame"):
                 places = {int(token.get("id", "0")) for token in frame.findall("lexicalUnit/token")}
-                # of several words ("there is", "look for") the one that the others hang on
+                # of several words ("there is", "look for"), the one that governs the others
                 heads = [dependant for governor, dependant, _ in arcs if dependant in places and governor not in places]
                 if places:
                     units.add(min(heads) if heads else min(places))
@@ -123,7 +123,7 @@ def our_arguments(sentence: Sentence) -> Dict[Tuple[int, int], Set[str]]:
         if word.deprel in _OURS:
             add(governor, place, _OURS[word.deprel])
         if word.deprel in ("obl:unmarked", "advmod") or (word.deprel in ("obl", "obj") and not prepositions):
-            # a bare measure or direction is an object to some parsers and an adverb to others
+            # some parsers make a bare measure or direction an object, others an adverb
             for relation in ("dobj", "iobj", "tmod", "npadvmod"):
                 add(governor, place, relation)
         if word.deprel == "vocative":
@@ -163,7 +163,7 @@ def runtime_arguments(source: Path) -> "Reader":
 
 @dataclass(frozen=True)
 class Score:
-    """Counts over commands: right predicates, right arguments, and what went wrong, one line each."""
+    """Counts over commands: right predicates, right arguments, and one line for each error."""
 
     commands: int
     predicates: int
@@ -179,7 +179,7 @@ class Score:
         }
 
     def lines(self) -> List[str]:
-        """The score as a person reads it."""
+        """Return the score as text for people."""
         predicates, arguments = self.percent().values()
         return [
             f"predicate right: {self.predicates} of {self.commands} ({predicates:.1f} %)",
@@ -188,7 +188,7 @@ class Score:
 
 
 def our_root(sentence: Sentence) -> int:
-    """The root of our tree as Stanford dependencies have it: a copula before a prepositional predicate."""
+    """Return the root of our tree in Stanford dependencies: a copula before a prepositional predicate."""
     root = next(place for place, word in enumerate(sentence.words, 1) if word.head == 0)
     copula = 0
     marked = False

@@ -1,4 +1,4 @@
-"""The lemmatizer's training file: every form once or a few times instead of once per occurrence."""
+"""Condenses the training file of the lemmatizer: each form occurs a few times instead of once per occurrence."""
 
 import math
 from collections import Counter
@@ -12,10 +12,10 @@ WORDS_PER_SENTENCE = 20
 
 
 def condense(sources: Iterable[Path], target: Path) -> int:
-    """Write each (form, tag, lemma) of the sources 1 + log2(count) times; answers the number of words.
+    """Write each (form, tag, lemma) of the sources 1 + log2(count) times; return the number of words.
 
-    The lemmatizer trains on occurrences, so that "the" would be learnt ten thousand times.  The sentences
-    written are no sentences: the words hang on the first one, for the lemmatizer reads no heads.
+    The lemmatizer trains on occurrences and would learn "the" ten thousand times. The output consists of lists of
+    words, not of real sentences: every word depends on the first, because the lemmatizer reads no heads.
     """
     counts: Count[Tuple[str, str, str, str]] = Counter()
     for source in sources:

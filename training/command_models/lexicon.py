@@ -1,4 +1,4 @@
-"""The generator's own words, in two lists that share none: TRAINING and EVALUATION.
+"""The words of the generator, in two disjoint lists: TRAINING and EVALUATION.
 
 Words of the evaluation list never occur in the generated training sentences, and the tool also drops
 every treebank sentence that has one (see ``treebanks``).  What both halves share is the closed-class
@@ -15,7 +15,7 @@ def _words(text: str) -> Tuple[str, ...]:
 
 @dataclass(frozen=True)
 class Lexicon:
-    """Open-class words by the place they take in a frame; multi-word nouns are joined by ``_``."""
+    """Open-class words by their place in a frame; multi-word nouns are joined by ``_``."""
 
     things: Tuple[str, ...]  # what can be carried
     masses: Tuple[str, ...]  # uncountable: no plural, no "a"
@@ -145,7 +145,7 @@ EVALUATION = Lexicon(
 
 
 def content_words(lexicon: Lexicon) -> FrozenSet[str]:
-    """Every word of a lexicon, lower case, multi-word entries taken apart."""
+    """Return every word of a lexicon in lower case, with multi-word entries split."""
     found: Set[str] = set()
     for field in fields(lexicon):
         for entry in getattr(lexicon, field.name):
@@ -154,5 +154,5 @@ def content_words(lexicon: Lexicon) -> FrozenSet[str]:
 
 
 def evaluation_words() -> FrozenSet[str]:
-    """The words that must not occur in training: all open-class words of the evaluation list."""
+    """Return the words that must not occur in training: all open-class words of the evaluation list."""
     return content_words(EVALUATION)

@@ -1,7 +1,7 @@
-"""Words mined from treebanks, and made-up words: they keep the models from leaning on a short lexicon.
+"""Words mined from treebanks, and made-up words, so that the models do not rely on a short lexicon.
 
-An unknown word at the start of a command is a verb, an unknown word after "the" a noun: that is learnt
-only from sentences whose words are many, and some of them words that exist nowhere.
+An unknown word at the start of a command is a verb, and one after "the" a noun. Models learn this only from sentences
+with many different words, some of them invented.
 """
 
 import random
@@ -24,7 +24,7 @@ _TAILS = {
     "ADJ": ("y", "ish", "ic", ""),
     "PROPN": ("o", "a", "i", "us", ""),
 }
-# Verbs that need more than an object, or that never are commands.
+# Verbs that need more than an object, or that are never commands.
 _NOT_COMMANDS = frozenset("be have do let seem become think know believe hope wonder guess suppose want need".split())
 
 
@@ -48,7 +48,7 @@ def _kept(counts: Count[str], least: int, banned: FrozenSet[str]) -> Tuple[str, 
 
 
 def mine(paths: Iterable[Path], banned: FrozenSet[str]) -> Mined:
-    """Collect verbs, nouns, names and adjectives; none of the ``banned`` words is among them."""
+    """Collect verbs, nouns, names and adjectives, without the ``banned`` words."""
     counts: Dict[str, Count[str]] = {kind: Counter() for kind in ("t", "i", "n", "p", "a")}
     for path in paths:
         for sentence in read(path):

@@ -1,4 +1,4 @@
-"""Verb phrases of moving: to a place, by a measure, to a side, the robot itself or a thing."""
+"""Verb phrases of motion: of the robot or a thing, to a place, by a measure, to a side."""
 
 import random
 from dataclasses import dataclass
@@ -15,7 +15,7 @@ Form = Callable[[str], Node]
 
 @dataclass(frozen=True)
 class Motion:
-    """The frames of motion, and what all verb phrases draw on."""
+    """Builds the frames of motion."""
 
     chooser: random.Random
     nouns: Nouns

@@ -29,7 +29,7 @@ _ADJECTIVE_PARTS = frozenset("main front high remote mobile".split())
 
 @dataclass(frozen=True)
 class Nouns:
-    """Builds noun phrases out of a lexicon; ``wide`` is the share of mined and made-up words."""
+    """Builds noun phrases from a lexicon; ``wide`` is the share of mined and made-up words."""
 
     chooser: random.Random
     lexicon: Lexicon
@@ -37,7 +37,7 @@ class Nouns:
     wide: float
 
     def pick(self, own: Sequence[str], mined: Sequence[str], kind: str) -> str:
-        """A word of the own list, or a mined or made-up one."""
+        """Return a word of the given list, or a mined or made-up one."""
         draw = self.chooser.random()
         if draw < self.wide * 0.7 and mined:
             return self.chooser.choice(mined)

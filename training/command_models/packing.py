@@ -1,4 +1,4 @@
-"""Packing: trained models into a folder that Stanza's own constructor loads offline."""
+"""Packs trained models into a folder that Stanza's own constructor loads offline."""
 
 import hashlib
 import json
@@ -11,7 +11,7 @@ from .errors import TrainingError
 
 PACKAGE = "command"
 LIMIT = 25 * 1024 * 1024  # bytes: what a repository should carry
-# processor -> trained file; vectors stay fp32, for Stanza uses them as they are
+# processor -> trained file; vectors stay fp32, because Stanza uses them unchanged
 _SOURCES: Tuple[Tuple[str, str, bool], ...] = (
     ("pretrain", "vectors.pt", False),
     ("tokenize", "tokenizer.pt", True),
@@ -33,7 +33,7 @@ class Packed:
 
 
 def halved(node: object) -> object:
-    """A checkpoint with its 32-bit tensors as 16-bit ones; loading copies them back into 32 bits."""
+    """Return a checkpoint with its 32-bit tensors as 16-bit ones; loading converts them back."""
     import torch
 
     if isinstance(node, torch.Tensor):
@@ -48,7 +48,7 @@ def halved(node: object) -> object:
 
 
 def resources(md5s: Dict[str, str]) -> Dict[str, object]:
-    """Stanza's index of a model folder, for one English package; ``md5s`` by processor."""
+    """Return Stanza's index of a model folder for one English package; ``md5s`` by processor."""
     processors: Dict[str, object] = {}
     for processor, _, _ in _SOURCES:
         entry: Dict[str, object] = {"md5": md5s[processor]}
@@ -62,7 +62,7 @@ def resources(md5s: Dict[str, str]) -> Dict[str, object]:
 
 
 def pack(trained: Path, target: Path, versions: Dict[str, str]) -> List[Packed]:
-    """Write the package; ``versions`` goes into the manifest beside sizes and md5s.
+    """Write the package; the manifest holds ``versions``, sizes and md5s.
 
     Raises TrainingError when a trained file is missing or the package is too large.
     """

@@ -1,4 +1,4 @@
-"""A packaged model at work: parsing with it, offline, as the scores and the tests do."""
+"""Parses with a packaged model, offline, for the scores and the tests."""
 
 from pathlib import Path
 from typing import Any, List, Sequence
@@ -20,7 +20,7 @@ class Parser:
         """
         if not (folder / "resources.json").is_file():
             raise TrainingError(f"{folder}: no resources.json there; expected a packaged model (see 'pack')")
-        import stanza  # slow to import: only where a model is really used
+        import stanza  # slow to import: only where a model is used
         import torch
 
         torch.set_num_threads(1)
@@ -46,7 +46,7 @@ class Parser:
         return _converted(self._run(text).sentences[0])
 
 
-def _converted(sentence: Any) -> Sentence:  # of Stanza, which has no types
+def _converted(sentence: Any) -> Sentence:  # a Stanza object, which has no types
     return Sentence(
         tuple(
             Word(word.text, word.lemma or "_", word.upos, word.xpos or "_", word.feats or "_", word.head, word.deprel)

@@ -1,4 +1,4 @@
-"""Scores of a packaged model: EWT test with the CoNLL 2018 evaluation, held-out commands, latency."""
+"""Scores a packaged model: EWT test with the CoNLL 2018 evaluation, held-out commands, latency."""
 
 import statistics
 import tempfile
@@ -22,7 +22,7 @@ def conll(gold: Path, system: Path) -> Dict[str, float]:
 
 
 def on_gold_words(model: Path, gold: Path) -> Dict[str, float]:
-    """Scores on a treebank when its words are given, and all else is predicted."""
+    """Return the scores on a treebank with its words given and everything else predicted."""
     sentences = [Sentence(sentence.words) for sentence in read(gold)]
     parsed = Parser(model, pretokenized=True).words([[word.form for word in one.words] for one in sentences])
     with tempfile.TemporaryDirectory() as folder:
@@ -33,7 +33,7 @@ def on_gold_words(model: Path, gold: Path) -> Dict[str, float]:
 
 
 def on_raw_text(model: Path, gold: Path) -> Dict[str, float]:
-    """Scores on a treebank from its running text: the way published figures are made."""
+    """Return the scores on a treebank from its running text, as published figures are measured."""
     import stanza
     import torch
 
@@ -58,7 +58,7 @@ def on_raw_text(model: Path, gold: Path) -> Dict[str, float]:
     for one in document.sentences:
         for token in one.tokens:
             if "<UNK>" in token.text:
-                # over-long strings are cut by the tokenizer; the evaluation has to find the very characters
+                # the tokenizer cuts over-long strings, but the evaluation needs the same characters
                 token.text = document.text[token.start_char : token.end_char].replace(" ", "")
                 if len(token.words) == 1:
                     token.words[0].text = token.text
@@ -70,7 +70,7 @@ def on_raw_text(model: Path, gold: Path) -> Dict[str, float]:
 
 @dataclass(frozen=True)
 class Commands:
-    """How many of the command sentences, words and trees came out right."""
+    """Numbers of right commands, words and trees."""
 
     sentences: int
     words: int
@@ -95,7 +95,7 @@ class Commands:
 
 
 def on_commands(model: Path, gold: Iterable[Sentence]) -> Commands:
-    """Scores on command sentences whose words are given; punctuation does not count."""
+    """Return the scores on commands whose words are given; punctuation does not count."""
     wanted = list(gold)
     parsed = Parser(model, pretokenized=True).words([[word.form for word in one.words] for one in wanted])
     words = trees = roots = tags = heads = labelled = 0
@@ -128,7 +128,7 @@ def on_commands(model: Path, gold: Iterable[Sentence]) -> Commands:
 
 
 def latency(model: Path, texts: Sequence[str]) -> Tuple[float, float]:
-    """Milliseconds per command after warm-up: median and 95th percentile, one thread."""
+    """Return the milliseconds per command after warm-up: median and 95th percentile, one thread."""
     parser = Parser(model)
     for text in texts[:5]:
         parser.text(text)

@@ -1,4 +1,4 @@
-"""Whole utterances: commands as people say them, with politeness, addressee, clauses, questions, statements."""
+"""Whole utterances as people say them: commands with politeness, addressee and clauses; questions; statements."""
 
 import random
 from dataclasses import dataclass
@@ -17,7 +17,7 @@ _STOPPERS = "stop ping dock speak wait go dance undock freeze sit stand jump sle
 
 @dataclass(frozen=True)
 class Sentences:
-    """Builds utterances; each frame is a method that answers the tree without final punctuation."""
+    """Builds utterances; each frame is a method that returns a tree without final punctuation."""
 
     chooser: random.Random
     nouns: Nouns
@@ -42,13 +42,13 @@ class Sentences:
         """The addressee: "robot", "Max", "hey robot"."""
         draw = self.chooser.random()
         if draw < 0.4:
-            # what most people say, and what stands in both lexicons
+            # the most frequent words, which both lexicons share
             return words.noun("robot")
         called = self.any(self.nouns.lexicon.robots) if draw < 0.65 else self.nouns.name().form
         return words.name(called) if called[0].isupper() else words.noun(called)
 
     def addressed(self, root: Node, front: bool = True) -> Node:
-        """The utterance with an addressee; the comma belongs to the addressee in front, to the root's end behind."""
+        """Add an addressee; its comma depends on the addressee at the front, and on the root at the end."""
         who = self.address()
         if not front:
             if self.maybe(0.5):
@@ -70,7 +70,7 @@ class Sentences:
         return root.post("discourse", please)
 
     def filled(self, root: Node) -> Node:
-        """A filler in front; its comma, if any, hangs on the filler."""
+        """Add a filler at the front; its comma, if any, depends on the filler."""
         filler = words.interjection(self.any(_FILLERS))
         if filler.form in ("now", "right", "so"):
             filler = words.adverb(filler.form)
@@ -119,7 +119,7 @@ class Sentences:
         return self.addressed(root, self.maybe(0.85))
 
     def bare(self) -> Node:
-        """One word, with every known and unknown verb: "Stop", "Ping"."""
+        """One word, a known or unknown verb: "Stop", "Ping"."""
         if self.maybe(0.4):
             return words.imperative(self.any(_STOPPERS))
         pool = self.nouns.lexicon.intransitive + self.nouns.lexicon.transitive

@@ -1,9 +1,9 @@
-"""The tagger's last steps, at a low learning rate, as a moving average of its weights.
+"""Trains the tagger for its last steps, at a low learning rate, with a moving average of its weights.
 
-The steps themselves jump up and down by two points; their average does not.
+Single steps vary by two points; their average does not.
 
-Stanza's tagger, unlike its parser, has no option to go on from a trained model: this does, with Stanza's own
-classes.  Run as a process of its own: ``settling SOURCE TARGET VECTORS DEV STEPS SEED TRAIN...``.
+Unlike Stanza's parser, its tagger has no option to continue from a trained model; this module does so with Stanza's
+classes. It runs in a separate process: ``settling SOURCE TARGET VECTORS DEV STEPS SEED TRAIN...``.
 """
 
 import io
@@ -16,13 +16,13 @@ if TYPE_CHECKING:
     import torch
 
 RATE = 0.0004
-DECAY = 0.985  # of the average, per step; lower at the start
-EVERY = 100  # steps between two looks at the development set
+DECAY = 0.985  # decay of the average per step; lower at the start
+EVERY = 100  # steps between two evaluations on the development set
 BATCH = 64
 
 
-def _score(trainer: Any, data: Any, gold: Path) -> float:  # of Stanza, which has no types
-    """Share of development words whose tags and features are all right."""
+def _score(trainer: Any, data: Any, gold: Path) -> float:  # a Stanza object, which has no types
+    """Return the share of development words whose tags and features are all right."""
     from stanza.models import tagger
     from stanza.models.common import utils
     from stanza.models.pos import scorer
@@ -71,7 +71,7 @@ def settle(source: Path, target: Path, vectors: Path, dev: Path, steps: int, see
 
     best = _score(trainer, checked, dev)
     print(f"before: dev_score = {best:.4f}", flush=True)
-    # The first steps cost what the optimizer had learned: where they are not made up for, the source stays the best.
+    # The first steps lose what the optimizer had learned; if later steps do not make up for it, the source stays best.
     shutil.copyfile(str(source), str(target))
     weights = {name: weight for name, weight in trainer.model.named_parameters() if weight.requires_grad}
     average = {name: weight.detach().clone() for name, weight in weights.items()}
@@ -95,7 +95,7 @@ def settle(source: Path, target: Path, vectors: Path, dev: Path, steps: int, see
 
 
 def _exchanged(weights: Dict[str, "torch.nn.Parameter"], new: Dict[str, "torch.Tensor"]) -> Dict[str, "torch.Tensor"]:
-    """Put other values into the weights and return those that were there."""
+    """Set the weights to other values and return the old ones."""
     kept = {name: weight.detach().clone() for name, weight in weights.items()}
     for name, weight in weights.items():
         weight.data.copy_(new[name])
@@ -103,7 +103,7 @@ def _exchanged(weights: Dict[str, "torch.nn.Parameter"], new: Dict[str, "torch.T
 
 
 def main(arguments: Sequence[str]) -> int:
-    """The step as a process of its own."""
+    """Run the step."""
     source, target, vectors, dev, steps, seed = arguments[:6]
     settle(
         Path(source),

@@ -1,8 +1,8 @@
-"""Steps that are done once: what a step was made of is recorded, and it is skipped while that holds.
+"""Steps that run once: a step is skipped while its recorded inputs and settings are unchanged.
 
-A step names the files it reads, the settings it depends on and the files it writes.  Its record is a
-fingerprint of all three; a run that was broken off goes on with the first step whose record is missing or
-differs.  Steps run beside each other as far as their inputs allow.
+A step names the files it reads, the settings it depends on and the files it writes. Its record is a fingerprint of
+all three. An interrupted run continues with the first step whose record is missing or differs. Steps run in parallel
+as far as their inputs allow.
 """
 
 import hashlib
@@ -22,7 +22,7 @@ REPORT_SECONDS = 30.0
 
 @dataclass(frozen=True)
 class Step:
-    """One piece of work: ``run`` reads ``inputs`` and writes ``outputs``; ``log`` is what it reports into."""
+    """One piece of work: ``run`` reads ``inputs``, writes ``outputs`` and logs to ``log``."""
 
     name: str
     inputs: Tuple[Path, ...]
@@ -33,7 +33,7 @@ class Step:
 
 
 def digest(path: Path) -> str:
-    """MD5 of a file's content."""
+    """Return the MD5 sum of a file."""
     hashed = hashlib.md5()
     with path.open("rb") as stream:
         for chunk in iter(lambda: stream.read(CHUNK), b""):
@@ -42,7 +42,7 @@ def digest(path: Path) -> str:
 
 
 def fingerprint(step: Step) -> Dict[str, object]:
-    """What the outcome of a step depends on."""
+    """Return a fingerprint of everything that the result of a step depends on."""
     return {
         "inputs": {path.name: digest(path) for path in step.inputs},
         "settings": {key: str(value) for key, value in sorted(step.settings.items())},
@@ -50,7 +50,7 @@ def fingerprint(step: Step) -> Dict[str, object]:
 
 
 def done(step: Step, records: Path) -> bool:
-    """Whether a step's outputs exist and were made from what it would be made of now."""
+    """Whether the outputs of a step exist and were made from its present inputs and settings."""
     record = records / (step.name + ".json")
     if not record.is_file() or not all(path.is_file() for path in step.outputs):
         return False
@@ -61,7 +61,7 @@ def done(step: Step, records: Path) -> bool:
 
 
 def last_line(log: Path) -> str:
-    """The last line a step wrote into its log, cut to a screen's width; empty when there is none."""
+    """Return the last line in the log of a step, cut to the width of a screen; empty if there is none."""
     if not log.is_file():
         return ""
     with log.open("rb") as stream:
@@ -72,13 +72,13 @@ def last_line(log: Path) -> str:
 
 
 def tell(text: str) -> None:
-    """One line of progress, with the time of day."""
+    """Print one line of progress with the time of day."""
     sys.stdout.write(time.strftime("%H:%M:%S ") + text + "\n")
     sys.stdout.flush()
 
 
 def execute(steps: Sequence[Step], records: Path, jobs: int) -> None:
-    """Run all steps that are not done, at most ``jobs`` at once, those first that come first in the list.
+    """Run all steps that are not done, at most ``jobs`` at once, in the order of the list.
 
     Raises TrainingError naming the step that failed; finished steps stay recorded.
     """

@@ -1,7 +1,7 @@
-"""Command lines of Stanza's own trainers, and running them.
+"""Builds and runs the command lines of Stanza's own trainers.
 
-Every value here was found by trial; why dropout is low, why the biaffine layers are small and why
-``--pos_dim`` equals ``--emb_dim`` is told in the README.
+Every value here was found by trial. The README explains why dropout is low, why the biaffine layers are small and why
+``--pos_dim`` equals ``--emb_dim``.
 """
 
 import os
@@ -18,7 +18,7 @@ NICE = 5
 
 @dataclass(frozen=True)
 class Effort:
-    """How long the trainings run: steps, or epochs where the trainer counts those."""
+    """Length of each training: steps, or epochs if the trainer counts those."""
 
     tokenizer: int = 6000
     mwt: int = 12
@@ -112,7 +112,7 @@ def lemmatizer(data: Path, models: Path, effort: Effort, seed: int) -> List[str]
 
 
 def tagger(data: Path, models: Path, effort: Effort, seed: int) -> List[str]:
-    """Tagger; spoken sentences have no features and come as a second file, which trains no feature head."""
+    """Tagger; spoken sentences have no features and form a second file, which trains no feature head."""
     return _module(
         "models.tagger",
         "--mode train --lang en --shorthand en_ewt --cpu --word_cutoff 2 --dropout 0.3 "
@@ -139,7 +139,7 @@ def tagger(data: Path, models: Path, effort: Effort, seed: int) -> List[str]:
 
 
 def settled_tagger(data: Path, models: Path, effort: Effort, seed: int) -> List[str]:
-    """The best tagger trained on at a fifth of the rate, with a quarter of the commands: they are learned by then."""
+    """The best tagger, trained further at a fifth of the rate, with a quarter of the commands (by then known)."""
     files = [models / "tagger-full.pt", models / "tagger.pt", models / "vectors.pt", data / "written.dev.conllu"]
     train = [data / "written.train.conllu", data / "commands.quarter.conllu"]
     counts = [str(effort.settle_tagger), str(seed + 1)]
@@ -169,14 +169,14 @@ def _parser_files(data: Path, models: Path) -> List[str]:
 
 
 def parser(data: Path, models: Path, effort: Effort, seed: int) -> List[str]:
-    """Parser at full learning rate; its scores still rise when it ends."""
+    """Parser at full learning rate; its scores still rise at the end."""
     steps = ["--max_steps", str(effort.parser), "--seed", str(seed), "--save_name", "parser-full.pt"]
     command = _module("models.parser", _PARSER + "--lr 0.002 --eval_interval 300")
     return command + steps + _parser_files(data, models)
 
 
 def settled_parser(data: Path, models: Path, effort: Effort, seed: int) -> List[str]:
-    """The best parser of the full rate trained on at a quarter of it: noise settles."""
+    """The best parser so far, trained further at a quarter of the learning rate."""
     steps = ["--max_steps", str(effort.settle), "--seed", str(seed + 1), "--save_name", "parser.pt"]
     source = ["--continue_from", str(models / "parser-full.pt")]
     command = _module("models.parser", _PARSER + "--lr 0.0005 --eval_interval 150")
@@ -184,7 +184,7 @@ def settled_parser(data: Path, models: Path, effort: Effort, seed: int) -> List[
 
 
 def preparation(data: Path) -> List[Tuple[List[str], str]]:
-    """Commands that turn the mixed treebanks into what the tokenizer and the expander read."""
+    """Return the commands that convert the mixed treebanks for the tokenizer and the expander."""
     commands: List[Tuple[List[str], str]] = []
     for part in ("train", "dev"):
         stem = data.resolve() / ("mixed." + part)
@@ -204,7 +204,7 @@ def preparation(data: Path) -> List[Tuple[List[str], str]]:
 
 
 def environment() -> Dict[str, str]:
-    """The environment of a trainer: one thread, nothing fetched from a model hub, fixed hashing."""
+    """Return the environment of a trainer: one thread, no downloads from a model hub, fixed hashing."""
     changed = dict(os.environ)
     changed.update({"OMP_NUM_THREADS": "1", "HF_HUB_OFFLINE": "1", "PYTHONHASHSEED": "0"})
     # a trainer may be a module of this package, which need not be installed
@@ -214,7 +214,7 @@ def environment() -> Dict[str, str]:
 
 
 def run(command: List[str], log: Path) -> None:
-    """Run one trainer at low priority, its output going to ``log``.
+    """Run one trainer at low priority, with its output in ``log``.
 
     Raises TrainingError with the end of the log when it fails.
     """

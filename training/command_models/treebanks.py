@@ -1,4 +1,4 @@
-"""Choosing and cleaning the treebanks that the models are trained on."""
+"""Selects and cleans the treebanks for training."""
 
 import random
 from dataclasses import dataclass, replace
@@ -9,7 +9,7 @@ from .conllu import Sentence, read
 from .errors import TrainingError
 
 _ADULTS = frozenset("Mother Father Investigator Grandmother Grandfather".split())
-# EWT's present names for relations that other treebanks still write the old way
+# EWT's present names of relations that have older names in other treebanks
 _RENAMED = {
     "obl:tmod": "obl:unmarked",
     "obl:npmod": "obl:unmarked",
@@ -17,7 +17,7 @@ _RENAMED = {
     "nmod:npmod": "nmod:unmarked",
 }
 _UNWANTED_RELATIONS = frozenset(("dep", "reparandum"))
-OTHERS = 6000  # spoken sentences that are no imperatives
+OTHERS = 6000  # spoken sentences that are not imperatives
 
 
 @dataclass(frozen=True)
@@ -30,7 +30,7 @@ class Written:
 
 
 def written(folder: Path) -> Written:
-    """The EWT files of a folder; raises TrainingError naming the missing one."""
+    """Return the EWT files of a folder; raises TrainingError with the name of a missing one."""
     paths = [folder / (f"en_ewt-{part}.conllu") for part in ("train", "dev", "test")]
     for path in paths:
         if not path.is_file():
@@ -39,7 +39,7 @@ def written(folder: Path) -> Written:
 
 
 def without(sentences: Iterable[Sentence], banned: FrozenSet[str]) -> Iterator[Sentence]:
-    """Sentences that hold none of the banned words, neither as form nor as lemma."""
+    """Return the sentences without banned words, as form or as lemma."""
     for sentence in sentences:
         if not any(word.lemma.lower() in banned or word.form.lower() in banned for word in sentence.words):
             yield sentence
@@ -62,7 +62,7 @@ def spoken(folder: Path, banned: FrozenSet[str], seed: int) -> List[Sentence]:
     """Adult speech of UD_English-CHILDES (every ``*.conllu`` below the folder).
 
     All imperatives and up to OTHERS other sentences, relations renamed to EWT's.  A selection made before
-    passes through unchanged.  Raises TrainingError when nothing is found.
+    passes through unchanged. Raises TrainingError when nothing is found.
     """
     paths = sorted(folder.glob("**/*.conllu"))
     kept = [sentence for path in paths for sentence in without(read(path), banned) if _usable(sentence)]
@@ -75,6 +75,6 @@ def spoken(folder: Path, banned: FrozenSet[str], seed: int) -> List[Sentence]:
 
 
 def renamed(sentence: Sentence) -> Sentence:
-    """The sentence with EWT's present names of relations."""
+    """Return the sentence with EWT's present names of relations."""
     words = tuple(replace(word, deprel=_RENAMED.get(word.deprel, word.deprel)) for word in sentence.words)
     return replace(sentence, words=words)

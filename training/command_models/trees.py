@@ -8,7 +8,7 @@ from .conllu import Sentence, Span, Word
 
 @dataclass(frozen=True)
 class Node:
-    """A word with its dependants on both sides, in the order in which they are written.
+    """A word with its dependants on both sides, in written order.
 
     ``glued``: the word continues the multi-word token of the word before it (the clitics 's and n't).
     ``tight``: no space before it (punctuation).
@@ -26,7 +26,7 @@ class Node:
     tight: bool = False
 
     def pre(self, rel: str, *children: "Node") -> "Node":
-        """This word with dependants put before everything it has, in the order given."""
+        """Put dependants before all others of this word, in the given order."""
         return replace(self, left=tuple(replace(child, rel=rel) for child in children) + self.left)
 
     def near(self, rel: str, child: "Node") -> "Node":
@@ -42,11 +42,11 @@ class Node:
         return replace(self, right=(replace(child, rel=rel),) + self.right)
 
     def has(self, rel: str) -> bool:
-        """Whether a direct dependant stands in this relation."""
+        """Whether a direct dependant has this relation."""
         return any(child.rel == rel for child in self.left + self.right)
 
     def parts(self) -> List["Node"]:
-        """The words of the subtree in the order in which they are written."""
+        """Return the words of the subtree in written order."""
         found: List[Node] = []
         for child in self.left:
             found += child.parts()
@@ -57,11 +57,11 @@ class Node:
 
 
 def flatten(root: Node, comments: Tuple[str, ...] = ()) -> Sentence:
-    """A tree as a sentence: places numbered, multi-word tokens and SpaceAfter set."""
+    """Return a tree as a sentence, with numbered words, multi-word tokens and SpaceAfter."""
     order: List[Tuple[Node, int]] = []
 
     def walk(node: Node, governor: List[int]) -> None:
-        # The governor's place is known only once its left side is laid down, hence the one-slot list.
+        # The number of the governor is known only after its left side is numbered, hence the list of one slot.
         own: List[int] = [0]
         for child in node.left:
             walk(child, own)

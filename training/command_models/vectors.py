@@ -1,8 +1,8 @@
-"""Word vectors of our own: word2vec over treebank text and WordNet glosses.
+"""Trains word vectors: word2vec over treebank text and WordNet glosses.
 
-WordNet is read from its database files (``data.noun`` and its like, WordNet licence).  Every lemma is
-put before its gloss in a frame that shows its class ("to scrub : clean with hard rubbing", "a mug : ..."),
-so that words no treebank holds still get a vector that says whether they are verbs or nouns.
+WordNet is read from its database files (``data.noun`` and so on, WordNet licence). Each gloss follows its lemma in a
+form that shows the class of the lemma ("to scrub : clean with hard rubbing", "a mug : ..."), so that words that occur
+in no treebank still get a vector that tells verbs from nouns.
 """
 
 import random
@@ -28,7 +28,7 @@ _WORD = re.compile(r"[a-z]+(?:'[a-z]+)?|\d+(?:\.\d+)?|[^\sa-z\d]")
 
 
 def _tokens(text: str) -> List[str]:
-    """Split running text roughly as the treebank does: clitics and punctuation apart, all lower case."""
+    """Split running text roughly as the treebank does: separate clitics and punctuation, lower case."""
     pieces = []
     for piece in _WORD.findall(text.lower().replace("`", "'")):
         if piece.endswith("n't"):
@@ -42,7 +42,7 @@ def _tokens(text: str) -> List[str]:
 
 
 def gloss_sentences(folder: Path, seed: int) -> Iterator[List[str]]:
-    """Sentences out of a WordNet database folder: one definition per lemma, and each usage example.
+    """Return sentences from a WordNet database folder: one definition per lemma, and each usage example.
 
     Raises TrainingError when the folder lacks one of the four data files.
     """
@@ -66,7 +66,7 @@ def gloss_sentences(folder: Path, seed: int) -> Iterator[List[str]]:
 
 
 def treebank_sentences(paths: Iterable[Path]) -> Iterator[List[str]]:
-    """The forms of every treebank sentence, lower case."""
+    """Return the forms of every treebank sentence in lower case."""
     for path in paths:
         for sentence in read(path):
             yield [word.form.lower() for word in sentence.words]
@@ -75,10 +75,10 @@ def treebank_sentences(paths: Iterable[Path]) -> Iterator[List[str]]:
 def train(treebanks: Iterable[Path], wordnet: Path, target: Path, size: int, seed: int) -> int:
     """Train word2vec and write the ``size`` most frequent words to ``target`` in text form.
 
-    Answers the number of training tokens.  One worker thread, so that a seed gives the same vectors again
-    (PYTHONHASHSEED has to be fixed too; the caller does that).
+    Return the number of training tokens. There is one worker thread, so that a seed always gives the same vectors; the
+    caller must fix PYTHONHASHSEED too.
     """
-    from gensim.models import Word2Vec  # slow to import, and needed by this step alone
+    from gensim.models import Word2Vec  # slow to import, and needed only here
 
     sentences = list(gloss_sentences(wordnet, seed)) + list(treebank_sentences(treebanks))
     random.Random(seed).shuffle(sentences)
@@ -102,7 +102,7 @@ def train(treebanks: Iterable[Path], wordnet: Path, target: Path, size: int, see
 
 
 def main(arguments: Sequence[str]) -> int:
-    """``vectors WORDNET TARGET SIZE SEED TREEBANK...``: the step as a process of its own."""
+    """Run the step in a separate process: ``vectors WORDNET TARGET SIZE SEED TREEBANK...``."""
     wordnet, target, size, seed = arguments[:4]
     tokens = train([Path(path) for path in arguments[4:]], Path(wordnet), Path(target), int(size), int(seed))
     print(f"vectors over {tokens} tokens")

@@ -1,8 +1,8 @@
 """Verb phrases: the frames of robot commands.
 
-Every frame is a method that takes a ``Form``, the inflection to use (imperative, infinitive, gerund), and
-answers the phrase headed by its verb.  Attachment follows one rule throughout: where something goes hangs
-on the verb (``obl``), where something is hangs on its noun (``nmod``).
+Every frame is a method that takes a ``Form``, the inflection to use (imperative, infinitive, gerund), and returns the
+phrase headed by its verb. One rule governs attachment: the place to which something goes depends on the verb
+(``obl``), the place at which something is depends on its noun (``nmod``).
 """
 
 from dataclasses import dataclass
@@ -54,7 +54,7 @@ class Verbs(Motion):
         return verb
 
     def objects(self, form: Form) -> Node:
-        """A verb and its object, which may be said to be somewhere."""
+        """A verb and its object, with or without a place of the object."""
         verb = form(self.nouns.pick(self.nouns.lexicon.transitive, self.nouns.mined.transitive, "VERB"))
         draw = self.chooser.random()
         if draw < 0.15:
@@ -68,9 +68,9 @@ class Verbs(Motion):
         return verb.post("obj", self.nouns.located(self.nouns.thing(), 0.3))
 
     def taking(self, form: Form) -> Node:
-        """Take and its like: a place said of the object hangs on the object, a source on the verb.
+        """Take and similar verbs: the place of the object depends on the object, a source on the verb.
 
-        After verbs of searching the place is where to search: it hangs on the verb.
+        After verbs of searching, the place is where to search and depends on the verb.
         """
         verb = form(self.any(TAKERS if self.maybe(0.75) else self.nouns.lexicon.transitive))
         if verb.lemma == "pick":
@@ -110,7 +110,7 @@ class Verbs(Motion):
     # -- transfer -------------------------------------------------------------------------------
 
     def placing(self, form: Form) -> Node:
-        """Put and its like: the place is the verb's own."""
+        """Put and similar verbs: the place depends on the verb."""
         verb = form(self.any(PLACERS))
         if self.maybe(0.15):
             what = self.nouns.pronoun()
@@ -179,7 +179,7 @@ class Verbs(Motion):
         if goal.upos == "NOUN":
             goal = self.nouns.located(goal, 0.1)
         if verb.lemma in ("take", "bring", "carry", "move", "drag", "deliver") and self.maybe(0.4):
-            # with these a place is where the thing goes, even without "to"
+            # with these verbs a place is where the thing goes, even without "to"
             return verb.post(
                 "obl", self.oblique(self.any("near near on on next_to in behind under beside".split()), goal)
             )
@@ -210,11 +210,11 @@ class Verbs(Motion):
         """ "pick up the cup", "turn the light on", "pick it up", "put the cup down on the table"."""
         lemma, particle = self.chooser.choice(PARTICLE_OBJECT)
         if self.maybe(0.55):
-            # "turn on the light" is said far more often than the rest, and looks like "turn" and "on the light"
+            # "turn on the light" is by far the most frequent, and looks like "turn" with "on the light"
             lemma, particle = self.chooser.choice(PARTICLE_OBJECT[:11])
         verb = form(lemma)
         if self.maybe(0.15):
-            # particle verbs nobody has listed
+            # particle verbs that are in no list
             lemma = self.nouns.pick(self.nouns.lexicon.transitive, self.nouns.mined.transitive, "VERB")
             particle = self.any("up up off out down in on".split())
         adverbial = particle in ("away", "back", "over", "go")

@@ -1,4 +1,4 @@
-"""Words of the closed classes with the analysis that UD_English-EWT gives them, and inflection."""
+"""Closed-class words with their analysis in UD_English-EWT, and inflection."""
 
 from typing import Dict, Optional, Tuple
 

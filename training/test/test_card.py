@@ -1,4 +1,4 @@
-"""The figures of the model card: put between the marks, and nowhere else."""
+"""The figures are written between the marks of the model card, and nowhere else."""
 
 import json
 

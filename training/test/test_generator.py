@@ -1,4 +1,4 @@
-"""The generator: what it builds are trees, and its evaluation words stay out of training."""
+"""The generator builds trees, and its evaluation words stay out of training."""
 
 import random
 from dataclasses import fields

@@ -1,4 +1,4 @@
-"""Reading HuRIC's files and comparing trees with theirs."""
+"""HuRIC's files are read, and their trees compared with ours."""
 
 import pytest
 

@@ -1,4 +1,4 @@
-"""Packing and resuming: what is written, what is refused, what is not done twice."""
+"""Packing writes the right layout and refuses wrong models; a resumed build repeats no step."""
 
 import json
 from pathlib import Path

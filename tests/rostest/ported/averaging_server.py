@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""The server of the actionlib tutorial with a goal callback; the line that makes the server is changed."""
+"""The server of the actionlib tutorial with a goal callback; only the line that creates the server is changed."""
 
 import math
 import os
@@ -14,7 +14,7 @@ HERE = os.path.dirname(os.path.abspath(__file__))
 
 
 class AveragingServer:
-    """Averages as many numbers of a topic as the goal says."""
+    """Averages the number of samples of a topic that the goal names."""
 
     def __init__(self, name):
         self._wanted = 0

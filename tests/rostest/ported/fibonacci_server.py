@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""The server of the actionlib tutorial with an execute callback; the line that makes the server is changed."""
+"""The server of the actionlib tutorial with an execute callback; only the line that creates the server is changed."""
 
 import os
 

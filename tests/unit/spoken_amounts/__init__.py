@@ -1,1 +1,1 @@
-"""A generated set of sentences with amounts in them, each with what a base has to do, or that it must ask or refuse."""
+"""A generated set of sentences with amounts. Each says how a base must move, or that it must ask or refuse."""

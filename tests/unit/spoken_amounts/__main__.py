@@ -7,7 +7,7 @@ from .phrases import SEED, generate
 
 
 def main() -> None:
-    """Print how many amounts come out right, are asked about, refused, or wrong."""
+    """Print how many amounts are understood, asked about, refused or wrong."""
     parser = argparse.ArgumentParser(prog="spoken_amounts", description=__doc__)
     parser.add_argument("--count", type=int, default=10000, help="so many sentences")
     parser.add_argument("--seed", type=int, default=SEED)

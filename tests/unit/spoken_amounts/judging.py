@@ -1,4 +1,4 @@
-"""Whether a base would do what was said: through parser, framer, registrar and the reading of arguments."""
+"""Judges whether a base would do what was said, through parser, framer, registrar and the reading of arguments."""
 
 import math
 from collections import Counter
@@ -14,21 +14,21 @@ from semantic_framer.outcome import LeftOverWords, Policy
 from .phrases import Motion, Phrase
 
 _GOALS = {"moving_forward": forward_goal, "moving_backward": backward_goal, "turning": turn_goal}
-#: Frames that others carry out: nothing moves by them alone.
+#: Frames that do not move the base by themselves.
 _WITHOUT_SERVER = frozenset(["moving", "turning_around"])
 _TOLERANCE = 1e-9
 
 
 @dataclass(frozen=True)
 class Verdict:
-    """What came of a sentence.
+    """The result of one sentence.
 
     Attributes:
         phrase: what was said
-        outcome: "right", "asked", "refused", "wrong", or, where words that are left over are ignored, "no motion": what
-            would be done is no motion by an amount ("go to the west")
+        outcome: "right", "asked", "refused", "wrong", or, where left-over words are ignored, "no motion": the result
+            is no motion by an amount ("go to the west")
         said: the reply
-        done: what would be done, by each way to do it
+        done: what would be done, for each candidate
     """
 
     phrase: Phrase
@@ -51,7 +51,7 @@ class Judge:
         self._pipelines = {"strict": strict, "ignore": ignoring}
 
     def verdicts(self, phrases: Iterable[Phrase], policy: str) -> Iterator[Verdict]:
-        """Judge sentences under a policy for words that are left over: "strict" or "ignore"."""
+        """Judge sentences under a policy for left-over words: "strict" or "ignore"."""
         for phrase in phrases:
             yield self.verdict(phrase, policy)
 
@@ -92,7 +92,7 @@ def _is_same(done: Tuple[Motion, ...], meant: Tuple[Motion, ...]) -> bool:
 
 
 def table(verdicts: Iterable[Verdict]) -> List[str]:
-    """Return a line for each family of amounts, and one for those that can be read plainly, and one for all."""
+    """Return a line for each family of amounts, one for all unambiguous amounts, and one for all."""
     counts: Dict[str, Counter[str]] = {}
     for verdict in verdicts:
         is_open = verdict.phrase.motions is None or not verdict.phrase.is_within_limits

@@ -1,4 +1,4 @@
-"""Numbers as people say and write them, and ways of saying them that leave open which number is meant."""
+"""Numbers as people say and write them, some of them ambiguous."""
 
 import random
 from dataclasses import dataclass
@@ -30,7 +30,7 @@ class Numeral:
     Attributes:
         text: "forty-five", "3 1/2"
         value: the number
-        family: what kind of spelling it is
+        family: the kind of spelling
         is_share: whether "of a" or "a" stands between it and its unit: "three quarters of a turn"
     """
 
@@ -151,7 +151,7 @@ _PLAIN: Dict[Callable[[Chance, int], Numeral], int] = {
 
 
 def plain(chance: Chance, most: int) -> Numeral:
-    """Return a number as it is said; ``most`` is about the largest in digits and small words."""
+    """Return a number as people say it; ``most`` is roughly the largest in digits and small words."""
     return chance.choices(list(_PLAIN), list(_PLAIN.values()))[0](chance, most)
 
 
@@ -170,7 +170,7 @@ _HEDGES = ("about", "exactly", "approximately", "another", "roughly", "around", 
 
 
 def hedged(chance: Chance, numeral: Numeral) -> Numeral:
-    """Return a number with a word in front that leaves its amount as it is."""
+    """Return a number with a word before it that does not change its amount."""
     text = f"{chance.choice(_HEDGES)} {numeral.text}"
     return Numeral(text, numeral.value, "hedge and " + numeral.family, is_share=numeral.is_share)
 
@@ -186,7 +186,7 @@ def _two(chance: Chance, most: int) -> Tuple[str, str]:
 def _range(chance: Chance, most: int) -> str:
     first, second = _two(chance, most)
     between = chance.choice([" to ", " or ", "-", " - ", " or maybe ", " till ", "\u2013", " to about ", ", "])
-    # "Eighty-one hundred" and "one-eighty" are one number.
+    # "Eighty-one hundred" and "one-eighty" are one number each.
     is_one = f"{first}-{second}" in ("one-eighty", "two-seventy", "three-sixty")
     if is_one or (first in _TENS[2:] and second.split()[0] in _ONES[1:10]):
         between = " to "
@@ -272,12 +272,12 @@ _OPEN: Dict[str, Tuple[Callable[[Chance, int], str], int]] = {
 
 
 def open_numeral(chance: Chance, most: int) -> Tuple[str, str]:
-    """Return something with numbers in it that says no one number, and its family."""
+    """Return words with numbers in them that do not name one number, and their family."""
     family = chance.choices(list(_OPEN), [weight for _, weight in _OPEN.values()])[0]
     return _OPEN[family][0](chance, most), family
 
 
-#: Behind an amount: what makes an open one of it.
+#: Words after an amount that make it ambiguous.
 ENDINGS: List[str] = [
     "minus one",
     "plus one",

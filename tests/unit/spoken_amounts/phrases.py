@@ -1,4 +1,4 @@
-"""Sentences with amounts: carriers x units x numerals, each with what the base has to do."""
+"""Sentences with amounts: carriers x units x numerals, each with the motion that the base must make."""
 
 import math
 import random
@@ -9,10 +9,10 @@ from typing import List, Optional, Tuple
 from .numerals import ENDINGS, Chance, Numeral, hedged, open_numeral, plain, signed
 
 SEED = 9
-#: What is done in the end: "straight" in metres, forward; "turn" in radians, to the left.
+#: The resulting motion: "straight" in metres, forward; "turn" in radians, to the left.
 Motion = Tuple[str, float]
 
-#: Name in the singular, in the plural, largest number that is used, size in metres or radians.
+#: Singular, plural, largest number used, and size in metres or radians.
 _LENGTHS: Tuple[Tuple[str, str, int, float], ...] = (
     ("metre", "metres", 18, 1.0),
     ("meter", "meters", 18, 1.0),
@@ -86,7 +86,7 @@ _NOUN_TURN: Tuple[Tuple[str, int], ...] = (
     ("could you make {a} turn to the right", -1),
     ("turn left {a} turn", 1),
 )
-#: A direction that is not understood, and no other is meant.
+#: A direction that the robot does not understand; it must not take another one.
 _ASTRAY = (
     "drive east {a}",
     "move north {a}",
@@ -106,10 +106,10 @@ class Phrase:
     """A sentence.
 
     Attributes:
-        text: as it is said
-        motions: what has to be done, in order; None where the sentence has to be asked about or refused
+        text: the words
+        motions: the required motions, in order; None if the robot must ask or refuse
         family: kind of amount
-        is_within_limits: whether the robot may do it; beyond its limits it has to refuse
+        is_within_limits: whether the robot may do it; beyond its limits it must refuse
     """
 
     text: str
@@ -119,7 +119,7 @@ class Phrase:
 
 
 def generate(count: int, seed: int = SEED) -> List[Phrase]:
-    """Return so many different sentences; the same for the same seed."""
+    """Return ``count`` different sentences; the same for the same seed."""
     chance = random.Random(seed)
     found = {}
     while len(found) < count:
@@ -196,7 +196,7 @@ def _of_unit(
         numeral = signed(chance, numeral)
     elif chosen < 0.2 and numeral.family != "article" and not numeral.text.startswith("a "):
         numeral = hedged(chance, numeral)
-    # "Go a third" of what would not be said; "move around 5" goes round something.
+    # Nobody says "go a third"; "move around 5" means to go round something.
     amount = _amount(chance, numeral, singular, plural)
     value = sign * float(numeral.value) * size
     is_within = abs(value) <= (_MOST_METRES if kind == "straight" else _MOST_RAD)
@@ -247,7 +247,7 @@ def _open(chance: Chance) -> Phrase:
     carrier, _ = chance.choice(_TURN if is_turn else _STRAIGHT)
     if chance.random() < 0.2:
         numeral = plain(chance, most)
-        # "Sixteen feet five" is sixteen feet and five inches.
+        # "Sixteen feet five" means sixteen feet and five inches.
         ending = chance.choice([ending for ending in ENDINGS if ending != "five" or singular != "foot"])
         return Phrase(carrier.format(a=f"{_amount(chance, numeral, singular, plural)} {ending}"), None, "ending")
     said, family = open_numeral(chance, most)

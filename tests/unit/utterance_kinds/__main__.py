@@ -9,7 +9,7 @@ from .utterances import SEED, SETS, generate, sample
 
 
 def main() -> None:
-    """Print what acted and what did not, by kind and by template."""
+    """Print how often utterances acted, by kind and by template."""
     parser = argparse.ArgumentParser(prog="utterance_kinds", description=__doc__)
     parser.add_argument("--set", choices=SETS, default="tune", help="templates to tune on, or those put aside")
     parser.add_argument("--seed", type=int, default=SEED, help="of the choice of clauses")

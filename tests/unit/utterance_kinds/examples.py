@@ -1,7 +1,7 @@
 """Draws clauses from the examples of the shipped units: ``python -m utterance_kinds.examples``.
 
-What it prints was read through, mended by hand (objects, and three clauses that the parser misread) and kept in
-``clauses.tsv``, so that the set stays the same while units and parser change.
+The output was checked and corrected by hand (objects, and three clauses that the parser misread) and stored in
+``clauses.tsv``, so that the set stays the same when units and parser change.
 """
 
 import re
@@ -13,18 +13,18 @@ from offline_pipeline.pipeline import Pipeline, Understanding
 from .utterances import Clause
 
 _POLITENESS = re.compile(r"^(robot, )?(please )?(?P<clause>.*?)( please)?[.!]?$", re.IGNORECASE)
-#: Relations of a second clause: what is generated of "check whether it is hot" would be two questions in one.
+#: Relations of a second clause: a question made of "check whether it is hot" would be two questions in one.
 _SECOND_CLAUSE = frozenset(["ccomp", "advcl", "parataxis", "acl:relcl", "csubj", "xcomp"])
-#: "High five!" alone is a cry, and no clause.
+#: "High five!" alone is an exclamation, not a clause.
 _CRIES = frozenset(["high five", "low five"])
-#: Objects of which nothing is said in the passive: "a left was taken", "you were faced".
+#: Objects that do not occur in the passive: "a left was taken", "you were faced".
 _NO_PASSIVE = frozenset(
     "me it us her him five 5 left right turn u-turn 180 look way hug hand arm hello goodbye picture photo".split()
 )
 
 
 def clauses_of_examples(pipeline: Pipeline) -> Iterator[Clause]:
-    """Give the plain imperatives of one clause among the examples of all units that act as they stand."""
+    """Return the examples of all units that are plain imperatives of one clause and act unchanged."""
     seen: Dict[str, None] = {}
     verbs = frozenset(verb.split()[0] for verb in pipeline.knowledge.lexicon.verbs)
     for unit in pipeline.knowledge.lexicon.units:
@@ -52,7 +52,7 @@ def _is_plain_imperative(understood: Understanding) -> bool:
 
 
 def _object(understood: Understanding) -> str:
-    """Return the object of the verb where the clause can be said in the passive, as it is written; else nothing."""
+    """Return the object of the verb, as written, if the clause has a passive; otherwise an empty string."""
     assert understood.tree is not None
     tree = understood.tree
     objects = [word for word in tree.children(1) if word.deprel == "obj"]

@@ -1,9 +1,9 @@
-"""Forms of English verbs, of the first word of a clause: "pick up the box" to "picked up the box"."""
+"""Inflects the verb at the beginning of a clause: "pick up the box" becomes "picked up the box"."""
 
 from dataclasses import dataclass
 from typing import Dict, Tuple
 
-#: Past and past participle of the verbs that do not end in "ed".
+#: Past and past participle of irregular verbs.
 _IRREGULAR: Dict[str, Tuple[str, str]] = {
     "be": ("was", "been"),
     "bear": ("bore", "borne"),
@@ -59,14 +59,14 @@ _DOUBLING = frozenset(
     "scrub set ship shop shut sit skin slip snap spin spot stir stop strap swim swap tap tip trim trip unplug wrap zip "
     "cut dig hit rub stem step top trot wag ".split()
 )
-#: Gerunds that no rule gives.
+#: Irregular gerunds.
 _GERUNDS = {"tie": "tying", "untie": "untying", "lie": "lying", "be": "being", "see": "seeing"}
 _VOWELS = "aeiou"
 
 
 @dataclass(frozen=True)
 class Forms:
-    """What a verb, or a clause that begins with it, is in each place of a template."""
+    """The forms of a verb, or of a clause that begins with it, for the slots of a template."""
 
     base: str
     third: str
@@ -76,16 +76,16 @@ class Forms:
 
 
 def inflect(verb: str) -> Forms:
-    """Return the forms of a verb of one word, lower case."""
+    """Return the forms of a verb: one word in lower case."""
     past, participle = _IRREGULAR.get(verb, (_past(verb), _past(verb)))
     return Forms(verb, _third(verb), past, participle, _gerund(verb))
 
 
 def inflect_clause(clause: str) -> Forms:
-    """Return the forms of a clause whose first word is its verb; particles and all the rest stay as they are."""
+    """Return the forms of a clause whose first word is its verb; its other words do not change."""
     verb, _, rest = clause.partition(" ")
     forms = inflect(verb)
-    if verb in ("high", "low"):  # "high five me": what is inflected is the second word
+    if verb in ("high", "low"):  # "high five me": the second word is inflected
         second, _, rest = rest.partition(" ")
         five = inflect(second)
         forms = Forms(*(f"{verb} {form}" for form in (five.base, five.third, five.past, five.participle, five.gerund)))

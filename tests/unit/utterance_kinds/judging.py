@@ -1,4 +1,4 @@
-"""Whether an utterance of the generated set acts, and whether it should."""
+"""Judges whether an utterance of the generated set acts, and whether it should."""
 
 from collections import Counter
 from dataclasses import dataclass
@@ -9,21 +9,21 @@ from offline_pipeline.pipeline import Pipeline, Understanding
 
 from .utterances import Utterance
 
-#: The frames that would be begun, in order, each with its arguments.
+#: The frames that would be started, in order, each with its arguments.
 Meaning = Tuple[Tuple[str, Tuple[Tuple[str, str], ...]], ...]
 
 
 @dataclass(frozen=True)
 class Verdict:
-    """What came of an utterance.
+    """The result of one utterance.
 
     Attributes:
-        utterance: what was said
-        text: as it was said
-        outcome: of the reply, as in ``roboframenet_msgs/Reply``
-        code: of the reply
-        meaning: what would be done; empty when nothing
-        expected: what the plain command would do; empty when the utterance is to do nothing
+        utterance: the generated utterance
+        text: its words
+        outcome: outcome of the reply, as in ``roboframenet_msgs/Reply``
+        code: code of the reply
+        meaning: what would be done; empty for nothing
+        expected: what the plain command would do; empty if the utterance must not act
     """
 
     utterance: Utterance
@@ -35,16 +35,16 @@ class Verdict:
 
     @property
     def acted(self) -> bool:
-        """Whether anything would be done."""
+        """Whether the robot would act."""
         return self.outcome == "DONE"
 
     @property
     def is_right(self) -> bool:
-        """Whether what would be done is what should be; an error of ours is never right."""
+        """Whether the robot would do what it should; an internal error is never right."""
         return self.outcome != "FAILED" and self.meaning == self.expected
 
     def to_json(self) -> Dict[str, object]:
-        """Return it for a file."""
+        """Return the values for a JSON file."""
         template = self.utterance.template
         return {
             "kind": template.kind,
@@ -67,7 +67,7 @@ class Judge:
         self._plain: Dict[str, Meaning] = {}
 
     def verdicts(self, utterances: Iterable[Utterance]) -> Iterator[Verdict]:
-        """Judge utterances; a request whose plain command does nothing in its style has nothing to be compared with."""
+        """Judge utterances; leave out requests whose plain command does nothing in their style."""
         for utterance in utterances:
             expected = self._meaning_of_plain(utterance.plain_command) if utterance.template.acts else ()
             if utterance.template.acts and not expected:
@@ -85,7 +85,7 @@ class Judge:
 
 
 def _meaning(understood: Understanding) -> Meaning:
-    """Return what would be done; who does it is left out, as only a request names it: "could *you* ..."."""
+    """Return what would be done, without the performer, which only a request names: "could *you* ..."."""
     if understood.reply.outcome != "DONE":
         return ()
     return tuple(
@@ -104,7 +104,7 @@ def _meaning(understood: Understanding) -> Meaning:
 
 
 def table_by_kind(verdicts: Iterable[Verdict]) -> List[str]:
-    """Return a line for each kind: how many utterances are right, and the share that is not."""
+    """Return a line for each kind: how many utterances are right, and the share of wrong ones."""
     total: Dict[str, int] = Counter()
     wrong: Dict[str, int] = Counter()
     for verdict in verdicts:
@@ -118,7 +118,7 @@ def table_by_kind(verdicts: Iterable[Verdict]) -> List[str]:
 
 
 def table_by_template(verdicts: Iterable[Verdict]) -> List[str]:
-    """Return a line for each template: how often it acted and did not, how often it was wrong; the worst first."""
+    """Return a line for each template, the worst first: how often it acted, did not act, and was wrong."""
     rows: Dict[Tuple[str, str, bool], List[int]] = {}
     for verdict in verdicts:
         template = verdict.utterance.template

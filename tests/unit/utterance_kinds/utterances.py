@@ -1,6 +1,6 @@
 """The generated set of utterances, by kind: templates times the examples of all units.
 
-Whoever writes the rules tunes them on the set "tune"; the set "frozen" was put aside before the first rule.
+The rules are tuned on the set "tune"; the set "frozen" was put aside before the first rule was written.
 """
 
 import random
@@ -16,15 +16,15 @@ from .inflection import inflect_clause
 FOLDER = Path(__file__).resolve().parent
 SETS = ("tune", "frozen")
 SEED = 2012
-#: So many clauses are put into each template.
+#: Number of clauses for each template.
 CLAUSES_PER_TEMPLATE = {False: 12, True: 20}
 
 _SLOT = re.compile(r"\{(\w+)\}")
-#: Who is meant by these words turns around when the speaker does it: "give me the mug" is "I gave you the mug".
+#: Pronouns that change when the speaker acts: "give me the mug" becomes "I gave you the mug".
 _TURNED_AROUND = {"me": "you", "us": "you", "my": "your", "your": "my", "you": "me"}
 _PRONOUN = re.compile(rf"\b({'|'.join(_TURNED_AROUND)})\b")
 _PREPOSITION = re.compile(r" (in|on|of|near|from|with) ")
-#: "He stands next to the desk" and "I am standing near the mirror" tell where somebody is, which may be noted.
+#: "He stands next to the desk" and "I am standing near the mirror" say where somebody is, which a robot may note.
 _POSTURES = ("stand near ", "stand next ", "stand between ")
 _SINGULAR_IN_S = frozenset(["gas", "dress", "this"])
 
@@ -36,7 +36,7 @@ class Clause:
     Attributes:
         frame_name: frame of the unit whose example it is
         text: the command; lower case but for names
-        object: the part of it that the passive voice makes the subject; empty where nobody would say it so
+        object: the subject of its passive; empty if there is no natural passive
     """
 
     frame_name: str
@@ -46,7 +46,7 @@ class Clause:
 
 @dataclass(frozen=True)
 class Template:
-    """A frame of words around a clause; the head of ``templates_tune.yaml`` says what the fields mean."""
+    """Words around a clause; the head of ``templates_tune.yaml`` explains the fields."""
 
     set: str
     kind: str
@@ -64,7 +64,7 @@ class Template:
 
 @dataclass(frozen=True)
 class Style:
-    """How an utterance is written; a speech recogniser gives neither capitals nor final marks."""
+    """How an utterance is written; a speech recogniser gives neither capitals nor final punctuation."""
 
     capitals: bool
     final_mark: bool
@@ -80,7 +80,7 @@ STYLES = (Style(True, True), Style(False, False), Style(True, False), Style(Fals
 
 @dataclass(frozen=True)
 class Utterance:
-    """What is said, and the plain command in the same style."""
+    """An utterance, and its plain command in the same style."""
 
     template: Template
     clause: Clause
@@ -88,12 +88,12 @@ class Utterance:
 
     @property
     def text(self) -> str:
-        """The utterance."""
+        """The words of the utterance."""
         return self.style.write(fill(self.template, self.clause), self.template.mark)
 
     @property
     def plain_command(self) -> str:
-        """The command that it is made of."""
+        """The command that the utterance is made of."""
         return self.style.write(self.clause.text, ".")
 
 
@@ -114,7 +114,7 @@ def load_templates(which: str) -> Tuple[Template, ...]:
 
 
 def fits(template: Template, clause: Clause) -> bool:
-    """Return whether a template can be filled with a clause, and is of its kind then."""
+    """Whether a clause fits a template and keeps the kind of the template."""
     if "passive" in template.slots and not clause.object:
         return False
     if not template.acts and {"third", "gerund"} & set(template.slots) and clause.text.startswith(_POSTURES):
@@ -124,7 +124,7 @@ def fits(template: Template, clause: Clause) -> bool:
 
 
 def fill(template: Template, clause: Clause) -> str:
-    """Return a template filled with a clause, without capital and final mark."""
+    """Return a template filled with a clause, without capital and final punctuation."""
     slots = _slots(clause)
     if template.performer == "speaker":
         slots = {name: _PRONOUN.sub(lambda word: _TURNED_AROUND[word.group()], text) for name, text in slots.items()}
@@ -154,7 +154,7 @@ def generate(which: str, *, seed: int = SEED) -> Tuple[Utterance, ...]:
 
     Args:
         which: "tune" or "frozen"
-        seed: of the choice of clauses for templates
+        seed: seed for the choice of clauses
     """
     chance = random.Random(seed)
     clauses = load_clauses()
@@ -169,7 +169,7 @@ def generate(which: str, *, seed: int = SEED) -> Tuple[Utterance, ...]:
 def _draw(
     template: Template, clauses: Tuple[Clause, ...], deck: List[Clause], chance: random.Random
 ) -> Iterator[Clause]:
-    """Take clauses that fit from the deck; it is shuffled anew when none is left, so that all have their turn."""
+    """Take clauses that fit from the deck; when none is left, shuffle it again, so that all are used."""
     for _ in range(CLAUSES_PER_TEMPLATE[template.acts]):
         if not any(fits(template, clause) for clause in deck):
             deck.extend(chance.sample(clauses, len(clauses)))
@@ -178,7 +178,7 @@ def _draw(
 
 
 def sample(utterances: Tuple[Utterance, ...], count: int, *, seed: int = SEED) -> Tuple[Utterance, ...]:
-    """Return some of the utterances, of as many templates as possible."""
+    """Return some of the utterances, from as many templates as possible."""
     shuffled = random.Random(seed).sample(utterances, len(utterances))
     first_of_template = {utterance.template: utterance for utterance in reversed(shuffled)}
     firsts = list(first_of_template.values())

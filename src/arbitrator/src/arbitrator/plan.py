@@ -132,16 +132,14 @@ def as_procedure(plan: Plan) -> Tuple[Tuple[FilledFrame, ...], ...]:
 
 
 def describe(plan: Plan) -> str:
-    """Return a plan as a sentence: "2 ways to do it; first turning by turn_slowly."."""
+    """Return a plan as a sentence: "2 candidates, first turning by turn_slowly."."""
     parts = clauses(plan)
     if len(parts) == 1:
-        return f"{_ways(parts[0])} to do it; first {_first(parts[0])}."
-    return "; then ".join(f'"{part.label}": {_ways(part)}, first {_first(part)}' for part in parts) + "."
+        return f"{_candidates(parts[0])}."
+    return "; then ".join(f'"{part.label}": {_candidates(part)}' for part in parts) + "."
 
 
-def _ways(clause: Do) -> str:
-    return f"{len(clause.candidates)} {'way' if len(clause.candidates) == 1 else 'ways'}"
-
-
-def _first(clause: Do) -> str:
-    return ", then ".join(f"{frame.name} by {frame.server}" for frame in clause.candidates[0].frames)
+def _candidates(clause: Do) -> str:
+    first = ", then ".join(f"{frame.name} by {frame.server}" for frame in clause.candidates[0].frames)
+    count = len(clause.candidates)
+    return f"1 candidate, {first}" if count == 1 else f"{count} candidates, first {first}"

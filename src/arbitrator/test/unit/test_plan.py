@@ -211,11 +211,11 @@ def test_procedure_of_2012_is_bounded_where_clauses_multiply():
 @pytest.mark.parametrize(
     "plan,sentence",
     [
-        (PING, "1 way to do it; first pinging by server."),
-        (WAVE, "2 ways to do it; first waving by server."),
+        (PING, "1 candidate, pinging by server."),
+        (WAVE, "2 candidates, first waving by server."),
         (
             InSequence("x", (PING, WAVE)),
-            '"Ping": 1 way, first pinging by server; then "wave at Alice": 2 ways, first waving by server.',
+            '"Ping": 1 candidate, pinging by server; then "wave at Alice": 2 candidates, first waving by server.',
         ),
     ],
 )

@@ -1,6 +1,6 @@
 """The command that follows a cry: "come back" of "Stop and come back."
 
-What follows a cry is most often a warning ("stop, you will hit the lamp"), an explanation, or the cry once more. So
+Most often a warning ("stop, you will hit the lamp"), an explanation or the same cry follows a cry. So
 only words after "and" or "then", or words after a pause that begin like a command, count as one; the pipeline decides
 whether it can be carried out.
 """
@@ -19,13 +19,13 @@ _NO_COMMANDS: FrozenSet[str] = frozenset(
     ).split()
 )
 _REQUESTS: FrozenSet[str] = frozenset("can could will would".split())
-#: Words after these are no command, but belong to the cry.
+#: Words after these belong to the cry and are not a command.
 _NO_OBJECTS: FrozenSet[str] = frozenset(
     "you i we they he she because or so but until till when whenever if once unless while before is are".split()
 )
 _PAUSES: FrozenSet[str] = frozenset(",.")
 _JOINING: FrozenSet[str] = frozenset(["and", "then"])
-#: These end in "ing" and are no participles.
+#: Words in "ing" that are not participles.
 _IN_ING: FrozenSet[str] = frozenset("bring sing ring swing fling cling".split())
 
 
@@ -35,12 +35,12 @@ def command_behind(rest: str) -> str:
     Args:
         rest: the text after the last word of the cry (`Cry.rest`)
     Returns:
-        the command as it was said; empty where there is none for certain
+        the words of the command; empty if it is not certain that there is one
     """
     text, unquoted = plain_text(rest)
     tokens = tokens_of(unquoted)
     words = [token.word for token in tokens]
-    # A full stop right after the cry is no word of the rest.
+    # A full stop right after the cry does not belong to the rest.
     is_pause = unquoted.lstrip()[:1] in tuple(".,!?;:-\u2026\u2013\u2014")
     position = 0
     while position < len(words):
@@ -71,7 +71,7 @@ def _behind_joining(words: Sequence[str], position: int) -> int:
 
 
 def _is_cry_alone(words: Sequence[str]) -> bool:
-    """Whether "and" can join nothing but the cry: "stop moving and", but not "stop following me and Anna"."""
+    """Whether "and" can only join the cry: "stop moving and", but not "stop following me and Anna"."""
     return all(
         word in FILLERS or word in SOFT or word in _PAUSES or (word.endswith("ing") and word not in _IN_ING)
         for word in words

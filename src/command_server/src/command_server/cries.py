@@ -1,6 +1,6 @@
-"""What people cry when a robot must stop, as tables: the cries, and the words that may stand around them.
+"""Tables of the cries that stop a robot ("stop", "hold on"), and of the words that may stand around a cry.
 
-A stop needs no file and no other node, so these words stand in a module of their own, and not among the word classes.
+The tables are constants and not files of word classes, because a stop must not depend on a file or on another node.
 """
 
 import enum
@@ -9,7 +9,7 @@ from typing import FrozenSet, Mapping, Tuple
 
 
 class Kind(enum.Enum):
-    """What a cry is for. Until a robot can pause, each kind stops it."""
+    """What a cry asks for. Every kind stops the robot, which cannot pause yet."""
 
     STOP = "stop"
     PAUSE = "pause"
@@ -18,15 +18,15 @@ class Kind(enum.Enum):
 
 
 class Tail(enum.Enum):
-    """What may follow a cry besides fillers, a pause in speech, or the next cry."""
+    """What may follow a cry. Fillers, a pause in speech and another cry may always follow."""
 
-    ANYTHING = "anything"  # but a place, a distance, a time or a condition, which belong to a command
-    LASTING = "lasting"  # a clause of its own, or how long: "don't move for a minute"
-    UNTIL = "until"  # a clause of its own, or until when: "stay there until I come back"
-    CLAUSE = "clause"  # a clause of its own: "hold on you're too close"
-    OBJECT = "object"  # a clause, or what was asked for: "cancel that", "cancel the last command"
-    NEEDS_OBJECT = "needs_object"  # what was asked for, and no less: "forget that"
-    ACTIVITY = "activity"  # a clause, an activity or "it": "quit following me", "enough driving"
+    ANYTHING = "anything"  # except a place, distance, time or condition: "stop at the door" is a command
+    LASTING = "lasting"  # a new clause, or a duration: "don't move for a minute"
+    UNTIL = "until"  # a new clause, or an end: "stay there until I come back"
+    CLAUSE = "clause"  # a new clause: "hold on you're too close"
+    OBJECT = "object"  # a new clause, or the request that is cancelled: "cancel that", "cancel the last command"
+    NEEDS_OBJECT = "needs_object"  # the request that is cancelled, which must not be missing: "forget that"
+    ACTIVITY = "activity"  # a new clause, an activity or "it": "quit following me", "enough driving"
     NOTHING = "nothing"
 
 
@@ -35,15 +35,15 @@ class Cry:
     """An utterance that stops the robot.
 
     Attributes:
-        kind: what it is for
-        rest: what was said behind it
+        kind: what it asks for
+        rest: the words that follow it
     """
 
     kind: Kind
     rest: str = ""
 
 
-#: The table of cries, in plain words: contractions are spelled out before it is asked ("dont", "don't": "do not").
+#: The cries, separated by semicolons. Contractions are spelled out before the comparison: "dont", "don't" are "do not".
 CRIES: Tuple[Tuple[Kind, Tail, str], ...] = (
     (
         Kind.STOP,
@@ -124,12 +124,12 @@ CRIES: Tuple[Tuple[Kind, Tail, str], ...] = (
     (Kind.FORGET, Tail.CLAUSE, "forget i said anything; forget i said that; forget i said it"),
 )
 
-#: Cries that may also stand behind a name or a warning without a pause in speech: "Rosie stop".
+#: Cries that may follow a name or a warning without a pause in speech: "Rosie stop".
 STRONG: FrozenSet[str] = frozenset("stop halt estop whoa woah freeze wait".split())
 
-#: Words that are passed over wherever they stand.
+#: Words that are ignored everywhere in an utterance.
 SOFT: FrozenSet[str] = frozenset("please kindly really maybe simply just".split())
-#: Words that change nothing, before or behind a cry.
+#: Words that are ignored before and after a cry.
 FILLERS: FrozenSet[str] = frozenset(
     (
         "robot turtlebot computer machine now right immediately instantly quickly quick hey hi yo oh ah uh "
@@ -139,6 +139,7 @@ FILLERS: FrozenSet[str] = frozenset(
         "both straightaway"
     ).split()
 )
+#: Phrases that are ignored before and after a cry.
 FILLER_PHRASES: Tuple[str, ...] = (
     "thank you",
     "come on",
@@ -165,9 +166,9 @@ FILLER_PHRASES: Tuple[str, ...] = (
     "no matter what",
 )
 
-#: "And stop" is a cry of its own, but not behind "Go to the kitchen."
+#: Words that may open an utterance with a cry: "and stop". After "Go to the kitchen." they continue a command.
 OPENINGS: Tuple[str, ...] = ("and", "then", "and then", "but")
-#: What leads to a cry: "could you please stop", "I said stop".
+#: Phrases that introduce a cry: "could you please stop", "I said stop".
 LEADS: Tuple[str, ...] = (
     "can you",
     "could you",
@@ -250,7 +251,7 @@ LEADS: Tuple[str, ...] = (
     "where are you going",
 )
 
-#: What may stand behind any cry.
+#: Phrases that may follow any cry.
 TRAILS: Tuple[str, ...] = (
     "where you are",
     "a second",
@@ -293,7 +294,7 @@ TRAILS: Tuple[str, ...] = (
     "this second",
 )
 
-#: What was asked for, as "cancel" and its like may name it.
+#: Words that name the request that is cancelled: "cancel my last order".
 OBJECTS: FrozenSet[str] = frozenset(
     (
         "it this that them everything all the my your last previous current whole what i just said asked told "
@@ -302,9 +303,10 @@ OBJECTS: FrozenSet[str] = frozenset(
         "things robot about"
     ).split()
 )
+#: Those of them that do not name a request alone: "cancel the last".
 WEAK_OBJECTS: FrozenSet[str] = frozenset("the my your last previous current whole of i you are were about".split())
 
-#: Behind "stop": a place, a distance or a time, which make a command of it that goes the long way.
+#: Words that begin a place or a time after "stop". The utterance is then a command, and is parsed: "stop at the door".
 PLACES: FrozenSet[str] = frozenset(
     (
         "at by in near next beside behind on onto under underneath below above outside inside between opposite "
@@ -312,7 +314,7 @@ PLACES: FrozenSet[str] = frozenset(
         "toward during every later tomorrow tonight as where wherever"
     ).split()
 )
-#: ... unless the words go on like this.
+#: Phrases that begin like a place or a time, and are none.
 NO_PLACES: Tuple[str, ...] = (
     "at once",
     "at this",
@@ -344,10 +346,13 @@ NO_PLACES: Tuple[str, ...] = (
     "before something",
     "around here",
 )
+#: Adverbs that may precede the words of `PLACES`: "stop right before the door".
 BEFORE_PLACES: FrozenSet[str] = frozenset(
     "right just exactly directly immediately only shortly somewhere about".split()
 )
+#: Words that begin a condition. The utterance is then a command: "stop when you see me".
 CONDITIONS: FrozenSet[str] = frozenset("when whenever if once".split())
+#: Phrases that begin like a condition, and are none.
 NO_CONDITIONS: Tuple[str, ...] = (
     "once and",
     "if you please",
@@ -358,32 +363,38 @@ NO_CONDITIONS: Tuple[str, ...] = (
     "if you do not mind",
     "if possible",
 )
+#: Units of a distance: "stop two feet away" is a command.
 LENGTHS: FrozenSet[str] = frozenset(
     (
         "foot feet ft inch inches yard yards metre metres meter meters centimetre centimetres centimeter centimeters "
         "cm m mm km mile miles step steps degree degrees"
     ).split()
 )
+#: Words of an amount.
 AMOUNTS: FrozenSet[str] = frozenset(
     (
         "a an one two three four five six seven eight nine ten twelve fifteen twenty thirty forty fifty hundred half "
         "quarter couple few of and point"
     ).split()
 )
-#: "A stop sign" is a thing.
+#: Nouns that form a compound with "stop": "a stop sign" is a thing.
 COMPOUNDS: FrozenSet[str] = frozenset("sign signs button".split())
 
-#: Begin a clause of its own behind a cry: "wait you are going the wrong way".
+#: Words that begin a new clause after a cry: "wait you are going the wrong way".
 CLAUSES: FrozenSet[str] = frozenset(
     "you i he she we they no not and then or but let do because somebody what why how could can would".split()
 )
+#: Subjects that begin a new clause when one of `VERBS_OF_IT` follows: "stop it is too close".
 IMPERSONAL: FrozenSet[str] = frozenset("it that there this".split())
+#: Subjects of the clauses that say who asked for what: "cancel what I said".
 SUBJECTS: FrozenSet[str] = frozenset("i you".split())
+#: Verbs that may follow `IMPERSONAL`.
 VERBS_OF_IT: FrozenSet[str] = frozenset("is was will might could can does has looks".split())
+#: Words that begin a duration or an end: "until I come back".
 LASTS: FrozenSet[str] = frozenset("until till while unless before or".split())
 TAIL_WORDS: Mapping[Tail, FrozenSet[str]] = {Tail.UNTIL: LASTS, Tail.LASTING: LASTS | {"for"}}
 
-#: Words that take a cry as what is said, not as a cry.
+#: Verbs of speech: "say stop" quotes a cry.
 SAYING: FrozenSet[str] = frozenset(
     (
         "say says saying said tell tells telling told ask asks asked shout shouts shouted yell yells cry call "
@@ -391,7 +402,7 @@ SAYING: FrozenSet[str] = frozenset(
         "display draw sing"
     ).split()
 )
-#: Before "stop": a name ends with none of these.
+#: Words that cannot end a name before a cry: in "the next stop", "next" is no name.
 NO_NAMES: FrozenSet[str] = frozenset(
     (
         "a an the this that these those my your his her its our their two next last first second final only "
@@ -402,15 +413,16 @@ NO_NAMES: FrozenSet[str] = frozenset(
         "have had at by in on near about into from of for with no"
     ).split()
 )
-#: A warning before a cry begins with one of these: "you're going to hit the wall stop", "too far stop".
+#: Words that begin a warning before a cry: "you're going to hit the wall stop", "too far stop".
 WARNINGS: FrozenSet[str] = frozenset(
     ("you your i we that it its there not wrong too watch look mind careful be ouch ow oh no nope hey god help").split()
 )
+#: Words before a cry that make it part of a command or a quotation: "drive until I say stop".
 BLOCKING: FrozenSet[str] = SAYING | {"until", "till", "when", "whenever", "if", "once", "never", "unless"}
-#: Said just before a cry they set it off: "a bit further okay stop".
+#: Words that separate a cry from the words before it: "a bit further okay stop".
 SET_OFF: FrozenSet[str] = frozenset("ok okay no nope oh hey whoa wait alright ouch enough".split())
 
-#: Verbs of commands.
+#: Verbs that begin a command.
 COMMAND_VERBS: FrozenSet[str] = frozenset(
     (
         "accompany approach back bring carry check clean clear climb close come cross deliver describe dock "
@@ -421,7 +433,7 @@ COMMAND_VERBS: FrozenSet[str] = frozenset(
         "step switch take tell throw travel turn unlock vacuum visit walk wash wipe withdraw"
     ).split()
 )
-#: Words that are mistyped, and the English words that a slip of them would give.
+#: Cries that are recognised with one slip of the typist: "stpo".
 TYPED: Mapping[str, Kind] = {
     "stop": Kind.STOP,
     "halt": Kind.STOP,
@@ -430,4 +442,5 @@ TYPED: Mapping[str, Kind] = {
     "cancel": Kind.TAKE_BACK,
     "wait": Kind.PAUSE,
 }
+#: English words that are one slip away from a cry.
 ENGLISH: FrozenSet[str] = frozenset("top sop stoop alt hat hal bort feeze reeze ait wat wit await canel".split())

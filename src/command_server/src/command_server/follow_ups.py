@@ -79,7 +79,7 @@ class FollowUps:
                     outcome=Outcome.FAILED,
                     stage=OWN_STAGE,
                     code="NOT_STOPPED",
-                    sentence=f"I do not start before the robot stands still. {reason}".strip(),
+                    sentence=f"I did not start, because the robot has not stopped. {reason}".strip(),
                 )
             )
         return endings

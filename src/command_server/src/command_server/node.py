@@ -55,7 +55,7 @@ _JOIN_TIMEOUT_S = 5.0
 _LONGEST_TURN_S = 2.0
 # A stop is answered within this multiple of its time-out: for its report, then for its reply.
 _WAIT_FOR_STOP = 3.0
-# How long a brake may take to report who obeys, beyond its own time-out.
+# How long a brake may take to report which nodes obey, beyond its own time-out.
 _BRAKE_SLACK_S = 1.0
 # Time in which the last messages leave the process.
 _FLUSH_S = 0.1
@@ -370,7 +370,7 @@ class CommandServerNode:
             self._pass_on_answer(stop.command_id, self._replies.last_reply)
 
     def _hear_finding(self, finding: Finding) -> None:
-        """The brake reports who obeys."""
+        """The brake reports which nodes obey."""
         key, is_stopped = finding.order.key, finding.obedience.is_complete
         if key in self._brakings:
             self._brakings[key] = Braking(braked=self._brakings[key].braked, finding=finding)
@@ -378,7 +378,7 @@ class CommandServerNode:
             self._replies.note("The robot stands still now." if is_stopped else may_still_move(finding.obedience))
             return
         remark = (
-            "Everything that it had started is stopped: zero velocity, and no goal goes on."
+            "Everything that it had started is stopped: zero velocity, and no goal is left."
             if is_stopped
             else may_still_move(finding.obedience)
         )

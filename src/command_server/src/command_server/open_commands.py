@@ -328,7 +328,7 @@ class OpenCommands:
 
 def ending_at_shutdown(command: CommandText) -> Ending:
     """Return the ending of an open command when the command server shuts down."""
-    sentence = "The command server is shutting down, and has told the executor to cancel the command."
+    sentence = "The command server is shutting down and has cancelled the command."
     return Ending(command=command, outcome=Outcome.FAILED, stage=OWN_STAGE, code="RESTARTED", sentence=sentence)
 
 
@@ -338,7 +338,7 @@ def ending_of_silent_stop(stop: CommandText, *, timeout_s: float, standing: str)
     Args:
         stop: the stop
         timeout_s: how long the stop server had
-        standing: who obeys, as a sentence
+        standing: a sentence that says whether every node obeys
     """
-    sentence = f"{STOP_STAGE} did not answer within {timeout_s:g} s; {OWN_STAGE} stopped the robot instead. {standing}"
+    sentence = f"{STOP_STAGE} did not answer within {timeout_s:g} s, so {OWN_STAGE} carried out the stop. {standing}"
     return Ending(command=stop, outcome=Outcome.FAILED, stage=STOP_STAGE, code="STAGE_SILENT", sentence=sentence)

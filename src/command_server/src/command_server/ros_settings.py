@@ -1,22 +1,35 @@
 """Reads which topics and servers a stop applies to."""
 
-import rospy
+from dataclasses import dataclass
+from typing import Tuple
 
 from command_server.open_commands import STOP_STAGE
+from roboframenet_ros.parameters import Parameters, parameter
+from roboframenet_ros.ros_node import read_parameters
 from robot_stop.settings import BrakeSettings
+
+
+@dataclass(frozen=True)
+class StopTargets(Parameters):
+    """Private parameters, checked.
+
+    Attributes:
+        velocity_topics: where zero velocity is published
+        also_cancel: names of action servers that are cancelled although they take no frames
+
+    Raises:
+        ParameterError: not a list of names
+    """
+
+    velocity_topics: Tuple[str, ...] = parameter(BrakeSettings.velocity_topics)
+    also_cancel: Tuple[str, ...] = parameter(BrakeSettings.also_cancel)
 
 
 def read_brake_settings() -> BrakeSettings:
     """Read the velocity topics and the servers to cancel; by default the parameters of the stop server.
 
     Raises:
-        ParameterError: a parameter is out of its range
+        ParameterError: a parameter is not a list of names
     """
-    return BrakeSettings(
-        velocity_topics=rospy.get_param(
-            "~velocity_topics", rospy.get_param(f"{STOP_STAGE}/velocity_topics", BrakeSettings.velocity_topics)
-        ),
-        also_cancel=rospy.get_param(
-            "~also_cancel", rospy.get_param(f"{STOP_STAGE}/also_cancel", BrakeSettings.also_cancel)
-        ),
-    )
+    targets = read_parameters(StopTargets, defaults=read_parameters(StopTargets, prefix=f"{STOP_STAGE}/"))
+    return BrakeSettings(velocity_topics=targets.velocity_topics, also_cancel=targets.also_cancel)

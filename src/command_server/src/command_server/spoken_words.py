@@ -9,7 +9,7 @@ _MOST_CHARACTERS = 4000
 
 
 class Token(NamedTuple):
-    """A word in plain spelling, "," for a pause or "." for the end of a sentence, and where it stands in the text."""
+    """A word in plain spelling, "," for a pause or "." for the end of a sentence, with its position in the text."""
 
     word: str
     start: int
@@ -77,7 +77,7 @@ def plain_text(text: str) -> Tuple[str, str]:
     for fancy, plain in (("\u2018", "'"), ("\u2019", "'"), ("\u201c", '"'), ("\u201d", '"')):
         text = text.replace(fancy, plain)
     unquoted = _QUOTED.sub(lambda quoted: " " * len(quoted.group()), text)
-    # A text that is quoted as a whole was typed with quotation marks, and is meant.
+    # A text that is quoted as a whole was typed with quotation marks, so its words count.
     return text, unquoted if re.search(r"\w", unquoted) else text
 
 

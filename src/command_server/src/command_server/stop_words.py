@@ -1,9 +1,9 @@
 """Recognises cries that must stop the robot, by words alone.
 
 The stop path must not wait for a parser, a file or another node, and does not know what runs: `cries` holds every word
-that it needs. An utterance is a cry where a phrase of `CRIES` stands at the front of one of its
-sentences, or behind nothing but fillers, politeness, a name or a warning, and what follows does not make another
-command of it: "stop, you will hit the lamp" is a cry, "stop at the door" and "wait for me" are not.
+that it needs. An utterance is a cry if one of its sentences begins with a phrase of `CRIES`, or with only fillers,
+politeness, a name or a warning before such a phrase, and if the words after it do not make another command of it:
+"stop, you will hit the lamp" is a cry, "stop at the door" and "wait for me" are not.
 """
 
 from typing import Dict, FrozenSet, Iterable, List, Mapping, Optional, Sequence, Tuple
@@ -58,7 +58,7 @@ def _by_first_word(phrases: Iterable[str]) -> Mapping[str, Tuple[Phrase, ...]]:
     return {first: tuple(sorted(of_it, key=len, reverse=True)) for first, of_it in found.items()}
 
 
-#: No name of the robot and no warning begins with these: "at the door, stop", "turn left, stop".
+#: Neither a name of the robot nor a warning begins with these: "at the door, stop", "turn left, stop".
 _NO_ADDRESS: FrozenSet[str] = (
     PLACES
     | CONDITIONS
@@ -68,7 +68,7 @@ _NO_ADDRESS: FrozenSet[str] = (
     | {"first", "next", "last", "to", "from", "with"}
 )
 _NOT_FIRST = NO_NAMES | SAYING | COMMAND_VERBS | {"one"}
-# Words: longer rows of fillers are not examined.
+# Words: longer sequences of fillers are not examined.
 _LONGEST_WARNING = 12
 _LONGEST_TRAIL = 24
 _PAUSES = frozenset(",.")
@@ -85,7 +85,7 @@ _NO_PLACES = _by_first_word(NO_PLACES + NO_CONDITIONS)
 
 
 def _phrase_at(words: Sequence[str], position: int, phrases: Mapping[str, Tuple[Phrase, ...]]) -> int:
-    """Return the number of words of the longest phrase that stands at a position, 0 for none."""
+    """Return the number of words of the longest phrase at a position, 0 for none."""
     if position >= len(words):
         return 0
     return next(
@@ -125,7 +125,7 @@ class _Sentence:
         self._is_warning = self._start < len(words) and words[self._start] in WARNINGS
 
     def cry(self) -> Optional[Tuple[Kind, int]]:
-        """Return the kind of the first cry and the position behind it."""
+        """Return the kind of the first cry and the position after it."""
         for position in range(len(self._words)):
             for phrase in _CRIES.get(self._words[position], ()):
                 end = position + len(phrase)
@@ -139,7 +139,7 @@ class _Sentence:
         return None
 
     def _find_fronts(self) -> Mapping[int, bool]:
-        """Return the positions before which only a name, fillers and leads stand, and whether there is a name."""
+        """Return the positions with only a name, fillers and introductions before them, and whether there is a name."""
         position, has_name, has_lead = 0, False, False
         fronts: Dict[int, bool] = {}
         while position < len(self._words):
@@ -189,7 +189,7 @@ class _Sentence:
 
     @staticmethod
     def _is_set_off(before: Sequence[str]) -> bool:
-        """Whether an interjection stands before a cry; "no" is none in "there is no stop here"."""
+        """Whether an interjection precedes a cry; "no" is not one in "there is no stop here"."""
         is_determiner = before[-1] == "no" and before[-2:-1] and before[-2] in ("is", "are", "have", "has", "see")
         return before[-1] in SET_OFF and not is_determiner
 
@@ -233,7 +233,7 @@ class _Sentence:
         return True
 
     def _is_clause(self, position: int) -> bool:
-        """Whether a clause of its own begins here: "wait, I see", "wait it's hot"."""
+        """Whether a separate clause begins here: "wait, I see", "wait it's hot"."""
         word = self._words[position]
         is_impersonal = word in IMPERSONAL and self._words[position + 1 : position + 2]
         return word == "," or word in CLAUSES or bool(is_impersonal and self._words[position + 1] in VERBS_OF_IT)
@@ -276,13 +276,13 @@ def find_cry(text: str) -> Optional[Cry]:
     """Find out whether an utterance stops the robot.
 
     Args:
-        text: in any spelling; of a very long one only the beginning counts
+        text: in any spelling; only the beginning of a very long text counts
     Returns:
-        the cry; None where the utterance goes to the parser
+        the cry; None if the utterance goes to the parser
     """
     said, unquoted = plain_text(text)
     spoken = tokens_of(unquoted)
-    # "Just a moment" is a cry of its own.
+    # "Just a moment" is a cry by itself.
     tokens = [
         token
         for token, following in zip(spoken, spoken[1:] + spoken[:1])

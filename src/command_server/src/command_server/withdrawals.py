@@ -5,15 +5,15 @@ from dataclasses import dataclass, field, replace
 from typing import Callable, Dict, FrozenSet, Iterable, List, Optional, Tuple
 
 from command_server.open_commands import CommandText, Ending, Outcome
-from command_server.taking_back import takes_back
+from command_server.taking_back import takes_back, tells_to_go_on
 
 #: Codes of the framer for a prohibition and a correction. The framer does not know what runs.
 PROHIBITION = "NEGATED"
 CORRECTION = "CORRECTION"
 _AGAINST_WHAT_RUNS: FrozenSet[str] = frozenset([PROHIBITION, CORRECTION])
-#: Codes of the framer for a "no" to a question, and for a negation that forbids nothing.
 _FRAMER = "semantic_framer"
-_AGAINST_NOTHING: FrozenSet[str] = frozenset(["DECLINED", "NO_READING"])
+#: Its codes for a "no" to a question, and for what asks for nothing: "it is not hot" forbids nothing.
+_AGAINST_NOTHING: FrozenSet[str] = frozenset(["DECLINED", "QUESTION", "REPORT", "WISH", "TALK"])
 _REFUSED: FrozenSet[Outcome] = frozenset([Outcome.REFUSED, Outcome.NEEDS_INFORMATION, Outcome.FAILED])
 #: Sentences for commands that ended as expected; the reply need not repeat them.
 _PLAIN_ENDS = ("Stopped.", "A stop ended it.", "A newer command took its place.", "Cancelled before it began.")
@@ -24,8 +24,9 @@ def is_against_what_runs(ending: Ending) -> bool:
 
     The framer knows prohibitions ("don't go there") and corrections that it does not understand. A correction that any
     stage refuses, asks about or does not answer is against what runs too: "no, go to the garage" with no server for it.
+    "No, keep going" is against nothing, although the framer takes it for a correction.
     """
-    if ending.outcome not in _REFUSED:
+    if ending.outcome not in _REFUSED or tells_to_go_on(ending.command.text):
         return False
     if ending.code in _AGAINST_WHAT_RUNS:
         return True
@@ -126,8 +127,8 @@ def _incomplete(withdrawal: _Withdrawal, timeout_s: float) -> Ending:
             [_how(ended) for ended in withdrawal.ended]
             + [
                 (
-                    f"I told {names} to end, but nobody has confirmed that within {timeout_s:g} s: "
-                    "the robot may still move."
+                    f"I cancelled {names}, but the end was not confirmed within {timeout_s:g} s. "
+                    "The robot may still move."
                 )
             ]
         ),

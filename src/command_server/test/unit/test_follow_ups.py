@@ -56,7 +56,7 @@ def test_it_never_begins_when_the_robot_does_not_stop(follow_ups, clock):
     command = follow_ups.add("come back.", stop=STOP, stop_stamp_ns=0)
     (ending,) = follow_ups.hear_answer(STOP.command_id, is_stopped=False, reason="The wheels go on.")
     assert (ending.command, ending.outcome, ending.code) == (command, Outcome.FAILED, "NOT_STOPPED")
-    assert ending.sentence == "I do not start before the robot stands still. The wheels go on."
+    assert ending.sentence == "I did not start, because the robot has not stopped. The wheels go on."
     clock.now_s = 200.0
     assert follow_ups.take_due() == []
 

@@ -99,8 +99,8 @@ def test_wait_is_bounded(withdrawals, clock):
     (ending,) = withdrawals.take_overdue()
     assert (ending.outcome, ending.code) == (Outcome.FAILED, "NOT_STOPPED")
     assert ending.sentence == (
-        'I stopped "turn left". I told "Follow me" to end, but nobody has confirmed that within '
-        "10 s: the robot may still move."
+        'I stopped "turn left". I cancelled "Follow me", but the end was not confirmed within 10 s. '
+        "The robot may still move."
     )
     assert withdrawals.take_overdue() == [] and withdrawals.hear_end(end_of(FOLLOW)) == []
 
@@ -144,6 +144,7 @@ def test_what_waits_itself_is_not_ended(withdrawals):
         ("No, go to the garage.", Outcome.REFUSED, "frame_registrar", "NO_SERVER"),
         ("No, move forward 3 kilometres.", Outcome.REFUSED, "frame_registrar", "LIMIT"),
         ("no, wave", Outcome.REFUSED, "semantic_framer", "UNKNOWN_FRAME"),
+        ("actually, take the lift", Outcome.REFUSED, "semantic_framer", "NO_READING"),
         ("nope, turn", Outcome.NEEDS_INFORMATION, "semantic_framer", "MISSING_ELEMENT"),
         ("no, turn left", Outcome.FAILED, "stanford_parser_ros", "STAGE_SILENT"),
     ],
@@ -157,7 +158,11 @@ def test_correction_that_anybody_refuses_is_against_what_runs(text, outcome, sta
     [
         ("Go to the garage.", Outcome.REFUSED, "frame_registrar", "NO_SERVER"),
         ("No.", Outcome.REFUSED, "semantic_framer", "DECLINED"),
-        ("No, I don't know.", Outcome.REFUSED, "semantic_framer", "NO_READING"),
+        ("no, keep going", Outcome.REFUSED, "semantic_framer", "CORRECTION"),
+        ("no go on", Outcome.NEEDS_INFORMATION, "semantic_framer", "CORRECTION"),
+        ("no, continue", Outcome.FAILED, "stanford_parser_ros", "STAGE_SILENT"),
+        ("It is not hot.", Outcome.REFUSED, "semantic_framer", "REPORT"),
+        ("I don't want coffee.", Outcome.REFUSED, "semantic_framer", "REPORT"),
         ("no, turn left", Outcome.DONE, "executor", "DONE"),
         ("no, turn left", Outcome.SUPERSEDED, "executor", "NEW_COMMAND"),
     ],

@@ -52,7 +52,7 @@ class Outcome(enum.Enum):
     SUCCEEDED = "succeeded"
     FAILED = "failed"
     PREEMPTED = "preempted"  # at our request
-    TAKEN_AWAY = "taken_away"  # somebody else cancelled it
+    TAKEN_AWAY = "taken_away"  # another client cancelled it
 
 
 # SUCCEEDED counts only with a result that says success; PREEMPTED and RECALLED only when we requested it.

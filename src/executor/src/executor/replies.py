@@ -79,7 +79,7 @@ def ending_of_run(outcome: str, clauses: Sequence[ClauseRun], *, cause: Optional
         return Ending(ReplyOutcome.SUPERSEDED, cause.value, " ".join(sentence.split()))
     if outcome == "preempted":
         taken = " ".join(f"{goal.server} {goal.reason}." for goal in goals if goal.outcome is Outcome.TAKEN_AWAY)
-        sentence = f"Somebody else cancelled it: {taken} {_done_before(clauses)}"
+        sentence = f"Another client cancelled it: {taken} {_done_before(clauses)}"
         return Ending(ReplyOutcome.SUPERSEDED, "STOPPED", " ".join(sentence.split()))
     return Ending(ReplyOutcome.FAILED, "ALL_CANDIDATES_FAILED", _failure(clauses))
 

@@ -192,7 +192,7 @@ class ExecutorNodeTest(unittest.TestCase):
         self.wait_for_log("one begins run")
         wait_until(lambda: self.events_of(command, False))
         self.server_cancel.publish(GoalID())
-        self.assert_reply(command, Reply.SUPERSEDED, "STOPPED", "Somebody else cancelled it: one was preempted")
+        self.assert_reply(command, Reply.SUPERSEDED, "STOPPED", "Another client cancelled it: one was preempted")
         self.assertNotIn("two begins succeed", self.log)
 
     def test_stop_ends_the_command_and_refuses_what_was_said_before(self):

@@ -35,7 +35,7 @@ ORPHAN = tracking.tick(
         ("preempted", [PREEMPTED], Cause.NEW_COMMAND, "", ReplyOutcome.SUPERSEDED, "NEW_COMMAND", "newer command"),
         ("preempted", [PREEMPTED], Cause.STOPPED, "", ReplyOutcome.SUPERSEDED, "STOPPED", "Stopped."),
         ("preempted", [ORPHAN], Cause.STOPPED, "", ReplyOutcome.SUPERSEDED, "STOPPED", "turn did not end on cancel"),
-        ("preempted", [TAKEN], None, "", ReplyOutcome.SUPERSEDED, "STOPPED", "Somebody else cancelled it: turn was"),
+        ("preempted", [TAKEN], None, "", ReplyOutcome.SUPERSEDED, "STOPPED", "Another client cancelled it: turn was"),
         ("", [ABORTED], None, "KeyError: 1", ReplyOutcome.FAILED, "STAGE_ERROR", "KeyError: 1"),
     ],
 )
@@ -112,7 +112,7 @@ NOT_BEGUN = ClauseRun("go home", "")
             None,
             "",
             "STOPPED",
-            'Somebody else cancelled it: turn was preempted. Before that, I did "Ping".',
+            'Another client cancelled it: turn was preempted. Before that, I did "Ping".',
         ),
         (
             "",

@@ -1,6 +1,7 @@
 """The node ``frame_bindings``: serves all frames of the binding files."""
 
-from typing import Any, List, Tuple
+from dataclasses import dataclass
+from typing import Any, List, Sequence, Tuple
 
 import rosgraph
 import rospy
@@ -11,8 +12,24 @@ from frame_bindings.ros_targets import TARGET_OF_KIND, UnknownType
 from rfnserver import RFNServer
 from rfnserver.arguments import ArgumentError
 from rfnserver.ros_frame_adapter import GoalMaker, check_frame, conclude
+from roboframenet_ros.parameters import Parameters, parameter
+from roboframenet_ros.ros_node import StartError, read_parameters, run_node
 from semantic_frames.problem import FileRefused
 from semantic_frames.source_files import read_text
+
+
+@dataclass(frozen=True)
+class Settings(Parameters):
+    """Private parameters, checked.
+
+    Attributes:
+        files: binding files
+
+    Raises:
+        ParameterError: not a list of names
+    """
+
+    files: Tuple[str, ...] = parameter((), may_be_single=True)
 
 
 class BoundServer:
@@ -71,7 +88,7 @@ class BoundServer:
         self._server.publish_feedback(FilledSemanticFrameFeedback(is_succeeding=True))
 
 
-def bound_servers(paths: List[str]) -> List[BoundServer]:
+def bound_servers(paths: Sequence[str]) -> List[BoundServer]:
     """Serve the bindings of some files. A wrong file or binding is logged; the others are served."""
     servers: List[BoundServer] = []
     for path in paths:
@@ -89,19 +106,17 @@ def bound_servers(paths: List[str]) -> List[BoundServer]:
     return servers
 
 
-def main() -> None:
-    """Run the node.
-
-    Parameters:
-        ~files (list of strings, or one): binding files
-    """
-    rospy.init_node("frame_bindings")
-    files = rospy.get_param("~files", [])
-    servers = bound_servers([files] if isinstance(files, str) else [str(path) for path in files])
+def _start() -> List[BoundServer]:
+    settings = read_parameters(Settings)
+    servers = bound_servers(settings.files)
     if not servers:
-        rospy.logfatal("no frame is bound; ~files: %s", files)
-        raise SystemExit(1)
+        raise StartError(f"no frame is bound; ~files: {', '.join(settings.files) or 'empty'}")
     rospy.loginfo("%d frames are bound", len(servers))
     for server in servers:
         server.register()
-    rospy.spin()
+    return servers
+
+
+def main() -> None:
+    """Run the node until ROS shuts down; exits with a sentence when it cannot start."""
+    run_node("frame_bindings", _start)

@@ -99,7 +99,8 @@ def _units(lessons: Sequence[Lesson], frames: Mapping[str, SemanticFrame]) -> Tu
         places = lesson.places - core[frame]
         after_place = frozenset((name, preposition) for name, preposition in lesson.after_place if name in places)
         groups[(frame, lesson.verb, places, after_place)].append(lesson)
-    units: Dict[Tuple[str, FrozenSet[str], FrozenSet[str], FrozenSet[Tuple[str, str]]], LearnedUnit] = {}
+    rarer, same_shape = _rarer(lessons), _same_shape(lessons)
+    units: Dict[object, LearnedUnit] = {}
     for (frame, verb, places, after_place), members in sorted(
         groups.items(), key=lambda item: (item[0][0], -len(item[0][2]))
     ):
@@ -113,12 +114,11 @@ def _units(lessons: Sequence[Lesson], frames: Mapping[str, SemanticFrame]) -> Tu
             pieces += [(places | _telling(others), others)] if others else []
         for required, piece in pieces:
             empty = LearnedUnit(frame, required=set(required), after_place=dict(after_place))
-            unit = units.setdefault((frame, required, places, after_place), empty)
+            unit = units.setdefault((frame, required, places, after_place, same_shape.get((verb, frame))), empty)
             unit.verbs += [verb] if verb not in unit.verbs else []
             unit.lessons += piece
-    rarer = _rarer(lessons) | _same_shape(lessons)
     for unit in units.values():
-        _fill(unit, rarer)
+        _fill(unit, rarer, same_shape)
     _share_closed(list(units.values()), lessons)
     _share_optional(list(units.values()))
     _share_between_frames(list(units.values()), lessons, frames)
@@ -270,10 +270,14 @@ def _shape(lessons: Sequence[Lesson]) -> FrozenSet[str]:
     )
 
 
-def _same_shape(lessons: Sequence[Lesson]) -> FrozenSet[Tuple[str, str, str]]:
-    """Return frame, element and relation where a verb evokes another frame with the same relations more often.
+def _same_shape(lessons: Sequence[Lesson]) -> Mapping[Tuple[str, str], FrozenSet[Tuple[str, str]]]:
+    """Return elements and relations of verbs that evoke another frame with the same relations more often.
 
-    The words distinguish such frames: "open the door", "open the water".
+    The words distinguish such frames: "open the door", "open the water". They do so for this verb alone: any device is
+    switched on.
+
+    Returns:
+        elements with their relations, by verb and frame
     """
     members: Dict[Tuple[str, str], List[Lesson]] = defaultdict(list)
     for lesson in lessons:
@@ -281,7 +285,7 @@ def _same_shape(lessons: Sequence[Lesson]) -> FrozenSet[Tuple[str, str, str]]:
         if set(lesson.relations) != lesson.closed:
             members[(lesson.verb, lesson.sentence.frame_name)].append(lesson)
     shapes = {key: _shape(some) for key, some in members.items()}
-    found: Set[Tuple[str, str, str]] = set()
+    found: Dict[Tuple[str, str], FrozenSet[Tuple[str, str]]] = {}
     for (verb, frame), shape in shapes.items():
         if shape and any(
             verb == other_verb
@@ -290,19 +294,24 @@ def _same_shape(lessons: Sequence[Lesson]) -> FrozenSet[Tuple[str, str, str]]:
             and (len(members[(verb, frame)]), frame) < (len(members[(verb, other)]), other)
             for (other_verb, other), other_shape in shapes.items()
         ):
-            found |= {
-                (frame, name, relation)
+            found[(verb, frame)] = frozenset(
+                (name, relation)
                 for lesson in members[(verb, frame)]
                 for name, relation in lesson.relations.items()
                 if relation in shape and relation != "nsubj"
-            }
-    return frozenset(found)
+            )
+    return found
 
 
-def _fill(unit: LearnedUnit, rarer: FrozenSet[Tuple[str, str, str]]) -> None:
+def _fill(
+    unit: LearnedUnit,
+    rarer: FrozenSet[Tuple[str, str, str]],
+    same_shape: Mapping[Tuple[str, str], FrozenSet[Tuple[str, str]]],
+) -> None:
     for lesson in unit.lessons:
         for name, relation in lesson.relations.items():
             is_closed = (relation != MEASURE and name in lesson.closed) or (unit.frame_name, name, relation) in rarer
+            is_closed |= (name, relation) in same_shape.get((lesson.verb, unit.frame_name), ())
             seen = (unit.closed_relations if is_closed else unit.open_relations).setdefault(name, [])
             seen += [relation] if relation not in seen else []
             if is_closed and lesson.words[name] not in unit.words.setdefault(name, []):

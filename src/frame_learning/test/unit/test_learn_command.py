@@ -186,6 +186,20 @@ def test_what_is_opened_is_told_apart_by_what_opens(tmp_path):
     assert understood(pipeline, "Open the bottle.") == ("opening_container", {"container": "the bottle"})
 
 
+def test_words_that_tell_frames_of_one_verb_apart_close_no_other_verb(tmp_path):
+    pipeline = taught(
+        "- {text: Open the jar., frame_name: opening, verb: Open, frame_elements: {container: the jar}}\n"
+        "- {text: Open the box., frame_name: opening, verb: Open, frame_elements: {container: the box}}\n"
+        "- {text: Open the water., frame_name: switching, verb: Open, frame_elements: {device: the water}}\n"
+        "- {text: Start the radio., frame_name: switching, verb: Start, frame_elements: {device: the radio}}\n",
+        {"opening": frame_text("opening", ["container"], []), "switching": frame_text("switching", ["device"], [])},
+        tmp_path,
+    )
+    assert understood(pipeline, "Open the bag.") == ("opening", {"container": "the bag"})
+    assert understood(pipeline, "Open the water.") == ("switching", {"device": "the water"})
+    assert understood(pipeline, "Start the drill.") == ("switching", {"device": "the drill"})
+
+
 def test_the_second_of_two_places_may_tell_frames_apart(tmp_path):
     pipeline = taught(
         "- {text: Take the box on the table., frame_name: taking, verb: Take,"

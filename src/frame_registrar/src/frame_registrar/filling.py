@@ -78,7 +78,7 @@ def fill(frame: SemanticFrame, arguments: Mapping[str, str]) -> FilledFrame:
         if element.values and argument.lower() not in [value.lower() for value in element.values]:
             raise Unfillable(
                 "VALUE_NOT_ALLOWED",
-                f'The {spoken_name(element.name)} cannot be "{argument}": it is {join_with_or(element.values)}.',
+                f'The {spoken_name(element.name)} cannot be "{argument}", only {join_with_or(element.values)}.',
             )
         _check_amount(frame, element, argument, result)
     return result

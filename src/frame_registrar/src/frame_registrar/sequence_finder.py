@@ -84,7 +84,7 @@ class SequenceFinder:
         refusals.append(
             Refusal(
                 "NO_SERVER",
-                "I understand what you want, but nobody here can do it: no server is registered for "
+                "I understand what you want, but I cannot do it: no server is registered for "
                 f"{join_with_or(names[:6])}.",
             )
         )
@@ -178,6 +178,7 @@ def _not_among(filled: FilledFrame, element: str, values: Sequence[str]) -> Refu
     said = filled.argument(element)
     if not said:
         return Refusal(
-            "MISSING_ELEMENT", f"The {spoken_name(element)} of {spoken_name(filled.name)} is missing: it is {allowed}."
+            "MISSING_ELEMENT",
+            f"The {spoken_name(element)} of {spoken_name(filled.name)} is missing. It can be {allowed}.",
         )
-    return Refusal("VALUE_NOT_ALLOWED", f'The {spoken_name(element)} cannot be "{said}": it is {allowed}.')
+    return Refusal("VALUE_NOT_ALLOWED", f'The {spoken_name(element)} cannot be "{said}", only {allowed}.')

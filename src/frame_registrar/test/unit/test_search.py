@@ -183,7 +183,7 @@ def test_value_that_no_child_stands_for_is_told_with_those_that_do() -> None:
     refusal = search(
         moving_graph(), [[reading("moving", distance="3", unit="metres", direction="sideways")]], max_candidates=9
     )
-    assert isinstance(refusal, Refusal) and '"sideways": it is forward, Forwards or backward' in refusal.sentence
+    assert isinstance(refusal, Refusal) and '"sideways", only forward, Forwards or backward' in refusal.sentence
 
 
 def test_child_that_is_meant_but_has_no_server_is_what_is_missing() -> None:

@@ -3,6 +3,7 @@
 import math
 import os
 import threading
+from dataclasses import dataclass
 from typing import Dict, Optional
 
 import rospy
@@ -13,6 +14,24 @@ from location_memorizer.locations import Location, LocationFileError, read_locat
 from location_memorizer.srv import GetLocation, GetLocationRequest, GetLocationResponse
 from rfnserver import RFNServer
 from rfnserver.places import location_name
+from roboframenet_ros.parameters import Parameters, parameter
+from roboframenet_ros.ros_node import read_parameters, run_node
+
+
+@dataclass(frozen=True)
+class Settings(Parameters):
+    """Private parameters, checked.
+
+    Attributes:
+        places_file: places that are known from the start; empty for none
+        memory_file: where remembered places are kept; empty for ``locations.yaml`` in the ROS home folder
+
+    Raises:
+        ParameterError: a value of another type
+    """
+
+    places_file: str = parameter("")
+    memory_file: str = parameter("")
 
 
 def to_pose(location: Location) -> PoseStamped:
@@ -38,25 +57,24 @@ class LocationMemorizer:
         amcl_pose (geometry_msgs/PoseWithCovarianceStamped): where the robot is
     Publishes:
         locations (roboframenet_msgs/Locations, latched)
-    Parameters:
-        ~places_file (string, default empty): places that are known from the start
-        ~memory_file (string, default locations.yaml in the ROS home folder): where remembered places are kept
+    Parameters: see :class:`Settings`.
     """
 
     def __init__(self, parameters: str = "~") -> None:
         """
         Args:
             parameters: prefix of the names of the parameters
+
+        Raises:
+            ParameterError: a parameter is wrong
         """
+        settings = read_parameters(Settings, prefix=parameters)
         self._lock = threading.Lock()
         self._here: Optional[Location] = None
         self._memory_file = os.path.expanduser(
-            rospy.get_param(
-                parameters + "memory_file", os.path.join(os.environ.get("ROS_HOME", "~/.ros"), "locations.yaml")
-            )
+            settings.memory_file or os.path.join(os.environ.get("ROS_HOME", "~/.ros"), "locations.yaml")
         )
-        places_file = rospy.get_param(parameters + "places_file", "")
-        self._places = self._read(places_file) if places_file else {}
+        self._places = self._read(settings.places_file) if settings.places_file else {}
         self._remembered = self._read(self._memory_file) if os.path.exists(self._memory_file) else {}
         self._publisher = rospy.Publisher("locations", Locations, queue_size=1, latch=True)
         self._publish()
@@ -129,7 +147,5 @@ class LocationMemorizer:
 
 
 def main() -> None:
-    """Run the node."""
-    rospy.init_node("location_memorizer")
-    LocationMemorizer()
-    rospy.spin()
+    """Run the node until ROS shuts down; exits with a sentence when a parameter is wrong."""
+    run_node("location_memorizer", LocationMemorizer)

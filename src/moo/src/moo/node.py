@@ -2,14 +2,33 @@
 
 import os
 import tempfile
+from dataclasses import dataclass
 
 import rospy
 from roboframenet_msgs.msg import FilledSemanticFrame
 
 from moo.sound import moo, write_wave
 from rfnserver import RFNServer
+from roboframenet_ros.parameters import Parameters, parameter
+from roboframenet_ros.ros_node import read_parameters, run_node
 from utter.ros_voice import Voice
 from utter.sound_process import wave_command
+
+
+@dataclass(frozen=True)
+class Settings(Parameters):
+    """Private parameters, checked.
+
+    Attributes:
+        aloud: play the sound with aplay, if it is installed
+        timeout_s: when the sound is cut off
+
+    Raises:
+        ParameterError: a value of another type
+    """
+
+    aloud: bool = parameter(True)
+    timeout_s: float = parameter(5.0)
 
 
 class MooServer:
@@ -19,24 +38,23 @@ class MooServer:
         mooing (roboframenet_msgs/FilledSemanticFrameAction)
     Publishes:
         said (std_msgs/String)
-    Parameters:
-        ~aloud (bool, default true): play the sound with aplay, if it is installed
-        ~timeout_s (float, default 5, seconds): when the sound is cut off
+    Parameters: see :class:`Settings`.
     """
 
     def __init__(self, parameters: str = "~") -> None:
         """
         Args:
             parameters: prefix of the names of the parameters
+
+        Raises:
+            ParameterError: a parameter is wrong
         """
+        settings = read_parameters(Settings, prefix=parameters)
         # The file is deleted with the process that made it.
         self._folder = tempfile.TemporaryDirectory(prefix="moo_")
         self._path = os.path.join(self._folder.name, "moo.wav")
         write_wave(moo(), self._path)
-        self._voice = Voice(
-            is_aloud=rospy.get_param(parameters + "aloud", True),
-            timeout_s=float(rospy.get_param(parameters + "timeout_s", 5.0)),
-        )
+        self._voice = Voice(is_aloud=settings.aloud, timeout_s=settings.timeout_s)
         self._server = RFNServer("mooing", self._on_frame)
         self._server.register_with_frame("mooing")
         self._server.start()
@@ -52,7 +70,5 @@ class MooServer:
 
 
 def main() -> None:
-    """Run the node."""
-    rospy.init_node("moo")
-    MooServer()
-    rospy.spin()
+    """Run the node until ROS shuts down; exits with a sentence when a parameter is wrong."""
+    run_node("moo", MooServer)

@@ -27,58 +27,88 @@ from move_action_server.motion import (
 )
 from move_action_server.spoken_motion import NotUnderstood, backward_goal, forward_goal, turn_goal
 from rfnserver import RFNServer
+from roboframenet_ros.parameters import ParameterError, Parameters, parameter
+from roboframenet_ros.ros_node import read_parameters, run_node
 
 GOAL_OF_FRAME = {"moving_forward": forward_goal, "moving_backward": backward_goal, "turning": turn_goal}
 """How to read the arguments of each frame."""
 
 
+_STRAIGHT, _TURN = MotionSettings.straight, MotionSettings.turn
+
+
 @dataclass(frozen=True)
-class Settings:
-    """Parameters of the node.
+class Settings(Parameters):
+    """Private parameters, checked.
+
+    Attributes:
+        max_distance_m: longest distance
+        max_angle_rad: largest turn
+        linear_speed_m_per_s: top speed
+        linear_acceleration_m_per_s2: acceleration and deceleration
+        linear_creep_m_per_s: slowest speed that still moves the base
+        distance_tolerance_m: smallest tolerance, for short distances
+        angular_speed_rad_per_s: top turn rate
+        angular_acceleration_rad_per_s2: acceleration and deceleration
+        angular_creep_rad_per_s: slowest turn rate that still moves the base
+        angle_tolerance_rad: smallest tolerance, for small turns
+        aim_share: the base stops within this share of the amount
+        accept_share: a motion that ends farther from the goal than this share has failed
+        odometry_timeout_s: after this time without odometry the goal is aborted
+        stall_timeout_s: after this time without motion the base is stuck
+        claim_timeout_s: how long a newer goal waits for the older one to stop the base
+        feedback_period_s: time between feedback messages
 
     Raises:
-        ValueError: a time is out of range
+        ParameterError: a value out of its range, or values that contradict each other
     """
 
-    motion: MotionSettings
-    claim_timeout_s: float
-    feedback_period_s: float
+    max_distance_m: float = parameter(_STRAIGHT.max_amount, above=0.0)
+    max_angle_rad: float = parameter(_TURN.max_amount, above=0.0)
+    linear_speed_m_per_s: float = parameter(_STRAIGHT.speed_per_s, above=0.0)
+    linear_acceleration_m_per_s2: float = parameter(_STRAIGHT.acceleration_per_s2, above=0.0)
+    linear_creep_m_per_s: float = parameter(_STRAIGHT.creep_per_s, above=0.0)
+    distance_tolerance_m: float = parameter(_STRAIGHT.tolerance, above=0.0)
+    angular_speed_rad_per_s: float = parameter(_TURN.speed_per_s, above=0.0)
+    angular_acceleration_rad_per_s2: float = parameter(_TURN.acceleration_per_s2, above=0.0)
+    angular_creep_rad_per_s: float = parameter(_TURN.creep_per_s, above=0.0)
+    angle_tolerance_rad: float = parameter(_TURN.tolerance, above=0.0)
+    aim_share: float = parameter(MotionSettings.aim_share, above=0.0)
+    accept_share: float = parameter(MotionSettings.accept_share, above=0.0)
+    odometry_timeout_s: float = parameter(MotionSettings.odometry_timeout_s, least=0.1, most=60.0)
+    stall_timeout_s: float = parameter(MotionSettings.stall_timeout_s, least=0.1, most=60.0)
+    claim_timeout_s: float = parameter(2.0, least=0.05, most=60.0)
+    feedback_period_s: float = parameter(0.5, least=0.05, most=60.0)
 
     def __post_init__(self) -> None:
-        for name in ("claim_timeout_s", "feedback_period_s"):
-            value = getattr(self, name)
-            if not (isinstance(value, (int, float)) and math.isfinite(value) and 0.05 <= value <= 60.0):
-                raise ValueError(f"~{name} must be 0.05 to 60 s, got {value!r}")
+        super().__post_init__()
+        try:
+            self.motion()
+        except ValueError as error:
+            raise ParameterError(str(error)) from error
 
-
-def read_settings() -> Settings:
-    """Read the private parameters."""
-    defaults = MotionSettings()
-    straight, turn = defaults.straight, defaults.turn
-    return Settings(
-        motion=MotionSettings(
+    def motion(self) -> MotionSettings:
+        """Return the settings of motions."""
+        return MotionSettings(
             straight=MotionProfile(
-                max_amount=rospy.get_param("~max_distance_m", straight.max_amount),
-                speed_per_s=rospy.get_param("~linear_speed_m_per_s", straight.speed_per_s),
-                acceleration_per_s2=rospy.get_param("~linear_acceleration_m_per_s2", straight.acceleration_per_s2),
-                creep_per_s=rospy.get_param("~linear_creep_m_per_s", straight.creep_per_s),
-                tolerance=rospy.get_param("~distance_tolerance_m", straight.tolerance),
+                max_amount=self.max_distance_m,
+                speed_per_s=self.linear_speed_m_per_s,
+                acceleration_per_s2=self.linear_acceleration_m_per_s2,
+                creep_per_s=self.linear_creep_m_per_s,
+                tolerance=self.distance_tolerance_m,
             ),
             turn=MotionProfile(
-                max_amount=rospy.get_param("~max_angle_rad", turn.max_amount),
-                speed_per_s=rospy.get_param("~angular_speed_rad_per_s", turn.speed_per_s),
-                acceleration_per_s2=rospy.get_param("~angular_acceleration_rad_per_s2", turn.acceleration_per_s2),
-                creep_per_s=rospy.get_param("~angular_creep_rad_per_s", turn.creep_per_s),
-                tolerance=rospy.get_param("~angle_tolerance_rad", turn.tolerance),
+                max_amount=self.max_angle_rad,
+                speed_per_s=self.angular_speed_rad_per_s,
+                acceleration_per_s2=self.angular_acceleration_rad_per_s2,
+                creep_per_s=self.angular_creep_rad_per_s,
+                tolerance=self.angle_tolerance_rad,
             ),
-            aim_share=rospy.get_param("~aim_share", defaults.aim_share),
-            accept_share=rospy.get_param("~accept_share", defaults.accept_share),
-            odometry_timeout_s=rospy.get_param("~odometry_timeout_s", defaults.odometry_timeout_s),
-            stall_timeout_s=rospy.get_param("~stall_timeout_s", defaults.stall_timeout_s),
-        ),
-        claim_timeout_s=rospy.get_param("~claim_timeout_s", 2.0),
-        feedback_period_s=rospy.get_param("~feedback_period_s", 0.5),
-    )
+            aim_share=self.aim_share,
+            accept_share=self.accept_share,
+            odometry_timeout_s=self.odometry_timeout_s,
+            stall_timeout_s=self.stall_timeout_s,
+        )
 
 
 def sample_of(message: Odometry) -> OdometrySample:
@@ -179,6 +209,7 @@ class MoveActionServer:
 
     def __init__(self, settings: Settings) -> None:
         self._settings = settings
+        self._motion = settings.motion()
         self._claims = BaseClaims()
         self._odometry = LatestOdometry()
         self._velocity = rospy.Publisher("cmd_vel", Twist, queue_size=1, tcp_nodelay=True)
@@ -237,7 +268,7 @@ class MoveActionServer:
             goal = goal_of(arguments)
         except NotUnderstood as error:
             return Ending(Outcome.ABORTED, str(error))
-        reason = check_goal(goal, settings=self._settings.motion)
+        reason = check_goal(goal, settings=self._motion)
         if reason:
             return Ending(Outcome.ABORTED, reason)
         return self._drive(server, goal)
@@ -257,7 +288,7 @@ class MoveActionServer:
 
     def _follow(self, server: RFNServer, goal: MotionGoal, *, claim: BaseClaim) -> Ending:
         """Move the base until the motion ends. The caller stops the base."""
-        motion_settings = self._settings.motion
+        motion_settings = self._motion
         start, count = self._odometry.wait_newer(
             than=self._odometry.count, timeout_s=motion_settings.odometry_timeout_s
         )
@@ -290,10 +321,14 @@ class MoveActionServer:
         return Ending(Outcome.ABORTED, "the node is shut down")
 
 
-def main() -> None:
-    """Run the node until it is shut down."""
-    rospy.init_node("move_action_server")
-    settings = read_settings()
+def _start() -> MoveActionServer:
+    settings = read_parameters(Settings)
     rospy.loginfo("%s", settings)
-    MoveActionServer(settings).start()
-    rospy.spin()
+    server = MoveActionServer(settings)
+    server.start()
+    return server
+
+
+def main() -> None:
+    """Run the node until ROS shuts down; exits with a sentence when a parameter is wrong."""
+    run_node("move_action_server", _start)

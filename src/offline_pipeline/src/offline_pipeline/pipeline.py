@@ -1,18 +1,28 @@
 """The stages from text to candidates, one after the other, with the decisions of each."""
 
-from dataclasses import dataclass
-from typing import Dict, FrozenSet, Optional, Tuple, Union
+from dataclasses import dataclass, replace
+from typing import Dict, FrozenSet, Mapping, Optional, Tuple, Union
 
+from command_server.command_behind import command_behind
 from command_server.open_commands import refusal_of_text
 from command_server.settings import Settings as CommandServerSettings
-from command_server.stop_words import is_stop
+from command_server.stop_words import find_cry
 from frame_registrar import search as registrar
 from offline_pipeline.knowledge import Knowledge
+from semantic_framer.behaviour_2012 import Arguments, Questions, with_habits
 from semantic_framer.descriptions import descriptions
 from semantic_framer.dialogue import Context
 from semantic_framer.framed_lexicon import FramedLexicon
 from semantic_framer.framer import Heard, hear
-from semantic_framer.outcome import CORRECTION, DECLINED, PROHIBITION, Policy, Understood, reply_outcome
+from semantic_framer.outcome import (
+    CORRECTION,
+    DECLINED,
+    PROHIBITION,
+    LeftOverWords,
+    Policy,
+    Understood,
+    reply_outcome,
+)
 from semantic_framer.reading import Reading
 from stanford_parser_ros.model import Parser, UnparsableText, shipped_parser
 from utterance_passes.trace import Trace, TraceLine
@@ -39,11 +49,26 @@ class Parameters:
         max_text_length: of command_server, characters
         policy: of semantic_framer
         max_candidates: of frame_registrar
+        arguments: of semantic_framer
+        questions: of semantic_framer
     """
 
     max_text_length: int = CommandServerSettings.max_text_length
     policy: Policy = Policy()
     max_candidates: int = 64
+    arguments: Arguments = Arguments.PHRASES
+    questions: Questions = Questions.ASK
+
+
+#: Those that roboframenet_bringup sets, by the name of the behaviour.
+BEHAVIOURS: Mapping[str, Parameters] = {
+    "now": Parameters(),
+    "2012": Parameters(
+        policy=Policy(left_over_words=LeftOverWords.IGNORE),
+        arguments=Arguments.SINGLE_WORDS,
+        questions=Questions.REFUSE,
+    ),
+}
 
 
 @dataclass(frozen=True)
@@ -60,6 +85,8 @@ class Understanding:
         candidates: of each clause, the sequences of frames in the order in which they would be tried
         trace: the effect of each rule, in the run that decided
         context: what is remembered for the next sentence
+        behind: the result of the command after a stop ("stop and come back"), which begins when the robot has stopped;
+            None if there is none
     """
 
     text: str
@@ -71,6 +98,7 @@ class Understanding:
     candidates: Tuple[Tuple[registrar.Candidate, ...], ...] = ()
     trace: Tuple[TraceLine, ...] = ()
     context: Context = Context()
+    behind: Optional["Understanding"] = None
 
 
 class Pipeline:
@@ -123,10 +151,9 @@ class Pipeline:
             text: as it was said
             context: what is remembered of the sentences before
         """
-        if is_stop(text):
-            stops = (TraceLine("stop_words", (), "", "", "stops at once, and goes no further"),)
-            trace_of_stop = stops if self._is_traced else ()
-            return Understanding(text, Reply("DONE", "DONE", "Stopped."), trace=trace_of_stop, context=context)
+        cry = find_cry(text)
+        if cry is not None:
+            return self._stopped(text, cry.rest, context)
         refusal = refusal_of_text(text, max_length=self._parameters.max_text_length)
         if refusal is not None:
             return Understanding(text, Reply("REFUSED", *refusal), context=context)
@@ -145,6 +172,27 @@ class Pipeline:
         )
         return self._understanding(text, parse.tree, heard, trace)
 
+    def _stopped(self, text: str, rest: str, context: Context) -> Understanding:
+        """Understand a stop, and the command after it.
+
+        Args:
+            text: the whole text
+            rest: the text after the stop
+            context: a question that was open is answered by nothing after a stop
+        """
+        # Of a text that is too long the rest is no command.
+        command = command_behind(rest) if len(text) <= self._parameters.max_text_length else ""
+        context = replace(context, pending=None)
+        behind = self.understand(command, context) if command else None
+        what = "stops at once, and goes no further" if not command else f'stops at once; then a command: "{command}"'
+        return Understanding(
+            text,
+            Reply("DONE", "DONE", "Stopped."),
+            trace=(TraceLine("stop_words", (), "", "", what),) if self._is_traced else (),
+            context=behind.context if behind is not None else context,
+            behind=behind,
+        )
+
     def understand_safely(self, text: str) -> Understanding:
         """Understand one sentence of many: an internal error becomes its reply, and the other sentences are still
         read."""
@@ -154,7 +202,10 @@ class Pipeline:
             return Understanding(text, Reply("FAILED", "STAGE_ERROR", f"{type(error).__name__}: {error}"))
 
     def _understanding(self, text: str, tree: DependencyTree, heard: Heard, trace: Optional[Trace]) -> Understanding:
-        outcome = heard.outcome
+        parameters = self._parameters
+        outcome, context = with_habits(
+            heard.outcome, heard.context, arguments=parameters.arguments, questions=parameters.questions, trace=trace
+        )
         found: Union[Tuple[Tuple[registrar.Candidate, ...], ...], registrar.Refusal] = ()
         if isinstance(outcome, Understood):
             readings = tuple(readings[0] for readings in outcome.clauses)
@@ -182,7 +233,7 @@ class Pipeline:
             descriptions=said,
             candidates=() if isinstance(found, registrar.Refusal) else found,
             trace=trace.lines if trace is not None else (),
-            context=heard.context,
+            context=context,
         )
 
     def _search(
@@ -211,9 +262,10 @@ def _registrar_reading(reading: Reading, preference: int) -> registrar.Reading:
 
 
 def to_json(understanding: Understanding) -> Dict[str, object]:
-    """Return what ``rfn explain --batch --json`` writes for a sentence."""
+    """Return what ``rfn explain --batch --json`` writes for a sentence; the command after a stop is in ``behind``."""
     words = understanding.tree.words if understanding.tree else ()
     left = sorted({index for reading in understanding.readings for index in reading.left_over if index <= len(words)})
+    behind = {"behind": to_json(understanding.behind)} if understanding.behind is not None else {}
     return {
         "text": understanding.text,
         "tokens": [word.form for word in words],
@@ -225,6 +277,7 @@ def to_json(understanding: Understanding) -> Dict[str, object]:
             "code": understanding.reply.code,
             "sentence": understanding.reply.sentence,
         },
+        **behind,
     }
 
 

@@ -1,10 +1,14 @@
 """The offline pipeline: the replies of the nodes, and a trace that names the rule."""
 
+from pathlib import Path
+
 import pytest
+import yaml
 
 from command_server.stop_words import is_stop
 from offline_pipeline.knowledge import load_knowledge, pretend_servers, shipped_domains
-from offline_pipeline.pipeline import Parameters, Pipeline, to_json
+from offline_pipeline.pipeline import BEHAVIOURS, Parameters, Pipeline, to_json
+from semantic_framer.behaviour_2012 import Arguments, Questions
 from semantic_framer.outcome import LeftOverWords, Policy
 
 
@@ -40,6 +44,10 @@ ODD = (
     ("go to the kitchen, sorry, the office", "corrections: kitchen: obl(go) -> reparandum(office)"),
     ("Check if the lights are off", "particle_predicates: off: compound:prt(Check) -> ccomp(Check)"),
     ("pick up the cup off the foot of the bed", "one_object: foot: obj(pick) -> obl(pick)"),
+    (
+        "put the mug on the table and the plate in the sink",
+        "argument_clusters: and the plate in the sink: a clause of its own",
+    ),
     ("Go to the office and then to the kitchen.", "shared_verbs: kitchen: conj(Go) -> obl(Go)"),
     ("turn 90° left", "degree_sign: 'turn 90° left' -> 'turn 90 degrees left'"),
     ("turn up the heating a little", "degrees: little: nmod:unmarked(heating) -> obl:unmarked(turn)"),
@@ -121,3 +129,52 @@ def test_an_error_becomes_a_reply(pipeline: Pipeline, monkeypatch: pytest.Monkey
     monkeypatch.setattr(pipeline, "understand", fail)
     result = to_json(pipeline.understand_safely("Turn left."))
     assert result["reply"] == {"outcome": "FAILED", "code": "STAGE_ERROR", "sentence": "RuntimeError: broken"}
+
+
+BEHAVIOUR_FILES = Path(__file__).resolve().parents[3] / "roboframenet_bringup" / "config" / "behaviours"
+
+
+@pytest.mark.parametrize("name", BEHAVIOURS)
+def test_behaviours_are_those_of_the_launch_files(name: str) -> None:
+    framer = yaml.safe_load((BEHAVIOUR_FILES / f"{name}.yaml").read_text(encoding="utf-8"))["semantic_framer"]
+    parameters = BEHAVIOURS[name]
+    assert framer == {
+        "left_over_words": parameters.policy.left_over_words.value,
+        "alternatives": parameters.policy.alternatives.value,
+        "arguments": parameters.arguments.value,
+        "questions": parameters.questions.value,
+    }
+
+
+def test_habits_of_2012(pipeline: Pipeline) -> None:
+    old = Pipeline(pipeline.knowledge, pipeline.parser, parameters=BEHAVIOURS["2012"], is_traced=True)
+    went = old.understand("Go to Roger's office.")
+    assert [(value.name, value.argument) for value in went.readings[0].values] == [("goal", "office")]
+    assert "behaviour_2012" in {line.rule for line in went.trace}
+    asked = old.understand("Follow.")
+    assert (asked.reply.outcome, asked.reply.code) == ("REFUSED", "MISSING_ELEMENT")
+    assert asked.context.pending is None
+
+
+def test_each_habit_of_2012_is_set_alone(pipeline: Pipeline) -> None:
+    words = Parameters(arguments=Arguments.SINGLE_WORDS)
+    asks_nothing = Parameters(questions=Questions.REFUSE)
+    short = Pipeline(pipeline.knowledge, pipeline.parser, parameters=words).understand("Go to Roger's office.")
+    assert short.candidates[0][0].frames[0].arguments == (("goal", "office"),)
+    long = Pipeline(pipeline.knowledge, pipeline.parser, parameters=asks_nothing).understand("Go to Roger's office.")
+    assert long.candidates[0][0].frames[0].arguments == (("goal", "Roger's office"),)
+
+
+def test_the_command_behind_a_stop_is_understood(pipeline: Pipeline) -> None:
+    stopped = pipeline.understand("stop and go to the office")
+    assert stopped.reply.sentence == "Stopped." and not stopped.candidates
+    assert stopped.behind is not None and stopped.behind.text == "go to the office"
+    assert stopped.behind.candidates[0][0].frames[0].arguments == (("goal", "the office"),)
+    assert to_json(stopped)["behind"] == to_json(stopped.behind)
+    assert stopped.context == stopped.behind.context
+
+
+@pytest.mark.parametrize("text", ["stop", "stop, you will hit the lamp", "stop moving", "stop and " + "x" * 5000])
+def test_nothing_is_behind_other_stops(pipeline: Pipeline, text: str) -> None:
+    stopped = pipeline.understand(text)
+    assert stopped.reply.sentence == "Stopped." and stopped.behind is None

@@ -1,6 +1,7 @@
 """RFNServers for the props: high five, low five, pound and hug."""
 
 import threading
+from dataclasses import dataclass
 from typing import Callable, List, Tuple
 
 import rospkg
@@ -11,6 +12,8 @@ from roboframenet_msgs.msg import FilledSemanticFrame
 from pr2_props.props import PropError, read_limits, read_props
 from pr2_props.ros_arms import ArmError, Arms
 from rfnserver import RFNServer
+from roboframenet_ros.parameters import Parameters, parameter
+from roboframenet_ros.ros_node import StartError, read_parameters, run_node
 
 #: Action names and frames; "high_five" is the action name of 2012.
 SERVERS: Tuple[Tuple[str, str], ...] = (
@@ -21,28 +24,45 @@ SERVERS: Tuple[Tuple[str, str], ...] = (
 )
 
 
+@dataclass(frozen=True)
+class Settings(Parameters):
+    """Private parameters, checked.
+
+    Attributes:
+        props_file: trajectories; empty for ``config/props.yaml`` of the package
+        limits_file: limits of the joints; empty for ``config/joint_limits.yaml`` of the package
+        controller_timeout_s: how long to wait for a controller
+
+    Raises:
+        ParameterError: a value of another type
+    """
+
+    props_file: str = parameter("")
+    limits_file: str = parameter("")
+    controller_timeout_s: float = parameter(5.0)
+
+
 class PropsServer:
     """One RFNServer for each prop, with one pair of arms for all.
 
     Actions:
         high_five, low_five, pound, hug (roboframenet_msgs/FilledSemanticFrameAction)
-    Parameters:
-        ~props_file (string, default config/props.yaml of the package): trajectories
-        ~limits_file (string, default config/joint_limits.yaml of the package): limits of the joints
-        ~controller_timeout_s (float, default 5, seconds): how long to wait for a controller
+    Parameters: see :class:`Settings`.
     """
 
     def __init__(self) -> None:
         """
         Raises:
+            ParameterError: a parameter is wrong
             PropError, OSError: a file is wrong or cannot be read
         """
+        settings = read_parameters(Settings)
         config = rospkg.RosPack().get_path("pr2_props") + "/config/"
-        with open(rospy.get_param("~limits_file", config + "joint_limits.yaml"), encoding="utf-8") as file:
+        with open(settings.limits_file or config + "joint_limits.yaml", encoding="utf-8") as file:
             limits = read_limits(yaml.safe_load(file))
-        with open(rospy.get_param("~props_file", config + "props.yaml"), encoding="utf-8") as file:
+        with open(settings.props_file or config + "props.yaml", encoding="utf-8") as file:
             props = read_props(yaml.safe_load(file), limits)
-        self._arms = Arms(props, limits, server_timeout_s=float(rospy.get_param("~controller_timeout_s", 5.0)))
+        self._arms = Arms(props, limits, server_timeout_s=settings.controller_timeout_s)
         self._busy = threading.Lock()
         self._servers: List[RFNServer] = [self._serve(action, frame) for action, frame in SERVERS]
 
@@ -75,12 +95,13 @@ class PropsServer:
         return False
 
 
-def main() -> None:
-    """Run the node."""
-    rospy.init_node("pr2_props")
+def _start() -> PropsServer:
     try:
-        PropsServer()
+        return PropsServer()
     except (PropError, OSError, KeyError) as error:
-        rospy.logfatal("pr2_props cannot start: %s", error)
-        raise SystemExit(1) from error
-    rospy.spin()
+        raise StartError(str(error)) from error
+
+
+def main() -> None:
+    """Run the node until ROS shuts down; exits with a sentence when it cannot start."""
+    run_node("pr2_props", _start)

@@ -74,23 +74,34 @@ class Registration:
             self._is_closed = True
             self._condition.notify_all()
             thread = self._thread
-        for subscriber in self._subscribers:
-            subscriber.unregister()
+        self._unsubscribe()
         if thread is not None and thread is not threading.current_thread():
             thread.join(2.0 * SERVICE_TIMEOUT_S)
+
+    def _unsubscribe(self) -> None:
+        with self._condition:
+            subscribers, self._subscribers = self._subscribers, ()
+        for subscriber in subscribers:
+            subscriber.unregister()
 
     def _watch(self) -> None:
         """Subscribe and start the thread, with the first request."""
         with self._condition:
             if self._thread is not None or self._is_closed:
                 return
+            # Started at once: a shutdown may close this object at any time, and waits for the thread.
             self._thread = threading.Thread(target=self._run, name=f"registration of {self._server_name}", daemon=True)
-        self._subscribers = (
+            self._thread.start()
+        subscribers = (
             rospy.Subscriber("frame_catalogue", FrameCatalogue, self._on_catalogue, queue_size=1),
             rospy.Subscriber("lexicon", Lexicon, self._on_lexicon, queue_size=1),
         )
+        with self._condition:
+            self._subscribers = subscribers
+            is_closed = self._is_closed
+        if is_closed:
+            self._unsubscribe()
         rospy.on_shutdown(self.close)
-        self._thread.start()
 
     def _on_catalogue(self, message: FrameCatalogue) -> None:
         known = KnownState(

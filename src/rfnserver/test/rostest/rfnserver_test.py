@@ -5,6 +5,7 @@ import threading
 import time
 import unittest
 from typing import Any, Callable, List
+from unittest import mock
 
 import actionlib
 import rospy
@@ -20,6 +21,8 @@ from roboframenet_msgs.msg import (
 from roboframenet_msgs.srv import RegisterWithFrame, RegisterWithFrameRequest, RegisterWithFrameResponse
 
 from rfnserver import RFNServer
+from rfnserver.registration import RequestKind
+from rfnserver.ros_registration import Registration
 from roboframenet_testing import wait_until
 
 
@@ -148,6 +151,14 @@ class RFNServerTest(unittest.TestCase):
         server = RFNServer("intruding", lambda _frame: None)
         self.assertFalse(server.register_with_frame("forbidden"))
         self.assertEqual(server.last_error, "not this one")
+
+    def test_shutdown_during_the_first_registration_ends_it(self) -> None:
+        # Once it shuts down, rospy calls a hook as soon as it is added.
+        with mock.patch.object(rospy, "on_shutdown", lambda hook: hook()):
+            registration = Registration("shut_down", check=lambda frame_name: (True, "not that one"))
+            self.assertFalse(registration.request(RequestKind.REGISTRATION, "turning"))
+        self.assertEqual(registration.last_error, "not that one")
+        self.assertNotIn("registration of shut_down", [thread.name for thread in threading.enumerate()])
 
 
 if __name__ == "__main__":

@@ -23,18 +23,18 @@ OUTCOME_NAMES = {
     Reply.NEEDS_INFORMATION: "NEEDS_INFORMATION",
     Reply.SUPERSEDED: "SUPERSEDED",
 }
-#: Time after a reply in which the base may come to rest and the arms may return to their safe pose, seconds.
+#: How long the base may take to come to rest, and the arms to return to their safe pose, after a reply; seconds.
 ROLL_OUT_S = 8.0
-#: The robot is complete when no server has registered for this time, seconds.
+#: All servers count as registered when none has registered for this time, seconds.
 SETTLED_S = 3.0
-#: Events of the stages may arrive a moment after the reply, seconds.
+#: Events of the stages may arrive this much later than the reply, seconds.
 LATE_EVENTS_S = 0.2
 HEADER = ("sentence", "domain", "frame and elements", "RFNServer", "what the robot did", "verdict")
 WIDTHS = (24, 10, 30, 18, 30, 10)
 
 
 class Demonstration:
-    """Runs the lines of one script, one after the other."""
+    """Runs the lines of a script one after the other, and collects the rows of the table."""
 
     def __init__(self) -> None:
         self._print_lock = threading.Lock()
@@ -49,7 +49,7 @@ class Demonstration:
         self.failures = 0
 
     def wait_until_ready(self, timeout_s: float) -> bool:
-        """Wait until every stage has subscribed to the one before it and the servers of the robot have registered."""
+        """Wait until the pipeline is connected and the servers have registered; returns whether they have."""
         end = time.monotonic() + timeout_s
         if not self._conversation.wait_until_heard(2, timeout_s):
             return False
@@ -60,14 +60,14 @@ class Demonstration:
         return False
 
     def run(self, line: Line) -> None:
-        """Say one sentence, observe, judge, and add a row to the table."""
+        """Say a sentence, compare what the robot does with what is expected, and add a row to the table."""
         self._show(f'\n>>> "{line.text}"')
         self._observer.begin()
         self._following.clear()
         self._conversation.say(line.text)
         texts = [line.text]
         if line.person:
-            # A person who walks away before the robot has seen anybody is not followed.
+            # The robot does not follow a person who walks away before it has seen them.
             self._following.wait(line.timeout_s)
             self._person.publish(String(data=line.person))
         if line.interruption is not None:
@@ -107,7 +107,7 @@ class Demonstration:
         )
 
     def _frame_of(self, reply: Optional[Reply]) -> Tuple[str, str, str]:
-        """Return the frame with its elements, the server and the domain that were carried out."""
+        """Return the frames with their elements, the servers, and the domain of a command; empty texts for none."""
         if reply is None:
             return "", "", ""
         reading = self._conversation.reading(reply.command.id)
@@ -139,7 +139,7 @@ class Demonstration:
             self._following.set()
 
     def _show_event(self, event: StageEvent) -> None:
-        # The executor says every second that it is still running.
+        # The executor publishes this event every second while a command runs.
         if event.sentence.startswith("Running:"):
             return
         self._show(f"    {event.stage:<20} {event.sentence}")
@@ -150,7 +150,7 @@ class Demonstration:
 
 
 def main() -> int:
-    """Run the script that the first argument names; return 0 when every line did what it should."""
+    """Run the script that the argument names; returns the exit status, 0 when every sentence did what it should."""
     arguments = rospy.myargv()[1:]
     if len(arguments) != 1:
         print("usage: roboframenet_demo SCRIPT.yaml", file=sys.stderr)

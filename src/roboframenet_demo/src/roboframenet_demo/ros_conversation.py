@@ -1,4 +1,4 @@
-"""Says sentences on the topic for people and collects the messages of the stages."""
+"""Says sentences to the robot, and collects what the stages publish about them."""
 
 import queue
 import time
@@ -10,7 +10,7 @@ from std_msgs.msg import String
 
 
 class Conversation:
-    """Says one sentence at a time.
+    """Publishes sentences, and keeps the readings, plans and replies of their commands.
 
     Publishes:
         text (std_msgs/String)
@@ -37,7 +37,7 @@ class Conversation:
         ]
 
     def wait_until_heard(self, listeners: int, timeout_s: float) -> bool:
-        """Wait until this many nodes subscribe to the text; return whether they do."""
+        """Wait until this many nodes subscribe to ``text``; returns whether they do."""
         end = time.monotonic() + timeout_s
         while time.monotonic() < end and not rospy.is_shutdown():
             if self._text.get_num_connections() >= listeners:
@@ -60,7 +60,7 @@ class Conversation:
             texts: the sentences
             timeout_s: how long to wait for all of them
         Returns:
-            reply by sentence, without the sentences that got none
+            the replies by sentence; a sentence without a reply is missing
         """
         end = time.monotonic() + timeout_s
         replies: Dict[str, Reply] = {}

@@ -1,4 +1,4 @@
-"""Watches what a robot does: odometry, joints, and the texts that servers publish."""
+"""Measures what a robot does, by its odometry and joints and by the texts that its servers publish."""
 
 import math
 import threading
@@ -41,12 +41,12 @@ class RobotObserver:
         ]
 
     def close(self) -> None:
-        """Stop watching."""
+        """Unsubscribe from all topics."""
         for subscriber in self._subscribers:
             subscriber.unregister()
 
     def begin(self) -> None:
-        """Measure from here on."""
+        """Start a new measurement."""
         with self._lock:
             self._start = self._pose
             self._start_joints = dict(self._joints)
@@ -54,7 +54,7 @@ class RobotObserver:
             self._said = []
 
     def is_moving(self) -> bool:
-        """Whether the base or an arm moved since ``begin()``, and whether the base still moves."""
+        """Whether the base moves now, or an arm has moved since ``begin()``."""
         with self._lock:
             return self._speed > STILL or self._arm_moved_rad > 0.05
 

@@ -1,4 +1,4 @@
-"""Whether the pipeline is ready for commands."""
+"""Finds out whether the pipeline is ready for commands."""
 
 import xmlrpc.client
 from typing import Dict, Optional, Set, Tuple
@@ -7,7 +7,7 @@ import rospy
 
 from roboframenet_ros.ros_master import NO_ANSWER, TimedMaster, TimedTransport
 
-#: Topic that each stage of the pipeline subscribes to; the parser subscribes when its models are loaded.
+#: The topic that each stage of the pipeline subscribes to. The parser subscribes when its models are loaded.
 STAGE_TOPICS = (
     "text",
     "command_text",
@@ -16,7 +16,7 @@ STAGE_TOPICS = (
     "command_semantic_frames",
     "command_plan",
 )
-#: Connections that bypass the pipeline, or lead back.
+#: Topics that bypass stages of the pipeline, or lead back to earlier ones.
 OTHER_TOPICS = ("command_cancel", "stop_report", "stage_events", "reply", "lexicon", "frame_catalogue")
 #: How long a node may take to answer, seconds.
 _ANSWER_TIMEOUT_S = 5.0
@@ -25,7 +25,7 @@ _ANSWER_TIMEOUT_S = 5.0
 def is_pipeline_complete() -> bool:
     """Whether all stages have subscribed, and they and this node are connected to all their publishers.
 
-    Messages published earlier are lost. The master still lists killed nodes; they are ignored.
+    Messages that are published before are lost. Nodes that were killed are ignored; the master still lists them.
     """
     graph = _Graph()
     try:
@@ -48,7 +48,7 @@ def is_pipeline_complete() -> bool:
 
 
 class _Graph:
-    """Connections of the nodes, as the nodes report them; each node is asked once."""
+    """The connections that the nodes report. Each node is asked once."""
 
     def __init__(self) -> None:
         self.master = TimedMaster(timeout_s=_ANSWER_TIMEOUT_S)
@@ -63,9 +63,9 @@ class _Graph:
         return (topic, listener) in (self._listeners_of(speaker) or ())
 
     def _listeners_of(self, node: str) -> Optional[Set[Tuple[str, str]]]:
-        """Topics that a node publishes, each with a subscriber; None for a node that does not answer.
+        """Return the topics and subscribers of a publishing node; None when the node does not answer.
 
-        The publisher is asked, because the subscriber counts a connection a moment before the publisher sends on it.
+        The publisher is asked, because a subscriber lists a connection a moment before the publisher sends on it.
         """
         if node not in self._listeners:
             try:

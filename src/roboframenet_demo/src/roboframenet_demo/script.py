@@ -1,4 +1,4 @@
-"""The sentences of a demonstration, their expected effects, and the verdict on the measurements."""
+"""The sentences of a demonstration with their expected effects, and the comparison with the measurements."""
 
 import math
 from dataclasses import dataclass, field
@@ -7,25 +7,25 @@ from typing import Any, Dict, Mapping, Optional, Tuple
 
 
 class Measured(Enum):
-    """What is measured. The value is its key in the script file."""
+    """What can be measured. The value is the key in the script file."""
 
     TURNED_RAD = "turned_rad"  # unwrapped heading, left positive (REP 103)
     MOVED_M = "moved_m"  # along the heading at the start, forward positive
     REACHED = "reached"  # distance to a point of the map, metres
-    FOLLOWED_M = "followed_m"  # path driven while following, metres; at least that much
-    ARM_MOVED_RAD = "arm_moved_rad"  # largest excursion of a joint; at least that much
-    ARM_OFFSET_RAD = "arm_offset_rad"  # distance of the joints from their first positions; at most that much
-    SAID = "said"  # text published by a server, or part of it
+    FOLLOWED_M = "followed_m"  # length of the path while following, metres; a lower bound
+    ARM_MOVED_RAD = "arm_moved_rad"  # largest excursion of a joint; a lower bound
+    ARM_OFFSET_RAD = "arm_offset_rad"  # distance of the joints from their first positions; an upper bound
+    SAID = "said"  # a text that a server publishes, or part of it
 
 
 @dataclass(frozen=True)
 class Interruption:
-    """A second sentence, said while the first is carried out.
+    """A second sentence that is said while the robot carries out the first.
 
     Attributes:
         text: the sentence
-        after_s: how long after the robot began to move, seconds
-        outcome: expected outcome of the interruption itself
+        after_s: when it is said, seconds after the robot began to move
+        outcome: expected outcome of this sentence
     """
 
     text: str
@@ -40,11 +40,11 @@ class Line:
     Attributes:
         text: what is said
         outcome: name of the expected ``Reply`` outcome
-        expected: expected amount, place or text by measure; empty when the robot must not move
-        tolerance: relative error allowed on amounts
-        interruption: second sentence, said during the action; None for none
+        expected: the expected amounts, places and texts; empty when the robot must not move
+        tolerance: allowed relative error of amounts
+        interruption: a second sentence, said while the robot moves; None for none
         timeout_s: how long to wait for the reply, seconds
-        person: action of the simulated person ("walk", "leave"); empty for none
+        person: what the simulated person does ("walk", "leave"); empty for nothing
     """
 
     text: str
@@ -58,7 +58,7 @@ class Line:
 
 @dataclass(frozen=True)
 class Observation:
-    """Motions and texts of a robot between a sentence and its reply.
+    """What the robot did and said between a sentence and its reply.
 
     Attributes:
         turned_rad: change of heading, unwrapped, left positive
@@ -81,7 +81,7 @@ class Observation:
     is_still: bool = True
 
     def describe(self) -> str:
-        """Return the notable values, for the table."""
+        """Return the values that are not zero, for the table."""
         parts = []
         if abs(self.turned_rad) > 0.01:
             parts.append(f"turned {self.turned_rad:+.3f} rad")
@@ -96,14 +96,14 @@ class Observation:
 
 
 def judge(line: Line, outcome: str, observation: Observation) -> Tuple[bool, str]:
-    """Compare the measurements with the expectation.
+    """Compare the measurements with what is expected.
 
     Args:
         line: the sentence and its expectation
         outcome: name of the outcome of the reply
         observation: what the robot did
     Returns:
-        whether everything is as expected, and the first difference (empty for none)
+        whether all is as expected, and the first difference; empty for none
     """
     if outcome != line.outcome:
         return False, f"expected {line.outcome}"

@@ -5,11 +5,11 @@ from typing import List, Sequence
 
 
 def format_table(header: Sequence[str], rows: Sequence[Sequence[str]], *, widths: Sequence[int]) -> str:
-    """Lay cells out in columns, long ones wrapped.
+    """Arrange cells in columns; long cells are wrapped.
 
     Args:
         header: one title for each column
-        rows: cells, as many in each row as there are titles
+        rows: one cell for each column
         widths: width of each column in characters
     Returns:
         the table, without a newline at its end

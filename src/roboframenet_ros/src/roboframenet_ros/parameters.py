@@ -5,12 +5,15 @@
         timeout_s: float = parameter(2.0, least=0.1, most=60.0)
         max_waiting: int = parameter(100, least=1, most=1000)
         topics: Tuple[str, ...] = parameter(("cmd_vel",))
+        mode: Mode = parameter(Mode.OWN)
 
-The type of the default is the type of the parameter; a float takes an integer too. The unit is the suffix of the name.
+The type of the default is the type of the parameter; a float takes an integer too, and a member of an enum the text of
+its value. The unit is the suffix of the name.
 """
 
+import enum
 import math
-from dataclasses import dataclass, field, fields
+from dataclasses import Field, dataclass, field, fields
 from typing import Any, Mapping, Optional
 
 #: Suffixes of names, and how the error says the unit.
@@ -28,6 +31,7 @@ class _Range:
 
     least: Optional[float] = None
     most: Optional[float] = None
+    above: Optional[float] = None
     may_be_empty: bool = True
     may_be_single: bool = False
 
@@ -37,9 +41,12 @@ class _Range:
             math.isfinite(value)
             and (self.least is None or self.least <= value)
             and (self.most is None or value <= self.most)
+            and (self.above is None or value > self.above)
         )
 
     def __str__(self) -> str:
+        if self.above is not None:
+            return f"more than {self.above:g}"
         if self.least is None or self.most is None:
             return ""
         return f"{self.least:g} to {self.most:g}"
@@ -50,23 +57,31 @@ def parameter(
     *,
     least: Optional[float] = None,
     most: Optional[float] = None,
+    above: Optional[float] = None,
     may_be_empty: bool = True,
     may_be_single: bool = False,
 ) -> Any:
     """Declare a field of a class of `Parameters`.
 
     Args:
-        default: its value when the parameter is not set: a bool, number, string or tuple of strings
+        default: its value when the parameter is not set: a bool, number, string, tuple of strings, or member of an enum
+            whose values are strings
         least: bound of a number; both bounds or none
         most: the other bound
+        above: in place of both: the number must be larger
         may_be_empty: of a string
         may_be_single: of a list: one string stands for a list that holds only it
     """
-    return field(default=default, metadata={_RANGE: _Range(least, most, may_be_empty, may_be_single)})
+    return field(default=default, metadata={_RANGE: _Range(least, most, above, may_be_empty, may_be_single)})
+
+
+def is_parameter(declared: "Field[Any]") -> bool:
+    """Whether a field was declared with `parameter`."""
+    return _RANGE in declared.metadata
 
 
 class Parameters:
-    """Base of frozen dataclasses that hold the parameters of a node.
+    """Base of frozen dataclasses that hold the parameters of a node. Other fields are no parameters.
 
     Raises:
         ParameterError: a value of another type, or out of its range
@@ -74,7 +89,7 @@ class Parameters:
 
     def __post_init__(self) -> None:
         for declared in fields(self):  # type: ignore[arg-type]  # subclasses are dataclasses
-            if _RANGE in declared.metadata:
+            if is_parameter(declared):
                 value = _checked(
                     declared.name, getattr(self, declared.name), declared.default, declared.metadata[_RANGE]
                 )
@@ -87,7 +102,11 @@ def _checked(name: str, value: object, default: object, allowed: _Range) -> obje
     Raises:
         ParameterError: it has another type, or is out of its range
     """
-    if isinstance(default, bool):
+    if isinstance(default, enum.Enum):
+        members = {member.value: member for member in type(default)}
+        value = members.get(value, value) if isinstance(value, str) else value
+        is_right, expected = isinstance(value, type(default)), f"one of {', '.join(members)}"
+    elif isinstance(default, bool):
         is_right, expected = isinstance(value, bool), "true or false"
     elif isinstance(default, int):
         is_right = isinstance(value, int) and not isinstance(value, bool) and allowed.holds(value)

@@ -1,28 +1,34 @@
-"""The start of a node: its parameters, its log, and its end when a parameter is wrong."""
+"""The start of a node: its parameters, its log, and its end when it cannot start."""
 
 from dataclasses import fields
-from typing import Any, Callable, Type, TypeVar
+from typing import Any, Callable, Optional, Type, TypeVar
 
 import rospy
 
-from roboframenet_ros.parameters import ParameterError, Parameters
+from roboframenet_ros.parameters import ParameterError, Parameters, is_parameter
 from roboframenet_ros.ros_log import log_from_threads
 
 Kind = TypeVar("Kind", bound=Parameters)
 
 
-def read_parameters(kind: Type[Kind], *, prefix: str = "~") -> Kind:
+class StartError(RuntimeError):
+    """A node cannot start although its parameters are right; the message says why."""
+
+
+def read_parameters(kind: Type[Kind], *, prefix: str = "~", defaults: Optional[Kind] = None) -> Kind:
     """Read the parameters that a class declares.
 
     Args:
-        kind: a dataclass; each of its fields is a parameter of its name
+        kind: a dataclass; each field that is declared with `parameter` is a parameter of its name
         prefix: what stands before the names; private parameters by default
+        defaults: the values of parameters that are not set; those of the class by default
 
     Raises:
         ParameterError: a parameter has another type, or is out of its range
     """
-    declared: Any = fields(kind)
-    return kind(**{one.name: rospy.get_param(prefix + one.name, one.default) for one in declared})
+    declared: Any = [one for one in fields(kind) if is_parameter(one)]
+    unset = kind() if defaults is None else defaults
+    return kind(**{one.name: rospy.get_param(prefix + one.name, getattr(unset, one.name)) for one in declared})
 
 
 def run_node(name: str, start: Callable[[], object]) -> None:
@@ -30,16 +36,17 @@ def run_node(name: str, start: Callable[[], object]) -> None:
 
     Args:
         name: of the node
-        start: reads the parameters and starts the node; what it returns is kept until the end
+        start: reads the parameters and starts the node; what it returns is kept until the end. It may itself run until
+            then, where the main thread is needed
 
     Raises:
-        SystemExit: a parameter is wrong; the text says which and why
+        SystemExit: a parameter is wrong, or the node cannot start; the text says why
     """
     rospy.init_node(name)
     log_from_threads()
     try:
         node = start()
-    except ParameterError as error:
+    except (ParameterError, StartError) as error:
         rospy.logfatal("%s", error)
         raise SystemExit(f"{name}: {error}") from error
     rospy.spin()

@@ -15,20 +15,30 @@ from roboframenet_ros.ros_persistent_parameter import PersistentParameter
 from roboframenet_ros.ros_service import ServiceError, call_service
 
 NODE = """
+import enum
 import sys
 from dataclasses import dataclass
 import rospy
 from roboframenet_ros.parameters import Parameters, parameter
-from roboframenet_ros.ros_node import read_parameters, run_node
+from roboframenet_ros.ros_node import StartError, read_parameters, run_node
+
+class Voice(enum.Enum):
+    LOUD = "loud"
+    LOW = "low"
 
 @dataclass(frozen=True)
 class Settings(Parameters):
     timeout_s: float = parameter(2.0, least=0.1, most=60.0)
     name: str = parameter("nobody")
+    voice: Voice = parameter(Voice.LOUD)
+    greeting: str = parameter("hello")
+    count: int = 0
 
 def start():
-    settings = read_parameters(Settings)
-    print(settings.timeout_s, settings.name, flush=True)
+    settings = read_parameters(Settings, defaults=Settings(greeting="hi"))
+    if settings.name == "nobody":
+        raise StartError("nobody is there")
+    print(settings.timeout_s, settings.name, settings.voice.name, settings.greeting, settings.count, flush=True)
     rospy.Timer(rospy.Duration(0.1), lambda _: rospy.signal_shutdown("read"), oneshot=True)
 
 run_node("reader", start)
@@ -43,13 +53,19 @@ def run(*arguments: str) -> "subprocess.CompletedProcess[str]":
 
 class NodeTest(unittest.TestCase):
     def test_parameters_are_read(self) -> None:
-        ended = run("_timeout_s:=7", "_name:=somebody")
-        self.assertEqual((0, "7 somebody"), (ended.returncode, ended.stdout.splitlines()[0]), ended.stderr)
+        ended = run("_timeout_s:=7", "_name:=somebody", "_voice:=low", "_count:=3")
+        self.assertEqual((0, "7 somebody LOW hi 0"), (ended.returncode, ended.stdout.splitlines()[0]), ended.stderr)
 
     def test_wrong_parameter_ends_the_node_with_a_sentence(self) -> None:
         ended = run("_timeout_s:=100", "_name:=somebody")
         self.assertEqual(1, ended.returncode)
         self.assertIn("reader: ~timeout_s must be 0.1 to 60 s, got 100", ended.stderr)
+        self.assertNotIn("Traceback", ended.stderr)
+
+    def test_node_that_cannot_start_ends_with_a_sentence(self) -> None:
+        ended = run()
+        self.assertEqual(1, ended.returncode)
+        self.assertIn("reader: nobody is there", ended.stderr)
         self.assertNotIn("Traceback", ended.stderr)
 
     def test_value_outlives_its_node(self) -> None:

@@ -1,5 +1,6 @@
 """Parameters of the right type and within their range pass; every other one is named."""
 
+import enum
 from dataclasses import dataclass
 from typing import Tuple
 
@@ -8,13 +9,20 @@ import pytest
 from roboframenet_ros.parameters import ParameterError, Parameters, parameter
 
 
+class Mode(enum.Enum):
+    OWN = "own"
+    SERVICE = "service"
+
+
 @dataclass(frozen=True)
 class Settings(Parameters):
     timeout_s: float = parameter(2.0, least=0.1, most=60.0)
     offset: float = parameter(0.0)
     count: int = parameter(100, least=1, most=1000)
     seed: int = parameter(-1)
+    speed_m: float = parameter(1.0, above=0.0)
     is_on: bool = parameter(True)
+    mode: Mode = parameter(Mode.OWN)
     policy: str = parameter("random", may_be_empty=False)
     remark: str = parameter("")
     topics: Tuple[str, ...] = parameter(("cmd_vel",))
@@ -31,6 +39,9 @@ class Settings(Parameters):
         ("count", 1000),
         ("seed", -5),
         ("is_on", False),
+        ("speed_m", 1e-9),
+        ("speed_m", 1e9),
+        ("mode", Mode.SERVICE),
         ("policy", "all"),
         ("remark", ""),
         ("topics", ("a", "b")),
@@ -48,6 +59,8 @@ def test_defaults_are_right():
         count=100,
         seed=-1,
         is_on=True,
+        speed_m=1.0,
+        mode=Mode.OWN,
         policy="random",
         remark="",
         topics=("cmd_vel",),
@@ -59,6 +72,19 @@ def test_defaults_are_right():
 def test_list_becomes_a_tuple():
     assert Settings(topics=["a", "b"]).topics == ("a", "b")
     assert Settings(paths="one").paths == ("one",)
+
+
+def test_text_becomes_a_member_of_the_enum():
+    assert Settings(mode="service").mode is Mode.SERVICE
+
+
+def test_other_fields_are_not_checked():
+    @dataclass(frozen=True)
+    class Mixed(Parameters):
+        count: int = parameter(1)
+        other: object = None
+
+    assert Mixed(other="x").other == "x"
 
 
 @pytest.mark.parametrize(
@@ -75,6 +101,10 @@ def test_list_becomes_a_tuple():
         ("count", 2.0, "~count must be an integer from 1 to 1000, got 2.0"),
         ("count", True, "~count must be an integer from 1 to 1000, got True"),
         ("seed", "x", "~seed must be an integer, got 'x'"),
+        ("speed_m", 0.0, "~speed_m must be more than 0 m, got 0.0"),
+        ("speed_m", float("inf"), "~speed_m must be more than 0 m, got inf"),
+        ("mode", "launch", "~mode must be one of own, service, got 'launch'"),
+        ("mode", 1, "~mode must be one of own, service, got 1"),
         ("is_on", 1, "~is_on must be true or false, got 1"),
         ("policy", "", "~policy must be a name, got ''"),
         ("remark", None, "~remark must be a text, got None"),

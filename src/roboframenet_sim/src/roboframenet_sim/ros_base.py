@@ -9,64 +9,62 @@ import tf2_ros
 from geometry_msgs.msg import Quaternion, TransformStamped, Twist
 from nav_msgs.msg import Odometry
 
+from roboframenet_ros.parameters import Parameters, parameter
 from roboframenet_sim.base import BaseLimits, DifferentialBase, Pose, Velocity
 from roboframenet_sim.ros_stepping import publish
 
 
 @dataclass(frozen=True)
-class BaseSettings:
-    """First pose of the base, and the names of its frames.
+class BaseSettings(Parameters):
+    """Private parameters of the base, checked.
+
+    Attributes:
+        max_linear_m_per_s: top speed
+        max_angular_rad_per_s: top turn rate
+        linear_acceleration_m_per_s2: largest acceleration
+        angular_acceleration_rad_per_s2: largest acceleration of turns
+        command_timeout_s: how long a command holds
+        velocity_noise: standard deviation of the executed velocity, as a share of it
+        start_x_m, start_y_m, start_yaw_rad: first pose
+        seed: of the noise
+        odom_frame: name of the odometry frame
+        base_frame: name of the frame of the robot
+        room: path of a floor plan whose walls stop the robot; empty for an open floor
 
     Raises:
-        ValueError: the first pose is not finite, or a frame name is empty
+        ParameterError: a value out of its range, or a frame name that is empty
     """
 
-    limits: BaseLimits
-    start: Pose
-    seed: int
-    odom_frame: str
-    base_frame: str
+    max_linear_m_per_s: float = parameter(BaseLimits.max_linear_m_per_s, above=0.0)
+    max_angular_rad_per_s: float = parameter(BaseLimits.max_angular_rad_per_s, above=0.0)
+    linear_acceleration_m_per_s2: float = parameter(BaseLimits.linear_acceleration_m_per_s2, above=0.0)
+    angular_acceleration_rad_per_s2: float = parameter(BaseLimits.angular_acceleration_rad_per_s2, above=0.0)
+    command_timeout_s: float = parameter(BaseLimits.command_timeout_s, above=0.0)
+    velocity_noise: float = parameter(BaseLimits.velocity_noise, least=0.0, most=1.0)
+    start_x_m: float = parameter(0.0)
+    start_y_m: float = parameter(0.0)
+    start_yaw_rad: float = parameter(0.0)
+    seed: int = parameter(0)
+    odom_frame: str = parameter("odom", may_be_empty=False)
+    base_frame: str = parameter("base_link", may_be_empty=False)
+    room: str = parameter("")
 
-    def __post_init__(self) -> None:
-        for name, value in (
-            ("start_x_m", self.start.x_m),
-            ("start_y_m", self.start.y_m),
-            ("start_yaw_rad", self.start.yaw_rad),
-        ):
-            if not (isinstance(value, (int, float)) and math.isfinite(value)):
-                raise ValueError(f"~{name} must be a finite number, got {value!r}")
-        if not (self.odom_frame and self.base_frame):
-            raise ValueError("~odom_frame and ~base_frame must not be empty")
+    @property
+    def limits(self) -> BaseLimits:
+        """Speeds and accelerations."""
+        return BaseLimits(
+            max_linear_m_per_s=self.max_linear_m_per_s,
+            max_angular_rad_per_s=self.max_angular_rad_per_s,
+            linear_acceleration_m_per_s2=self.linear_acceleration_m_per_s2,
+            angular_acceleration_rad_per_s2=self.angular_acceleration_rad_per_s2,
+            command_timeout_s=self.command_timeout_s,
+            velocity_noise=self.velocity_noise,
+        )
 
-
-def read_base_settings(*, base_frame: str) -> BaseSettings:
-    """Read the parameters of the base.
-
-    Args:
-        base_frame: the default of ~base_frame
-    """
-    return BaseSettings(
-        limits=BaseLimits(
-            max_linear_m_per_s=rospy.get_param("~max_linear_m_per_s", BaseLimits.max_linear_m_per_s),
-            max_angular_rad_per_s=rospy.get_param("~max_angular_rad_per_s", BaseLimits.max_angular_rad_per_s),
-            linear_acceleration_m_per_s2=rospy.get_param(
-                "~linear_acceleration_m_per_s2", BaseLimits.linear_acceleration_m_per_s2
-            ),
-            angular_acceleration_rad_per_s2=rospy.get_param(
-                "~angular_acceleration_rad_per_s2", BaseLimits.angular_acceleration_rad_per_s2
-            ),
-            command_timeout_s=rospy.get_param("~command_timeout_s", BaseLimits.command_timeout_s),
-            velocity_noise=rospy.get_param("~velocity_noise", BaseLimits.velocity_noise),
-        ),
-        start=Pose(
-            x_m=rospy.get_param("~start_x_m", 0.0),
-            y_m=rospy.get_param("~start_y_m", 0.0),
-            yaw_rad=rospy.get_param("~start_yaw_rad", 0.0),
-        ),
-        seed=int(rospy.get_param("~seed", 0)),
-        odom_frame=str(rospy.get_param("~odom_frame", "odom")),
-        base_frame=str(rospy.get_param("~base_frame", base_frame)),
-    )
+    @property
+    def start(self) -> Pose:
+        """The first pose."""
+        return Pose(x_m=self.start_x_m, y_m=self.start_y_m, yaw_rad=self.start_yaw_rad)
 
 
 def quaternion_of_yaw(yaw_rad: float) -> Quaternion:

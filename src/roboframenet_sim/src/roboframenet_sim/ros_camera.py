@@ -13,6 +13,7 @@ from sensor_msgs.msg import PointCloud2, PointField
 from std_msgs.msg import ColorRGBA, Header, String
 from visualization_msgs.msg import Marker
 
+from roboframenet_ros.parameters import Parameters, parameter
 from roboframenet_sim.base import Pose
 from roboframenet_sim.person import Person, PersonAct, PersonSettings
 from roboframenet_sim.point_cloud import Camera, Cylinder, render
@@ -23,41 +24,43 @@ POINT_STEP_BYTES = 16
 
 
 @dataclass(frozen=True)
-class CameraSettings:
-    """The camera, its frame and its rate.
+class CameraSettings(Parameters):
+    """Private parameters of the camera and of the person, checked.
+
+    Attributes:
+        camera_width_px: width of the point cloud
+        camera_height_px: height of the point cloud
+        camera_rate_hz: rate of the point cloud
+        camera_frame: frame of the point cloud
+        person: whether there is a person in front of the robot
+        person_distance_m: from the robot to the person's skin, at first and after COME
+        person_path_m: length of the walk
+        person_radius_m: radius of the two bends of the walk
+        person_speed_m_per_s: speed of the walk
 
     Raises:
-        ValueError: the rate is out of range
+        ParameterError: a value out of its range
     """
 
-    camera: Camera
-    rate_hz: float
-    frame: str
+    camera_width_px: int = parameter(160, least=2, most=4096)
+    camera_height_px: int = parameter(120, least=2, most=4096)
+    camera_rate_hz: float = parameter(10.0, least=0.1, most=60.0)
+    camera_frame: str = parameter("camera_depth_optical_frame")
+    person: bool = parameter(False)
+    person_distance_m: float = parameter(PersonSettings.distance_m, above=0.0)
+    person_path_m: float = parameter(PersonSettings.path_m, above=0.0)
+    person_radius_m: float = parameter(PersonSettings.radius_m, above=0.0)
+    person_speed_m_per_s: float = parameter(PersonSettings.speed_m_per_s, above=0.0)
 
-    def __post_init__(self) -> None:
-        if not (isinstance(self.rate_hz, (int, float)) and 0.1 <= self.rate_hz <= 60.0):
-            raise ValueError(f"~camera_rate_hz must be 0.1 to 60, got {self.rate_hz!r}")
-
-
-def read_camera_settings() -> CameraSettings:
-    """Read the parameters of the camera."""
-    return CameraSettings(
-        camera=Camera(
-            width_px=rospy.get_param("~camera_width_px", 160), height_px=rospy.get_param("~camera_height_px", 120)
-        ),
-        rate_hz=rospy.get_param("~camera_rate_hz", 10.0),
-        frame=str(rospy.get_param("~camera_frame", "camera_depth_optical_frame")),
-    )
-
-
-def read_person_settings() -> PersonSettings:
-    """Read the parameters of the person."""
-    return PersonSettings(
-        distance_m=rospy.get_param("~person_distance_m", PersonSettings.distance_m),
-        path_m=rospy.get_param("~person_path_m", PersonSettings.path_m),
-        radius_m=rospy.get_param("~person_radius_m", PersonSettings.radius_m),
-        speed_m_per_s=rospy.get_param("~person_speed_m_per_s", PersonSettings.speed_m_per_s),
-    )
+    @property
+    def walk(self) -> PersonSettings:
+        """How the person walks."""
+        return PersonSettings(
+            distance_m=self.person_distance_m,
+            path_m=self.person_path_m,
+            radius_m=self.person_radius_m,
+            speed_m_per_s=self.person_speed_m_per_s,
+        )
 
 
 def message_of_cloud(cloud: np.ndarray, *, header: Header) -> PointCloud2:
@@ -99,7 +102,9 @@ class RosPerson:
     def __init__(
         self, settings: CameraSettings, *, person: Optional[Person], fixed_frame: str, robot: Pose, walls: np.ndarray
     ) -> None:
-        self._settings = settings
+        self._frame = settings.camera_frame
+        self._camera = Camera(width_px=settings.camera_width_px, height_px=settings.camera_height_px)
+        self._period_s = 1.0 / settings.camera_rate_hz
         self._person = person
         self._fixed_frame = fixed_frame
         self._robot = robot
@@ -144,15 +149,15 @@ class RosPerson:
                 )
             )
         self._since_image_s += duration_s
-        if self._since_image_s + 1e-9 < 1.0 / self._settings.rate_hz:
+        if self._since_image_s + 1e-9 < self._period_s:
             return
         # A delay of less than a picture is carried over, so that the mean rate is right.
-        self._since_image_s = min(self._since_image_s - 1.0 / self._settings.rate_hz, 1.0 / self._settings.rate_hz)
+        self._since_image_s = min(self._since_image_s - self._period_s, self._period_s)
         if body is not None:
             self._show(body, stamp)
         if self._cloud.get_num_connections():
-            cloud = render(self._settings.camera, pose=robot, person=body, walls=self._walls)
-            publish(self._cloud, message_of_cloud(cloud, header=Header(stamp=stamp, frame_id=self._settings.frame)))
+            cloud = render(self._camera, pose=robot, person=body, walls=self._walls)
+            publish(self._cloud, message_of_cloud(cloud, header=Header(stamp=stamp, frame_id=self._frame)))
 
     def _show(self, body: Cylinder, stamp: rospy.Time) -> None:
         pose = PoseStamped(header=Header(stamp=stamp, frame_id=self._fixed_frame))

@@ -18,55 +18,46 @@ from nav_msgs.msg import OccupancyGrid as OccupancyGridMessage
 from nav_msgs.msg import Odometry, Path
 from std_msgs.msg import Header
 
+from roboframenet_ros.parameters import Parameters, parameter
+from roboframenet_ros.ros_node import read_parameters, run_node
 from roboframenet_sim.base import STANDING, Pose, Velocity
 from roboframenet_sim.occupancy_grid import OccupancyGrid, grid_of_room
 from roboframenet_sim.path_following import FollowingLimits, PathFollower
 from roboframenet_sim.planner import NoPath, plan
 from roboframenet_sim.room import load_room_file
 from roboframenet_sim.ros_base import quaternion_of_yaw
-from roboframenet_sim.ros_stepping import publish, run_until_shutdown
+from roboframenet_sim.ros_stepping import publish, start_loop
 
 
 @dataclass(frozen=True)
-class NavigationSettings:
-    """Parameters of the node.
+class NavigationSettings(Parameters):
+    """Private parameters, checked.
+
+    Attributes:
+        room: path of the floor plan; empty for ``config/room.yaml`` of the package
+        map_frame: name of the frame of the map
+        inflation_radius_m: distance that the centre of the robot keeps from every obstacle
+        odometry_timeout_s: after this time without odometry the goal is aborted
+        stuck_timeout_s: after this time without motion the robot is stuck
+        linear_speed_m_per_s: speed
+        angular_speed_rad_per_s: turn rate
 
     Raises:
-        ValueError: a number is out of range
+        ParameterError: a value out of its range
     """
 
-    room: str
-    map_frame: str
-    inflation_radius_m: float
-    odometry_timeout_s: float
-    stuck_timeout_s: float
-    limits: FollowingLimits
+    room: str = parameter("")
+    map_frame: str = parameter("map")
+    inflation_radius_m: float = parameter(0.4, least=0.0, most=2.0)
+    odometry_timeout_s: float = parameter(1.0, least=0.1, most=60.0)
+    stuck_timeout_s: float = parameter(10.0, least=0.5, most=600.0)
+    linear_speed_m_per_s: float = parameter(FollowingLimits.linear_m_per_s, above=0.0)
+    angular_speed_rad_per_s: float = parameter(FollowingLimits.angular_rad_per_s, above=0.0)
 
-    def __post_init__(self) -> None:
-        for name, low, high in (
-            ("inflation_radius_m", 0.0, 2.0),
-            ("odometry_timeout_s", 0.1, 60.0),
-            ("stuck_timeout_s", 0.5, 600.0),
-        ):
-            value = getattr(self, name)
-            if not (isinstance(value, (int, float)) and low <= value <= high):
-                raise ValueError(f"~{name} must be {low:g} to {high:g}, got {value!r}")
-
-
-def read_settings() -> NavigationSettings:
-    """Read the private parameters."""
-    shipped = os.path.join(rospkg.RosPack().get_path("roboframenet_sim"), "config", "room.yaml")
-    return NavigationSettings(
-        room=str(rospy.get_param("~room", shipped)),
-        map_frame=str(rospy.get_param("~map_frame", "map")),
-        inflation_radius_m=rospy.get_param("~inflation_radius_m", 0.4),
-        odometry_timeout_s=rospy.get_param("~odometry_timeout_s", 1.0),
-        stuck_timeout_s=rospy.get_param("~stuck_timeout_s", 10.0),
-        limits=FollowingLimits(
-            linear_m_per_s=rospy.get_param("~linear_speed_m_per_s", FollowingLimits.linear_m_per_s),
-            angular_rad_per_s=rospy.get_param("~angular_speed_rad_per_s", FollowingLimits.angular_rad_per_s),
-        ),
-    )
+    @property
+    def limits(self) -> FollowingLimits:
+        """How the robot drives."""
+        return FollowingLimits(linear_m_per_s=self.linear_speed_m_per_s, angular_rad_per_s=self.angular_speed_rad_per_s)
 
 
 class BadPose(ValueError):
@@ -122,7 +113,11 @@ class MoveBaseSim:
 
     def __init__(self, settings: NavigationSettings) -> None:
         self._settings = settings
-        grid = grid_of_room(load_room_file(settings.room))
+        grid = grid_of_room(
+            load_room_file(
+                settings.room or os.path.join(rospkg.RosPack().get_path("roboframenet_sim"), "config", "room.yaml")
+            )
+        )
         self._floor = grid.inflated(settings.inflation_radius_m)
         self._condition = threading.Condition()
         self._odometry: Optional[Tuple[Pose, float, str]] = None
@@ -269,9 +264,14 @@ class MoveBaseSim:
             time.sleep(0.1)
 
 
-def main() -> None:
-    """Run the node until it is shut down."""
-    rospy.init_node("move_base_sim")
-    settings = read_settings()
+def _start() -> MoveBaseSim:
+    settings = read_parameters(NavigationSettings)
     rospy.loginfo("%s", settings)
-    run_until_shutdown(MoveBaseSim(settings).run)
+    node = MoveBaseSim(settings)
+    start_loop(node.run)
+    return node
+
+
+def main() -> None:
+    """Run the node until ROS shuts down; exits with a sentence when a parameter is wrong."""
+    run_node("move_base_sim", _start)

@@ -7,12 +7,13 @@ import rospy
 from pr2_controllers_msgs.msg import JointTrajectoryAction, JointTrajectoryGoal
 from sensor_msgs.msg import JointState
 
+from roboframenet_ros.ros_node import read_parameters, run_node
 from roboframenet_sim.arm import Arm, Trajectory, TrajectoryPoint, arm_limits, tucked_positions
 from roboframenet_sim.base import DifferentialBase
 from roboframenet_sim.occupancy_grid import grid_of_room
 from roboframenet_sim.room import load_room_file
-from roboframenet_sim.ros_base import RosBase, read_base_settings
-from roboframenet_sim.ros_stepping import Stepper, publish, read_stepping_settings
+from roboframenet_sim.ros_base import BaseSettings, RosBase
+from roboframenet_sim.ros_stepping import Stepper, SteppingSettings, publish
 
 ROBOT_RADIUS_M = 0.33
 """Radius of the PR2's base: it cannot come nearer to a wall."""
@@ -79,10 +80,11 @@ class Pr2Sim:
     """
 
     def __init__(self) -> None:
-        settings = read_base_settings(base_frame="base_footprint")
-        room_path = str(rospy.get_param("~room", ""))
-        rospy.loginfo("%s room=%r", settings, room_path)
-        is_free = grid_of_room(load_room_file(room_path)).inflated(ROBOT_RADIUS_M).is_free if room_path else None
+        settings = read_parameters(BaseSettings, defaults=BaseSettings(base_frame="base_footprint"))
+        rospy.loginfo("%s", settings)
+        is_free = (
+            grid_of_room(load_room_file(settings.room)).inflated(ROBOT_RADIUS_M).is_free if settings.room else None
+        )
         base = DifferentialBase(settings.limits, pose=settings.start, seed=settings.seed, is_free=is_free)
         self._base = RosBase(settings, base=base, command_topic="base_controller/command")
         self._joints = rospy.Publisher("joint_states", JointState, queue_size=10)
@@ -107,9 +109,14 @@ class Pr2Sim:
         publish(self._joints, message)
 
 
+def _start() -> Stepper:
+    settings = read_parameters(SteppingSettings)
+    rospy.loginfo("%s", settings)
+    stepper = Stepper(settings, step=Pr2Sim().step)
+    stepper.start()
+    return stepper
+
+
 def main() -> None:
-    """Run the node until it is shut down."""
-    rospy.init_node("pr2_sim")
-    stepping_settings = read_stepping_settings(rate_hz=50.0)
-    rospy.loginfo("%s", stepping_settings)
-    Stepper(stepping_settings, step=Pr2Sim().step).run()
+    """Run the node until ROS shuts down; exits with a sentence when a parameter is wrong."""
+    run_node("pr2_sim", _start)

@@ -1,6 +1,5 @@
 """The time of a simulated robot: regular steps that follow the wall clock or a /clock of its own."""
 
-import math
 import threading
 import time
 import traceback
@@ -10,45 +9,25 @@ from typing import Callable, Iterator, Optional
 import rospy
 from rosgraph_msgs.msg import Clock
 
+from roboframenet_ros.parameters import ParameterError, Parameters, parameter
+
 
 @dataclass(frozen=True)
-class SteppingSettings:
-    """Rate and clock of the simulation.
+class SteppingSettings(Parameters):
+    """Private parameters of the time, checked.
+
+    Attributes:
+        rate_hz: steps and odometry
+        rate_factor: how much faster than the wall clock
+        publish_clock: publish ``/clock`` under ``/use_sim_time``; only one node of the graph may do so
 
     Raises:
-        ValueError: a number is out of range, or there is a rate factor but no clock
+        ParameterError: a value out of its range
     """
 
-    rate_hz: float = 50.0
-    rate_factor: float = 1.0
-    is_sim_time: bool = False
-    is_clock: bool = False
-    """This node publishes /clock: only under /use_sim_time, and in one node of the graph."""
-
-    def __post_init__(self) -> None:
-        for name, low, high in (("rate_hz", 1.0, 1000.0), ("rate_factor", 0.01, 100.0)):
-            value = getattr(self, name)
-            if not (isinstance(value, (int, float)) and math.isfinite(value) and low <= value <= high):
-                raise ValueError(f"~{name} must be {low:g} to {high:g}, got {value!r}")
-        if self.rate_factor != 1.0 and not self.is_clock:
-            raise ValueError(
-                f"~rate_factor other than 1 needs /use_sim_time and ~publish_clock, got {self.rate_factor!r}"
-            )
-
-
-def read_stepping_settings(*, rate_hz: float) -> SteppingSettings:
-    """Read ~rate_hz, ~rate_factor and ~publish_clock.
-
-    Args:
-        rate_hz: the default of ~rate_hz
-    """
-    is_sim_time = bool(rospy.get_param("/use_sim_time", False))
-    return SteppingSettings(
-        rate_hz=rospy.get_param("~rate_hz", rate_hz),
-        rate_factor=rospy.get_param("~rate_factor", SteppingSettings.rate_factor),
-        is_sim_time=is_sim_time,
-        is_clock=is_sim_time and bool(rospy.get_param("~publish_clock", True)),
-    )
+    rate_hz: float = parameter(50.0, least=1.0, most=1000.0)
+    rate_factor: float = parameter(1.0, least=0.01, most=100.0)
+    publish_clock: bool = parameter(True)
 
 
 class Stepper:
@@ -61,6 +40,9 @@ class Stepper:
     Args:
         settings: rate and clock
         step: called with the duration of the step in seconds, and the time to stamp messages with
+
+    Raises:
+        ParameterError: there is a rate factor but no clock
     """
 
     MAX_LAG_S = 0.1
@@ -68,16 +50,22 @@ class Stepper:
     def __init__(self, settings: SteppingSettings, *, step: Callable[[float, rospy.Time], None]) -> None:
         self._settings = settings
         self._step = step
-        self._clock = rospy.Publisher("/clock", Clock, queue_size=10) if settings.is_clock else None
+        self._is_sim_time = bool(rospy.get_param("/use_sim_time", False))
+        is_clock = self._is_sim_time and settings.publish_clock
+        if settings.rate_factor != 1.0 and not is_clock:
+            raise ParameterError(
+                f"~rate_factor other than 1 needs /use_sim_time and ~publish_clock, got {settings.rate_factor!r}"
+            )
+        self._clock = rospy.Publisher("/clock", Clock, queue_size=10) if is_clock else None
 
-    def run(self) -> None:
-        """Step until shutdown."""
+    def start(self) -> None:
+        """Step from now until shutdown."""
         if self._clock is not None:
-            run_until_shutdown(self._run_as_clock)
-        elif self._settings.is_sim_time:
-            run_until_shutdown(self._run_along_clock)
+            start_loop(self._run_as_clock)
+        elif self._is_sim_time:
+            start_loop(self._run_along_clock)
         else:
-            run_until_shutdown(self._run_along_wall)
+            start_loop(self._run_along_wall)
 
     def _run_as_clock(self) -> None:
         period_s = 1.0 / self._settings.rate_hz
@@ -117,7 +105,7 @@ class Stepper:
             time.sleep(max(0.0, due_s - time.monotonic()))
 
 
-def run_until_shutdown(loop: Callable[[], None]) -> None:
+def start_loop(loop: Callable[[], None]) -> None:
     """Run a loop in its own thread until the node is shut down.
 
     Signal handlers run in the main thread, and rospy closes the topics there. This must not happen during a publish.
@@ -136,8 +124,8 @@ def run_until_shutdown(loop: Callable[[], None]) -> None:
 
     thread = threading.Thread(target=run, daemon=True)
     thread.start()
-    rospy.spin()
-    thread.join(2.0)
+    # A loop that raised shuts the node down itself, and cannot wait for its own end.
+    rospy.on_shutdown(lambda: thread.join(2.0) if threading.current_thread() is not thread else None)
 
 
 def publish(publisher: Optional[rospy.Publisher], message: object) -> None:

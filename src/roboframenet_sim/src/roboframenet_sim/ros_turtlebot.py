@@ -2,14 +2,15 @@
 
 import rospy
 
+from roboframenet_ros.ros_node import read_parameters, run_node
 from roboframenet_sim.base import DifferentialBase
 from roboframenet_sim.occupancy_grid import grid_of_room
 from roboframenet_sim.person import Person
 from roboframenet_sim.point_cloud import NO_WALLS
 from roboframenet_sim.room import load_room_file
-from roboframenet_sim.ros_base import RosBase, read_base_settings
-from roboframenet_sim.ros_camera import RosPerson, read_camera_settings, read_person_settings
-from roboframenet_sim.ros_stepping import Stepper, read_stepping_settings
+from roboframenet_sim.ros_base import BaseSettings, RosBase
+from roboframenet_sim.ros_camera import CameraSettings, RosPerson
+from roboframenet_sim.ros_stepping import Stepper, SteppingSettings
 
 ROBOT_RADIUS_M = 0.18
 """Radius of the Turtlebot's base: it cannot get nearer to a wall."""
@@ -27,19 +28,17 @@ class TurtlebotSim:
     """
 
     def __init__(self) -> None:
-        settings = read_base_settings(base_frame="base_link")
-        camera_settings, person_settings = read_camera_settings(), read_person_settings()
-        room_path, is_person = str(rospy.get_param("~room", "")), bool(rospy.get_param("~person", False))
-        rospy.loginfo("%s %s %s room=%r person=%r", settings, camera_settings, person_settings, room_path, is_person)
+        settings, camera_settings = read_parameters(BaseSettings), read_parameters(CameraSettings)
+        rospy.loginfo("%s %s", settings, camera_settings)
         is_free, walls = None, NO_WALLS
-        if room_path:
-            room = load_room_file(room_path)
+        if settings.room:
+            room = load_room_file(settings.room)
             is_free, walls = grid_of_room(room).inflated(ROBOT_RADIUS_M).is_free, room.all_walls()
         base = DifferentialBase(settings.limits, pose=settings.start, seed=settings.seed, is_free=is_free)
         self._base = RosBase(settings, base=base, command_topic="cmd_vel")
         self._person = RosPerson(
             camera_settings,
-            person=Person(person_settings, robot=settings.start) if is_person else None,
+            person=Person(camera_settings.walk, robot=settings.start) if camera_settings.person else None,
             fixed_frame=settings.odom_frame,
             robot=settings.start,
             walls=walls,
@@ -51,9 +50,14 @@ class TurtlebotSim:
         self._person.step(duration_s, stamp, robot=self._base.pose)
 
 
+def _start() -> Stepper:
+    settings = read_parameters(SteppingSettings)
+    rospy.loginfo("%s", settings)
+    stepper = Stepper(settings, step=TurtlebotSim().step)
+    stepper.start()
+    return stepper
+
+
 def main() -> None:
-    """Run the node until it is shut down."""
-    rospy.init_node("turtlebot_sim")
-    stepping_settings = read_stepping_settings(rate_hz=50.0)
-    rospy.loginfo("%s", stepping_settings)
-    Stepper(stepping_settings, step=TurtlebotSim().step).run()
+    """Run the node until ROS shuts down; exits with a sentence when a parameter is wrong."""
+    run_node("turtlebot_sim", _start)

@@ -92,7 +92,7 @@ class TestMoveBaseSim(unittest.TestCase):
     def test_goals_that_cannot_be_are_aborted_with_the_reason(self):
         """In a wall, outside, in another frame."""
         for x_m, y_m, frame, words in (
-            (2.0, -3.0, "map", "stand in something"),
+            (2.0, -3.0, "map", "stand in an obstacle"),
             (50.0, 0.0, "map", "outside"),
             (math.nan, 0.0, "map", "finite"),
             (0.0, 0.0, "moon", '"moon"'),

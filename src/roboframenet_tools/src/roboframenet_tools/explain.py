@@ -7,7 +7,7 @@ from typing import List
 
 from frame_registrar.search import Candidate
 from offline_pipeline.knowledge import load_knowledge, pretend_servers, shipped_domains
-from offline_pipeline.pipeline import Pipeline, Understanding, to_json
+from offline_pipeline.pipeline import BEHAVIOURS, Pipeline, Understanding, to_json
 from roboframenet_tools.drawing import draw_arcs, svg_arcs
 from stanford_parser_ros.inference import ModelError
 from utterance_passes.table import PASSES
@@ -17,6 +17,7 @@ EXAMPLES = """examples:
   rfn explain "Bring me the mug from the kitchen."
   rfn explain --svg parse.svg "Turn left 120 degrees."
   rfn explain --without quotations "Tell her lunch is ready."
+  rfn explain --behaviour 2012 "Go to Roger's office."
   rfn explain --live "Go to the office."
   rfn explain --live
   rfn explain --batch sentences.txt --json > understood.jsonl
@@ -45,6 +46,11 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "--without", action="append", default=[], metavar="PASS", help="switch a pass off ('rfn passes' lists them)"
     )
+    parser.add_argument(
+        "--behaviour",
+        choices=sorted(BEHAVIOURS),
+        help="parameters of the nodes as the launch argument 'behaviour' sets them (default: now)",
+    )
     parser.add_argument("--svg", metavar="FILE", help="also draw the parse into this file")
     parser.add_argument(
         "--batch", metavar="FILE", help="a file with one sentence in each line; '-' reads standard input"
@@ -56,9 +62,15 @@ def run(arguments: argparse.Namespace) -> int:
     """Explain one sentence or many; return the exit status."""
     is_following = arguments.live and not arguments.text and not arguments.batch
     unknown = set(arguments.without) - {one.name for one in PASSES}
-    if (bool(arguments.text) == bool(arguments.batch) and not is_following) or unknown:
-        what = f"no pass is named {', '.join(sorted(unknown))}" if unknown else "give a sentence or --batch FILE"
-        print(f"rfn explain: {what}", file=sys.stderr)
+    wrong = ""
+    if unknown:
+        wrong = f"no pass is named {', '.join(sorted(unknown))}"
+    elif bool(arguments.text) == bool(arguments.batch) and not is_following:
+        wrong = "give a sentence or --batch FILE"
+    elif arguments.live and arguments.behaviour:
+        wrong = "--live uses the parameters of the running graph: omit --behaviour"
+    if wrong:
+        print(f"rfn explain: {wrong}", file=sys.stderr)
         return 2
     try:
         if is_following:
@@ -105,7 +117,8 @@ def _pipeline(arguments: argparse.Namespace) -> Pipeline:
         return Pipeline(knowledge, parameters=live_parameters(), without=without, is_traced=not arguments.json)
     knowledge = load_knowledge(arguments.domains or [shipped_domains()])
     pretend_servers(knowledge.graph)
-    return Pipeline(knowledge, without=without, is_traced=not arguments.json)
+    parameters = BEHAVIOURS[arguments.behaviour or "now"]
+    return Pipeline(knowledge, parameters=parameters, without=without, is_traced=not arguments.json)
 
 
 def _follow() -> int:
@@ -143,6 +156,8 @@ def describe(understanding: Understanding) -> str:
         ]
     reply = understanding.reply
     lines.append(f"reply: {reply.outcome.lower().replace('_', ' ')} [{reply.code}] {reply.sentence}")
+    if understanding.behind is not None:
+        lines += ["", "when the robot has stopped:", describe(understanding.behind)]
     return "\n".join(lines)
 
 

@@ -7,9 +7,13 @@ import rosgraph
 import rospy
 from roboframenet_msgs.msg import FrameCatalogue, Lexicon, StageEvent
 
+from command_server.settings import Settings as CommandServerSettings
+from frame_registrar.node import Settings as FrameRegistrarSettings
 from offline_pipeline.knowledge import Knowledge, load_texts
 from offline_pipeline.pipeline import Parameters
-from semantic_framer.outcome import Alternatives, LeftOverWords, Policy
+from roboframenet_ros.parameters import ParameterError
+from roboframenet_ros.ros_node import read_parameters
+from semantic_framer.settings import Settings as SemanticFramerSettings
 
 
 def is_master_up() -> bool:
@@ -55,17 +59,15 @@ def live_parameters() -> Parameters:
         LookupError: a value that the node would refuse
     """
     try:
-        policy = Policy(
-            left_over_words=LeftOverWords(rospy.get_param("semantic_framer/left_over_words", "strict")),
-            alternatives=Alternatives(rospy.get_param("semantic_framer/alternatives", "either")),
-        )
-        default = Parameters()
+        framer = read_parameters(SemanticFramerSettings, prefix="semantic_framer/")
         return Parameters(
-            max_text_length=int(rospy.get_param("command_server/max_text_length", default.max_text_length)),
-            policy=policy,
-            max_candidates=int(rospy.get_param("frame_registrar/max_candidates", default.max_candidates)),
+            max_text_length=read_parameters(CommandServerSettings, prefix="command_server/").max_text_length,
+            policy=framer.policy,
+            max_candidates=read_parameters(FrameRegistrarSettings, prefix="frame_registrar/").max_candidates,
+            arguments=framer.arguments,
+            questions=framer.questions,
         )
-    except ValueError as error:
+    except ParameterError as error:
         raise LookupError(f"a parameter of the running graph is wrong: {error}") from error
 
 

@@ -131,3 +131,20 @@ def test_arcs_point_at_the_dependent():
     assert "obj" in lines[0]
     assert lines[1].index("▼") > lines[1].index("●")
     assert svg_arcs(TREE).count('<path d="M55') == 1
+
+
+def test_the_command_behind_a_stop_is_explained(pipeline):
+    text = describe(pipeline.understand("stop and go to the office"))
+    stopped, _, behind = text.partition("when the robot has stopped:")
+    assert "reply: done [DONE] Stopped." in stopped
+    assert "would run: navigating_to_location(goal=the office)" in behind
+
+
+def test_the_behaviour_of_2012_is_explained(capsys):
+    assert main(["explain", "--behaviour", "2012", "Go to Roger's office."]) == 0
+    assert "would run: navigating_to_location(goal=office)" in capsys.readouterr().out
+
+
+def test_live_has_the_behaviour_of_the_graph(capsys):
+    assert main(["explain", "--live", "--behaviour", "2012", "Go to the office."]) == 2
+    assert "omit --behaviour" in capsys.readouterr().err

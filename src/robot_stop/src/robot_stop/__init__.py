@@ -1,1 +1,1 @@
-"""Stops a robot without asking anybody: zero velocity, cancels, and who does not obey."""
+"""Stops a robot by itself: publishes zero velocity, cancels goals, and names the nodes that do not obey."""

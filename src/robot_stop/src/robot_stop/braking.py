@@ -1,6 +1,6 @@
-"""Stops that are being carried out: who does not obey, and for how long zero velocity goes on.
+"""Stops in progress: which nodes and servers do not obey, and for how long zero velocity is repeated.
 
-Nothing here waits or publishes: the caller gives what it sees and does what comes back.
+Nothing here waits or publishes. The caller passes in what it observes and acts on the result.
 """
 
 import time
@@ -18,13 +18,13 @@ class BrakeLimits:
     """Times of a stop, seconds.
 
     Attributes:
-        settle_s: nothing is said before, so that what was on its way has come
+        settle_s: time before the first finding, so that messages sent before the stop have arrived
         wake_settle_s: the same after the process was suspended
-        quiet_s: who has published no velocity for so long, or for two of its periods, does not drive
-        longest_quiet_s: bound on those two periods
-        confirmation_s: then it is said who does not obey
-        least_s: zero velocity is repeated at least so long
-        most_s: and at most so long, while somebody does not obey
+        quiet_s: a node that has published no velocity for this long, or for two of its periods, does not drive
+        longest_quiet_s: upper bound on those two periods
+        confirmation_s: time after which the nodes and servers that do not obey are named
+        least_s: shortest time for which zero velocity is repeated
+        most_s: longest time, while a node or server does not obey
     """
 
     settle_s: float = 0.1
@@ -43,8 +43,8 @@ class StopOrder:
     Attributes:
         key: the caller's name for it
         stamp_ns: when it was said, nanoseconds of ROS time
-        is_for_frames_only: goals of ordinary clients are left alone
-        except_server: a server whose goals are left alone, empty for none
+        is_for_frames_only: whether goals of ordinary clients are left alone
+        except_server: name of a server whose goals are left alone; empty for none
     """
 
     key: str
@@ -53,7 +53,7 @@ class StopOrder:
     except_server: str = ""
 
     def covers(self, server: Server) -> bool:
-        """Whether goals of this server are cancelled."""
+        """Whether the stop cancels the goals of this server."""
         return server.name != self.except_server and (server.takes_frames or not self.is_for_frames_only)
 
 
@@ -62,10 +62,10 @@ class VelocitySeen:
     """The last velocity that was not zero from one node on one topic.
 
     Attributes:
-        node: who published it
-        topic: where
-        heard_s: monotonic seconds
-        period_s: time between it and the one before, None when there was none
+        node: the publisher
+        topic: name of the topic
+        heard_s: when it arrived, monotonic seconds
+        period_s: time since the one before, seconds; None for the first
     """
 
     node: str
@@ -76,7 +76,7 @@ class VelocitySeen:
 
 @dataclass(frozen=True)
 class LiveGoal:
-    """A goal that had not ended when its server last told."""
+    """A goal that had not ended in the last status message of its server."""
 
     server: Server
     goal_id: str
@@ -85,12 +85,12 @@ class LiveGoal:
 
 @dataclass(frozen=True)
 class Evidence:
-    """What is seen of the robot.
+    """What is observed of the robot.
 
     Attributes:
-        velocities: of all nodes but those that brake
-        goals: of the servers that are connected
-        is_complete: whether the graph has been looked through
+        velocities: of all nodes except those that brake
+        goals: of the connected servers
+        is_complete: whether the graph of nodes has been read
     """
 
     velocities: Tuple[VelocitySeen, ...] = ()
@@ -100,12 +100,12 @@ class Evidence:
 
 @dataclass(frozen=True)
 class Obedience:
-    """Who does not obey a stop.
+    """The nodes and servers that do not obey a stop.
 
     Attributes:
         drivers: nodes that publish velocities, each with its topic
-        servers: names of the servers whose goals go on
-        is_known: False when the graph could not be looked through
+        servers: names of the servers whose goals have not ended
+        is_known: False when the graph of nodes could not be read
     """
 
     drivers: Tuple[Tuple[str, str], ...] = ()
@@ -114,16 +114,16 @@ class Obedience:
 
     @property
     def is_complete(self) -> bool:
-        """Whether everybody obeys, as far as can be seen."""
+        """Whether every node and server obeys, and the graph could be read."""
         return self.is_known and not self.drivers and not self.servers
 
     @property
     def names(self) -> Tuple[str, ...]:
-        """Everybody who does not obey."""
+        """The nodes and servers that do not obey."""
         return tuple(sorted({node for node, _ in self.drivers} | set(self.servers)))
 
     def describe(self) -> str:
-        """Who does what against the stop, as a clause; empty when everybody obeys."""
+        """What each of them does against the stop, as a clause; empty when all obey."""
         clauses = [f"{node} publishes velocities on {topic}" for node, topic in self.drivers]
         if self.servers:
             verb = "has not ended its goal" if len(self.servers) == 1 else "have not ended their goals"
@@ -135,13 +135,13 @@ class Obedience:
 
 @dataclass(frozen=True)
 class Finding:
-    """What a look found out about a stop.
+    """What one look found out about a stop.
 
     Attributes:
         order: the stop
-        obedience: who does not obey
-        is_first: the answer to the stop; later ones say that something has changed
-        is_last: zero velocity has ended
+        obedience: the nodes and servers that do not obey
+        is_first: whether it answers the stop; later findings report a change
+        is_last: whether zero velocity has ended
     """
 
     order: StopOrder
@@ -161,17 +161,17 @@ class _Active:
 
 @dataclass(frozen=True)
 class Look:
-    """What follows from a look: what is to be told, and the newest stop while it is to be repeated."""
+    """The result of one look: the findings to report, and the newest stop while it has to be repeated."""
 
     findings: Tuple[Finding, ...] = ()
     repeated: Optional[StopOrder] = None
 
 
 class Braking:
-    """The stops that are being carried out. One thread owns it."""
+    """The stops in progress. One thread owns it."""
 
     def __init__(self, limits: BrakeLimits, *, now: Callable[[], float] = time.monotonic) -> None:
-        """Start with none.
+        """Start without a stop.
 
         Args:
             limits: times of each stop
@@ -183,16 +183,16 @@ class Braking:
 
     @property
     def is_busy(self) -> bool:
-        """Whether `look` has to be called again."""
+        """Whether the caller must call `look` again."""
         return bool(self._stops)
 
     def begin(self, order: StopOrder, evidence: Evidence, *, is_just_awake: bool = False) -> None:
-        """A stop was just carried out for the first time.
+        """Note that a stop was just carried out for the first time.
 
         Args:
             order: the stop
-            evidence: from before it; the goals that live now are those that must end
-            is_just_awake: the process was suspended, so that more may be on its way
+            evidence: from before the stop; the goals in it are those that must end
+            is_just_awake: whether the process was suspended, so that older messages may still arrive
         """
         self._stops.append(
             _Active(
@@ -204,11 +204,11 @@ class Braking:
         )
 
     def release(self, key: str) -> None:
-        """Somebody else sees to this stop."""
+        """Drop a stop that another node carries out."""
         self._stops = [stop for stop in self._stops if stop.order.key != key]
 
     def look(self, evidence: Evidence) -> Look:
-        """Judge the stops by what is seen now."""
+        """Judge the stops by the present evidence."""
         findings: List[Finding] = []
         kept: List[_Active] = []
         repeated: Optional[StopOrder] = None

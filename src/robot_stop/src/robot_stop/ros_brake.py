@@ -1,4 +1,4 @@
-"""Carries stops out: zero velocity and cancels at once, then the look at who does not obey."""
+"""Carries stops out: zero velocity and cancels at once, then finds the nodes that do not obey."""
 
 import queue
 import threading
@@ -23,13 +23,13 @@ _JUST_AWAKE_S = 0.5
 
 @dataclass(frozen=True)
 class Braked:
-    """A stop was carried out for the first time.
+    """A stop that was carried out for the first time.
 
     Attributes:
         order: the stop
-        cancelled: names of the servers that heard the cancel
-        took_s: how long it took
-        is_just_awake: this process was suspended shortly before, so that the stop may be an old one
+        cancelled: names of the servers that the cancel was sent to
+        took_s: how long it took, seconds
+        is_just_awake: whether this process was suspended shortly before, so that the stop may be an old one
     """
 
     order: StopOrder
@@ -46,8 +46,8 @@ class _Release:
 class Brake:
     """One thread that stops the robot.
 
-    Publishes: zero velocity, ``<server>/cancel``. Subscribes: the velocity topics, ``<server>/status``. It asks the
-    master only in a thread of its own, beforehand, and logs only after a stop.
+    Publishes: zero velocity, ``<server>/cancel``. Subscribes: the velocity topics, ``<server>/status``. A separate
+    thread asks the master in advance, so that a stop never waits for it. A stop is carried out before it is logged.
     """
 
     def __init__(
@@ -57,8 +57,8 @@ class Brake:
 
         Args:
             settings: parameters
-            on_braked: is told, from the thread, of each stop that was just carried out; must not wait
-            on_finding: is told, from the thread, who does not obey; must not wait
+            on_braked: called from the thread after each stop; must not block
+            on_finding: called from the thread with the nodes and servers that do not obey; must not block
         """
         self._period_s = 1.0 / settings.zero_velocity_rate_hz
         self._on_braked = on_braked
@@ -81,7 +81,7 @@ class Brake:
         self._thread = threading.Thread(target=self._work, name="brake")
 
     def start(self) -> None:
-        """Begin."""
+        """Start the threads."""
         self._thread.start()
         self._velocities.start()
         self.servers.start()
@@ -93,11 +93,11 @@ class Brake:
         self.servers.close(timeout_s=timeout_s)
 
     def stop(self, order: StopOrder) -> None:
-        """Carry a stop out; returns at once."""
+        """Ask for a stop; returns at once."""
         self._inbox.put(order)
 
     def release(self, key: str) -> None:
-        """Leave a stop to somebody else; returns at once."""
+        """Drop a stop that another node carries out; returns at once."""
         self._inbox.put(_Release(key))
 
     def _work(self) -> None:
@@ -124,14 +124,14 @@ class Brake:
                     self._look()
                 elif not self._braking.is_busy:
                     self._velocities.hold(False)
-            except Exception as error:  # boundary: whatever is wrong with one stop, the next one must be heard
+            except Exception as error:  # boundary: an error in one stop must not prevent the next one
                 rospy.logerr("the brake failed: %s: %s", type(error).__name__, error)
 
     def _begin(self, order: StopOrder) -> None:
         began_s = time.monotonic()
         self._velocities.hold(True)
         self._velocities.stop()
-        # The empty id cancels every goal, also those whose stamp comes from a clock that is ahead.
+        # The empty id cancels every goal, even one whose stamp comes from a clock that is ahead.
         is_for_all = not order.is_for_frames_only and not order.except_server
         cancelled = self.servers.cancel(GoalID() if is_for_all else self._up_to(order), order)
         took_s = time.monotonic() - began_s
@@ -149,9 +149,9 @@ class Brake:
             self._on_finding(finding)
 
     def _repeat(self, order: StopOrder) -> None:
-        """Stop what was starting, or on its way, when the stop was heard."""
+        """Repeat the stop for goals and velocities that were on their way when it was heard."""
         self._velocities.stop()
-        # A cancel without a stamp would take a command with it that was given after the stop.
+        # A cancel without a stamp would also cancel a command that was given after the stop.
         if order.stamp_ns:
             self.servers.cancel(self._up_to(order), order)
 

@@ -1,4 +1,4 @@
-"""The action servers that a stop cancels: publishers and listeners, made before they are needed."""
+"""Connections to the action servers that a stop cancels, made before they are needed."""
 
 import threading
 import time
@@ -12,17 +12,17 @@ from robot_stop.braking import LiveGoal, StopOrder
 from robot_stop.servers import Server, find_servers
 
 _LIVE = frozenset({GoalStatus.PENDING, GoalStatus.ACTIVE, GoalStatus.PREEMPTING, GoalStatus.RECALLING})
-# A server that was found has told what its goals do by then.
+# By then, a server that was found has published the status of its goals.
 _CONNECT_S = 0.5
 
 
 class _Connection:
-    """The cancel publisher of one server, and what it last told of its goals."""
+    """The cancel publisher of one server, and the last status that it published."""
 
     def __init__(self, server: Server) -> None:
         self.server = server
         self._publisher = rospy.Publisher(server.cancel_topic, GoalID, queue_size=50, tcp_nodelay=True)
-        # Most messages are never read: they stay bytes until somebody asks.
+        # Most messages are never read: they are deserialized only when needed.
         self._last: Optional[rospy.AnyMsg] = None
         self._read: Optional[rospy.AnyMsg] = None
         self._goals: Tuple[LiveGoal, ...] = ()
@@ -38,12 +38,12 @@ class _Connection:
         try:
             self._publisher.publish(goal_id)
         except rospy.ROSException:
-            # The refreshing thread has just closed it: the server is gone.
+            # The refresh thread has just closed the publisher because the server is gone.
             return False
         return self._publisher.get_num_connections() > 0
 
     def goals(self) -> Tuple[LiveGoal, ...]:
-        """Goals that had not ended when the server last told; none of a server that is gone. For one thread."""
+        """The goals that had not ended in its last status; none for a server that is gone. For one thread."""
         if self._subscriber.get_num_connections() == 0:
             self._last = None
         last = self._last
@@ -67,24 +67,24 @@ class _Connection:
 
 
 class Servers:
-    """A connection to each action server that a stop cancels, kept up to date by a thread.
+    """Keeps a connection to each action server that a stop cancels; a thread updates them.
 
-    A stop only uses what is there; it never asks the master. When the master is away the connections stay.
+    A stop uses the existing connections and never asks the master. Connections survive an absence of the master.
     """
 
     def __init__(self, *, also_cancel: Tuple[str, ...], refresh_period_s: float, master_timeout_s: float) -> None:
-        """Start with none.
+        """Start without connections.
 
         Args:
             also_cancel: resolved names of servers to cancel although they take no frames
-            refresh_period_s: time between two looks at the graph, seconds
-            master_timeout_s: how long the master may take, seconds
+            refresh_period_s: time between two searches for servers, seconds
+            master_timeout_s: how long the master may take to answer, seconds
         """
         self._also_cancel = also_cancel
         self._refresh_period_s = refresh_period_s
         self._master = TimedMaster(timeout_s=master_timeout_s)
         self._registered: FrozenSet[str] = frozenset()
-        # Replaced as a whole, never changed: a stop reads it without a lock.
+        # Replaced as a whole, never modified: a stop reads it without a lock.
         self._connections: Mapping[Server, _Connection] = {}
         self._looked_s: Optional[float] = None
         self._is_closing = threading.Event()
@@ -92,7 +92,7 @@ class Servers:
         self._thread = threading.Thread(target=self._refresh_on, name="stoppable_servers", daemon=True)
 
     def start(self) -> None:
-        """Begin to look at the graph."""
+        """Start the thread that searches for servers."""
         self._thread.start()
 
     def close(self, *, timeout_s: float) -> None:
@@ -102,16 +102,16 @@ class Servers:
         self._thread.join(timeout_s)
 
     def set_registered(self, servers: FrozenSet[str]) -> None:
-        """Name the servers that registered for frames, whatever the type of their goals; resolved names."""
+        """Set the servers that registered for frames, of any goal type, by their resolved names."""
         self._registered = servers
 
     def refresh_soon(self) -> None:
-        """Look at the graph now rather than at the next turn; returns at once."""
+        """Search for servers now instead of at the next period; returns at once."""
         self._wake.set()
 
     @property
     def is_complete(self) -> bool:
-        """Whether the graph has been looked through, and who was found then has had time to connect."""
+        """Whether the graph has been read, and the servers found in it have had time to connect."""
         return self._looked_s is not None and time.monotonic() - self._looked_s >= _CONNECT_S
 
     def cancel(self, goal_id: GoalID, order: StopOrder) -> List[str]:
@@ -127,14 +127,14 @@ class Servers:
         )
 
     def goals(self) -> Tuple[LiveGoal, ...]:
-        """Every goal that had not ended when its server last told. For one thread."""
+        """The goals of all servers that had not ended in their last status. For one thread."""
         return tuple(goal for connection in self._connections.values() for goal in connection.goals())
 
     def _refresh_on(self) -> None:
         while not self._is_closing.is_set():
             try:
                 self._refresh()
-            except Exception as error:  # boundary: the master may be away in any way that XML-RPC and HTTP know
+            except Exception as error:  # boundary: an absent master shows in any error of XML-RPC and HTTP
                 rospy.logwarn_throttle(30.0, f"the graph cannot be read, the known servers stay: {error}")
             self._wake.wait(self._refresh_period_s)
             self._wake.clear()

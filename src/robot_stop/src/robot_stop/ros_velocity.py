@@ -1,4 +1,4 @@
-"""Zero velocity, and who publishes another one."""
+"""Publishes zero velocity, and records the nodes that publish other velocities."""
 
 import threading
 import time
@@ -9,15 +9,15 @@ from geometry_msgs.msg import Twist
 
 from robot_stop.braking import VelocitySeen
 
-# Who has published no velocity for so long is forgotten, seconds.
+# A node that has published no velocity for this long is forgotten, seconds.
 _FORGET_S = 5.0
 
 
 class Velocities:
-    """Publishes zero velocity and watches what others publish on the same topics.
+    """Publishes zero velocity, and records what other nodes publish on the same topics.
 
-    While it holds, it answers each velocity of somebody else with a zero of its own at once: where there is no
-    multiplexer the last message counts, and a fixed rate would lose against a faster publisher.
+    While it holds the robot, it answers each velocity of another node with a zero at once: without a multiplexer the
+    last message counts, and a fixed rate would lose against a faster publisher.
     """
 
     def __init__(self, topics: Tuple[str, ...]) -> None:
@@ -33,7 +33,7 @@ class Velocities:
         self._subscribers: List[rospy.Subscriber] = []
 
     def start(self) -> None:
-        """Begin to watch."""
+        """Subscribe to the velocity topics."""
         self._subscribers = [
             rospy.Subscriber(topic, Twist, self._hear, callback_args=topic, queue_size=10, tcp_nodelay=True)
             for topic in self._publishers
@@ -45,18 +45,18 @@ class Velocities:
             self._publish_zero(topic)
 
     def hold(self, is_holding: bool) -> None:
-        """Answer velocities of others with zero, or no longer."""
+        """Begin or cease to answer the velocities of other nodes with zero."""
         self._is_holding = is_holding
 
     def seen(self) -> Tuple[VelocitySeen, ...]:
-        """The last velocity of each node that published one not long ago."""
+        """The last velocity of each node that published one recently."""
         with self._lock:
             now_s = time.monotonic()
             self._seen = {key: seen for key, seen in self._seen.items() if now_s - seen.heard_s < _FORGET_S}
             return tuple(self._seen.values())
 
     def _hear(self, message: Twist, topic: str) -> None:
-        # Not a number is not zero.
+        # NaN does not count as zero.
         if not any(
             value != 0.0 for vector in (message.linear, message.angular) for value in (vector.x, vector.y, vector.z)
         ):

@@ -1,26 +1,26 @@
-"""What a person hears of a stop."""
+"""What a person is told about a stop."""
 
 from robot_stop.braking import Finding, Obedience
 
 
 def may_still_move(obedience: Obedience) -> str:
-    """Who does not obey, as a sentence."""
+    """The nodes and servers that do not obey, as a sentence."""
     return f"The robot may still move: {obedience.describe()}."
 
 
 def sentence_of(finding: Finding, *, server_count: int, limit_s: float) -> str:
-    """What was found out about a stop.
+    """Say what was found out about a stop.
 
     Args:
         finding: what was found out
-        server_count: how many servers heard the cancel
-        limit_s: for how long zero velocity is repeated at most
+        server_count: how many servers the cancel was sent to
+        limit_s: longest time for which zero velocity is repeated, seconds
     """
     if not finding.obedience.is_complete:
-        zero = f"has ended after {limit_s:g} s" if finding.is_last else f"goes on for up to {limit_s:g} s"
+        zero = f"has ended after {limit_s:g} s" if finding.is_last else f"is repeated for up to {limit_s:g} s"
         return f"{may_still_move(finding.obedience)} Zero velocity {zero}."
     if not finding.is_first:
-        return "Stopped now: everybody obeys."
+        return "Stopped now: every node obeys."
     if server_count == 0:
         return "Stopped: zero velocity; there was no action server to cancel."
-    return f"Stopped: zero velocity, and no goal of {server_count} action server{'s' * (server_count != 1)} goes on."
+    return f"Stopped: zero velocity, and no goal is left on {server_count} action server{'s' * (server_count != 1)}."

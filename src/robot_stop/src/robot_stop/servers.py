@@ -1,10 +1,10 @@
-"""Which action servers a stop cancels."""
+"""Finds the action servers that a stop cancels."""
 
 from dataclasses import dataclass
 from typing import AbstractSet, Dict, FrozenSet, Iterable, Mapping
 
 FRAME_GOAL_TYPE = "roboframenet_msgs/FilledSemanticFrameActionGoal"
-#: A server with a type of its own takes frames under its name and this (rfnserver).
+#: A server whose goals have another type takes frames under its name and this suffix (rfnserver).
 ENTRANCE = "/frame"
 
 Nodes = AbstractSet[str]
@@ -15,8 +15,8 @@ class Server:
     """An action server that a stop cancels.
 
     Attributes:
-        name: resolved
-        takes_frames: its goals come from commands; those of the others may come from any program
+        name: resolved name
+        takes_frames: whether its goals come from commands; other goals may come from any program
     """
 
     name: str
@@ -24,12 +24,12 @@ class Server:
 
     @property
     def cancel_topic(self) -> str:
-        """Where it hears cancels."""
+        """The topic on which it hears cancels."""
         return f"{self.name}/cancel"
 
     @property
     def status_topic(self) -> str:
-        """Where it tells what its goals do."""
+        """The topic on which it publishes the status of its goals."""
         return f"{self.name}/status"
 
 
@@ -38,11 +38,11 @@ def find_servers(
 ) -> FrozenSet[Server]:
     """Find the action servers that a stop cancels.
 
-    A ported server counts twice: as NAME/frame, which takes frames, and as NAME, where its ordinary clients send their
-    goals.
+    A ported server counts twice: as NAME/frame, which takes frames, and as NAME, to which ordinary clients send
+    their goals.
 
     Args:
-        topic_types: type of each topic that the master knows; it forgets none, not even of nodes that are gone
+        topic_types: type of each topic that the master knows, including those of nodes that are gone
         listeners: nodes that hear each topic
         registered: names of servers that registered for a frame, whatever the type of their goals
         others: names of further servers to cancel
@@ -61,7 +61,7 @@ def find_servers(
         if not name.endswith(ENTRANCE):
             continue
         ported = name[: -len(ENTRANCE)]
-        # "arm" and "arm/frame" of two nodes only happen to be called alike.
+        # "arm" and "arm/frame" of two different nodes are unrelated.
         if _listeners_of(f"{ported}/cancel", listeners) & _listeners_of(f"{name}/cancel", listeners):
             found[ported] = False
     found.update((name, True) for name in of_frames)
@@ -70,7 +70,7 @@ def find_servers(
 
 
 def shown_names(names: Iterable[str]) -> FrozenSet[str]:
-    """Names for a person: the two of a ported server are one."""
+    """Names to show to a person: the two names of a ported server become one."""
     known = frozenset(names)
     return frozenset(
         name[: -len(ENTRANCE)] if name.endswith(ENTRANCE) and name[: -len(ENTRANCE)] in known else name

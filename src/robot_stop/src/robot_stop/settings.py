@@ -1,4 +1,4 @@
-"""Parameters of what stops the robot."""
+"""Parameters of the nodes that stop the robot."""
 
 from dataclasses import dataclass
 from typing import Tuple
@@ -11,13 +11,13 @@ class BrakeSettings(Parameters):
     """Private parameters, checked.
 
     Attributes:
-        velocity_topics: where zero velocity is published
-        zero_velocity_duration_s: for how long after a stop, at least
-        zero_velocity_limit_s: for how long at most, when somebody drives against the stop
-        zero_velocity_rate_hz: how often
+        velocity_topics: topics on which zero velocity is published
+        zero_velocity_duration_s: shortest time for which it is repeated after a stop
+        zero_velocity_limit_s: longest time, when a node drives against the stop
+        zero_velocity_rate_hz: how often it is published
         confirmation_timeout_s: how long goals may take to end, and drivers to be quiet, before they are named
         also_cancel: names of action servers that are cancelled although they take no frames
-        refresh_period_s: how often the graph is looked through for new action servers
+        refresh_period_s: time between two searches for new action servers
         master_timeout_s: how long the master may take to answer
 
     Raises:

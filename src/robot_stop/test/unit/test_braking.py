@@ -1,4 +1,4 @@
-"""Who does not obey a stop, and for how long it is repeated."""
+"""Stops name the nodes that do not obey, and are repeated for the right time."""
 
 import pytest
 
@@ -16,7 +16,7 @@ NEW = LiveGoal(TURN, "new", stamp_ns=51 * SECOND_NS)
 
 
 class Robot:
-    """A clock, and a stop that is looked at as it goes on."""
+    """A clock, and a stop that the test looks at as time passes."""
 
     def __init__(self, evidence=Evidence(), *, orders=(STOP,), **limits):
         self.now_s = 1000.0
@@ -30,7 +30,7 @@ class Robot:
 
 
 def driving(*, period_s=None, ago_s=0.0, goals=()):
-    """Evidence of a driver, at the time of the look."""
+    """Evidence of a driver at the time of the look."""
     return lambda now_s: Evidence(
         velocities=(VelocitySeen("/teleop", "/cmd_vel", now_s - ago_s, period_s),), goals=goals
     )
@@ -48,7 +48,7 @@ def test_robot_that_stands_is_stopped_when_things_have_settled():
     )
 
 
-def test_it_is_repeated_for_a_while_and_nothing_more_is_said():
+def test_obeyed_stop_is_repeated_for_a_while_and_answered_once():
     robot = Robot(least_s=1.0)
     assert robot.look(after_s=0.2).repeated == STOP
     look = robot.look(after_s=0.7)
@@ -92,7 +92,7 @@ def test_driver_is_named_and_zero_velocity_goes_on_up_to_the_limit():
     assert not robot.braking.is_busy
 
 
-def test_driver_that_gives_up_is_said():
+def test_driver_that_gives_up_is_reported():
     robot = Robot()
     assert not robot.look(driving(), after_s=1.0).findings[0].obedience.is_complete
     (finding,) = robot.look(driving(ago_s=0.5), after_s=0.5).findings
@@ -149,13 +149,13 @@ def test_each_stop_of_a_flood_is_answered_and_only_the_newest_is_repeated():
     assert robot.look(driving(), after_s=0.2).findings[0].order == orders[-1]
 
 
-def test_stop_that_somebody_else_sees_to_is_left():
+def test_released_stop_is_dropped():
     robot = Robot()
     robot.braking.release("stop")
     assert not robot.braking.is_busy
 
 
-def test_nothing_is_known_without_the_graph():
+def test_unread_graph_is_reported():
     robot = Robot()
     blind = Evidence(is_complete=False)
     assert robot.look(blind, after_s=0.5).findings == ()
@@ -174,13 +174,13 @@ def test_sentences():
     robot = Robot()
     (stopped,) = robot.look(after_s=0.2).findings
     assert sentence_of(stopped, server_count=1, limit_s=10.0) == (
-        "Stopped: zero velocity, and no goal of 1 action server goes on."
+        "Stopped: zero velocity, and no goal is left on 1 action server."
     )
     robot = Robot()
     (finding,) = robot.look(driving(goals=(OLD, LiveGoal(FIBONACCI, "f", 1))), after_s=1.0).findings
     assert finding.obedience.names == ("/fibonacci", "/teleop", "/turn")
     assert sentence_of(finding, server_count=2, limit_s=10.0) == (
         "The robot may still move: /teleop publishes velocities on /cmd_vel and /fibonacci and /turn have not ended "
-        "their goals. Zero velocity goes on for up to 10 s."
+        "their goals. Zero velocity is repeated for up to 10 s."
     )
     assert Obedience().describe() == ""

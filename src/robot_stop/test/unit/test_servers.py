@@ -1,4 +1,4 @@
-"""Which servers are cancelled."""
+"""A stop finds the servers that it cancels."""
 
 import pytest
 
@@ -37,7 +37,7 @@ def find(registered=(), others=(), types=None):
     return find_servers(TYPES if types is None else types, LISTENERS, registered=registered, others=others)
 
 
-def test_servers_of_frames_that_are_there_and_the_ported_ones_under_both_names():
+def test_present_frame_servers_are_found_and_ported_ones_under_both_names():
     assert find() == OF_FRAMES | {PORTED}
 
 
@@ -49,11 +49,11 @@ def test_ported_server_that_registered_is_found_without_a_type():
     assert find(registered=("/fibonacci/frame",), types={}) == {PORTED, Server("/fibonacci/frame", takes_frames=True)}
 
 
-def test_other_servers_count_when_they_are_there():
+def test_also_cancelled_servers_are_found_when_present():
     assert find(others=("/move_base", "/nobody")) == OF_FRAMES | {PORTED, Server("/move_base", takes_frames=False)}
 
 
-def test_server_among_the_others_that_takes_frames_does():
+def test_also_cancelled_server_that_takes_frames_is_marked_so():
     assert find(others=("/turn",)) == find()
 
 

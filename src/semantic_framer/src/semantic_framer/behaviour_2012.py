@@ -7,11 +7,12 @@ policy of the arbitrator, and ``LeftOverWords.IGNORE``.
 import re
 from dataclasses import replace
 from enum import Enum
-from typing import Dict, Tuple
+from typing import Dict, Optional, Tuple
 
 from semantic_framer.dialogue import Context
 from semantic_framer.outcome import Outcome, Question, Refusal, Understood
 from semantic_framer.reading import ElementValue, Reading
+from utterance_passes.trace import Trace
 
 
 class Arguments(Enum):
@@ -29,7 +30,7 @@ class Questions(Enum):
 
 
 def with_habits(
-    outcome: Outcome, context: Context, *, arguments: Arguments, questions: Questions
+    outcome: Outcome, context: Context, *, arguments: Arguments, questions: Questions, trace: Optional[Trace] = None
 ) -> Tuple[Outcome, Context]:
     """Return what came of an utterance, and what is to be remembered, with these habits.
 
@@ -38,7 +39,18 @@ def with_habits(
         context: to be remembered
         arguments: which words become arguments
         questions: what becomes of a question
+        trace: where a change is written; None for nowhere
     """
+    changed, context = _with_habits(outcome, context, arguments, questions)
+    if trace is not None and changed != outcome:
+        what = "arguments are single words" if isinstance(changed, Understood) else "refused. Nothing is asked."
+        trace.add("behaviour_2012", after=what)
+    return changed, context
+
+
+def _with_habits(
+    outcome: Outcome, context: Context, arguments: Arguments, questions: Questions
+) -> Tuple[Outcome, Context]:
     if questions is Questions.REFUSE and isinstance(outcome, Question):
         sentence = f'I would have to ask "{outcome.sentence}", and I am set to ask nothing. I do nothing.'
         return Refusal(outcome.code, sentence), replace(context, pending=None)

@@ -156,7 +156,7 @@ class _Hearing:
         if pending is None:
             return self._read(meant, context)
         if is_no(tree.text):
-            return Heard(Refusal(DECLINED, "As you wish: I do nothing."), context, meant)
+            return Heard(Refusal(DECLINED, "All right, I do nothing."), context, meant)
         known, policy = self._now.known, self._now.policy
         if pending.readings:
             choice = chosen(meant, pending.readings, known)

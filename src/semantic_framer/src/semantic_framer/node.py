@@ -3,7 +3,7 @@
 import threading
 import time
 import uuid
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import Dict, List, Tuple
 
 import rospy
@@ -24,16 +24,17 @@ from roboframenet_msgs.msg import (
 )
 from roboframenet_msgs.srv import AddLexicalUnit, AddLexicalUnitRequest, AddLexicalUnitResponse
 
-from roboframenet_ros.ros_log import log_from_threads
+from roboframenet_ros.ros_node import read_parameters, run_node
 from roboframenet_ros.ros_stage import Stage
-from semantic_framer.behaviour_2012 import Arguments, Questions, with_habits
+from semantic_framer.behaviour_2012 import with_habits
 from semantic_framer.dialogue import Context
 from semantic_framer.framed_lexicon import FramedLexicon
 from semantic_framer.framer import Outcome, hear
 from semantic_framer.lexicon import Lexicon
 from semantic_framer.lexicon_files import LexiconFiles, LexiconState
-from semantic_framer.outcome import Alternatives, LeftOverWords, Policy, Refusal, Understood, reply_outcome
+from semantic_framer.outcome import Refusal, Understood, reply_outcome
 from semantic_framer.ros_messages import to_clauses, to_filled_units
+from semantic_framer.settings import Settings
 from semantic_frames import FileRefused, load_frame
 from semantic_frames.frame import SemanticFrame
 from semantic_frames.source_files import LEXICAL_UNITS_FOLDER, yaml_files
@@ -47,48 +48,6 @@ ADDED_LEXICAL_UNITS = "~_added_lexical_units"
 CATALOGUE_DELAY_S = 1.0
 
 
-@dataclass(frozen=True)
-class Settings:
-    """Parameters of the node, checked.
-
-    Attributes:
-        lexical_unit_paths: files, and folders with folders named ``lexical_units``
-        policy: how careful to be
-        trace: whether what each rule did goes with each command
-        arguments: which words become arguments
-        questions: what to do when something must be known first
-    """
-
-    lexical_unit_paths: Tuple[str, ...]
-    policy: Policy
-    trace: bool
-    arguments: Arguments
-    questions: Questions
-
-    @classmethod
-    def from_parameters(cls) -> "Settings":
-        """Read the node's private parameters.
-
-        Raises:
-            ValueError: a value that is not allowed
-        """
-        paths = rospy.get_param("~lexical_unit_paths", [])
-        timeout_s = float(rospy.get_param("~question_timeout_s", 30.0))
-        if not 1.0 <= timeout_s <= 3600.0:
-            raise ValueError(f"~question_timeout_s must be 1 to 3600 s, got {timeout_s}")
-        return cls(
-            lexical_unit_paths=tuple([paths] if isinstance(paths, str) else paths),
-            policy=Policy(
-                left_over_words=LeftOverWords(rospy.get_param("~left_over_words", "strict")),
-                alternatives=Alternatives(rospy.get_param("~alternatives", "either")),
-                question_timeout_s=timeout_s,
-            ),
-            trace=bool(rospy.get_param("~trace", True)),
-            arguments=Arguments(rospy.get_param("~arguments", "phrases")),
-            questions=Questions(rospy.get_param("~questions", "ask")),
-        )
-
-
 class SemanticFramer:
     """Understands one command after the other.
 
@@ -99,7 +58,7 @@ class SemanticFramer:
         lexicon (Lexicon, latched), file_problems (FileProblems, latched), stage_events (StageEvent)
     Services:
         add_lexical_unit
-    Parameters: see :class:`Settings`.
+    Parameters: see :class:`semantic_framer.settings.Settings`.
     """
 
     def __init__(self, settings: Settings) -> None:
@@ -232,7 +191,11 @@ class SemanticFramer:
                     )
                 ):
                     outcome, context = with_habits(
-                        outcome, heard.context, arguments=self._settings.arguments, questions=self._settings.questions
+                        outcome,
+                        heard.context,
+                        arguments=self._settings.arguments,
+                        questions=self._settings.questions,
+                        trace=trace,
                     )
                     # A clock that was set back makes all stamps early; a command that is stopped already asks nothing.
                     is_stopped = stamp <= self._stop_stamp <= rospy.Time.now() and not self._stop_stamp.is_zero()
@@ -256,12 +219,5 @@ class SemanticFramer:
 
 
 def main() -> None:
-    """Run the node."""
-    rospy.init_node("semantic_framer")
-    log_from_threads()
-    try:
-        SemanticFramer(Settings.from_parameters())
-    except ValueError as error:
-        rospy.logfatal("cannot start: %s", error)
-        raise SystemExit(1) from error
-    rospy.spin()
+    """Run the node until ROS shuts down; exits with a sentence when a parameter is wrong."""
+    run_node("semantic_framer", lambda: SemanticFramer(read_parameters(Settings)))

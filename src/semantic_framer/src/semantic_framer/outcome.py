@@ -96,4 +96,4 @@ def left_over_refusal(sentence: Sentence, positions: Sequence[int]) -> Refusal:
 
 def not_then(sentence: Sentence, positions: Iterable[int]) -> Refusal:
     """Return the refusal of what is to be done at another time, or under a condition."""
-    return Refusal("CONDITION", f'I can only act at once, not "{sentence.text(sorted(positions))}".')
+    return Refusal("CONDITION", f'I can only act now, not "{sentence.text(sorted(positions))}".')

@@ -4,15 +4,17 @@ from dataclasses import dataclass
 from typing import FrozenSet, Tuple
 
 from semantic_framer.attachment import is_direction, is_side_of_something
-from semantic_framer.frame_roles import NO_THINGS, PLACES, THEME, THINGS
+from semantic_framer.frame_roles import MESSAGE, NO_THINGS, PLACES, THEME, THINGS
 from semantic_framer.reading import ElementValue, Reading
 from semantic_framer.things import is_indefinite, is_no_thing
 from semantic_frames.frame import SemanticFrame
 from utterance_passes.tree import DependencyTree, Word
 from word_classes import word_class
 
+_BEFORE_DETERMINERS = word_class("before_determiners")
 _DEGREES = word_class("degrees")
 _LEFT_AND_RIGHT = word_class("left_and_right")
+_PLACING = word_class("placing_prepositions")
 _SIDES = word_class("sides")
 
 
@@ -81,6 +83,43 @@ def is_numbered_place(filled: Filled) -> bool:
     elements = filled.frame.frame_elements
     themes = {element.name for element in elements if element.framenet == THEME and element.quantity is None}
     return any(other.name in themes and other.positions for other in filled.reading.values)
+
+
+def is_one_of_two_places(filled: Filled) -> bool:
+    """Whether one thing is to be put in two places: in "put the cup on the table and the bowl" nobody can tell whether
+    the bowl is a place. A thing can be brought "to Anna and Ben" one after the other.
+    """
+    if filled.value.conjunction != "and" or "Goal" not in filled.roles:
+        return False
+    prepositions = [child for child in filled.tree.children(filled.head.index) if child.deprel == "case"]
+    elements = filled.frame.frame_elements
+    themes = {element.name for element in elements if element.framenet == THEME and element.quantity is None}
+    is_put = any(other.name in themes and other.positions for other in filled.reading.values)
+    return is_put and bool(prepositions) and prepositions[0].form.lower() in _PLACING
+
+
+def is_two_phrases(filled: Filled) -> bool:
+    """Whether a second noun phrase follows the first with nothing between: "room 3 polish the table" is a place and a
+    command whose verb was taken for a noun.
+    """
+    if MESSAGE in filled.roles:
+        return False
+    words = [filled.tree.word(index) for index in filled.value.positions]
+    if any(word.upos in ("VERB", "AUX") for word in words) or filled.tree.quoted & frozenset(filled.value.positions):
+        return False
+    return any(
+        word.upos in ("NOUN", "PROPN", "NUM")
+        and word.form.lower() not in _BEFORE_DETERMINERS
+        and following.index == word.index + 1
+        and following.head != word.index
+        and (following.deprel == "det" or _counts_an_apposition(filled.tree, following))
+        for word, following in zip(words, words[1:])
+    )
+
+
+def _counts_an_apposition(tree: DependencyTree, word: Word) -> bool:
+    """Whether a number counts a noun that explains the noun in front of it: "3" of "room 3 knock"."""
+    return word.deprel == "nummod" and tree.word(word.head).deprel == "appos"
 
 
 def is_degree(filled: Filled) -> bool:

@@ -34,7 +34,7 @@ def _asks_for_nothing(case: Case) -> Optional[Refusal]:
         return asks_for_nothing(kind, said) if kind.kind in (UtteranceKind.TALK, UtteranceKind.QUESTION) else None
     for clause, kind in zip(case.clauses, case.kinds):
         if kind.kind is UtteranceKind.QUESTION:
-            return asks_for_nothing(kind, case.text_of(clause))
+            return asks_for_nothing(kind, case.text_of(clause) if case.clauses[1:] else said)
     if any(kind.is_read for kind in case.kinds) or any(clause.is_negated for clause in case.clauses):
         return None
     return asks_for_nothing(case.kinds[0], said)

@@ -173,7 +173,7 @@ def _unknown_verb(case: ClauseCase) -> Optional[Refusal]:
     if case.matches:
         return None
     near = case.of.known.lexicon.nearest_verbs(case.clause.lemma)
-    hint = f" Do you mean {' or '.join(near)}?" if near else ""
+    hint = " Do you mean " + " or ".join(f'"{verb}"' for verb in near) + "?" if near else ""
     return Refusal("UNKNOWN_VERB", f'I do not know how to "{case.clause.lemma}".{hint}')
 
 
@@ -222,6 +222,16 @@ PLAUSIBILITY: Tuple[ReadingVerdict, ...] = (
         "number_is_no_place",
         'A number is taken for the place of something: "set the thermostat to 20".',
         _of_any_value(plausibility.is_numbered_place),
+    ),
+    ReadingVerdict(
+        "one_place",
+        'One thing is put in two places: "put the cup on the table and the bowl".',
+        _of_any_value(plausibility.is_one_of_two_places),
+    ),
+    ReadingVerdict(
+        "two_phrases",
+        'Two noun phrases fill one element with nothing between them: "go to room 3 polish the table".',
+        _of_any_value(plausibility.is_two_phrases),
     ),
     ReadingVerdict(
         "degree_is_no_thing", 'A degree is taken for a thing: "move a bit".', _of_any_value(plausibility.is_degree)
@@ -301,7 +311,7 @@ def _nothing_fits(case: ClauseCase) -> Optional[Refusal]:
     wanted = {unit.frame_name for match in case.matches for unit in known.lexicon.units_of(match.verb)}
     if not wanted & set(known.frames):
         return Refusal("UNKNOWN_FRAME", f"No file describes the frame {' or '.join(sorted(wanted))}.")
-    return Refusal("NO_READING", f'I know "{case.matches[0].verb}", but not in this way.')
+    return Refusal("NO_READING", f'I know "{case.matches[0].verb}", but not in this sentence.')
 
 
 def _depends_on_something(case: ClauseCase, reading: Reading, beside: Tuple[Reading, ...]) -> bool:

@@ -7,6 +7,7 @@ from typing import Any, List
 
 import rospy
 
+from roboframenet_ros.ros_node import StartError, run_node
 from server_hosting.hosted import Hosted, HostedError, read_hosted
 
 
@@ -22,14 +23,11 @@ def host(hosted: Hosted) -> Any:
     return server_class(parameters=hosted.parameters) if takes_parameters else server_class()
 
 
-def main() -> None:
-    """Run the node; a server that cannot be constructed is logged, and the others run."""
-    rospy.init_node("rfnserver_host")
+def _start() -> List[Any]:
     try:
         wanted = read_hosted(rospy.myargv()[1:])
     except HostedError as error:
-        rospy.logfatal("%s", error)
-        raise SystemExit(2) from error
+        raise StartError(str(error)) from error
     servers: List[Any] = []
     for hosted in wanted:
         try:
@@ -38,7 +36,11 @@ def main() -> None:
             rospy.logerr("%s cannot be hosted: %s: %s", hosted.name, type(error).__name__, error)
             rospy.logdebug("%s", traceback.format_exc())
     if not servers:
-        rospy.logfatal("no server could be hosted")
-        raise SystemExit(1)
+        raise StartError("no server could be hosted")
     rospy.loginfo("hosting %d of %d servers", len(servers), len(wanted))
-    rospy.spin()
+    return servers
+
+
+def main() -> None:
+    """Run the node until ROS shuts down. A server that cannot be constructed is logged, and the others run."""
+    run_node("rfnserver_host", _start)

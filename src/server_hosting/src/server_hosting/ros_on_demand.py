@@ -5,7 +5,7 @@ import queue
 import threading
 import time
 from dataclasses import dataclass
-from typing import Dict, List, Optional, Union
+from typing import Dict, List, Optional, Sequence, Tuple, Union
 
 import rospy
 from actionlib_msgs.msg import GoalStatus, GoalStatusArray
@@ -19,6 +19,8 @@ from roboframenet_msgs.msg import (
 from rfnserver import RFNServer
 from rfnserver.ros_frame_adapter import conclude
 from rfnserver.ros_goal_forwarding import ForwardedEnd, ForwardingDeadlines, GoalForwarder
+from roboframenet_ros.parameters import Parameters, parameter
+from roboframenet_ros.ros_node import StartError, read_parameters, run_node
 from semantic_frames.problem import FileRefused
 from semantic_frames.source_files import read_text
 from server_hosting.manifest import Manifest, by_frame, load_manifests
@@ -28,6 +30,20 @@ from server_hosting.server_lease import ServerLease
 #: How often the main thread checks for servers that are idle or have died, seconds.
 LOOK_S = 0.5
 BUSY = (GoalStatus.PENDING, GoalStatus.ACTIVE, GoalStatus.PREEMPTING, GoalStatus.RECALLING)
+
+
+@dataclass(frozen=True)
+class Settings(Parameters):
+    """Private parameters, checked.
+
+    Attributes:
+        files: manifest files
+
+    Raises:
+        ParameterError: not a list of names
+    """
+
+    files: Tuple[str, ...] = parameter((), may_be_single=True)
 
 
 @dataclass(frozen=True)
@@ -198,7 +214,7 @@ class OnDemand:
         return end
 
 
-def read_manifests(paths: List[str]) -> Dict[str, Manifest]:
+def read_manifests(paths: Sequence[str]) -> Dict[str, Manifest]:
     """Read manifest files; files with mistakes are logged and skipped."""
     manifests: List[Manifest] = []
     for path in paths:
@@ -213,20 +229,18 @@ def read_manifests(paths: List[str]) -> Dict[str, Manifest]:
     return chosen
 
 
-def main() -> None:
-    """Run the node.
-
-    Parameters:
-        ~files (list of strings, or one): manifest files
-    """
-    rospy.init_node("on_demand")
-    files = rospy.get_param("~files", [])
-    manifests = read_manifests([files] if isinstance(files, str) else [str(path) for path in files])
+def _run() -> None:
+    settings = read_parameters(Settings)
+    manifests = read_manifests(settings.files)
     if not manifests:
-        rospy.logfatal("no server is to be started on demand; ~files: %s", files)
-        raise SystemExit(1)
+        raise StartError(f"no server is to be started on demand; ~files: {', '.join(settings.files) or 'empty'}")
     node = OnDemand(manifests)
     registering = threading.Thread(target=node.register, name="registering", daemon=True)
     registering.start()
     rospy.loginfo("%d frames on demand", len(manifests))
     node.run()
+
+
+def main() -> None:
+    """Run the node until ROS shuts down; exits with a sentence when it cannot start."""
+    run_node("on_demand", _run)

@@ -1,4 +1,4 @@
-"""Numbers, lengths, angles and durations in English words, and what they are in SI units."""
+"""Reads numbers, lengths, angles and durations in English words, and converts them to SI units."""
 
 from spoken_quantities.measure import Measure, parse_measure
 from spoken_quantities.numbers import QuantityError, number_words, parse_number

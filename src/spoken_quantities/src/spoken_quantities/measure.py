@@ -10,16 +10,17 @@ from spoken_quantities.units import Unit, find_unit, units_of
 
 #: A number written together with its unit: "10cm", "90°", "3ft".
 _JOINED = re.compile(r"^([+-]?[\d.,]+)\s*([^\d\s.,+-].*)$")
-#: Words between the number and its unit that carry nothing: "half a metre", "a couple of metres".
+#: Words without meaning between the number and its unit: "half a metre", "a couple of metres".
 _FILLERS = ("of a", "of an", "of the", "of", "a", "an")
-#: Words between the number and its unit that change nothing: "a full turn", "two more metres".
+#: Words between the number and its unit that do not change the amount: "a full turn", "two more metres".
 _EMPHASIS = ("full", "whole", "complete", "entire", "more", "further", "additional", "extra")
 #: "90-degree", "two-metre".
 _HYPHEN_BEFORE_UNIT = re.compile(r"(?<=[\w])-(?=([a-z]+)$)", re.IGNORECASE)
 #: "5ft 6in", "5'6\"", "1h30": numbers and units may touch.
 _BETWEEN_DIGITS_AND_UNITS = re.compile(r"(?<=\d)(?=[a-z'\"])|(?<=[a-z'\"])(?=\d)")
-#: What a bare number behind a unit counts: so many of it make one, and it is not said of fewer. "Five foot six" is six
-#: inches; "two metres fifty" is fifty centimetres, but "two metres five" may be five centimetres or half a metre.
+#: For each unit: how many of the smaller unit a bare number after it counts make one, and the least number that is said
+#: like this. "Five foot six" is six inches; "two metres fifty" is fifty centimetres, but "two metres five" may be five
+#: centimetres or half a metre.
 _PARTS: Dict[str, Tuple[int, int]] = {
     "foot": (12, 1),
     "metre": (100, 10),
@@ -34,8 +35,8 @@ class Measure:
     """An amount of something that can be measured.
 
     Attributes:
-        amount: as it was said
-        unit: singular English name of the unit as it was said; empty for a bare number
+        amount: the number, in the unit that was said
+        unit: singular English name of the unit that was said; empty for a bare number
         quantity: length, angle, duration or number
         si_amount: metres, radians, seconds, or the bare number
     """
@@ -50,13 +51,15 @@ def parse_measure(text: str, *, quantity: Optional[str] = None, default_unit: st
     """Read a measure.
 
     Args:
-        text: "3 feet", "half a metre", "a couple of metres", "minus two degrees", "10cm", "90°", "one eighty"; also one
-            that is said in two units or more, "5 feet 6 inches", "five foot six", "two metres fifty", "an hour and a
-            half", whose amount is counted in the first unit (5.5 feet)
-        quantity: length, angle, duration or number, if only that is wanted
-        default_unit: unit of a bare number, if it may be left out
+        text: "3 feet", "half a metre", "a couple of metres", "minus two degrees", "10cm", "90°", "one eighty"; also a
+            measure in two units or more, "5 feet 6 inches", "five foot six", "two metres fifty", "an hour and a half",
+            whose amount is given in the first unit (5.5 feet)
+        quantity: length, angle, duration or number, to accept only that one
+        default_unit: unit of a bare number, if the unit may be left out
+
     Returns:
-        the measure, its amounts finite
+        the measure; its amounts are finite
+
     Raises:
         QuantityError: NOT_A_NUMBER, NOT_FINITE, UNKNOWN_UNIT, MISSING_UNIT, WRONG_QUANTITY
     """
@@ -72,7 +75,7 @@ def parse_measure(text: str, *, quantity: Optional[str] = None, default_unit: st
 
 
 def _parse_compound(text: str) -> Optional[Measure]:
-    """Read a measure in several units, or None; each unit is smaller than the one before, and filled less than once."""
+    """Read a measure in several units, or None. Each part must be less than one of the unit before it."""
     words = _BETWEEN_DIGITS_AND_UNITS.sub(" ", text.lower().replace("°", " ° ")).split()
     position = next((index for index, word in enumerate(words) if index and find_unit(word)), len(words))
     unit = find_unit(words[position]) if position < len(words) - 1 else None
@@ -90,10 +93,10 @@ def _parse_compound(text: str) -> Optional[Measure]:
 
 
 def _amount_behind(words: List[str], unit: Unit) -> Optional[float]:
-    """Read what is said behind a unit, as a share of that unit: "6 inches", "six", "and a half"; None for other words.
+    """Read the words after a unit as a share of that unit: "6 inches", "six", "and a half"; None for other words.
 
     Raises:
-        QuantityError: it is no measure
+        QuantityError: the words are not a measure
     """
     is_joined = words[0] == "and"
     words = words[1:] if is_joined else words
@@ -134,7 +137,7 @@ def _parse_single(text: str, quantity: Optional[str], default_unit: str) -> Meas
     for filler in _FILLERS:
         counted = number_text[: -len(filler) - 1].lower()
         is_filler = number_text.lower() == f"{counted} {filler}" and not counted.startswith("a couple")
-        # "Minus a metre" has no other number.
+        # In "minus a metre" the article is the number.
         if is_filler and counted not in ("minus", "plus", "negative"):
             number_text = counted
             break

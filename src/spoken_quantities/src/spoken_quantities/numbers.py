@@ -1,4 +1,4 @@
-"""Numbers in English words and digits."""
+"""Reads numbers in English words and digits."""
 
 import math
 import re
@@ -13,7 +13,7 @@ _TENS = "twenty thirty forty fifty sixty seventy eighty ninety".split()
 _SMALL: Dict[str, int] = {word: value for value, word in enumerate(_ONES)}
 _SMALL.update({word: 20 + 10 * index for index, word in enumerate(_TENS)})
 _SMALL.update({"fourty": 40})
-#: "One oh five" is 105; alone it is a cry.
+#: A zero among other digits ("one oh five" is 105); alone it is an exclamation.
 _OH = "oh"
 _MULTIPLIERS: Dict[str, float] = {"dozen": 12.0, "hundred": 1e2, "thousand": 1e3, "million": 1e6}
 _NAMES_OF_FRACTIONS: Dict[str, int] = {
@@ -35,27 +35,27 @@ _SIGNS = {"minus": -1.0, "negative": -1.0, "plus": 1.0}
 _DIGIT_OF: Dict[str, int] = {word: value for word, value in _SMALL.items() if value < 10}
 _DIGIT_OF.update({str(value): value for value in range(10)})
 _DIGIT_OF[_OH] = 0
-#: Words in front of a number that leave its amount as it is.
+#: Words before a number that do not change its amount.
 _HEDGES = {"about", "around", "approximately", "roughly", "exactly", "another", "some", "just"}
 _JOINING_HYPHEN = re.compile(r"(?<![a-z])([a-z]+|\d+(?=-and-))-(?=([a-z]+))")
-#: Turns that are one word to many: "a one-eighty".
+#: Turns that are said as one word: "a one-eighty".
 _IDIOMS = frozenset([180, 270, 360, 540, 720])
 _LEADING_SIGN = re.compile(r"^\s*([+-])\s*(?=[^\s+-])")
 _SPACED_SLASH = re.compile(r"(?<=\d)\s*/\s*(?=\d)", re.ASCII)
 _RATIO = re.compile(r"(\d{1,9})/(\d{1,9})", re.ASCII)
 #: "3 1/2", "3-1/2", "3 and 1/2".
 _MIXED_RATIO = re.compile(r"(.+?)(?:\s+and\s+|\s+|-)(\d{1,2})/(\d{1,2})", re.ASCII)
-#: What measures are divided into: "10/15 degrees" are two numbers to choose from.
+#: Usual denominators of measures. "10/15 degrees" means one of two numbers.
 _DENOMINATORS = frozenset([0, 2, 3, 4, 5, 6, 7, 8, 9, 10, 12, 16, 32, 64])
 _DIGITS = re.compile(r"(\d{1,3}(,\d{3})+|\d+)?(\.\d+)?(e[+-]?\d+)?", re.IGNORECASE | re.ASCII)
-#: "½" and the like, as they are written with digits.
+#: Fraction characters such as "½", written with digits.
 _SINGLE_SIGNS: Dict[str, str] = {
     sign: unicodedata.normalize("NFKC", sign).replace("\u2044", "/") for sign in "¼½¾⅐⅑⅒⅓⅔⅕⅖⅗⅘⅙⅚⅛⅜⅝⅞"
 }
 
 
 class QuantityError(ValueError):
-    """Words that are not the quantity that was asked for.
+    """The words are not the wanted quantity.
 
     Attributes:
         code: stable name: NOT_A_NUMBER, NOT_FINITE, UNKNOWN_UNIT, MISSING_UNIT, WRONG_QUANTITY
@@ -72,7 +72,7 @@ class QuantityError(ValueError):
 
 
 def number_words() -> Sequence[str]:
-    """Return the words that numbers are made of, "and" and the articles left out."""
+    """Return the words that numbers consist of, without "and" and the articles."""
     return tuple(_SMALL) + (_OH,) + tuple(_MULTIPLIERS) + tuple(_FRACTIONS) + tuple(_SIGNS) + ("couple", "few")
 
 
@@ -99,7 +99,7 @@ def parse_number(text: str) -> float:
 
 
 def _spelled(text: str) -> str:
-    """Return a text in lower case without hedges, its sign as a word, and its parts apart."""
+    """Return a text in lower case without hedges, with its sign as a word and its parts separated."""
     spelled = text.lower().replace("\u2212", "-").replace("\u2044", "/")
     spelled = "".join(" " + _SINGLE_SIGNS[sign] + " " if sign in _SINGLE_SIGNS else sign for sign in spelled)
     spelled = " ".join(word for word in spelled.split() if word not in _HEDGES)
@@ -109,9 +109,9 @@ def _spelled(text: str) -> str:
 
 
 def _parted(hyphen: "re.Match[str]") -> str:
-    """Return a word and a blank for the hyphen behind it: between two words it joins ("twenty-one").
+    """Return a word, and a space for the hyphen after it if the hyphen joins two number words ("twenty-one").
 
-    Between digits it is a range ("100-50"), and so it may be in "five-ten" and "three-fifty": none is a number.
+    Between digits a hyphen means a range ("100-50"). In "five-ten" and "three-fifty" it may too; neither is a number.
     """
     first, second = _SMALL.get(hyphen.group(1), 0), _SMALL.get(hyphen.group(2), 0)
     is_range = 0 < first < 10 <= second and first * 100 + second not in _IDIOMS
@@ -119,7 +119,7 @@ def _parted(hyphen: "re.Match[str]") -> str:
 
 
 def _is_digits(text: str) -> bool:
-    """Whether a text is a number in digits, without a sign."""
+    """Whether a text is a number in digits without a sign."""
     return text[:1] not in ("e", "E") and bool(text) and _DIGITS.fullmatch(text) is not None
 
 
@@ -148,7 +148,7 @@ def _parse_unsigned(words: List[str]) -> Optional[float]:
 
 
 def _ratio(text: str) -> Optional[float]:
-    """Read "3/4", and "3 1/2" whose ratio is less than one."""
+    """Read "3/4", or "3 1/2" if its ratio is less than one."""
     mixed = _MIXED_RATIO.fullmatch(text)
     if mixed is not None:
         whole = _count(mixed.group(1).split())
@@ -165,13 +165,13 @@ def _share(numerator: int, denominator: int) -> Optional[float]:
 
 
 def _count(words: List[str]) -> Optional[float]:
-    """Read a whole number in front of a fraction; "a dozen and a half" is no twelve and a half."""
+    """Read a whole number before a fraction; "a dozen and a half" does not mean twelve and a half."""
     value = _whole(words) if words and words[-1] not in _MULTIPLIERS else None
     return value if value is not None and value.is_integer() else None
 
 
 def _fraction_at_end(words: List[str]) -> Optional[float]:
-    """Read "half a", "a quarter of a", "two and a half", "nine and three quarters"; None when it is none of them."""
+    """Read "half a", "a quarter of a", "two and a half", "nine and three quarters"; None for other words."""
     words = list(words)
     while words[-1:] in (["a"], ["an"], ["of"], ["the"]):
         words.pop()
@@ -186,17 +186,17 @@ def _fraction_at_end(words: List[str]) -> Optional[float]:
 
 
 def _parts(count: List[str], name: str) -> Optional[float]:
-    """Read how many halves, quarters and so on there are; one word counts them."""
+    """Read the number of halves, quarters and so on; it is one word."""
     is_plural = name.endswith("s")
     if not count:
-        # "Third" alone is a place in a row.
+        # "Third" alone is an ordinal.
         return _FRACTIONS[name] if name in ("half", "quarter") else None
     if len(count) > 1:
         return None
     if count[0] in ("a", "an", "one", "1"):
         return None if is_plural else _FRACTIONS[name]
     number = _whole(count)
-    # "Two third" is a place in a row too; "three quarter" is said before a noun ("a three quarter turn").
+    # "Two third" is no fraction either; "three quarter" is, before a noun ("a three quarter turn").
     is_before_a_noun = name == "quarter" and number == 3
     if number is None or not number.is_integer() or number < 2 or not (is_plural or is_before_a_noun):
         return None
@@ -236,7 +236,7 @@ def _whole(words: List[str]) -> Optional[float]:
                 return None
         elif word in _MULTIPLIERS:
             factor = _MULTIPLIERS[word]
-            # Thousands come before hundreds, and each once: "one hundred two hundred" is two numbers.
+            # Thousands come before hundreds, each at most once: "one hundred two hundred" is two numbers.
             if factor >= largest or (group is None and before is not None) or before in ("and", _OH):
                 return None
             if factor < 1e3 and group is not None and group >= 100:
@@ -253,7 +253,7 @@ def _whole(words: List[str]) -> Optional[float]:
 
 
 def _append(group: Optional[float], value: float, before: Optional[str], *, is_word: bool) -> Optional[float]:
-    """Put a number behind the words before it; None when English does not say it so."""
+    """Append a number to the words before it; None if the result is not an English number."""
     if group is None:
         return value
     if before == "dozen" or not value.is_integer():
@@ -263,11 +263,11 @@ def _append(group: Optional[float], value: float, before: Optional[str], *, is_w
     if before == _OH:
         return group * 100 + value if 0 < value < 10 else None
     if not is_word or before not in _SMALL:
-        # "100 50" and "20 3" are two numbers, whatever their sum is.
+        # "100 50" and "20 3" are two numbers; they are not added.
         return None
     if group % 10 == 0 and group % 100 >= 20 and 0 < value < 10:
         return group + value
-    # "one eighty" is said for 180, "one twenty five" continues it; "five ten" is said for five to ten.
+    # "One eighty" means 180, and "one twenty five" 125; "five ten" means five to ten.
     if 1 <= group < 10 <= value < 100 and (value >= 20 or group <= 3):
         return group * 100 + value
     return None

@@ -1,4 +1,4 @@
-"""Units that people say, and what they are in the units of REP 103: metres, radians, seconds."""
+"""Units of measure in English, and their factors to the units of REP 103: metres, radians, seconds."""
 
 import math
 from dataclasses import dataclass
@@ -42,7 +42,7 @@ _UNITS: Dict[str, Unit] = {spelling: unit for unit, spellings in _SPELLINGS for 
 
 
 def find_unit(word: str) -> Optional[Unit]:
-    """Return the unit of an English word or symbol, singular or plural; None for a word that is no unit."""
+    """Return the unit that an English word or symbol names, singular or plural; None for other words."""
     return _UNITS.get(word.strip(" .").lower())
 
 

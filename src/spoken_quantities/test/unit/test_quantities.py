@@ -1,4 +1,4 @@
-"""Numbers and measures as people say them."""
+"""Numbers and measures are read as people say them."""
 
 import math
 import random
@@ -160,14 +160,14 @@ def test_parse_number(text: str, number: float) -> None:
         "1.5 point 5",
     ],
 )
-def test_words_that_are_no_number(text: str) -> None:
+def test_other_words_are_refused_as_numbers(text: str) -> None:
     with pytest.raises(QuantityError) as raised:
         parse_number(text)
     assert raised.value.code == "NOT_A_NUMBER"
 
 
 @pytest.mark.parametrize("text", ["1e400", "-1e999", "1/0"])
-def test_number_that_is_not_finite(text: str) -> None:
+def test_infinite_number_is_refused(text: str) -> None:
     with pytest.raises(QuantityError) as raised:
         parse_number(text)
     assert raised.value.code == "NOT_FINITE"
@@ -283,7 +283,7 @@ def test_bare_number_takes_the_default_unit() -> None:
         ("feet", "length", "NOT_A_NUMBER"),
     ],
 )
-def test_measure_that_is_refused(text: str, quantity: str, code: str) -> None:
+def test_wrong_measure_is_refused(text: str, quantity: str, code: str) -> None:
     with pytest.raises(QuantityError) as raised:
         parse_measure(text, quantity=quantity)
     assert raised.value.code == code

@@ -11,7 +11,8 @@ import rospy
 from roboframenet_msgs.msg import Command, CommandParse, Lexicon, Reply
 from stanford_parser_msgs.msg import Parse
 
-from roboframenet_ros.ros_log import log_from_threads
+from roboframenet_ros.parameters import Parameters, parameter
+from roboframenet_ros.ros_node import StartError, read_parameters, run_node
 from roboframenet_ros.ros_stage import Stage
 from semantic_frames import FileRefused, load_lexical_units
 from stanford_parser_ros.inference import ModelError, StanzaInference, shipped_model_dir
@@ -25,50 +26,27 @@ WAKE_UP_S = 1.0
 
 
 @dataclass(frozen=True)
-class Settings:
-    """Parameters of the node, checked.
+class Settings(Parameters):
+    """Private parameters, checked.
 
     Attributes:
-        model_dir: folder of the Stanza models
-        package: name of a package in it
+        model_dir: folder of the Stanza models; empty for the shipped ones
+        package: name of a package in it; empty for the default one
         threads: of torch
         cache_size: number of parses that are kept
         queue_size: number of commands that may wait; one more is refused
         trace: whether events say what the passes changed
+
+    Raises:
+        ParameterError: a value out of its range
     """
 
-    model_dir: Path
-    package: str
-    threads: int
-    cache_size: int
-    queue_size: int
-    trace: bool
-
-    def __post_init__(self) -> None:
-        for name, value, largest in (
-            ("threads", self.threads, 64),
-            ("cache_size", self.cache_size, 100000),
-            ("queue_size", self.queue_size, 10000),
-        ):
-            if not 1 <= value <= largest:
-                raise ValueError(f"~{name} must be 1 to {largest}, got {value}")
-
-    @classmethod
-    def from_parameters(cls) -> "Settings":
-        """Read the node's private parameters."""
-        folder = rospy.get_param("~model_dir", "")
-        return cls(
-            model_dir=(
-                Path(folder).expanduser()
-                if folder
-                else shipped_model_dir(rospkg.RosPack().get_path("stanford_parser_ros"))
-            ),
-            package=rospy.get_param("~package", "") or "default",
-            threads=int(rospy.get_param("~threads", 1)),
-            cache_size=int(rospy.get_param("~cache_size", 256)),
-            queue_size=int(rospy.get_param("~queue_size", 100)),
-            trace=bool(rospy.get_param("~trace", True)),
-        )
+    model_dir: str = parameter("")
+    package: str = parameter("default")
+    threads: int = parameter(1, least=1, most=64)
+    cache_size: int = parameter(256, least=1, most=100_000)
+    queue_size: int = parameter(100, least=1, most=10_000)
+    trace: bool = parameter(True)
 
 
 class ParserNode:
@@ -95,7 +73,15 @@ class ParserNode:
         self._verbs: FrozenSet[str] = frozenset()
         self._verbs_of_file: Dict[str, FrozenSet[str]] = {}
         self._lexicon = rospy.Subscriber("lexicon", Lexicon, self._on_lexicon, queue_size=1)
-        models = StanzaInference(model_dir=settings.model_dir, package=settings.package, threads=settings.threads)
+        models = StanzaInference(
+            model_dir=(
+                Path(settings.model_dir).expanduser()
+                if settings.model_dir
+                else shipped_model_dir(rospkg.RosPack().get_path("stanford_parser_ros"))
+            ),
+            package=settings.package or Settings.package,
+            threads=settings.threads,
+        )
         self._parser = Parser(models, cache_size=settings.cache_size)
         times = models.load_times
         self._commands: queue.Queue[Command] = queue.Queue(settings.queue_size)
@@ -181,13 +167,13 @@ def describe(tree: DependencyTree) -> str:
     return " ".join(parts)
 
 
-def main() -> None:
-    """Run the node."""
-    rospy.init_node("stanford_parser_ros")
-    log_from_threads()
+def _start() -> ParserNode:
     try:
-        ParserNode(Settings.from_parameters())
-    except (ModelError, ValueError) as error:
-        rospy.logfatal("cannot start: %s", error)
-        raise SystemExit(1) from error
-    rospy.spin()
+        return ParserNode(read_parameters(Settings))
+    except ModelError as error:
+        raise StartError(str(error)) from error
+
+
+def main() -> None:
+    """Run the node until ROS shuts down; exits with a sentence when it cannot start."""
+    run_node("stanford_parser_ros", _start)

@@ -141,7 +141,7 @@ class StopServerNode:
         rospy.loginfo("stopped in %.1f ms, cancelled %s", 1000.0 * braked.took_s, list(braked.cancelled))
 
     def _report_finding(self, finding: Finding) -> None:
-        """Reply to a stop when it is known who obeys, and report when that changes."""
+        """Reply to a stop when it is known which nodes obey, and report when that changes."""
         told = self._told[finding.order.key]
         sentence = self._sentence_of(finding, server_count=len(told.braked.cancelled))
         if told.heard.findings is not None:

@@ -201,7 +201,7 @@ class StopServerNodeTest(unittest.TestCase):
             actionlib.ServerGoalHandle(tracker, stubborn).set_canceled()
         wait_until(
             lambda: any(
-                report.sentence == "Stopped now: everybody obeys." and report.command.text == "Whoa!"
+                report.sentence == "Stopped now: every node obeys." and report.command.text == "Whoa!"
                 for report in list(self.reports)
             )
         )

@@ -15,6 +15,8 @@ from roboframenet_msgs.msg import FilledSemanticFrame, FilledSemanticFrameFeedba
 from sensor_msgs.msg import PointCloud2
 
 from rfnserver import RFNServer
+from roboframenet_ros.parameters import ParameterError, Parameters, parameter
+from roboframenet_ros.ros_node import read_parameters, run_node
 from turtlebot_follower.centroid import Box, Centroid, CloudError, centroid, points_of
 from turtlebot_follower.cfg import FollowerConfig
 from turtlebot_follower.following import Follower, FollowingSettings, FollowingStep, Sight
@@ -32,44 +34,32 @@ class Mode(enum.Enum):
 
 
 @dataclass(frozen=True)
-class Settings:
-    """Parameters that do not change while the node runs.
+class Settings(Parameters):
+    """Private parameters, checked; they do not change while the node runs.
+
+    Attributes:
+        mode: which follower is used
+        launchfile: path of the launch file in the mode launch
+        service: name of the service in the mode service
+        service_timeout_s: how long the service may take, and launched nodes to end
+        pixel_step: only every n-th point of every n-th row is used
+        odometry_timeout_s: older odometry is not used
 
     Raises:
-        ValueError: the mode is unknown, the launch file is missing, or a number is out of range
+        ParameterError: the mode is unknown, the launch file is missing, or a number is out of its range
     """
 
-    mode: str
-    launchfile: str
-    service: str
-    service_timeout_s: float
-    pixel_step: int
-    odometry_timeout_s: float
+    mode: Mode = parameter(Mode.OWN)
+    launchfile: str = parameter("")
+    service: str = parameter("turtlebot_follower/change_state")
+    service_timeout_s: float = parameter(2.0, least=0.1, most=60.0)
+    pixel_step: int = parameter(2, least=1, most=32)
+    odometry_timeout_s: float = parameter(0.5, least=0.1, most=60.0)
 
     def __post_init__(self) -> None:
-        modes = [mode.value for mode in Mode]
-        if self.mode not in modes:
-            raise ValueError("~mode must be one of {}, got {!r}".format(", ".join(modes), self.mode))
-        if self.mode == Mode.LAUNCH.value and not self.launchfile:
-            raise ValueError("~mode launch needs ~launchfile")
-        for name in ("service_timeout_s", "odometry_timeout_s"):
-            value = getattr(self, name)
-            if not (isinstance(value, (int, float)) and math.isfinite(value) and 0.1 <= value <= 60.0):
-                raise ValueError(f"~{name} must be 0.1 to 60 s, got {value!r}")
-        if not (isinstance(self.pixel_step, int) and 1 <= self.pixel_step <= 32):
-            raise ValueError(f"~pixel_step must be 1 to 32, got {self.pixel_step!r}")
-
-
-def read_settings() -> Settings:
-    """Read the private parameters."""
-    return Settings(
-        mode=str(rospy.get_param("~mode", Mode.OWN.value)),
-        launchfile=str(rospy.get_param("~launchfile", "")),
-        service=str(rospy.get_param("~service", "turtlebot_follower/change_state")),
-        service_timeout_s=rospy.get_param("~service_timeout_s", 2.0),
-        pixel_step=rospy.get_param("~pixel_step", 2),
-        odometry_timeout_s=rospy.get_param("~odometry_timeout_s", 0.5),
-    )
+        super().__post_init__()
+        if self.mode is Mode.LAUNCH and not self.launchfile:
+            raise ParameterError("~mode launch needs ~launchfile")
 
 
 @dataclass(frozen=True)
@@ -213,9 +203,9 @@ class TurtlebotFollower:
         """Follow until the goal is preempted or the person is lost."""
         self._idle.clear()
         try:
-            if self._settings.mode == Mode.OWN.value:
+            if self._settings.mode is Mode.OWN:
                 problem = self._follow_oneself()
-            elif self._settings.mode == Mode.SERVICE.value:
+            elif self._settings.mode is Mode.SERVICE:
                 problem = self._let_follow(
                     ServiceFollower(self._settings.service, timeout_s=self._settings.service_timeout_s)
                 )
@@ -312,10 +302,14 @@ class TurtlebotFollower:
                 rospy.logerr("the follower may still follow: %s", error)
 
 
-def main() -> None:
-    """Run the node until it is shut down."""
-    rospy.init_node("turtlebot_follower")
-    settings = read_settings()
+def _start() -> TurtlebotFollower:
+    settings = read_parameters(Settings)
     rospy.loginfo("%s", settings)
-    TurtlebotFollower(settings).start()
-    rospy.spin()
+    follower = TurtlebotFollower(settings)
+    follower.start()
+    return follower
+
+
+def main() -> None:
+    """Run the node until ROS shuts down; exits with a sentence when a parameter is wrong."""
+    run_node("turtlebot_follower", _start)

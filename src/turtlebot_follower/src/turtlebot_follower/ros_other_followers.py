@@ -3,11 +3,12 @@
 import os
 import signal
 import subprocess
-import threading
 from typing import Optional
 
 import rospy
 from turtlebot_msgs.srv import SetFollowState, SetFollowStateRequest, SetFollowStateResponse
+
+from roboframenet_ros.ros_service import ServiceError, call_service
 
 
 class FollowerError(Exception):
@@ -47,23 +48,12 @@ class ServiceFollower:
         return ""
 
     def _set(self, state: int) -> None:
-        answers = []
-
-        def call() -> None:
-            try:
-                rospy.wait_for_service(self._service, timeout=self._timeout_s)
-                answers.append(rospy.ServiceProxy(self._service, SetFollowState)(state=state).result)
-            except (rospy.ROSException, rospy.ServiceException) as error:
-                answers.append(str(error))
-
-        # A service call in rospy has no deadline, so a thread makes it, and may be abandoned.
-        thread = threading.Thread(target=call, daemon=True)
-        thread.start()
-        thread.join(2.0 * self._timeout_s)
-        if not answers:
-            raise FollowerError(f"the service {self._service} does not answer")
-        if answers[0] != SetFollowStateResponse.OK:
-            raise FollowerError(f"the service {self._service}: {answers[0]}")
+        try:
+            answer = call_service(self._service, SetFollowState, timeout_s=self._timeout_s, state=state)
+        except ServiceError as error:
+            raise FollowerError(str(error)) from error
+        if answer.result != SetFollowStateResponse.OK:
+            raise FollowerError(f"the service {self._service} refused: its result is {answer.result}")
 
 
 class LaunchFollower:

@@ -1,12 +1,15 @@
 """RFNServers that speak: the frames *saying* and *telling*."""
 
 import datetime
+from dataclasses import dataclass
 from typing import Callable
 
 import rospy
 from roboframenet_msgs.msg import FilledSemanticFrame
 
 from rfnserver import RFNServer
+from roboframenet_ros.parameters import Parameters, parameter
+from roboframenet_ros.ros_node import read_parameters, run_node
 from utter.ros_voice import Voice
 from utter.speech import NothingToSay, spoken_text, told_fact
 
@@ -16,6 +19,22 @@ def elements(frame: FilledSemanticFrame) -> dict:
     return {element.name: element.argument for element in frame.frame_elements}
 
 
+@dataclass(frozen=True)
+class Settings(Parameters):
+    """Private parameters, checked.
+
+    Attributes:
+        aloud: make sound with espeak-ng, if it is installed
+        timeout_s: when a sound is cut off
+
+    Raises:
+        ParameterError: a value of another type
+    """
+
+    aloud: bool = parameter(True)
+    timeout_s: float = parameter(30.0)
+
+
 class UtterServer:
     """Says the text that a frame asks for.
 
@@ -23,20 +42,19 @@ class UtterServer:
         saying, telling (roboframenet_msgs/FilledSemanticFrameAction)
     Publishes:
         said (std_msgs/String)
-    Parameters:
-        ~aloud (bool, default true): make sound with espeak-ng, if it is installed
-        ~timeout_s (float, default 30, seconds): when a sound is cut off
+    Parameters: see :class:`Settings`.
     """
 
     def __init__(self, parameters: str = "~") -> None:
         """
         Args:
             parameters: prefix of the names of the parameters
+
+        Raises:
+            ParameterError: a parameter is wrong
         """
-        self._voice = Voice(
-            is_aloud=rospy.get_param(parameters + "aloud", True),
-            timeout_s=float(rospy.get_param(parameters + "timeout_s", 30.0)),
-        )
+        settings = read_parameters(Settings, prefix=parameters)
+        self._voice = Voice(is_aloud=settings.aloud, timeout_s=settings.timeout_s)
         self._servers = [
             self._serve(
                 "saying",
@@ -65,7 +83,5 @@ class UtterServer:
 
 
 def main() -> None:
-    """Run the node."""
-    rospy.init_node("utter")
-    UtterServer()
-    rospy.spin()
+    """Run the node until ROS shuts down; exits with a sentence when a parameter is wrong."""
+    run_node("utter", UtterServer)

@@ -66,7 +66,31 @@ def find_clauses(tree: DependencyTree, vocabulary: Vocabulary = Verbs()) -> Tupl
         clauses.append(
             clause_of(tree, index, frozenset(positions), is_negated or _is_of_nothing(tree, frozenset(positions)))
         )
-    return tuple(piece for clause in clauses for piece in _expand_shared_verb(tree, clause))
+    return tuple(
+        piece
+        for clause in clauses
+        for cluster in _expand_clusters(tree, clause)
+        for piece in _expand_shared_verb(tree, cluster)
+    )
+
+
+def _expand_clusters(tree: DependencyTree, clause: Clause) -> Tuple[Clause, ...]:
+    """Return a clause, or one for each group of phrases that shares its verb; what is in no group is in each clause."""
+    groups = [heads for verb, heads in tree.clusters if verb == clause.verb]
+    if not groups:
+        return (clause,)
+    below = [frozenset().union(*map(tree.subtree, heads)) for heads in groups]
+    joining = {
+        child.index
+        for heads in groups
+        for head in heads
+        for child in tree.children(head)
+        if child.index < head and (child.deprel in ("cc", "punct") or _is_then(child))
+    }
+    return tuple(
+        replace(clause, positions=clause.positions - frozenset().union(*below).difference(own) - joining)
+        for own in below
+    )
 
 
 def _expand_shared_verb(tree: DependencyTree, clause: Clause) -> Tuple[Clause, ...]:

@@ -4,6 +4,7 @@ from functools import partial
 from typing import Callable, Match, Pattern, Tuple, Union
 
 from utterance_passes import (
+    argument_clusters,
     comparisons,
     correct_parse,
     corrections,
@@ -403,6 +404,22 @@ REPHRASING_PASSES: Tuple[TreePass, ...] = (
             ),
             Stage.FRAMER,
             formulas.without_formulas,
+        ),
+        TreePass(
+            "argument_clusters",
+            "Make a clause of each of the groups of phrases that share a verb.",
+            Example(
+                "put|VERB|0|root mugs|NOUN|1|obj on|ADP|4|case tables|NOUN|1|obl and|CCONJ|6|cc plates|NOUN|4|conj "
+                "in|ADP|8|case sinks|NOUN|1|obl",
+                (
+                    "plates: conj(tables) -> obj(put)",
+                    "mugs on tables: a clause of its own",
+                    "and plates in sinks: a clause of its own",
+                ),
+                Verbs(frozenset(["put"])),
+            ),
+            Stage.FRAMER,
+            argument_clusters.expand_argument_clusters,
         ),
         TreePass(
             "shared_verbs",

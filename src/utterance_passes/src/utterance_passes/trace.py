@@ -100,6 +100,9 @@ def changes(rule: str, before: DependencyTree, after: DependencyTree) -> List[Tr
     for time in after.times:
         if time not in before.times:
             found.append(TraceLine(rule, tuple(sorted(time)), after.text_of(time), "", "says when"))
+    for _, heads in after.clusters[len(before.clusters) :]:
+        words = sorted(frozenset().union(*map(after.subtree, heads)))
+        found.append(TraceLine(rule, tuple(words), after.text_of(words), "", "a clause of its own"))
     return found
 
 

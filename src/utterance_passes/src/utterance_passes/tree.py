@@ -53,6 +53,8 @@ class DependencyTree:
         brackets: the phrase tree as "(ROOT (S ...))", where the models have a constituency parser; empty otherwise
         times: positions of each phrase that says when, as the pass ``times`` marks them
         sharing_a_verb: heads of phrases that share the verb of the phrase before them, as ``shared_verbs`` marks them
+        clusters: verb and heads of each group of phrases that makes a clause of its own, as ``argument_clusters``
+            marks them
     """
 
     text: str
@@ -60,6 +62,7 @@ class DependencyTree:
     brackets: str = ""
     times: Tuple[FrozenSet[int], ...] = ()
     sharing_a_verb: FrozenSet[int] = frozenset()
+    clusters: Tuple[Tuple[int, FrozenSet[int]], ...] = ()
 
     def word(self, index: int) -> Word:
         """Return the word at a position, from 1.

@@ -138,6 +138,11 @@ def mark_sharing_a_verb(tree: DependencyTree, heads: FrozenSet[int]) -> Dependen
     return tree if marked == tree.sharing_a_verb else replace(tree, sharing_a_verb=marked)
 
 
+def mark_argument_clusters(tree: DependencyTree, clusters: Tuple[Tuple[int, FrozenSet[int]], ...]) -> DependencyTree:
+    """Mark the groups of phrases that share a verb, with those marked before."""
+    return replace(tree, clusters=tree.clusters + clusters) if clusters else tree
+
+
 @dataclass(frozen=True)
 class WordAround:
     """A word that is said around a command.

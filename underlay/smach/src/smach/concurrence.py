@@ -12,7 +12,7 @@ from smach.state import State
 from smach.user_data import Remapper, UserData
 from smach.util import is_shutdown
 
-# How often a waiting concurrence asks whether the program ends; nothing else depends on it.
+# How often a waiting concurrence checks whether the program ends; nothing else depends on it.
 SHUTDOWN_POLL_S = 0.2
 # How long states may take to end once the program ends.
 SHUTDOWN_GRACE_S = 5.0
@@ -32,7 +32,7 @@ class Concurrence(Container):
 
     Args:
         outcomes: outcomes of the container; those of the outcome map are added
-        default_outcome: outcome when nothing else decides
+        default_outcome: outcome if nothing else decides
         input_keys: userdata to copy in
         output_keys: userdata to copy out
         outcome_map: from an outcome to the outcomes that states, by label, must have had for it
@@ -155,7 +155,7 @@ class Concurrence(Container):
         failure: Optional[Exception] = None
         try:
             outcome = state.execute(view)
-            # None is what containers say when the program ends.
+            # Containers return None when the program ends.
             if outcome not in state.get_registered_outcomes() and not (outcome is None and is_shutdown()):
                 failure = InvalidTransitionError(
                     f"the outcome '{outcome}' is not registered: {sorted(state.get_registered_outcomes())}"
@@ -167,7 +167,7 @@ class Concurrence(Container):
             self._outcomes_by_label[label] = outcome
             if failure is not None:
                 self._errors[label] = failure
-                # The concurrence fails in any case: the others would work for nothing.
+                # The concurrence fails in any case, so the other states need not go on.
                 self._preempt(self.get_active_states())
                 return
             outcomes = dict(self._outcomes_by_label)
@@ -229,7 +229,7 @@ class Concurrence(Container):
     # Preemption
 
     def request_preempt(self) -> None:
-        """Ask every state that runs to stop."""
+        """Ask every running state to stop."""
         with self._lock:
             self._preempt_requested = True
             if self._is_running:

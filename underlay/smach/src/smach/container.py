@@ -96,7 +96,7 @@ class Container(State):
         for callback, callback_args in list(callbacks):
             try:
                 callback(self.userdata, *args, *callback_args)
-            except Exception:  # boundary: whoever watches a container must not be able to stop it
+            except Exception:  # boundary: an observer must not be able to stop a container
                 logerr(f"A {kind} callback of the container raised:\n{traceback.format_exc()}")
 
     def call_start_cbs(self) -> None:
@@ -111,7 +111,7 @@ class Container(State):
         """Call the termination callbacks; one that raises is logged."""
         self._call("termination", self._termination_cbs, terminal_states, outcome)
 
-    # What a subclass offers to whoever looks inside
+    # What a subclass offers for introspection
 
     def get_children(self) -> Dict[str, State]:
         """Contained states by label."""
@@ -212,7 +212,7 @@ class Container(State):
         if exc_type is None:
             self.close()
         else:
-            # The container is not complete: what raised is the error to report, not what is missing.
+            # The container is incomplete because of this error, so report the error and not what is missing.
             opened = _opened_containers()
             del opened[opened.index(self) :]
 

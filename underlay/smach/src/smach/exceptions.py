@@ -1,4 +1,4 @@
-"""What can go wrong with a state or a container.
+"""Errors of states and containers.
 
 A transition or a construction that is not valid makes the state invalid that it belongs to: whoever catches
 InvalidStateError catches those too.

@@ -10,7 +10,7 @@ from smach.state import State
 from smach.user_data import Remapper, UserData
 from smach.util import is_shutdown
 
-# Outcome of an iterator that stops between two items because it was asked to, if it has that outcome.
+# Outcome of an iterator that is preempted between two items, if it has that outcome.
 _PREEMPTED = "preempted"
 
 Items = Union[Iterable[Any], Callable[[], Iterable[Any]]]
@@ -149,7 +149,7 @@ class Iterator(Container):
             self.userdata[self._items_label] = item
             logdebug(f"Iterator runs '{self._label}' for {item!r}")
             with self._lock:
-                # A request that came between two items was put to the state that had just ended.
+                # A request between two items went to the state that had just ended.
                 state.recall_preempt()
                 if self._preempt_requested:
                     state.request_preempt()

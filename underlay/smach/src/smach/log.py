@@ -1,4 +1,4 @@
-"""Where SMACH writes what it does: the standard logger "smach", or functions that the user gives."""
+"""Logging of SMACH: the standard logger "smach", or functions that the user sets."""
 
 import logging
 from typing import Callable
@@ -29,20 +29,20 @@ def set_loggers(info: LogFunction, warn: LogFunction, debug: LogFunction, error:
 # A percent sign in a message must not be taken for a format by a logger that accepts arguments: each gets the
 # text as its only argument, which leaves it alone.
 def loginfo(msg: str) -> None:
-    """Write what happened as it should."""
+    """Log normal progress."""
     _loggers.info(msg)
 
 
 def logwarn(msg: str) -> None:
-    """Write what may be a mistake."""
+    """Log a possible mistake."""
     _loggers.warn(msg)
 
 
 def logdebug(msg: str) -> None:
-    """Write detail for whoever looks for a mistake."""
+    """Log detail for debugging."""
     _loggers.debug(msg)
 
 
 def logerr(msg: str) -> None:
-    """Write what went wrong."""
+    """Log an error."""
     _loggers.error(msg)

@@ -1,4 +1,4 @@
-"""Userdata: named values that states hand on, and the view of them that one state gets."""
+"""Userdata: named values that states share, and the view of them that one state gets."""
 
 import copy
 import enum
@@ -156,7 +156,7 @@ class Remapper:
             self[name] = value
 
 
-# Their attributes are not what states hand on, or they compare by identity, which a view would break.
+# States do not share values by the attributes of these types, or the types compare by identity, unlike a view.
 _NEVER_VIEWED = (type, types.ModuleType, types.FunctionType, types.BuiltinFunctionType, types.MethodType, enum.Enum)
 
 

@@ -1,4 +1,4 @@
-"""What containers in containers do when they are asked to stop."""
+"""Nested containers stop when they are asked to."""
 
 import threading
 

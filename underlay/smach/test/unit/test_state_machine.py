@@ -1,4 +1,4 @@
-"""What a state machine does with outcomes, userdata and preempt requests."""
+"""A state machine handles outcomes, userdata and preempt requests."""
 
 import threading
 

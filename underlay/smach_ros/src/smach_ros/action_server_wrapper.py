@@ -76,7 +76,7 @@ class ActionServerWrapper:
             wrapped_container.register_termination_cb(self.termination_cb)
 
     def run_server(self) -> None:
-        """Start the server; goals run in a thread of its own, this call returns."""
+        """Start the server and return; goals run in its own thread."""
         if self._server is not None:
             return
         self._server = actionlib.SimpleActionServer(self._server_name, self._action_spec, self.execute_cb, False)
@@ -86,7 +86,7 @@ class ActionServerWrapper:
     def execute_cb(self, goal: Any) -> None:
         """Run the container for one goal."""
         container = self.wrapped_container
-        # What is left of a request that came when the last goal had just ended is not meant for this one.
+        # A request that arrived just after the last goal had ended is not meant for this one.
         container.recall_preempt()
         if self._server.is_preempt_requested():
             container.request_preempt()
@@ -117,13 +117,13 @@ class ActionServerWrapper:
         self.wrapped_container.request_preempt()
 
     def transition_cb(self, userdata: smach.UserData, active_states: List[str]) -> None:
-        """Publish what the last state left as feedback."""
+        """Publish the feedback that the last state left in the userdata."""
         self.publish_feedback(userdata)
 
     def termination_cb(
         self, userdata: smach.UserData, terminal_states: List[str], container_outcome: Optional[str]
     ) -> None:
-        """Publish what the last state left as feedback."""
+        """Publish the feedback that the last state left in the userdata."""
         self.publish_feedback(userdata)
 
     def publish_feedback(self, userdata: smach.UserData) -> None:

@@ -1,4 +1,4 @@
-"""ConditionState: asks a function until it says yes."""
+"""ConditionState: calls a function until it returns True."""
 
 import threading
 import traceback
@@ -45,7 +45,7 @@ class ConditionState(smach.State):
 
     def execute(self, ud: Any) -> str:
         """Check until the condition holds, or the checks, the time or the program end."""
-        # Left set by a request that was recalled, it would make the checks follow each other without a pause.
+        # If a recalled request had left it set, the checks would follow each other without a pause.
         self._asked_to_stop.clear()
         start = rospy.Time.now()
         checks = 0

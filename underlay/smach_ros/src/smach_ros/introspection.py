@@ -1,4 +1,4 @@
-"""Introspection: what the containers of a machine look like and do, on three topics."""
+"""Introspection: publishes the structure and the status of the containers of a machine."""
 
 import threading
 from typing import Any, Iterable, List, Optional
@@ -14,7 +14,7 @@ STATUS_TOPIC = "/smach/container_status"
 INIT_TOPIC = "/smach/container_init"
 STRUCTURE_TOPIC = "/smach/container_structure"
 
-# How often status and structure are repeated for whoever comes late.
+# How often status and structure are repeated for late subscribers.
 REPEAT_PERIOD_S = 2.0
 
 
@@ -170,7 +170,7 @@ class IntrospectionServer:
         """Show a container and those in it; a state that is no container is not shown."""
         if not isinstance(state, smach.Container):
             return
-        # Shown first: the root is what a viewer must know to place the rest.
+        # The root comes first, because a viewer needs it to place the rest.
         proxy = ContainerProxy(server_name, state, path)
         self._proxies.append(proxy)
         proxy.start()

@@ -1,11 +1,11 @@
-"""Userdata as text that anybody may read: JSON, never pickle."""
+"""Userdata as JSON text, never as a pickle: reading it runs no code."""
 
 import json
 from typing import Any, Dict
 
 import smach
 
-# Introspection is for people: longer texts are cut.
+# Introspection is for people, so longer texts are cut.
 MAX_REPR_LENGTH = 200
 
 
@@ -28,7 +28,7 @@ def _plain(value: Any, depth: int = 0) -> Any:
 
 
 def to_json(userdata: smach.UserData) -> str:
-    """Write userdata as the text of a JSON object; what JSON cannot say is written as its repr, cut to a bound."""
+    """Write userdata as the text of a JSON object; a value that JSON cannot hold becomes its repr, cut to a bound."""
     return json.dumps({str(key): _plain(userdata[key]) for key in userdata.keys()}, sort_keys=True)
 
 

@@ -1,4 +1,4 @@
-"""Messages made of userdata and userdata made of messages: what action states and service states share."""
+"""Converts between userdata and messages, for action states and service states."""
 
 import copy
 import traceback
@@ -8,7 +8,7 @@ import smach
 
 
 class _MessageCallback:
-    """A function of the user with the arguments that it gets behind those of the state."""
+    """A function of the user, and its arguments after those of the state."""
 
     def __init__(
         self,
@@ -128,7 +128,7 @@ class MessageSource:
 
 
 class MessageSink:
-    """Puts the message that a state got where the user wants it.
+    """Stores the message that a state received where the user wants it.
 
     The callback comes first; then the message, and fields of it, are written to the userdata.
 
@@ -169,7 +169,7 @@ class MessageSink:
     def store(self, state: smach.State, userdata: Any, *args: Any) -> Optional[str]:
         """Take a message, the last of `args`, and return the outcome that the callback chose, or None.
 
-        Where no message came (None), the callback is told and nothing is written.
+        Without a message (None), the callback is called and nothing is written.
 
         Raises:
             InvalidUserCodeError: the callback raised, or returned no outcome of the state

@@ -1,4 +1,4 @@
-"""MonitorState: watches a topic until a message is not as it should be."""
+"""MonitorState: watches a topic until a message fails a condition."""
 
 import threading
 import traceback

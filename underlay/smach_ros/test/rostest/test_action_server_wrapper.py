@@ -35,7 +35,7 @@ class Client(actionlib.SimpleActionClient):
 
 
 class Work(smach.State):
-    """Ends as the goal says; tells how many goals came before."""
+    """Ends as the goal says; its result is the number of earlier goals."""
 
     def __init__(self):
         super().__init__(

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""What the introspection topics say, with a real master."""
+"""The introspection topics show a machine, with a real master."""
 
 import json
 import unittest

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""What a program with set_preempt_handler does at Ctrl-C."""
+"""A program with set_preempt_handler stops its machine at Ctrl-C."""
 
 import os
 import signal

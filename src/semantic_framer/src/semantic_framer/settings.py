@@ -1,0 +1,43 @@
+"""Parameters of the semantic framer."""
+
+from dataclasses import dataclass
+from typing import Tuple
+
+from roboframenet_ros.parameters import Parameters, parameter
+from semantic_framer.behaviour_2012 import Arguments, Questions
+from semantic_framer.outcome import Alternatives, LeftOverWords, Policy
+
+
+@dataclass(frozen=True)
+class Settings(Parameters):
+    """Private parameters, checked.
+
+    Attributes:
+        lexical_unit_paths: files, and folders with folders named ``lexical_units``
+        left_over_words: for words that a reading does not account for
+        alternatives: for "or"
+        question_timeout_s: how long a question may be answered
+        trace: whether what each rule did goes with each command
+        arguments: which words become arguments
+        questions: what to do when something must be known first
+
+    Raises:
+        ParameterError: a value that is not allowed
+    """
+
+    lexical_unit_paths: Tuple[str, ...] = parameter((), may_be_single=True)
+    left_over_words: LeftOverWords = parameter(Policy.left_over_words)
+    alternatives: Alternatives = parameter(Policy.alternatives)
+    question_timeout_s: float = parameter(Policy.question_timeout_s, least=1.0, most=3600.0)
+    trace: bool = parameter(True)
+    arguments: Arguments = parameter(Arguments.PHRASES)
+    questions: Questions = parameter(Questions.ASK)
+
+    @property
+    def policy(self) -> Policy:
+        """How careful to be."""
+        return Policy(
+            left_over_words=self.left_over_words,
+            alternatives=self.alternatives,
+            question_timeout_s=self.question_timeout_s,
+        )
