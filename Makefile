@@ -5,7 +5,7 @@ ROBOT ?= turtlebot
 FILTER ?=
 DATA ?=
 
-.PHONY: help setup build demo run test acceptance reliability format lint bench install clean
+.PHONY: help setup build demo run test acceptance reliability record format lint bench install clean
 
 help: ## list the targets
 	@grep -hE '^[a-z]+:.*## ' $(MAKEFILE_LIST) | sed -E 's/^([a-z]+):.*## /  make \1|/' | column -t -s '|'
@@ -31,6 +31,9 @@ acceptance: build ## run full tables and corpora, at most 75 minutes (DATA=folde
 
 reliability: build ## run the long tests with faults (FILTER=package)
 	@scripts/test reliability $(if $(FILTER),-R $(FILTER))
+
+record: build ## record what the parser's models answer to the unit tests (FILTER=package adds what is missing)
+	@scripts/record $(FILTER)
 
 format: setup ## format the Python code, and apply the safe fixes of ruff
 	@.venv/bin/ruff check --fix-only --quiet . && .venv/bin/ruff format .

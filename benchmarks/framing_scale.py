@@ -12,7 +12,7 @@ from semantic_framer.framer import read
 from semantic_framer.lexicon import Lexicon
 from semantic_frames.frame import SemanticFrame
 from semantic_frames.lexical_unit import LexicalUnit
-from stanford_parser_ros.model import Parser, shipped_model_dir
+from stanford_parser_ros.model import shipped_parser
 from utterance_passes.tree import DependencyTree
 
 COUNTS = (50, 10000)
@@ -47,7 +47,7 @@ def lexicons() -> Tuple[Dict[int, Lexicon], Mapping[str, SemanticFrame], List[st
 def main() -> int:
     """Run the comparison."""
     made, frames, sentences = lexicons()
-    parser = Parser(model_dir=shipped_model_dir(), threads=1)
+    parser = shipped_parser()
     verbs = {count: lexicon.verbs for count, lexicon in made.items()}
     trees: List[DependencyTree] = [parser.parse(sentence, verbs[min(COUNTS)]) for sentence in sentences]
     times_ms: Dict[int, List[float]] = {count: [] for count in COUNTS}

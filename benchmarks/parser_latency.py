@@ -38,10 +38,12 @@ def timed(call: Callable[[str], object], text: str) -> float:
 
 def measure(threads: int) -> None:
     """Print one comparison; it runs in a separate process because torch fixes its threads at the start."""
-    from stanford_parser_ros.model import PROCESSORS, Parser, shipped_model_dir
+    from stanford_parser_ros.inference import PROCESSORS, StanzaInference, shipped_model_dir
+    from stanford_parser_ros.model import Parser
 
     start = time.perf_counter()
-    parser = Parser(model_dir=shipped_model_dir(), threads=threads)
+    models = StanzaInference(model_dir=shipped_model_dir(), threads=threads)
+    parser = Parser(models)
     ready_s = time.perf_counter() - start
     import stanza
 
@@ -65,7 +67,7 @@ def measure(threads: int) -> None:
         pairs = ((ours, parser.parse), (stock, pipeline))
         for times, call in pairs if number % 2 else reversed(pairs):
             times.append(timed(call, text))
-    print(f"threads {threads}: start to ready {ready_s:.1f} s, {parser.load_times.torch_s:.1f} s of it importing torch")
+    print(f"threads {threads}: start to ready {ready_s:.1f} s, {models.load_times.torch_s:.1f} s of it importing torch")
     for name, times in (("this parser", ours), ("stanza.Pipeline", stock)):
         print(f"  {name:<16} p50 {statistics.median(times):6.1f} ms   p99 {percentile(times, 0.99):6.1f} ms")
     print(f"  ratio of the medians {statistics.median(ours) / statistics.median(stock):.2f}")

@@ -9,6 +9,9 @@ from typing import Dict, Iterator, List, Set
 
 import pytest
 
+from roboframenet_testing.recorded_parses import NotRecorded
+from stanford_parser_ros.model import shipped_parser
+
 REPOSITORY = Path(__file__).resolve().parents[2]
 #: Modules that may import ROS, besides ``ros_*.py``.
 SHELL_MODULES = {"node.py", "rfnserver.py"}
@@ -144,6 +147,55 @@ def test_only_tests_depend_on_the_package_for_tests() -> None:
     for path in REPOSITORY.glob("*/*/package.xml"):
         kinds = re.findall(r"<(\w+)[^>]*>roboframenet_testing<", path.read_text(encoding="utf-8"))
         assert set(kinds) <= {"test_depend", "name"}, path
+
+
+#: The one file of the tier "test" that depends on the models.
+WITH_MODELS = REPOSITORY / "src" / "stanford_parser_ros" / "test" / "unit" / "test_model.py"
+
+
+def files_of_unit_tests() -> Iterator[Path]:
+    """What ``make test`` runs with pytest, with the modules that it imports from beside it."""
+    for folder in [*REPOSITORY.glob("src/*/test/unit"), REPOSITORY / "tests" / "unit"]:
+        yield from sorted(folder.glob("**/*.py"))
+
+
+def loads_models(path: Path) -> bool:
+    """Return whether a module imports Stanza, or names what loads the models.
+
+    ``shipped_parser`` does not count: in unit tests, recorded answers are behind it.
+    """
+    tree = ast.parse(path.read_text(encoding="utf-8"), str(path))
+    names = {getattr(node, "id", getattr(node, "attr", getattr(node, "name", ""))) for node in ast.walk(tree)}
+    return "StanzaInference" in names or bool(imported_packages(path) & {"stanza", "torch"})
+
+
+def test_one_file_of_unit_tests_loads_the_models() -> None:
+    assert [path for path in files_of_unit_tests() if loads_models(path)] == [WITH_MODELS]
+
+
+@pytest.mark.parametrize(
+    "line",
+    [
+        "from stanford_parser_ros.inference import StanzaInference as Models",
+        "from stanford_parser_ros import inference\nmodels = inference.StanzaInference(model_dir=folder)",
+        "def late():\n    import stanza.pipeline",
+        "import torch",
+    ],
+)
+def test_what_loads_the_models_is_found(tmp_path: Path, line: str) -> None:
+    module = tmp_path / "test_something.py"
+    module.write_text("from stanford_parser_ros.model import shipped_parser\n", encoding="utf-8")
+    assert not loads_models(module)
+    module.write_text(line, encoding="utf-8")
+    assert loads_models(module)
+
+
+def test_recorded_answers_are_behind_the_shipped_parser(request: "pytest.FixtureRequest") -> None:
+    if request.config.getoption("record"):
+        pytest.skip("the models answer while they are recorded")
+    parser = shipped_parser()
+    with pytest.raises(NotRecorded, match="'make record'"):
+        parser.parse("Nobody has ever said these words in a test of this project.")
 
 
 def test_an_import_of_rospy_is_found(tmp_path: Path) -> None:

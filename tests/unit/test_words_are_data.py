@@ -83,6 +83,7 @@ NO_SPEECH: Dict[str, Tuple[str, str]] = {
         "keys of a file",
         "frame, frames, server, launch, run, package, file, arguments, executable, name",
     ),
+    "stanford_parser_ros/inference.py": ("keys of Stanza", "id, text, lemma, upos, xpos, feats"),
     "turtlebot_follower/centroid.py": ("keys of numpy", "names, formats, offsets, itemsize"),
     "utter/speech.py": ("what the robot can tell, a sentence for each", "time, date, day, name"),
     "utterance_passes/formula_file.py": (

@@ -18,7 +18,8 @@ from semantic_framer.lexicon import Lexicon
 from semantic_frames import FileRefused
 from semantic_frames.frame import SemanticFrame
 from semantic_frames.source_files import FRAMES_FOLDER, LEXICAL_UNITS_FOLDER, read_text
-from stanford_parser_ros.model import ModelError, Parser, UnparsableText, shipped_model_dir
+from stanford_parser_ros.inference import ModelError
+from stanford_parser_ros.model import Parser, UnparsableText, shipped_parser
 from utterance_passes.tree import DependencyTree
 from word_classes import word_class
 
@@ -63,7 +64,7 @@ def run(arguments: argparse.Namespace) -> int:
             sentences, unexplained = sentences_of(commands, corpus.mapping(), known.frames, known.lexicon.units)
         else:
             sentences = tuple(sentence for path in arguments.files for sentence in read_sentences(path))
-        parser = Parser(model_dir=shipped_model_dir(), cache_size=10000)
+        parser = shipped_parser(cache_size=10000)
     except (CorpusError, FileRefused, ModelError, LookupError) as error:
         print(f"rfn learn: {error}", file=sys.stderr)
         return 2

@@ -18,7 +18,7 @@ from offline_pipeline.knowledge import load_knowledge, pretend_servers, shipped_
 from offline_pipeline.pipeline import Pipeline
 from semantic_frames import FileRefused
 from semantic_frames.source_files import LEXICAL_UNITS_FOLDER
-from stanford_parser_ros.model import ModelError
+from stanford_parser_ros.inference import ModelError
 
 EXAMPLES = """examples:
   rfn score huric huric-2.1/english

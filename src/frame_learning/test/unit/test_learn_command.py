@@ -13,7 +13,7 @@ from offline_pipeline.knowledge import load_knowledge, pretend_servers, shipped_
 from offline_pipeline.pipeline import Pipeline
 from semantic_frames import FileRefused
 from semantic_frames.source_files import LEXICAL_UNITS_FOLDER
-from stanford_parser_ros.model import Parser, shipped_model_dir
+from stanford_parser_ros.model import shipped_parser
 
 GARDENING = Path(__file__).resolve().parent / "gardening.yaml"
 #: Sentences that the ten of the file do not contain: other things, other prepositions, other verbs of a frame together
@@ -131,7 +131,7 @@ def taught(sentences, frames, tmp_path):
         (folder / f"{name}.yaml").write_text(text, encoding="utf-8")
     known = load_knowledge([str(tmp_path)])
     (tmp_path / "sentences.yaml").write_text(sentences, encoding="utf-8")
-    parser = Parser(model_dir=shipped_model_dir())
+    parser = shipped_parser()
     files, _ = learn_command.lexicon_files(read_sentences(str(tmp_path / "sentences.yaml")), parser, known)
     units = {path: text for path, text in files.items() if path.startswith(LEXICAL_UNITS_FOLDER)}
     learned = learn_command.learned_knowledge(known.frames, {}, units)

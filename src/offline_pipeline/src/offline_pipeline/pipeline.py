@@ -24,7 +24,7 @@ from semantic_framer.outcome import (
     reply_outcome,
 )
 from semantic_framer.reading import Reading
-from stanford_parser_ros.model import Parser, UnparsableText, shipped_model_dir
+from stanford_parser_ros.model import Parser, UnparsableText, shipped_parser
 from utterance_passes.trace import Trace, TraceLine
 from utterance_passes.tree import DependencyTree
 
@@ -124,7 +124,7 @@ class Pipeline:
             ModelError: the models cannot be loaded
         """
         self.knowledge = knowledge
-        self._parser = parser if parser is not None else Parser(model_dir=shipped_model_dir())
+        self._parser = parser if parser is not None else shipped_parser()
         self._parameters = parameters
         self._without = without
         self._is_traced = is_traced

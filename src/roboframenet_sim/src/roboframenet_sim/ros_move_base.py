@@ -120,6 +120,7 @@ class MoveBaseSim:
         )
         self._floor = grid.inflated(settings.inflation_radius_m)
         self._condition = threading.Condition()
+        self._is_ending = threading.Event()
         self._odometry: Optional[Tuple[Pose, float, str]] = None
         self._is_new = False
         self._follower: Optional[PathFollower] = None
@@ -158,7 +159,7 @@ class MoveBaseSim:
 
     def run(self) -> None:
         """Plan and drive until shutdown. This thread makes all decisions."""
-        while not rospy.is_shutdown():
+        while not self._is_ending.is_set():
             with self._condition:
                 if not self._is_new:
                     self._condition.wait(self.WAIT_S)
@@ -257,7 +258,10 @@ class MoveBaseSim:
         publish(self._velocity, message)
 
     def _shut_down(self) -> None:
+        # While this hook runs, is_shutdown() is still false. Nothing must drive the base after the zero below.
+        self._is_ending.set()
         self._server.action_server.status_timer.shutdown()
+        time.sleep(self.WAIT_S)
         if self._server.is_active():
             self._publish_velocity(STANDING)
             # A thread of the publisher sends queued messages; the topics close when this method returns.

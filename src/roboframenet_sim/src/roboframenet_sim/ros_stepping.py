@@ -1,5 +1,6 @@
 """The time of a simulated robot: regular steps that follow the wall clock or a /clock of its own."""
 
+import atexit
 import threading
 import time
 import traceback
@@ -124,8 +125,8 @@ def start_loop(loop: Callable[[], None]) -> None:
 
     thread = threading.Thread(target=run, daemon=True)
     thread.start()
-    # A loop that raised shuts the node down itself, and cannot wait for its own end.
-    rospy.on_shutdown(lambda: thread.join(2.0) if threading.current_thread() is not thread else None)
+    # Not on_shutdown(): while its hooks run, rospy does not tell loops yet that the node shuts down.
+    atexit.register(thread.join, 2.0)
 
 
 def publish(publisher: Optional[rospy.Publisher], message: object) -> None:

@@ -5,7 +5,7 @@ import os
 import sys
 
 from offline_pipeline.file_checks import Examples, example_problems, find_problems, load_paths
-from stanford_parser_ros.model import ModelError
+from stanford_parser_ros.inference import ModelError
 
 EXAMPLES = """examples:
   rfn check my_domain

@@ -7,7 +7,7 @@ import sys
 from typing import List
 
 from roboframenet_tools.finding import Finding
-from stanford_parser_ros.model import ModelError, check_model_folder, shipped_model_dir
+from stanford_parser_ros.inference import ModelError, check_model_folder, shipped_model_dir
 
 EXAMPLES = """examples:
   rfn doctor

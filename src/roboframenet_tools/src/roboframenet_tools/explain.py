@@ -9,7 +9,7 @@ from frame_registrar.search import Candidate
 from offline_pipeline.knowledge import load_knowledge, pretend_servers, shipped_domains
 from offline_pipeline.pipeline import BEHAVIOURS, Pipeline, Understanding, to_json
 from roboframenet_tools.drawing import draw_arcs, svg_arcs
-from stanford_parser_ros.model import ModelError
+from stanford_parser_ros.inference import ModelError
 from utterance_passes.table import PASSES
 from utterance_passes.trace import TraceLine
 

@@ -9,7 +9,7 @@ from frame_learning.annotated_commands import CorpusError
 from frame_learning.corpora import CORPORA
 from offline_pipeline.knowledge import load_knowledge, pretend_servers, shipped_domains
 from offline_pipeline.pipeline import Pipeline, Understanding
-from stanford_parser_ros.model import ModelError
+from stanford_parser_ros.inference import ModelError
 from utterance_passes.table import PASSES
 
 EXAMPLES = """examples:

@@ -3,6 +3,7 @@
 from typing import Iterable, List, Optional, Sequence, Tuple
 
 from semantic_framer.dialogue import is_yes
+from semantic_framer.outcome import join_with_or
 from semantic_framer.reading import Reading
 from semantic_framer.sentence import Sentence
 from utterance_passes.clauses import Clause, find_clauses
@@ -27,7 +28,7 @@ _COMMON = word_class("articles") | (word_class("harmless") - frozenset(_ORDINALS
 def question_of_choices(choices: Sequence[Choice]) -> str:
     """Return how to ask a person which of several readings was meant, or whether the only one was."""
     quoted = [f'"{choice.text}"' for choice in choices]
-    return f"Do you mean {quoted[0]}?" if len(quoted) == 1 else f"Which do you mean: {' or '.join(quoted)}?"
+    return f"Do you mean {quoted[0]}?" if len(quoted) == 1 else f"Which do you mean: {join_with_or(quoted)}?"
 
 
 def choices_of_clauses(sentence: Sentence, clauses: Sequence[Clause], vocabulary: Vocabulary) -> Tuple[Choice, ...]:

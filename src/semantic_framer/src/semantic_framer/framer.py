@@ -10,7 +10,9 @@ from semantic_framer.framed_lexicon import FramedLexicon
 from semantic_framer.lexicon import Lexicon
 from semantic_framer.objections import against_what_runs
 from semantic_framer.outcome import (
+    CORRECTION,
     DECLINED,
+    PROHIBITION,
     REPORT,
     Alternatives,
     LeftOverWords,
@@ -110,7 +112,9 @@ def hear(
     outcome = against_what_runs(heard.outcome, tree)
     if trace is not None:
         if not isinstance(outcome, Understood) and outcome != heard.outcome:
-            trace.add("against_what_runs", after=f"{outcome.code}. It is said against something that runs.")
+            is_against = outcome.code in (PROHIBITION, CORRECTION)
+            reason = "It is said against something that runs." if is_against else "It forbids nothing."
+            trace.add("against_what_runs", after=f"{outcome.code}. {reason}")
         name = "understood" if isinstance(outcome, Understood) else f"{outcome.code}: {outcome.sentence}"
         trace.add("outcome", after=name)
     return replace(heard, outcome=outcome)

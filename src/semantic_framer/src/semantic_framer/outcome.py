@@ -84,9 +84,15 @@ def reply_outcome(of: Union[Refusal, Question]) -> str:
     return "REFUSED" if isinstance(of, Refusal) else "NEEDS_INFORMATION"
 
 
+def join_with_or(options: Sequence[str]) -> str:
+    """Return options as a person lists them: "a, b or c"."""
+    return " or ".join(filter(None, (", ".join(options[:-1]), *options[-1:])))
+
+
 def left_over_refusal(sentence: Sentence, positions: Sequence[int]) -> Refusal:
     """Return the refusal of a sentence of which words are left over."""
-    words = tuple(sentence.word(index).form for index in positions)
+    left = (sentence.word(index) for index in positions)
+    words = tuple(word.form for word in left if word.upos != "PUNCT")
     return Refusal(
         "LEFT_OVER_WORDS",
         f'I do not understand "{" ".join(words)}" in "{sentence.tree.text.strip()}", so I do nothing.',

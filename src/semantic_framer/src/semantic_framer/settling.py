@@ -16,6 +16,7 @@ from semantic_framer.outcome import (
     Question,
     Refusal,
     Understood,
+    join_with_or,
     left_over_refusal,
 )
 from semantic_framer.reading import ElementValue, Reading
@@ -138,7 +139,7 @@ def _resolved(readings: Tuple[Reading, ...], context: Context, now: Now) -> Unio
     alternative: Optional[ElementValue] = next((value for value in best.values if value.conjunction == "or"), None)
     if alternative is not None and now.policy.alternatives is Alternatives.ASK:
         now.write("alternatives", str(best), f"asked. {alternative.argument} leaves a choice.")
-        question = Question("AMBIGUOUS", f"Which one: {' or '.join(alternative.items)}?")
+        question = Question("AMBIGUOUS", f"Which one: {join_with_or(alternative.items)}?")
         return _Open(question, (best,), (alternative.name,), alternative.items)
     return tuple(resolved)
 

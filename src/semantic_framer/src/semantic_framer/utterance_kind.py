@@ -276,8 +276,9 @@ class _Front:
         said, form = self._said, self._form
         text = " ".join(said)
         is_inverted = form == "BE" and not frozenset(said) & ({"NP"} | _SHOWN)
+        is_asked = is_inverted and (self._is_first or self._clause.subject > self._clause.verb)
         # "Did the door open" where the parser takes "did" for the verb.
-        if self._is_first and (is_inverted or (said == [form] and self._is_finite_auxiliary())):
+        if is_asked or (self._is_first and said == [form] and self._is_finite_auxiliary()):
             return KindVerdict(UtteranceKind.QUESTION, "inversion", text)
         if "not" in said and form in ("BASE", "GERUND"):
             return KindVerdict(UtteranceKind.PROHIBITION, "negated", text)

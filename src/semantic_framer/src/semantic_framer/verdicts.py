@@ -6,7 +6,18 @@ from typing import Callable, FrozenSet, Iterable, Optional, Tuple
 from semantic_framer import plausibility
 from semantic_framer.framed_lexicon import FramedLexicon
 from semantic_framer.mood_file import UtteranceKind
-from semantic_framer.outcome import PROHIBITION, QUESTION, REPORT, TALK, WISH, LeftOverWords, Policy, Refusal, not_then
+from semantic_framer.outcome import (
+    PROHIBITION,
+    QUESTION,
+    REPORT,
+    TALK,
+    WISH,
+    LeftOverWords,
+    Policy,
+    Refusal,
+    join_with_or,
+    not_then,
+)
 from semantic_framer.plausibility import Filled
 from semantic_framer.reading import Reading, rank
 from semantic_framer.sentence import Sentence
@@ -173,7 +184,8 @@ def _unknown_verb(case: ClauseCase) -> Optional[Refusal]:
     if case.matches:
         return None
     near = case.of.known.lexicon.nearest_verbs(case.clause.lemma)
-    hint = " Do you mean " + " or ".join(f'"{verb}"' for verb in near) + "?" if near else ""
+    quoted = [f'"{verb}"' for verb in near]
+    hint = f" Do you mean {join_with_or(quoted)}?" if near else ""
     return Refusal("UNKNOWN_VERB", f'I do not know how to "{case.clause.lemma}".{hint}')
 
 

@@ -11,7 +11,7 @@ from semantic_framer.lexicon import Lexicon
 from semantic_frames import load_frame
 from semantic_frames.frame import SemanticFrame
 from semantic_frames.source_files import FRAMES_FOLDER, LEXICAL_UNITS_FOLDER, yaml_files
-from stanford_parser_ros.model import Parser, shipped_model_dir
+from stanford_parser_ros.model import Parser, shipped_parser
 
 DOMAINS = Path(__file__).resolve().parents[3] / "roboframenet_domains" / "domains"
 
@@ -36,7 +36,7 @@ def frames() -> Dict[str, SemanticFrame]:
 
 @pytest.fixture(scope="session")
 def parser() -> Parser:
-    return Parser(model_dir=shipped_model_dir())
+    return shipped_parser()
 
 
 @pytest.fixture(scope="session")

@@ -42,6 +42,10 @@ def test_rules_are_told_apart() -> None:
             "i|PRON|3|nsubj am|AUX|3|cop|be tired|ADJ|0|root so|ADV|5|advmod open|VERB|3|conj it|PRON|5|obj",
             ["talk: state", "command: imperative"],
         ),
+        (
+            "turn|VERB|0|root ,|PUNCT|1|punct are|AUX|1|parataxis|be you|PRON|3|nsubj",
+            ["command: imperative", "question: inversion"],
+        ),
     ],
 )
 def test_kinds(tree: str, kinds: Tuple[str, ...]) -> None:

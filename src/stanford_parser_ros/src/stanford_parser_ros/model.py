@@ -1,12 +1,10 @@
-"""Loads the Stanza models and parses sentences."""
+"""Parses sentences: what the models say, and what the passes of the parser make of it."""
 
-import os
-import time
 from collections import OrderedDict
 from dataclasses import dataclass, replace
-from pathlib import Path
-from typing import Any, FrozenSet, List, Optional, Tuple
+from typing import FrozenSet, Tuple
 
+from stanford_parser_ros.inference import Inference, StanzaInference, shipped_model_dir
 from utterance_passes.running import (
     run_cut_passes,
     run_surroundings_passes,
@@ -17,19 +15,9 @@ from utterance_passes.running import (
 from utterance_passes.spelling import Spelling, stripped
 from utterance_passes.table import CUT_PASSES, PARSER_TREE_PASSES, SURROUNDINGS_PASSES, TAG_PASSES, TEXT_PASSES
 from utterance_passes.trace import Trace, TraceLine, moved
-from utterance_passes.tree import DependencyTree, Word
-from utterance_passes.tree_edits import joined, with_words_around
+from utterance_passes.tree import DependencyTree
+from utterance_passes.tree_edits import TreeEdit, at_origins, joined, with_words_around
 from utterance_passes.vocabulary import Verbs
-
-PROCESSORS = "tokenize,mwt,pos,lemma,depparse"
-#: Used where the package has it: official packages do, the shipped one does not.
-CONSTITUENCY = "constituency"
-#: Parsed once at start: the first sentence costs several times as much as the others.
-WARM_UP = "Turn left 120 degrees."
-
-
-class ModelError(RuntimeError):
-    """The model is missing or cannot be loaded; the message says what was expected, where, and what to do."""
 
 
 class UnparsableText(ValueError):
@@ -39,49 +27,6 @@ class UnparsableText(ValueError):
     def refusal(self) -> Tuple[str, str]:
         """Code and sentence of the reply."""
         return "EMPTY_TEXT", f"I cannot read that: {self}."
-
-
-@dataclass(frozen=True)
-class LoadTimes:
-    """Times of the steps of loading, in seconds.
-
-    Attributes:
-        torch_s: importing torch
-        stanza_s: importing Stanza
-        models_s: reading the models
-        warm_up_s: the first parse
-    """
-
-    torch_s: float
-    stanza_s: float
-    models_s: float
-    warm_up_s: float
-
-    @property
-    def total_s(self) -> float:
-        """The sum."""
-        return self.torch_s + self.stanza_s + self.models_s + self.warm_up_s
-
-
-def check_model_folder(folder: Path, package: str) -> None:
-    """Check that a folder holds a Stanza package of English.
-
-    Raises:
-        ModelError: the folder holds none
-    """
-    hint = "leave ~model_dir empty for the models that are shipped, or download a package with Stanza beforehand"
-    if not folder.is_dir():
-        raise ModelError(f"no model folder {folder} ({hint})")
-    if not (folder / "resources.json").is_file():
-        raise ModelError(f"{folder} holds no resources.json, so it is no folder of Stanza models ({hint})")
-    for processor in PROCESSORS.split(","):
-        if not any((folder / "en" / processor).glob("*.pt")):
-            raise ModelError(f"{folder} holds no model for '{processor}' of the package '{package}' ({hint})")
-
-
-def processors_of(folder: Path) -> str:
-    """Return the processors to load from a folder, in the form that Stanza expects."""
-    return PROCESSORS + (f",{CONSTITUENCY}" if any((folder / "en" / CONSTITUENCY).glob("*.pt")) else "")
 
 
 @dataclass(frozen=True)
@@ -98,57 +43,17 @@ class Parse:
 
 
 class Parser:
-    """Parses sentences with one Stanza package; nothing is ever downloaded."""
+    """Parses sentences: asks the models, and runs the passes of the parser before and after."""
 
-    def __init__(self, *, model_dir: Path, package: str = "default", threads: int = 1, cache_size: int = 256) -> None:
+    def __init__(self, inference: Inference, *, cache_size: int = 256) -> None:
         """
         Args:
-            model_dir: folder with ``resources.json`` and ``en/``, as Stanza lays it out
-            package: name of a package in that folder
-            threads: of torch; one is fastest and steadiest for single short sentences
+            inference: the models
             cache_size: number of parses that are kept; the oldest is dropped first
-        Raises:
-            ModelError: the models are missing, or Stanza is not installed
         """
-        check_model_folder(model_dir, package)
-        started = time.monotonic()
-        try:
-            import torch
-
-            torch_done = time.monotonic()
-            import stanza
-        except ImportError as error:
-            raise ModelError(
-                f"Stanza is not installed for this Python ({error}): run 'make setup', or 'pip install stanza'"
-            ) from error
-        torch.set_num_threads(threads)
-        self._inference_mode: Any = torch.inference_mode
-        stanza_done = time.monotonic()
-        try:
-            self._pipeline: Any = stanza.Pipeline(
-                "en",
-                dir=str(model_dir),
-                package=package,
-                processors=processors_of(model_dir),
-                download_method=None,
-                use_gpu=False,
-                tokenize_no_ssplit=True,
-                logging_level="ERROR",
-            )
-        except Exception as error:  # boundary: Stanza raises many kinds of errors for a broken file
-            raise ModelError(
-                f"the models in {model_dir} (package '{package}') cannot be loaded: {type(error).__name__}: {error}"
-            ) from error
-        models_done = time.monotonic()
+        self._inference = inference
         self._cache: OrderedDict[Tuple[str, FrozenSet[str], FrozenSet[str]], Parse] = OrderedDict()
         self._cache_size = cache_size
-        self.parse(WARM_UP)
-        self.load_times = LoadTimes(
-            torch_s=torch_done - started,
-            stanza_s=stanza_done - torch_done,
-            models_s=models_done - stanza_done,
-            warm_up_s=time.monotonic() - models_done,
-        )
 
     def parse(self, text: str, verbs: FrozenSet[str] = frozenset()) -> DependencyTree:
         """Parse one utterance as one sentence.
@@ -189,8 +94,7 @@ class Parser:
         spelling = run_text_passes(text, TEXT_PASSES, without=without, trace=trace)
         if not any(character.isalnum() for character in spelling.text):
             raise UnparsableText("there are no words in it")
-        with self._inference_mode():
-            tree = self._tree(text, spelling, _Run(Verbs(verbs), without, trace))
+        tree = self._tree(text, spelling, _Run(Verbs(verbs), without, trace))
         return Parse(tree, trace.lines)
 
     def _tree(self, text: str, spelling: Spelling, run: "_Run") -> DependencyTree:
@@ -208,16 +112,15 @@ class Parser:
 
     def _tree_of_commands(self, text: str, spelling: Spelling, run: "_Run") -> DependencyTree:
         """Parse one command, or each of several."""
-        document = self._pipeline(spelling.text)
-        words = document.sentences[0].words
-        forms, tags = [word.text for word in words], [word.upos for word in words]
+        tree = self._inference.parse(spelling.text)
+        forms, tags = [word.form for word in tree.words], [word.upos for word in tree.words]
         # Without known verbs the tagger knows best.
         is_known = bool(run.vocabulary.words)
         cuts = run_cut_passes(
             forms, tags, run.vocabulary, CUT_PASSES if is_known else (), without=run.without, trace=run.trace
         )
         if cuts:
-            bounds = [0, *(_start(words[position - 1]) for position in cuts), len(spelling.text)]
+            bounds = [0, *(tree.word(position).start_character for position in cuts), len(spelling.text)]
             parts = [spelling.part(start, end) for start, end in zip(bounds, bounds[1:])]
             runs = [replace(run, trace=Trace()) for _ in parts]
             trees = [self._tree(text, stripped(part), each) for part, each in zip(parts, runs)]
@@ -228,13 +131,12 @@ class Parser:
         retags = run_tag_passes(
             forms, tags, run.vocabulary, TAG_PASSES if is_known else (), without=run.without, trace=run.trace
         )
-        for retag in retags:
-            word = words[retag.position - 1]
-            word.upos, word.xpos, word.feats = retag.upos, retag.xpos, retag.feats or None
-            word.lemma = word.text.lower()
         if retags:
-            document = self._pipeline.processors["depparse"].process(document)
-        tree = _to_tree(text, document.sentences[0], spelling)
+            edit = TreeEdit(tree)
+            for retag in retags:
+                edit.tag(retag.position, retag.upos, retag.xpos, retag.feats)
+            tree = self._inference.reparse(edit.tree())
+        tree = at_origins(tree, text, spelling.origins)
         return run_tree_passes(tree, run.vocabulary, PARSER_TREE_PASSES, without=run.without, trace=run.trace)
 
 
@@ -247,42 +149,12 @@ class _Run:
     trace: Trace
 
 
-def _start(word: Any) -> int:
-    """Return where a word begins; the words of a multi-word token begin where it does."""
-    return int(word.start_char if word.start_char is not None else word.parent.start_char)
-
-
-def _to_tree(text: str, sentence: Any, spelling: Spelling) -> DependencyTree:
-    words: List[Word] = []
-    for token in sentence.tokens:
-        at = token.start_char
-        for word in token.words:
-            # The words of a multi-word token ("don't") get consecutive positions when their letters match the text.
-            start = at if spelling.text[at : at + len(word.text)] == word.text else token.start_char
-            end = start + len(word.text) if start == at else token.end_char
-            at = min(end, token.end_char)
-            words.append(
-                Word(
-                    index=word.id,
-                    form=word.text,
-                    lemma=word.lemma or word.text,
-                    upos=word.upos or "X",
-                    xpos=word.xpos or "",
-                    feats=word.feats or "",
-                    head=word.head,
-                    deprel=word.deprel,
-                    start_character=spelling.origins[start],
-                    end_character=spelling.origins[min(end, len(spelling.origins) - 1)],
-                )
-            )
-    constituency = getattr(sentence, CONSTITUENCY, None)
-    return DependencyTree(text=text, words=tuple(words), brackets=str(constituency) if constituency is not None else "")
-
-
-def shipped_model_dir(package_share: Optional[str] = None) -> Path:
-    """Return the folder of the shipped models.
+def shipped_parser(*, cache_size: int = 256) -> Parser:
+    """Return a parser with the shipped models.
 
     Args:
-        package_share: share folder of this package, for an install space; None for the source folder of this module
+        cache_size: number of parses that are kept
+    Raises:
+        ModelError: the models are missing, or Stanza is not installed
     """
-    return Path(package_share) / "models" if package_share else Path(os.path.realpath(__file__)).parents[2] / "models"
+    return Parser(StanzaInference(model_dir=shipped_model_dir()), cache_size=cache_size)

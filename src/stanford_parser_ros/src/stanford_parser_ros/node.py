@@ -15,7 +15,8 @@ from roboframenet_ros.parameters import Parameters, parameter
 from roboframenet_ros.ros_node import StartError, read_parameters, run_node
 from roboframenet_ros.ros_stage import Stage
 from semantic_frames import FileRefused, load_lexical_units
-from stanford_parser_ros.model import ModelError, Parser, UnparsableText, shipped_model_dir
+from stanford_parser_ros.inference import ModelError, StanzaInference, shipped_model_dir
+from stanford_parser_ros.model import Parser, UnparsableText
 from stanford_parser_ros.ros_messages import to_command_parse
 from stanford_parser_ros.stanford_dependencies import collapsed
 from utterance_passes.tree import DependencyTree
@@ -72,7 +73,7 @@ class ParserNode:
         self._verbs: FrozenSet[str] = frozenset()
         self._verbs_of_file: Dict[str, FrozenSet[str]] = {}
         self._lexicon = rospy.Subscriber("lexicon", Lexicon, self._on_lexicon, queue_size=1)
-        self._parser = Parser(
+        models = StanzaInference(
             model_dir=(
                 Path(settings.model_dir).expanduser()
                 if settings.model_dir
@@ -80,13 +81,14 @@ class ParserNode:
             ),
             package=settings.package or Settings.package,
             threads=settings.threads,
-            cache_size=settings.cache_size,
         )
-        times = self._parser.load_times
+        self._parser = Parser(models, cache_size=settings.cache_size)
+        times = models.load_times
         self._commands: queue.Queue[Command] = queue.Queue(settings.queue_size)
+        self._is_closing = threading.Event()
         self._worker = threading.Thread(target=self._run, name="parser", daemon=True)
         self._worker.start()
-        rospy.on_shutdown(lambda: self._worker.join(2.0 * WAKE_UP_S))
+        rospy.on_shutdown(self._close)
         self._subscriber = rospy.Subscriber("command_text", Command, self._on_command, queue_size=settings.queue_size)
         rospy.loginfo(
             "ready after %.1f s (torch %.1f, Stanza %.1f, models %.1f, first parse %.1f): %s",
@@ -125,8 +127,14 @@ class ParserNode:
                 sentence="Too many commands are waiting to be parsed.",
             )
 
+    def _close(self) -> None:
+        """Let the current parse end while its reply can still be published."""
+        # is_shutdown() is still false while the hooks of a shutdown run.
+        self._is_closing.set()
+        self._worker.join(2.0 * WAKE_UP_S)
+
     def _run(self) -> None:
-        while not rospy.is_shutdown():
+        while not self._is_closing.is_set():
             try:
                 command = self._commands.get(timeout=WAKE_UP_S)
             except queue.Empty:

@@ -1,24 +1,42 @@
-"""The shipped models, loaded once for all tests of this module."""
+"""The shipped models, loaded once. Of the tests of the tier "test", only those of this file depend on them."""
 
+import random
 import socket
 from pathlib import Path
+from typing import Dict, List, Tuple
 
 import pytest
 
-from stanford_parser_ros.model import ModelError, Parser, UnparsableText, shipped_model_dir
+from roboframenet_testing.recorded_parses import Key, key_of_text, read_shipped_recording, render_recording
+from stanford_parser_ros.inference import ModelError, StanzaInference, shipped_model_dir
+from stanford_parser_ros.model import Parser, UnparsableText
+from stanford_parser_ros.stanford_dependencies import arcs
+from utterance_passes.tree import DependencyTree
+
+#: Share of the commands of the table that must be right.
+NEEDED = 0.97
+#: Recorded parses of each kind (of a text, of given tags) that ``make test`` compares with the models, at most.
+SAMPLE = 100
+SEED = 9
+Row = Tuple[str, str, Tuple[Tuple[str, str], ...]]
 
 
 @pytest.fixture(scope="module")
-def parser() -> Parser:
+def models() -> StanzaInference:
     def refuse(*_arguments: object, **_keywords: object) -> None:
-        raise AssertionError("the parser opened a connection")
+        raise AssertionError("the models opened a connection")
 
     connect = socket.socket.connect
     socket.socket.connect = refuse
     try:
-        return Parser(model_dir=shipped_model_dir(), cache_size=2)
+        return StanzaInference(model_dir=shipped_model_dir())
     finally:
         socket.socket.connect = connect
+
+
+@pytest.fixture(scope="module")
+def parser(models: StanzaInference) -> Parser:
+    return Parser(models, cache_size=2)
 
 
 @pytest.mark.parametrize(
@@ -70,7 +88,7 @@ def test_cache_is_bounded_and_gives_the_same_tree(parser: Parser) -> None:
 def test_missing_models_are_one_clear_error(name: str, tmp_path: Path) -> None:
     (tmp_path / "empty").mkdir()
     with pytest.raises(ModelError, match=name):
-        Parser(model_dir=tmp_path / name)
+        StanzaInference(model_dir=tmp_path / name)
 
 
 def test_broken_model_is_one_clear_error(tmp_path: Path) -> None:
@@ -79,4 +97,75 @@ def test_broken_model_is_one_clear_error(tmp_path: Path) -> None:
         (tmp_path / "en" / processor / "x.pt").write_bytes(b"no model")
     (tmp_path / "resources.json").write_text("{}")
     with pytest.raises(ModelError, match="cannot be loaded"):
-        Parser(model_dir=tmp_path)
+        StanzaInference(model_dir=tmp_path)
+
+
+def rows() -> List[Row]:
+    """Text, lemma of the verb, and (relation, word) pairs, each row in its three spellings."""
+    found: List[Row] = []
+    for line in (Path(__file__).parent / "commands.tsv").read_text(encoding="utf-8").splitlines():
+        if line.startswith("#") or not line:
+            continue
+        text, verb, *rest = line.split("\t")
+        pairs = tuple((pair.split(":")[0], pair.split(":")[1]) for pair in (rest[0].split() if rest else []))
+        for spelling in (text, text.lower(), text.lower().rstrip(".?").replace(",", "")):
+            found.append((spelling, verb, pairs))
+    return found
+
+
+def fault(parser: Parser, row: Row) -> str:
+    """Return what is wrong with the parse of a row, empty for nothing."""
+    text, verb, pairs = row
+    tree = parser.parse(text, frozenset([verb]))
+    (root, *_) = tree.children(0)
+    if root.form.lower() != verb and root.lemma.lower() != verb:
+        return f"{text!r}: the verb is {root.form!r}"
+    found = {
+        (name, tree.word(arc.dependent).form.lower())
+        for arc in arcs(tree)
+        if arc.governor == root.index
+        for name in arc.relations
+    }
+    missing = [f"{relation}:{word}" for relation, word in pairs if (relation, word.lower()) not in found]
+    return f"{text!r}: misses {', '.join(missing)}" if missing else ""
+
+
+def test_commands_are_right(parser: Parser, capsys: pytest.CaptureFixture) -> None:
+    table = rows()
+    assert len(table) >= 300
+    faults = [found for found in (fault(parser, row) for row in table) if found]
+    with capsys.disabled():
+        print(
+            f"\n{len(table) - len(faults)} of {len(table)} commands right" + "".join(f"\n  {found}" for found in faults)
+        )
+    assert len(faults) <= (1.0 - NEEDED) * len(table), "\n".join(faults)
+
+
+@pytest.fixture(scope="module")
+def recorded() -> Dict[Key, DependencyTree]:
+    return read_shipped_recording()
+
+
+def answers(models: StanzaInference, recorded: Dict[Key, DependencyTree]) -> Dict[Key, DependencyTree]:
+    """What the models say to what was asked in the recording."""
+    return {
+        key: models.parse(key[0]) if key == key_of_text(key[0]) else models.reparse(tree)
+        for key, tree in recorded.items()
+    }
+
+
+def test_a_sample_of_the_recorded_parses_is_what_the_models_say(
+    models: StanzaInference, recorded: Dict[Key, DependencyTree]
+) -> None:
+    first = sorted(key for key in recorded if key == key_of_text(key[0]))
+    second = set(recorded) - set(first)  # there are few
+    assert second
+    sample = {key: recorded[key] for key in [*random.Random(SEED).sample(first, SAMPLE), *sorted(second)[:SAMPLE]]}
+    assert render_recording(answers(models, sample)) == render_recording(sample), "'make record' records them anew"
+
+
+@pytest.mark.acceptance
+def test_all_recorded_parses_are_what_the_models_say(
+    models: StanzaInference, recorded: Dict[Key, DependencyTree]
+) -> None:
+    assert render_recording(answers(models, recorded)) == render_recording(recorded), "'make record' records them anew"

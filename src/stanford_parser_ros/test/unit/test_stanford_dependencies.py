@@ -1,12 +1,12 @@
 """From Universal to Stanford dependencies: one sentence for each rule."""
 
-from typing import Set, Tuple
+from typing import List, Set, Tuple
 
 import pytest
 
 from stanford_parser_ros.stanford_dependencies import RULES, arcs, basic, collapsed
 from utterance_passes.conllu import from_conllu, to_conllu
-from utterance_passes.tree import DependencyTree
+from utterance_passes.tree import DependencyTree, Word
 
 
 def tree_of(*rows: str) -> DependencyTree:
@@ -130,6 +130,26 @@ def test_agent() -> None:
 
 def test_conllu_comes_back_as_it_was() -> None:
     assert from_conllu(to_conllu(GO)) == GO
+
+
+@pytest.mark.parametrize(
+    "text, words, is_told",
+    [
+        ("don't  go", [("do", 0, 2), ("n't", 2, 5), ("go", 7, 9)], True),
+        ("gonna go", [("going", 0, 5), ("to", 0, 5), ("go", 6, 8)], False),
+        ("go, now", [("go", 0, 2), ("then", 4, 4), ("now", 4, 7)], False),
+    ],
+)
+def test_places_of_words_come_back_as_they_were(text: str, words: List[Tuple[str, int, int]], is_told: bool) -> None:
+    tree = DependencyTree(
+        text,
+        tuple(
+            Word(index, form, form, "X", "", "", index - 1, "dep", start, end)
+            for index, (form, start, end) in enumerate(words, start=1)
+        ),
+    )
+    assert from_conllu(to_conllu(tree)) == tree
+    assert ("start_char=" not in to_conllu(tree)) is is_told
 
 
 def test_conllu_with_too_few_columns_is_refused() -> None:

@@ -127,6 +127,7 @@ class TurtlebotFollower:
         self._driven: Tuple[float, float] = (0.0, -math.inf)
         self._tuning: Optional[Tuning] = None
         self._configuration: Any = None
+        self._is_ending = threading.Event()
         self._idle = threading.Event()
         self._idle.set()
         self._velocity = rospy.Publisher("cmd_vel", Twist, queue_size=1, tcp_nodelay=True)
@@ -158,6 +159,8 @@ class TurtlebotFollower:
             self._condition.notify_all()
 
     def _shut_down(self) -> None:
+        # While this hook runs, is_shutdown() is still false: topics and services can be used.
+        self._is_ending.set()
         self._wake()
         # The thread of the goal stops the robot; a thread of the publisher sends queued messages.
         self._idle.wait(2.0 * self._settings.service_timeout_s)
@@ -224,7 +227,7 @@ class TurtlebotFollower:
             self._server.set_preempted(FilledSemanticFrameResult(success=False), "stopped following")
 
     def _is_over(self) -> bool:
-        return rospy.is_shutdown() or self._server.is_preempt_requested()
+        return self._is_ending.is_set() or self._server.is_preempt_requested()
 
     def _follow_oneself(self) -> str:
         """Follow, and return why it ended; empty when it was preempted."""

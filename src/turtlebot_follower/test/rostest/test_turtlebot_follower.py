@@ -2,9 +2,12 @@
 """Following a simulated person, as the executor asks for it."""
 
 import math
+import os
+import signal
 import sys
 import threading
 import unittest
+import xmlrpc.client
 
 import actionlib
 import rosgraph
@@ -28,6 +31,12 @@ DEADLINE_S = 60.0
 BODY_RADIUS_M = 0.2
 BAND_M = (0.3, 0.9)
 """From the robot's centre to the person's skin, while following."""
+
+
+def shut_down(node_name):
+    """Interrupt the process of a node."""
+    uri = rosgraph.Master(rospy.get_name()).lookupNode(rospy.resolve_name(node_name))
+    os.kill(xmlrpc.client.ServerProxy(uri).getPid(rospy.get_name())[2], signal.SIGINT)
 
 
 class TestTurtlebotFollower(unittest.TestCase):
@@ -145,6 +154,32 @@ class TestTurtlebotFollower(unittest.TestCase):
         self.assertEqual(GoalStatus.ABORTED, state)
         self.assertIn("I have lost you", text)
         self.assert_stands()
+
+    # These two end nodes that the tests before them need; tests run in the order of their names.
+    def test_when_it_is_shut_down_it_says_stop(self):
+        """Zero velocity is the last command."""
+        self.meet()
+        self.order("walk")
+        wait_until(lambda: self.speed > 0.2)
+        shut_down("turtlebot_follower")
+        self.assert_stands()
+
+    def test_when_it_is_shut_down_the_follower_behind_the_service_is_stopped(self):
+        """It would follow without end."""
+        client = actionlib.ActionClient("served/following", FilledSemanticFrameAction)
+        wait_until(lambda: client.wait_for_server(rospy.Duration(1.0)))
+        states = []
+
+        def answer(request):
+            states.append(request.state)
+            return SetFollowStateResponse(result=SetFollowStateResponse.OK)
+
+        service = rospy.Service("served/turtlebot_follower/change_state", SetFollowState, answer)
+        handle = self.follow(client)
+        wait_until(lambda: states == [SetFollowStateRequest.FOLLOW], message=handle.get_goal_status_text)
+        shut_down("served/turtlebot_follower")
+        wait_until(lambda: states == [SetFollowStateRequest.FOLLOW, SetFollowStateRequest.STOPPED])
+        service.shutdown()
 
     def test_without_a_camera_the_goal_is_aborted(self):
         """The reason names the topic."""

@@ -1,8 +1,13 @@
 """Dependency trees as CoNLL-U text."""
 
-from typing import List
+import re
+from dataclasses import replace
+from typing import List, Tuple
 
 from utterance_passes.tree import DependencyTree, Word
+
+#: Where a word stands in the text: its first character, and one past its last.
+_PLACE = re.compile(r"start_char=(\d+)\|end_char=(\d+)")
 
 
 def from_conllu(text: str) -> DependencyTree:
@@ -12,11 +17,14 @@ def from_conllu(text: str) -> DependencyTree:
         text: lines of ten columns divided by tabs (or by blanks, for tests written by hand); comments, ranges ("1-2")
             and empty nodes are skipped
     Returns:
-        the tree; its text is the words joined by blanks unless a comment ``# text = `` gives it
+        the tree; its text is the words joined by blanks unless a comment ``# text = `` gives it. Positions of
+        characters are those in the last column (``start_char=0|end_char=4``); a word without them stands next in the
+        text
     Raises:
         ValueError: a line with too few columns, or a head that is no number
     """
     words: List[Word] = []
+    places: List[str] = []
     sentence = ""
     for number, line in enumerate(text.splitlines(), start=1):
         line = line.strip()
@@ -35,19 +43,37 @@ def from_conllu(text: str) -> DependencyTree:
                 form=columns[1],
                 lemma=columns[2],
                 upos=columns[3],
-                xpos=columns[4],
+                xpos="" if columns[4] == "_" else columns[4],
                 feats="" if columns[5] == "_" else columns[5],
                 head=int(columns[6]),
                 deprel=columns[7],
             )
         )
-    return DependencyTree(text=sentence or " ".join(word.form for word in words), words=tuple(words))
+        places.append(columns[9] if len(columns) > 9 else "_")
+    text = sentence or " ".join(word.form for word in words)
+    at = 0
+    for number, (word, place) in enumerate(zip(words, places)):
+        given = _PLACE.search(place)
+        start, end = map(int, given.groups()) if given else _next_place(text, word.form, at)
+        words[number] = replace(word, start_character=start, end_character=end)
+        at = max(at, end)
+    return DependencyTree(text=text, words=tuple(words))
+
+
+def _next_place(text: str, form: str, at: int) -> Tuple[int, int]:
+    """Return where a word stands that follows at once, but for blanks; an empty place where another one does."""
+    start = len(text) - len(text[at:].lstrip())
+    return start, start + len(form) if text.startswith(form, start) else start
 
 
 def to_conllu(tree: DependencyTree) -> str:
-    """Write one sentence, with its text as a comment."""
+    """Write one sentence, with its text as a comment; places of words only where the text does not tell them."""
     lines = [f"# text = {tree.text}"]
+    at = 0
     for word in tree.words:
+        start, end = word.start_character, word.end_character
+        is_told = (start, end) == _next_place(tree.text, word.form, at)
+        at = max(at, end)
         lines.append(
             "\t".join(
                 [
@@ -55,12 +81,12 @@ def to_conllu(tree: DependencyTree) -> str:
                     word.form,
                     word.lemma,
                     word.upos,
-                    word.xpos,
+                    word.xpos or "_",
                     word.feats or "_",
                     str(word.head),
                     word.deprel,
                     "_",
-                    "_",
+                    "_" if is_told else f"start_char={start}|end_char={end}",
                 ]
             )
         )

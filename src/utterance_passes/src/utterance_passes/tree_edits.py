@@ -41,6 +41,11 @@ class TreeEdit:
         word = self.word(index)
         self._words[index - 1] = replace(word, upos=upos, xpos=xpos or word.xpos)
 
+    def tag(self, index: int, upos: str, xpos: str, feats: str) -> None:
+        """Give a word all tags of another one; its lemma becomes its form in lower case."""
+        word = self.word(index)
+        self._words[index - 1] = replace(word, lemma=word.form.lower(), upos=upos, xpos=xpos, feats=feats)
+
     def respell(self, index: int, form: str) -> None:
         """Put another word in the place of a word."""
         self._words[index - 1] = replace(self.word(index), form=form, lemma=form)
@@ -62,6 +67,28 @@ class TreeEdit:
         if not made.is_connected:
             raise NotATree(f'no tree comes of "{made.text}"')
         return made
+
+
+def at_origins(tree: DependencyTree, text: str, origins: Sequence[int]) -> DependencyTree:
+    """Return the tree of a rewritten text as that of the text as it was said.
+
+    Args:
+        tree: positions of characters are those of the rewritten text
+        text: as it was said
+        origins: for each character of the rewritten text, and one past its end, the position in the text
+    """
+    return replace(
+        tree,
+        text=text,
+        words=tuple(
+            replace(
+                word,
+                start_character=origins[word.start_character],
+                end_character=origins[min(word.end_character, len(origins) - 1)],
+            )
+            for word in tree.words
+        ),
+    )
 
 
 def set_aside(

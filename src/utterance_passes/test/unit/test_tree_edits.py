@@ -12,7 +12,7 @@ from utterance_passes.tree_edits import NotATree, TreeEdit, set_aside
 SOURCES = Path(__file__).resolve().parents[3]
 TREE = from_short("take|VERB|0|root the|DET|3|det mug|NOUN|1|obj")
 #: They read trees that come from elsewhere: the parser, a message, a file.
-READERS = {"conllu.py", "model.py", "ros_messages.py"}
+READERS = {"conllu.py", "inference.py", "ros_messages.py"}
 FIELDS = {"form", "upos", "xpos", "feats", "head", "deprel", "words", "times", "sharing_a_verb", "clusters", "brackets"}
 
 

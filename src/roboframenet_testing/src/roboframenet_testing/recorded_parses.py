@@ -1,0 +1,133 @@
+"""Recorded answers of the parser's models, so that tests run the passes for real and load no models."""
+
+import os
+from pathlib import Path
+from typing import Dict, Mapping, Protocol, Tuple
+
+from utterance_passes.conllu import from_conllu, to_conllu
+from utterance_passes.tree import DependencyTree
+
+RECORDING = Path(os.path.realpath(__file__)).parents[2] / "recorded" / "parses.conllu"
+#: Comment of a parse whose tags were given to the models.
+_TAGS_ARE_GIVEN = "# tags = given"
+_HEAD = "# newdoc id = answers of the parser's models; 'make record' writes this file\n"
+
+#: A text, and for a second parse the lemma and the tags that each word was given; without them for a first parse.
+Key = Tuple[str, Tuple[Tuple[str, ...], ...]]
+
+
+class NotRecorded(BaseException):
+    """The models' answer is not in the recording; the message names the command that records it.
+
+    It is no ``Exception``: no boundary of the code under test may turn it into a reply.
+    """
+
+
+class Models(Protocol):
+    """What can be recorded: ``stanford_parser_ros.inference.Inference`` is this."""
+
+    def parse(self, text: str) -> DependencyTree:
+        """Tag and parse a text."""
+
+    def reparse(self, tree: DependencyTree) -> DependencyTree:
+        """Parse words again by their tags."""
+
+
+def key_of_text(text: str) -> Key:
+    """Return the key of a first parse."""
+    return text, ()
+
+
+def key_of_tags(tree: DependencyTree) -> Key:
+    """Return the key of a second parse."""
+    return tree.text, tuple((word.form, word.lemma, word.upos, word.xpos, word.feats) for word in tree.words)
+
+
+def read_recording(text: str) -> Dict[Key, DependencyTree]:
+    """Read recorded parses.
+
+    Raises:
+        ValueError: a block is no sentence in CoNLL-U
+    """
+    found: Dict[Key, DependencyTree] = {}
+    for block in text.split("\n\n"):
+        if block.strip():
+            tree = from_conllu(block)
+            found[key_of_tags(tree) if _TAGS_ARE_GIVEN in block.split("\n") else key_of_text(tree.text)] = tree
+    return found
+
+
+def render_recording(parses: Mapping[Key, DependencyTree]) -> str:
+    """Write recorded parses: the same parses give the same text, whatever their order."""
+    blocks = []
+    for key in sorted(parses):
+        block = to_conllu(parses[key])
+        if key[1]:
+            text, words = block.split("\n", 1)
+            block = f"{text}\n{_TAGS_ARE_GIVEN}\n{words}"
+        blocks.append(block)
+    return _HEAD + "\n".join(blocks)
+
+
+def read_shipped_recording() -> Dict[Key, DependencyTree]:
+    """Return what ``make record`` has recorded; nothing before its first run."""
+    return read_recording(RECORDING.read_text(encoding="utf-8")) if RECORDING.exists() else {}
+
+
+class RecordedInference:
+    """Answers from a recording, in the place of the models."""
+
+    def __init__(self, parses: Mapping[Key, DependencyTree]) -> None:
+        self._parses = parses
+
+    def parse(self, text: str) -> DependencyTree:
+        """Return the recorded parse of a text.
+
+        Raises:
+            NotRecorded: there is none
+        """
+        return self._recorded(key_of_text(text))
+
+    def reparse(self, tree: DependencyTree) -> DependencyTree:
+        """Return the recorded parse of words with given tags.
+
+        Raises:
+            NotRecorded: there is none
+        """
+        return self._recorded(key_of_tags(tree))
+
+    def _recorded(self, key: Key) -> DependencyTree:
+        try:
+            return self._parses[key]
+        except KeyError:
+            tags = " with the tags " + " ".join(f"{word[0]}/{word[2]}" for word in key[1]) if key[1] else ""
+            raise NotRecorded(
+                f"no parse of {key[0]!r}{tags} is recorded: 'make record' asks the models, and records what they say"
+            ) from None
+
+
+class RecordingInference:
+    """Asks the models once for each answer, and keeps it."""
+
+    def __init__(self, models: Models, known: Mapping[Key, DependencyTree]) -> None:
+        """
+        Args:
+            models: who is asked
+            known: answers that are kept without asking
+        """
+        self._models = models
+        self.parses: Dict[Key, DependencyTree] = dict(known)
+
+    def parse(self, text: str) -> DependencyTree:
+        """Return the parse of a text, and keep it."""
+        key = key_of_text(text)
+        if key not in self.parses:
+            self.parses[key] = self._models.parse(text)
+        return self.parses[key]
+
+    def reparse(self, tree: DependencyTree) -> DependencyTree:
+        """Return the parse of words with given tags, and keep it."""
+        key = key_of_tags(tree)
+        if key not in self.parses:
+            self.parses[key] = self._models.reparse(tree)
+        return self.parses[key]

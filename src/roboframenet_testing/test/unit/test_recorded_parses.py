@@ -1,0 +1,108 @@
+"""Recorded parses are found by what was asked, and written so that a change of one is a change of its lines."""
+
+from typing import List
+
+import pytest
+
+from roboframenet_testing.recorded_parses import (
+    RECORDING,
+    NotRecorded,
+    RecordedInference,
+    RecordingInference,
+    key_of_tags,
+    key_of_text,
+    read_recording,
+    read_shipped_recording,
+    render_recording,
+)
+from utterance_passes.conllu import from_short
+from utterance_passes.tree import DependencyTree
+from utterance_passes.tree_edits import TreeEdit
+
+PING = from_short("ping|NOUN|2|compound Bob|PROPN|0|root")
+GO = from_short("go|VERB|0|root home|ADV|1|advmod")
+
+
+def as_verb(tree: DependencyTree, *, is_root: bool) -> DependencyTree:
+    """The tree with its first word as a verb."""
+    edit = TreeEdit(tree)
+    edit.tag(1, "VERB", "VB", "Mood=Imp")
+    if is_root:
+        edit.rehang(1, 0, "root")
+        edit.rehang(2, 1, "obj")
+    return edit.tree()
+
+
+class Models:
+    """Models that know two texts, and count what they are asked."""
+
+    def __init__(self) -> None:
+        self.asked: List[str] = []
+
+    def parse(self, text: str) -> DependencyTree:
+        self.asked.append(text)
+        return {tree.text: tree for tree in (PING, GO)}[text]
+
+    def reparse(self, tree: DependencyTree) -> DependencyTree:
+        self.asked.append(f"{tree.text} by tags")
+        return as_verb(tree, is_root=True)
+
+
+@pytest.fixture
+def recording() -> RecordingInference:
+    found = RecordingInference(Models(), {})
+    found.parse("ping Bob")
+    found.reparse(as_verb(PING, is_root=False))
+    found.parse("go home")
+    return found
+
+
+def test_what_was_recorded_is_answered(recording: RecordingInference) -> None:
+    recorded = RecordedInference(read_recording(render_recording(recording.parses)))
+    assert recorded.parse("go home") == GO
+    assert recorded.parse("ping Bob") == PING
+    assert recorded.reparse(as_verb(PING, is_root=False)) == as_verb(PING, is_root=True)
+
+
+def test_the_models_are_asked_once_for_each_answer() -> None:
+    models = Models()
+    again = RecordingInference(models, {})
+    for _ in range(2):
+        again.parse("ping Bob")
+        again.reparse(as_verb(PING, is_root=False))
+    assert models.asked == ["ping Bob", "ping Bob by tags"]
+
+
+def test_what_is_known_is_kept_and_not_asked() -> None:
+    models = Models()
+    more = RecordingInference(models, {key_of_text("go home"): GO})
+    more.parse("go home")
+    more.parse("ping Bob")
+    assert models.asked == ["ping Bob"]
+    assert set(more.parses) == {key_of_text("go home"), key_of_text("ping Bob")}
+
+
+def test_the_order_of_questions_does_not_matter(recording: RecordingInference) -> None:
+    turned = dict(reversed(list(recording.parses.items())))
+    assert list(turned) != list(recording.parses)
+    assert render_recording(turned) == render_recording(recording.parses)
+
+
+def test_a_missing_parse_names_the_command_that_records_it(recording: RecordingInference) -> None:
+    recorded = RecordedInference(recording.parses)
+    with pytest.raises(NotRecorded, match=r"no parse of 'go away' is recorded: 'make record'"):
+        recorded.parse("go away")
+    with pytest.raises(NotRecorded, match=r"'go home' with the tags go/VERB home/ADV is recorded: 'make record'"):
+        recorded.reparse(GO)
+
+
+def test_no_boundary_turns_a_missing_parse_into_a_reply() -> None:
+    assert not issubclass(NotRecorded, Exception)
+
+
+def test_the_shipped_recording_is_as_it_would_be_written() -> None:
+    """A recording that was merged by hand can have blocks twice or in another order."""
+    parses = read_shipped_recording()
+    assert parses
+    assert render_recording(parses) == RECORDING.read_text(encoding="utf-8"), "'make record' writes it anew"
+    assert all(key == key_of_text(tree.text) or key == key_of_tags(tree) for key, tree in parses.items())

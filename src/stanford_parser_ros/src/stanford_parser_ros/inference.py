@@ -1,0 +1,199 @@
+"""The models: what they answer about a text, and how they are loaded."""
+
+import os
+import time
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any, List, Optional, Protocol
+
+from utterance_passes.tree import DependencyTree, Word
+from utterance_passes.tree_edits import TreeEdit
+
+PROCESSORS = "tokenize,mwt,pos,lemma,depparse"
+#: Used where the package has it: official packages do, the shipped one does not.
+CONSTITUENCY = "constituency"
+#: Parsed once at start: the first sentence costs several times as much as the others.
+WARM_UP = "Turn left 120 degrees."
+
+
+class ModelError(RuntimeError):
+    """The model is missing or cannot be loaded; the message says what was expected, where, and what to do."""
+
+
+class Inference(Protocol):
+    """What the models know; the passes do the rest. Tests have recorded answers in its place."""
+
+    def parse(self, text: str) -> DependencyTree:
+        """Split a text into words, tag them, and parse them as one sentence.
+
+        Args:
+            text: with at least one letter or digit
+        Returns:
+            its Universal Dependencies; positions of characters are those of this text
+        """
+
+    def reparse(self, tree: DependencyTree) -> DependencyTree:
+        """Parse the words of a tree again, by the tags and lemmas that they have in it.
+
+        Returns:
+            the tree with other heads and relations
+        """
+
+
+@dataclass(frozen=True)
+class LoadTimes:
+    """Times of the steps of loading, in seconds.
+
+    Attributes:
+        torch_s: importing torch
+        stanza_s: importing Stanza
+        models_s: reading the models
+        warm_up_s: the first parse
+    """
+
+    torch_s: float
+    stanza_s: float
+    models_s: float
+    warm_up_s: float
+
+    @property
+    def total_s(self) -> float:
+        """The sum."""
+        return self.torch_s + self.stanza_s + self.models_s + self.warm_up_s
+
+
+def check_model_folder(folder: Path, package: str) -> None:
+    """Check that a folder holds a Stanza package of English.
+
+    Raises:
+        ModelError: the folder holds none
+    """
+    hint = "leave ~model_dir empty for the models that are shipped, or download a package with Stanza beforehand"
+    if not folder.is_dir():
+        raise ModelError(f"no model folder {folder} ({hint})")
+    if not (folder / "resources.json").is_file():
+        raise ModelError(f"{folder} holds no resources.json, so it is no folder of Stanza models ({hint})")
+    for processor in PROCESSORS.split(","):
+        if not any((folder / "en" / processor).glob("*.pt")):
+            raise ModelError(f"{folder} holds no model for '{processor}' of the package '{package}' ({hint})")
+
+
+def processors_of(folder: Path) -> str:
+    """Return the processors to load from a folder, in the form that Stanza expects."""
+    return PROCESSORS + (f",{CONSTITUENCY}" if any((folder / "en" / CONSTITUENCY).glob("*.pt")) else "")
+
+
+def shipped_model_dir(package_share: Optional[str] = None) -> Path:
+    """Return the folder of the shipped models.
+
+    Args:
+        package_share: share folder of this package, for an install space; None for the source folder of this module
+    """
+    return Path(package_share) / "models" if package_share else Path(os.path.realpath(__file__)).parents[2] / "models"
+
+
+class StanzaInference:
+    """The answers of one Stanza package; nothing is ever downloaded."""
+
+    def __init__(self, *, model_dir: Path, package: str = "default", threads: int = 1) -> None:
+        """
+        Args:
+            model_dir: folder with ``resources.json`` and ``en/``, as Stanza lays it out
+            package: name of a package in that folder
+            threads: of torch; one is fastest and steadiest for single short sentences
+        Raises:
+            ModelError: the models are missing, or Stanza is not installed
+        """
+        check_model_folder(model_dir, package)
+        started = time.monotonic()
+        try:
+            import torch
+
+            torch_done = time.monotonic()
+            import stanza
+            from stanza.models.common.doc import Document
+        except ImportError as error:
+            raise ModelError(
+                f"Stanza is not installed for this Python ({error}): run 'make setup', or 'pip install stanza'"
+            ) from error
+        torch.set_num_threads(threads)
+        self._inference_mode: Any = torch.inference_mode
+        self._document: Any = Document
+        stanza_done = time.monotonic()
+        try:
+            self._pipeline: Any = stanza.Pipeline(
+                "en",
+                dir=str(model_dir),
+                package=package,
+                processors=processors_of(model_dir),
+                download_method=None,
+                use_gpu=False,
+                tokenize_no_ssplit=True,
+                logging_level="ERROR",
+            )
+        except Exception as error:  # boundary: Stanza raises many kinds of errors for a broken file
+            raise ModelError(
+                f"the models in {model_dir} (package '{package}') cannot be loaded: {type(error).__name__}: {error}"
+            ) from error
+        models_done = time.monotonic()
+        self.parse(WARM_UP)
+        self.load_times = LoadTimes(
+            torch_s=torch_done - started,
+            stanza_s=stanza_done - torch_done,
+            models_s=models_done - stanza_done,
+            warm_up_s=time.monotonic() - models_done,
+        )
+
+    def parse(self, text: str) -> DependencyTree:
+        """See :meth:`Inference.parse`."""
+        with self._inference_mode():
+            return _to_tree(text, self._pipeline(text).sentences[0])
+
+    def reparse(self, tree: DependencyTree) -> DependencyTree:
+        """See :meth:`Inference.reparse`."""
+        document = self._document([[_to_stanza(word) for word in tree.words]])
+        with self._inference_mode():
+            parsed = self._pipeline.processors["depparse"].process(document).sentences[0].words
+        edit = TreeEdit(tree)
+        for word in parsed:
+            edit.rehang(word.id, word.head, word.deprel)
+        return edit.tree()
+
+
+def _to_stanza(word: Word) -> Any:
+    """Return a word in the form of Stanza, without head and relation."""
+    return {
+        "id": word.index,
+        "text": word.form,
+        "lemma": word.lemma,
+        "upos": word.upos,
+        "xpos": word.xpos or None,
+        "feats": word.feats or None,
+    }
+
+
+def _to_tree(text: str, sentence: Any) -> DependencyTree:
+    words: List[Word] = []
+    for token in sentence.tokens:
+        at = token.start_char
+        for word in token.words:
+            # The words of a multi-word token ("don't") get consecutive positions when their letters match the text.
+            start = at if text[at : at + len(word.text)] == word.text else token.start_char
+            end = start + len(word.text) if start == at else token.end_char
+            at = min(end, token.end_char)
+            words.append(
+                Word(
+                    index=word.id,
+                    form=word.text,
+                    lemma=word.lemma or word.text,
+                    upos=word.upos or "X",
+                    xpos=word.xpos or "",
+                    feats=word.feats or "",
+                    head=word.head,
+                    deprel=word.deprel,
+                    start_character=start,
+                    end_character=end,
+                )
+            )
+    constituency = getattr(sentence, CONSTITUENCY, None)
+    return DependencyTree(text=text, words=tuple(words), brackets=str(constituency) if constituency is not None else "")
