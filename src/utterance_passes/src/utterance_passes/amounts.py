@@ -1,7 +1,7 @@
-"""Amounts in a tree, found in its words: the same words hang in the tree in many ways ("move 3 feet forward").
+"""Finds amounts in the words of a sentence, not in its tree: the parser attaches the same words in many ways.
 
-An amount is read from the characters as they were said: in "forty-five" the hyphen joins, in "-2" it is a sign, and in
-"2 - 3" neither. What stands beside an amount and changes it, but is no part of what was read, makes it doubtful
+An amount is read from the characters as they were said: the hyphen joins words in "forty-five", is a sign in "-2", and
+is neither in "2 - 3". An unread word beside an amount that changes it makes the amount doubtful
 (:mod:`utterance_passes.measures`).
 """
 
@@ -13,18 +13,18 @@ from typing import List, Optional, Sequence, Tuple
 from spoken_quantities import QuantityError, Unit, find_unit, number_words, parse_measure, parse_number
 from utterance_passes.tree import DependencyTree
 
-#: No amount has more words ("one hundred and twenty - five and a half feet and six inches").
+#: The most words of an amount ("one hundred and twenty - five and a half feet and six inches").
 LONGEST = 16
-#: Places in a row where they stand alone ("the third door"), and shares behind an article or a number ("a third").
+#: Alone, these words are places in a row ("the third door"); behind an article or a number, they are shares ("a third").
 _ORDINALS = frozenset("third fourth fifth sixth seventh eighth ninth tenth".split())
-#: Said inside of a number: "one oh five", "two point five".
+#: Words that people say inside a number: "one oh five", "two point five".
 _EMPHASIS = frozenset("full whole complete entire more further additional extra".split())
 _INSIDE = frozenset("a an and of oh point - / , .".split()) | _EMPHASIS
 _SIGNS = frozenset(["minus", "negative", "plus"])
 _NUMBER_WORDS = frozenset(number_words()) - _INSIDE - _SIGNS
 _ARTICLES = frozenset(["a", "an"])
 _FRACTION = re.compile(r"half|halves|quarters?|thirds?|fourths?|fifths?|eighths?|\d\s*/\s*\d")
-#: Nouns that are verbs as well: "turn left ninety turn right" has no unit.
+#: Units that can also be verbs: "turn left ninety turn right" has no unit.
 _TURNS = frozenset(["turn", "circle"])
 
 
@@ -33,16 +33,16 @@ class Amount:
     """A number in a tree, and its unit if one was said.
 
     Attributes:
-        positions: of its words, unit included
-        amount: the number; not a number where it is doubtful
-        unit: as it was said, "feet"; empty for a bare number
+        positions: positions of its words, including the unit
+        amount: the number; NaN if the amount is doubtful
+        unit: the unit as it was said, "feet"; empty for a bare number
         quantity: length, angle, duration or number
-        si_amount: metres, radians, seconds or the bare number
+        si_amount: the amount in metres, radians or seconds, or the bare number
         numeral: the number as it was said, "minus two"
-        unit_position: of the unit, 0 for none
-        is_doubtful: whether the words say more than the amount that could be read: it must not be acted on
-        ends: of a doubtful one, the words of each of the amounts that it leaves to choose from: "two or three metres"
-        is_of_noun: whether it names the noun in front of it, stands for one, or says how often: "room 5", "the next
+        unit_position: position of the unit; 0 if there is none
+        is_doubtful: whether the words say more than the amount that was read; the robot must not act on it
+        ends: for a doubtful amount, the words of each amount that a person can choose: "two or three metres"
+        is_of_noun: whether it names the noun in front of it, replaces a noun, or says how often: "room 5", "the next
             one", "5 times"
     """
 
@@ -58,23 +58,23 @@ class Amount:
     is_of_noun: bool = False
 
     def digits(self) -> str:
-        """The number in digits, without needless zeros; as it was said where it is not finite."""
+        """Return the number in digits, without needless zeros; a number that is not finite stays as it was said."""
         return f"{self.amount:.12g}" if math.isfinite(self.amount) else self.numeral
 
     @property
     def is_share(self) -> bool:
-        """Whether it is a part of something, "half", of which nobody said what it is."""
+        """Whether it is a fraction of something that nobody named: "half"."""
         return not self.unit and _FRACTION.search(self.numeral.lower()) is not None
 
 
 def read_amounts(tree: DependencyTree, spoken: Sequence[int]) -> Tuple[Amount, ...]:
-    """Read the amounts among some words, whatever stands beside them.
+    """Read the amounts among some words; ignore the words beside them.
 
     Args:
         tree: the sentence
-        spoken: positions of the words to look at, in order
+        spoken: positions of the words to search, in order
     Returns:
-        amounts that do not overlap, the longest first where they could; amounts that are not finite are read too
+        amounts that do not overlap; where they could overlap, the longest wins; amounts that are not finite are included
     """
     found: List[Amount] = []
     start = 0
@@ -93,7 +93,7 @@ def read_amounts(tree: DependencyTree, spoken: Sequence[int]) -> Tuple[Amount, .
 
 
 def _longest_window(tree: DependencyTree, spoken: Sequence[int], start: int) -> int:
-    """Return how many words that an amount may be made of stand one behind the other."""
+    """Return the number of consecutive words, from a start, that can be part of an amount."""
     length = 0
     while (
         start + length < len(spoken)
@@ -106,14 +106,14 @@ def _longest_window(tree: DependencyTree, spoken: Sequence[int], start: int) -> 
 
 
 def is_beside(tree: DependencyTree, first: int, second: int) -> bool:
-    """Whether nothing that counts stands between two words."""
+    """Whether only abandoned words stand between two words."""
     return all(index in tree.abandoned for index in range(first + 1, second))
 
 
 def is_glued(tree: DependencyTree, first: int, second: int) -> bool:
-    """Whether there is no blank between two words, as in "forty-five" between "forty" and "-"."""
+    """Whether no blank separates two words, such as "forty" and "-" in "forty-five"."""
     before, after = tree.word(first), tree.word(second)
-    # "2½" is rewritten for the parser: two numbers in digits are never one word.
+    # The text passes split "2½" in two: two numbers in digits are never one word.
     are_digits = before.form[-1:].isdigit() and after.form[:1].isdigit()
     return 0 < before.end_character == after.start_character and not are_digits
 
@@ -129,7 +129,7 @@ def counts_things(tree: DependencyTree, amount: Amount) -> bool:
 
 
 def is_number(tree: DependencyTree, index: int) -> bool:
-    """Whether a word is a number, or a part of one that means nothing else: no article, "and" or sign."""
+    """Whether a word is a number, or a part of one that has no other meaning (unlike articles, "and" and signs)."""
     word = tree.word(index)
     form = word.form.lower()
     before = tree.word(index - 1).form.lower() if index > 1 else ""
@@ -144,13 +144,13 @@ def is_number(tree: DependencyTree, index: int) -> bool:
 
 
 def unit_at(tree: DependencyTree, index: int) -> Optional[Unit]:
-    """Return the unit that a word is; None where it is none here: "in" and "second" have other uses too."""
+    """Return the unit that a word names; None if it names none here: "in" and "second" have other uses too."""
     word = tree.word(index)
     unit = find_unit(word.form)
     if unit is None:
         return None
     if word.form.lower() == "in" and word.deprel == "case" and word.head > index:
-        # "70 in backwards" has inches, "two in the hall" has none.
+        # "70 in backwards" means inches; "two in the hall" does not.
         is_glued_on = index > 1 and is_glued(tree, index - 1, index)
         return unit if is_glued_on or tree.word(word.head).upos == "ADV" else None
     if unit.name == "second" and word.upos == "ADJ":
@@ -200,7 +200,7 @@ def _amount(tree: DependencyTree, window: Sequence[int]) -> Optional[Amount]:
             unit_position=window[-1] if unit else 0,
         )
     if spoken.lower() in ("half", "quarter", "a", "an") and forms[-1].endswith("s"):
-        # How many of the "quarter turns" or "a turns" is not said.
+        # "Quarter turns" and "a turns" do not say how many turns.
         return None
     turn = tree.word(window[-1])
     if turn.form.lower() in _TURNS and (measure.amount > 1.0 or (turn.upos == "VERB" and not _FRACTION.search(spoken))):
@@ -211,7 +211,7 @@ def _amount(tree: DependencyTree, window: Sequence[int]) -> Optional[Amount]:
 
 
 def _is_written_so(tree: DependencyTree, window: Sequence[int], forms: Sequence[str]) -> bool:
-    """Whether the marks among some words are written as in one number: "forty-five", "1,000", "-2"."""
+    """Whether the marks among some words are written as in a single number: "forty-five", "1,000", "-2"."""
     if forms[0] in ("and", "of", "oh", "/", ",", ".") or (forms[0] in _SIGNS and len(forms) == 1):
         return False
     if forms[0] == "point" and _has_determiner(tree, window[0]):
@@ -220,7 +220,7 @@ def _is_written_so(tree: DependencyTree, window: Sequence[int], forms: Sequence[
         before = number > 0 and is_glued(tree, window[number - 1], window[number])
         after = number + 1 < len(forms) and is_glued(tree, window[number], window[number + 1])
         if form in ("-", "+") and number == 0:
-            # A dash between blanks is no sign.
+            # A dash between blanks is not a sign.
             is_free = window[0] == 1 or not is_glued(tree, window[0] - 1, window[0])
             if not (after and is_free):
                 return False
@@ -251,7 +251,7 @@ def is_iteration(tree: DependencyTree, index: int) -> bool:
 
 
 def _said(tree: DependencyTree, window: Sequence[int]) -> str:
-    """Return words as they were written, apart where a unit begins."""
+    """Return words as they were written, with a blank before a unit."""
     text = ""
     for number, index in enumerate(window):
         form = tree.word(index).form
@@ -264,7 +264,7 @@ def _said(tree: DependencyTree, window: Sequence[int]) -> str:
 
 
 def _sum(tree: DependencyTree, window: Sequence[int]) -> Optional[Amount]:
-    """Return an amount in several units, "5 feet 6 inches", counted in the first of them."""
+    """Return an amount in several units, such as "5 feet 6 inches", converted to its first unit."""
     first = tree.word(window[0]).form.lower()
     if not is_number(tree, window[0]) and first not in _ARTICLES | _SIGNS | {"-"}:
         return None

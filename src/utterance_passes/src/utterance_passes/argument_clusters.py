@@ -1,8 +1,8 @@
-"""One verb that is said once for two groups of phrases: "put the mug on the table and the plate in the sink".
+"""Gives one verb to two groups of phrases: "put the mug on the table and the plate in the sink".
 
-A parser that learned from text joins the second group to whatever noun stands before it, so that the plate becomes a
-place or the mug is put twice. The groups are told by their shape: phrase by phrase, the second is made like the end of
-the first.
+A parser trained on text attaches the second group to the noun before it, so that the plate becomes a place, or the
+robot puts the mug twice. The shape of the phrases shows the groups: phrase by phrase, the second group matches the end
+of the first.
 """
 
 from dataclasses import dataclass
@@ -19,13 +19,13 @@ _DIRECTIONAL = word_class("directional_prepositions")
 _PLACE = word_class("placing_prepositions")
 _BEFORE_NOUNS = frozenset(["DET", "ADJ", "NUM"])
 _NOUNS = frozenset(["NOUN", "PROPN", "NUM", "SYM"])
-#: Relations between words of one noun phrase.
+#: Relations between the words of a noun phrase.
 _INSIDE = frozenset(["compound", "flat", "nummod", "amod", "det", "fixed", "goeswith"])
 _JOINING = frozenset(["and", ",", "then"])
 
 
 class _Kind(Enum):
-    """Of which form a phrase is."""
+    """The form of a phrase."""
 
     NOUN = "noun phrase"
     PREPOSITION = "phrase with a preposition"
@@ -38,8 +38,8 @@ class _Phrase:
 
     Attributes:
         kind: its form
-        words: in order
-        preposition: the first word of its preposition, empty for none
+        words: its words, in order
+        preposition: the first word of its preposition; empty if it has none
     """
 
     kind: _Kind
@@ -48,7 +48,7 @@ class _Phrase:
 
     @property
     def head(self) -> int:
-        """The word on which the others hang: the last noun that is not behind "of"."""
+        """The word that governs the others: the last noun that does not follow "of"."""
         named = self.words
         forms = [word.form.lower() for word in named]
         if "of" in forms[1:]:
@@ -59,7 +59,7 @@ class _Phrase:
         return (nouns or tops or list(named))[-1].index
 
     def is_like(self, other: "_Phrase") -> bool:
-        """Whether both can play one part: "on the table" and "in the sink", not "on the table" and "to the sink"."""
+        """Whether both can have the same role: "on the table" and "in the sink", not "on the table" and "to the sink"."""
         if self.kind is not other.kind:
             return False
         both = {self.preposition, other.preposition}
@@ -70,9 +70,8 @@ _Group = Tuple[_Phrase, ...]
 
 
 def expand_argument_clusters(tree: DependencyTree, vocabulary: Vocabulary) -> DependencyTree:
-    """Hang each of the groups of phrases that share a verb on the verb, and mark the groups, so that ``find_clauses``
-    makes a clause of each. A group that must be one and is not like the first hangs on the verb by no relation that a
-    unit knows.
+    """Attach each group of phrases that share a verb to the verb, and mark the groups: ``find_clauses`` turns each into
+    a clause. If groups end alike but differ before the end, their phrases get the relation ``dep``, which no unit knows.
     """
     edit = TreeEdit(tree)
     clusters: List[Tuple[int, FrozenSet[int]]] = []
@@ -106,8 +105,8 @@ def _expand(tree: DependencyTree, clause: Clause, edit: TreeEdit) -> List[Tuple[
 
 
 def _ends_alike(model: _Group, group: _Group) -> bool:
-    """Whether the last phrases are alike; for two that differ before, only one preposition tells that they are groups:
-    "to the kitchen with the cup and the bathroom with the plate".
+    """Whether all phrases are alike, or the last ones have the same preposition: "to the kitchen with the cup and the
+    bathroom with the plate".
     """
     if all(one.is_like(other) for one, other in zip(model, group)):
         return True
@@ -115,7 +114,7 @@ def _ends_alike(model: _Group, group: _Group) -> bool:
 
 
 def _hang(tree: DependencyTree, clause: Clause, model: _Group, group: _Group, edit: TreeEdit) -> None:
-    """Hang the phrases of a group as those of the first one hang."""
+    """Attach the phrases of a group in the same way as those of the first group."""
     nouns = [phrase for phrase in model if phrase.kind is _Kind.NOUN]
     for like, phrase in zip(model, group):
         head = tree.word(like.head)
@@ -130,7 +129,7 @@ def _hang(tree: DependencyTree, clause: Clause, model: _Group, group: _Group, ed
         if phrase.kind is _Kind.NOUN and _is_measure(tree, phrase):
             deprel = "obl:unmarked"
         governor = clause.verb
-        # "The mug on the table" stays one phrase where it was one.
+        # If "the mug on the table" was one phrase, it stays one.
         if phrase.kind is _Kind.PREPOSITION and like is not model[0] and head.head == model[0].head:
             governor, deprel = group[0].head, "nmod"
         inside = {word.index for word in phrase.words}
@@ -145,7 +144,7 @@ def _is_measure(tree: DependencyTree, phrase: _Phrase) -> bool:
 
 
 def _with_lists_as_one(groups: Sequence[_Group]) -> List[_Group]:
-    """Join a noun that stands alone to the group behind it: "the mug and the fork on the table"."""
+    """Join a lone noun to the group after it: "the mug and the fork on the table"."""
     found: List[_Group] = []
     waiting: List[Word] = []
     for group in groups:
@@ -160,10 +159,10 @@ def _with_lists_as_one(groups: Sequence[_Group]) -> List[_Group]:
 
 
 def _groups(tree: DependencyTree, clause: Clause) -> Optional[List[_Group]]:
-    """Cut what stands behind a verb into phrases, and these into groups at "and", "then" and commas.
+    """Divide the words after a verb into phrases, and the phrases into groups at "and", "then" and commas.
 
     Returns:
-        the groups; None where something else stands there, such as a clause or a choice
+        the groups; None if the words contain anything else, such as a clause or a choice
     """
     left_out = tree.abandoned | tree.fillers
     behind = [index for index in sorted(clause.positions - left_out) if index > clause.verb]
@@ -193,7 +192,7 @@ def _groups(tree: DependencyTree, clause: Clause) -> Optional[List[_Group]]:
 
 
 def _phrase(tree: DependencyTree, words: Sequence[Word]) -> Optional[_Phrase]:
-    """Return the phrase with which words begin."""
+    """Return the phrase at the front of some words; None if there is none."""
     prepositions = 0
     while prepositions < len(words) and words[prepositions].deprel in ("case", "fixed"):
         prepositions += 1
@@ -213,7 +212,7 @@ def _phrase(tree: DependencyTree, words: Sequence[Word]) -> Optional[_Phrase]:
 
 
 def _length_of_noun_phrase(tree: DependencyTree, words: Sequence[Word]) -> int:
-    """Return how many words the noun phrase has with which words begin; 0 for none."""
+    """Return the length, in words, of the noun phrase at the front of some words; 0 if there is none."""
     if words and words[0].upos == "PRON" and words[0].deprel != "nmod:poss":
         return 1
     taken: List[Word] = []
@@ -244,7 +243,7 @@ def _with_following(words: Sequence[Word]) -> Iterator[Tuple[Word, Optional[Word
 
 
 def _is_linked(word: Word, before: Sequence[Word]) -> bool:
-    """Whether a noun is of one phrase with the words before it."""
+    """Whether a noun belongs to the same phrase as the words before it."""
     inside: Set[int] = {other.index for other in before}
     if word.head in inside and word.deprel.split(":")[0] in _INSIDE:
         return True

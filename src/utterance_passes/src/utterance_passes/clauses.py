@@ -1,4 +1,4 @@
-"""The clauses of a sentence: each verb that asks for something, with the words that belong to it."""
+"""Finds the clauses of a sentence: each verb that asks for something, with its words."""
 
 from dataclasses import dataclass, replace
 from typing import FrozenSet, List, Set, Tuple
@@ -22,16 +22,16 @@ _REQUEST_VERBS = word_class("request_verbs")
 
 @dataclass(frozen=True)
 class Clause:
-    """One thing that is asked for.
+    """One thing that the speaker asks for.
 
     Attributes:
-        verb: index of the verb, from 1; of the form of "be" where that is the verb
+        verb: index of the verb, from 1; a copula is the verb of its clause
         lemma: dictionary form of the verb, lower case
-        positions: words of the clause, the verb's included, those of other clauses left out
-        is_negated: "don't", "never"
-        condition: words of a condition ("when I say so"), empty for none
-        condition_positions: of those words
-        subject: index of the subject, 0 for none
+        positions: words of the clause, including the verb, without the words of other clauses
+        is_negated: whether the clause is negated: "don't", "never"
+        condition: words of a condition ("when I say so"); empty if there is none
+        condition_positions: positions of those words
+        subject: index of the subject; 0 if there is none
     """
 
     verb: int
@@ -46,9 +46,8 @@ class Clause:
 def find_clauses(tree: DependencyTree, vocabulary: Vocabulary = Verbs()) -> Tuple[Clause, ...]:
     """Find what a sentence asks for, in the order in which it was said.
 
-    A verb of several words ("let go of") is one verb where a lexicon is given that has it.
-
-    A sentence whose root is no verb ("three feet", "the office") has no clause.
+    A verb of several words ("let go of") is one verb if the vocabulary has it. A sentence whose root is not a verb
+    ("three feet", "the office") has no clause.
     """
     found: List[Tuple[int, bool]] = []
     for root in tree.children(0):
@@ -75,7 +74,7 @@ def find_clauses(tree: DependencyTree, vocabulary: Vocabulary = Verbs()) -> Tupl
 
 
 def _expand_clusters(tree: DependencyTree, clause: Clause) -> Tuple[Clause, ...]:
-    """Return a clause, or one for each group of phrases that shares its verb; what is in no group is in each clause."""
+    """Return a clause, or one for each group of phrases that shares its verb; words outside the groups go to each."""
     groups = [heads for verb, heads in tree.clusters if verb == clause.verb]
     if not groups:
         return (clause,)
@@ -111,7 +110,7 @@ def _expand_shared_verb(tree: DependencyTree, clause: Clause) -> Tuple[Clause, .
 
 
 def shares_a_verb(tree: DependencyTree, word: Word) -> bool:
-    """Whether a word is joined to a verb and is none: "to the kitchen", and "left" of "turn right and then left"."""
+    """Whether a word that is not a verb is joined to a verb: "to the kitchen", "left" in "turn right and then left"."""
     children = tree.children(word.index)
     is_choice = any(child.deprel == "cc" and child.form.lower() != "and" for child in children)
     if is_choice or any(child.deprel == "cop" or child.deprel.startswith("nsubj") for child in children):
@@ -138,7 +137,7 @@ def has_case(tree: DependencyTree, word: Word) -> bool:
 
 
 def _top(tree: DependencyTree, verb: int) -> int:
-    """Return the highest word of a clause: the predicate of a copula, the verb itself else."""
+    """Return the top word of a clause: the predicate of a copula, otherwise the verb itself."""
     word = tree.word(verb)
     return word.head if word.deprel == "cop" else verb
 
@@ -148,7 +147,7 @@ def _collect(
 ) -> None:
     following = [other.form.lower() for other in tree.words[word.index :]]
     last = word.index + max(1, vocabulary.length_of_verb([word.lemma.lower()] + following)) - 1
-    # "Go" of "let go of" and "face" of "turn to face" are words of the verb, and no verbs of their own.
+    # "Go" in "let go of" and "face" in "turn to face" are words of the verb, not separate verbs.
     children = tuple(child for child in tree.children(word.index) if not word.index < child.index <= last)
     is_negated = is_negated or _has_negation(tree, word)
     copula = next((child for child in children if child.deprel == "cop"), None)
@@ -187,15 +186,15 @@ def _collect(
         if child.deprel in ("conj", "parataxis", "list") and (
             child.upos in ("VERB", "AUX") or any(inner.deprel == "cop" for inner in tree.children(child.index))
         ):
-            # "don't move or speak" negates both; "don't move, just speak" is rare, and not acting is the safe reading.
+            # "Don't move or speak" negates both verbs; "don't move, just speak" is rare, and it is safe not to act.
             _collect(tree, vocabulary, child, is_negated and child.deprel == "conj", found)
 
 
 def _is_purpose(tree: DependencyTree, vocabulary: Vocabulary, verb: Word, child: Word) -> bool:
-    """Whether a verb says what shall be done in the end: "go to the kitchen to get the mug".
+    """Whether a verb names the final task: "go to the kitchen to get the mug".
 
-    What a thing is wanted for is no task of the robot: "bring me a cloth to clean the table". In "turn left to face the
-    door" it is a part of the verb, where the lexicon has "turn to face".
+    The purpose of a thing is not a task of the robot: "bring me a cloth to clean the table". In "turn left to face the
+    door", "to face" is a part of the verb if the lexicon has "turn to face".
     """
     has_object = any(other.deprel in ("obj", "iobj") for other in tree.children(verb.index))
     return (
@@ -219,14 +218,14 @@ def _has_negation(tree: DependencyTree, word: Word) -> bool:
 
 
 def _is_of_nothing(tree: DependencyTree, positions: FrozenSet[int]) -> bool:
-    """Whether a clause speaks of what is not there or not meant: "take no box", "none of the boxes", "not the plate".
+    """Whether a clause names no thing, or excludes one: "take no box", "none of the boxes", "not the plate".
 
-    "Say no" says a word.
+    In "say no", the word is quoted and negates nothing.
     """
     words = [tree.word(index) for index in sorted(positions - tree.quoted)]
     if any(f"{word.form} {after.form}".lower() in _NO_LONGER for word, after in zip(words, words[1:])):
         return True
-    # "Go to the office and not to the kitchen", "turn right then not left": what is not to be done is said as well.
+    # "Go to the office and not to the kitchen", "turn right then not left": a part of the clause is forbidden.
     if any((word.deprel == "conj" or _is_shared(tree, word)) and _has_negation(tree, word) for word in words):
         return True
     return any(
@@ -238,7 +237,7 @@ def _is_of_nothing(tree: DependencyTree, positions: FrozenSet[int]) -> bool:
 
 
 def whole_sentence(tree: DependencyTree, verb: int) -> Clause:
-    """Return the clause of a sentence without verbs that begins with a word which the lexicon takes for one."""
+    """Return the whole sentence as one clause: the parser found no verb, but the lexicon knows the first word as one."""
     positions = frozenset(word.index for word in tree.words) - tree.abandoned
     is_negated = any(_has_negation(tree, tree.word(index)) for index in positions)
     clause = clause_of(tree, verb, positions, is_negated or _is_of_nothing(tree, positions))
@@ -246,7 +245,7 @@ def whole_sentence(tree: DependencyTree, verb: int) -> Clause:
 
 
 def clause_of(tree: DependencyTree, verb: int, positions: FrozenSet[int], is_negated: bool) -> Clause:
-    """Return the clause of a verb that is made of some words."""
+    """Return the clause of a verb, made of the words at some positions."""
     condition = _condition(tree, _top(tree, verb), positions)
     subject = next((child.index for child in tree.children(_top(tree, verb)) if child.deprel.startswith("nsubj")), 0)
     return Clause(
@@ -261,7 +260,7 @@ def clause_of(tree: DependencyTree, verb: int, positions: FrozenSet[int], is_neg
 
 
 def shared_subject(tree: DependencyTree, verb: int) -> int:
-    """Return the subject of the verb that a verb is joined to, 0 for none: "could you go there and take the mug"."""
+    """Return the subject that a verb shares with the verb before it: "could you go there and take the mug"; 0 if none."""
     word = tree.word(verb)
     seen: Set[int] = set()
     while word.deprel == "conj" and word.index not in seen:
@@ -286,11 +285,11 @@ def _condition(tree: DependencyTree, top: int, positions: FrozenSet[int]) -> Fro
 
 
 def inner_condition(tree: DependencyTree, positions: FrozenSet[int]) -> FrozenSet[int]:
-    """Return the words of a condition inside of what is to be found out: "see if it is hot *when I say so*".
+    """Return the words of a condition inside the thing to find out: "see if it is hot *when I say so*".
 
     Args:
         tree: the sentence
-        positions: of what is to be found out, whatever it fills
+        positions: words of the thing to find out, whichever element they fill
     """
     for index in sorted(positions):
         word = tree.word(index)

@@ -1,4 +1,4 @@
-"""What says that something is to be done as well as it can be: "as quickly as you can", "as close as possible"."""
+"""Sets aside phrases such as "as quickly as you can" and "as close as possible"."""
 
 from typing import FrozenSet, Optional, Tuple
 
@@ -8,16 +8,16 @@ from utterance_passes.tree_edits import TreeEdit
 from utterance_passes.vocabulary import Vocabulary, is_verb
 
 _COMPARISONS = pattern_of("comparisons")
-#: The group of a pattern that is left: "as *slowly* as you can".
+#: The group of a pattern that stays in the sentence: "as *slowly* as you can".
 _LEFT = "how"
-#: No comparison has more words.
+#: The most words of a comparison.
 _LONGEST = 7
 
 
 def without_comparisons(tree: DependencyTree, vocabulary: Vocabulary) -> DependencyTree:
-    """Set such words aside wherever they stand, but for the adverb among them: "as *slowly* as you can".
+    """Set comparisons aside, wherever they stand, but keep their adverb: "as *slowly* as you can".
 
-    The parser takes what follows for a part of them: "as quickly as *you can to the gate*".
+    The parser makes the next words a part of the comparison: "as quickly as *you can to the gate*".
     """
     while True:
         found = _find(tree)
@@ -49,7 +49,7 @@ def _set_aside(tree: DependencyTree, said: FrozenSet[int], adverb: int, verb: in
 
 
 def _find(tree: DependencyTree) -> Optional[Tuple[FrozenSet[int], int]]:
-    """Find the first comparison: its words, and the adverb that is left, 0 for none."""
+    """Find the first comparison: its words, and the adverb that stays; 0 if there is none."""
     words = tree.open_words
     for first in range(len(words)):
         for behind in range(min(len(words), first + _LONGEST), first, -1):
@@ -64,7 +64,7 @@ def _find(tree: DependencyTree) -> Optional[Tuple[FrozenSet[int], int]]:
 
 
 def _verb_of(tree: DependencyTree, inside: FrozenSet[int], vocabulary: Vocabulary) -> int:
-    """Return the verb that is done so: the one above the words, else the first of the lexicon; 0 for none."""
+    """Return the verb that the comparison modifies: the one above it, else the first known verb; 0 if there is none."""
     above = {_outside(tree, index, inside)[0] for index in inside} - {0}
     verbs = [word for word in tree.open_words if word.index not in inside and word.upos in ("VERB", "AUX")]
     known = [word for word in verbs if is_verb(vocabulary, word)]
@@ -72,7 +72,7 @@ def _verb_of(tree: DependencyTree, inside: FrozenSet[int], vocabulary: Vocabular
 
 
 def _outside(tree: DependencyTree, index: int, inside: FrozenSet[int]) -> Tuple[int, str]:
-    """Return the head of a word, and its relation, where the words between them are left out."""
+    """Return the nearest head of a word that is not among some words, and the relation to it."""
     word = tree.word(index)
     while word.head in inside:
         word = tree.word(word.head)

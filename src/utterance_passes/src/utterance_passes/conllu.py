@@ -1,4 +1,4 @@
-"""Dependency trees as CoNLL-U text."""
+"""Reads and writes dependency trees as CoNLL-U text."""
 
 import re
 from dataclasses import replace
@@ -6,7 +6,7 @@ from typing import List, Tuple
 
 from utterance_passes.tree import DependencyTree, Word
 
-#: Where a word stands in the text: its first character, and one past its last.
+#: The place of a word in the text: its first character, and one past its last.
 _PLACE = re.compile(r"start_char=(\d+)\|end_char=(\d+)")
 
 
@@ -14,14 +14,14 @@ def from_conllu(text: str) -> DependencyTree:
     """Read one sentence.
 
     Args:
-        text: lines of ten columns divided by tabs (or by blanks, for tests written by hand); comments, ranges ("1-2")
+        text: lines of ten columns separated by tabs (or by blanks, in tests written by hand); comments, ranges ("1-2")
             and empty nodes are skipped
     Returns:
-        the tree; its text is the words joined by blanks unless a comment ``# text = `` gives it. Positions of
-        characters are those in the last column (``start_char=0|end_char=4``); a word without them stands next in the
+        the tree. A comment ``# text = `` gives its text; without one, the text is the words joined by blanks. The last
+        column gives the positions of characters (``start_char=0|end_char=4``); a word without them comes next in the
         text
     Raises:
-        ValueError: a line with too few columns, or a head that is no number
+        ValueError: a line has too few columns, or a head is not a number
     """
     words: List[Word] = []
     places: List[str] = []
@@ -61,13 +61,13 @@ def from_conllu(text: str) -> DependencyTree:
 
 
 def _next_place(text: str, form: str, at: int) -> Tuple[int, int]:
-    """Return where a word stands that follows at once, but for blanks; an empty place where another one does."""
+    """Return the place of a word if it comes next in the text, after blanks; an empty place if another word does."""
     start = len(text) - len(text[at:].lstrip())
     return start, start + len(form) if text.startswith(form, start) else start
 
 
 def to_conllu(tree: DependencyTree) -> str:
-    """Write one sentence, with its text as a comment; places of words only where the text does not tell them."""
+    """Write one sentence, with its text as a comment; write the place of a word only if the text does not show it."""
     lines = [f"# text = {tree.text}"]
     at = 0
     for word in tree.words:
@@ -94,11 +94,11 @@ def to_conllu(tree: DependencyTree) -> str:
 
 
 def from_short(text: str) -> DependencyTree:
-    """Read a sentence from one line, as the examples of the passes have it.
+    """Read a sentence from one line, in the format of the examples of the passes.
 
     Args:
-        text: words divided by blanks, each ``form|part of speech|head|relation``; a dictionary form that is not the
-            form in lower case, and a Penn tag, may follow: ``left|VERB|0|root|leave|VBD``
+        text: words separated by blanks, each ``form|part of speech|head|relation``; a dictionary form and a Penn tag
+            may follow: ``left|VERB|0|root|leave|VBD``; the default dictionary form is the form in lower case
     """
     words = []
     for index, item in enumerate(text.split(), start=1):

@@ -1,4 +1,4 @@
-"""What a command cannot mean though the parser has it so: "go up" before "to", "can" without a verb."""
+"""Corrects parses that a command cannot mean: "go up" before "to", "can" without a verb."""
 
 from typing import Iterable, List
 
@@ -22,15 +22,15 @@ _LIGHT = word_class("light_verbs")
 _TURNING = word_class("turning_verbs")
 _TURNS = frozenset(["turn", "circle"])
 _SEVERAL_TURNS = frozenset(["turns", "circles"])
-#: What may stand in front of a noun, and its relation to the noun.
+#: Parts of speech that can precede a noun, and their relations to the noun.
 _OF_A_TURN = {"DET": "det", "NUM": "nummod", "NOUN": "compound", "ADJ": "amod", "ADV": "amod", "SYM": "punct"}
 _TO_PREPOSITIONS = word_class("to_prepositions")
 
 
 def with_modals_as_nouns(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
-    """Make a noun of a modal that helps no verb and stands behind a noun: it is the head of a compound with that noun.
+    """Turn a modal after a noun into a noun if it helps no verb; it becomes the head of a compound with that noun.
 
-    "If you can" has a subject, "will you" too.
+    "If you can" and "will you" have a subject, and stay as they are.
     """
     for modal in tree.words:
         before = tree.words[modal.index - 2] if modal.index > 1 else modal
@@ -38,7 +38,8 @@ def with_modals_as_nouns(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
             continue
         below = [child for child in tree.children(modal.index) if child.upos != "PUNCT"]
         helps_nothing = not modal.deprel.startswith("aux") and modal.head in (before.index, before.head) and not below
-        # An auxiliary stands before its verb; its verb before it has an object there, taken for a subject perhaps.
+        # An auxiliary precedes its verb. If the verb precedes it, the noun between them is an object, which the parser
+        # may have labelled as a subject.
         is_behind_its_verb = (
             modal.deprel.startswith("aux") and 0 < modal.head < before.index and below in ([], [before])
         )
@@ -54,7 +55,7 @@ def with_modals_as_nouns(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
 
 
 def with_particles_on_the_way(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
-    """Make an adverb of a particle right in front of "to": in "go up to the desk" nothing is gone up."""
+    """Turn a particle right before "to" into an adverb: "go up to the desk" does not mean "go up"."""
     edit = TreeEdit(tree)
     for word, following in zip(tree.words, tree.words[1:]):
         is_to = following.form.lower() in _TO_PREPOSITIONS and following.deprel == "case"
@@ -64,7 +65,7 @@ def with_particles_on_the_way(tree: DependencyTree, _: Vocabulary) -> Dependency
 
 
 def with_places_of_devices(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
-    """Hang a place behind "on" or "off" on the object in front: "turn *the lights* off *in the bedroom*"."""
+    """Attach a place after "on" or "off" to the object before it: "turn *the lights* off *in the bedroom*"."""
     edit = TreeEdit(tree)
     for particle in tree.words:
         if particle.deprel != "compound:prt" or particle.form.lower() not in ("on", "off"):
@@ -77,7 +78,7 @@ def with_places_of_devices(tree: DependencyTree, _: Vocabulary) -> DependencyTre
 
 
 def with_places_of_all(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
-    """Hang a place on "everything" and the like in front of it: it tells which things, as behind a noun."""
+    """Attach a place to the "everything" (or a similar word) before it: the place says which things, as after a noun."""
     edit = TreeEdit(tree)
     for pronoun in tree.words:
         if pronoun.form.lower() in _INDEFINITES and pronoun.deprel == "obj":
@@ -87,16 +88,16 @@ def with_places_of_all(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
 
 
 def _places_at(tree: DependencyTree, words: Iterable[Word], position: int) -> List[Word]:
-    """Return those of some words that head a phrase of place which begins at a position."""
+    """Return the words that head a phrase of place at a position."""
     if position > len(tree.words) or tree.word(position).form.lower() not in _PLACE_PREPOSITIONS:
         return []
     return [word for word in words if word.deprel == "obl" and min(tree.subtree(word.index)) == position]
 
 
 def with_objects_of_vocatives(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
-    """Make the object of a word that ends it, and that the parser takes for who is spoken to: "push the blue robot".
+    """Turn a false vocative back into the end of the object: "push the blue robot".
 
-    Who is spoken to is set off, or stands at an end, and the phrase before is complete without it.
+    A true vocative is set off or comes at an end, and the phrase before it is complete without it.
     """
     edit = TreeEdit(tree)
     for word in tree.words[2:]:
@@ -125,8 +126,8 @@ def _has_determiner(tree: DependencyTree, word: Word) -> bool:
 
 
 def with_measured_turns(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
-    """Make a noun of "turn" behind a number or a fraction, which the parser takes for another command: "turn a quarter
-    turn left", "make a 30 degree turn".
+    """Turn the verb "turn" after a number or a fraction into a noun: "turn a quarter turn left", "make a 30 degree
+    turn". The parser takes it for another command.
     """
     for turn in tree.words[2:]:
         phrase = _number_before(tree, turn) or _phrase_before(tree, turn)
@@ -137,7 +138,7 @@ def with_measured_turns(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
         before = tree.words[phrase[0].index - 2] if phrase[0].index > 1 else turn
         is_made = before.upos == "VERB" and before.lemma.lower() in _LIGHT
         is_ratio = len(phrase) > 2 and phrase[-2].form == "/"
-        # No command ends with "turn": where to, nobody says then.
+        # No command ends with "turn": it would not say where to.
         is_last = all(word.upos == "PUNCT" for word in tree.words[turn.index :])
         is_share = phrase[-1].form.lower() in _PARTS_OF_A_TURN or is_ratio
         is_said = is_share or is_last or turn.form.lower() in _SEVERAL_TURNS
@@ -157,8 +158,8 @@ def with_measured_turns(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
 
 
 def with_sides_apart(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
-    """Hang a side in front of a measure, and the measure, on the verb each: for the parser "to the right fifteen
-    degrees" is one phrase.
+    """Attach a side and the measure after it separately to the verb: the parser makes one phrase of "to the right
+    fifteen degrees".
     """
     for side in tree.words:
         governor = tree.word(side.head) if side.head else side
@@ -191,14 +192,14 @@ def with_sides_apart(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
 
 
 def _is_joined(tree: DependencyTree, word: Word) -> bool:
-    """Whether a word of a measure hangs on the word in front as more of the same: "the left 5 and a half"."""
+    """Whether the parser attached a word of a measure to the word before it: "the left 5 and a half"."""
     has_case = any(child.deprel == "case" and child.index < word.index for child in tree.children(word.index))
     is_joined = word.deprel.split(":")[0] in ("conj", "nmod", "flat", "appos", "nummod", "dep")
     return is_joined and _is_of_a_measure(word) and not has_case
 
 
 def with_around_apart(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
-    """Make an adverb of "around" between a verb of turning and a measure: nothing is gone round there."""
+    """Turn "around" between a verb of turning and a measure into an adverb: the measure is not something to go round."""
     for around in tree.words[1:]:
         verb = tree.word(around.index - 1)
         unit = tree.word(around.head) if around.head else around
@@ -212,7 +213,7 @@ def with_around_apart(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
 
 
 def _is_of_a_measure(word: Word) -> bool:
-    """Whether a word may be the head of a measure: a unit, a number, "quarters", "point"."""
+    """Whether a word can be the head of a measure: a unit, a number, "quarters", "point"."""
     if word.upos in ("VERB", "AUX"):
         return False
     return find_unit(word.form) is not None or word.upos == "NUM" or word.form.lower() in (*number_words(), "point")
@@ -227,7 +228,7 @@ def _is_turn(word: Word) -> bool:
 
 
 def _number_before(tree: DependencyTree, unit: Word) -> List[Word]:
-    """Return the words of the number that a unit is said with, "two and two thirds"; none where there is none."""
+    """Return the words of the number before a unit, such as "two and two thirds"; empty if there is no number."""
     amounts = read_amounts(tree, [word.index for word in tree.words[: unit.index]]) if _is_turn(unit) else ()
     return [
         tree.word(index)
@@ -238,7 +239,7 @@ def _number_before(tree: DependencyTree, unit: Word) -> List[Word]:
 
 
 def _phrase_before(tree: DependencyTree, noun: Word) -> List[Word]:
-    """Return the words of a noun phrase in front of its noun; none where there are none."""
+    """Return the words of a noun phrase before its noun; empty if there are none."""
     phrase: List[Word] = []
     for word in reversed(tree.words[: noun.index - 1]):
         is_measure = word.form.lower() in _PARTS_OF_A_TURN or find_unit(word.form) is not None
@@ -252,7 +253,7 @@ def _phrase_before(tree: DependencyTree, noun: Word) -> List[Word]:
 
 
 def with_degrees(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
-    """Hang "a bit" and "a little" on the verb, and not on the noun that they stand behind."""
+    """Attach "a bit" and "a little" to the verb, not to the noun before them."""
     edit = TreeEdit(tree)
     for word in tree.words[2:]:
         before = tree.word(word.index - 1)

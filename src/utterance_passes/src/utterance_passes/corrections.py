@@ -1,9 +1,8 @@
-"""People who correct themselves: "turn left no right", "go to the kitchen, sorry, the office".
+"""Applies the corrections of speakers: "turn left no right", "go to the kitchen, sorry, the office".
 
-What was abandoned, and the words that say so, become a *reparandum* of the correction, as Universal Dependencies have
-it; nothing that is read later looks at them. Where it is not certain what the correction replaces, the readings are
-returned so that a person can be asked. Between the two stands an editing term (Shriberg, *Preliminaries to a theory of
-speech disfluencies*, 1994).
+An editing term separates the abandoned words from the correction (Shriberg, *Preliminaries to a theory of speech
+disfluencies*, 1994). The abandoned words and the editing term become a *reparandum* of the correction, as in Universal
+Dependencies; later steps ignore them. If it is not certain what the correction replaces, a person must choose a reading.
 """
 
 from typing import Dict, FrozenSet, List, Optional, Sequence, Tuple
@@ -20,10 +19,10 @@ from word_classes import word_class
 _AROUND = word_class("around_corrections")
 _CONDITIONS = word_class("conditions")
 _NEGATIONS = word_class("negations")
-#: They take something back even where nothing follows.
+#: Terms that take something back even if nothing follows.
 _WITHDRAWAL = pattern_of("withdrawals")
 _EDITING_TERMS = (pattern_of("editing_terms"), _WITHDRAWAL)
-#: No editing term has more words.
+#: The most words of an editing term.
 _LONGEST_TERM = 2
 _BEFORE_NO_EDITING_TERM = ("VERB", "AUX", "ADP", "DET", "SCONJ", "CCONJ")
 _IN_NAMES = ("DET", "ADJ", "NUM", "NOUN", "PROPN", "PRON")
@@ -31,10 +30,11 @@ _RELATION_IN_NAMES: Dict[str, str] = {"DET": "det", "ADJ": "amod", "NUM": "nummo
 
 
 def without_corrected(tree: DependencyTree, vocabulary: Vocabulary) -> DependencyTree:
-    """Take what was corrected out of a sentence; the words stay in their places.
+    """Remove the corrected words from the tree of a sentence; they stay in the text.
 
     Raises:
-        Uncertain: what the correction replaces, with the readings to choose from, none where all was taken back
+        Uncertain: it is not certain what the correction replaces; holds the readings to choose from, or none if the
+            speaker took everything back
     """
     behind = 0
     while True:
@@ -51,9 +51,9 @@ def without_corrected(tree: DependencyTree, vocabulary: Vocabulary) -> Dependenc
 
 
 def without_restarts(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
-    """Drop the first of a word that is said twice in a row: "turn turn left", "ninety uh ninety degrees".
+    """Drop the first of two equal words in a row: "turn turn left", "ninety uh ninety degrees".
 
-    A number that is said twice without a filler is two digits, and "very very" means more.
+    A repeated number without a filler is two digits, and "very very" is an emphasis.
     """
     said = [word for word in tree.words if not is_filler(word.form) and word.upos != "PUNCT"]
     for first, second in zip(said, said[1:]):
@@ -78,8 +78,8 @@ def without_restarts(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
 
 
 def _editing_term(tree: DependencyTree, vocabulary: Vocabulary, behind: int) -> Optional[Tuple[int, int, bool]]:
-    """Find the first editing term behind a command: its first and last word with what is around it, and whether it
-    takes back even where nothing follows.
+    """Find the first editing term after a command: the first and last word of the term and the words around it, and
+    whether it takes something back even if nothing follows.
     """
     forms = [word.form.lower() for word in tree.words]
     has_verb = False
@@ -97,7 +97,7 @@ def _editing_term(tree: DependencyTree, vocabulary: Vocabulary, behind: int) -> 
         if terms and first >= behind and has_verb and _takes_back(tree, vocabulary, first, position, terms):
             return first + 1, position, any(_WITHDRAWAL.fullmatch(term) for term in terms)
         if forms[first] in _NEGATIONS and not terms:
-            # "Don't turn left, I mean right" is left as it is: not to act is the safe reading.
+            # "Don't turn left, I mean right" stays as it is: it is safe not to act.
             return None
         has_verb = has_verb or _is_verb(tree.words[first], vocabulary)
         position = max(position, first + 1)
@@ -105,7 +105,7 @@ def _editing_term(tree: DependencyTree, vocabulary: Vocabulary, behind: int) -> 
 
 
 def _term_at(forms: Sequence[str], position: int) -> str:
-    """Return the editing term that begins at a position, the longest one; empty for none."""
+    """Return the longest editing term at a position; empty if there is none."""
     for length in range(_LONGEST_TERM, 0, -1):
         said = " ".join(forms[position : position + length])
         if any(pattern.fullmatch(said) for pattern in _EDITING_TERMS):
@@ -114,8 +114,8 @@ def _term_at(forms: Sequence[str], position: int) -> str:
 
 
 def _takes_back(tree: DependencyTree, vocabulary: Vocabulary, first: int, behind: int, terms: Sequence[str]) -> bool:
-    """Whether a term stands between a command and a correction: "say no", "there is no chair" and "with no lid" do not
-    take anything back, and in "bring Bob no mug" the word belongs to what follows.
+    """Whether a term separates a command from a correction. In "say no", "there is no chair" and "with no lid", it takes
+    nothing back; in "bring Bob no mug", it belongs to the next word.
     """
     if len(terms) > 1 or behind == len(tree.words):
         return len(terms) > 1 or tree.words[first - 1].upos not in _BEFORE_NO_EDITING_TERM
@@ -134,7 +134,7 @@ def _is_verb(word: Word, vocabulary: Vocabulary) -> bool:
 
 
 def _are_alternatives(said: Word, corrected: Word, before: Sequence[Word], vocabulary: Vocabulary) -> bool:
-    """Whether a unit of a verb that was said lists both words for the same element."""
+    """Whether a unit of one of the verbs lists both words for the same element."""
     pair = {said.form.lower(), corrected.form.lower()}
     return any(
         pair <= set(listed)
@@ -146,7 +146,7 @@ def _are_alternatives(said: Word, corrected: Word, before: Sequence[Word], vocab
 
 
 class _Repair:
-    """Puts one correction in the place of what it corrects."""
+    """Replaces the corrected words by one correction."""
 
     def __init__(self, tree: DependencyTree, vocabulary: Vocabulary, start: int, end: int) -> None:
         self._tree = tree
@@ -161,7 +161,7 @@ class _Repair:
         """Return the corrected sentence.
 
         Raises:
-            Uncertain: it is not certain what is corrected
+            Uncertain: it is not certain what the speaker corrects
         """
         if _is_verb(self._after[0], self._vocabulary):
             return self._with_another_command()
@@ -176,11 +176,11 @@ class _Repair:
         return self._rewired(spans[0], correction)
 
     def _either(self) -> Uncertain:
-        """Return that what was said before the term may be meant, or what was said behind it."""
+        """Return the choice between the words before the term and the words after it."""
         return Uncertain(self._alone(self._before), self._alone(self._after))
 
     def _alone(self, words: Sequence[Word]) -> Choice:
-        """Return the reading that is made of some of the words."""
+        """Return the reading that keeps only some of the words."""
         positions = frozenset(word.index for word in words)
         others = frozenset(word.index for word in self._tree.words) - positions
         return Choice(self._text(words), self._without(others))
@@ -206,19 +206,19 @@ class _Repair:
             raise Uncertain(self._alone(self._before[:last] + self._after), self._alone(self._after))
         start = 0 if len(verbs) == 1 else self._before.index(verbs[-1])
         if self._is_put_off(self._before[start:]):
-            # The condition, or the time, may have been meant for both.
+            # The speaker may have meant the condition, or the time, for both commands.
             raise self._either()
         return self._rewired(self._before[start:], self._after, old_head=verbs[-1], new_head=new)
 
     def _is_put_off(self, words: Sequence[Word]) -> bool:
-        """Whether words hold a condition or a time."""
+        """Whether some words contain a condition or a time."""
         positions = frozenset(word.index for word in words)
         return any(word.form.lower() in _CONDITIONS for word in words) or any(
             time & positions for time in find_times(self._tree)
         )
 
     def _candidates(self) -> Tuple[List[Word], List[List[Word]]]:
-        """Return the correction, and what of the same kind was said before it."""
+        """Return the correction, and the phrases of the same kind before it."""
         first = self._after[0]
         is_preposition = first.upos == "ADP"
         listed = [
@@ -251,7 +251,7 @@ class _Repair:
         spans = []
         for other in self._amounts(self._before):
             if not amount.unit and other.unit:
-                # "Two metres no three": the unit stays, but the number cannot be put before it.
+                # "Two metres no three": the unit stays, but the new number cannot move in front of it.
                 number = [position for position in other.positions if position != other.unit_position]
                 text = self._text(self._replaced(self._words(number), self._words(amount.positions)))
                 raise Uncertain(Choice(text, self._with_number(number, amount)))
@@ -260,7 +260,7 @@ class _Repair:
         return spans
 
     def _with_number(self, old: Sequence[int], amount: Amount) -> DependencyTree:
-        """Return the sentence with a number, in digits, in the place of the first word of another one."""
+        """Return the sentence with the old number replaced by an amount in digits."""
         kept = frozenset(word.index for word in self._before) - frozenset(old[1:])
         others = frozenset(word.index for word in self._tree.words) - kept
         edit = TreeEdit(self._without(others))
@@ -278,10 +278,10 @@ class _Repair:
         old_head: Optional[Word] = None,
         new_head: Optional[Word] = None,
     ) -> DependencyTree:
-        """Hang a correction where its span hung, and the span and the term on the correction.
+        """Attach a correction to the head of the span that it replaces, and attach the span and the term to it.
 
         Raises:
-            Uncertain: no tree comes of it
+            Uncertain: the result is not a tree
         """
         old, new = old_head or _head(span), new_head or _head(correction)
         dropped = {word.index for word in span} | self._term | self._gone
@@ -321,7 +321,7 @@ def _relation_below(word: Word, deprel: str) -> str:
 
 
 def _head(words: Sequence[Word]) -> Word:
-    """Return the word that the others hang on: the last of those that hang on a word outside, nouns before others."""
+    """Return the head of some words: the last noun, or else the last word, whose own head is outside."""
     inside = {word.index for word in words}
     outer = [word for word in words if word.head not in inside]
     nouns = [word for word in outer if word.upos in ("NOUN", "PROPN", "PRON")]
@@ -329,7 +329,7 @@ def _head(words: Sequence[Word]) -> Word:
 
 
 def _name_at(words: Sequence[Word]) -> List[Word]:
-    """Return the words of a name or a noun with what belongs to it, at the front of some words."""
+    """Return the name or noun phrase at the front of some words; empty if there is none."""
     found: List[Word] = []
     for word in words:
         has_noun = any(other.upos in ("NOUN", "PROPN", "PRON") and other.xpos != "PRP$" for other in found)
