@@ -1,1 +1,1 @@
-"""From the text of an utterance to the tree that the semantic framer reads: every rule in one ordered table."""
+"""Turns the text of an utterance into the tree that the semantic framer reads: one ordered table holds every rule."""

@@ -15,7 +15,7 @@ from utterance_passes.tree import DependencyTree
 
 #: The most words of an amount ("one hundred and twenty - five and a half feet and six inches").
 LONGEST = 16
-#: Alone, these words are places in a row ("the third door"); behind an article or a number, they are shares ("a third").
+#: Alone, these words are places in a row ("the third door"); after an article or a number, they are shares ("a third").
 _ORDINALS = frozenset("third fourth fifth sixth seventh eighth ninth tenth".split())
 #: Words that people say inside a number: "one oh five", "two point five".
 _EMPHASIS = frozenset("full whole complete entire more further additional extra".split())
@@ -74,7 +74,7 @@ def read_amounts(tree: DependencyTree, spoken: Sequence[int]) -> Tuple[Amount, .
         tree: the sentence
         spoken: positions of the words to search, in order
     Returns:
-        amounts that do not overlap; where they could overlap, the longest wins; amounts that are not finite are included
+        amounts that do not overlap; where they could overlap, the longest wins; infinite amounts are included
     """
     found: List[Amount] = []
     start = 0

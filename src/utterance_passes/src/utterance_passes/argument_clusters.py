@@ -59,7 +59,7 @@ class _Phrase:
         return (nouns or tops or list(named))[-1].index
 
     def is_like(self, other: "_Phrase") -> bool:
-        """Whether both can have the same role: "on the table" and "in the sink", not "on the table" and "to the sink"."""
+        """Whether both can have one role: "on the table" and "in the sink", not "on the table" and "to the sink"."""
         if self.kind is not other.kind:
             return False
         both = {self.preposition, other.preposition}
@@ -71,7 +71,7 @@ _Group = Tuple[_Phrase, ...]
 
 def expand_argument_clusters(tree: DependencyTree, vocabulary: Vocabulary) -> DependencyTree:
     """Attach each group of phrases that share a verb to the verb, and mark the groups: ``find_clauses`` turns each into
-    a clause. If groups end alike but differ before the end, their phrases get the relation ``dep``, which no unit knows.
+    a clause. If groups end alike but differ before that, their phrases get the relation ``dep``, which no unit knows.
     """
     edit = TreeEdit(tree)
     clusters: List[Tuple[int, FrozenSet[int]]] = []

@@ -237,7 +237,7 @@ def _is_of_nothing(tree: DependencyTree, positions: FrozenSet[int]) -> bool:
 
 
 def whole_sentence(tree: DependencyTree, verb: int) -> Clause:
-    """Return the whole sentence as one clause: the parser found no verb, but the lexicon knows the first word as one."""
+    """Return a sentence as one clause: the parser found no verb, but the lexicon knows the first word as one."""
     positions = frozenset(word.index for word in tree.words) - tree.abandoned
     is_negated = any(_has_negation(tree, tree.word(index)) for index in positions)
     clause = clause_of(tree, verb, positions, is_negated or _is_of_nothing(tree, positions))
@@ -260,7 +260,7 @@ def clause_of(tree: DependencyTree, verb: int, positions: FrozenSet[int], is_neg
 
 
 def shared_subject(tree: DependencyTree, verb: int) -> int:
-    """Return the subject that a verb shares with the verb before it: "could you go there and take the mug"; 0 if none."""
+    """Return the subject of the verb that this verb is joined to: "could you go there and take the mug"; 0 if none."""
     word = tree.word(verb)
     seen: Set[int] = set()
     while word.deprel == "conj" and word.index not in seen:

@@ -78,7 +78,7 @@ def with_places_of_devices(tree: DependencyTree, _: Vocabulary) -> DependencyTre
 
 
 def with_places_of_all(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
-    """Attach a place to the "everything" (or a similar word) before it: the place says which things, as after a noun."""
+    """Attach a place to "everything" or a similar word before it: the place says which things, as after a noun."""
     edit = TreeEdit(tree)
     for pronoun in tree.words:
         if pronoun.form.lower() in _INDEFINITES and pronoun.deprel == "obj":
@@ -199,7 +199,7 @@ def _is_joined(tree: DependencyTree, word: Word) -> bool:
 
 
 def with_around_apart(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
-    """Turn "around" between a verb of turning and a measure into an adverb: the measure is not something to go round."""
+    """Turn "around" between a verb of turning and a measure into an adverb: nothing goes round the measure."""
     for around in tree.words[1:]:
         verb = tree.word(around.index - 1)
         unit = tree.word(around.head) if around.head else around

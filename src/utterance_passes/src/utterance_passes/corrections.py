@@ -2,7 +2,7 @@
 
 An editing term separates the abandoned words from the correction (Shriberg, *Preliminaries to a theory of speech
 disfluencies*, 1994). The abandoned words and the editing term become a *reparandum* of the correction, as in Universal
-Dependencies; later steps ignore them. If it is not certain what the correction replaces, a person must choose a reading.
+Dependencies; later steps ignore them. If it is not certain what the correction replaces, a person chooses a reading.
 """
 
 from typing import Dict, FrozenSet, List, Optional, Sequence, Tuple
@@ -114,8 +114,8 @@ def _term_at(forms: Sequence[str], position: int) -> str:
 
 
 def _takes_back(tree: DependencyTree, vocabulary: Vocabulary, first: int, behind: int, terms: Sequence[str]) -> bool:
-    """Whether a term separates a command from a correction. In "say no", "there is no chair" and "with no lid", it takes
-    nothing back; in "bring Bob no mug", it belongs to the next word.
+    """Whether a term separates a command from a correction. It takes nothing back in "say no", "there is no chair" and
+    "with no lid"; in "bring Bob no mug", it belongs to the next word.
     """
     if len(terms) > 1 or behind == len(tree.words):
         return len(terms) > 1 or tree.words[first - 1].upos not in _BEFORE_NO_EDITING_TERM

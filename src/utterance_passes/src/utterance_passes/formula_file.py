@@ -1,4 +1,4 @@
-"""The file of formulas: patterns of what is said around a command, each with an example."""
+"""Reads the file of formulas: patterns of the words that people say around a command, each with an example."""
 
 import re
 from dataclasses import dataclass
@@ -12,7 +12,7 @@ from semantic_frames.marked_yaml import Reader
 from semantic_frames.source_files import read_text
 from word_classes import read_pattern, word_class
 
-#: Beside this module in the source, devel and install space.
+#: The file is next to this module in the source, devel and install spaces.
 FORMULAS_FILE = Path(__file__).resolve().parent / "formulas.yaml"
 KINDS = (
     "openings",
@@ -31,7 +31,7 @@ KINDS = (
     "contractions",
 )
 _KEYS = ("pattern", "example", "becomes")
-#: The kind of which each formula says how it is written in full.
+#: The kind whose formulas also have a full form.
 WRITTEN_OUT = "contractions"
 
 
@@ -40,10 +40,10 @@ class Formula:
     """A pattern of words.
 
     Attributes:
-        pattern: matches the whole of some words, in lower case with one blank between them
-        example: a sentence with it
-        becomes: what is left of the example; empty in a file of whole utterances
-        written: how it is written in full, with the groups of the pattern as ``\\1``; empty where it is left out
+        pattern: must match all of some words, in lower case, with one blank between them
+        example: a sentence that contains the formula
+        becomes: the example without the formula; empty in a file of whole utterances
+        written: the full form, with the groups of the pattern as ``\\1``; empty if the formula is left out
     """
 
     pattern: Pattern[str]
@@ -59,13 +59,13 @@ def load_formulas(
 
     Args:
         text: content of the file
-        path: where it came from, for problems
-        kinds: that the file must have
-        keys: that each formula must have
+        path: path of the file, for problems
+        kinds: kinds that the file must have
+        keys: keys that each formula must have
     Returns:
         formulas by kind
     Raises:
-        FileRefused: with every mistake of the file
+        FileRefused: lists every mistake in the file
     """
     reader = Reader(path)
     nodes = reader.mapping(reader.compose(text, "a mapping of formulas"), "", kinds, required=kinds)
@@ -100,18 +100,18 @@ def shipped_formulas() -> Mapping[str, Tuple[Formula, ...]]:
     """Return the formulas of ``formulas.yaml``, read once.
 
     Raises:
-        FileRefused: the file is wrong
+        FileRefused: the file has mistakes
     """
     return load_formulas(read_text(str(FORMULAS_FILE)), str(FORMULAS_FILE))
 
 
 def pattern_of(kind: str) -> Pattern[str]:
-    """Return the pattern that matches what any shipped formula of a kind does."""
+    """Return a pattern that matches whatever any shipped formula of a kind matches."""
     return any_of(shipped_formulas()[kind])
 
 
 def any_of(formulas: Iterable[Formula]) -> Pattern[str]:
-    """Return the pattern that matches what any of some formulas does."""
+    """Return a pattern that matches whatever any of some formulas matches."""
     return re.compile("|".join(f"(?:{formula.pattern.pattern})" for formula in formulas))
 
 
@@ -120,11 +120,11 @@ _PADDING = word_class("padding")
 
 
 def is_filler(form: str) -> bool:
-    """Whether a word is said only while thinking: "um", "uhhh"."""
+    """Whether people say a word only while they think: "um", "uhhh"."""
     return _FILLER.fullmatch(form.lower()) is not None
 
 
 def without_padding(forms: Iterable[str]) -> str:
-    """Return words as the patterns of openings have them: in lower case, and without those that change nothing."""
+    """Return words in the form that the patterns of openings expect: in lower case, without commas and padding."""
     said = (form.lower().replace("’", "'") for form in forms)
     return " ".join(form for form in said if form not in _PADDING and form != ",")

@@ -1,7 +1,7 @@
-"""What is only said beside a command: "if you don't mind", "right away".
+"""Sets aside formulas around a command: "if you don't mind", "right away".
 
-Such formulas are no wishes, conditions or negations of their own. Their words become *asides* of the sentence, which
-nothing that is read later looks at.
+Such formulas are not real wishes, conditions or negations. Their words become *asides* of the sentence; later steps
+ignore them.
 """
 
 from typing import FrozenSet, Sequence
@@ -14,14 +14,12 @@ from utterance_passes.vocabulary import Vocabulary, is_verb
 _ANYWHERE = pattern_of("anywhere")
 _APART = pattern_of("apart")
 _ENDINGS = pattern_of("endings")
-#: No formula has more words.
+#: The most words of a formula.
 _LONGEST = 12
 
 
 def without_formulas(tree: DependencyTree, vocabulary: Vocabulary) -> DependencyTree:
-    """Set the formulas aside that a command is surrounded with: "... right away, if you don't mind"; those in a
-    quotation belong to it.
-    """
+    """Set aside the formulas around a command: "... right away, if you don't mind". Formulas in a quotation stay."""
     while True:
         positions = _around(tree, vocabulary)
         if not positions:
@@ -50,7 +48,7 @@ def _around(tree: DependencyTree, vocabulary: Vocabulary) -> FrozenSet[int]:
 
 
 def _belongs_to(before: Word, word: Word, vocabulary: Vocabulary) -> bool:
-    """Whether a word belongs to the one in front of it: "to the right now", "turn right now"."""
+    """Whether a word belongs to the word before it: "to the right now", "turn right now"."""
     verbs = vocabulary.verbs_beginning_with(before.lemma.lower()) if before.upos == "VERB" else ()
     return before.upos in ("ADP", "DET", "SCONJ") or any(
         word.form.lower() in listed for verb in verbs for listed in vocabulary.lists_of(verb)

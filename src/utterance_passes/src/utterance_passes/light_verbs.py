@@ -1,4 +1,4 @@
-"""Verbs that stand for another one: "can I have the mug" wishes for it, and who does a u-turn makes one."""
+"""Replaces light verbs: "can I have the mug" means "I want the mug", and "do a u-turn" means "make a u-turn"."""
 
 from utterance_passes.tree import DependencyTree, Word
 from utterance_passes.tree_edits import TreeEdit
@@ -9,16 +9,16 @@ _WISH = "want"
 #: "Can I have ...", "could we get ...".
 _ASKED_FOR = frozenset(["have", "get"])
 _PERMISSION_MODALS = word_class("permission_modals")
-#: "I would love ...": without "would" it tells what somebody is fond of.
+#: "I would love ..." is a wish; without "would", the verb says what somebody likes.
 _WISHING_VERBS = word_class("wishing_verbs")
 _WOULD = frozenset(["would", "'d", "’d"])
 _SPEAKERS = word_class("speaker_subjects")
 
 
 def replace_light_verbs(tree: DependencyTree, vocabulary: Vocabulary) -> DependencyTree:
-    """Replace verbs that stand for another one by that one, where the lexicon has it.
+    """Replace light verbs by the verbs that they mean, if the lexicon has those.
 
-    "Do" itself is no verb of a lexicon, since the parser would take that of "don't" for the command.
+    A lexicon must not contain "do": the parser would take the "do" in "don't" for the command.
     """
     edit = TreeEdit(tree)
     for word in tree.words:

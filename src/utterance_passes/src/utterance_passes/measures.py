@@ -1,7 +1,7 @@
-"""What stands beside an amount: a range, a sign, a negation or a number that the amount does not account for.
+"""Checks the words beside an amount: a range, a sign, a negation or a number that the amount does not include.
 
-An amount that says only a part of what was said is *doubtful*. It fills no element, and its words are left over, so
-that nothing is done by half of a number: "ten to fifteen degrees", "not two metres", "five five metres", "20%".
+An amount that covers only a part of what was said is *doubtful*. It fills no element, and its words are left over, so
+that the robot never acts on half of a number: "ten to fifteen degrees", "not two metres", "five five metres", "20%".
 """
 
 import math
@@ -15,12 +15,12 @@ from word_classes import word_class
 
 __all__ = ["Amount", "amounts_of", "find_amounts"]
 
-#: Between the ends of a range, or between two amounts of which one is meant.
+#: Words between the ends of a range, or between two amounts to choose from.
 _ALTERNATIVES = frozenset("to or till until through thru - versus".split())
-#: Between two numbers that are one expression, or two amounts that are said together.
+#: Words between two numbers that form one expression, or between two amounts that belong together.
 _ARITHMETIC = frozenset("/ by x * times plus minus of".split())
 _JOINTS = _ALTERNATIVES | _ARITHMETIC | frozenset("and , . ; : out".split())
-#: In front of an amount: it is not meant, only a bound, or only a part of what is meant.
+#: Words before an amount that negate it, make it a bound, or make it only a part of the meant amount.
 _BEFORE = frozenset(
     "not no never n't without except but than least most under over below above within between beyond maximum max "
     "minimum minus plus negative double twice thrice triple point per every each".split()
@@ -36,9 +36,9 @@ _BOUNDS_BEFORE = frozenset(
         ("percent", "of"),
     ]
 )
-#: Behind an amount.
+#: Words after an amount that change it.
 _BEHIND = frozenset("percent % per max maximum minimum tops plus minus times squared cubed o'clock ish".split())
-#: The same in several words: "two metres or more", "two metres and a bit".
+#: Phrases after an amount that change it: "two metres or more", "two metres and a bit".
 _MORE_BEHIND = tuple(
     tuple(words.split())
     for words in (
@@ -46,15 +46,15 @@ _MORE_BEHIND = tuple(
         "at most,at the most,at the least"
     ).split(",")
 )
-#: Words of a bound that the amount itself keeps to: "at least two metres", "two metres or more". It may be meant.
+#: Words of a bound that includes the amount: "at least two metres", "two metres or more". The speaker may mean it.
 _KEPT = frozenset("least most at up to the or more less fewer of maximum max minimum tops".split())
-#: Words that leave an amount as it is.
+#: Words before an amount that do not change it.
 _AROUND = frozenset(
     "about almost around roughly approximately nearly exactly precisely just some even only another".split()
 ) | word_class("hedges")
 #: Marks that may touch an amount.
 _MARKS = frozenset(". , ! ? ; : ) ( [ ] \" ' …".split())
-#: Units that are nothing else, where no number stands in front of them.
+#: Words that are units even without a number before them.
 _ONLY_UNITS = frozenset(
     "metres meters centimetres centimeters millimetres millimeters kilometres kilometers cm mm km inches yards miles "
     "degrees degree radians radian feet miles turns revolutions rotations".split()
@@ -66,11 +66,10 @@ def find_amounts(tree: DependencyTree, positions: Sequence[int]) -> Tuple[Amount
 
     Args:
         tree: the sentence
-        positions: of the words to look at
+        positions: positions of the words to search
     Returns:
-        amounts that do not overlap, in order; amounts that are not finite are found too, and doubtful ones: words that
-        say an amount, or more than one, which cannot be read as a whole. A number that counts things ("two eggs") is
-        none
+        amounts that do not overlap, in order. They include infinite amounts and doubtful ones: words that name one or
+        more amounts but cannot be read as a whole. A number that counts things ("two eggs") is not an amount
     """
     spoken = sorted(index for index in positions if index not in tree.abandoned)
     amounts = list(read_amounts(tree, spoken))
@@ -83,14 +82,14 @@ def find_amounts(tree: DependencyTree, positions: Sequence[int]) -> Tuple[Amount
 
 
 def amounts_of(tree: DependencyTree, positions: AbstractSet[int], verb: int) -> Tuple[Amount, ...]:
-    """Find the amounts of a clause, with an eye on the words of the other clauses beside it.
+    """Find the amounts of a clause; the words of neighbouring clauses count as well.
 
     Args:
         tree: the sentence
-        positions: of the words of the clause
-        verb: of the clause; it may be the unit ("half a turn to the left")
+        positions: positions of the words of the clause
+        verb: verb of the clause; it may be the unit ("half a turn to the left")
     Returns:
-        those of :func:`find_amounts`; one that is cut by the bounds of the clause is doubtful
+        amounts as from :func:`find_amounts`; an amount that crosses the bounds of the clause is doubtful
     """
     spoken = [word.index for word in tree.words if word.index not in tree.quoted]
     found = []
@@ -105,7 +104,7 @@ def amounts_of(tree: DependencyTree, positions: AbstractSet[int], verb: int) -> 
 def _doubtful(
     positions: Iterable[int], tree: DependencyTree, parts: Sequence[Amount] = (), ends: Tuple[Tuple[int, ...], ...] = ()
 ) -> Amount:
-    """Return words that say an amount, or several, as one that must not be acted on."""
+    """Return one doubtful amount for words that name one or several amounts."""
     measured = [part for part in parts if part.unit]
     last = max(positions)
     unit = find_unit(tree.word(last).form)
@@ -123,7 +122,7 @@ def _doubtful(
 
 
 def _is_lone_unit(tree: DependencyTree, index: int, amounts: Sequence[Amount]) -> bool:
-    """Whether a word is a unit whose number could not be read: "umpteen degrees"; "the degrees" are no amount."""
+    """Whether a word is a unit whose number could not be read: "umpteen degrees"; "the degrees" is not an amount."""
     word = tree.word(index)
     before = tree.word(index - 1) if index > 1 else None
     is_of_something = before is not None and before.deprel in ("det", "nmod:poss") and before.head == index
@@ -133,7 +132,7 @@ def _is_lone_unit(tree: DependencyTree, index: int, amounts: Sequence[Amount]) -
 
 
 def _joined(tree: DependencyTree, spoken: Sequence[int], amounts: Sequence[Amount]) -> List[Amount]:
-    """Make one doubtful amount of those that are said as one expression."""
+    """Merge amounts that form one expression into one doubtful amount."""
     done: List[Amount] = []
     for amount in amounts:
         if done:
@@ -148,7 +147,7 @@ def _joined(tree: DependencyTree, spoken: Sequence[int], amounts: Sequence[Amoun
 
 
 def _joint(tree: DependencyTree, between: Sequence[int]) -> Optional[Tuple[str, ...]]:
-    """Return the words that join two amounts; None where other words stand between them."""
+    """Return the words that join two amounts; None if other words separate them."""
     forms = tuple(tree.word(index).form.lower() for index in _without_hedges(tree, between))
     if all(form in _JOINTS for form in forms):
         return forms
@@ -157,9 +156,9 @@ def _joint(tree: DependencyTree, between: Sequence[int]) -> Optional[Tuple[str, 
 
 
 def _are_one(tree: DependencyTree, first: Amount, second: Amount, joint: Tuple[str, ...]) -> bool:
-    """Whether two amounts are one expression, and not two things that are said one after the other."""
+    """Whether two amounts form one expression, not two separate amounts in a row."""
     if joint == ("adj",):
-        # "Two big metres": the number has a unit that could not be read with it.
+        # "Two big metres": the adjective kept the unit from being read with its number.
         return not first.unit and second.is_doubtful and len(second.positions) == 1
     if not second.unit and is_iteration(tree, second.positions[-1]):
         return False
@@ -187,7 +186,7 @@ def _one(
     opening = [index for index in before if tree.word(index).form.lower() in ("between", "from")]
     is_between = joint == ("and",) and bool(opening) and tree.word(opening[0]).form.lower() == "between"
     is_choice = (len(joint) == 1 and joint[0] in _ALTERNATIVES) or is_between
-    # In "two or three metres" the unit is said once for both; in "a metre or two" it stands in the wrong place for one.
+    # In "two or three metres", both numbers share the unit; in "a metre or two", the unit has the wrong place for that.
     shared = (second.unit_position,) if second.unit and not first.unit else ()
     is_choice = is_choice and bool(first.unit) <= bool(second.unit) and not (first.is_doubtful or second.is_doubtful)
     ends = (first.positions + shared, second.positions) if is_choice else ()
@@ -196,7 +195,7 @@ def _one(
 
 
 def _beside(tree: DependencyTree, spoken: Sequence[int], amount: Amount, taken: AbstractSet[int]) -> Amount:
-    """Return an amount, doubtful where the words beside it change it; "between two chairs" changes no amount."""
+    """Return an amount, as doubtful if the words beside it change it; "between two chairs" changes no amount."""
     following = tree.word(amount.positions[-1]).head
     if counts_things(tree, amount) and tree.word(following).form.lower() not in _BEHIND:
         return amount
@@ -205,14 +204,14 @@ def _beside(tree: DependencyTree, spoken: Sequence[int], amount: Amount, taken: 
     changing = _changing_before(tree, before[::-1], amount) | _changing_behind(tree, behind, amount)
     if not changing - taken:
         return amount
-    # Of a range that is negated or bounded no end is meant.
+    # If a range is negated or bounded, the speaker means neither of its ends.
     is_kept = all(tree.word(index).form.lower() in _KEPT for index in changing) and not amount.is_doubtful
     ends = (amount.positions,) if is_kept else ()
     return _doubtful(changing | frozenset(amount.positions), tree, [amount], ends)
 
 
 def _changing_before(tree: DependencyTree, before: Sequence[int], amount: Amount) -> FrozenSet[int]:
-    """Return the words in front of an amount that change it; ``before`` is in reverse order."""
+    """Return the words before an amount that change it; ``before`` is in reverse order."""
     if before and _is_written_on(tree, before[0], amount.positions[0], before[0]):
         return frozenset([before[0]])
     said = _without_hedges(tree, before)
@@ -231,7 +230,7 @@ def _changing_before(tree: DependencyTree, before: Sequence[int], amount: Amount
 
 
 def _changing_behind(tree: DependencyTree, behind: Sequence[int], amount: Amount) -> FrozenSet[int]:
-    """Return the words behind an amount that change it."""
+    """Return the words after an amount that change it."""
     last = amount.positions[-1]
     if behind and _is_written_on(tree, last, behind[0], behind[0]):
         return frozenset([behind[0]])
@@ -255,13 +254,13 @@ def _changing_behind(tree: DependencyTree, behind: Sequence[int], amount: Amount
 
 
 def _counts(tree: DependencyTree, first: Amount, second: Amount) -> bool:
-    """Whether a number counts a unit that stands apart from it: "two left turns"."""
+    """Whether a number counts the unit of another amount, separated from it: "two left turns"."""
     word = tree.word(first.positions[-1])
     return not first.unit and word.deprel == "nummod" and word.head in second.positions
 
 
 def _counts_units(tree: DependencyTree, index: int) -> bool:
-    """Whether a number counts a unit that stands apart from it and is none elsewhere: "one left turn"."""
+    """Whether a number counts a later word that is a unit in this context: "one left turn"."""
     word = tree.word(index)
     return word.deprel == "nummod" and word.head > index and unit_at(tree, word.head) is not None
 
@@ -275,7 +274,7 @@ def _without_hedges(tree: DependencyTree, positions: Sequence[int]) -> List[int]
 
 
 def _is_close(tree: DependencyTree, first: int, between: Sequence[int], second: int) -> bool:
-    """Whether nothing of weight stands between a word and an amount: no word that is missing from ``between``."""
+    """Whether only abandoned words and words in ``between`` stand between a word and an amount."""
     seen = set(between)
     return all(index in seen or index in tree.abandoned for index in range(min(first, second) + 1, max(first, second)))
 
@@ -285,6 +284,6 @@ def _is_mark_of_arithmetic(form: str) -> bool:
 
 
 def _is_written_on(tree: DependencyTree, first: int, second: int, other: int) -> bool:
-    """Whether a word goes on without a blank beside an amount: "e" of "e5", "-ish" of "45-ish"."""
+    """Whether a word touches an amount without a blank: "e" in "e5", "-ish" in "45-ish"."""
     form = tree.word(other).form
     return is_glued(tree, first, second) and form not in _MARKS and not form.startswith(("'", "’"))

@@ -1,4 +1,4 @@
-"""Names of one letter: "room C", "shelf a", "gate B12"."""
+"""Finds names of one letter: "room C", "shelf a", "gate B12"."""
 
 import re
 from typing import FrozenSet, List
@@ -12,14 +12,14 @@ from word_classes import word_class
 _LETTERED = word_class("lettered_nouns")
 _LETTER = re.compile("[A-Z][0-9]*|[0-9]+[A-Za-z]")
 _SMALL_LETTER = re.compile("[a-z]")
-#: What goes on with these is no name: "a mug", "I want".
+#: A letter before one of these is not a name: "a mug", "I want".
 _NO_END = frozenset(["NOUN", "PROPN", "ADJ", "NUM", "VERB", "AUX"])
 
 
 def with_letters_as_names(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
-    """Hang a letter or a number behind a noun on the noun: it is the name of it.
+    """Attach a letter or a number after a noun to the noun, as its name.
 
-    A small letter is a name only behind what is called by letters, as speech recognisers write them.
+    A small letter, as speech recognisers write it, is a name only after a noun that takes letters as names.
     """
     for noun, name in zip(tree.words, tree.words[1:]):
         if not _is_name(tree, noun, name) or name.head == noun.index or noun.head == name.index:

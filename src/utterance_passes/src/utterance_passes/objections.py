@@ -1,4 +1,4 @@
-"""Words that open a correction of what runs: "no, turn right", "no I meant turn right"."""
+"""Sets aside the words that open a correction of a running command: "no, turn right", "no I meant turn right"."""
 
 from utterance_passes.formula_file import pattern_of
 from utterance_passes.tree import ASIDE, DependencyTree, Word
@@ -11,7 +11,7 @@ _OPENING = pattern_of("objections")
 
 
 def without_objection(tree: DependencyTree, vocabulary: Vocabulary) -> DependencyTree:
-    """Set aside what a correction opens with where a whole command follows: "no, turn right", "I meant turn right"."""
+    """Set aside the opening of a correction if a whole command follows: "no, turn right", "I meant turn right"."""
     text = ""
     for position, word in enumerate(tree.words):
         if position and _OPENING.fullmatch(text) and _begins_command(tree, position, vocabulary):
@@ -22,7 +22,9 @@ def without_objection(tree: DependencyTree, vocabulary: Vocabulary) -> Dependenc
 
 
 def plain(word: Word) -> str:
-    """Return a word as the patterns of objections have it: lower case, straight apostrophes, any mark as a comma."""
+    """Return a word in the form that the patterns of objections expect: lower case, straight apostrophes, any mark as
+    a comma.
+    """
     form = word.form.lower().replace("\u2019", "'")
     return "," if word.upos == "PUNCT" else "n't" if form == "nt" else form
 

@@ -1,8 +1,8 @@
-"""What is to be said is a quotation: "say don't worry", "tell her I will not come".
+"""Turns the words that the robot shall say into a quotation: "say don't worry", "tell her I will not come".
 
-Its words negate nothing, make no condition and are no list: they are put together as one argument. What is quoted is
-what the verb of saying governs behind it, but for the person who is spoken to and the next command. A verb of saying is
-one of a lexical unit whose frame has a *Message*, as FrameNet calls it.
+A quotation is one argument: its words negate nothing, and make no condition and no list. It consists of the words that
+the verb of saying governs after it, without the addressee and the next command. A verb of saying is the verb of a
+lexical unit whose frame has a *Message*, in FrameNet's terms.
 """
 
 from dataclasses import dataclass
@@ -25,13 +25,13 @@ _NEGATIONS = word_class("negations")
 _NO_PRONOUNS = word_class("no_pronouns")
 _PERSONS_TOLD = word_class("persons_told")
 _PLACE_PREPOSITIONS = word_class("place_prepositions")
-#: Not quoted: what is said is put off by them ("tell me when dinner is ready").
+#: These conjunctions are not quoted: they delay the saying ("tell me when dinner is ready").
 _PUTTING_OFF = _CONDITIONS - {"if"}
 
 
 @dataclass(frozen=True)
 class _Saying:
-    """A verb of saying: its last word, and whether the person who is told stands right behind it."""
+    """A verb of saying: its clause, its last word, and whether the addressee comes right after it."""
 
     clause: Clause
     last: int
@@ -39,7 +39,7 @@ class _Saying:
 
 
 def with_quotations(tree: DependencyTree, vocabulary: Vocabulary) -> DependencyTree:
-    """Put together what is to be said: each quotation is one object of its verb."""
+    """Turn each quotation into one object of its verb."""
     behind = 0
     while True:
         clauses = find_clauses(tree, vocabulary)
@@ -73,8 +73,8 @@ def _saying(tree: DependencyTree, clause: Clause, vocabulary: Vocabulary) -> Opt
 
 
 def _stray_clause(tree: DependencyTree, saying: _Saying) -> int:
-    """Return the verb of a clause right behind the verb of saying that hangs elsewhere: "find Bob and tell her *lunch
-    is ready*"; 0 for none.
+    """Return the verb of a clause right after the verb of saying that the parser attached elsewhere: "find Bob and tell
+    her *lunch is ready*"; 0 if there is none.
     """
     behind = (word for word in tree.words if word.index > saying.last and word.head < saying.last)
     strays = (
@@ -88,7 +88,7 @@ def _stray_clause(tree: DependencyTree, saying: _Saying) -> int:
 
 
 class _Quotation:
-    """What one verb of saying governs."""
+    """The quotation of one verb of saying."""
 
     def __init__(
         self, tree: DependencyTree, saying: _Saying, clauses: Sequence[Clause], vocabulary: Vocabulary
@@ -96,14 +96,14 @@ class _Quotation:
         self._tree = tree
         self._verb = saying.clause.verb
         self._start = saying.last + 1
-        #: Head and relation of words that do not hang where they belong.
+        #: Correct head and relation of words that the parser attached wrongly.
         self._moved: Dict[int, Tuple[int, str]] = {}
         self._end = self._next_command(clauses, vocabulary)
         if saying.is_told:
             self._skip_addressee()
 
     def tree(self) -> DependencyTree:
-        """Return the sentence with the quotation as one object; as it was where nothing is quoted."""
+        """Return the sentence with the quotation as one object; unchanged if nothing is quoted."""
         tree = self._tree
         inside = self._without_addressee(self._between_marks() or self._governed())
         if not inside or not inside <= self._tree.subtree(self._verb) or self._is_of_nothing(inside):
@@ -134,7 +134,7 @@ class _Quotation:
         return edit.tree()
 
     def _next_command(self, clauses: Sequence[Clause], vocabulary: Vocabulary) -> int:
-        """Return the first position behind the quotation where a command follows: "say hello and turn left"."""
+        """Return the position where the next command begins, its joining words included: "say hello and turn left"."""
         for clause in clauses:
             word = self._tree.word(clause.verb)
             first = min(self._tree.subtree(word.index))
@@ -153,7 +153,7 @@ class _Quotation:
         return word.deprel == "cc" or word.upos == "PUNCT" or word.form.lower() == "then"
 
     def _skip_addressee(self) -> None:
-        """Find who is told: "tell *Bob* to come", "tell *my wife* dinner is ready"."""
+        """Move the start past the addressee: "tell *Bob* to come", "tell *my wife* dinner is ready"."""
         children = [child for child in self._tree.children(self._verb) if child.index >= self._start]
         is_clause = any(
             child.deprel in ("ccomp", "xcomp", "parataxis", "advcl") and child.index < self._end for child in children
@@ -192,7 +192,7 @@ class _Quotation:
         return frozenset(range(marks[0] + 1, marks[1])) if len(marks) > 1 else frozenset()
 
     def _governed(self) -> FrozenSet[int]:
-        """Return the words that the verb governs and that say what is to be said."""
+        """Return the words that the verb governs and that belong to the message."""
         inside: Set[int] = set()
         for child in self._tree.children(self._verb):
             positions = {
@@ -206,7 +206,7 @@ class _Quotation:
         return frozenset(index for index in inside if spoken and spoken[0] <= index <= spoken[-1])
 
     def _is_beside(self, child: Word, inside: Set[int]) -> bool:
-        """Whether a phrase tells how, when or to whom something is said, and is not said itself."""
+        """Whether a phrase says how, when or to whom to say something, and is not a part of the message."""
         relation = child.deprel.split(":")[0]
         if child.deprel == "iobj" or relation in ("punct", "cc", "advcl"):
             return True
@@ -223,7 +223,7 @@ class _Quotation:
         return next((w.form.lower() for w in self._tree.children(index) if w.deprel == "case"), "")
 
     def _without_addressee(self, inside: FrozenSet[int]) -> FrozenSet[int]:
-        """Take "to Bob" out of what was said; what stands behind it tells where Bob is."""
+        """Remove "to Bob" from the message; a place after it says where Bob is."""
         for index in sorted(inside):
             word = self._tree.word(index)
             phrase = self._tree.subtree(index)
@@ -251,7 +251,7 @@ class _Quotation:
         return not self._has_verb(inside) and (forms[0] in _NO_PRONOUNS or is_no_thing)
 
     def _head(self, inside: FrozenSet[int]) -> Word:
-        """Return the word that the others are put below: one that hangs on the verb, an object first."""
+        """Return the word that will govern the others: one whose head is outside, an object if possible."""
         words = [self._tree.word(index) for index in sorted(inside)]
         tops = [word for word in words if word.head not in inside and word.upos != "PUNCT"]
         ranks = {"obj": 0, "ccomp": 1, "xcomp": 2, "parataxis": 3, "conj": 4}
