@@ -18,7 +18,7 @@ _SPEAKERS = word_class("speaker_subjects")
 def replace_light_verbs(tree: DependencyTree, vocabulary: Vocabulary) -> DependencyTree:
     """Replace light verbs by the verbs that they mean, if the lexicon has those.
 
-    A lexicon must not contain "do": the parser would take the "do" in "don't" for the command.
+    The lexicon itself has no verb "do": the parser would take the "do" in "don't" for the command.
     """
     edit = TreeEdit(tree)
     for word in tree.words:

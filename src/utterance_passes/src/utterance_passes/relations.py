@@ -1,6 +1,6 @@
-"""Relations that no sentence of Universal Dependencies has, and what stands in their place.
+"""Replaces relations that the guidelines of Universal Dependencies (v2) rule out.
 
-A parser labels each arc by itself. What the arcs around it rule out is put right here, by the guidelines of UD v2.
+A parser labels each arc by itself; these passes correct labels that contradict the arcs around them.
 """
 
 from utterance_passes.tree import DependencyTree, Word
@@ -9,7 +9,7 @@ from utterance_passes.vocabulary import Vocabulary
 
 
 def with_one_object(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
-    """Make a preposition of a particle between two objects of a verb: "pick up the cup off the foot of the bed"."""
+    """Turn a particle between two objects of a verb into a preposition: "pick up the cup off the foot of the bed"."""
     edit = TreeEdit(tree)
     for particle in tree.words:
         if particle.deprel != "compound:prt":
@@ -25,7 +25,7 @@ def with_one_object(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
 
 
 def without_particle_predicates(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
-    """Make a clause of a particle with a copula: "check if the lights are off" asks whether they are off."""
+    """Turn a particle with a copula into a clause: "check if the lights are off" asks whether they are off."""
     edit = TreeEdit(tree)
     for word in tree.words:
         if word.deprel == "compound:prt" and any(child.deprel == "cop" for child in tree.children(word.index)):
@@ -34,7 +34,7 @@ def without_particle_predicates(tree: DependencyTree, _: Vocabulary) -> Dependen
 
 
 def without_verb_compounds(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
-    """Make a clause of a verb that compounds with the one before it: "go get the mug" is to go, and to get it."""
+    """Turn a verb that is a compound with the verb before it into a clause: "go get the mug" means to go and get it."""
     edit = TreeEdit(tree)
     for word in tree.words:
         head = tree.word(word.head) if word.head else word
@@ -44,7 +44,7 @@ def without_verb_compounds(tree: DependencyTree, _: Vocabulary) -> DependencyTre
 
 
 def without_infinitive_conjuncts(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
-    """Make a purpose of a conjunct with "to": "turn left to face the door" says what for."""
+    """Turn a conjunct with "to" into a purpose clause: "turn left to face the door" says why to turn."""
     edit = TreeEdit(tree)
     for word in tree.words:
         if word.deprel == "conj" and word.upos == "VERB" and word.head and _is_infinitive(tree, word):

@@ -1,8 +1,7 @@
-"""Commands that are said one after the other without a mark: "open the cupboard close the drawer".
+"""Finds commands in a row without a mark between them: "open the cupboard close the drawer".
 
-Speech recognisers give no punctuation, and a parser that learned from text takes the second verb for anything but a
-verb. So such an utterance is cut where a known verb with an object of its own begins behind a phrase that is complete,
-and each part is parsed alone.
+Speech recognisers give no punctuation, and a parser trained on text does not take the second verb for a verb. So the
+utterance is cut where a known verb with its own object follows a complete phrase, and each part is parsed alone.
 """
 
 from typing import Sequence, Tuple
@@ -21,21 +20,21 @@ _PARTICLES = word_class("verb_particles")
 _SAYING = word_class("saying_verbs")
 _SUBJECTS = word_class("clause_subjects")
 _WITH_A_VERB = word_class("verbs_with_verbs")
-#: Join a command to the one before it, as the parser knows.
+#: Words that join a command to the one before it; the parser handles them.
 _JOINING = frozenset(["and", "then"])
-#: A phrase ends with one of these parts of speech.
+#: Parts of speech that can end a complete phrase.
 _COMPLETE = frozenset(["NOUN", "PROPN", "PRON", "NUM", "ADV", "INTJ", "SYM"])
 
 
 def run_ons(forms: Sequence[str], tags: Sequence[str], vocabulary: Vocabulary) -> Tuple[int, ...]:
-    """Find the words with which further commands begin.
+    """Find the first word of each further command.
 
     Args:
         forms: words of the utterance
         tags: their universal parts of speech
         vocabulary: known verbs
     Returns:
-        their positions, from 1
+        positions of these words, from 1
     """
     said = [form.lower() for form in forms]
     if _SAYING & frozenset(said):
@@ -67,7 +66,7 @@ def _begins_command(said: Sequence[str], tags: Sequence[str], position: int, voc
 
 
 def _is_complete(said: Sequence[str], tags: Sequence[str]) -> bool:
-    """Whether words can end where a command begins."""
+    """Whether some words are complete, so that a new command can follow them."""
     last, before = said[-1], said[-2] if len(said) > 1 else ""
     if last in _NEVER_LAST | _SUBJECTS | (_OBJECTS - _OBJECT_PRONOUNS):
         return False
@@ -75,7 +74,7 @@ def _is_complete(said: Sequence[str], tags: Sequence[str]) -> bool:
     if verbs & _WITH_A_VERB or not (verbs or _FORMS_OF_BE & frozenset(said)):
         return False
     is_predicate = tags[-1] == "ADJ" and before in _FORMS_OF_BE
-    # "I want to sleep turn off the light"; "I want to go get the mug" goes on.
+    # "I want to sleep turn off the light" is two clauses; "I want to go get the mug" is one.
     is_infinitive = tags[-1] == "VERB" and before == "to" and last not in _LEADING_VERBS and last != "help"
     is_particle = tags[-1] == "ADP" and last in _PARTICLES and tags[-2:-1] != ["VERB"]
     return tags[-1] in _COMPLETE or is_predicate or is_infinitive or is_particle

@@ -1,4 +1,4 @@
-"""Runs passes of the table, in its order."""
+"""Runs the passes of the table, in order."""
 
 from typing import AbstractSet, FrozenSet, List, Optional, Sequence, Set, Tuple
 
@@ -26,10 +26,10 @@ def run_text_passes(
     """Rewrite a text.
 
     Args:
-        text: as it was said
-        passes: in their order
+        text: the text as it was said
+        passes: the passes to run, in order
         without: names of passes that are switched off
-        trace: where each change is written; None for nowhere
+        trace: records each change; None for no trace
     """
     spelling = as_said(text)
     for one in passes:
@@ -49,7 +49,7 @@ def run_surroundings_passes(
     without: AbstractSet[str] = NONE,
     trace: Optional[Trace] = None,
 ) -> Optional[Surroundings]:
-    """Return what the first pass finds around a command; None where none finds anything."""
+    """Return the result of the first pass that finds words around a command; None if no pass does."""
     for one in passes:
         around = one.run(spelling, vocabulary) if one.name not in without else None
         if around is not None:
@@ -68,7 +68,7 @@ def run_cut_passes(
     without: AbstractSet[str] = NONE,
     trace: Optional[Trace] = None,
 ) -> Tuple[int, ...]:
-    """Return the positions of the words with which further commands begin."""
+    """Return the positions of the words that begin further commands."""
     found: Set[int] = set()
     for one in passes:
         for position in one.run(forms, tags, vocabulary) if one.name not in without else ():
@@ -87,7 +87,7 @@ def run_tag_passes(
     without: AbstractSet[str] = NONE,
     trace: Optional[Trace] = None,
 ) -> Tuple[Retag, ...]:
-    """Say which tags of a sentence must be others; each pass sees those of the passes before it."""
+    """Return the corrected tags of a sentence; each pass sees the tags from the passes before it."""
     found: List[Retag] = []
     tags = list(tags)
     for one in passes:
@@ -108,10 +108,10 @@ def run_tree_passes(
     without: AbstractSet[str] = NONE,
     trace: Optional[Trace] = None,
 ) -> DependencyTree:
-    """Make the tree that is read of the tree of the parser, or a step of that.
+    """Run tree passes on a tree; a pass whose result is not a tree changes nothing.
 
     Raises:
-        Uncertain: a person must say what was meant
+        Uncertain: a person must say what the sentence means
     """
     for one in passes:
         if one.name in without:

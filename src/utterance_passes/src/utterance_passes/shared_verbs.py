@@ -1,4 +1,4 @@
-"""One verb that is said once for two phrases: "go to the office and then to the kitchen", "turn left then right"."""
+"""Gives one verb to two phrases: "go to the office and then to the kitchen", "turn left then right"."""
 
 from typing import Set
 
@@ -9,8 +9,8 @@ from utterance_passes.vocabulary import Vocabulary
 
 
 def expand_shared_verbs(tree: DependencyTree, vocabulary: Vocabulary) -> DependencyTree:
-    """Give the second of two phrases that share a verb the relation to it that the first one has; mark it, so that
-    ``find_clauses`` makes a clause of its own of it.
+    """Attach the second of two phrases that share a verb to the verb like the first, and mark it: ``find_clauses`` turns
+    it into a separate clause.
     """
     edit = TreeEdit(tree)
     sharing: Set[int] = set()

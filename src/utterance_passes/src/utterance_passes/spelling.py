@@ -1,4 +1,4 @@
-"""Rewrites what a tokenizer trained on text does not split: "90°", "3ft", "-3", "2½"."""
+"""Rewrites spellings that a tokenizer trained on text does not split: "90°", "3ft", "-3", "2½"."""
 
 import re
 import unicodedata
@@ -9,7 +9,7 @@ from typing import Callable, List, Tuple, Union
 from spoken_quantities import number_words
 from utterance_passes.formula_file import WRITTEN_OUT, shipped_formulas
 
-#: Words that a number begins with.
+#: Words that can begin a number.
 _NUMBER = f"(?:{'|'.join(number_words())})"
 
 #: Marks of transcribers and of speech recognisers: "<pause>", "<no speech>".
@@ -20,7 +20,7 @@ DASH = re.compile(r"[‐‑–—\u2212]")
 FRACTION_SIGN = re.compile(r"[¼½¾⅐-⅞]")
 FRACTION_SLASH = re.compile(r"(?<=\d)\u2044(?=\d)")
 DEGREE_SIGN = re.compile(r"(?<=\w)\s*°")
-#: Between a number and the unit that is written to it.
+#: The place between a number and the unit that touches it.
 UNIT_AT_NUMBER = re.compile(
     r"(?<=\d)(?=(ft|cm|mm|km|dm|m|in|yd|s|min|h|deg|rad|feet|metres?|meters?|degrees?|seconds?)\b)"
 )
@@ -36,10 +36,10 @@ _CONTRACTIONS = tuple(
 
 @dataclass(frozen=True)
 class Spelling:
-    """A text as the parser gets it.
+    """A text as the parser receives it.
 
     Attributes:
-        text: rewritten
+        text: the rewritten text
         origins: for each character of the text, and one past its end, the position in the text as it was said
     """
 
@@ -47,17 +47,17 @@ class Spelling:
     origins: Tuple[int, ...]
 
     def part(self, start: int, end: int) -> "Spelling":
-        """Return what stands between two positions of the rewritten text."""
+        """Return the part between two positions of the rewritten text."""
         return Spelling(self.text[start:end], self.origins[start : end + 1])
 
 
 def as_said(text: str) -> Spelling:
-    """Return the spelling of a text that nothing has rewritten."""
+    """Return the spelling of a text before any rewriting."""
     return Spelling(text, tuple(range(len(text) + 1)))
 
 
 def ratio(sign: "re.Match[str]") -> str:
-    """Return "½" as "1/2", apart from the digits in front of it."""
+    """Return "½" as "1/2", with a blank between it and digits before it."""
     digits = unicodedata.normalize("NFKC", sign.group(0)).replace("\u2044", "/")
     return (" " if sign.string[: sign.start()][-1:].isalnum() else "") + digits
 
@@ -65,7 +65,7 @@ def ratio(sign: "re.Match[str]") -> str:
 def replaced(
     spelling: Spelling, pattern: "re.Pattern[str]", replacement: Union[str, Callable[["re.Match[str]"], str]]
 ) -> Spelling:
-    """Rewrite a text, and remember where each character came from."""
+    """Rewrite a text, and keep the origin of each character."""
     pieces: List[str] = []
     sources: List[int] = []
     position = 0
@@ -84,7 +84,7 @@ def replaced(
 
 
 def written_out(spelling: Spelling) -> Spelling:
-    """Write words that are said as one in full: "gonna", "dont"."""
+    """Write contracted words in full: "gonna", "dont"."""
     for pattern, written in _CONTRACTIONS:
         spelling = replaced(spelling, pattern, partial(_in_full, written=written))
     return spelling
@@ -96,7 +96,7 @@ def _in_full(short: "re.Match[str]", written: str) -> str:
 
 
 def stripped(spelling: Spelling) -> Spelling:
-    """Leave out blanks at both ends."""
+    """Remove blanks at both ends."""
     lead = len(spelling.text) - len(spelling.text.lstrip())
     text = spelling.text.strip()
     return Spelling(text, spelling.origins[lead : lead + len(text)] + (spelling.origins[lead + len(text)],))

@@ -1,8 +1,8 @@
-"""What is said around a command: "could you please ...", "I was wondering if you could ...", "..., robot".
+"""Finds the words around a command: "could you please ...", "I was wondering if you could ...", "..., robot".
 
-A parser that learned from text, in which commands are rare, parses such a command worse than the command alone: so it
-gets the command alone, and the words around it, whose analysis is known, are put around its tree. What is only said
-around it becomes an *aside* of its verb; in "could you" the modal is the auxiliary of the verb, and "you" its subject.
+Commands are rare in the text that the parser learned from, so it parses a command better without the words around it.
+The parser receives the command alone; then these words, whose analysis is known, are added to its tree. They become
+*asides* of the verb, but in "could you" the modal becomes the auxiliary of the verb, and "you" its subject.
 """
 
 import re
@@ -30,7 +30,7 @@ _NO_COMMANDS = word_class("clause_verbs")
 _OBJECTS = word_class("object_beginnings")
 _PADDING = word_class("padding")
 _SAYING = word_class("saying_verbs")
-#: No formula has more words.
+#: The most words of a formula.
 _LONGEST = 14
 _MARKS = (".", "?", "!")
 _TOKEN = re.compile(r"\w+?(?=n't\b)|n't\b|'\w\w?\b|[\w-]+|[^\w\s]")
@@ -51,7 +51,7 @@ class _Token:
 
 @dataclass(frozen=True)
 class _Front:
-    """Where the verb of a command stands, its base form, and the relations of formula words in front of it."""
+    """The position of the verb of a command, its base form, and the relations of the formula words before it."""
 
     verb: int
     base: str
@@ -59,20 +59,20 @@ class _Front:
 
 
 def surroundings(spelling: Spelling, vocabulary: Vocabulary) -> Optional[Surroundings]:
-    """Find a command, and what is said around it.
+    """Find a command and the words around it.
 
     Args:
-        spelling: of the utterance
+        spelling: spelling of the utterance
         vocabulary: known verbs
     Returns:
-        the command and the words around it; None where nothing is said around it, or no known verb begins it
+        the command and the words around it; None if there are no such words, or no known verb begins the command
     """
     tokens = [_Token(match.group(), *match.span()) for match in _TOKEN.finditer(spelling.text)]
     front = _front(tokens, 0, vocabulary)
     if front is None:
         return None
     verb = front.verb
-    # "Please" and "thanks" may be what is to be said: "say yes, please".
+    # "Please" and "thanks" may be part of the message: "say yes, please".
     end = _end(tokens, verb + (3 if front.base in _SAYING else 2))
     if not verb and end == len(tokens) - (tokens[-1].form in _MARKS):
         return None
@@ -85,7 +85,7 @@ def surroundings(spelling: Spelling, vocabulary: Vocabulary) -> Optional[Surroun
 def _front(
     tokens: Sequence[_Token], start: int, vocabulary: Vocabulary, *, is_minding: bool = False
 ) -> Optional[_Front]:
-    """Find the verb of a command behind any number of formulas."""
+    """Find the verb of a command after any number of formulas."""
     first = _behind(tokens, start, _LEAD_IN | _PADDING)
     for behind in range(min(len(tokens), first + _LONGEST), first, -1):
         forms = [token.said for token in tokens[first:behind]]
@@ -104,7 +104,7 @@ def _front(
                 if tokens[number].said not in _PADDING
             }
             return _Front(found.verb, found.base, {**relations, **found.relations})
-    # "Let" and "hurry" are verbs as well, but not in "let's turn left" and "hurry up and turn left".
+    # "Let" and "hurry" can be verbs of a command, but not in "let's turn left" and "hurry up and turn left".
     base = _base(tokens, first, vocabulary, is_minding)
     return _Front(first, base, {}) if base else None
 
@@ -116,10 +116,10 @@ def _behind(tokens: Sequence[_Token], position: int, skipped: AbstractSet[str]) 
 
 
 def _base(tokens: Sequence[_Token], verb: int, vocabulary: Vocabulary, is_gerund: bool) -> str:
-    """Return the base form of the verb of a command; empty where no known one stands there."""
+    """Return the base form of the verb of a command; empty if there is no known verb at that position."""
     form = tokens[verb].said if verb < len(tokens) else ""
     following = tokens[verb + 1].said if verb + 1 < len(tokens) else ""
-    # "Name is Bob" is no command, and in "could you have opened it" nothing is asked for.
+    # "Name is Bob" is not a command, and "could you have opened it" is not a request.
     is_auxiliary = form in _NO_COMMANDS and following not in _OBJECTS
     if not form or is_auxiliary or following in _FORMS_OF_BE:
         return ""
@@ -128,14 +128,14 @@ def _base(tokens: Sequence[_Token], verb: int, vocabulary: Vocabulary, is_gerund
 
 
 def _bases_of_gerund(stem: str) -> List[str]:
-    """Return what may have been in front of "ing": "scrub" for "scrubb", "bake" for "bak"."""
+    """Return the possible base forms of the stem before "ing": "scrub" for "scrubb", "bake" for "bak"."""
     doubled = [stem[:-1]] if stem[-1:] == stem[-2:-1] else []
     tied = [stem[:-1] + "ie"] if stem.endswith("y") else []
     return [stem, stem + "e", *doubled, *tied] if len(stem) > 1 else []
 
 
 def _end(tokens: Sequence[_Token], earliest: int) -> int:
-    """Return the position behind the last word of the command."""
+    """Return the position after the last word of the command."""
     last = len(tokens) - (tokens[-1].form in _MARKS)
     for end in range(earliest, last):
         is_set_off = tokens[end].form == ","
@@ -146,7 +146,7 @@ def _end(tokens: Sequence[_Token], earliest: int) -> int:
 
 
 def _command(spelling: Spelling, verb: _Token, base: str, end: int) -> Spelling:
-    """Return the command alone, written as the plain command would be, with a mark where the utterance ends in one."""
+    """Return the command alone, written as a plain command, with a mark if the utterance ends with one."""
     written = base[0].upper() + base[1:] if spelling.text[:1].isupper() else base
     mark = "." if spelling.text[-1:] in _MARKS else ""
     start, stop = spelling.origins[verb.start], spelling.origins[end]

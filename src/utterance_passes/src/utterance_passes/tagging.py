@@ -1,4 +1,4 @@
-"""What the lexicon knows better than a tagger that learned from text in which commands are rare."""
+"""Corrects tags by the lexicon: the tagger learned from text in which commands are rare."""
 
 import re
 from typing import Optional, Sequence, Tuple
@@ -16,12 +16,12 @@ _LEAD_IN = word_class("lead_in")
 #: A name of one letter.
 _LETTER = re.compile("[A-Z][0-9]*")
 _NOUNS = {"NOUN", "PROPN", "PRON", "NUM", "ADJ", "DET"}
-#: Relations of what hangs on the verb of the command, and not on the word that the parser took for it.
+#: Relations of words that belong to the verb of the command, not to the word that the parser took for it.
 _OF_THE_VERB = frozenset(["punct", "obl", "advmod", "discourse", "vocative", "conj", "parataxis"])
 
 
 def command_verb(forms: Sequence[str], tags: Sequence[str], vocabulary: Vocabulary) -> Tuple[Retag, ...]:
-    """Make a verb of a word at the front of a command that the lexicon knows as one: "Scrub the pot", "Ping"."""
+    """Tag the first word of a command as a verb if the lexicon knows it as one: "Scrub the pot", "Ping"."""
     position = command_verb_position(forms, vocabulary)
     if position is None or tags[position - 1] == "VERB":
         return ()
@@ -29,43 +29,43 @@ def command_verb(forms: Sequence[str], tags: Sequence[str], vocabulary: Vocabula
 
 
 def command_verb_position(forms: Sequence[str], vocabulary: Vocabulary) -> Optional[int]:
-    """Find the word that has to be the verb of a command: the first behind an addressee, politeness and fillers.
+    """Find the word that must be the verb of a command: the first one after the addressee, politeness and fillers.
 
     Args:
         forms: words of the sentence
         vocabulary: known verbs
     Returns:
-        its index from 1; None when the front of the sentence holds no known verb
+        its index from 1; None if the front of the sentence has no known verb
     """
     position = 0
     while position < len(forms) and (forms[position].lower() in _LEAD_IN or forms[position] == ","):
         position += 1
     if position < len(forms) and vocabulary.verbs_beginning_with(forms[position].lower()):
-        # "Name is Bob", "Face it": a noun that is followed by a finite verb is no command.
+        # "Name is Bob": a noun before a finite verb is not a command.
         following = forms[position + 1].lower() if position + 1 < len(forms) else ""
-        # "Have you been there" asks.
+        # "Have you been there" is a question.
         is_auxiliary = forms[position].lower() in _AUXILIARIES and following in _PERSONS
         return None if following in _FORMS_OF_BE or is_auxiliary else position + 1
     return None
 
 
 def numbered_noun(forms: Sequence[str], tags: Sequence[str], vocabulary: Vocabulary) -> Tuple[Retag, ...]:
-    """Make a noun of a word between "to" and a last number or letter that the lexicon does not know as a verb: it is
-    what the number counts. No command tells the robot to "order seven".
+    """Tag a word between "to" and a final number or letter as a noun if the lexicon does not know it as a verb: "order
+    seven" is a thing with a number, not a command.
     """
     position = numbered_noun_position(forms, tags, vocabulary)
     return () if position is None else (Retag(position - 1, "ADP", "IN"), Retag(position, "NOUN", "NN", "Number=Sing"))
 
 
 def numbered_noun_position(forms: Sequence[str], tags: Sequence[str], vocabulary: Vocabulary) -> Optional[int]:
-    """Find a noun that was taken for a verb because "to" stands before it, and a number or a letter behind it.
+    """Find a noun that the tagger took for a verb because it stands between "to" and a number or a letter.
 
     Args:
         forms: words of the sentence
         tags: their universal parts of speech
-        vocabulary: known verbs; without the verb of the command, nothing is known better
+        vocabulary: known verbs
     Returns:
-        its index from 1; None when there is none
+        its index from 1; None if there is none
     """
     for position in range(2, len(forms) - 1):
         is_last = position + 2 == len(forms) or tags[position + 2] in ("PUNCT", "CCONJ")
@@ -81,7 +81,7 @@ def numbered_noun_position(forms: Sequence[str], tags: Sequence[str], vocabulary
 
 
 def rerooted(tree: DependencyTree, vocabulary: Vocabulary) -> DependencyTree:
-    """Make the verb of the command the root: what was the root hangs on it, and so does what was between them."""
+    """Make the verb of the command the root, and attach the old root and the phrases of the command to it."""
     index = command_verb_position([word.form for word in tree.words], vocabulary)
     if index is None or tree.word(index).head == 0:
         return tree

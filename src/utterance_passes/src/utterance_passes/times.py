@@ -1,6 +1,6 @@
-"""Phrases that say when: "tomorrow", "on Monday", "next week", "at five".
+"""Finds phrases that say when: "tomorrow", "on Monday", "next week", "at five".
 
-They are read from the words one after the other, since a time at either end of a command hangs on anything in its tree.
+They are read from the words, not from the tree: the parser attaches a time at either end of a command to any word.
 """
 
 from typing import FrozenSet, List, Tuple
@@ -34,7 +34,7 @@ def with_times(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
 
 
 def find_times(tree: DependencyTree) -> Tuple[FrozenSet[int], ...]:
-    """Find the phrases of a sentence that say when, in order, each with its preposition; phrases that touch are one."""
+    """Find the phrases that say when, in order, each with its preposition; adjacent phrases count as one."""
     forms = [word.form.lower() for word in tree.words]
     found: List[Tuple[int, int]] = []
     for end in range(1, len(forms) + 1):
@@ -50,7 +50,7 @@ def find_times(tree: DependencyTree) -> Tuple[FrozenSet[int], ...]:
 
 
 def _start(tree: DependencyTree, forms: List[str], end: int) -> int:
-    """Return where the phrase that says when and ends at a word begins; 0 where none ends there."""
+    """Return the start of the phrase of time that ends at a word; 0 if none ends there."""
     word = forms[end - 1]
     if word in _ADVERBS:
         before = forms[end - 2] if end > 1 else ""
@@ -65,7 +65,7 @@ def _start(tree: DependencyTree, forms: List[str], end: int) -> int:
     while first > 1 and (forms[first - 2] in _MODIFIERS | _CHOOSING or _is_number(forms[first - 2])):
         first -= 1
     preposition = forms[first - 2] if first > 1 else ""
-    # "Hold on a second": how long, and not when.
+    # "Hold on a second" says how long, not when.
     if preposition == "on" and singular in _SHORT_PERIODS:
         return 0
     is_time = singular in _PERIODS | _WEEKDAYS | _TIMES_OF_DAY | _MEALS | _MONTHS | _CLOCK
@@ -84,7 +84,7 @@ def _start(tree: DependencyTree, forms: List[str], end: int) -> int:
 
 
 def _continues(tree: DependencyTree, forms: List[str], end: int) -> bool:
-    """Whether a word is the first part of a name or of an amount: "morning paper", "day's work", "5 degrees"."""
+    """Whether a word begins a longer name or an amount: "morning paper", "day's work", "5 degrees"."""
     if end == len(forms):
         return False
     following = tree.word(end + 1)
@@ -92,7 +92,7 @@ def _continues(tree: DependencyTree, forms: List[str], end: int) -> bool:
         return False
     if following.form.lower() in ("'s", "’s") or tree.word(end).deprel in ("compound", "nmod:poss", "amod"):
         return True
-    # At the front of a command the parser takes the verb behind a time for a noun: "at five turn left".
+    # At the front of a command, the parser takes the verb after a time for a noun: "at five turn left".
     if end == 2 and forms[0] == "at":
         return False
     return _is_number(forms[end - 1]) and following.upos in ("NOUN", "PROPN", "ADJ", "NUM")

@@ -1,4 +1,4 @@
-"""What the run that decides writes down: each rule that changed or settled something, in order."""
+"""Records what the rules did, in order: each rule that changed or decided something in the run that counts."""
 
 from dataclasses import dataclass, replace
 from typing import FrozenSet, Iterable, List, Tuple
@@ -12,10 +12,10 @@ class TraceLine:
 
     Attributes:
         rule: name of the pass, the verdict or the step
-        positions: of the words that it is about, from 1; none where it is about no single words
-        about: these words, or what else it is about ("take -> taking(theme=a right)")
-        before: what was there before, "nmod:poss(lunch)"; empty where nothing was
-        after: what came of it
+        positions: positions of the words that the line is about, from 1; empty if it is not about single words
+        about: these words, or another subject of the line ("take -> taking(theme=a right)")
+        before: the state before the rule, "nmod:poss(lunch)"; empty if there was nothing before
+        after: the state after the rule
     """
 
     rule: str
@@ -35,14 +35,14 @@ class TraceLine:
 
 
 class Trace:
-    """Lines, in the order in which they were written."""
+    """A list of lines, in the order in which they were written."""
 
     def __init__(self, lines: Iterable[TraceLine] = ()) -> None:
         self._lines: List[TraceLine] = list(lines)
 
     @property
     def lines(self) -> Tuple[TraceLine, ...]:
-        """What was written."""
+        """The lines so far."""
         return tuple(self._lines)
 
     def add(self, rule: str, about: str = "", before: str = "", after: str = "", positions: Iterable[int] = ()) -> None:
@@ -50,11 +50,11 @@ class Trace:
         self._lines.append(TraceLine(rule, tuple(sorted(positions)), about, before, after))
 
     def extend(self, lines: Iterable[TraceLine]) -> None:
-        """Write lines that were written elsewhere."""
+        """Add the lines of another trace."""
         self._lines += lines
 
     def add_changes(self, rule: str, before: DependencyTree, after: DependencyTree) -> None:
-        """Write a line for each word that differs, and for each mark that was set."""
+        """Write a line for each word that differs, and for each new mark."""
         self._lines += changes(rule, before, after)
 
     def __str__(self) -> str:
@@ -67,12 +67,12 @@ class Trace:
 
 
 def moved(lines: Iterable[TraceLine], part: DependencyTree, whole: DependencyTree) -> List[TraceLine]:
-    """Return what was written on a part of a sentence, with the positions of its words in the whole.
+    """Return the lines on a part of a sentence, with the positions of its words in the whole sentence.
 
     Args:
-        lines: with positions in the part
+        lines: lines with positions in the part
         part: the tree of the part
-        whole: the tree of the sentence, in which every word of the part begins at the same character
+        whole: the tree of the sentence; every word of the part begins at the same character in it
     """
     places = {word.start_character: word.index for word in whole.words}
     positions = {word.index: places.get(word.start_character, 0) for word in part.words}
@@ -83,7 +83,7 @@ def moved(lines: Iterable[TraceLine], part: DependencyTree, whole: DependencyTre
 
 
 def changes(rule: str, before: DependencyTree, after: DependencyTree) -> List[TraceLine]:
-    """Return what a rule changed in a sentence, word by word."""
+    """Return the changes that a rule made to a sentence, word by word."""
     if before is after:
         return []
     found = []

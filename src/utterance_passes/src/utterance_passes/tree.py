@@ -1,4 +1,4 @@
-"""A parsed sentence as a value: words and their Universal Dependencies (v2)."""
+"""Values for a parsed sentence: words and their Universal Dependencies (v2)."""
 
 from dataclasses import dataclass
 from functools import cached_property
@@ -6,11 +6,11 @@ from typing import Dict, FrozenSet, Iterable, List, Set, Tuple
 
 from utterance_passes.formula_file import is_filler
 
-#: Relation of what is only said around a command ("if you don't mind") to its verb.
+#: Relation to the verb for formulas around a command ("if you don't mind").
 ASIDE = "discourse:aside"
-#: Relation of the words of a quotation ("say *don't worry*") to the one that fills the element.
+#: Relation for the words of a quotation ("say *don't worry*") to the word that fills the element.
 QUOTED = "flat:quoted"
-#: Relation of what the speaker took back, and of the words that said so, to what counts instead.
+#: Relation to the correction for the words that the speaker took back, and for the editing term.
 ABANDONED = "reparandum"
 
 
@@ -20,15 +20,15 @@ class Word:
 
     Attributes:
         index: 1 for the first word of the sentence
-        form: as written
+        form: the word as it was written
         lemma: dictionary form
         upos: universal part of speech
         xpos: Penn Treebank tag
-        feats: ``Mood=Imp|VerbForm=Fin``, empty for none
-        head: index of the governing word, 0 for the root
+        feats: features, ``Mood=Imp|VerbForm=Fin``; empty if there are none
+        head: index of the governing word; 0 if the word is the root
         deprel: universal relation to the head
-        start_character: where the word begins in the text, from 0
-        end_character: one past its last character
+        start_character: position of its first character in the text, from 0
+        end_character: position after its last character
     """
 
     index: int
@@ -45,15 +45,15 @@ class Word:
 
 @dataclass(frozen=True)
 class DependencyTree:
-    """A sentence and its Universal Dependencies. Only ``tree_edits`` makes one tree of another.
+    """A sentence and its Universal Dependencies. Only ``tree_edits`` derives one tree from another.
 
     Attributes:
-        text: as it was said
-        words: in order; ``words[i].index == i + 1``
-        brackets: the phrase tree as "(ROOT (S ...))", where the models have a constituency parser; empty otherwise
-        times: positions of each phrase that says when, as the pass ``times`` marks them
-        sharing_a_verb: heads of phrases that share the verb of the phrase before them, as ``shared_verbs`` marks them
-        clusters: verb and heads of each group of phrases that makes a clause of its own, as ``argument_clusters``
+        text: the sentence as it was said
+        words: its words, in order; ``words[i].index == i + 1``
+        brackets: the phrase tree as "(ROOT (S ...))"; empty if the models have no constituency parser
+        times: positions of each phrase that says when; the pass ``times`` marks them
+        sharing_a_verb: heads of phrases that share the verb of the phrase before; the pass ``shared_verbs`` marks them
+        clusters: verb and heads of each group of phrases that forms a separate clause; the pass ``argument_clusters``
             marks them
     """
 
@@ -68,14 +68,14 @@ class DependencyTree:
         """Return the word at a position, from 1.
 
         Raises:
-            IndexError: no such word; 0 is the root and not a word
+            IndexError: there is no such word; 0 means the root, which is not a word
         """
         if index < 1:
             raise IndexError(f"words are counted from 1, got {index}")
         return self.words[index - 1]
 
     def children(self, index: int) -> Tuple[Word, ...]:
-        """Return the words governed by the word at that index (0: the root's), in order."""
+        """Return the words that the word at an index governs, in order; 0 gives the root."""
         return self._children.get(index, ())
 
     @cached_property
@@ -86,7 +86,7 @@ class DependencyTree:
         return {head: tuple(words) for head, words in found.items()}
 
     def subtree(self, index: int) -> FrozenSet[int]:
-        """Return the positions of the word at that index and of everything below it."""
+        """Return the positions of the word at an index and of all words below it."""
         found = self._subtrees.get(index)
         if found is None:
             inside: Set[int] = {index}
@@ -105,7 +105,7 @@ class DependencyTree:
 
     @cached_property
     def abandoned(self) -> FrozenSet[int]:
-        """Positions of what the speaker corrected, of the words that said so, and of asides."""
+        """Positions of corrected words, editing terms and asides."""
         return frozenset().union(
             *(self.subtree(word.index) for word in self.words if word.deprel in (ABANDONED, ASIDE))
         )
@@ -117,20 +117,20 @@ class DependencyTree:
 
     @cached_property
     def fillers(self) -> FrozenSet[int]:
-        """Positions of words that are said only while thinking: "um"."""
+        """Positions of words that people say only while they think: "um"."""
         return frozenset(word.index for word in self.words if is_filler(word.form))
 
     @property
     def open_words(self) -> Tuple[Word, ...]:
-        """Words that are neither asides nor taken back nor quoted."""
+        """Words that are not asides, not taken back and not quoted."""
         return tuple(word for word in self.words if word.deprel not in (ASIDE, QUOTED, ABANDONED))
 
     def text_of(self, positions: Iterable[int]) -> str:
-        """Return words in the order in which they were said, a clitic ("'s") or a comma joined to its word."""
+        """Return the text of words in sentence order; a clitic ("'s") or a comma joins the word before it."""
         return self.text_in_order(sorted(positions))
 
     def text_in_order(self, positions: Iterable[int]) -> str:
-        """Return words in the order in which their positions are given."""
+        """Return the text of words in the order of the given positions."""
         text = ""
         for index in positions:
             form = self.word(index).form
@@ -139,7 +139,7 @@ class DependencyTree:
 
     @property
     def is_connected(self) -> bool:
-        """Whether every word hangs, at some distance, on one root: whether it is a tree."""
+        """Whether there is one root that governs every word, directly or not: whether it is a tree."""
         if len(self.children(0)) != 1:
             return False
         return len(self.subtree(0)) == len(self.words) + 1

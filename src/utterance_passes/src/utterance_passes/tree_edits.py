@@ -1,4 +1,4 @@
-"""The only place where one dependency tree is made of another; what comes of an edit is a tree, or nothing does."""
+"""Derives one dependency tree from another; no other module does. An edit either gives a tree or fails."""
 
 from dataclasses import dataclass, replace
 from typing import AbstractSet, Callable, FrozenSet, List, Sequence, Tuple, Union
@@ -7,11 +7,11 @@ from utterance_passes.tree import DependencyTree, Word
 
 
 class NotATree(ValueError):
-    """An edit left words without a way to the one root."""
+    """After an edit, the words no longer form a tree with one root."""
 
 
 class TreeEdit:
-    """Edits of one sentence that take effect together. Words are named by their position, from 1, which stays."""
+    """Edits of one sentence that take effect together. The position of a word, from 1, names it and never changes."""
 
     def __init__(self, tree: DependencyTree) -> None:
         self._tree = tree
@@ -19,16 +19,16 @@ class TreeEdit:
         self._brackets = tree.brackets
 
     def word(self, index: int) -> Word:
-        """Return a word as it has become so far."""
+        """Return a word with the edits so far."""
         return self._words[index - 1]
 
     def rehang(self, index: int, head: int, deprel: str = "") -> None:
-        """Hang a word on another one, or on the root (0), with a new relation or with the one it has."""
+        """Attach a word to another word, or make it the root (head 0); an empty relation keeps the old one."""
         word = self.word(index)
         self._words[index - 1] = replace(word, head=head, deprel=deprel or word.deprel)
 
     def rehang_children(self, index: int, head: int) -> None:
-        """Hang on a word what hung on another one before the edit."""
+        """Attach the children that a word had before the edit to another word."""
         for child in self._tree.children(index):
             self._words[child.index - 1] = replace(self.word(child.index), head=head)
 
@@ -37,28 +37,28 @@ class TreeEdit:
         self._words[index - 1] = replace(self.word(index), deprel=deprel)
 
     def retag(self, index: int, upos: str, xpos: str = "") -> None:
-        """Give a word another part of speech; its Penn tag stays where none is given."""
+        """Give a word another part of speech; an empty Penn tag keeps the old one."""
         word = self.word(index)
         self._words[index - 1] = replace(word, upos=upos, xpos=xpos or word.xpos)
 
     def tag(self, index: int, upos: str, xpos: str, feats: str) -> None:
-        """Give a word all tags of another one; its lemma becomes its form in lower case."""
+        """Replace all tags of a word; its lemma becomes its form in lower case."""
         word = self.word(index)
         self._words[index - 1] = replace(word, lemma=word.form.lower(), upos=upos, xpos=xpos, feats=feats)
 
     def respell(self, index: int, form: str) -> None:
-        """Put another word in the place of a word."""
+        """Replace the form and the lemma of a word."""
         self._words[index - 1] = replace(self.word(index), form=form, lemma=form)
 
     def drop_brackets(self) -> None:
-        """Forget the phrase tree of the parser: it is not that of the sentence any more."""
+        """Drop the phrase tree of the parser: it no longer fits the sentence."""
         self._brackets = ""
 
     def tree(self) -> DependencyTree:
-        """Return the tree; the one that was there before where nothing changed.
+        """Return the edited tree; the same object as before if no word changed.
 
         Raises:
-            NotATree: the words hang together no more
+            NotATree: the words no longer form a tree
         """
         words = tuple(self._words)
         if words == self._tree.words:
@@ -70,11 +70,11 @@ class TreeEdit:
 
 
 def at_origins(tree: DependencyTree, text: str, origins: Sequence[int]) -> DependencyTree:
-    """Return the tree of a rewritten text as that of the text as it was said.
+    """Return the tree of a rewritten text as a tree of the text as it was said.
 
     Args:
-        tree: positions of characters are those of the rewritten text
-        text: as it was said
+        tree: tree with positions of characters in the rewritten text
+        text: the text as it was said
         origins: for each character of the rewritten text, and one past its end, the position in the text
     """
     return replace(
@@ -94,15 +94,15 @@ def at_origins(tree: DependencyTree, text: str, origins: Sequence[int]) -> Depen
 def set_aside(
     tree: DependencyTree, positions: AbstractSet[int], relation: str, is_verb: Callable[[Word], bool]
 ) -> DependencyTree:
-    """Hang words on the root of the others, and what hung on them where they hung.
+    """Attach words to the root of the other words, and their children to the heads that they had.
 
     Args:
         tree: the sentence
-        positions: of the words; at least one word is left
-        relation: of each of the words to the root
-        is_verb: such a word becomes the root where the root was one of the words
+        positions: positions of the words; at least one word must stay
+        relation: relation of each of the words to the root
+        is_verb: if the root is one of the words, such a word becomes the new root if possible
     Raises:
-        NotATree: no tree comes of it
+        NotATree: the result is not a tree
     """
     heads = {}
     for word in tree.words:
@@ -133,27 +133,27 @@ def mark_times(tree: DependencyTree, times: Tuple[FrozenSet[int], ...]) -> Depen
 
 
 def mark_sharing_a_verb(tree: DependencyTree, heads: FrozenSet[int]) -> DependencyTree:
-    """Mark the heads of phrases that share the verb of the phrase before them, with those marked before."""
+    """Add marks for the heads of phrases that share the verb of the phrase before them."""
     marked = tree.sharing_a_verb | heads
     return tree if marked == tree.sharing_a_verb else replace(tree, sharing_a_verb=marked)
 
 
 def mark_argument_clusters(tree: DependencyTree, clusters: Tuple[Tuple[int, FrozenSet[int]], ...]) -> DependencyTree:
-    """Mark the groups of phrases that share a verb, with those marked before."""
+    """Add marks for groups of phrases that share a verb."""
     return replace(tree, clusters=tree.clusters + clusters) if clusters else tree
 
 
 @dataclass(frozen=True)
 class WordAround:
-    """A word that is said around a command.
+    """A word beside a command.
 
     Attributes:
-        form: as said
+        form: the word as it was said
         upos: universal part of speech
-        xpos: part of speech of the Penn Treebank
+        xpos: Penn Treebank tag
         deprel: its relation to the root of the command
-        start_character: where it begins in the text
-        end_character: where it ends
+        start_character: position of its first character in the text, from 0
+        end_character: position after its last character
     """
 
     form: str
@@ -167,19 +167,19 @@ class WordAround:
 def with_words_around(
     tree: DependencyTree, text: str, verb: str, base: str, around: Sequence[WordAround]
 ) -> DependencyTree:
-    """Put words that are said around a command around its tree, in the order in which they stand in the text.
+    """Add the words around a command to its tree, in the order of the text.
 
     Args:
-        tree: of the command alone, which begins with its verb
+        tree: tree of the command alone, which begins with its verb
         text: the whole utterance
-        verb: the form that the verb has in it
+        verb: the form of the verb in the utterance
         base: the base form of the verb
-        around: each hangs on the root of the command, by its relation
+        around: words to attach to the root of the command, with their relations
     """
     first = tree.words[0]
     xpos = first.xpos if verb.lower() == base else "VBG"
     command = (replace(first, form=verb, lemma=base, xpos=xpos), *tree.words[1:])
-    # The mark at the end of the command alone is none of the utterance.
+    # The utterance does not contain the mark at the end of the command alone.
     if around and command[-1].upos == "PUNCT" and around[-1].start_character >= command[-1].start_character:
         command = command[:-1]
     ordered: List[Union[Word, WordAround]] = sorted([*command, *around], key=lambda word: word.start_character)
@@ -210,7 +210,7 @@ def _hanging_on(root: int, position: int, word: WordAround) -> Word:
 
 
 def joined(text: str, trees: Sequence[DependencyTree]) -> DependencyTree:
-    """Return one tree of the trees of an utterance's parts; each of the others hangs beside the first."""
+    """Join the trees of the parts of an utterance; the other parts become parataxis of the first."""
     words: List[Word] = []
     first = 0
     for tree in trees:

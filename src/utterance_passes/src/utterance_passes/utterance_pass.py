@@ -1,4 +1,4 @@
-"""What a pass is, and what it says when it cannot be certain."""
+"""Defines the kinds of passes, and the exception of a pass that is not certain."""
 
 from dataclasses import dataclass
 from enum import Enum
@@ -19,12 +19,12 @@ class Stage(Enum):
 
 @dataclass(frozen=True)
 class Example:
-    """What a pass does, as a test has it.
+    """An example of the effect of a pass; a test runs it.
 
     Attributes:
         said: a text, words with their tags, or a tree (see ``conllu.from_short``)
-        expected: the text, or the lines of the trace without the name of the pass
-        vocabulary: what the lexicon knows
+        expected: the resulting text, or the lines of the trace without the name of the pass
+        vocabulary: the verbs of the lexicon
     """
 
     said: str
@@ -37,9 +37,9 @@ class Pass:
     """One step from text to tree.
 
     Attributes:
-        name: by which it is traced and can be switched off
-        what: one sentence on what it does
-        example: which runs as a test
+        name: its name, in traces and for switching it off
+        what: one sentence that says what it does
+        example: an example; a test runs it
         stage: the node that runs it
     """
 
@@ -51,20 +51,20 @@ class Pass:
 
 @dataclass(frozen=True)
 class TextPass(Pass):
-    """Rewrites the text; it remembers where each character came from."""
+    """Rewrites the text, and keeps the origin of each character."""
 
     run: Callable[[Spelling], Spelling]
 
 
 @dataclass(frozen=True)
 class Surroundings:
-    """A command, and what is said around it.
+    """A command and the words around it.
 
     Attributes:
-        command: the command alone, as a plain command is written
-        verb: the form that its verb has in the utterance: "scrubbing" of "would you mind scrubbing"
-        base: its base form
-        words: what is said around it, in the order of the utterance
+        command: the command alone, written as a plain command
+        verb: the form of its verb in the utterance: "scrubbing" in "would you mind scrubbing"
+        base: the base form of the verb
+        words: the words around the command, in the order of the utterance
     """
 
     command: Spelling
@@ -75,9 +75,9 @@ class Surroundings:
 
 @dataclass(frozen=True)
 class SurroundingsPass(Pass):
-    """Says what is said around a command; the parser parses the command alone.
+    """Finds the words around a command; the parser parses the command alone.
 
-    ``run`` returns None where nothing is said around it.
+    ``run`` returns None if there are no such words.
     """
 
     run: Callable[[Spelling, Vocabulary], Optional[Surroundings]]
@@ -85,7 +85,7 @@ class SurroundingsPass(Pass):
 
 @dataclass(frozen=True)
 class CutPass(Pass):
-    """Says where further commands begin; the parser parses each alone.
+    """Finds the start of further commands; the parser parses each alone.
 
     ``run`` takes the words of the sentence, their universal tags, and the vocabulary; it returns positions of words,
     from 1.
@@ -99,10 +99,10 @@ class Retag:
     """Tags that a word must have.
 
     Attributes:
-        position: of the word, from 1
+        position: position of the word, from 1
         upos: universal part of speech
         xpos: Penn tag
-        feats: as in CoNLL-U; empty for none
+        feats: features, as in CoNLL-U; empty if there are none
     """
 
     position: int
@@ -113,7 +113,7 @@ class Retag:
 
 @dataclass(frozen=True)
 class TagPass(Pass):
-    """Says which tags of a tagged sentence are wrong; the parser puts them right and parses again.
+    """Finds wrong tags in a tagged sentence; the parser corrects them and parses again.
 
     ``run`` takes the words of the sentence, their universal tags, and the vocabulary.
     """
@@ -123,10 +123,10 @@ class TagPass(Pass):
 
 @dataclass(frozen=True)
 class TreePass(Pass):
-    """Makes a tree of a tree: the same words in the same places.
+    """Turns a tree into another one with the same words in the same places.
 
-    ``run`` raises ``Uncertain`` where a person must say what was meant, and ``NotATree`` where no tree comes of it:
-    then the tree stays as it was.
+    ``run`` raises ``Uncertain`` if a person must say what the sentence means, and ``NotATree`` if the result is not a
+    tree; then the tree stays as it was.
     """
 
     run: Callable[[DependencyTree, Vocabulary], DependencyTree]
@@ -134,11 +134,11 @@ class TreePass(Pass):
 
 @dataclass(frozen=True)
 class Choice:
-    """One of several readings of a sentence that a person may choose from.
+    """One of several readings of a sentence that a person can choose.
 
     Attributes:
-        text: as it is offered
-        tree: the sentence with the words that do not belong to the reading abandoned
+        text: the words offered to the person
+        tree: the sentence; the words that do not belong to the reading are abandoned
     """
 
     text: str
@@ -146,7 +146,7 @@ class Choice:
 
 
 class Uncertain(Exception):
-    """It is not certain what was meant; ``choices`` are what may be, none where all was taken back."""
+    """The meaning is not certain; ``choices`` are the possible readings, none if the speaker took everything back."""
 
     def __init__(self, *choices: Choice) -> None:
         super().__init__(" or ".join(choice.text for choice in choices))

@@ -7,20 +7,20 @@ from utterance_passes.clauses import Clause
 from utterance_passes.tree import DependencyTree
 from utterance_passes.vocabulary import Vocabulary
 
-#: Relations of the further words of a verb: "turn the light *on*", "turn left *to* *face* the door".
+#: Relations of the other words of a verb: "turn the light *on*", "turn left *to* *face* the door".
 _PARTICLES = frozenset(["compound:prt", "advmod", "advcl", "case", "mark", "obl", "obj", "xcomp"])
 
 
 @dataclass(frozen=True)
 class VerbMatch:
-    """A verb of the lexicon in a clause: the verb, and the words that it is made of."""
+    """A verb of the lexicon in a clause, and the positions of its words."""
 
     verb: str
     positions: Tuple[int, ...]
 
 
 def match_verbs(tree: DependencyTree, clause: Clause, vocabulary: Vocabulary) -> Tuple[VerbMatch, ...]:
-    """Find the verbs of the lexicon that a clause uses, those with a particle first."""
+    """Find the verbs of the lexicon that a clause uses, verbs of more words first."""
     word = tree.word(clause.verb)
     found: List[VerbMatch] = []
     for base in dict.fromkeys((word.lemma.lower(), word.form.lower())):
@@ -32,7 +32,7 @@ def match_verbs(tree: DependencyTree, clause: Clause, vocabulary: Vocabulary) ->
 
 
 def _verb_positions(tree: DependencyTree, clause: Clause, particles: Sequence[str]) -> Optional[Tuple[int, ...]]:
-    """Find the particles of a verb: beside it, behind its object ("pick it up"), or as a preposition ("look for")."""
+    """Find the particles of a verb: beside it, after its object ("pick it up"), or as a preposition ("look for")."""
     found: List[int] = []
     after = clause.verb
     for particle in particles:
@@ -55,7 +55,7 @@ def _verb_positions(tree: DependencyTree, clause: Clause, particles: Sequence[st
 
 
 def _is_near(tree: DependencyTree, clause: Clause, index: int) -> bool:
-    """Whether a word hangs on the verb, or on a phrase of the verb: no "check on" is in "check whether it is on"."""
+    """Whether the head of a word is the verb or a phrase of the verb: "check whether it is on" has no "check on"."""
     head = tree.word(tree.word(index).head) if tree.word(index).head else None
     if head is None or head.index == clause.verb:
         return head is not None

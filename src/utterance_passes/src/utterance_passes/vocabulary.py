@@ -1,4 +1,4 @@
-"""What the passes must know of the lexicon."""
+"""Defines what the passes need to know about the lexicon."""
 
 from dataclasses import dataclass, field
 from enum import Enum
@@ -8,26 +8,26 @@ from utterance_passes.tree import Word
 
 
 class Speech(Enum):
-    """How a verb of saying names who is told: "say hello *to Bob*", "tell *Bob* to come"."""
+    """How a verb of saying names its addressee: "say hello *to Bob*", "tell *Bob* to come"."""
 
     SAID = "said"
     TOLD = "told"
 
 
 class Vocabulary(Protocol):
-    """Verbs of the lexicon; a verb is of one word or of several ("pick up"), in its base form, in lower case."""
+    """Verbs of the lexicon, in the base form and in lower case; a verb may have several words ("pick up")."""
 
     def verbs_beginning_with(self, word: str) -> Tuple[str, ...]:
-        """Verbs whose first word is this one, those of more words first."""
+        """Return the verbs whose first word is this one, verbs of more words first."""
 
     def length_of_verb(self, words: Sequence[str]) -> int:
-        """Of how many words the longest verb is that some words begin with; 0 for none."""
+        """Return the length, in words, of the longest verb at the front of some words; 0 if there is none."""
 
     def lists_of(self, verb: str) -> Tuple[Tuple[str, ...], ...]:
-        """The words that units of a verb list for an element, one entry for each such element."""
+        """Return the words that units of a verb list for an element, one entry for each such element."""
 
     def speech_of(self, verb: str) -> Optional[Speech]:
-        """Whether a verb takes a message, and how it names who is told; None for a verb that is none of saying."""
+        """Return how a verb of saying names its addressee; None for any other verb."""
 
 
 def is_verb(vocabulary: Vocabulary, word: Word) -> bool:
@@ -37,7 +37,7 @@ def is_verb(vocabulary: Vocabulary, word: Word) -> bool:
 
 @dataclass(frozen=True)
 class Verbs:
-    """A vocabulary of verbs of one word: the verbs alone are what the parser knows.
+    """A vocabulary of verbs of one word; the parser knows only these.
 
     Attributes:
         words: the verbs
@@ -50,17 +50,17 @@ class Verbs:
     speech: Mapping[str, Speech] = field(default_factory=dict)
 
     def verbs_beginning_with(self, word: str) -> Tuple[str, ...]:
-        """The word itself if it is a verb."""
+        """Return the word itself if it is a verb."""
         return (word,) if word in self.words else ()
 
     def length_of_verb(self, words: Sequence[str]) -> int:
-        """1 where the first word is a verb."""
+        """Return 1 if the first word is a verb, else 0."""
         return int(bool(words) and words[0] in self.words)
 
     def lists_of(self, verb: str) -> Tuple[Tuple[str, ...], ...]:
-        """The words that are listed for a verb."""
+        """Return the words that are listed for a verb."""
         return self.lists.get(verb, ())
 
     def speech_of(self, verb: str) -> Optional[Speech]:
-        """How a verb of saying names who is told."""
+        """Return how a verb of saying names its addressee; None for any other verb."""
         return self.speech.get(verb)
