@@ -1,4 +1,4 @@
-"""Plans as values: a tree of clauses, each with the candidates that carry it out."""
+"""Defines plans as values: a plan is a tree of clauses, each with its candidates."""
 
 import itertools
 import math

@@ -6,11 +6,11 @@ from typing import Dict, List, Sequence, Tuple
 
 from arbitrator.plan import Candidate, Do, InSequence, Plan
 
-#: Nodes of one plan; a sentence has a handful of clauses.
+#: The most nodes of one plan; a sentence has a handful of clauses.
 MOST_NODES = 1000
-#: Frames of all candidates of one plan; each becomes a state of its machine.
+#: The most frames in all candidates of one plan; each becomes a state of its machine.
 MOST_FRAMES = 50_000
-#: Levels of one plan. Each is a machine inside of another one when it runs.
+#: The most levels of one plan. Each level is a machine inside another one at run time.
 MOST_LEVELS = 32
 
 
@@ -34,7 +34,7 @@ class Kind(enum.IntEnum):
     ANY = 15
 
 
-#: Kinds that can be carried out. A plan with another kind is refused as a whole: a part of it is not what was said.
+#: Kinds that can be carried out. A plan with another kind is refused as a whole: a part of it would be another command.
 CARRIED_OUT = (Kind.DO, Kind.SEQUENCE)
 
 
@@ -43,10 +43,10 @@ class Node:
     """A node as it is sent.
 
     Attributes:
-        kind: as in `Kind`, or an unknown number
+        kind: a number of `Kind`, or an unknown number
         label: words of the clause
-        children: positions of nodes
-        candidates: of a clause
+        children: positions of the children in the list of nodes
+        candidates: candidates of a clause
     """
 
     kind: int
@@ -77,7 +77,7 @@ def from_nodes(nodes: Sequence[Node]) -> Plan:
     """Return the plan of a list of nodes.
 
     Raises:
-        ValueError: the nodes are no plan; the text says which node is wrong, and why
+        ValueError: the nodes are not a plan; the text says which node is wrong, and why
     """
     levels = _levels(nodes)
     plans: Dict[int, Plan] = {}
@@ -98,7 +98,7 @@ def _levels(nodes: Sequence[Node]) -> Dict[int, int]:
     """Return the level of each node, 0 for the root.
 
     Raises:
-        ValueError: the nodes are no tree, too many or too deep, or a node has what its kind does not allow
+        ValueError: the nodes are not a tree, too many or too deep, or a node has fields that its kind does not allow
     """
     if not nodes:
         raise ValueError("the plan has no nodes")
@@ -118,7 +118,7 @@ def _levels(nodes: Sequence[Node]) -> Dict[int, int]:
             if child in parents:
                 raise ValueError(f"node {child} of the plan has two parents: {parents[child]} and {position}")
             parents[child] = position
-    # Each node has at most one parent, and the root has none: what the root reaches is a tree.
+    # Each node has at most one parent, and the root has none: the nodes below the root form a tree.
     levels: Dict[int, int] = {}
     below = [0]
     for level in range(MOST_LEVELS):

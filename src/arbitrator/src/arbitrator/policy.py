@@ -1,8 +1,8 @@
-"""Policies: the order in which the candidates of a clause are tried.
+"""Defines policies, which order the candidates of a clause.
 
-A policy decides how something is *done*, and never how it is *read*: it orders the candidates of one reading at a
-time, the likeliest reading first. Within a reading, candidates that account for a larger share of
-the words come first whatever the policy.
+A policy decides how the robot *does* something, and never how the framer *reads* it: it orders the candidates of one
+reading at a time, the likeliest reading first. Within a reading, candidates that account for a larger share of the
+words come first under every policy.
 """
 
 import abc
@@ -82,7 +82,7 @@ def load_policy(name: str, *, seed: Optional[int] = None) -> Policy:
 
     Args:
         name: a key of `POLICIES`, or ``package.module:ClassName`` of a subclass of `Policy`
-        seed: given to the policy
+        seed: seed for the policy
 
     Raises:
         PolicyError: no such policy, or it cannot be imported or made; the text says why and what exists
@@ -95,7 +95,7 @@ def load_policy(name: str, *, seed: Optional[int] = None) -> Policy:
         raise PolicyError(f"unknown policy {name!r}: expected one of {known}, or package.module:ClassName")
     try:
         module = importlib.import_module(module_name)
-    except Exception as error:  # boundary: a module of the user's may raise anything when it is imported
+    except Exception as error:  # boundary: a module of a user may raise anything when it is imported
         raise PolicyError(f"policy {name!r}: cannot import {module_name!r}: {type(error).__name__}: {error}") from error
     policy_class = getattr(module, class_name, None)
     if policy_class is None:
@@ -104,7 +104,7 @@ def load_policy(name: str, *, seed: Optional[int] = None) -> Policy:
         raise PolicyError(f"policy {name!r}: {class_name!r} is not a subclass of arbitrator.policy.Policy")
     try:
         return policy_class(seed=seed)
-    except Exception as error:  # boundary: a constructor of the user's, and abstract classes
+    except Exception as error:  # boundary: the constructor of a user may raise anything, and an abstract class cannot be made
         raise PolicyError(f"policy {name!r} cannot be made: {type(error).__name__}: {error}") from error
 
 
@@ -140,7 +140,7 @@ def order(candidates: Sequence[Candidate], policy: Policy) -> Tuple[Candidate, .
         tier = tuple(members)
         try:
             answer = list(policy.order(tier))
-        except Exception as error:  # boundary: a policy of the user's may raise anything
+        except Exception as error:  # boundary: the policy of a user may raise anything
             raise PolicyError(f"policy {type(policy).__name__} failed: {type(error).__name__}: {error}") from error
         if not _same_candidates(tier, answer):
             raise PolicyError(

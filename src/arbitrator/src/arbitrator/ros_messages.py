@@ -8,7 +8,7 @@ from roboframenet_msgs import msg
 from arbitrator.plan import Candidate, FilledElement, FilledFrame, Plan, as_procedure
 from arbitrator.plan_nodes import CARRIED_OUT, Kind, Node, from_nodes, to_nodes
 
-#: Fields of a node that are read. The frames hold the arguments as strings.
+#: Fields of a node that this module reads. The frames hold the arguments as strings.
 _READ = {field.name for field in fields(Node)} | {"arguments"}
 _NOTHING_SET = msg.PlanNode()
 
@@ -17,7 +17,7 @@ def plan_from_message(message: msg.Plan) -> Plan:
     """Turn a message into a value.
 
     Raises:
-        ValueError: the nodes are no tree, a candidate is malformed, or a part of the plan is not supported; the text
+        ValueError: the nodes are not a tree, a candidate is malformed, or a part of the plan is not supported; the text
             says which, and why
     """
     if message.beginning != msg.Plan.REPLACE:
@@ -42,7 +42,7 @@ def _node_from_message(position: int, message: msg.PlanNode) -> Node:
 
 def _is_set(message: msg.PlanNode, name: str) -> bool:
     value, nothing = getattr(message, name), getattr(_NOTHING_SET, name)
-    # An array of numbers that came over the wire is a tuple.
+    # rospy delivers an array of numbers as a tuple.
     return bool(value != nothing and not (nothing == [] and len(value) == 0))
 
 

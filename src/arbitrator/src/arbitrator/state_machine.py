@@ -1,4 +1,4 @@
-"""The SMACH state machine of a plan."""
+"""Builds the SMACH state machine of a plan."""
 
 import re
 from typing import Callable, Iterable, Tuple
@@ -98,7 +98,7 @@ class _Builder:
 
 def _chain(states: Iterable[Tuple[str, smach.State]], *, goes_on: str) -> smach.StateMachine:
     """Run states one after the other while they end with `goes_on`; another outcome ends the machine with it."""
-    # The states are made before the machine is opened: SMACH would add machines that are made meanwhile to it.
+    # Make the states before opening the machine: SMACH would add every machine made while it is open.
     made = list(states)
     machine = smach.StateMachine(outcomes=list(OUTCOMES))
     followers = [label for label, _ in made[1:]] + [goes_on]

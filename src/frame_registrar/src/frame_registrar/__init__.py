@@ -1,1 +1,1 @@
-"""The graph of semantic frames, and the servers registered for each."""
+"""Keeps the graph of semantic frames and their servers, and finds candidates for clauses."""

@@ -1,4 +1,4 @@
-"""Fills frames from a lexical unit, or from a parent frame by the relations of its child."""
+"""Fills frames with the arguments of a lexical unit or of a parent frame."""
 
 import operator
 from dataclasses import dataclass
@@ -22,7 +22,7 @@ class FilledFrame:
     """A frame whose elements have arguments.
 
     Attributes:
-        name: of the frame
+        name: name of the frame
         arguments: element name and argument, in the order of the frame's file; elements without one are left out
         server: name of the action server that carries it out; empty while none is chosen
     """
@@ -32,7 +32,7 @@ class FilledFrame:
     server: str = ""
 
     def argument(self, element: str) -> str:
-        """Return the argument of an element, empty when it has none."""
+        """Return the argument of an element; empty if it has none."""
         return dict(self.arguments).get(element, "")
 
 
@@ -57,7 +57,7 @@ def fill(frame: SemanticFrame, arguments: Mapping[str, str]) -> FilledFrame:
     """Fill a frame, with defaults for what was not said, and check the values against its file.
 
     Args:
-        frame: to be filled
+        frame: the frame to fill
         arguments: by element name; names that the frame does not have are ignored
     Returns:
         the filled frame
@@ -112,7 +112,7 @@ def _check_amount(frame: SemanticFrame, element: FrameElement, argument: str, fi
             )
 
 
-#: Units in which limits are reported.
+#: Units for limits in sentences.
 SI_UNITS = {Quantity.NUMBER: "", Quantity.LENGTH: "metres", Quantity.ANGLE: "radians", Quantity.DURATION: "seconds"}
 
 
@@ -120,10 +120,10 @@ def child_arguments(parent: FilledFrame, child: RelatedFrame) -> Optional[Mappin
     """Map the arguments of a filled frame to a child.
 
     Args:
-        parent: filled
+        parent: the filled parent
         child: a child in the parent's file
     Returns:
-        arguments by element of the child; None when a value condition of the child is not met
+        arguments by element of the child; None if the parent does not meet a value condition of the child
     """
     if unmet_condition(parent, child) is not None:
         return None
@@ -137,7 +137,7 @@ def child_arguments(parent: FilledFrame, child: RelatedFrame) -> Optional[Mappin
 
 
 def unmet_condition(parent: FilledFrame, child: RelatedFrame) -> Optional[ValueCondition]:
-    """Return the first value condition of a child that its filled parent does not meet, None for none."""
+    """Return the first value condition of a child that its filled parent does not meet; None if it meets all."""
     for relation in child.frame_element_relations:
         if isinstance(relation, ValueCondition):
             said = without_determiner(parent.argument(relation.parent_name))
@@ -147,12 +147,12 @@ def unmet_condition(parent: FilledFrame, child: RelatedFrame) -> Optional[ValueC
 
 
 def without_determiner(argument: str) -> str:
-    """Return an argument as value conditions compare it: "The glass" is "glass"."""
+    """Return an argument in the form that value conditions compare: "glass" for "The glass"."""
     return word_classes.without_determiner(argument).lower()
 
 
 def spoken_name(name: str) -> str:
-    """Return the name of a frame or an element in words: "moving_forward" is "moving forward"."""
+    """Return the name of a frame or an element in words: "moving forward" for "moving_forward"."""
     return name.replace("_", " ")
 
 

@@ -1,4 +1,4 @@
-"""The graph of semantic frames: their children, and the servers registered for them."""
+"""Keeps the graph of semantic frames: their children, and the servers registered for them."""
 
 from typing import Dict, FrozenSet, List, Mapping, Optional, Set, Tuple
 
@@ -105,7 +105,7 @@ class FrameGraph:
         return tuple((frame, server) for frame, servers in self._servers.items() for server in servers)
 
     def set_dead(self, servers: FrozenSet[str]) -> bool:
-        """Use these servers no more, and all others again.
+        """Stop using these servers, and use all others again.
 
         Returns:
             whether anything changed
@@ -116,11 +116,11 @@ class FrameGraph:
         return is_changed
 
     def is_alive(self, server: str) -> bool:
-        """Whether a server is used: it was not found dead."""
+        """Whether a server may be used: no check found it dead."""
         return server not in self._dead
 
     def servers(self, frame_name: str) -> Tuple[str, ...]:
-        """Living action servers that are registered for a frame, in the order of registration."""
+        """Return the live action servers of a frame, in the order of registration."""
         return tuple(server for server in self._servers.get(frame_name, ()) if server not in self._dead)
 
     def descendants(self, frame_name: str) -> Tuple[str, ...]:
@@ -148,7 +148,7 @@ class FrameGraph:
         )
 
     def frame(self, name: str) -> Optional[SemanticFrame]:
-        """Return the frame of that name, None for none."""
+        """Return the frame with a name; None if there is none."""
         return self._frames.get(name)
 
 

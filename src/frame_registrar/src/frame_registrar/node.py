@@ -143,7 +143,7 @@ class FrameRegistrar:
 
     def _on_add_frame(self, request: AddFrameRequest) -> AddFrameResponse:
         path = request.absolute_file_path
-        # A lock of its own: two files added at once are both kept, and no command waits for the master.
+        # This lock is separate: it keeps both of two files added at once, and no command waits for the master.
         with self._adding:
             is_added = self._add_file(path)
             if is_added:
@@ -190,7 +190,7 @@ class FrameRegistrar:
             self._publish_catalogue()
 
     def _publish_catalogue(self) -> None:
-        # Published under the lock: the later of two changes must stay latched.
+        # Publish under the lock: the later of two changes must stay latched.
         with self._lock:
             self._catalogue.publish(
                 FrameCatalogue(

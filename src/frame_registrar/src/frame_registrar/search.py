@@ -52,8 +52,8 @@ class Candidate:
 
     Attributes:
         frames: at least one
-        coverage: of the reading that it comes from
-        preference: of that reading; every candidate of 0 is tried before those of 1
+        coverage: coverage of its reading
+        preference: preference of its reading; every candidate of 0 is tried before those of 1
     """
 
     frames: Frames

@@ -1,4 +1,4 @@
-"""Sequences of frames that carry out a filled frame: its own servers, or the children that stand for it."""
+"""Finds sequences of frames that carry out a filled frame, by its own servers or by its children."""
 
 from dataclasses import dataclass, replace
 from typing import Dict, Iterator, List, Optional, Sequence, Tuple
@@ -36,13 +36,13 @@ class Refusal:
 
 @dataclass(frozen=True)
 class _Options:
-    """How one filled frame can be carried out.
+    """The ways to carry out one filled frame.
 
     Attributes:
-        servers: that registered for it
-        sequences: of filled children, each of which can be carried out
-        refusals: why children that have servers cannot be used; only when there are no options
-        missing: frames that need a server; only when there are no options
+        servers: servers that registered for it
+        sequences: sequences of filled children that servers can carry out
+        refusals: why children that have servers cannot be used; only if there are no options
+        missing: frames that need a server; only if there are no options
     """
 
     servers: Tuple[str, ...] = ()

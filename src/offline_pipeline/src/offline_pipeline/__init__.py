@@ -1,1 +1,1 @@
-"""From a sentence to what would run, in one process, without ROS."""
+"""Finds what the robot would do for a sentence, in one process, without ROS."""

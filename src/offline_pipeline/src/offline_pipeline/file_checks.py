@@ -71,7 +71,7 @@ class Examples:
         self._pipeline = pipeline or Pipeline(knowledge)
 
     def problem(self, unit: LexicalUnit, example: Example) -> Optional[Problem]:
-        """Return why an example is not understood as its unit says; None if it is.
+        """Return why the pipeline does not understand an example as its unit says; None if it does.
 
         It is understood when it is one clause whose first reading has the frame of the unit and the expected arguments.
         """

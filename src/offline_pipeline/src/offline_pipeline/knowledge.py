@@ -1,4 +1,4 @@
-"""Frames and lexical units from files, as the registrar and the framer read them."""
+"""Reads frames and lexical units from files, in the same way as the registrar and the framer."""
 
 import os
 from dataclasses import dataclass

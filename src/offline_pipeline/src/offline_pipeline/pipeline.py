@@ -1,4 +1,4 @@
-"""The stages from text to candidates, one after the other, with the decisions of each."""
+"""Runs the stages from text to candidates, one after the other, and records their decisions."""
 
 from dataclasses import dataclass, replace
 from typing import Dict, FrozenSet, Mapping, Optional, Tuple, Union
@@ -28,7 +28,7 @@ from stanford_parser_ros.model import Parser, UnparsableText, shipped_parser
 from utterance_passes.trace import Trace, TraceLine
 from utterance_passes.tree import DependencyTree
 
-#: Refusals after which no frame is reported: the person said not to do it, or not now.
+#: Refusals after which the pipeline reports no frame: the person said not to do it, or not now.
 _NOTHING_MEANT = frozenset([PROHIBITION, CORRECTION, DECLINED, "CONDITION"])
 
 
@@ -60,7 +60,7 @@ class Parameters:
     questions: Questions = Questions.ASK
 
 
-#: Those that roboframenet_bringup sets, by the name of the behaviour.
+#: Parameters that roboframenet_bringup sets, by the name of the behaviour.
 BEHAVIOURS: Mapping[str, Parameters] = {
     "now": Parameters(),
     "2012": Parameters(
@@ -178,9 +178,9 @@ class Pipeline:
         Args:
             text: the whole text
             rest: the text after the stop
-            context: a question that was open is answered by nothing after a stop
+            context: the context before the stop; after a stop, no reply answers an open question
         """
-        # Of a text that is too long the rest is no command.
+        # If the text is too long, the rest is not a command.
         command = command_behind(rest) if len(text) <= self._parameters.max_text_length else ""
         context = replace(context, pending=None)
         behind = self.understand(command, context) if command else None

@@ -9,8 +9,8 @@ from utterance_passes.vocabulary import Vocabulary
 
 
 def expand_shared_verbs(tree: DependencyTree, vocabulary: Vocabulary) -> DependencyTree:
-    """Attach the second of two phrases that share a verb to the verb like the first, and mark it: ``find_clauses`` turns
-    it into a separate clause.
+    """Attach the second of two phrases that share a verb to the verb, like the first, and mark it: ``find_clauses``
+    turns it into a separate clause.
     """
     edit = TreeEdit(tree)
     sharing: Set[int] = set()

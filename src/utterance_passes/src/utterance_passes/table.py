@@ -1,4 +1,4 @@
-"""Every pass from text to the tree that is read, in the order in which they run. No pass calls another."""
+"""Lists every pass from the text to the tree that the framer reads, in the order of running. No pass calls another."""
 
 from functools import partial
 from typing import Callable, Match, Pattern, Tuple, Union
@@ -51,7 +51,7 @@ def _text(
 TEXT_PASSES: Tuple[TextPass, ...] = (
     _text(
         "transcribers_marks",
-        "Leave out the marks of transcribers and speech recognisers.",
+        "Remove the marks of transcribers and speech recognisers.",
         "go <pause> on",
         "go   on",
         spelling.TRANSCRIBERS_MARK,
@@ -62,17 +62,19 @@ TEXT_PASSES: Tuple[TextPass, ...] = (
     _text("dashes", "Write all dashes alike.", "pick–up", "pick-up", spelling.DASH, "-"),
     _text(
         "fraction_signs",
-        "Write the sign of a fraction in digits.",
+        "Write the sign for a fraction in digits.",
         "2½",
         "2 1/2",
         spelling.FRACTION_SIGN,
         spelling.ratio,
     ),
-    _text("fraction_slash", "Write the slash of a fraction as any other.", "1⁄2", "1/2", spelling.FRACTION_SLASH, "/"),
+    _text(
+        "fraction_slash", "Write the slash in a fraction as a plain one.", "1⁄2", "1/2", spelling.FRACTION_SLASH, "/"
+    ),
     _text(
         "degree_sign", "Write the sign for degrees as a word.", "90°", "90 degrees", spelling.DEGREE_SIGN, " degrees"
     ),
-    _text("units", "Part a number from the unit that is written to it.", "3ft", "3 ft", spelling.UNIT_AT_NUMBER, " "),
+    _text("units", "Separate a number from a unit that touches it.", "3ft", "3 ft", spelling.UNIT_AT_NUMBER, " "),
     _text(
         "minus_sign", "Write the sign of a negative number as a word.", "-3", "minus 3", spelling.MINUS_SIGN, "minus "
     ),
@@ -84,23 +86,23 @@ TEXT_PASSES: Tuple[TextPass, ...] = (
         spelling.NEGATIVE_SIGN,
         "minus ",
     ),
-    _text("ratios", "Part the two numbers of a ratio.", "3/4", "3 / 4", spelling.RATIO, " / "),
+    _text("ratios", "Separate the two numbers of a ratio.", "3/4", "3 / 4", spelling.RATIO, " / "),
     TextPass(
         "contractions",
-        "Write words that are said as one in full.",
+        "Write contracted words in full.",
         Example("didja move, I'm gonna go", ("did you move, I'm going to go",)),
         Stage.PARSER,
         spelling.written_out,
     ),
     _text("blanks", "Write one blank between words.", "go \t on", "go on", spelling.BLANKS, " "),
-    TextPass("ends", "Leave out blanks at both ends.", Example(" go ", ("go",)), Stage.PARSER, spelling.stripped),
+    TextPass("ends", "Remove blanks at both ends.", Example(" go ", ("go",)), Stage.PARSER, spelling.stripped),
 )
 
-#: What the parser leaves out, and puts around the tree of the rest.
+#: Find words that the parser leaves out, and adds to the tree of the command later.
 SURROUNDINGS_PASSES: Tuple[SurroundingsPass, ...] = (
     SurroundingsPass(
         "surroundings",
-        'Parse a command without what is said around it: "could you ..., please".',
+        'Parse a command without the words around it: "could you ..., please".',
         Example(
             "robot, could you turn left please",
             ("turn left", "robot: vocative", ",: punct", "could: aux", "you: nsubj", "please: discourse:aside"),
@@ -111,11 +113,11 @@ SURROUNDINGS_PASSES: Tuple[SurroundingsPass, ...] = (
     ),
 )
 
-#: Where the parser cuts a text, to parse each part alone.
+#: Find the places where the parser cuts a text, to parse each part alone.
 CUT_PASSES: Tuple[CutPass, ...] = (
     CutPass(
         "run_ons",
-        "Cut commands apart that are said without a mark between them.",
+        "Separate commands that have no mark between them.",
         Example("open|VERB the|DET box|NOUN close|ADP the|DET door|NOUN", ("4",), Verbs(frozenset(["open", "close"]))),
         Stage.PARSER,
         run_ons.run_ons,
@@ -125,14 +127,14 @@ CUT_PASSES: Tuple[CutPass, ...] = (
 TAG_PASSES: Tuple[TagPass, ...] = (
     TagPass(
         "command_verb",
-        "Make a verb of the first word of a command that the lexicon knows as one.",
+        "Tag the first word of a command as a verb if the lexicon knows it as one.",
         Example("Scrub|PROPN the|DET pot|NOUN", ("1 VERB VB",), Verbs(frozenset(["scrub"]))),
         Stage.PARSER,
         tagging.command_verb,
     ),
     TagPass(
         "numbered_noun",
-        "Make a noun of a word that a last number behind it counts, and that the lexicon does not know as a verb.",
+        'Tag a word between "to" and a final number or letter as a noun if the lexicon does not know it as a verb.',
         Example(
             "turn|VERB it|PRON to|PART level|VERB three|NUM", ("3 ADP IN", "4 NOUN NN"), Verbs(frozenset(["turn"]))
         ),
@@ -141,11 +143,11 @@ TAG_PASSES: Tuple[TagPass, ...] = (
     ),
 )
 
-#: What the parser does to its own tree, before anybody else sees it.
+#: Passes that the parser runs on its own tree before it publishes the tree.
 PARSER_TREE_PASSES: Tuple[TreePass, ...] = (
     TreePass(
         "one_object",
-        "Make a preposition of a particle between two objects of a verb.",
+        "Turn a particle between two objects of a verb into a preposition.",
         Example(
             "pick|VERB|0|root up|ADP|1|compound:prt cups|NOUN|1|obj off|ADP|1|compound:prt|off|RP beds|NOUN|1|obj",
             ("off: compound:prt(pick) -> case(beds)", "beds: obj(pick) -> obl(pick)"),
@@ -155,7 +157,7 @@ PARSER_TREE_PASSES: Tuple[TreePass, ...] = (
     ),
     TreePass(
         "particle_predicates",
-        "Make a clause of a particle with a copula.",
+        "Turn a particle with a copula into a clause.",
         Example(
             "check|VERB|0|root if|SCONJ|5|mark it|PRON|5|nsubj is|AUX|5|cop|be off|ADP|1|compound:prt",
             ("off: compound:prt(check) -> ccomp(check)",),
@@ -165,7 +167,7 @@ PARSER_TREE_PASSES: Tuple[TreePass, ...] = (
     ),
     TreePass(
         "verb_compounds",
-        "Make a clause of a verb that compounds with the verb before it.",
+        "Turn a verb that is a compound with the verb before it into a clause.",
         Example(
             "go|VERB|0|root get|VERB|1|compound it|PRON|2|obj",
             ("get: compound(go) -> xcomp(go)",),
@@ -175,7 +177,7 @@ PARSER_TREE_PASSES: Tuple[TreePass, ...] = (
     ),
     TreePass(
         "infinitive_conjuncts",
-        'Make a purpose of a verb with "to" that is joined to a verb without it.',
+        'Turn a verb with "to" that is joined to a verb without it into a purpose clause.',
         Example(
             "turn|VERB|0|root to|PART|3|mark face|VERB|1|conj it|PRON|3|obj",
             ("face: conj(turn) -> advcl(turn)",),
@@ -196,11 +198,11 @@ PARSER_TREE_PASSES: Tuple[TreePass, ...] = (
     ),
 )
 
-#: What a person takes back, before anything else of the utterance is looked at.
+#: Remove the words that a person takes back; they run before all other passes of the framer.
 CORRECTION_PASSES: Tuple[TreePass, ...] = (
     TreePass(
         "objection",
-        "Set aside what a correction of what runs opens with, where a whole command follows.",
+        "Set aside the opening of a correction if a whole command follows.",
         Example(
             "no|INTJ|3|discourse ,|PUNCT|1|punct turn|VERB|0|root left|ADV|3|advmod",
             ("no: discourse(turn) -> discourse:aside(turn)", ",: punct(no) -> discourse:aside(turn)"),
@@ -211,7 +213,7 @@ CORRECTION_PASSES: Tuple[TreePass, ...] = (
     ),
     TreePass(
         "restarts",
-        "Drop the first of a word that is said twice in a row.",
+        "Drop the first of two equal words in a row.",
         Example(
             "turn|VERB|0|root turn|VERB|1|xcomp left|ADV|2|advmod",
             ("turn: root -> reparandum(turn-2)", "turn: xcomp(turn-1) -> root"),
@@ -221,7 +223,7 @@ CORRECTION_PASSES: Tuple[TreePass, ...] = (
     ),
     TreePass(
         "corrections",
-        "Put what a person corrects in the place of what it corrects; ask where that is not certain.",
+        "Replace the corrected words by the correction; ask if it is not certain which words those are.",
         Example(
             "turn|VERB|0|root left|ADV|1|advmod|left|RB no|DET|4|det right|NOUN|1|obj|right|NN",
             (
@@ -236,11 +238,11 @@ CORRECTION_PASSES: Tuple[TreePass, ...] = (
     ),
 )
 
-#: Hang words where a command can have them; the words stay the same.
+#: Attach words where they can belong in a command; the words stay the same.
 PARSE_CORRECTING_PASSES: Tuple[TreePass, ...] = (
     TreePass(
         "modals_as_nouns",
-        "Make a noun of a modal that helps no verb and stands behind a noun.",
+        "Turn a modal after a noun into a noun if it helps no verb.",
         Example(
             "take|VERB|0|root corn|NOUN|1|obj can|AUX|1|aux|can|MD",
             ("corn: obj(take) -> compound(can)", "can: aux(take) AUX/can -> obj(take) NOUN/can"),
@@ -250,7 +252,7 @@ PARSE_CORRECTING_PASSES: Tuple[TreePass, ...] = (
     ),
     TreePass(
         "particles_on_the_way",
-        'Make an adverb of a particle right in front of "to" and the like.',
+        'Turn a particle right before "to" or a similar preposition into an adverb.',
         Example(
             "go|VERB|0|root up|ADP|1|compound:prt to|ADP|4|case Bob|PROPN|1|obl",
             ("up: compound:prt(go) -> advmod(go)",),
@@ -260,7 +262,7 @@ PARSE_CORRECTING_PASSES: Tuple[TreePass, ...] = (
     ),
     TreePass(
         "places_of_devices",
-        'Hang a place behind "on" or "off" on the object in front of it.',
+        'Attach a place after "on" or "off" to the object before it.',
         Example(
             "turn|VERB|0|root lights|NOUN|1|obj off|ADP|1|compound:prt in|ADP|5|case rooms|NOUN|1|obl",
             ("rooms: obl(turn) -> nmod(lights)",),
@@ -270,7 +272,7 @@ PARSE_CORRECTING_PASSES: Tuple[TreePass, ...] = (
     ),
     TreePass(
         "places_of_all",
-        'Hang a place on "everything" and the like in front of it.',
+        'Attach a place to "everything" or a similar word before it.',
         Example(
             "take|VERB|0|root all|PRON|1|obj in|ADP|4|case boxes|NOUN|1|obl",
             ("boxes: obl(take) -> nmod(all)",),
@@ -280,7 +282,7 @@ PARSE_CORRECTING_PASSES: Tuple[TreePass, ...] = (
     ),
     TreePass(
         "measured_turns",
-        'Make a noun of "turn" behind a number or a fraction.',
+        'Turn the verb "turn" after a number or a fraction into a noun.',
         Example(
             "turn|VERB|0|root quarter|NOUN|1|obj turn|VERB|1|xcomp left|ADV|3|advmod",
             (
@@ -294,7 +296,7 @@ PARSE_CORRECTING_PASSES: Tuple[TreePass, ...] = (
     ),
     TreePass(
         "sides_apart",
-        "Hang a side in front of a measure on the verb, and so the measure.",
+        "Attach a side and the measure after it separately to the verb.",
         Example(
             "turn|VERB|0|root left|ADJ|4|amod two|NUM|4|nummod degrees|NOUN|1|obj",
             ("left: amod(degrees) ADJ/left -> advmod(turn) ADV/left",),
@@ -304,7 +306,7 @@ PARSE_CORRECTING_PASSES: Tuple[TreePass, ...] = (
     ),
     TreePass(
         "around_apart",
-        'Make an adverb of "around" between a verb of turning and a measure.',
+        'Turn "around" between a verb of turning and a measure into an adverb.',
         Example(
             "turn|VERB|0|root around|ADP|4|case two|NUM|4|nummod degrees|NOUN|1|obl",
             ("around: case(degrees) ADP/around -> advmod(turn) ADV/around",),
@@ -314,7 +316,7 @@ PARSE_CORRECTING_PASSES: Tuple[TreePass, ...] = (
     ),
     TreePass(
         "degrees",
-        'Hang "a bit" and "a little" on the verb, and not on the noun that they stand behind.',
+        'Attach "a bit" and "a little" to the verb, not to the noun before them.',
         Example(
             "open|VERB|0|root windows|NOUN|1|obj a|DET|4|det bit|NOUN|2|nmod:unmarked",
             ("bit: nmod:unmarked(windows) -> obl:unmarked(open)",),
@@ -324,7 +326,7 @@ PARSE_CORRECTING_PASSES: Tuple[TreePass, ...] = (
     ),
     TreePass(
         "objects_of_vocatives",
-        "Make the object of a word that ends it, and that the parser takes for who is spoken to.",
+        "Turn a false vocative back into the end of the object.",
         Example(
             "push|VERB|0|root the|DET|3|det blue|ADJ|1|obj robot|NOUN|1|vocative",
             ("the: det(blue) -> det(robot)", "blue: obj(push) -> amod(robot)", "robot: vocative(push) -> obj(push)"),
@@ -334,7 +336,7 @@ PARSE_CORRECTING_PASSES: Tuple[TreePass, ...] = (
     ),
     TreePass(
         "letters_as_names",
-        "Hang a letter or a number behind a noun on the noun: it is the name of it.",
+        "Attach a letter or a number after a noun to the noun, as its name.",
         Example(
             "go|VERB|0|root to|ADP|3|case room|NOUN|1|obl C|PROPN|1|vocative",
             ("C: vocative(go) -> flat(room)",),
@@ -344,15 +346,14 @@ PARSE_CORRECTING_PASSES: Tuple[TreePass, ...] = (
     ),
 )
 
-#: What is said around a command, and for a verb; then what the tree that is read must look like.
+#: Correct the parse, replace or set aside phrases of the speaker, and mark clauses and times.
 REPHRASING_PASSES: Tuple[TreePass, ...] = (
     ()
     + PARSE_CORRECTING_PASSES
     + (
         TreePass(
             "light_verbs",
-            "Replace verbs that stand for another one, where the lexicon has that: who asks to have something "
-            "wants it.",
+            'Replace light verbs by the verbs that they mean, if the lexicon has those: "can I have" means "I want".',
             Example(
                 "can|AUX|3|aux I|PRON|3|nsubj have|VERB|0|root tea|NOUN|3|obj",
                 ("have: VERB/have have -> VERB/want want",),
@@ -363,7 +364,7 @@ REPHRASING_PASSES: Tuple[TreePass, ...] = (
         ),
         TreePass(
             "quotations",
-            "Make one object of what is to be said, whatever it says.",
+            "Turn the words that the robot shall say into one object.",
             Example(
                 "tell|VERB|0|root her|PRON|3|nmod:poss|her|PRP$ lunch|NOUN|5|nsubj is|AUX|5|cop|be ready|ADJ|1|ccomp",
                 (
@@ -379,7 +380,7 @@ REPHRASING_PASSES: Tuple[TreePass, ...] = (
         ),
         TreePass(
             "comparisons",
-            'Set aside what says that something is to be done as well as it can be, "as soon as possible".',
+            'Set aside comparisons such as "as soon as possible".',
             Example(
                 "go|VERB|0|root as|ADV|3|advmod fast|ADV|1|advmod as|ADV|5|advmod possible|ADJ|1|xcomp to|ADP|7|case "
                 "Bob|PROPN|5|obl",
@@ -396,7 +397,7 @@ REPHRASING_PASSES: Tuple[TreePass, ...] = (
         ),
         TreePass(
             "formulas",
-            'Set the formulas aside that a command is surrounded with: "... if you don\'t mind".',
+            'Set aside the formulas around a command: "... if you don\'t mind".',
             Example(
                 "turn|VERB|0|root right|ADV|3|advmod away|ADV|1|advmod",
                 ("right: advmod(away) -> discourse:aside(turn)", "away: advmod(turn) -> discourse:aside(turn)"),
@@ -407,7 +408,7 @@ REPHRASING_PASSES: Tuple[TreePass, ...] = (
         ),
         TreePass(
             "argument_clusters",
-            "Make a clause of each of the groups of phrases that share a verb.",
+            "Turn each group of phrases that share a verb into a clause.",
             Example(
                 "put|VERB|0|root mugs|NOUN|1|obj on|ADP|4|case tables|NOUN|1|obl and|CCONJ|6|cc plates|NOUN|4|conj "
                 "in|ADP|8|case sinks|NOUN|1|obl",
@@ -423,7 +424,7 @@ REPHRASING_PASSES: Tuple[TreePass, ...] = (
         ),
         TreePass(
             "shared_verbs",
-            "Give the second of two phrases that share a verb the relation to it that the first one has.",
+            "Attach the second of two phrases that share a verb to the verb, like the first.",
             Example(
                 "go|VERB|0|root to|ADP|3|case Bob|PROPN|1|obl and|CCONJ|6|cc to|ADP|6|case Eve|PROPN|1|conj",
                 ("Eve: conj(go) -> obl(go)",),
@@ -433,7 +434,7 @@ REPHRASING_PASSES: Tuple[TreePass, ...] = (
         ),
         TreePass(
             "times",
-            "Mark the phrases that say when something is to be done.",
+            "Mark the phrases that say when to do something.",
             Example("turn|VERB|0|root at|ADP|3|case five|NUM|1|obl", ("at five: says when",), _TURN),
             Stage.FRAMER,
             times.with_times,
@@ -442,7 +443,7 @@ REPHRASING_PASSES: Tuple[TreePass, ...] = (
 )
 
 FRAMER_TREE_PASSES: Tuple[TreePass, ...] = CORRECTION_PASSES + REPHRASING_PASSES
-#: The whole order, from the text to the tree that is read.
+#: All passes in order, from the text to the tree that the framer reads.
 PASSES: Tuple[Pass, ...] = (
     TEXT_PASSES + SURROUNDINGS_PASSES + CUT_PASSES + TAG_PASSES + PARSER_TREE_PASSES + FRAMER_TREE_PASSES
 )
