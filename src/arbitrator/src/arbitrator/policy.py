@@ -104,7 +104,7 @@ def load_policy(name: str, *, seed: Optional[int] = None) -> Policy:
         raise PolicyError(f"policy {name!r}: {class_name!r} is not a subclass of arbitrator.policy.Policy")
     try:
         return policy_class(seed=seed)
-    except Exception as error:  # boundary: the constructor of a user may raise anything, and an abstract class cannot be made
+    except Exception as error:  # boundary: a user's class may be abstract, or its constructor may raise anything
         raise PolicyError(f"policy {name!r} cannot be made: {type(error).__name__}: {error}") from error
 
 
