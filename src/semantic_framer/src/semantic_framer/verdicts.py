@@ -23,6 +23,7 @@ from semantic_framer.reading import Reading, rank
 from semantic_framer.sentence import Sentence
 from semantic_framer.utterance_kind import KindVerdict, kinds_of_clauses
 from utterance_passes.clauses import Clause, inner_condition, shared_subject
+from utterance_passes.measures import amounts_of
 from utterance_passes.trace import Trace
 from utterance_passes.verb_matching import VerbMatch
 from word_classes import word_class
@@ -78,7 +79,11 @@ class Case:
         Such a clause has its own subject and verb, and comes before another clause or after a mark or a conjunction.
         "The door *we just left*" does not: it says which door is meant.
         """
+        tree = self.sentence.tree
         if not self.acts or not self.kind_of(clause).is_background:
+            return False
+        # An amount that is told may be meant for the command: "turn left, anything but one point six radians".
+        if any(amount.unit or amount.is_doubtful for amount in amounts_of(tree, clause.positions, clause.verb)):
             return False
         if clause.verb < max(other.verb for other in self.clauses):
             return True
