@@ -26,7 +26,7 @@ _COMMON = word_class("articles") | (word_class("harmless") - frozenset(_ORDINALS
 
 
 def question_of_choices(choices: Sequence[Choice]) -> str:
-    """Return the question which of several readings was meant, or whether the only reading was meant."""
+    """Return the question that asks which of several readings was meant, or whether the only one was."""
     quoted = [f'"{choice.text}"' for choice in choices]
     return f"Do you mean {quoted[0]}?" if len(quoted) == 1 else f"Which do you mean: {join_with_or(quoted)}?"
 

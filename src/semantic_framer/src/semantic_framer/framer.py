@@ -103,7 +103,7 @@ def hear(
         tree: its parse
         known: lexical units and frames
         context: what the framer remembers of earlier utterances
-        policy: how careful to be
+        policy: how careful the framer is
         now_s: time on the caller's clock, seconds; it decides when questions expire
         without: names of passes to switch off, which shows what a pass does
         trace: receives a line from every rule that changes or settles something; None for no trace

@@ -70,7 +70,7 @@ class Lexicon:
                 self._by_verb[verb].append(unit)
 
     def units_of(self, verb: str) -> Tuple[LexicalUnit, ...]:
-        """Return the units of a verb, which includes its particle."""
+        """Return the units of a verb; the particle is part of the verb."""
         return tuple(self._by_verb.get(verb, ()))
 
     def lists_of(self, verb: str) -> Tuple[Tuple[str, ...], ...]:

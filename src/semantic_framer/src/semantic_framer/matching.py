@@ -78,7 +78,7 @@ def _write(
     reading: Optional[Reading],
     unfilled: Tuple[ElementRelation, ...],
 ) -> None:
-    """Write that a unit was tried, and why it does not fit, to the trace."""
+    """Write to the trace that a unit was tried, and why it does not fit."""
     missing = frozenset(element.name for element in reading.missing) if reading else frozenset()
     looked_for = [
         f"no {_some(' or ', list(map(str, relation.relations)))}"

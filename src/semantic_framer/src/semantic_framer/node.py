@@ -49,7 +49,7 @@ CATALOGUE_DELAY_S = 1.0
 
 
 class SemanticFramer:
-    """Understands one command after the other.
+    """Understands commands, one at a time.
 
     Subscribes:
         command_parse (CommandParse), frame_catalogue (FrameCatalogue, latched), stop_report (StopReport)

@@ -65,7 +65,7 @@ _OF_OPINION = word_class("verbs_of_opinion")
 
 
 def against_what_runs(outcome: Outcome, tree: DependencyTree) -> Outcome:
-    """Give an objection to something that runs its code: that of a prohibition or a correction."""
+    """Mark an objection to something that runs: set the code of a prohibition or a correction."""
     if isinstance(outcome, Question):
         return replace(outcome, code=CORRECTION) if is_objection(tree) else outcome
     code = code_of(tree, outcome.code if isinstance(outcome, Refusal) else "")

@@ -36,7 +36,7 @@ class Alternatives(Enum):
 
 @dataclass(frozen=True)
 class Policy:
-    """How careful to be.
+    """How careful the framer is.
 
     Attributes:
         left_over_words: what to do with words that a reading does not account for

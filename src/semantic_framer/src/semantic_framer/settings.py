@@ -35,7 +35,7 @@ class Settings(Parameters):
 
     @property
     def policy(self) -> Policy:
-        """How careful to be."""
+        """How careful the framer is."""
         return Policy(
             left_over_words=self.left_over_words,
             alternatives=self.alternatives,

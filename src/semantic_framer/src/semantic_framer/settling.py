@@ -34,7 +34,7 @@ class Now:
 
     Attributes:
         known: lexical units and frames
-        policy: how careful to be
+        policy: how careful the framer is
         time_s: time on the caller's clock, seconds; it decides when questions expire
         trace: receives a line for each change; None for no trace
     """

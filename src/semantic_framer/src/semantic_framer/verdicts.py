@@ -82,7 +82,7 @@ class Case:
         tree = self.sentence.tree
         if not self.acts or not self.kind_of(clause).is_background:
             return False
-        # An amount that is told may be meant for the command: "turn left, anything but one point six radians".
+        # An amount in such a clause may belong to the command: "turn left, anything but one point six radians".
         if any(amount.unit or amount.is_doubtful for amount in amounts_of(tree, clause.positions, clause.verb)):
             return False
         if clause.verb < max(other.verb for other in self.clauses):
@@ -297,7 +297,7 @@ def _is_no_fact(case: ClauseCase, reading: Reading, beside: Tuple[Reading, ...])
 
 
 def _is_about_its_performer(case: ClauseCase, reading: Reading, beside: Tuple[Reading, ...]) -> bool:
-    """ "Could you stand next to the desk": the subject is to act, so no unit may be about it as a thing."""
+    """ "Could you stand next to the desk": the subject is to act; it is not the thing that a unit is about."""
     return (
         case.kind.acts
         and _is_about_its_subject(case, reading)
