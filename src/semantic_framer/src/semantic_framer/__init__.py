@@ -1,1 +1,1 @@
-"""Lexical units: from the parse of a sentence to the frames that it evokes."""
+"""Finds the frames that a parsed sentence evokes, by lexical units."""

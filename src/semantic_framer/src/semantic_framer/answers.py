@@ -1,4 +1,4 @@
-"""What is asked for where something is missing, and what of the next utterance answers it."""
+"""Questions about missing elements, and the values with which the next utterance answers them."""
 
 from typing import Dict, List, Optional, Sequence, Tuple
 
@@ -17,18 +17,18 @@ from utterance_passes.verb_matching import match_verbs
 from word_classes import word_class
 
 _ARTICLES = word_class("articles")
-#: A word that makes an utterance more than an answer.
+#: An utterance with one of these words is more than an answer.
 _NO_ANSWER = word_class("negations") | word_class("conditions")
 
 
 def question_for(element: FrameElement) -> str:
-    """Return how to ask a person for an element, with an example of an answer."""
+    """Return the question that asks a person for an element, with an example of an answer."""
     question = element.question or f"What is the {element.name.replace('_', ' ')}?"
     return f'{question} For instance: "{element.answer}".' if element.answer else question
 
 
 def question_of(readings: Sequence[Reading]) -> str:
-    """Return how to ask for what readings miss: once for what they have in common, else for each in turn."""
+    """Return one question if all readings ask for the same element first, else one for each of these elements."""
     asked = [reading.asked[0] for reading in readings]
     if len({element.name for element in asked}) == 1:
         return question_for(asked[0])
@@ -44,10 +44,10 @@ def answer(
     Args:
         sentence: the utterance
         pending: the question
-        known: lexical units and frames; an utterance with one of their verbs is a command, and no answer
-        is_strict: whether every content word must be of the answer
+        known: lexical units and frames; an utterance that uses one of their verbs is a command, not an answer
+        is_strict: whether every content word must belong to the answer
     Returns:
-        the clauses with what was answered; None when it is no answer, or says more than one
+        the clauses, completed by the answer; None if the utterance is not an answer, or says more than an answer
     """
     if any(reading.unit.frame_name not in known.frames for readings in pending.clauses for reading in readings):
         return None
@@ -64,7 +64,7 @@ def answer(
             reading = with_value(reading, value)
         if values and element is not None:
             fitting[bool(element.values) or element.quantity is not None].append(reading)
-    # "Left" is a direction where one is asked for, though a thing could be called so too.
+    # "Left" is a direction if the question asks for one, although a thing could have that name too.
     filled = fitting[True] or fitting[False]
     if not filled:
         return None
@@ -78,7 +78,7 @@ def answer(
 def _values(
     sentence: Sentence, pending: Pending, frame: SemanticFrame, name: str, is_strict: bool
 ) -> List[ElementValue]:
-    """Return what an utterance fills an element with, and the element of its unit; nothing where it does not fit."""
+    """Return the values that an utterance gives to an element and to its unit element; nothing if it does not fit."""
     element = frame.element(name)
     values = _fragment_values(sentence, frame, element) if element is not None else []
     is_quoted = element is not None and element.framenet == MESSAGE
@@ -86,7 +86,7 @@ def _values(
         return []
     if pending.choices and not any(_is_choice(values[0], choice) for choice in pending.choices):
         return []
-    # One question is answered as well as it can be; of several, the answer tells which was meant.
+    # A single question accepts any answer. With several questions, the answer shows which reading was meant.
     allowed = [value.lower() for value in element.values]
     if len(pending.elements) > 1 and allowed and values[0].argument.lower() not in allowed:
         return []
@@ -94,7 +94,7 @@ def _values(
 
 
 def _is_all_said(sentence: Sentence, values: List[ElementValue], is_strict: bool) -> bool:
-    """Whether values are all that an answer says: no "not", no condition, no time, no word of another matter."""
+    """Whether an answer says only its values: no "not", condition or time and, if strict, no other content word."""
     used = frozenset(position for value in values for position in value.positions)
     if sentence.tree.times:
         return False
@@ -107,7 +107,7 @@ def _is_all_said(sentence: Sentence, values: List[ElementValue], is_strict: bool
 
 
 def _is_choice(value: ElementValue, choice: str) -> bool:
-    """Whether an answer names one of the things that were offered: "the plate", "plate"."""
+    """Whether an answer names one of the offered things: "the plate", "plate"."""
     said, offered = value.phrase.lower().split(), choice.lower().split()
     return [word for word in said if word not in _ARTICLES] == [word for word in offered if word not in _ARTICLES]
 
@@ -122,7 +122,7 @@ def _fragment_values(sentence: Sentence, frame: SemanticFrame, element: FrameEle
                 values.append(unit_value(sentence.tree, element.unit_element, amount))
             return values
         return []
-    # "Three feet" is no place and no thing.
+    # "Three feet" is neither a place nor a thing.
     is_measure = any(amount.unit and set(positions) <= set(amount.positions) for amount in amounts)
     is_unit = any(other.unit_element == element.name for other in frame.frame_elements)
     if not positions or (is_measure and not is_unit):

@@ -1,11 +1,13 @@
-"""Which phrase a prepositional phrase belongs to, where the parser hung it on the verb and no element asks for it."""
+"""Finds the phrase that a prepositional phrase belongs to if the parser attached it to the verb but no element asks
+for it.
+"""
 
 from typing import AbstractSet, FrozenSet, Tuple
 
 from utterance_passes.tree import DependencyTree
 from word_classes import word_class
 
-#: Prepositions that tell which thing or person is meant only right behind its name: "the guy with the blue jacket".
+#: These prepositions identify a thing or person only directly after its name: "the guy with the blue jacket".
 _OF_A_THING = frozenset(["with", "without"])
 _ADVERBS_BEFORE_PREPOSITIONS = word_class("adverbs_before_prepositions")
 _ALL_DIRECTIONS = word_class("all_directions")
@@ -19,21 +21,21 @@ _STRAIGHT = word_class("straight_adverbs")
 
 
 def preposition_of(step: str) -> str:
-    """Return the preposition of a relation ("prep_to", "obl:to", "prep_next_to"); empty for none."""
+    """Return the preposition of a relation ("prep_to", "obl:to", "prep_next_to"); empty if it has none."""
     if not step.startswith(("prep_", "obl:")):
         return ""
     return step.split("_", 1)[1] if step.startswith("prep_") else step.split(":", 1)[1]
 
 
 def is_postmodifier_of(tree: DependencyTree, index: int, head: int, is_described: bool) -> bool:
-    """Whether a phrase that hangs on a verb tells which thing the noun in front of it is.
+    """Whether a phrase that is attached to a verb identifies the noun in front of it.
 
     Args:
         tree: the sentence
         index: head of the phrase
         head: the noun
-        is_described: whether the verb is about the noun alone, so that "with" belongs to it: "follow the guy with the
-            hat"; "grab the cup with the tongs" would be done without them
+        is_described: whether the verb is only about the noun, so that "with" belongs to the noun: "follow the guy with
+            the hat". In "grab the cup with the tongs", "with" does not belong to the cup: the robot needs the tongs.
     """
     word = tree.word(index)
     if word.deprel == "advmod":
@@ -52,7 +54,7 @@ def _first_case(tree: DependencyTree, index: int) -> int:
 
 
 def is_side_of_something(tree: DependencyTree, index: int) -> bool:
-    """Whether a word is a side of a thing, and no direction: "the left of the table"."""
+    """Whether a word is a side of a thing and not a direction: "the left of the table"."""
     return tree.word(index).form.lower() in _SIDES and any(
         child.deprel.startswith("nmod")
         and any(inner.deprel == "case" and inner.form.lower() == "of" for inner in tree.children(child.index))
@@ -61,8 +63,8 @@ def is_side_of_something(tree: DependencyTree, index: int) -> bool:
 
 
 def places_before(tree: DependencyTree, head: int) -> Tuple[str, ...]:
-    """Return the prepositions of the phrases of place that stand before a phrase, the nearest first: "on" of the couch
-    in "the box on the table on the couch".
+    """Return the prepositions of the place phrases before a phrase, nearest first: in "the box on the table on the
+    couch", "on" precedes "on the couch".
     """
     own = [child.index for child in tree.children(head) if child.deprel == "case"]
     before = tree.words[: own[0] - 1] if own else ()
@@ -74,7 +76,7 @@ def places_before(tree: DependencyTree, head: int) -> Tuple[str, ...]:
 
 
 def words_before(tree: DependencyTree, verb: int, first: int, free: FrozenSet[int]) -> FrozenSet[int]:
-    """Return the adverb right in front of a preposition that makes it more precise: "close" of "close to the door"."""
+    """Return the adverb that modifies the preposition directly after it: "close" in "close to the door"."""
     before = first - 1
     if before <= verb or before not in free or tree.word(first).deprel != "case":
         return frozenset()
@@ -84,7 +86,7 @@ def words_before(tree: DependencyTree, verb: int, first: int, free: FrozenSet[in
 
 
 def words_before_amount(tree: DependencyTree, first: int) -> FrozenSet[int]:
-    """Return the words in front of a number that belong to it: "by almost" of "by almost 90 degrees"."""
+    """Return the words before a number that belong to it: "by almost" in "by almost 90 degrees"."""
     found = []
     position = first - 1
     while position > 0 and tree.word(position).form.lower() in _AMOUNT_MODIFIERS:
@@ -94,12 +96,12 @@ def words_before_amount(tree: DependencyTree, first: int) -> FrozenSet[int]:
 
 
 def is_direction(tree: DependencyTree, index: int) -> bool:
-    """Whether a word says in which direction something is done: "east", "left"."""
+    """Whether a word names a direction: "east", "left"."""
     return tree.word(index).form.lower() in _ALL_DIRECTIONS
 
 
 def is_of_one_direction(tree: DependencyTree, index: int, used: AbstractSet[int]) -> bool:
-    """Whether a word says with a used word beside it where ahead is: "straight ahead"."""
+    """Whether a word and a used word next to it name one direction: "straight ahead"."""
     beside = {index - 1: (_STRAIGHT, _ONWARD), index + 1: (_ONWARD, _STRAIGHT)}
     return any(
         other in used and tree.word(other).form.lower() in its and tree.word(index).form.lower() in own

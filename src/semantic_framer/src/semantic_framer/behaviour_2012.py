@@ -1,7 +1,7 @@
-"""Two habits of the system of 2012 that parameters restore: an argument is one word, and nothing is asked back.
+"""Restores two habits of the 2012 system by parameters: an argument is one word, and the robot asks nothing back.
 
-They change what is passed on, and not what is understood. Its other two habits are parameters as well: the random
-policy of the arbitrator, and ``LeftOverWords.IGNORE``.
+These habits change what the framer passes on, not what it understands. Two other habits of 2012 are parameters as
+well: the random policy of the arbitrator, and ``LeftOverWords.IGNORE``.
 """
 
 import re
@@ -18,28 +18,28 @@ from utterance_passes.trace import Trace
 class Arguments(Enum):
     """Which words of a phrase become the argument of an element."""
 
-    PHRASES = "phrases"  # those that the lexical unit asks for
+    PHRASES = "phrases"  # the words that the lexical unit asks for
     SINGLE_WORDS = "single_words"  # the head word alone, as in 2012
 
 
 class Questions(Enum):
-    """What to do when something must be known first."""
+    """What to do if the framer needs to know something first."""
 
     ASK = "ask"
-    REFUSE = "refuse"  # as in 2012; the refusal says what would have been asked
+    REFUSE = "refuse"  # as in 2012; the refusal quotes the question
 
 
 def with_habits(
     outcome: Outcome, context: Context, *, arguments: Arguments, questions: Questions, trace: Optional[Trace] = None
 ) -> Tuple[Outcome, Context]:
-    """Return what came of an utterance, and what is to be remembered, with these habits.
+    """Apply the habits to the outcome of an utterance and to the context to be remembered.
 
     Args:
-        outcome: as it was understood
-        context: to be remembered
+        outcome: the outcome without habits
+        context: the context to be remembered
         arguments: which words become arguments
-        questions: what becomes of a question
-        trace: where a change is written; None for nowhere
+        questions: what to do with a question
+        trace: receives a line for a change; None for no trace
     """
     changed, context = _with_habits(outcome, context, arguments, questions)
     if trace is not None and changed != outcome:
@@ -70,7 +70,7 @@ def _in_single_words(understood: Understood, context: Context) -> Tuple[Understo
     def shortened(value: ElementValue) -> ElementValue:
         if not _is_phrase(value):
             return value
-        # A pronoun has become the phrase that it stands for: its argument is the head of that phrase.
+        # The phrase has already replaced its pronoun, so the argument is the head of that phrase.
         word = value.head if _is_said(value) else head_of.get(value.argument, value.argument)
         return replace(value, argument=word, conjunction="", items=())
 
@@ -87,10 +87,10 @@ def _in_single_words(understood: Understood, context: Context) -> Tuple[Understo
 
 
 def _is_phrase(value: ElementValue) -> bool:
-    """Whether words of the utterance fill the element; an amount keeps its unit, and a default all of its words."""
+    """Whether words of the utterance fill the element; amounts keep their unit, and defaults keep all words."""
     return bool(value.positions) and not value.quantity
 
 
 def _is_said(value: ElementValue) -> bool:
-    """Whether the argument holds its own head word; that of a pronoun that was resolved does not."""
+    """Whether the argument contains its own head word; the argument of a resolved pronoun does not."""
     return re.search(rf"(?<!\w){re.escape(value.head)}(?!\w)", value.argument) is not None

@@ -1,4 +1,4 @@
-"""Readings of a sentence that a person is offered, and which of them the next utterance picks."""
+"""Offers the readings of a sentence to a person, and finds the one that the next utterance picks."""
 
 from typing import Iterable, List, Optional, Sequence, Tuple
 
@@ -21,18 +21,18 @@ _ORDINALS = {
     **{word: place for place, word in enumerate(word_list("ordinals"))},
     **dict.fromkeys(word_list("last_ordinals"), -1),
 }
-#: Words that tell no choice apart.
+#: Words that do not distinguish one choice from another.
 _COMMON = word_class("articles") | (word_class("harmless") - frozenset(_ORDINALS))
 
 
 def question_of_choices(choices: Sequence[Choice]) -> str:
-    """Return how to ask a person which of several readings was meant, or whether the only one was."""
+    """Return the question that asks which of several readings was meant, or whether the only one was."""
     quoted = [f'"{choice.text}"' for choice in choices]
     return f"Do you mean {quoted[0]}?" if len(quoted) == 1 else f"Which do you mean: {join_with_or(quoted)}?"
 
 
 def choices_of_clauses(sentence: Sentence, clauses: Sequence[Clause], vocabulary: Vocabulary) -> Tuple[Choice, ...]:
-    """Return the clauses where a person left the choice between them, "turn left or go back"; none where not."""
+    """Return the clauses that "or" joins ("turn left or go back"), as choices; nothing if there is no such "or"."""
     verbs = {clause.verb for clause in clauses}
     if not any(
         word.form.lower() == "or" and word.deprel == "cc" and word.head in verbs for word in sentence.tree.words
@@ -48,12 +48,12 @@ def choices_of_clauses(sentence: Sentence, clauses: Sequence[Clause], vocabulary
 
 
 def choices_of_amounts(sentence: Sentence, readings: Sequence[Reading], vocabulary: Vocabulary) -> Tuple[Choice, ...]:
-    """Return the amounts where a person left the choice between them, "ten to fifteen degrees"; none where not.
+    """Return the ends of a range ("ten to fifteen degrees") as choices; nothing unless there is exactly one range.
 
     Args:
         sentence: the sentence
         readings: the best one of each clause
-        vocabulary: its verbs tell what the root is
+        vocabulary: its verbs decide which word is the root
     """
     ranges = [amount for reading in readings for amount in reading.unread if amount.ends]
     if len(ranges) != 1:
@@ -66,22 +66,22 @@ def choices_of_amounts(sentence: Sentence, readings: Sequence[Reading], vocabula
         said = [index for index in words if index not in dropped | sentence.abandoned]
         amounts = [amount for amount in find_amounts(tree, said) if set(amount.positions) & set(end)]
         if any(amount.is_doubtful or bool(amount.unit) != bool(ranges[0].unit) for amount in amounts):
-            # "A metre or two": the second has no unit of its own.
+            # In "a metre or two" the second amount has no unit of its own.
             return ()
         choices.append(Choice(sentence.text(said), tree))
     return tuple(choices)
 
 
 def chosen(sentence: Sentence, choices: Sequence[Choice], vocabulary: Vocabulary) -> Optional[Choice]:
-    """Find which of the readings that were offered an utterance picks.
+    """Find the offered reading that an utterance picks.
 
     Args:
-        sentence: the utterance: one of the readings or a part of it that the others do not have, "the second one", or
-            "yes" where only one was offered
+        sentence: the utterance: one of the readings, a part that only one of them has, "the second one", or "yes" if
+            only one was offered
         choices: the readings
-        vocabulary: an utterance with one of its verbs is a command of its own, and picks a reading only as a whole
+        vocabulary: an utterance with one of its verbs is a new command, unless it repeats a whole reading
     Returns:
-        the reading; None where it picks none, or more than one
+        the reading; None if the utterance picks none, or more than one
     """
     if len(choices) == 1 and is_yes(sentence.tree.text):
         return choices[0]

@@ -1,4 +1,4 @@
-"""What a sentence says of things on the way: "the tv that is on the table" is located, though nobody asks for that."""
+"""Frames of relative clauses: "the tv that is on the table" says where the tv is, although nobody asks for that."""
 
 from typing import List, Sequence, Tuple
 
@@ -13,11 +13,11 @@ _RELATIVE_ADVERBS = word_class("relative_adverbs")
 
 
 def relative_clauses(sentence: Sentence, clauses: Sequence[Clause]) -> Tuple[Clause, ...]:
-    """Find the relative clauses inside of what is asked for.
+    """Find the relative clauses inside the clauses of a request.
 
     Args:
         sentence: the sentence
-        clauses: what it asks for
+        clauses: the clauses that ask for something
     """
     asked = {clause.verb for clause in clauses}
     inside = frozenset().union(*(clause.positions for clause in clauses))
@@ -38,9 +38,9 @@ def relative_clauses(sentence: Sentence, clauses: Sequence[Clause]) -> Tuple[Cla
 
 
 def descriptions(sentence: Sentence, clauses: Sequence[Clause], known: FramedLexicon) -> Tuple[Reading, ...]:
-    """Return the frames that relative clauses evoke; they are no steps of what is asked for.
+    """Return the frames that relative clauses evoke; they are not steps of the request.
 
-    Only a unit that asks for the subject is about what is, and no command: "the mug that stands on the table".
+    Only a unit that asks for the subject describes a state instead of a command: "the mug that stands on the table".
     """
     found: List[Reading] = []
     for clause in relative_clauses(sentence, clauses):

@@ -1,4 +1,4 @@
-"""What is remembered from one utterance to the next: an open question, and what was spoken of."""
+"""Memory from one utterance to the next: an open question, and the last thing and place mentioned."""
 
 from dataclasses import dataclass, replace
 from typing import Optional, Tuple
@@ -8,7 +8,7 @@ from utterance_passes.utterance_pass import Choice
 from word_classes import word_class
 
 PRONOUNS = word_class("pronouns")
-#: Of them, those that may be what was said.
+#: The pronouns that may also be meant literally.
 DEMONSTRATIVES = word_class("demonstrative_pronouns")
 PLACE_PRONOUNS = frozenset(["there"])
 _AGREEMENTS = word_class("agreements")
@@ -20,12 +20,13 @@ class Pending:
     """A question that the next utterance may answer.
 
     Attributes:
-        clauses: what was understood so far; the clause that asks holds the readings that it asks for
-        clause: its position among them
-        elements: the element that was asked for, of each of these readings; none for a question of yes or no
-        choices: the only answers, as they were offered; empty where every answer may be given
-        expires_s: on the clock of the caller; later the question is forgotten
-        readings: those of the sentence that one is to be chosen from; nothing else was understood so far then
+        clauses: the readings so far; the open clause has only the readings that the question is about
+        clause: position of the open clause in ``clauses``
+        elements: the element that the question asks for, for each reading of the open clause; empty for a yes-no
+            question
+        choices: the only allowed answers, as they were offered; empty if any answer is allowed
+        expires_s: time on the caller's clock, seconds; the question is forgotten afterwards
+        readings: the readings of the sentence that the person chooses from; ``clauses`` is empty then
     """
 
     clauses: Tuple[Tuple[Reading, ...], ...]
@@ -38,12 +39,12 @@ class Pending:
 
 @dataclass(frozen=True)
 class Context:
-    """What is remembered.
+    """What the framer remembers.
 
     Attributes:
-        pending: an open question, None for none
-        thing: the last thing that was spoken of, "the mug"; empty for none
-        place: the last place, "the kitchen"; empty for none
+        pending: the open question; None if there is none
+        thing: the last thing mentioned, "the mug"; empty if there is none
+        place: the last place mentioned, "the kitchen"; empty if there is none
     """
 
     pending: Optional[Pending] = None
@@ -51,7 +52,7 @@ class Context:
     place: str = ""
 
     def at(self, now_s: float) -> "Context":
-        """Return what is still remembered at a time."""
+        """Return the context at a time: without a question that has expired."""
         if self.pending is not None and now_s > self.pending.expires_s:
             return replace(self, pending=None)
         return self

@@ -1,4 +1,4 @@
-"""Frame elements by FrameNet's names: which are places, which are no things, and those that single rules ask for."""
+"""Frame elements by FrameNet's names: things, places, other roles, and the elements that single rules use."""
 
 from typing import FrozenSet
 
@@ -6,7 +6,7 @@ MESSAGE = "Message"
 ADDRESSEE = "Addressee"
 THEME = "Theme"
 NAME = "Name"
-#: What is moved, given or held.
+#: Things that are moved, given or held.
 THINGS: FrozenSet[str] = frozenset([THEME, "Entity"])
 #: Places, and not things.
 PLACES: FrozenSet[str] = frozenset(["Goal", "Source", "Location", "Ground", "Area", "Place", "Path"])
@@ -25,6 +25,6 @@ NO_THINGS: FrozenSet[str] = frozenset(
         MESSAGE,
     ]
 )
-#: What a verb is about, without a tool or company: a phrase with "with" describes it.
+#: The verbs of these elements need no tool or company, so a phrase with "with" describes the element.
 DESCRIBED: FrozenSet[str] = frozenset(["Cotheme", "Category", "Item"])
 DIRECTION = "Direction"

@@ -1,4 +1,4 @@
-"""Lexical units with the frames that they evoke: what the framer knows, and what the passes may ask."""
+"""Lexical units and the frames that they evoke: the knowledge of the framer, and the vocabulary of the passes."""
 
 from dataclasses import dataclass
 from typing import Mapping, Optional, Sequence, Tuple
@@ -11,30 +11,30 @@ from utterance_passes.vocabulary import Speech
 
 @dataclass(frozen=True)
 class FramedLexicon:
-    """What the framer knows; a vocabulary for the passes.
+    """The lexical units and frames that the framer knows; the passes use it as their vocabulary.
 
     Attributes:
         lexicon: lexical units
-        frames: by name; units of frames that are not there evoke nothing
+        frames: frames by name; a unit whose frame is missing evokes nothing
     """
 
     lexicon: Lexicon
     frames: Mapping[str, SemanticFrame]
 
     def verbs_beginning_with(self, word: str) -> Tuple[str, ...]:
-        """Verbs whose first word is this one, those of more words first."""
+        """Return the verbs whose first word is this one, those with more words first."""
         return self.lexicon.verbs_beginning_with(word)
 
     def length_of_verb(self, words: Sequence[str]) -> int:
-        """Of how many words the longest verb is that some words begin with; 0 for none."""
+        """Return the number of words of the longest verb that some words begin with; 0 if they begin with none."""
         return self.lexicon.length_of_verb(words)
 
     def lists_of(self, verb: str) -> Tuple[Tuple[str, ...], ...]:
-        """The words that units of a verb list for an element, one entry for each such element."""
+        """Return the words that units of a verb list for an element, one entry for each such element."""
         return self.lexicon.lists_of(verb)
 
     def speech_of(self, verb: str) -> Optional[Speech]:
-        """Whether a frame of a verb has a *Message*, and whether its addressee stands right behind the verb."""
+        """Return whether the addressee of a verb of speech directly follows it; None if no frame has a *Message*."""
         for unit in self.lexicon.units_of(verb):
             frame = self.frames.get(unit.frame_name)
             if frame is None or not any(element.framenet == MESSAGE for element in frame.frame_elements):

@@ -1,4 +1,4 @@
-"""From a parsed utterance to what it asks for: clauses of readings, a refusal, or a question."""
+"""Understands a parsed utterance: the result is clauses of readings, a refusal, or a question."""
 
 from dataclasses import dataclass, replace
 from typing import FrozenSet, Mapping, Optional, Sequence, Tuple, Union
@@ -58,13 +58,13 @@ __all__ = [
 
 @dataclass(frozen=True)
 class Heard:
-    """What came of an utterance.
+    """The result of an utterance.
 
     Attributes:
-        outcome: what is to be done, why not, or what is asked
-        context: what is to be remembered
-        sentence: that was read; None where a person must say what was meant
-        clauses: of the sentence, each with its readings; none where none was read
+        outcome: what to do, why nothing is done, or what to ask
+        context: what to remember
+        sentence: the sentence that was read; None if the person must first say what was meant
+        clauses: the clauses of the sentence with their readings; empty if no clause was read
     """
 
     outcome: Outcome
@@ -82,7 +82,7 @@ def read(
     policy: Policy = Policy(),
     now_s: float = 0.0,
 ) -> Tuple[Outcome, Context]:
-    """Understand an utterance, as :func:`hear` does, for those who want to know no more than what came of it."""
+    """Understand an utterance as :func:`hear` does, but return only the outcome and the context."""
     heard = hear(tree, FramedLexicon(lexicon, frames), context=context, policy=policy, now_s=now_s)
     return heard.outcome, heard.context
 
@@ -102,11 +102,11 @@ def hear(
     Args:
         tree: its parse
         known: lexical units and frames
-        context: what is remembered of the utterances before
-        policy: how careful to be
-        now_s: the caller's clock, seconds; questions expire on it
-        without: names of passes that are switched off, for those who look for what a pass does
-        trace: where every rule that changes or settles something is written; None for nowhere
+        context: what the framer remembers of earlier utterances
+        policy: how careful the framer is
+        now_s: time on the caller's clock, seconds; it decides when questions expire
+        without: names of passes to switch off, which shows what a pass does
+        trace: receives a line from every rule that changes or settles something; None for no trace
     """
     heard = _Hearing(Now(known, policy, now_s, trace), without).hear(tree, context.at(now_s))
     outcome = against_what_runs(heard.outcome, tree)
@@ -128,10 +128,10 @@ def restructured(
     without: FrozenSet[str] = frozenset(),
     trace: Optional[Trace] = None,
 ) -> Union[Sentence, Tuple[Choice, ...]]:
-    """Run the passes, and look at the tree that comes of them.
+    """Run the passes on a tree.
 
     Returns:
-        the sentence; or, where it is not certain what was corrected, the readings to choose from
+        the sentence; or the readings to choose from, if the correction is ambiguous
     """
     try:
         return Sentence(run_tree_passes(tree, known, passes, without=without, trace=trace))
@@ -155,7 +155,7 @@ class _Hearing:
         pending = context.pending
         context = replace(context, pending=None)
         if not isinstance(meant, Sentence):
-            # What was asked before is answered by none of this.
+            # This does not answer the earlier question.
             return Heard(*ask_which(meant, context, self._now))
         if pending is None:
             return self._read(meant, context)
@@ -181,7 +181,7 @@ class _Hearing:
         if answered is None:
             return self._read(meant, context)
         self._now.write("answer", tree.text, "; ".join(str(readings[0]) for readings in answered))
-        # A yes counts only where it was asked for: "right" may be a direction.
+        # A yes counts only as the answer to a yes-no question: "right" may also be a direction.
         is_confirmed = not pending.elements
         return Heard(*resolve_and_confirm(answered, meant, context, self._now, is_confirmed=is_confirmed), meant)
 
@@ -189,7 +189,7 @@ class _Hearing:
         return restructured(tree, self._now.known, passes=passes, without=self._without, trace=self._trace)
 
     def _read(self, sentence: Sentence, context: Context) -> Heard:
-        """Understand a sentence that answers nothing."""
+        """Understand a sentence that is not an answer."""
         known, policy = self._now.known, self._now.policy
         case = case_of(sentence, self._clauses(sentence), known, policy)
         if self._trace is not None:
@@ -219,7 +219,7 @@ class _Hearing:
         return Heard(outcome, context, sentence, clauses)
 
     def _readings(self, case: Case) -> Tuple[ClauseReadings, ...]:
-        """Read each clause, but for those that only tell something."""
+        """Read each clause except the clauses that only tell something."""
         found = []
         for clause, kind in zip(case.clauses, case.kinds):
             is_read = kind.is_read or clause.is_negated
@@ -241,8 +241,8 @@ class _Hearing:
         return None
 
     def _clauses(self, sentence: Sentence) -> Tuple[Clause, ...]:
-        """Clauses of the sentence; where the parser saw no verb, a verb of the lexicon at its front ("High five!")
-        makes one.
+        """Return the clauses of the sentence; if the parser found no verb, a verb of the lexicon at the front ("High
+        five!") makes a clause.
         """
         tree, known = sentence.tree, self._now.known
         clauses = find_clauses(tree, known)

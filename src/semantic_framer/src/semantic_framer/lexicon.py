@@ -1,4 +1,4 @@
-"""The lexicon: lexical units by verb, as the files of robot programmers define them."""
+"""The lexicon: lexical units by verb, as robot programmers define them in files."""
 
 import difflib
 from collections import defaultdict
@@ -9,7 +9,7 @@ from semantic_frames.lexical_unit import LexicalUnit
 
 
 class Lexicon:
-    """Lexical units, found by verb in a time that does not depend on how many there are."""
+    """Lexical units by verb; the time to find them does not depend on the size of the lexicon."""
 
     def __init__(self) -> None:
         self._files: Dict[str, Tuple[str, Tuple[LexicalUnit, ...]]] = {}
@@ -19,7 +19,7 @@ class Lexicon:
 
     @property
     def files(self) -> Mapping[str, str]:
-        """Text of each file by its path."""
+        """The text of each file by its path."""
         return {path: text for path, (text, _) in self._files.items()}
 
     @property
@@ -33,10 +33,10 @@ class Lexicon:
         return frozenset(self._by_verb)
 
     def add_file(self, text: str, path: str) -> Tuple[LexicalUnit, ...]:
-        """Add the units of a file; those that the file gave before are replaced.
+        """Add the units of a file; they replace the earlier units of that file.
 
         Raises:
-            FileRefused: the file is wrong; what it gave before stays
+            FileRefused: the file is wrong; its earlier units stay
         """
         units = load_lexical_units(text, path)
         self._replace(path, text, units)
@@ -44,7 +44,7 @@ class Lexicon:
 
     @classmethod
     def of_units(cls, units: Iterable[LexicalUnit]) -> "Lexicon":
-        """Make a lexicon of units that are there already; it has no files to tell of."""
+        """Make a lexicon of existing units; it has no files."""
         lexicon = cls()
         lexicon._index(units)
         return lexicon
@@ -70,27 +70,27 @@ class Lexicon:
                 self._by_verb[verb].append(unit)
 
     def units_of(self, verb: str) -> Tuple[LexicalUnit, ...]:
-        """Units of a verb, particle included."""
+        """Return the units of a verb; the particle is part of the verb."""
         return tuple(self._by_verb.get(verb, ()))
 
     def lists_of(self, verb: str) -> Tuple[Tuple[str, ...], ...]:
-        """The words that units of a verb list for an element, one entry for each such element."""
+        """Return the words that units of a verb list for an element, one entry for each such element."""
         return tuple(relation.words for unit in self.units_of(verb) for relation in unit.relations if relation.words)
 
     def verbs_beginning_with(self, word: str) -> Tuple[str, ...]:
-        """Verbs whose first word is this one, those of more words first: "pick up" before "pick"."""
+        """Return the verbs whose first word is this one, those with more words first: "pick up" before "pick"."""
         return tuple(sorted(self._by_first_word.get(word, ()), key=lambda verb: (-len(verb.split()), verb)))
 
     def length_of_verb(self, words: Sequence[str]) -> int:
-        """Return of how many words the longest verb is that some words begin with: 3 for "let", "go", "of", "it"."""
+        """Return the number of words of the longest verb that some words begin with: 3 for "let", "go", "of", "it"."""
         verbs = [verb.split() for verb in self._by_first_word.get(words[0], ())]
         return max((len(verb) for verb in verbs if list(words[: len(verb)]) == verb), default=0)
 
     def nearest_verbs(self, word: str, count: int = 3) -> Tuple[str, ...]:
-        """Verbs that are spelled like a word, the nearest first; none when nothing is near.
+        """Return verbs that are spelled like a word, nearest first; nothing if no verb is near.
 
-        At most one letter is wrong, missing, too many, or in its neighbour's place, so that the time does not grow with
-        the lexicon and no word is offered that only looks similar from afar.
+        A near verb has at most one letter that is wrong, missing, extra or swapped with its neighbour. So the time does
+        not grow with the lexicon, and no offered verb is only remotely similar.
         """
         near = {first for spelling in _spellings(word) for first in self._by_spelling.get(spelling, ())}
         firsts = difflib.get_close_matches(word, sorted(near), n=count, cutoff=0.0)

@@ -1,4 +1,4 @@
-"""The files of a lexicon that grows while it is used: added one after the other, and told of in that order."""
+"""Adds files to a lexicon while it is in use: one at a time, and announced in the same order."""
 
 import threading
 from dataclasses import dataclass
@@ -11,13 +11,13 @@ from semantic_frames.source_files import read_text, replace_problems
 
 @dataclass(frozen=True)
 class LexiconState:
-    """What there is after files were added.
+    """The state of the lexicon after files were added.
 
     Attributes:
         files: text of each file by its path
-        problems: of all files that were refused and not mended since
-        refused: the problems of the files that were added last, empty where all were accepted
-        accepted: paths of the files that were added last and accepted
+        problems: problems of all refused files that have not been fixed since
+        refused: problems of the last addition; empty if all of its files were accepted
+        accepted: paths of the accepted files of the last addition
     """
 
     files: Mapping[str, str]
@@ -27,8 +27,8 @@ class LexiconState:
 
 
 class LexiconFiles:
-    """Adds files to a lexicon. Threads that add at the same time wait for each other until the state was announced, so
-    that what is announced last is what there is.
+    """Adds files to a lexicon. Only one thread at a time adds files and announces the state, so the last announcement
+    is always the current state.
     """
 
     def __init__(
@@ -36,9 +36,9 @@ class LexiconFiles:
     ) -> None:
         """
         Args:
-            lexicon: takes the units
-            lock: held while the lexicon changes, by those too who read it; never held while announcing
-            announce: is told the state after each addition, by one thread at a time; must not add files itself
+            lexicon: receives the units
+            lock: held while the lexicon changes, and never during an announcement; readers must hold it as well
+            announce: called with the state after each addition, by one thread at a time; it must not add files itself
         """
         self._lexicon = lexicon
         self._lock = lock
@@ -47,7 +47,7 @@ class LexiconFiles:
         self._problems: Tuple[Problem, ...] = ()
 
     def add(self, paths: Iterable[str]) -> LexiconState:
-        """Add files, or replace what they gave before; a wrong one is left out, and the others count."""
+        """Add files or replace their earlier units; a wrong file is left out, and the others are added."""
         with self._adding:
             refused: List[Problem] = []
             accepted: List[str] = []

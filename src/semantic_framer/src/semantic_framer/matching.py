@@ -1,4 +1,4 @@
-"""Matches lexical units against a clause: which words fill which frame element."""
+"""Matches lexical units against a clause: finds the words that fill each frame element."""
 
 from dataclasses import replace
 from typing import Dict, FrozenSet, Iterable, List, Optional, Sequence, Set, Tuple
@@ -29,26 +29,26 @@ from utterance_passes.trace import Trace, TraceLine
 from utterance_passes.verb_matching import VerbMatch, match_verbs
 from word_classes import word_class
 
-#: A phrase with one of these hangs on the verb, if the unit asks for it, even where the parser hung it on the object:
-#: "bring the mug to the table". The others ("on", "in", "near") do so only for a core or required element: "put the
-#: mug on the table".
+#: A phrase with one of these belongs to the verb if the unit asks for it, even if the parser attached it to the object:
+#: "bring the mug to the table". A phrase with another preposition ("on", "in", "near") belongs to the verb only for a
+#: core or required element: "put the mug on the table".
 DIRECTIONAL = frozenset(phrase.replace(" ", "_") for phrase in word_class("directional_prepositions"))
 _DESTINATION_ADVERBS = word_class("destination_adverbs")
 _PLACE_PREPOSITIONS = word_class("place_prepositions")
-#: So many relations or words that were looked for in vain are written down.
+#: The trace shows at most this many relations or words that the sentence does not have.
 _SHOWN = 8
 
 
 def read_clause(
     sentence: Sentence, clause: Clause, known: FramedLexicon, trace: Optional[Trace] = None
 ) -> Tuple[Reading, ...]:
-    """Try every lexical unit of a clause's verb.
+    """Try every lexical unit of the verb of a clause.
 
     Args:
         sentence: the sentence
         clause: one of its clauses
-        known: lexical units; those of frames that are not known are left out
-        trace: where each unit is written, and what it looked for in vain; None for nowhere
+        known: lexical units and frames; a unit whose frame is unknown is left out
+        trace: receives a line for each unit, with the relations that it did not find; None for no trace
     Returns:
         readings in the order of the lexicon
     """
@@ -78,7 +78,7 @@ def _write(
     reading: Optional[Reading],
     unfilled: Tuple[ElementRelation, ...],
 ) -> None:
-    """Write that a unit was tried, and why it does not fit."""
+    """Write to the trace that a unit was tried, and why it does not fit."""
     missing = frozenset(element.name for element in reading.missing) if reading else frozenset()
     looked_for = [
         f"no {_some(' or ', list(map(str, relation.relations)))}"
@@ -100,12 +100,12 @@ def _write(
 
 
 def _some(separator: str, texts: Sequence[str]) -> str:
-    """Return the first of some texts, and that there are more."""
+    """Join the first few texts, with dots if there are more."""
     return separator.join(texts[:_SHOWN]) + (f"{separator}..." if len(texts) > _SHOWN else "")
 
 
 class _Filling:
-    """Fills one unit from one clause."""
+    """Fills the elements of one unit from one clause."""
 
     def __init__(
         self,
@@ -127,18 +127,18 @@ class _Filling:
         measured = measured_elements(sentence, unit, frame, match.positions, amounts)
         self._amount_of = measured.amount_of
         self._unread = measured.unread
-        #: Words of phrases without a noun: what they were to fill is asked for.
+        #: Words of phrases without a noun; the framer asks for the elements that these phrases began.
         self._unfinished: FrozenSet[int] = frozenset()
-        #: Numbers of several words, in units of 2012.
+        #: Numbers of several words, by element, in units of 2012.
         self._numeral_of: Dict[str, Amount] = {}
         self._subject = clause.subject or shared_subject(sentence.tree, clause.verb)
         self._is_measuring_of_2012 = measures_as_in_2012(unit)
         self._moved: Set[int] = set()
-        #: Phrases that rules moved or left out, for the trace.
+        #: Trace lines for phrases that rules moved or left out.
         self.notes: List[TraceLine] = []
 
     def reading(self) -> Optional[Reading]:
-        """Return the reading; None when a required relation does not match."""
+        """Return the reading; None if a required relation does not match."""
         for wants_core in (True, False):
             for relation in self._unit.relations:
                 element = self._frame.element(relation.name)
@@ -180,7 +180,7 @@ class _Filling:
 
     def _take_phrase(self, relation: ElementRelation) -> None:
         is_wanted = relation.is_required or self._is_core(relation.name)
-        # "Put it on the bench in the kitchen": of the places the first is meant, the others tell more of it.
+        # "Put it on the bench in the kitchen": the first place is meant, and the others describe it.
         static = [
             path for path in relation.relations if preposition_of(path.steps[0]).split("_")[0] in _PLACE_PREPOSITIONS
         ]
@@ -228,7 +228,7 @@ class _Filling:
             self._note("reattached", self._sentence.subtree(head), f"{name} of the verb, not part of {governor}")
 
     def _is_in_a_measure(self, head: int) -> bool:
-        """Whether a word measures ("two degrees"), and so is no thing; a bare number may be one ("give me 5")."""
+        """Whether a word is part of a measure ("two degrees"), not a thing; a bare number may be one ("give me 5")."""
         return any(head in amount.positions for amount in self._amount_of.values()) or any(
             head in amount.positions and (amount.unit or self._is_end(amount, head))
             for amount in self._amounts
@@ -236,7 +236,7 @@ class _Filling:
         )
 
     def _is_end(self, amount: Amount, head: int) -> bool:
-        """Whether a word is the end of a range, and its preposition is of the range: "fifteen" of "ten to fifteen"."""
+        """Whether a word ends a range that includes its preposition: "fifteen" in "ten to fifteen"."""
         cases = [child.index for child in self._sentence.children(head) if child.deprel == "case"]
         return amount.is_doubtful and bool(cases) and cases[0] in amount.positions
 
@@ -248,7 +248,7 @@ class _Filling:
         return head in self._clause.positions or head == self._subject
 
     def _listed_words(self, head: int, words: Tuple[str, ...]) -> FrozenSet[int]:
-        """Return the words, up to a head, that a relation lists, the most first ("low five"); none if it lists none."""
+        """Return the longest sequence of listed words that ends at a head ("low five"); nothing if none is listed."""
         if is_side_of_something(self._sentence.tree, head):
             return frozenset()
         for length in range(max((len(listed.split()) for listed in words), default=0), 0, -1):
@@ -258,12 +258,12 @@ class _Filling:
         return frozenset([head]) if self._sentence.word(head).lemma.lower() in words else frozenset()
 
     def _is_only_an_adverb(self, head: int, steps: Tuple[str, ...]) -> bool:
-        """Whether an adverb that says how ("slowly", "forward") would become an argument that says what or where."""
+        """Whether a word is an adverb of manner ("slowly", "forward") and so neither a thing nor a place."""
         return steps[-1] in ("advmod", "prt") and self._sentence.word(head).form.lower() not in _DESTINATION_ADVERBS
 
     def _follow(self, steps: Tuple[str, ...], is_core: bool) -> List[int]:
         """Return the words at the end of a chain of relations that starts at the verb."""
-        # In "let go of the rope" the rope hangs on "go".
+        # In "let go of the rope", "go" governs the rope.
         governors = [self._clause.verb] + [
             index for index in self._match.positions[1:] if self._sentence.word(index).upos == "VERB"
         ]
@@ -281,7 +281,7 @@ class _Filling:
         return governors
 
     def _reattached(self, step: str, is_core: bool) -> List[int]:
-        """Phrases with a preposition that the parser hung on an object though the unit wants them at the verb."""
+        """Return the phrases that the parser attached to an object although the unit asks for them at the verb."""
         if not step.startswith(("prep_", "obl:")):
             return []
         preposition = preposition_of(step)
@@ -291,7 +291,7 @@ class _Filling:
         for relation in ("dobj", "iobj", "obl", "tmod"):
             for noun in self._sentence.dependents(self._clause.verb, relation):
                 found += self._sentence.dependents(noun, f"prep_{preposition}")
-                # "Bring the plant on the shelf near the window": near the window it shall be brought.
+                # "Bring the plant on the shelf near the window": the window is the goal, not part of the shelf.
                 for inner in self._sentence.children(noun) if relation == "dobj" else ():
                     if inner.deprel == "nmod" and inner.index > noun:
                         found += self._sentence.dependents(inner.index, f"prep_{preposition}")
@@ -358,14 +358,14 @@ class _Filling:
         return tuple(values)
 
     def _is_said_otherwise(self, element: FrameElement) -> bool:
-        """Whether something was said for an element that could not fill it: what is meant else is not meant then."""
+        """Whether the clause says something for an element that cannot fill it; the default is not meant then."""
         if element.framenet != DIRECTION:
             return element.name in self._unread
         understood = frozenset(self._match.positions).union(*map(self._sentence.subtree, self._heads.values()))
         return any(is_direction(self._sentence.tree, index) for index in self._clause.positions - understood)
 
     def _places_behind(self, head: int, element: FrameElement, left_out: FrozenSet[int]) -> FrozenSet[int]:
-        """Return the phrases of place directly behind a noun that fill nothing: "the mug on the table"."""
+        """Return the place phrases directly after a noun that fill no element: "the mug on the table"."""
         if self._sentence.word(head).upos != "NOUN" or element.framenet == MESSAGE:
             return frozenset()
         noun = self._sentence.subtree(head) - left_out
@@ -385,13 +385,13 @@ class _Filling:
         return found
 
     def _words_before(self, head: int, left_out: FrozenSet[int]) -> FrozenSet[int]:
-        """Return the adverb in front of the preposition of a phrase: "close" of "close to the door"."""
+        """Return the adverb before the preposition of a phrase: "close" in "close to the door"."""
         phrase = self._sentence.subtree(head) - left_out
         free = self._clause.positions - left_out - frozenset(self._heads.values())
         return words_before(self._sentence.tree, self._clause.verb, min(phrase), free) if phrase else frozenset()
 
     def _outside(self, head: int) -> FrozenSet[int]:
-        """Words below a head that belong to other clauses or to a condition."""
+        """Return the words below a head that belong to other clauses or to a condition."""
         return frozenset(self._sentence.subtree(head) - self._clause.positions - {self._subject}) | (
             self._clause.condition_positions if head not in self._clause.condition_positions else frozenset()
         )
@@ -400,16 +400,16 @@ class _Filling:
         used: Set[int] = set(self._match.positions) | self._unfinished
         for value in values:
             used.update(value.positions)
-            # A measure has its number, its unit and hedges; what else hangs on it is said for itself.
+            # A measure consists of a number, a unit and hedges; its other dependents are not part of it.
             if value.head_position and not value.unit and not value.quantity:
-                # Words between the verb and its argument that only carry the argument: "to", "the".
+                # Function words of the argument: "to", "the".
                 used.update(child.index for child in self._sentence.children(value.head_position))
         content = [
             index
             for index in sorted(self._clause.positions)
             if self._sentence.is_content(index) and index != self._clause.verb
         ]
-        # The verb of a wrapped request ("I want you to ...") is said around the clause.
+        # The verb of a wrapped request ("I want you to ...") is outside the clause.
         content = [index for index in content if self._clause.verb not in self._sentence.subtree(index)]
         left_over = tuple(
             index
@@ -426,7 +426,7 @@ class _Filling:
         return left_over, 1.0 - len(left_over) / (len(content) + 1)
 
     def _hangs_on_used(self, index: int, used: Set[int]) -> bool:
-        """Whether a word is a part of a name that is used: "living" in "living room"."""
+        """Whether a word is part of a used name: "living" in "living room"."""
         word = self._sentence.word(index)
-        # A number is no part of a name: "five foot thirteen" must not be five feet.
+        # A number is not part of a name: "five foot thirteen" must not become five feet.
         return word.deprel in ("compound", "flat", "goeswith", "fixed") and word.head in used and word.upos != "NUM"

@@ -1,4 +1,4 @@
-"""Which amount of a clause fills which element of a frame."""
+"""Assigns the amounts of a clause to the elements of a frame."""
 
 from dataclasses import dataclass
 from typing import Dict, Optional, Sequence, Tuple
@@ -16,11 +16,11 @@ _MEASURES_OF_2012 = _NUMBERS_OF_2012 | {"tmod", "npadvmod"}
 
 @dataclass(frozen=True)
 class MeasuredElements:
-    """What fills the elements that ask for a measure.
+    """The amounts for the elements that ask for a measure.
 
     Attributes:
-        amount_of: by element, the element of the unit too
-        unread: what was said for an element and must not fill it, by element: "two or three metres"
+        amount_of: the amount of each element; the unit element has the same amount
+        unread: the amounts that were said for an element but must not fill it: "two or three metres"
     """
 
     amount_of: Dict[str, Amount]
@@ -34,17 +34,17 @@ def measured_elements(
     verb_positions: Sequence[int],
     amounts: Sequence[Amount],
 ) -> MeasuredElements:
-    """Give each amount to the first element that measures it and asks for a measure.
+    """Give each amount to the first element that asks for a measure of its quantity.
 
-    Where an amount must not be acted on, or two are said for one element, the element stays open: what it would be
-    filled with else, its default too, is not what was said.
+    An element stays open if its amount must not be acted on, or if two amounts are said for it. Nothing else may fill
+    it then, not even its default, because the person said something different.
 
     Args:
         sentence: the sentence
-        unit: its relations ask for measures
-        frame: of the unit
+        unit: the lexical unit whose relations ask for measures
+        frame: the frame of the unit
         verb_positions: words of the verb
-        amounts: of the clause
+        amounts: the amounts of the clause
     """
     free = [amount for amount in amounts if not _is_of_the_verb(sentence, amount, verb_positions)]
     amount_of: Dict[str, Amount] = {}
@@ -71,7 +71,7 @@ def measured_elements(
             unread[name] = (amount_of.pop(name), *others)
         elif element is not None and element.unit_element and amount.unit:
             amount_of[element.unit_element] = amount
-    # "Turn right five inches" says how far, though not as an angle.
+    # "Turn right five inches" gives a distance, but turning needs an angle.
     misplaced = tuple(amount for amount in free if amount.unit and amount.quantity in _OF_SPACE)
     for relation in unit.relations:
         element = frame.element(relation.name)
@@ -82,7 +82,7 @@ def measured_elements(
 
 
 def _is_of_the_verb(sentence: Sentence, amount: Amount, verb_positions: Sequence[int]) -> bool:
-    """Whether the verb has all of an amount but articles: "make a turn", "pull a 180"; "make half a turn" says more."""
+    """Whether the verb includes a whole amount except articles: "make a turn", "pull a 180"; not "make half a turn"."""
     verb = frozenset(verb_positions)
     own = [
         position
@@ -93,7 +93,7 @@ def _is_of_the_verb(sentence: Sentence, amount: Amount, verb_positions: Sequence
 
 
 def measures_as_in_2012(unit: LexicalUnit) -> bool:
-    """Whether a unit asks for the number and for what it counts by their relations, as in 2012."""
+    """Whether a unit asks for the number and the counted noun by their relations, as in 2012."""
     return any(
         path.steps[-1] in _MEASURES_OF_2012 and not relation.words
         for relation in unit.relations
@@ -102,14 +102,14 @@ def measures_as_in_2012(unit: LexicalUnit) -> bool:
 
 
 def numeral_at(head: int, path: RelationPath, amounts: Sequence[Amount]) -> Optional[Amount]:
-    """Return the amount that a unit of 2012 asks for by the relation of one of its words.
+    """Return the amount that a unit of 2012 asks for by the relation of one word of the amount.
 
     Args:
         head: the word
-        path: relations that lead to it
-        amounts: of the clause
+        path: relations that lead to the word
+        amounts: the amounts of the clause
     Returns:
-        the amount; None where the word says all of the number, or is none
+        the amount; None if the word is the whole number, or not a number
     """
     amount = next((amount for amount in amounts if head in amount.positions), None)
     if amount is None or path.steps[-1] not in _NUMBERS_OF_2012:

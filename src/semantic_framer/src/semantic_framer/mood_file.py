@@ -1,4 +1,4 @@
-"""The file of moods: which words in front of a verb make a command, a request, a question, a report or a wish."""
+"""Reads the file of moods: rules that find the kind of a clause from the words before its verb."""
 
 from dataclasses import dataclass
 from enum import Enum
@@ -12,20 +12,20 @@ from semantic_frames.marked_yaml import Reader
 from semantic_frames.source_files import read_text
 from word_classes import fill_pattern, read_pattern
 
-#: Beside this module in the source, devel and install space.
+#: Next to this module in the source, devel and install space.
 MOODS_FILE = Path(__file__).resolve().parent / "moods.yaml"
 _SECTIONS = ("spellings", "parts", "acting", "telling")
 _KEYS = ("name", "kind", "pattern", "example")
 
 
 class UtteranceKind(Enum):
-    """What somebody does by saying something. What stops the robot is found before (``command_server.stop_words``)."""
+    """The purpose of an utterance. The ``command_server`` finds stop words earlier (``command_server.stop_words``)."""
 
     COMMAND = "command"
     REQUEST = "request"  # "could you ..."
     QUESTION = "question"
-    REPORT = "report"  # what happens, happened, or is so
-    WISH = "wish"  # of the speaker's own: "I want to go home"
+    REPORT = "report"  # of an event or a state
+    WISH = "wish"  # to do something oneself: "I want to go home"
     PROHIBITION = "prohibition"
     CORRECTION = "correction"  # "no, the office"
     ANSWER = "answer"  # no clause: "two feet"
@@ -37,14 +37,14 @@ _KINDS = tuple(kind.value for kind in UtteranceKind)
 
 @dataclass(frozen=True)
 class MoodRule:
-    """Words in front of a verb that say of what kind a clause is.
+    """A pattern of the words before a verb, and the kind of clause that they make.
 
     Attributes:
-        name: by which it is traced
-        kind: of the clause
-        pattern: of formula words
-        example: formula words that fit
-        is_fact: whether the clause says how something is now
+        name: the name in the trace
+        kind: the kind of the clause
+        pattern: matches formula words
+        example: formula words that match
+        is_fact: whether the clause describes a present state
     """
 
     name: str
@@ -56,10 +56,10 @@ class MoodRule:
 
 @dataclass(frozen=True)
 class Moods:
-    """What the file says.
+    """The content of the file.
 
     Attributes:
-        spellings: the full form of each short one, "not" of "n't"
+        spellings: the full form of each short form: "not" for "n't"
         acting: rules for clauses that ask for something to be done
         telling: rules for the others
     """
@@ -74,9 +74,9 @@ def load_moods(text: str, path: str) -> Moods:
 
     Args:
         text: content of the file
-        path: where it came from, for problems
+        path: path of the file, for problems
     Raises:
-        FileRefused: with every mistake of the file
+        FileRefused: the file is wrong; it lists every mistake
     """
     reader = Reader(path)
     sections = reader.mapping(reader.compose(text, "a mapping of rules"), "", _SECTIONS, required=_SECTIONS)
@@ -92,7 +92,7 @@ def load_moods(text: str, path: str) -> Moods:
 
 
 def _pairs(reader: Reader, node: Optional[yaml.Node], key: str) -> List[Tuple[str, str, yaml.Node]]:
-    """Return names and values of a mapping, with the key of each value."""
+    """Return the name, the key and the value of each entry of a mapping."""
     if node is None:
         return []
     if not isinstance(node, yaml.MappingNode):

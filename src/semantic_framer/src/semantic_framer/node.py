@@ -1,4 +1,4 @@
-"""The semantic framer: from the parse of a command to the frames that it evokes."""
+"""The node of the semantic framer: finds the frames that a parsed command evokes."""
 
 import threading
 import time
@@ -42,14 +42,14 @@ from stanford_parser_ros.ros_messages import to_tree
 from utterance_passes.trace import Trace
 from utterance_passes.tree import DependencyTree
 
-#: Kept on the master by the node for itself: files that were added while it ran.
+#: The node keeps the files that were added while it ran in this private parameter.
 ADDED_LEXICAL_UNITS = "~_added_lexical_units"
-#: A frame that was added together with its lexical unit may be on its way still, seconds.
+#: How long to wait for a frame that was added together with its lexical unit, seconds.
 CATALOGUE_DELAY_S = 1.0
 
 
 class SemanticFramer:
-    """Understands one command after the other.
+    """Understands commands, one at a time.
 
     Subscribes:
         command_parse (CommandParse), frame_catalogue (FrameCatalogue, latched), stop_report (StopReport)
@@ -94,7 +94,7 @@ class SemanticFramer:
         )
 
     def _announce(self, state: LexiconState) -> None:
-        """Publish what there is now; called by one thread at a time, so that the latched message is the newest."""
+        """Publish the current state. Only one thread at a time calls this, so the latched message is the newest."""
         for problem in state.refused:
             rospy.logerr("refused: %s", problem)
         self._file_problems.publish(
@@ -132,7 +132,7 @@ class SemanticFramer:
         of_file = {}
         for file in message.files:
             try:
-                # One registration must not cost the reading of every file again.
+                # Reuse the known frames, so that one registration does not read every file again.
                 of_file[file.path, file.text] = known.get((file.path, file.text)) or load_frame(file.text, file.path)
             except FileRefused as refused:
                 rospy.logwarn("the catalogue holds a frame that cannot be read: %s", refused)
@@ -142,7 +142,7 @@ class SemanticFramer:
             self._lock.notify_all()
 
     def _on_stop(self, report: StopReport) -> None:
-        """A question that was open when somebody said stop is not answered by what is said later."""
+        """Forget the open question: after a stop, nothing answers a question from before it."""
         with self._lock:
             self._stop_stamp = report.stop_stamp
             if self._context_stamp <= report.stop_stamp:
@@ -152,7 +152,7 @@ class SemanticFramer:
         try:
             tree = to_tree(message.command.text, message.words)
             outcome, trace = self._read(tree, message.command.stamp)
-        except Exception as error:  # boundary: whatever fails here, the command gets its reply
+        except Exception as error:  # boundary: the command gets its reply even if anything fails here
             rospy.logerr("cmd=%s failed", message.command.id, exc_info=True)
             self._end(
                 message.command,
@@ -168,7 +168,7 @@ class SemanticFramer:
             self._end(message.command, outcome=kind, code=outcome.code, sentence=outcome.sentence, trace=trace)
 
     def _read(self, tree: DependencyTree, stamp: rospy.Time) -> Tuple[Outcome, str]:
-        """Return what came of an utterance, and what each rule did."""
+        """Return the outcome of an utterance, and the trace of the rules."""
         end = time.monotonic() + CATALOGUE_DELAY_S
         with self._lock:
             while True:
@@ -197,7 +197,7 @@ class SemanticFramer:
                         questions=self._settings.questions,
                         trace=trace,
                     )
-                    # A clock that was set back makes all stamps early; a command that is stopped already asks nothing.
+                    # A stopped command asks nothing. A stop stamp in the future does not count: the clock was set back.
                     is_stopped = stamp <= self._stop_stamp <= rospy.Time.now() and not self._stop_stamp.is_zero()
                     self._context = replace(context, pending=None) if is_stopped else context
                     self._context_stamp = stamp
@@ -219,5 +219,5 @@ class SemanticFramer:
 
 
 def main() -> None:
-    """Run the node until ROS shuts down; exits with a sentence when a parameter is wrong."""
+    """Run the node until ROS shuts down; exit with a message if a parameter is wrong."""
     run_node("semantic_framer", lambda: SemanticFramer(read_parameters(Settings)))

@@ -1,7 +1,8 @@
-"""What is said against something that runs: prohibitions ("don't follow me") and corrections ("no, the office").
+"""Finds objections to running commands: prohibitions ("don't follow me") and corrections ("no, the office").
 
-Inside one utterance the pass `corrections` carries a correction out. Here it is about an utterance of its own, and the
-framer does not know what runs: a refusal gets the code that says what it was, and who knows what runs acts on it.
+The pass `corrections` applies a correction inside one utterance. This module is about an objection that is an utterance
+of its own. The framer does not know what runs, so it only gives the refusal the code of the objection; the command
+server knows what runs and acts on the code.
 """
 
 from dataclasses import replace
@@ -16,7 +17,7 @@ from utterance_passes.objections import plain
 from utterance_passes.tree import DependencyTree
 from word_classes import word_class
 
-#: Beside this module in the source, devel and install space.
+#: Next to this module in the source, devel and install space.
 OBJECTIONS_FILE = Path(__file__).resolve().parent / "objections.yaml"
 KINDS = (
     "corrections",
@@ -42,11 +43,11 @@ def shipped_objections() -> Mapping[str, Tuple[Formula, ...]]:
     return load_formulas(text, str(OBJECTIONS_FILE), KINDS, keys=("pattern", "example"))
 
 
-#: Refusals that may be corrections; what is unknown only for now (UNKNOWN_FRAME) is none of them.
+#: Codes of refusals that may be corrections. A frame may only be late, so UNKNOWN_FRAME is not one of them.
 _UNCLEAR = frozenset(["NO_VERB", "UNKNOWN_VERB", "LEFT_OVER_WORDS", "NO_READING", "CONDITION", PROHIBITION])
-#: Refusals that also say why a correction cannot be carried out.
+#: Codes of refusals whose sentence also explains why a correction cannot be carried out.
 _SAYING_WHY = _UNCLEAR - {"NO_VERB", PROHIBITION}
-#: Refusals of what asks for nothing: "that's wrong" is a report, "no" is talk.
+#: Codes of refusals of utterances that ask for nothing: "that's wrong" is a report, "no" is talk.
 _ASKING_FOR_NOTHING = frozenset([QUESTION, REPORT, WISH, TALK])
 _CORRECTIONS = any_of(shipped_objections()["corrections"])
 _CLEAR = any_of(shipped_objections()["clear_corrections"])
@@ -64,7 +65,7 @@ _OF_OPINION = word_class("verbs_of_opinion")
 
 
 def against_what_runs(outcome: Outcome, tree: DependencyTree) -> Outcome:
-    """Mark what was said against something that runs: the code says what it was."""
+    """Mark an objection to something that runs: set the code of a prohibition or a correction."""
     if isinstance(outcome, Question):
         return replace(outcome, code=CORRECTION) if is_objection(tree) else outcome
     code = code_of(tree, outcome.code if isinstance(outcome, Refusal) else "")
@@ -80,11 +81,11 @@ def against_what_runs(outcome: Outcome, tree: DependencyTree) -> Outcome:
 
 
 def code_of(tree: DependencyTree, code: str) -> Optional[str]:
-    """Find out what a refusal is against.
+    """Find the code of the objection in a refused sentence.
 
     Args:
         tree: the sentence
-        code: of the refusal, as it was made
+        code: the original code of the refusal
     Returns:
         `PROHIBITION` or `CORRECTION`; `REPORT` for a negation that forbids nothing; None for any other refusal
     """
@@ -108,13 +109,13 @@ def code_of(tree: DependencyTree, code: str) -> Optional[str]:
 
 
 def is_objection(tree: DependencyTree) -> bool:
-    """Whether a sentence opens with an objection: "no, turn", which is asked about."""
+    """Whether a sentence begins with an objection: "no, turn", to which the framer replies with a question."""
     words = [plain(word) for word in tree.words if word.upos != "PUNCT" and not is_filler(word.form)]
     return bool(words) and words[0] in _OBJECTIONS
 
 
 def _is_statement(tree: DependencyTree) -> bool:
-    """Whether it is told or asked that something is not so: "I don't know"; "I don't want you to" forbids."""
+    """Whether a sentence states or asks that something is not so: "I don't know", but not "I don't want you to"."""
     root = next(word for word in tree.words if word.head == 0)
     forms = [plain(word) for word in tree.words]
     subject = next((word for word in tree.children(root.index) if word.deprel.startswith("nsubj")), None)

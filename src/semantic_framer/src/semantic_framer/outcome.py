@@ -1,4 +1,4 @@
-"""What comes of an utterance: it is understood, refused, or something is asked; and how careful the framer is."""
+"""The outcome of an utterance (understood, refused or asked about), and the policy that decides how careful to be."""
 
 from dataclasses import dataclass
 from enum import Enum
@@ -7,20 +7,20 @@ from typing import Iterable, Sequence, Tuple, Union
 from semantic_framer.reading import Reading
 from semantic_framer.sentence import Sentence
 
-#: Codes of refusals of what was said against something that runs.
+#: Codes of refusals of objections to something that runs.
 PROHIBITION = "NEGATED"
 CORRECTION = "CORRECTION"
-#: Codes of refusals of what asks for nothing to be done.
+#: Codes of refusals of utterances that ask for nothing.
 QUESTION = "QUESTION"
 REPORT = "REPORT"
 WISH = "WISH"
 TALK = "TALK"
-#: What a person says who answers no, or takes back what they were saying: nothing that runs is meant.
+#: The person answers no or takes the sentence back; this does not concern anything that runs.
 DECLINED = "DECLINED"
 
 
 class LeftOverWords(Enum):
-    """What to do when a reading does not account for every content word."""
+    """What to do if a reading does not account for every content word."""
 
     STRICT = "strict"  # refuse, and say which words
     WARN = "warn"  # act, and say which words
@@ -36,11 +36,11 @@ class Alternatives(Enum):
 
 @dataclass(frozen=True)
 class Policy:
-    """How careful to be.
+    """How careful the framer is.
 
     Attributes:
-        left_over_words: for words that a reading does not account for
-        alternatives: for "or"
+        left_over_words: what to do with words that a reading does not account for
+        alternatives: what to do with "or"
         question_timeout_s: how long a question may be answered
     """
 
@@ -51,9 +51,7 @@ class Policy:
 
 @dataclass(frozen=True)
 class Understood:
-    """What is to be done: clauses in order, the readings of each the best first; ``warning`` names words that were
-    ignored.
-    """
+    """The clauses to carry out, in order, each with its readings, best first; ``warning`` names the ignored words."""
 
     clauses: Tuple[Tuple[Reading, ...], ...]
     warning: str = ""
@@ -61,7 +59,7 @@ class Understood:
 
 @dataclass(frozen=True)
 class Refusal:
-    """It is not to be done; ``code`` as in ``Reply.code``."""
+    """Nothing is done; ``code`` as in ``Reply.code``."""
 
     code: str
     sentence: str
@@ -70,7 +68,7 @@ class Refusal:
 
 @dataclass(frozen=True)
 class Question:
-    """Something must be known first; ``code`` as in ``Reply.code``."""
+    """The framer must ask something first; ``code`` as in ``Reply.code``."""
 
     code: str
     sentence: str
@@ -80,17 +78,17 @@ Outcome = Union[Understood, Refusal, Question]
 
 
 def reply_outcome(of: Union[Refusal, Question]) -> str:
-    """Return the outcome that a command ends with in the framer: the name of a constant of ``Reply``."""
+    """Return the name of the constant of ``Reply`` for a command that ends in the framer."""
     return "REFUSED" if isinstance(of, Refusal) else "NEEDS_INFORMATION"
 
 
 def join_with_or(options: Sequence[str]) -> str:
-    """Return options as a person lists them: "a, b or c"."""
+    """Join options the way a person lists them: "a, b or c"."""
     return " or ".join(filter(None, (", ".join(options[:-1]), *options[-1:])))
 
 
 def left_over_refusal(sentence: Sentence, positions: Sequence[int]) -> Refusal:
-    """Return the refusal of a sentence of which words are left over."""
+    """Return the refusal of a sentence with left-over words."""
     left = (sentence.word(index) for index in positions)
     words = tuple(word.form for word in left if word.upos != "PUNCT")
     return Refusal(
@@ -101,5 +99,5 @@ def left_over_refusal(sentence: Sentence, positions: Sequence[int]) -> Refusal:
 
 
 def not_then(sentence: Sentence, positions: Iterable[int]) -> Refusal:
-    """Return the refusal of what is to be done at another time, or under a condition."""
+    """Return the refusal of a command for another time or under a condition."""
     return Refusal("CONDITION", f'I can only act now, not "{sentence.text(sorted(positions))}".')

@@ -1,4 +1,4 @@
-"""Values that take words for what they are not: a side, a degree or a deed for a thing."""
+"""Finds implausible values, such as a side, a degree or a deed that is taken for a thing."""
 
 from dataclasses import dataclass
 from typing import FrozenSet, Tuple
@@ -20,13 +20,13 @@ _SIDES = word_class("sides")
 
 @dataclass(frozen=True)
 class Filled:
-    """A value that is judged.
+    """A value to be judged.
 
     Attributes:
-        value: it has a head
-        reading: of which it is
+        value: the value, which has a head word
+        reading: the reading with the value
         beside: all readings of the clause
-        frame: of the reading
+        frame: the frame of the reading
         tree: the sentence
     """
 
@@ -38,18 +38,18 @@ class Filled:
 
     @property
     def head(self) -> Word:
-        """The head of its words."""
+        """The head word of the value."""
         return self.tree.word(self.value.head_position)
 
     @property
     def roles(self) -> FrozenSet[str]:
-        """FrameNet's name of the element that it fills; none for an amount."""
+        """FrameNet's name of the element that the value fills; empty for an amount."""
         element = None if self.value.quantity else self.frame.element(self.value.name)
         return frozenset() if element is None or element.quantity is not None else frozenset([element.framenet])
 
 
 def is_noun_of_a_verb(filled: Filled) -> bool:
-    """Whether a noun is a part of another unit's verb: "take a look"."""
+    """Whether a noun is part of the verb of another unit: "take a look"."""
     return filled.head.upos in ("NOUN", "PROPN", "NUM") and any(
         filled.head.index in other.verb_positions and filled.head.index not in filled.reading.verb_positions
         for other in filled.beside
@@ -57,7 +57,7 @@ def is_noun_of_a_verb(filled: Filled) -> bool:
 
 
 def is_measure_elsewhere(filled: Filled) -> bool:
-    """Whether another unit measures with a number: "turn one eighty"."""
+    """Whether another unit uses the number as a measure: "turn one eighty"."""
     is_phrase = any(child.deprel == "case" for child in filled.tree.children(filled.head.index))
     return (
         not is_phrase
@@ -67,7 +67,7 @@ def is_measure_elsewhere(filled: Filled) -> bool:
 
 
 def is_unread_elsewhere(filled: Filled) -> bool:
-    """Whether words are an amount that another unit asks for, and that must not be acted on."""
+    """Whether the words contain an amount that another unit asks for and that must not be acted on."""
     unread = {position for other in filled.beside for amount in other.unread for position in amount.positions}
     return not filled.reading.unread and bool(unread & frozenset(filled.value.positions))
 
@@ -77,7 +77,7 @@ def _measured(reading: Reading) -> FrozenSet[int]:
 
 
 def is_numbered_place(filled: Filled) -> bool:
-    """Whether a number is the place of something: "set the projector to 20"."""
+    """Whether a number is taken for the place of something: "set the projector to 20"."""
     if not filled.roles & PLACES or filled.head.upos != "NUM":
         return False
     elements = filled.frame.frame_elements
@@ -86,8 +86,8 @@ def is_numbered_place(filled: Filled) -> bool:
 
 
 def is_one_of_two_places(filled: Filled) -> bool:
-    """Whether one thing is to be put in two places: in "put the cup on the table and the bowl" nobody can tell whether
-    the bowl is a place. A thing can be brought "to Anna and Ben" one after the other.
+    """Whether one thing is put in two places: "put the cup on the table and the bowl" does not say whether the bowl is
+    a place. But "to Anna and Ben" is plausible: a thing can be brought to one after the other.
     """
     if filled.value.conjunction != "and" or "Goal" not in filled.roles:
         return False
@@ -99,8 +99,8 @@ def is_one_of_two_places(filled: Filled) -> bool:
 
 
 def is_two_phrases(filled: Filled) -> bool:
-    """Whether a second noun phrase follows the first with nothing between: "room 3 polish the table" is a place and a
-    command whose verb was taken for a noun.
+    """Whether a noun phrase directly follows another: in "room 3 polish the table" the parser took the verb of a new
+    command for a noun.
     """
     if MESSAGE in filled.roles:
         return False
@@ -118,19 +118,19 @@ def is_two_phrases(filled: Filled) -> bool:
 
 
 def _counts_an_apposition(tree: DependencyTree, word: Word) -> bool:
-    """Whether a number counts a noun that explains the noun in front of it: "3" of "room 3 knock"."""
+    """Whether a number modifies an apposition to the noun before it: "3" in "room 3 knock"."""
     return word.deprel == "nummod" and tree.word(word.head).deprel == "appos"
 
 
 def is_degree(filled: Filled) -> bool:
-    """Whether a degree is a thing: "move a bit"; "a bit of bread" is one."""
+    """Whether a degree is taken for a thing: "move a bit", but not "a bit of bread"."""
     children = filled.tree.children(filled.head.index)
     is_of_something = any(child.deprel == "nmod" for child in children)
     return bool(filled.roles) and filled.head.form.lower() in _DEGREES and not is_of_something
 
 
 def is_side(filled: Filled) -> bool:
-    """Whether a side or a direction is a thing: "take a right"; also "northwards", where the parser sees a noun."""
+    """Whether a side or a direction is taken for a thing: "take a right", or "northwards" parsed as a noun."""
     form = filled.head.form.lower()
     if filled.roles & THINGS and is_direction(filled.tree, filled.head.index) and form not in _SIDES:
         return True
@@ -139,15 +139,15 @@ def is_side(filled: Filled) -> bool:
 
 
 def is_deed(filled: Filled) -> bool:
-    """Whether a deed, an event or a way is moved, given or held: "take a nap"."""
+    """Whether a deed, an event or a way is taken for a thing that is moved, given or held: "take a nap"."""
     is_subject = filled.head.deprel.startswith("nsubj")
     is_moved = bool(filled.roles & THINGS) and not is_subject
     return is_moved and is_no_thing(filled.tree, filled.head.index, filled.reading.verb)
 
 
 def is_listed_elsewhere(filled: Filled) -> bool:
-    """Whether another unit lists an indefinite noun: "the photo" may be a thing that is known, "a photo" is what the
-    other unit is about.
+    """Whether another unit lists an indefinite noun: "the photo" may be a known thing, but "a photo" fits the other
+    unit.
     """
     head = filled.head
     is_bare = not any(child.deprel in ("det", "nmod:poss") for child in filled.tree.children(head.index))

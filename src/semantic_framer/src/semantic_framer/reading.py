@@ -1,4 +1,4 @@
-"""One way to understand a clause: its values, and how likely it is meant."""
+"""A reading, which is one way to understand a clause, and its rank among the readings."""
 
 import math
 from dataclasses import dataclass, replace
@@ -36,16 +36,16 @@ class Reading:
 
     Attributes:
         unit: the lexical unit
-        verb: as the unit has it, "pick up"
-        verb_positions: words of the verb in the sentence
-        values: of the elements, in the order of the frame
-        missing: core elements that nothing fills
-        left_over: content words that nothing accounts for, by position
+        verb: the verb as the unit spells it, "pick up"
+        verb_positions: positions of the verb in the sentence
+        values: the values of the elements, in the order of the frame
+        missing: core elements without a value
+        left_over: positions of content words that the reading does not account for
         coverage: share of the content words that the reading accounts for, 0 to 1
-        listed: words that the unit lists for its elements, by position: "low five"
-        unlikely: how many words fill an element that they are hardly meant for
+        listed: positions of words that the unit lists for its elements: "low five"
+        unlikely: number of words that are unlikely to be meant for the element that they fill
         clause_text: the words of the clause, as they were said
-        unread: amounts that elements ask for and that must not be acted on: "two or three metres"
+        unread: amounts that elements ask for but that must not be acted on: "two or three metres"
     """
 
     unit: LexicalUnit
@@ -62,17 +62,17 @@ class Reading:
 
     @property
     def said(self) -> FrozenSet[Tuple[str, str]]:
-        """Names and arguments of the elements that words of the sentence fill."""
+        """The names and arguments of the elements that words of the sentence fill."""
         return frozenset((value.name, value.argument) for value in self.values if value.positions)
 
     @property
     def asked(self) -> Tuple[FrameElement, ...]:
-        """Missing elements that a person is asked for: a unit is said together with its amount."""
+        """The missing elements to ask a person for; unit elements are left out, because an amount includes its unit."""
         units = frozenset(element.unit_element for element in self.missing)
         return tuple(element for element in self.missing if element.name not in units)
 
     def value(self, name: str) -> Optional[ElementValue]:
-        """Return the value of an element, None for an empty one."""
+        """Return the value of an element; None if it has no value."""
         return next((value for value in self.values if value.name == name), None)
 
     def __str__(self) -> str:
@@ -80,21 +80,21 @@ class Reading:
 
 
 class Rank(NamedTuple):
-    """How likely a reading is meant: the smallest is the best, and the fields count in this order.
+    """How likely a reading is: the smallest rank is the best, and earlier fields count more.
 
     Attributes:
         is_incomplete: a core element is missing
-        left_over: words that nothing accounts for
-        unlikely: words that fill an element which they are hardly meant for
-        unfilled: minus the number of elements that were said, and of those that the unit requires
-        asked: elements that a person would be asked for
+        left_over: number of words that the reading does not account for
+        unlikely: number of words that are unlikely to be meant for the element that they fill
+        unfilled: minus the number of elements that were said, minus the number of relations that the unit requires
+        asked: number of elements that the framer would ask a person for
         verb: minus the number of words of the verb
-        is_secondary: the verb is not the first of its unit; the first is what the unit is about ("take the box" takes
-            it, and may bring it somewhere)
-        empty: elements of the unit that stay empty
-        verb_place: of the verb among those of the unit
-        path: file of the unit; with the line, it makes the order the same in every run
-        line: of the unit
+        is_secondary: the verb is not the first verb of its unit, which is the typical one ("take the box" means taking
+            rather than bringing)
+        empty: number of elements of the unit that stay empty
+        verb_place: position of the verb among the verbs of the unit
+        path: file of the unit; path and line make the order the same in every run
+        line: line of the unit in its file
     """
 
     is_incomplete: bool
@@ -111,26 +111,26 @@ class Rank(NamedTuple):
 
     @property
     def of_what_was_said(self) -> Tuple[int, ...]:
-        """The fields that look at the words; the others look at the unit."""
+        """The fields that depend on the words of the sentence; the others depend on the unit."""
         return self._before("verb")
 
     @property
     def before_file(self) -> Tuple[int, ...]:
-        """The fields without the place of the unit."""
+        """The fields without the path and line of the unit."""
         return self._before("path")
 
     def _before(self, field: str) -> Tuple[int, ...]:
-        # The path is the only text, and no field behind it is asked for.
+        # The path is the only field of text, and callers ask only for the fields before it.
         return cast(Tuple[int, ...], self[: self._fields.index(field)])
 
     def __str__(self) -> str:
-        """Return the fields that are not 0, without the place of the unit."""
+        """Return the fields that are not 0, without the path and line of the unit."""
         named = zip(self._fields, self.before_file)
         return ", ".join(f"{name} {int(value)}" for name, value in named if value) or "all 0"
 
 
 def rank(reading: Reading) -> Rank:
-    """Return how likely a reading is meant."""
+    """Return the rank of a reading."""
     unit = reading.unit
     filled = frozenset(value.name for value in reading.values)
     verb_place = unit.verbs.index(reading.verb) if reading.verb in unit.verbs else len(unit.verbs)
@@ -150,7 +150,7 @@ def rank(reading: Reading) -> Rank:
 
 
 def without_duplicates(readings: Iterable[Reading]) -> Tuple[Reading, ...]:
-    """Keep one of those readings that have the same frame and arguments: the best one, of equal ones the last."""
+    """Keep one reading for each frame with the same arguments: the best one, or the last of equally good ones."""
     best: Dict[object, Reading] = {}
     for reading in readings:
         meaning = (reading.unit.frame_name, frozenset((value.name, value.argument) for value in reading.values))
@@ -160,7 +160,7 @@ def without_duplicates(readings: Iterable[Reading]) -> Tuple[Reading, ...]:
 
 
 def with_value(reading: Reading, value: ElementValue) -> Reading:
-    """Fill an element of a reading that nothing filled, or replace what filled it."""
+    """Return a reading with a value for an element; it replaces an existing value."""
     kept = tuple(other for other in reading.values if other.name != value.name)
     return replace(
         reading,

@@ -1,4 +1,4 @@
-"""The readings of a clause that may be meant, and what a person hears where there are none."""
+"""Finds the plausible readings of a clause, or the refusal that a person hears if there are none."""
 
 from dataclasses import dataclass, replace
 from typing import FrozenSet, Optional, Tuple, Union
@@ -27,11 +27,11 @@ from utterance_passes.tree import DependencyTree
 from utterance_passes.verb_matching import match_verbs
 from word_classes import word_class
 
-#: Phrases of their own below a noun: "a left *at the door*".
+#: Relations of phrases below a noun: "a left *at the door*".
 _PHRASES = frozenset(["nmod", "obl", "acl", "advcl", "appos"])
-#: Which of several is meant: "the *second* left".
+#: Relations of words that choose one of several: "the *second* left".
 _CHOOSING = frozenset(["amod", "nummod"])
-#: Join a clause to the one before it: "go to the kitchen *to* get the mug".
+#: Words that join a clause to the clause before it: "go to the kitchen *to* get the mug".
 _JOINING = frozenset(["and", "to"])
 _LEFT_AND_RIGHT = word_class("left_and_right")
 _SAID_AROUND = word_class("harmless")
@@ -39,13 +39,13 @@ _SAID_AROUND = word_class("harmless")
 
 @dataclass(frozen=True)
 class ClauseReadings:
-    """What came of a clause.
+    """The readings of a clause.
 
     Attributes:
         clause: the clause
-        plausible: readings that may be meant, the best first, whatever became of the clause
-        kept: those of them that no verdict drops
-        refusal: why none is kept; None where there are some
+        plausible: the plausible readings, best first, even if the clause is refused
+        kept: the plausible readings that no verdict drops
+        refusal: why no reading is kept; None if there are some
     """
 
     clause: Clause
@@ -58,9 +58,9 @@ def readings_of_clause(of: Case, clause: Clause, trace: Optional[Trace] = None) 
     """Read one clause.
 
     Args:
-        of: the sentence around it
+        of: the sentence with the clause
         clause: the clause
-        trace: where each unit, verdict and rank is written; None for nowhere
+        trace: receives a line for each unit, verdict and rank; None for no trace
     """
     case = ClauseCase(of, clause, match_verbs(of.sentence.tree, clause, of.known))
     if trace is not None:
@@ -99,7 +99,7 @@ def _refused(
 
 
 def plausible_readings(case: ClauseCase, trace: Optional[Trace] = None) -> Tuple[Reading, ...]:
-    """Return the ways to understand a clause, the best first, without those that take words for what they are not."""
+    """Return the readings of a clause, best first, without implausible ones."""
     found = read_clause(case.sentence, case.clause, case.of.known, trace)
     different = without_duplicates(found)
     readings = tuple(_with_phrases_left_over(case.sentence, reading) for reading in different)
@@ -123,7 +123,7 @@ def plausible_readings(case: ClauseCase, trace: Optional[Trace] = None) -> Tuple
 
 
 def _clause_text(tree: DependencyTree, clause: Clause) -> str:
-    """Return the words of a clause, without what joins it to the one before and what is said around it."""
+    """Return the words of a clause, without conjunctions and formulas around it."""
     around = tree.abandoned | tree.fillers
     said = [
         index
@@ -137,10 +137,10 @@ def _clause_text(tree: DependencyTree, clause: Clause) -> str:
 
 
 def _unlikely(case: ClauseCase, reading: Reading, listed: FrozenSet[int]) -> int:
-    """Count the words that fill an element which they are hardly meant for.
+    """Count the words that are unlikely to be meant for the element that they fill.
 
-    A word that another unit lists is hardly any thing: a high five can be given like a mug, but is not meant so. "A
-    kitchen" is hardly the name of a place, as "the kitchen" is; it tells of what kind the place is.
+    A word that another unit lists is rarely a thing: a person who asks for a high five does not want an object. "A
+    kitchen" is rarely the name of a place, unlike "the kitchen"; it says what kind of place it is.
     """
     frame = case.of.known.frames[reading.unit.frame_name]
     names = frozenset(element.name for element in frame.frame_elements if element.framenet == NAME)
@@ -153,7 +153,7 @@ def _unlikely(case: ClauseCase, reading: Reading, listed: FrozenSet[int]) -> int
 
 
 def _with_phrases_left_over(sentence: Sentence, reading: Reading) -> Reading:
-    """Leave over what hangs below a listed word that alone becomes the argument: "take a left *at the door*"."""
+    """Mark phrases below a listed word as left over if only the word is the argument: "take a left *at the door*"."""
     left_over = set(reading.left_over)
     for value in reading.values:
         relation = next((relation for relation in reading.unit.relations if relation.name == value.name), None)

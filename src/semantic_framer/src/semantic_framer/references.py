@@ -1,4 +1,4 @@
-"""What pronouns stand for, and what later ones may stand for."""
+"""Resolves pronouns, and remembers what later pronouns may refer to."""
 
 from dataclasses import replace
 from typing import Mapping, Union
@@ -14,15 +14,15 @@ _PARTICIPANTS = word_class("participants")
 
 
 def resolve(reading: Reading, context: Context) -> Union[Reading, ElementValue]:
-    """Put what pronouns stand for in their place; return the value of one that stands for nothing known."""
+    """Resolve the pronouns of a reading; return the value of the first pronoun that cannot be resolved."""
     values = []
     for value in reading.values:
         word = value.argument.lower()
         relation = next((relation for relation in reading.unit.relations if relation.name == value.name), None)
-        # "This place" is what was said; a unit that lists nothing but pronouns wants what they stand for.
+        # "This place" is meant literally. If a unit lists only pronouns, it asks for their referents.
         is_fixed = relation is not None and bool(set(relation.words) - PRONOUNS)
         if word in PRONOUNS - DEMONSTRATIVES and value.positions and not is_fixed:
-            # "Go near the radio and switch it on": a place is a thing too.
+            # "Go near the radio and switch it on": a place may also be a thing.
             if not context.thing and not context.place:
                 return value
             value = resolved(value, context.thing or context.place)
@@ -33,7 +33,7 @@ def resolve(reading: Reading, context: Context) -> Union[Reading, ElementValue]:
 
 
 def remember(reading: Reading, frames: Mapping[str, SemanticFrame], context: Context) -> Context:
-    """Remember the thing and the place that a reading speaks of."""
+    """Remember the thing and the place that a reading mentions."""
     frame = frames[reading.unit.frame_name]
     for value in reading.values:
         element = frame.element(value.name)

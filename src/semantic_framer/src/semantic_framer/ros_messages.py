@@ -1,4 +1,4 @@
-"""What the framer understood, as messages."""
+"""Converts readings to messages."""
 
 from typing import Sequence, Tuple
 

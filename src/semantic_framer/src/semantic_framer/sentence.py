@@ -1,4 +1,4 @@
-"""The tree that is read, with its relations by governor."""
+"""A sentence: its tree, and the relations of each governor."""
 
 from typing import Dict, FrozenSet, List, Sequence, Tuple
 
@@ -6,7 +6,7 @@ from stanford_parser_ros.stanford_dependencies import Arc, arcs
 from utterance_passes.tree import ABANDONED, ASIDE, DependencyTree, Word
 from word_classes import word_class
 
-#: Relations that only a noun governs, under their names in both schemes.
+#: Relations that only a noun governs, by their names in both schemes.
 _OF_NOUNS = frozenset(
     "num number nummod poss nmod:poss possessive nn compound amod det predet preconj appos abbrev rcmod vmod partmod "
     "infmod acl".split()
@@ -35,11 +35,11 @@ _FUNCTION_RELATIONS = {
 
 
 class Sentence:
-    """A tree that all passes have seen, looked at from its governors; one for each utterance and parse.
+    """A tree after all passes, with its relations by governor; each parse of an utterance has one.
 
     Attributes:
         tree: the tree
-        arcs: every relation under all of its names
+        arcs: every relation, with all of its names
     """
 
     def __init__(self, tree: DependencyTree) -> None:
@@ -54,27 +54,27 @@ class Sentence:
         return self.tree.word(index)
 
     def children(self, index: int) -> Tuple[Word, ...]:
-        """Return the words that a word governs in the tree."""
+        """Return the words that a word governs."""
         return self.tree.children(index)
 
     def subtree(self, index: int) -> FrozenSet[int]:
-        """Return the positions of a word and of everything below it."""
+        """Return the positions of a word and of all words below it."""
         return self.tree.subtree(index)
 
     def text(self, positions: Sequence[int]) -> str:
-        """Return words in the order in which they were said, a clitic ("'s") or a comma joined to its word."""
+        """Return words in spoken order, with clitics ("'s") and commas joined to their words."""
         return self.tree.text_of(positions)
 
     @property
     def abandoned(self) -> FrozenSet[int]:
-        """Positions of what the speaker corrected, of the words that said so, and of asides."""
+        """Positions of words that the speaker corrected, of words that announce the correction, and of asides."""
         return self.tree.abandoned
 
     def dependents(self, governor: int, relation: str) -> List[int]:
-        """Return the words that are in a relation, of either scheme, to a governor, in order of the sentence.
+        """Return the words that have a relation, of either scheme, to a governor, in the order of the sentence.
 
-        Relations that only a noun governs ("num", "poss") are looked for below what a verb governs: units of 2012 name
-        them alone.
+        If a verb has no such word and only a noun governs the relation ("num", "poss"), the arguments of the verb are
+        searched: units of 2012 name these relations alone.
         """
         found = {arc.dependent for arc in self._by_governor.get(governor, ()) if relation in arc.relations}
         if not found and relation in _OF_NOUNS and governor and self.word(governor).upos in ("VERB", "AUX"):
@@ -83,11 +83,11 @@ class Sentence:
         return sorted(found)
 
     def is_content(self, index: int) -> bool:
-        """Whether a word says something of its own: ignoring it would change what was asked."""
+        """Whether a word has content: to ignore it would change the request."""
         word = self.word(index)
         if word.deprel in _FUNCTION_RELATIONS or word.upos in ("PUNCT", "INTJ", "SYM", "CCONJ", "PART"):
             return False
-        # "Open the door for me": who wants something done wants it for himself.
+        # "Open the door for me": "for me" only repeats that the speaker wants it.
         is_wisher = word.form.lower() in _SPEAKER_OBJECTS and any(
             child.deprel == "case" and child.form.lower() == "for" for child in self.children(index)
         )

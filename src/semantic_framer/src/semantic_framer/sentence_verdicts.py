@@ -1,4 +1,4 @@
-"""Why nothing of a sentence is done: named verdicts on the whole of it, each with its reason, in one order."""
+"""Verdicts that refuse a whole sentence: each has a name and a reason, and they run in a fixed order."""
 
 from dataclasses import dataclass
 from typing import Callable, Iterable, Optional, Tuple
@@ -13,13 +13,13 @@ from word_classes import word_class
 
 _AROUND_REQUESTS = word_class("verbs_around_requests")
 _PARTICIPANTS = word_class("participants")
-#: What is said of the sentence as a whole is quoted without its last mark.
+#: Replies quote the whole sentence without these final marks.
 _MARKS = " .!?"
 
 
 @dataclass(frozen=True)
 class SentenceVerdict:
-    """Refuses a whole sentence, for a reason that a person may read; ``refuse`` returns None where it does not."""
+    """Refuses a whole sentence for a reason that a person can read; ``refuse`` returns None if it does not refuse."""
 
     name: str
     reason: str
@@ -27,7 +27,7 @@ class SentenceVerdict:
 
 
 def _asks_for_nothing(case: Case) -> Optional[Refusal]:
-    """Refuse what only asks or tells something, but for what a unit may be about: "the mug is on the table"."""
+    """Refuse a sentence that only asks or tells something, unless a unit may be about it: "the mug is on the table"."""
     said = case.sentence.tree.text.strip(_MARKS)
     if not case.clauses:
         kind = kind_without_clause(case.sentence.tree)
@@ -41,10 +41,10 @@ def _asks_for_nothing(case: Case) -> Optional[Refusal]:
 
 
 def _time(case: Case) -> Optional[Refusal]:
-    """Refuse what is to be done at another time.
+    """Refuse a command for another time.
 
-    No element of a frame holds a time, and it hides the verb from the parser ("at five turn left"): so it counts
-    wherever it stands, and whatever became of the clauses. What is negated is refused for that.
+    No frame element holds a time, and a time can hide the verb from the parser ("at five turn left"). So a time counts
+    anywhere in the sentence, inside or outside its clauses. The verdict on negated clauses refuses those.
     """
     tree = case.sentence.tree
     times = [time for time in tree.times if not time & (tree.abandoned | tree.quoted)]
@@ -67,7 +67,7 @@ def _no_verb(case: Case) -> Optional[Refusal]:
 
 
 def _told_inside(case: Case) -> Optional[Refusal]:
-    """Refuse what tells something in the middle of what it asks for: neither is certain."""
+    """Refuse a request that has a telling clause inside: the meaning of both is uncertain."""
     for clause, kind in zip(case.clauses, case.kinds):
         if not kind.is_read and not case.is_background(clause):
             return left_over_refusal(case.sentence, sorted(clause.positions))
@@ -82,7 +82,7 @@ def _outside(case: Case) -> Optional[Refusal]:
 
 
 def words_outside(sentence: Sentence, clauses: Iterable[Clause]) -> Tuple[int, ...]:
-    """Return content words that are in no clause; those around a request ("I would like you to ...") are none."""
+    """Return the content words outside all clauses, without those of formulas such as "I would like you to ..."."""
     inside = frozenset().union(*(clause.positions for clause in clauses))
     return tuple(
         word.index
@@ -94,13 +94,13 @@ def words_outside(sentence: Sentence, clauses: Iterable[Clause]) -> Tuple[int, .
     )
 
 
-#: Before the clauses are read.
+#: Verdicts before the clauses are read.
 SENTENCE_VERDICTS: Tuple[SentenceVerdict, ...] = (
     SentenceVerdict("asks_for_nothing", "It is a question, a report, a wish or talk.", _asks_for_nothing),
     SentenceVerdict("another_time", "It is to be done at another time.", _time),
     SentenceVerdict("no_verb", "No verb asks for anything.", _no_verb),
 )
-#: After every clause was read.
+#: Verdicts after all clauses are read.
 REST_VERDICTS: Tuple[SentenceVerdict, ...] = (
     SentenceVerdict(
         "told_inside", "One of its clauses tells something, and is no background of the others.", _told_inside

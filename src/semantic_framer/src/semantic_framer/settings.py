@@ -10,19 +10,19 @@ from semantic_framer.outcome import Alternatives, LeftOverWords, Policy
 
 @dataclass(frozen=True)
 class Settings(Parameters):
-    """Private parameters, checked.
+    """The private parameters, after validation.
 
     Attributes:
         lexical_unit_paths: files, and folders with folders named ``lexical_units``
-        left_over_words: for words that a reading does not account for
-        alternatives: for "or"
-        question_timeout_s: how long a question may be answered
-        trace: whether what each rule did goes with each command
+        left_over_words: what to do with words that a reading does not account for
+        alternatives: what to do with "or"
+        question_timeout_s: how long a question may be answered, seconds
+        trace: whether each stage event includes the trace of the rules
         arguments: which words become arguments
-        questions: what to do when something must be known first
+        questions: what to do if the framer needs to know something first
 
     Raises:
-        ParameterError: a value that is not allowed
+        ParameterError: a value is not allowed
     """
 
     lexical_unit_paths: Tuple[str, ...] = parameter((), may_be_single=True)
@@ -35,7 +35,7 @@ class Settings(Parameters):
 
     @property
     def policy(self) -> Policy:
-        """How careful to be."""
+        """How careful the framer is."""
         return Policy(
             left_over_words=self.left_over_words,
             alternatives=self.alternatives,

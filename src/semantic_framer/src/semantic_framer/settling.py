@@ -1,4 +1,4 @@
-"""Settles what was understood: pronouns are resolved, and what is still open is refused or asked."""
+"""Settles the readings of a sentence: resolves pronouns, and refuses or asks if something is still open."""
 
 from dataclasses import dataclass, replace
 from typing import List, Optional, Tuple, Union
@@ -30,13 +30,13 @@ Clauses = Tuple[Tuple[Reading, ...], ...]
 
 @dataclass(frozen=True)
 class Now:
-    """What surrounds an utterance.
+    """The circumstances of an utterance.
 
     Attributes:
         known: lexical units and frames
-        policy: how careful to be
-        time_s: the caller's clock, seconds; questions expire on it
-        trace: where each rule writes what it changes; None for nowhere
+        policy: how careful the framer is
+        time_s: time on the caller's clock, seconds; it decides when questions expire
+        trace: receives a line for each change; None for no trace
     """
 
     known: FramedLexicon
@@ -51,12 +51,12 @@ class Now:
 
     @property
     def expires_s(self) -> float:
-        """When a question that is asked now is forgotten."""
+        """The time at which a question that is asked now expires, seconds."""
         return self.time_s + self.policy.question_timeout_s
 
 
 def ask_which(choices: Tuple[Choice, ...], context: Context, now: Now) -> Tuple[Union[Refusal, Question], Context]:
-    """Let a person choose between readings, or tell one who took everything back that nothing is done."""
+    """Let a person choose between readings; without readings, refuse because the person took everything back."""
     if not choices:
         return Refusal(DECLINED, "You took that back, so I do nothing."), context
     pending = Pending(clauses=(), clause=0, elements=(), expires_s=now.expires_s, readings=choices)
@@ -66,17 +66,17 @@ def ask_which(choices: Tuple[Choice, ...], context: Context, now: Now) -> Tuple[
 def resolve_and_confirm(
     clauses: Clauses, sentence: Sentence, context: Context, now: Now, *, is_confirmed: bool = False
 ) -> Tuple[Outcome, Context]:
-    """Resolve pronouns, then refuse or ask where something is open.
+    """Resolve pronouns, then refuse or ask if something is open.
 
     Args:
-        clauses: the readings of each, the best first
-        sentence: whose words may be left over
-        context: what is remembered of the utterances before
-        now: what surrounds the utterance
-        is_confirmed: whether a person has said yes to it
+        clauses: the readings of each clause, best first
+        sentence: the sentence, for its left-over words
+        context: what the framer remembers of earlier utterances
+        now: the circumstances of the utterance
+        is_confirmed: whether a person has said yes to the readings
     """
     policy = now.policy
-    # Words that are left over are words of this sentence: they are judged before anything waits for another one.
+    # Judge the left-over words before asking anything: their positions belong to this sentence only.
     if policy.left_over_words is LeftOverWords.STRICT:
         for readings in clauses:
             if readings[0].left_over:
@@ -106,7 +106,7 @@ def resolve_and_confirm(
 
 @dataclass(frozen=True)
 class _Open:
-    """Something of a clause that must be asked: of which readings, for which element of each, and the only answers."""
+    """A question about a clause: the readings, the element to ask for in each, and the allowed answers."""
 
     question: Question
     readings: Tuple[Reading, ...]
@@ -115,7 +115,7 @@ class _Open:
 
 
 def _resolved(readings: Tuple[Reading, ...], context: Context, now: Now) -> Union[Tuple[Reading, ...], _Open]:
-    """Return readings of a clause with what pronouns stand for, or what must be asked."""
+    """Return the readings of a clause with their pronouns resolved, or the question to ask."""
     resolved: List[Reading] = []
     unresolved: List[Tuple[Reading, ElementValue]] = []
     for reading in readings:
@@ -145,10 +145,10 @@ def _resolved(readings: Tuple[Reading, ...], context: Context, now: Now) -> Unio
 
 
 def without_positions(clauses: Clauses) -> Clauses:
-    """Return readings that outlive their sentence: the positions of its words mean nothing in the next one."""
+    """Remove the left-over words from readings that outlive their sentence: positions mean nothing in the next one."""
     return tuple(tuple(replace(reading, left_over=()) for reading in readings) for readings in clauses)
 
 
 def _in_words(reading: Reading) -> str:
-    """Return what a reading does: the verb, and the arguments that were said, in the order of the frame."""
+    """Return the verb of a reading and the arguments that were said, in the order of the frame."""
     return " ".join([reading.verb] + [value.argument for value in reading.values if value.positions])

@@ -1,4 +1,4 @@
-"""Which nouns are no things: what people do, what happens, and the ways that they go; and phrases without a noun."""
+"""Finds nouns that are not things (deeds, events, ways and vehicles), and phrases without a noun."""
 
 from utterance_passes.tree import DependencyTree
 from word_classes import word_class
@@ -11,19 +11,19 @@ _BRINGING_ABOUT = word_class("bringing_about_verbs")
 _INDEFINITE_ARTICLES = word_class("indefinite_articles")
 _LIGHT_VERBS = word_class("light_verbs_of_deeds")
 _OF_RIDING = word_class("riding_verbs")
-#: Relations of words in front of a noun, which a unit may ask for: "Roger *'s* door".
+#: Relations of words before a noun that a unit may ask for: "Roger *'s* door".
 _OF_NOUNS = frozenset(["det", "nmod:poss", "case"])
 _ONLY_BEFORE_NOUNS = word_class("only_before_nouns")
 _WAYS = word_class("ways_and_vehicles")
 
 
 def is_no_thing(tree: DependencyTree, index: int, verb: str) -> bool:
-    """Whether a noun names no thing that a verb can be done with.
+    """Whether a noun does not name a thing that the verb can act on.
 
     Args:
         tree: the sentence
-        index: of the noun
-        verb: "take a seat" has no thing, "bring a seat" has one
+        index: index of the noun
+        verb: the verb: "take a seat" is not about a thing, "bring a seat" is
     """
     lemma = tree.word(index).lemma.lower()
     first = verb.split()[0]
@@ -42,13 +42,13 @@ def is_indefinite(tree: DependencyTree, index: int) -> bool:
 
 
 def is_definite(tree: DependencyTree, index: int) -> bool:
-    """Whether a noun has another determiner, or belongs to somebody: "the seat", "my seat"."""
+    """Whether a noun has a possessor, or a determiner other than an indefinite article: "my seat", "the seat"."""
     children = tree.children(index)
     return any(child.deprel in ("det", "nmod:poss") for child in children) and not is_indefinite(tree, index)
 
 
 def is_unfinished(tree: DependencyTree, index: int) -> bool:
-    """Whether a phrase has no noun: "to the" of "go to the"."""
+    """Whether a phrase has no noun: "to the" in "go to the"."""
     words = [word for word in map(tree.word, tree.subtree(index)) if word.index not in tree.fillers]
     named = [word for word in words if word.deprel != "case" and word.upos != "PUNCT"]
     is_of_noun = tree.word(index).deprel in _OF_NOUNS

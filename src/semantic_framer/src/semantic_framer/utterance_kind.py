@@ -1,9 +1,9 @@
-"""What kind of utterance each clause is: a command, a request, a question, a report, a wish, a prohibition, or talk.
+"""Decides the kind of each clause: a command, a request, a question, a report, a wish, a prohibition, or talk.
 
-Mood, word order, auxiliaries, tense and subject decide it, before any lexical unit is tried. The words in front of the
-verb of a clause become *formula words* (``moods.yaml``), and the verb itself becomes its form. A clause acts only where
-they make a formula of a command or a request: "BASE", "could you BASE", "i want you to BASE". Everything else with a
-subject, an auxiliary or a question word in front of its verb asks or tells something.
+Mood, word order, auxiliaries, tense and subject decide the kind before any lexical unit is tried. The words before the
+verb of a clause become *formula words* (``moods.yaml``), and the verb itself becomes its form. A clause acts only if
+these words match a formula of a command or a request: "BASE", "could you BASE", "i want you to BASE". Any other clause
+with a subject, an auxiliary or a question word before its verb asks or tells something.
 """
 
 from dataclasses import dataclass, replace
@@ -46,9 +46,9 @@ _SUBORDINATING = word_class("relative_adverbs")
 _THANKS = word_class("thanks")
 _WANTING = word_class("wanting_verbs")
 _WATCHING = word_class("watching_verbs")
-#: Here is the kitchen, there are two chairs: places in front of "be".
+#: Places before "be": "here is the kitchen", "there are two chairs".
 _SHOWN = frozenset(["here", "there"])
-#: Behind these reasons a base form is no part of the clause before: "I'm tired *and bring me water*".
+#: After a clause with one of these verb forms, a base form starts a new clause: "I'm tired *and bring me water*".
 _FINISHED = frozenset(["PAST", "PART", "GERUND", "BE", "THIRD"])
 _FORM_OF_TAG = {"VBZ": "THIRD", "VBD": "PAST", "VBN": "PART", "VBG": "GERUND"}
 _SUFFIX_OF_TAG = {"VBG": "-ing", "VBD": "-ed", "VBN": "-ed", "VBZ": "-s"}
@@ -59,11 +59,11 @@ class KindVerdict:
     """The kind of a clause or an utterance, and why.
 
     Attributes:
-        kind: what it is
-        reason: name of the rule that says so
-        words: the formula words that it goes by
-        is_fact: whether it says how something is now, which a unit may be about: "the mug is on the table"
-        is_background: whether it has a subject and a verb of its own, and may be said beside a command: "I'm thirsty"
+        kind: the kind
+        reason: name of the rule that decided
+        words: the formula words that the rule matched
+        is_fact: whether it describes a present state, which a unit may be about: "the mug is on the table"
+        is_background: whether it has its own subject and verb, and may accompany a command: "I'm thirsty"
     """
 
     kind: UtteranceKind
@@ -77,24 +77,24 @@ class KindVerdict:
 
     @property
     def acts(self) -> bool:
-        """Whether it asks for something to be done."""
+        """Whether it asks the robot to do something."""
         return self.kind in (UtteranceKind.COMMAND, UtteranceKind.REQUEST)
 
     @property
     def is_read(self) -> bool:
-        """Whether lexical units are tried: they may be about it, or it must be known what is not to be done."""
+        """Whether to try lexical units: for an action, for a fact, or to find out what a prohibition forbids."""
         return self.acts or self.is_fact or self.kind is UtteranceKind.PROHIBITION
 
 
 def kinds_of_clauses(
     tree: DependencyTree, clauses: Sequence[Clause], vocabulary: Vocabulary
 ) -> Tuple[KindVerdict, ...]:
-    """Decide of what kind each clause of a sentence is.
+    """Decide the kind of each clause of a sentence.
 
     Args:
         tree: the sentence
         clauses: its clauses
-        vocabulary: what was done by one of its verbs is no property of a thing: "the drawer is closed"
+        vocabulary: a participle of one of its verbs is an event, not a property: "the drawer is closed"
     Returns:
         a verdict for each clause
     """
@@ -107,7 +107,7 @@ def kinds_of_clauses(
             joined = None
         decided.setdefault(clause.verb, same or joined or front.verdict())
     if any(verdict.acts for verdict in decided.values()):
-        # "It's late, please open the door": "it" is nothing that was spoken of.
+        # "It's late, please open the door": "it" does not refer to a thing.
         for verb, verdict in decided.items():
             subjects = {child.form.lower() for child in tree.children(tops[verb]) if child.deprel.startswith("nsubj")}
             if verdict.is_fact and "it" in subjects:
@@ -116,7 +116,7 @@ def kinds_of_clauses(
 
 
 def kind_without_clause(tree: DependencyTree) -> KindVerdict:
-    """Decide of what kind an utterance without a verb is."""
+    """Decide the kind of an utterance without a verb."""
     hidden = tree.abandoned | tree.quoted | tree.fillers
     said = [word for word in tree.words if word.index not in hidden and word.upos != "PUNCT"]
     forms = [word.form.lower() for word in said]
@@ -159,12 +159,12 @@ class _Front:
         self._form = self._said[-1]
 
     def same_clause(self) -> int:
-        """Return the verb that this one is below, 0 for none: "go" of "go to the kitchen to get the mug"."""
+        """Return the verb above this one; 0 if there is none: "go" for "get" in "go to the kitchen to get the mug"."""
         above = (verb for verb, top in self._tops.items() if top == self._top and verb < self._clause.verb)
         return min(above, default=0)
 
     def joined_to(self) -> int:
-        """Return the verb before whose subject and auxiliaries may belong to this one as well, 0 for none."""
+        """Return the earlier verb that may share its subject and auxiliaries with this one; 0 if there is none."""
         top = self._tree.word(self._top)
         if top.deprel != "conj" or not top.head:
             return 0
@@ -172,8 +172,8 @@ class _Front:
         return max((verb for verb, top in self._tops.items() if top == owner and verb < self._clause.verb), default=0)
 
     def is_renewed(self, before: KindVerdict) -> bool:
-        """Whether a joined clause begins anew: by a subject, an auxiliary, "so" or "but", or as a command behind a
-        statement that it cannot be a part of ("I'm tired and bring me water").
+        """Whether a joined clause starts afresh: with a subject, an auxiliary, "so" or "but", or as a command that
+        cannot be part of the statement before it ("I'm tired and bring me water").
         """
         children = self._tree.children(self._top)
         if any(word.deprel.startswith(("nsubj", "aux")) for word in children):
@@ -185,14 +185,14 @@ class _Front:
         return self._form == "BASE" and is_telling and before.words.split(" ")[-1] in _FINISHED
 
     def is_watched(self) -> bool:
-        """Whether a verb says what somebody else does: "watch me *turn left*"."""
+        """Whether the verb describes what somebody else does: "watch me *turn left*"."""
         top = self._tree.word(self._top)
         before = self._tree.word(self._verb.index - 1) if self._verb.index > 1 else self._verb
         is_object = before.head == top.head and before.deprel in ("obj", "iobj") and before.upos in ("PRON", "PROPN")
         return bool(top.head) and self._tree.word(top.head).lemma.lower() in _WATCHING and is_object
 
     def verdict(self) -> KindVerdict:
-        """Decide by the words in front of the verb."""
+        """Decide the kind by the words before the verb."""
         verdict = self._kind()
         if verdict.kind is UtteranceKind.COMMAND and self._has_aside:
             verdict = replace(verdict, kind=UtteranceKind.REQUEST, reason="request_formula")
@@ -209,20 +209,20 @@ class _Front:
             return self._without_subject()
         following = said[start + 1] if start + 1 < len(said) else ""
         if said[start] in _SUBORDINATING - {"why"} and following not in _AUXILIARIES | _BE | {"BE", "PAST"}:
-            # "Where the counter is" tells which place; "where is the counter" asks.
+            # "Where the counter is" describes a place; "where is the counter" asks.
             return KindVerdict(UtteranceKind.REPORT, "subordinate_clause", " ".join(said))
         is_inverted = following in _SUBJECTS | {"not"}
         is_statement = "NP" in said[:start] and said[start] in _AUXILIARIES | _BE and not is_inverted
         return self._by_rules((["NP"] if is_statement else []) + said[start:])
 
     def _by_rules(self, said: Sequence[str]) -> KindVerdict:
-        """Decide by the rules of the file, and for "be" by what is said of whom."""
+        """Decide by the rules of the file; for "be", decide by subject and predicate."""
         text, subject = " ".join(said), said[0]
         acting = _rule(shipped_moods().acting, text)
         if acting is not None:
             return KindVerdict(acting.kind, acting.name, text)
         if subject in _MODALS and said[1:3] == ["not", "you"]:
-            # "Can't you turn left?"; "can you not turn left" forbids.
+            # "Can't you turn left?" asks; "can you not turn left" forbids.
             return KindVerdict(UtteranceKind.QUESTION, "negated_question", text)
         is_negated = "not" in said or subject == "nobody"
         affirmed = _rule(shipped_moods().acting, " ".join(word for word in said if word != "not"))
@@ -240,12 +240,12 @@ class _Front:
         if subject in _SPEAKERS and (self._verb.lemma.lower() in _OPINION_VERBS or self._verb.upos == "AUX"):
             return KindVerdict(UtteranceKind.TALK, "opinion", text)
         if rule is None or (rule.is_fact and self._form == "BASE" and self._verb.xpos != "VBP"):
-            # "Bob turn left" is no fact.
+            # "Bob turn left" is not a fact.
             return KindVerdict(UtteranceKind.REPORT, "statement", text)
         return KindVerdict(rule.kind, rule.name, text, is_fact=rule.is_fact)
 
     def _state(self, subject: str, said: Sequence[str]) -> KindVerdict:
-        """Decide of a clause with "be": where or what a thing is may be noted, how somebody feels is talk."""
+        """Decide the kind of a clause with "be": the place or type of a thing is a fact, and a feeling is talk."""
         text = " ".join(said)
         predicate = self._tree.word(self._top) if self._verb.deprel == "cop" else self._verb
         children = self._tree.children(predicate.index)
@@ -265,19 +265,19 @@ class _Front:
         return KindVerdict(UtteranceKind.REPORT, "fact" if is_fact else "statement", text, is_fact=is_fact)
 
     def _is_done(self, predicate: Word) -> bool:
-        """Whether a predicate says what was done with a thing: "closed", "put on the table"."""
+        """Whether a predicate says what was done to a thing: "closed", "put on the table"."""
         form = predicate.form.lower()
         stems = (form[:-1], form[:-2], form[:-3], form[:-3] + "y") if form.endswith("ed") else ()
         is_participle = predicate.xpos in ("VBN", "VBG")
         return is_participle or any(self._vocabulary.verbs_beginning_with(stem) for stem in stems if stem)
 
     def _without_subject(self) -> KindVerdict:
-        """Decide of a clause without a pronoun, an auxiliary or a question word in front of its verb."""
+        """Decide the kind of a clause without a pronoun, an auxiliary or a question word before its verb."""
         said, form = self._said, self._form
         text = " ".join(said)
         is_inverted = form == "BE" and not frozenset(said) & ({"NP"} | _SHOWN)
         is_asked = is_inverted and (self._is_first or self._clause.subject > self._clause.verb)
-        # "Did the door open" where the parser takes "did" for the verb.
+        # "Did the door open", if the parser takes "did" for the verb.
         if is_asked or (self._is_first and said == [form] and self._is_finite_auxiliary()):
             return KindVerdict(UtteranceKind.QUESTION, "inversion", text)
         if "not" in said and form in ("BASE", "GERUND"):
@@ -311,7 +311,7 @@ class _Front:
         return KindVerdict(UtteranceKind.TALK, "gerund", text)
 
     def _formula_words(self) -> List[str]:
-        """Return the words in front of the verb, and the form of the verb, as formulas have them."""
+        """Return the formula words before the verb, and the form of the verb."""
         skipped = self._subordinate()
         form = self._verb_form()
         said: List[str] = []
@@ -320,16 +320,16 @@ class _Front:
                 continue
             text = _formula_word(word)
             if said and said[-1] in _AUXILIARIES and word.upos in ("NOUN", "PROPN"):
-                # Who is spoken to, or somebody else: "can Bob open the door".
+                # A hearer adds nothing; anybody else is a subject: "can Bob open the door".
                 text = "" if word.form.lower() in _HEARERS else "NP"
             if said[-1:] == ["PREP"] and form == "BASE" and text in _OPINION_SUBJECTS:
-                continue  # "After that turn left": its verb would be "turns".
+                continue  # "After that turn left": with "that" as its subject, the verb would be "turns".
             if text and (text != "NP" or said[-1:] != ["NP"]):
                 said.append(text)
         return [*said, form]
 
     def _subordinate(self) -> FrozenSet[int]:
-        """Return the words of conditions and relative clauses that end in front of the verb."""
+        """Return the words of conditions and relative clauses that end before the verb."""
         found: FrozenSet[int] = frozenset()
         for word in self._before:
             relation = word.deprel.split(":")[0]
@@ -356,7 +356,7 @@ class _Front:
 
 
 def _is_decisive(text: str) -> bool:
-    """Whether a formula word tells that more than a command stands in front of a verb."""
+    """Whether a formula word shows that the words before a verb are more than a command."""
     return text in _SUBJECTS or text in _AUXILIARIES or text in _BE or text in _QUESTION_WORDS
 
 
@@ -365,7 +365,7 @@ def _rule(rules: Sequence[MoodRule], text: str) -> Optional[MoodRule]:
 
 
 def _formula_word(word: Word) -> str:
-    """Return how formulas have a word, empty for one that they do not have."""
+    """Return the formula word for a word; empty if formulas ignore it."""
     form = word.form.lower()
     said = shipped_moods().spellings.get(form, form)
     if word.deprel == "vocative" and said not in _SUBJECTS:
@@ -398,7 +398,7 @@ def _formula_word(word: Word) -> str:
 
 
 def _top(tree: DependencyTree, index: int) -> int:
-    """Return the highest word of the sentence, or of the part joined to it, that a word is in."""
+    """Return the top word above a word: the root, or the head of the joined part that contains the word."""
     word = tree.word(index)
     while word.head and word.deprel.split(":")[0] not in ("conj", "parataxis", "list"):
         word = tree.word(word.head)
@@ -406,8 +406,8 @@ def _top(tree: DependencyTree, index: int) -> int:
 
 
 def _tops(tree: DependencyTree, clauses: Sequence[Clause]) -> Dict[int, int]:
-    """Return the top of each clause by its verb; a verb that is joined to one of no clause belongs to the part of that:
-    "we are going to go ahead and look".
+    """Return the top of each clause by its verb. A verb that is joined to a verb outside all clauses belongs to the
+    part of that verb: "we are going to go ahead and look".
     """
     tops = {clause.verb: _top(tree, clause.verb) for clause in clauses}
     for verb, top in list(tops.items()):

@@ -1,4 +1,4 @@
-"""What fills a frame element: the words, and what they mean."""
+"""Makes the values of frame elements from words and amounts."""
 
 from dataclasses import replace
 from typing import FrozenSet, List, Tuple
@@ -8,9 +8,9 @@ from semantic_frames.lexical_unit import ArgumentForm
 from utterance_passes.measures import Amount
 from utterance_passes.tree import DependencyTree
 
-#: Relations of words that stand at the front of a phrase and are no part of it.
+#: Relations of words at the front of a phrase that are not part of it.
 _BEFORE_A_PHRASE = frozenset(["cc", "discourse", "mark"])
-#: Prepositions that a verb may have.
+#: Prepositions that may introduce a verb.
 _OF_VERBS = frozenset(["by"])
 
 
@@ -26,18 +26,18 @@ def phrase_value(
 
     Args:
         tree: the sentence
-        name: of the frame element
+        name: name of the frame element
         head: index of the head word
         form: which words become the argument
-        left_out: words that belong to something else
-        attached: words that belong to it though they hang elsewhere
+        left_out: positions of words that belong to something else
+        attached: positions of words that belong to the phrase although the tree attaches them elsewhere
     Returns:
-        the value; its positions include a preposition at the front, its argument does not
+        the value; its positions include a preposition at the front, but its argument does not
     """
     conjuncts = [child for child in tree.children(head) if child.deprel == "conj" and child.upos not in ("VERB", "AUX")]
     left_out |= tree.abandoned | tree.fillers - {head}
     positions = sorted((tree.subtree(head) - left_out) | attached)
-    # In "whether it is on the table" the preposition is what is asked about.
+    # In "whether it is on the table" the preposition is part of the question.
     is_clause = any(child.deprel == "cop" and child.index in positions for child in tree.children(head))
     prepositions = frozenset() if is_clause else _prepositions(tree, head)
     while len(positions) > 1 and tree.word(positions[-1]).upos == "PUNCT":
@@ -84,7 +84,7 @@ def phrase_value(
 def _prepositions(tree: DependencyTree, head: int) -> FrozenSet[int]:
     found: List[int] = []
     for child in tree.children(head):
-        # "By crossing the hall": a preposition of a verb is a mark.
+        # In "by crossing the hall" the preposition of the verb has the relation "mark".
         is_preposition = child.deprel == "case" or (child.deprel == "mark" and child.form.lower() in _OF_VERBS)
         if is_preposition and child.index < head:
             found += tree.subtree(child.index)
@@ -115,11 +115,11 @@ def amount_value(tree: DependencyTree, name: str, amount: Amount, *, is_whole: b
 
     Args:
         tree: the sentence
-        name: of the frame element
-        amount: as it was found
-        is_whole: whether the argument is the amount with its unit ("5 minutes") or the number alone ("120")
+        name: name of the frame element
+        amount: the amount
+        is_whole: whether the argument is the amount with its unit ("5 minutes") or only the number ("120")
     """
-    # The head of "60 degrees" is the unit; an element that holds the number alone has the number for its head.
+    # The head of "60 degrees" is the unit; for an element that has only the number, the head is the number.
     numeral = [position for position in amount.positions if is_whole or position != amount.unit_position]
     whole = f"{amount.digits()} {amount.unit}".strip()
     return ElementValue(
@@ -150,10 +150,10 @@ def unit_value(tree: DependencyTree, name: str, amount: Amount) -> ElementValue:
 
 
 def given_value(name: str, argument: str) -> ElementValue:
-    """Make a value that no word of the sentence stands for: a default, or something said before."""
+    """Make a value that has no words in the sentence: a default, or something that was said before."""
     return ElementValue(name=name, argument=argument, head=argument, phrase=argument)
 
 
 def resolved(value: ElementValue, argument: str) -> ElementValue:
-    """Put what a pronoun stands for in the place of the pronoun; the words that were said stay."""
+    """Replace the argument of a pronoun by its referent; the head, phrase and positions stay."""
     return replace(value, argument=argument)

@@ -1,4 +1,4 @@
-"""What is not done, and which readings are dropped: named verdicts, each with its reason, in one order."""
+"""Verdicts that refuse a clause or drop readings: each has a name and a reason, and they run in a fixed order."""
 
 from dataclasses import dataclass
 from typing import Callable, FrozenSet, Iterable, Optional, Tuple
@@ -23,6 +23,7 @@ from semantic_framer.reading import Reading, rank
 from semantic_framer.sentence import Sentence
 from semantic_framer.utterance_kind import KindVerdict, kinds_of_clauses
 from utterance_passes.clauses import Clause, inner_condition, shared_subject
+from utterance_passes.measures import amounts_of
 from utterance_passes.trace import Trace
 from utterance_passes.verb_matching import VerbMatch
 from word_classes import word_class
@@ -36,18 +37,18 @@ _REPLIES = {
     WISH: '"{said}" is something that you want to do. Tell me what I should do.',
     TALK: "I hear you. There is nothing for me to do.",
 }
-#: Replies to talk, by the name of the rule that takes it for talk.
+#: Replies to talk, by the name of the rule that classified it as talk.
 _REPLIES_TO_TALK = {"thanks": "You are welcome.", "greeting": "Hello."}
 
 
 @dataclass(frozen=True)
 class Case:
-    """What is judged.
+    """A sentence to be judged.
 
     Attributes:
         sentence: the sentence
-        clauses: all of it
-        kinds: of each clause: whether it asks for something, or asks or tells something
+        clauses: all of its clauses
+        kinds: the kind of each clause
         known: lexical units and frames
         policy: how careful to be
     """
@@ -60,11 +61,11 @@ class Case:
 
     @property
     def acts(self) -> bool:
-        """Whether any clause asks for something to be done."""
+        """Whether any clause asks the robot to do something."""
         return any(kind.acts for kind in self.kinds)
 
     def kind_of(self, clause: Clause) -> KindVerdict:
-        """Return the kind of one of the clauses."""
+        """Return the kind of a clause."""
         return self.kinds[self.clauses.index(clause)]
 
     def text_of(self, clause: Clause) -> str:
@@ -73,12 +74,16 @@ class Case:
         return self.sentence.text([index for index in words if self.sentence.word(index).upos != "PUNCT"])
 
     def is_background(self, clause: Clause) -> bool:
-        """Whether a clause is said beside a command, and tells why it is given: "*I'm thirsty*, bring me water".
+        """Whether a clause gives the reason for a command: "*I'm thirsty*, bring me water".
 
-        It has a subject and a verb of its own, and stands before another clause, or behind a mark or a conjunction:
-        "the door *we just left*" tells which door is meant.
+        Such a clause has its own subject and verb, and comes before another clause or after a mark or a conjunction.
+        "The door *we just left*" does not: it says which door is meant.
         """
+        tree = self.sentence.tree
         if not self.acts or not self.kind_of(clause).is_background:
+            return False
+        # An amount in such a clause may belong to the command: "turn left, anything but one point six radians".
+        if any(amount.unit or amount.is_doubtful for amount in amounts_of(tree, clause.positions, clause.verb)):
             return False
         if clause.verb < max(other.verb for other in self.clauses):
             return True
@@ -89,18 +94,18 @@ class Case:
 
 
 def case_of(sentence: Sentence, clauses: Tuple[Clause, ...], known: FramedLexicon, policy: Policy) -> Case:
-    """Decide of what kind each clause is, before any unit is tried."""
+    """Decide the kind of each clause, before any unit is tried."""
     return Case(sentence, clauses, kinds_of_clauses(sentence.tree, clauses, known), known, policy)
 
 
 @dataclass(frozen=True)
 class ClauseCase:
-    """A clause that is judged.
+    """A clause to be judged.
 
     Attributes:
-        of: the sentence around it
+        of: the sentence with the clause
         clause: the clause
-        matches: verbs of the lexicon that it uses
+        matches: verbs of the lexicon that the clause uses
     """
 
     of: Case
@@ -119,20 +124,20 @@ class ClauseCase:
 
     @property
     def kind(self) -> KindVerdict:
-        """Whether it asks for something, or asks or tells something."""
+        """The kind of the clause."""
         return self.of.kind_of(self.clause)
 
 
 @dataclass(frozen=True)
 class ClauseVerdict:
-    """Refuses a clause whatever its readings are."""
+    """Refuses a clause, independently of its readings."""
 
     name: str
     reason: str
     refuse: Callable[[ClauseCase], Optional[Refusal]]
 
 
-#: Whether a reading is dropped, seen beside the others.
+#: Decides whether to drop a reading, given the other readings.
 Drops = Callable[[ClauseCase, Reading, Tuple[Reading, ...]], bool]
 
 
@@ -141,10 +146,10 @@ class ReadingVerdict:
     """Drops readings of a clause.
 
     Attributes:
-        name: by which it is traced
+        name: the name in the trace
         reason: why such a reading cannot be meant
-        drops: whether a reading is dropped
-        refuse: what a person hears where none is left; None goes on to the next verdict
+        drops: decides whether to drop a reading
+        refuse: returns the refusal if no reading is left; None leaves the refusal to the next verdict
     """
 
     name: str
@@ -154,11 +159,11 @@ class ReadingVerdict:
 
 
 def asks_for_nothing(kind: KindVerdict, said: str) -> Refusal:
-    """Return the refusal of what only asks or tells something.
+    """Return the refusal of an utterance that only asks or tells something.
 
     Args:
-        kind: why nothing is to be done
-        said: the words
+        kind: its kind
+        said: its words
     """
     code = kind.kind.name
     reply = _REPLIES_TO_TALK.get(kind.reason, _REPLIES[code])
@@ -196,11 +201,11 @@ CLAUSE_VERDICTS: Tuple[ClauseVerdict, ...] = (
 )
 
 
-# --- readings that take words for what they are not
+# --- implausible readings
 
 
 def _of_any_value(judge: Callable[[Filled], bool]) -> Drops:
-    """Judge a reading by each of its values; words that its unit lists ("give me 5") are what the unit says."""
+    """Judge a reading by each of its values, except words that its unit lists ("give me 5")."""
 
     def drops(case: ClauseCase, reading: Reading, beside: Tuple[Reading, ...]) -> bool:
         frames = case.of.known.frames
@@ -213,7 +218,7 @@ def _of_any_value(judge: Callable[[Filled], bool]) -> Drops:
     return drops
 
 
-#: Each is judged beside all readings of the clause.
+#: Each verdict compares a reading with all readings of the clause.
 PLAUSIBILITY: Tuple[ReadingVerdict, ...] = (
     ReadingVerdict(
         "noun_of_another_verb",
@@ -273,7 +278,7 @@ def _says_less(case: ClauseCase, reading: Reading, beside: Tuple[Reading, ...]) 
     )
 
 
-#: Beside those that are plausible.
+#: Each verdict compares a reading with the plausible readings.
 DOMINATED: Tuple[ReadingVerdict, ...] = (
     ReadingVerdict(
         "says_less",
@@ -283,16 +288,16 @@ DOMINATED: Tuple[ReadingVerdict, ...] = (
 )
 
 
-# --- readings that are not asked for, or not as much as another one
+# --- readings that were not asked for, or that are worse than another reading
 
 
 def _is_no_fact(case: ClauseCase, reading: Reading, beside: Tuple[Reading, ...]) -> bool:
-    """ "The mug stands on the table": only a unit that is about its subject tells how something is."""
+    """ "The mug stands on the table": a unit describes a state only if it is about the subject."""
     return case.kind.is_fact and case.clause.lemma != "be" and not _is_about_its_subject(case, reading)
 
 
 def _is_about_its_performer(case: ClauseCase, reading: Reading, beside: Tuple[Reading, ...]) -> bool:
-    """ "Could you stand next to the desk": who is to do something is no thing that a unit is about."""
+    """ "Could you stand next to the desk": the subject is to act; it is not the thing that a unit is about."""
     return (
         case.kind.acts
         and _is_about_its_subject(case, reading)
@@ -327,7 +332,7 @@ def _nothing_fits(case: ClauseCase) -> Optional[Refusal]:
 
 
 def _depends_on_something(case: ClauseCase, reading: Reading, beside: Tuple[Reading, ...]) -> bool:
-    """ "Check if the oven is hot": the words fill an element and are no condition; "if" itself fills nothing."""
+    """ "Check if the oven is hot" has no condition: the words after "if" fill an element. "If" itself fills nothing."""
     positions = case.clause.condition_positions
     if not positions:
         return False
@@ -350,7 +355,7 @@ def _is_incomplete(case: ClauseCase, reading: Reading, beside: Tuple[Reading, ..
 
 
 def _is_less_likely_asked(case: ClauseCase, reading: Reading, beside: Tuple[Reading, ...]) -> bool:
-    """ "Move." asks where to as well as how far: the answer tells which was meant."""
+    """ "Move." leads to two questions, where to and how far: the answer shows which reading was meant."""
     return bool(reading.missing) and rank(reading).of_what_was_said != rank(beside[0]).of_what_was_said
 
 
@@ -370,7 +375,7 @@ def _named(reading: Reading) -> FrozenSet[int]:
     return reading.listed | frozenset(reading.verb_positions)
 
 
-#: One after the other, each beside the readings that are left, the likeliest first.
+#: The verdicts run one after the other; each compares a reading with the remaining ones, likeliest first.
 READING_VERDICTS: Tuple[ReadingVerdict, ...] = (
     ReadingVerdict("report", "It tells how something is, and the unit is not about its subject.", _is_no_fact, _report),
     ReadingVerdict("performer", "The unit is about who is to do something.", _is_about_its_performer),

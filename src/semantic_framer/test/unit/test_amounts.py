@@ -80,6 +80,8 @@ def test_what_can_be_read_plainly_is_read(
         "move two metres or ten to fifteen",
         "move forward a metre or two",
         "move forward two metres, three metres",
+        "turn four point six eight radians to three left",
+        "turn to the left anything but one point six one radians",
     ],
 )
 def test_half_of_what_was_said_is_never_done(understand: Any, text: str, policy: Policy) -> None:

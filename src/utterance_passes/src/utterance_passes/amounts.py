@@ -12,6 +12,7 @@ from typing import List, Optional, Sequence, Tuple
 
 from spoken_quantities import QuantityError, Unit, find_unit, number_words, parse_measure, parse_number
 from utterance_passes.tree import DependencyTree
+from word_classes import word_class
 
 #: The most words of an amount ("one hundred and twenty - five and a half feet and six inches").
 LONGEST = 16
@@ -24,6 +25,7 @@ _SIGNS = frozenset(["minus", "negative", "plus"])
 _NUMBER_WORDS = frozenset(number_words()) - _INSIDE - _SIGNS
 _ARTICLES = frozenset(["a", "an"])
 _FRACTION = re.compile(r"half|halves|quarters?|thirds?|fourths?|fifths?|eighths?|\d\s*/\s*\d")
+_DIRECTIONS = word_class("all_directions")
 #: Units that can also be verbs: "turn left ninety turn right" has no unit.
 _TURNS = frozenset(["turn", "circle"])
 
@@ -119,13 +121,14 @@ def is_glued(tree: DependencyTree, first: int, second: int) -> bool:
 
 
 def counts_things(tree: DependencyTree, amount: Amount) -> bool:
-    """Whether a number stands in front of the noun that it counts: "two eggs"."""
+    """Whether a number precedes the noun that it counts: "two eggs"; "to three left" counts nothing."""
     numeral = tree.word(amount.positions[-1])
     noun = tree.word(numeral.head) if numeral.head else numeral
     between = [tree.word(index) for index in range(numeral.index + 1, noun.index)]
     is_counted = numeral.deprel == "nummod" and noun.index > numeral.index and noun.upos in ("NOUN", "PROPN")
     is_next = all(word.upos in ("ADJ", "NOUN", "PROPN") for word in between)
-    return is_counted and is_next and not amount.unit and not find_unit(noun.form) and noun.lemma.lower() != "time"
+    is_thing = noun.lemma.lower() != "time" and noun.form.lower() not in _DIRECTIONS
+    return is_counted and is_next and not amount.unit and not find_unit(noun.form) and is_thing
 
 
 def is_number(tree: DependencyTree, index: int) -> bool:
