@@ -1,7 +1,7 @@
 """Finds amounts in the words of a sentence, not in its tree: the parser attaches the same words in many ways.
 
 An amount is read from the characters as they were said: the hyphen joins words in "forty-five", is a sign in "-2", and
-is neither in "2 - 3". An unread word beside an amount that changes it makes the amount doubtful
+is neither in "2 - 3". A word beside an amount that changes it, but was not read, makes it doubtful
 (:mod:`utterance_passes.measures`).
 """
 
@@ -44,7 +44,7 @@ class Amount:
         unit_position: position of the unit; 0 if there is none
         is_doubtful: whether the words say more than the amount that was read; the robot must not act on it
         ends: for a doubtful amount, the words of each amount that a person can choose: "two or three metres"
-        is_of_noun: whether it names the noun in front of it, replaces a noun, or says how often: "room 5", "the next
+        is_of_noun: whether it names the noun before it, replaces a noun, or says how often: "room 5", "the next
             one", "5 times"
     """
 

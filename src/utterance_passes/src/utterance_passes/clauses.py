@@ -132,7 +132,7 @@ def _is_then(word: Word) -> bool:
 
 
 def has_case(tree: DependencyTree, word: Word) -> bool:
-    """Whether a preposition stands in front of a word."""
+    """Whether a word has a preposition before it."""
     return any(child.deprel == "case" and child.index < word.index for child in tree.children(word.index))
 
 

@@ -1,4 +1,4 @@
-"""Records what the rules did, in order: each rule that changed or decided something in the run that counts."""
+"""Records what the rules did, in order: each rule that changed or settled something in the run that decided."""
 
 from dataclasses import dataclass, replace
 from typing import FrozenSet, Iterable, List, Tuple
