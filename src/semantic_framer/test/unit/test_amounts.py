@@ -109,6 +109,14 @@ def test_a_range_or_a_bound_is_asked_about(
     assert {key: found.get(key) for key in arguments} == arguments
 
 
+@pytest.mark.parametrize("policy", [Policy(), IGNORING], ids=["strict", "ignore"])
+def test_an_amount_belongs_to_the_verb_before_it(understand: Any, policy: Policy) -> None:
+    outcome, _ = understand("Move back 17 centimeters and turn left a three quarter turn", policy=policy)
+    assert isinstance(outcome, Understood), outcome
+    arguments = [{value.name: value.argument for value in clause[0].values} for clause in outcome.clauses]
+    assert (arguments[0]["distance"], arguments[1]["angle"]) == ("17", "0.75")
+
+
 def test_a_range_is_no_answer(understand: Any) -> None:
     outcome, context = understand("Move forward.")
     assert isinstance(outcome, Question) and outcome.code == "MISSING_ELEMENT"

@@ -142,7 +142,7 @@ def with_measured_turns(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
         is_last = all(word.upos == "PUNCT" for word in tree.words[turn.index :])
         is_share = phrase[-1].form.lower() in _PARTS_OF_A_TURN or is_ratio
         is_said = is_share or is_last or turn.form.lower() in _SEVERAL_TURNS
-        verb = before if is_made else tree.word(turn.head)
+        verb = before if is_made else _verb_before(tree, phrase[0], turn)
         if verb.upos != "VERB" or verb.index >= turn.index or not (is_made or is_said):
             continue
         edit = TreeEdit(tree)
@@ -155,6 +155,13 @@ def with_measured_turns(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
                 edit.rehang(word.index, turn.index, _OF_A_TURN.get(word.upos, word.deprel))
         tree = edit.tree()
     return tree
+
+
+def _verb_before(tree: DependencyTree, phrase: Word, turn: Word) -> Word:
+    """Return the last verb before a phrase: "move back and turn a quarter turn" turns by it, and does not move."""
+    verbs = [word for word in tree.words[: phrase.index - 1] if word.upos == "VERB"]
+    outside = [word for word in verbs if word.index not in tree.subtree(turn.index)]
+    return outside[-1] if outside else tree.word(turn.head)
 
 
 def with_sides_apart(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
