@@ -13,6 +13,7 @@ from word_classes import word_class
 
 _BEFORE_DETERMINERS = word_class("before_determiners")
 _DEGREES = word_class("degrees")
+_FORWARD_AND_BACKWARD = word_class("forward_and_backward")
 _LEFT_AND_RIGHT = word_class("left_and_right")
 _PLACING = word_class("placing_prepositions")
 _SIDES = word_class("sides")
@@ -132,6 +133,9 @@ def is_degree(filled: Filled) -> bool:
 def is_side(filled: Filled) -> bool:
     """Whether a side or a direction is taken for a thing: "take a right", or "northwards" parsed as a noun."""
     form = filled.head.form.lower()
+    # "Drive 19 in backwards" goes to no place.
+    if filled.roles & PLACES and form in _FORWARD_AND_BACKWARD and filled.head.upos == "ADV":
+        return True
     if filled.roles & THINGS and is_direction(filled.tree, filled.head.index) and form not in _SIDES:
         return True
     is_one = form in _LEFT_AND_RIGHT and not is_side_of_something(filled.tree, filled.head.index)

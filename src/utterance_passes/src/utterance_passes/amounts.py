@@ -139,11 +139,19 @@ def is_number(tree: DependencyTree, index: int) -> bool:
     if form in _ORDINALS or form in ("couple", "few"):
         return before in _ARTICLES | {"one", "-"}
     if form == "one":
-        return word.upos == "NUM"
+        return word.upos == "NUM" or _begins_range(tree, index)
     if re.fullmatch(r"\d+(st|nd|rd|th)", form):
         return False
     parts = form.split("-") if form != "-" else [form]
     return form[:1].isdigit() or (form[1:2].isdigit() and form[0] in ".+-") or all(p in _NUMBER_WORDS for p in parts)
+
+
+def _begins_range(tree: DependencyTree, index: int) -> bool:
+    """Whether "one" is the first of two numbers: "one to about three radians"; "the red one" is a thing."""
+    following = [word for word in tree.words[index : index + 3] if word.upos != "ADV"]
+    is_joined = bool(following) and following[0].form.lower() in ("to", "or")
+    is_alone = not any(child.deprel in ("det", "amod") for child in tree.children(index))
+    return is_alone and is_joined and len(following) > 1 and following[1].upos == "NUM"
 
 
 def unit_at(tree: DependencyTree, index: int) -> Optional[Unit]:
