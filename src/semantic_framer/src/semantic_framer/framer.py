@@ -8,6 +8,7 @@ from semantic_framer.choices import choices_of_amounts, choices_of_clauses, chos
 from semantic_framer.dialogue import Context, is_no
 from semantic_framer.framed_lexicon import FramedLexicon
 from semantic_framer.lexicon import Lexicon
+from semantic_framer.mood_file import UtteranceKind
 from semantic_framer.objections import against_what_runs
 from semantic_framer.outcome import (
     CORRECTION,
@@ -31,6 +32,7 @@ from semantic_framer.sentence_verdicts import (
     words_outside,
 )
 from semantic_framer.settling import Now, ask_which, resolve_and_confirm, without_positions
+from semantic_framer.utterance_kind import KindVerdict
 from semantic_framer.verdicts import Case, case_of
 from semantic_frames.frame import SemanticFrame
 from utterance_passes.clauses import Clause, find_clauses, whole_sentence
@@ -115,6 +117,8 @@ def hear(
             is_against = outcome.code in (PROHIBITION, CORRECTION)
             reason = "It is said against something that runs." if is_against else "It forbids nothing."
             trace.add("against_what_runs", after=f"{outcome.code}. {reason}")
+        if not isinstance(outcome, Understood) and outcome.code == CORRECTION:
+            trace.add("utterance_kind", after=str(KindVerdict(UtteranceKind.CORRECTION, "against_what_runs")))
         name = "understood" if isinstance(outcome, Understood) else f"{outcome.code}: {outcome.sentence}"
         trace.add("outcome", after=name)
     return replace(heard, outcome=outcome)

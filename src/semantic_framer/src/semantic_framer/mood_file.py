@@ -19,7 +19,11 @@ _KEYS = ("name", "kind", "pattern", "example")
 
 
 class UtteranceKind(Enum):
-    """The purpose of an utterance. The ``command_server`` finds stop words earlier (``command_server.stop_words``)."""
+    """The purpose of an utterance.
+
+    Cries are found earlier (``command_server.stop_words``), corrections later: only what cannot be carried out as it
+    was said may correct what runs (``semantic_framer.objections``).
+    """
 
     COMMAND = "command"
     REQUEST = "request"  # "could you ..."
