@@ -8,19 +8,6 @@ from command_server.open_commands import CommandText, Outcome
 STOP = CommandText("text-1", 1_000_000_000, "Stop and come back.")
 
 
-class Clock:
-    def __init__(self):
-        self.now_s = 100.0
-
-    def __call__(self):
-        return self.now_s
-
-
-@pytest.fixture
-def clock():
-    return Clock()
-
-
 @pytest.fixture
 def follow_ups(clock):
     return FollowUps(pause_s=1.0, now=clock)

@@ -17,19 +17,6 @@ from command_server.open_commands import (
 )
 
 
-class Clock:
-    def __init__(self):
-        self.now_s = 100.0
-
-    def __call__(self):
-        return self.now_s
-
-
-@pytest.fixture
-def clock():
-    return Clock()
-
-
 @pytest.fixture
 def commands(clock):
     return OpenCommands(dict.fromkeys(STAGES, 2.0), now=clock)

@@ -5,18 +5,6 @@ import pytest
 from command_server.pending_stops import PendingStops
 
 
-class Clock:
-    now_s = 100.0
-
-    def __call__(self):
-        return self.now_s
-
-
-@pytest.fixture
-def clock():
-    return Clock()
-
-
 @pytest.fixture
 def commands(clock):
     return PendingStops(timeout_s=1.0, now=clock)

@@ -17,19 +17,6 @@ def end_of(command, outcome=Outcome.SUPERSEDED, code="STOPPED", sentence="Stoppe
     return Ending(command, outcome, "executor", code, sentence)
 
 
-class Clock:
-    def __init__(self):
-        self.now_s = 100.0
-
-    def __call__(self):
-        return self.now_s
-
-
-@pytest.fixture
-def clock():
-    return Clock()
-
-
 @pytest.fixture
 def withdrawals(clock):
     return Withdrawals(timeout_s=10.0, now=clock)
