@@ -12,8 +12,6 @@ import rospy
 from roboframenet_msgs.msg import FilledSemanticFrameGoal
 
 import smach
-from arbitrator.plan import FilledFrame
-from arbitrator.ros_messages import frame_to_message
 from arbitrator.state_machine import OUTCOMES
 from executor import goal_tracking as tracking
 from executor.driver_settings import SettingsError
@@ -23,6 +21,8 @@ from executor.ros_driver_settings import DriverSettings
 from executor.ros_running_goals import RunningGoals
 from roboframenet_ros.ros_action_connection import ActionConnection, SentGoal
 from roboframenet_ros.suspension import SuspensionWatch
+from typed_arguments import FilledFrame, to_goal_text
+from typed_arguments.ros_messages import frame_to_message
 
 # A preemption is noticed within this time.
 _LONGEST_WAIT_S = 0.1
@@ -165,6 +165,7 @@ class ActionStep(smach.State):
         goal = tracking.send(self._frame.server, self._context.deadlines, now_s=time.monotonic())
         sent: SentGoal = connection.send(
             FilledSemanticFrameGoal(frame=frame_to_message(self._frame)),
+            header_text=_typed_arguments(self._frame),
             on_transition=lambda handle: inbox.put(_read_transition(handle)),
             on_feedback=lambda _: on_sign(),
         )
@@ -182,6 +183,15 @@ class ActionStep(smach.State):
             wait_s = min(_LONGEST_WAIT_S, max(0.001, tracking.next_deadline_s(goal) - time.monotonic()))
             with contextlib.suppress(queue.Empty):
                 goal = _apply(goal, inbox.get(timeout=wait_s))
+
+
+def _typed_arguments(frame: FilledFrame) -> str:
+    """Return the text of the typed arguments for the header of a goal; empty when they are too long for it."""
+    try:
+        return to_goal_text(frame.arguments)
+    except ValueError as error:
+        rospy.logwarn("%s gets only the texts of its arguments: %s", frame.server, error)
+        return ""
 
 
 def _read_transition(handle: actionlib.ClientGoalHandle) -> _Transition:

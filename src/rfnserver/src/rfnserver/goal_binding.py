@@ -3,6 +3,7 @@
 A goal's fields are filled from the frame elements of the same name, or as a mapping declares::
 
     target_pose: goal                                   # the element "goal"
+    side: goal.relation                                 # a part of it: "under"
     speed: {element: speed, unit: metre}                # in this unit
     angle: {element: angle, unit_element: angle_unit, unit: degree}
     mode: {element: manner, default: slow}              # words used when the element is empty
@@ -12,12 +13,14 @@ A mapping that does not fit is refused when the server registers, with the field
 """
 
 import difflib
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any, Callable, Dict, Iterable, List, Mapping, Optional, Sequence, Tuple, Union
 
 from rfnserver.arguments import ArgumentError
 from rfnserver.goal_types import Filling, GoalField
 from spoken_quantities import QuantityError, find_unit, parse_measure
+from typed_arguments import TypedArgument
+from typed_arguments.parts import PARTS
 from word_classes import word_class
 
 SOURCE_KEYS = ("element", "unit_element", "unit", "default", "value")
@@ -49,6 +52,7 @@ class FieldSource:
     Attributes:
         field: to be filled
         element: whose argument fills it, empty when ``value`` does
+        part: the part of that argument, see :mod:`typed_arguments.parts`; empty for its text or its measure
         unit_element: the element that holds the unit of a number, empty for none
         unit: of the field; empty for metres, radians and seconds
         default: words used when the element has no argument
@@ -57,6 +61,7 @@ class FieldSource:
 
     field: GoalField
     element: str = ""
+    part: str = ""
     unit_element: str = ""
     unit: str = ""
     default: str = ""
@@ -76,9 +81,13 @@ class GoalPlan:
     unfilled: Tuple[str, ...] = ()
 
     def __str__(self) -> str:
-        filled = ", ".join(f"{source.field.path} <- {source.element or repr(source.value)}" for source in self.sources)
+        filled = ", ".join(f"{source.field.path} <- {_spelled(source)}" for source in self.sources)
         text = filled or "no field is filled"
         return f"{text}; at their default: {', '.join(self.unfilled)}" if self.unfilled else text
+
+
+def _spelled(source: FieldSource) -> str:
+    return ".".join(filter(None, (source.element, source.part))) or repr(source.value)
 
 
 def plan_goal(
@@ -149,9 +158,10 @@ def mapped_elements(mapping: Optional[Mapping[str, Declaration]]) -> Tuple[str, 
     names: List[str] = []
     for declaration in (mapping or {}).values():
         if isinstance(declaration, str):
-            names.append(declaration)
+            names.append(declaration.partition(".")[0])
         elif isinstance(declaration, Mapping):
-            names.extend(str(declaration[key]) for key in ("element", "unit_element") if declaration.get(key))
+            said = (str(declaration[key]) for key in ("element", "unit_element") if declaration.get(key))
+            names.extend(name.partition(".")[0] for name in said)
     return tuple(names)
 
 
@@ -179,7 +189,7 @@ def _declared(
         problems.append(f"{path}: words cannot fill a {field.type_name}")
         return None
     if isinstance(declaration, str):
-        return FieldSource(field=field, element=declaration)
+        return _of_part(FieldSource(field=field, element=declaration), problems)
     if not isinstance(declaration, Mapping):
         problems.append(f"{path}: expected an element or a mapping of {', '.join(SOURCE_KEYS)}, found {declaration!r}")
         return None
@@ -190,7 +200,9 @@ def _declared(
     if ("element" in texts) == ("value" in texts):
         problems.append(f"{path}: needs either 'element' or 'value'")
         return None
-    source = FieldSource(field=field, **texts)
+    source = _of_part(FieldSource(field=field, **texts), problems)
+    if source is None:
+        return None
     if source.unit and find_unit(source.unit) is None:
         problems.append(f"{path}: I do not know the unit '{source.unit}'")
         return None
@@ -203,12 +215,21 @@ def _declared(
     return source
 
 
+def _of_part(source: FieldSource, problems: List[str]) -> Optional[FieldSource]:
+    """Split the name of an element from that of a part: "goal.relation"."""
+    element, _, part = source.element.partition(".")
+    if part and part not in PARTS:
+        problems.append(f"{source.field.path}: an argument has no part '{part}'{_offer(part, PARTS)}")
+        return None
+    return replace(source, element=element, part=part)
+
+
 def _no_place(words: str) -> Any:
     raise ArgumentError(f"no place {words}")
 
 
 def goal_values(
-    plan: GoalPlan, arguments: Mapping[str, str], *, locate: Callable[[str], Any] = _no_place
+    plan: GoalPlan, arguments: Mapping[str, TypedArgument], *, locate: Callable[[str], Any] = _no_place
 ) -> Dict[str, Any]:
     """Return the values of a goal's fields, by path.
 
@@ -221,16 +242,43 @@ def goal_values(
     """
     values: Dict[str, Any] = {}
     for source in plan.sources:
-        words = source.value or arguments.get(source.element, "") or source.default
+        argument = arguments.get(source.element) or TypedArgument()
+        unit = arguments.get(source.unit_element) or TypedArgument()
+        said = argument.text if not source.part else PARTS[source.part](argument)
+        words = source.value or ("" if said is None else str(said)) or source.default
         if not words:
             continue
-        unit = arguments.get(source.unit_element, "") if source.unit_element else ""
         try:
-            values[source.field.path] = _value(source, f"{words} {unit}".strip(), locate=locate)
+            if not source.part and argument.text:
+                values[source.field.path] = _argument_value(source, argument, unit.text, locate)
+            else:
+                values[source.field.path] = _value(source, f"{words} {unit.text}".strip(), locate=locate)
         except ArgumentError as error:
             named = (source.element or source.field.path).replace("_", " ")
             raise ArgumentError(f"I cannot use the {named}: {error}") from error
     return values
+
+
+def _argument_value(source: FieldSource, argument: TypedArgument, unit: str, locate: Callable[[str], Any]) -> Any:
+    """Return the value of a whole argument; its members and its measure need no second reading."""
+    field = source.field
+    if field.is_list and argument.members:
+        return [_argument_value_of_one(source, member, "", locate) for member in argument.members]
+    if field.is_list:
+        return _value(source, f"{argument.text} {unit}".strip(), locate=locate)
+    return _argument_value_of_one(source, argument, unit, locate)
+
+
+def _argument_value_of_one(
+    source: FieldSource, argument: TypedArgument, unit: str, locate: Callable[[str], Any]
+) -> Any:
+    wanted = find_unit(source.unit) if source.unit else None
+    quantity = "duration" if source.field.filling is Filling.DURATION else wanted.quantity if wanted else ""
+    measure = argument.measure
+    is_number = source.field.filling in (Filling.FLOAT, Filling.DURATION)
+    if is_number and measure is not None and measure.si is not None and measure.kind == quantity:
+        return measure.si / (wanted.si_factor if wanted else 1.0)
+    return _single(source, f"{argument.text} {unit}".strip(), locate=locate)
 
 
 def _value(source: FieldSource, words: str, *, locate: Callable[[str], Any]) -> Any:

@@ -6,7 +6,6 @@ from typing import Any, Callable, Iterable, Mapping, Optional, Tuple
 import rospy
 from actionlib_msgs.msg import GoalStatus
 from roboframenet_msgs.msg import (
-    FilledSemanticFrame,
     FilledSemanticFrameAction,
     FilledSemanticFrameFeedback,
     FilledSemanticFrameGoal,
@@ -31,13 +30,14 @@ from rfnserver.ros_goal_messages import fields_of, fill, goal_type_of
 from rfnserver.ros_places import Places, UnknownPlace
 from rfnserver.ros_quiet_action_server import QuietSimpleActionServer
 from rfnserver.ros_registration import Registration
+from rfnserver.ros_typed_frame import TypedFrame, typed_frame
 from roboframenet_ros.ros_service import ServiceError, call_service
 
 #: A server takes frames under its name and this suffix.
 FRAME_SUFFIX = "/frame"
 CATALOGUE_TIMEOUT_S = 2.0
 
-FrameToGoal = Callable[[FilledSemanticFrame], Any]
+FrameToGoal = Callable[[TypedFrame], Any]
 
 
 class GoalMaker:
@@ -72,13 +72,13 @@ class GoalMaker:
         """
         return plan_goal(self._fields, elements, mapping=self._mapping, ignored_elements=self._ignored)
 
-    def make(self, frame: FilledSemanticFrame) -> Any:
+    def make(self, frame: TypedFrame) -> Any:
         """Return the message for a filled frame.
 
         Raises:
             ArgumentError: an argument does not fit its field
         """
-        arguments = {element.name: element.argument for element in frame.frame_elements}
+        arguments = {argument.name: argument for argument in frame.arguments}
         try:
             # An element that was not said may be missing; core elements were checked when the server registered.
             names = dict.fromkeys((*arguments, *mapped_elements(self._mapping), *self._ignored))
@@ -177,9 +177,9 @@ class FrameAdapter:
     def _check(self, frame_name: str) -> Tuple[bool, str]:
         return check_frame(frame_name, self._maker)
 
-    def _execute(self, goal: FilledSemanticFrameGoal) -> None:
+    def _execute(self, _goal: FilledSemanticFrameGoal) -> None:
         try:
-            own_goal = self._callback(goal.frame)
+            own_goal = self._callback(typed_frame(self._server.current_goal.goal))
         except ArgumentError as error:
             self._server.set_aborted(None, str(error))
             return

@@ -132,7 +132,7 @@ def _follow() -> int:
 
 def _steps(candidate: Candidate) -> str:
     return ", then ".join(
-        f"{frame.name}({', '.join(f'{name}={text}' for name, text in frame.arguments)}) on {frame.server}"
+        f"{frame.name}({', '.join(f'{name}={text}' for name, text in frame.texts)}) on {frame.server}"
         for frame in candidate.frames
     )
 
