@@ -188,10 +188,13 @@ class FullGraphTest(unittest.TestCase):
         reply = self.say_and_wait("Wave at Alice.")
         self.assertEqual(reply.outcome, Reply.DONE, reply.sentence)
         self.assertEqual(self.waves, [{"addressee": "Alice"}])
-        reply = self.say_and_wait("Wave at two of Alice's red boxes under the table.")
+        reply = self.say_and_wait("Wave at Alice's two red boxes under the table.")
         self.assertEqual(reply.outcome, Reply.DONE, reply.sentence)
         meant = self.meant[-1]
-        self.assertEqual((meant.text, meant.relation), ("two of Alice's red boxes under the table", "at"))
+        self.assertEqual(
+            (meant.text, meant.words, meant.relation),
+            ("boxes", "at Alice's two red boxes under the table", "at"),
+        )
         self.assertEqual((meant.head, meant.count, meant.possessor.text), ("boxes", 2, "Alice"))
         self.assertEqual([modifier.word for modifier in meant.modifiers], ["red"])
         (place,) = meant.frames[0].frame_elements
