@@ -117,17 +117,19 @@ class FrameRegistrar:
     def _add_file(self, path: str) -> bool:
         """Add one frame file; return whether it is in the graph now. The problems are logged and published."""
         problems: Tuple[Problem, ...] = ()
-        with self._lock:
-            try:
-                text = read_text(path)
-                self._add_frame(load_frame(text, path))
+        try:
+            # Commands need the lock, so the file is read before.
+            text = read_text(path)
+            frame = load_frame(text, path)
+            with self._lock:
+                self._add_frame(frame)
                 self._texts[path] = text
-            except FileRefused as refused:
-                problems = refused.problems
-                for problem in problems:
-                    rospy.logerr("refused: %s", problem)
-            self._problems = replace_problems(self._problems, path, problems)
-            self._file_problems.publish(to_file_problems(self._problems))
+        except FileRefused as refused:
+            problems = refused.problems
+        for problem in problems:
+            rospy.logerr("refused: %s", problem)
+        self._problems = replace_problems(self._problems, path, problems)
+        self._file_problems.publish(to_file_problems(self._problems))
         return not problems
 
     def _add_frame(self, frame: SemanticFrame) -> None:
