@@ -44,6 +44,8 @@ class Settings(Parameters):
         preempt_timeout_s: for a goal to end after the first cancel
         cancel_period_s: between two cancels
         result_timeout_s: for the result after a terminal status
+        suspicion_s: silence after which the process of a server is asked whether it lives
+        longest_goal_s: from the acceptance to the end of a goal
         settings_timeout_s: for a node to be reconfigured
         max_clients: connections to servers that are kept
         introspection: publish the topics of smach_viewer
@@ -57,6 +59,8 @@ class Settings(Parameters):
     preempt_timeout_s: float = parameter(5.0, least=0.05, most=600.0)
     cancel_period_s: float = parameter(0.5, least=0.05, most=600.0)
     result_timeout_s: float = parameter(2.0, least=0.05, most=600.0)
+    suspicion_s: float = parameter(1.0, least=0.05, most=600.0)
+    longest_goal_s: float = parameter(3600.0, least=0.05, most=1e6)
     settings_timeout_s: float = parameter(3.0, least=0.05, most=600.0)
     max_clients: int = parameter(32, least=1, most=1000)
     introspection: bool = parameter(True)
@@ -70,6 +74,8 @@ class Settings(Parameters):
             preempt_s=self.preempt_timeout_s,
             cancel_period_s=self.cancel_period_s,
             result_s=self.result_timeout_s,
+            suspicion_s=self.suspicion_s,
+            execution_s=self.longest_goal_s,
         )
 
 

@@ -77,6 +77,10 @@ class _Sign:
     """The server published its status or feedback."""
 
 
+class _Death:
+    """The process of the server has ended."""
+
+
 class ActionStep(smach.State):
     """Sends the frame as a goal and follows it to its end.
 
@@ -169,6 +173,8 @@ class ActionStep(smach.State):
             on_feedback=lambda _: on_sign(),
         )
         self._context.running_goals.note(self._frame.server, sent.goal_id)
+        # Asked later: a process that ends properly takes its address along.
+        uri = connection.node_uri()
         while True:
             if self._is_to_end:
                 goal = tracking.ask_preempt(goal, now_s=time.monotonic())
@@ -179,6 +185,8 @@ class ActionStep(smach.State):
                 connection.cancel(sent)
             if goal.is_ended:
                 return goal
+            if step.is_question_due:
+                connection.ask_whether_gone(uri, lambda: inbox.put(_Death()))
             wait_s = min(_LONGEST_WAIT_S, max(0.001, tracking.next_deadline_s(goal) - time.monotonic()))
             with contextlib.suppress(queue.Empty):
                 goal = _apply(goal, inbox.get(timeout=wait_s))
@@ -197,6 +205,8 @@ def _read_transition(handle: actionlib.ClientGoalHandle) -> _Transition:
 
 def _apply(goal: Goal, heard: object) -> Goal:
     now_s = time.monotonic()
+    if isinstance(heard, _Death):
+        return tracking.hear_death(goal, now_s=now_s)
     if not isinstance(heard, _Transition):
         return tracking.hear_sign(goal, now_s=now_s)
     if heard.is_done:
