@@ -9,7 +9,7 @@ from unittest import mock
 
 import actionlib
 import rospy
-from actionlib_msgs.msg import GoalStatus, GoalStatusArray
+from actionlib_msgs.msg import GoalID, GoalStatus, GoalStatusArray
 from roboframenet_msgs.msg import (
     FilledFrameElement,
     FilledSemanticFrame,
@@ -129,6 +129,31 @@ class RFNServerTest(unittest.TestCase):
         self.serve("counting", lambda _frame: None)
         for _ in range(100):
             self.assertEqual(Goal("counting", FilledSemanticFrame()).wait(), GoalStatus.SUCCEEDED)
+
+    def test_clock_that_was_set_back_leaves_the_server_usable(self) -> None:
+        asked = threading.Event()
+
+        def rest(frame: FilledSemanticFrame) -> None:
+            if frame.name == "long":
+                asked.wait(60.0)
+
+        server = self.serve("resting", rest)
+        server.register_preempt_callback(asked.set)
+        cancel = rospy.Publisher("resting/cancel", GoalID, queue_size=10)
+        wait_until(lambda: cancel.get_num_connections() == 1)
+        # Stamps from before the clock was set back are in the future.
+        later = mock.patch.object(rospy.Time, "now", lambda now=rospy.Time.now: now() + rospy.Duration(3600.0))
+        with later:
+            self.assertEqual(Goal("resting", FilledSemanticFrame()).wait(), GoalStatus.SUCCEEDED)
+            running = Goal("resting", FilledSemanticFrame(name="long"))
+            wait_until(server.is_active)
+        cancel.publish(GoalID(stamp=rospy.Time.now()))
+        self.assertEqual(running.wait(), GoalStatus.PREEMPTED)
+        self.assertEqual(Goal("resting", FilledSemanticFrame()).wait(), GoalStatus.SUCCEEDED)
+        with later:
+            cancel.publish(GoalID(stamp=rospy.Time.now()))
+            wait_until(lambda: not server.action_server.last_cancel.is_zero())
+        self.assertEqual(Goal("resting", FilledSemanticFrame()).wait(), GoalStatus.SUCCEEDED)
 
     def test_idle_server_is_silent_and_still_found(self) -> None:
         self.serve("sleeping", lambda _frame: None)
