@@ -176,7 +176,8 @@ class ExecutorNode:
         if isinstance(event, CommandPlan):
             self._hear_plan(event)
         elif isinstance(event, StopReport):
-            self._follow(command_queue.stop(self._commands, event.stop_stamp.to_nsec()))
+            now_ns = rospy.Time.now().to_nsec()
+            self._follow(command_queue.stop(self._commands, event.stop_stamp.to_nsec(), now_ns=now_ns))
         elif isinstance(event, Command):
             self._follow(command_queue.cancel(self._commands, event.id))
         elif isinstance(event, _Note):
