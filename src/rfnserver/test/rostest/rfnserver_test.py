@@ -1,6 +1,7 @@
 #!/usr/bin/python3
 """RFNServer against a registrar that lives in the test: goals, preemption, registration."""
 
+import tempfile
 import threading
 import time
 import unittest
@@ -17,8 +18,16 @@ from roboframenet_msgs.msg import (
     FilledSemanticFrameGoal,
     FrameCallback,
     FrameCatalogue,
+    Lexicon,
 )
-from roboframenet_msgs.srv import RegisterWithFrame, RegisterWithFrameRequest, RegisterWithFrameResponse
+from roboframenet_msgs.srv import (
+    AddLexicalUnit,
+    AddLexicalUnitRequest,
+    AddLexicalUnitResponse,
+    RegisterWithFrame,
+    RegisterWithFrameRequest,
+    RegisterWithFrameResponse,
+)
 
 from rfnserver import RFNServer
 from rfnserver.registration import RequestKind
@@ -77,6 +86,24 @@ class Registrar:
         self.requests.append(request)
         self._publish()
         return RegisterWithFrameResponse(success=True)
+
+
+class Framer:
+    """A framer that refuses every file, and tells its lexicon each time."""
+
+    def __init__(self) -> None:
+        self.refused = 0
+        self._publisher = rospy.Publisher("lexicon", Lexicon, queue_size=1000, latch=True)
+        self._service = rospy.Service("add_lexical_unit", AddLexicalUnit, self._on_add)
+        self.publish()
+
+    def publish(self) -> None:
+        self._publisher.publish(Lexicon(framer_id="framer"))
+
+    def _on_add(self, _request: AddLexicalUnitRequest) -> AddLexicalUnitResponse:
+        self.refused += 1
+        self.publish()
+        return AddLexicalUnitResponse(success=False)
 
 
 class RFNServerTest(unittest.TestCase):
@@ -176,6 +203,29 @@ class RFNServerTest(unittest.TestCase):
         server = RFNServer("intruding", lambda _frame: None)
         self.assertFalse(server.register_with_frame("forbidden"))
         self.assertEqual(server.last_error, "not this one")
+
+    def test_file_that_was_refused_makes_no_storm_of_requests(self) -> None:
+        framer = Framer()
+        server = RFNServer("stubborn", lambda _frame: None)
+        with tempfile.NamedTemporaryFile("w", suffix=".yaml") as file:
+            self.assertFalse(server.add_lexical_unit(file.name))
+            self.assertIn("file_problems", server.last_error)
+            # Each lexicon makes the server look for what is missing.
+            for _ in range(100):
+                framer.publish()
+                time.sleep(0.005)
+            # The first lexicon told which framer this is, and that counts as a change.
+            self.assertLessEqual(framer.refused, 2)
+            refused = framer.refused
+            file.write("frame_name: waving\n")
+            file.flush()
+            framer.publish()
+            wait_until(lambda: framer.refused == refused + 1, message="the changed file is not offered again")
+
+    def test_file_that_does_not_exist_is_said(self) -> None:
+        server = RFNServer("lost", lambda _frame: None)
+        self.assertFalse(server.add_lexical_unit("/no/such/unit.yaml"))
+        self.assertEqual(server.last_error, "no such file")
 
     def test_shutdown_during_the_first_registration_ends_it(self) -> None:
         # Once it shuts down, rospy calls a hook as soon as it is added.
