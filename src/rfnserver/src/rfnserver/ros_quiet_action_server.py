@@ -178,7 +178,7 @@ class QuietSimpleActionServer(actionlib.SimpleActionServer):
                 if self.need_to_terminate:
                     return
             with self.execute_condition:
-                if not self.is_new_goal_available():
+                if not self.is_new_goal_available() and not self.need_to_terminate:
                     self.execute_condition.wait(WAKE_UP_S)
             if self.is_new_goal_available() and not rospy.is_shutdown():
                 self._run_callback(self.accept_new_goal())
@@ -196,5 +196,7 @@ class QuietSimpleActionServer(actionlib.SimpleActionServer):
                 self.set_aborted(None, f"{type(error).__name__}: {error}")
 
     def _wake_up(self) -> None:
-        with self.execute_condition:
+        """End the loop; called by rospy at shutdown, while is_shutdown() may still be false."""
+        with self.terminate_mutex, self.execute_condition:
+            self.need_to_terminate = True
             self.execute_condition.notify_all()

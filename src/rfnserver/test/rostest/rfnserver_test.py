@@ -29,7 +29,7 @@ from roboframenet_msgs.srv import (
     RegisterWithFrameResponse,
 )
 
-from rfnserver import RFNServer
+from rfnserver import RFNServer, ros_quiet_action_server
 from rfnserver.registration import RequestKind
 from rfnserver.ros_registration import Registration
 from roboframenet_testing import wait_until
@@ -190,6 +190,19 @@ class RFNServerTest(unittest.TestCase):
         time.sleep(1.0)
         self.assertEqual(len(statuses), 1)
         subscriber.unregister()
+
+    def test_idle_server_ends_at_once_when_ros_shuts_down(self) -> None:
+        hooks: List[Callable[[], None]] = []
+        with mock.patch.object(ros_quiet_action_server, "WAKE_UP_S", 1e5), mock.patch.object(
+            rospy, "on_shutdown", hooks.append
+        ):
+            server = self.serve("ending", lambda _frame: None)
+            self.assertEqual(Goal("ending", FilledSemanticFrame()).wait(), GoalStatus.SUCCEEDED)
+            # While the hooks run, rospy.is_shutdown() is still false.
+            for hook in hooks:
+                hook()
+            server.execute_thread.join(60.0)
+        self.assertFalse(server.execute_thread.is_alive())
 
     def test_registers_again_with_a_registrar_that_restarted(self) -> None:
         server = RFNServer("returning", lambda _frame: None)
