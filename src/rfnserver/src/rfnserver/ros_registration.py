@@ -28,6 +28,11 @@ RETRY_S = 10.0
 FrameCheck = Callable[[str], Tuple[bool, str]]
 
 
+def public_name(name: str) -> str:
+    """Return the name under which other nodes find a server: a private one ("~gripper") names its node."""
+    return str(rospy.resolve_name(name)) if name.startswith("~") else name
+
+
 class Registration:
     """The registration requests of one server, and a thread that repeats them.
 
@@ -40,10 +45,10 @@ class Registration:
     def __init__(self, server_name: str, *, check: Optional[FrameCheck] = None) -> None:
         """
         Args:
-            server_name: name of the action server, as it is registered
+            server_name: name of the action server
             check: returns whether a frame is known, and why this server cannot carry it out; empty when it can
         """
-        self._server_name = server_name
+        self._server_name = public_name(server_name)
         self._check = check
         #: Frames that were registered before their file was added: they are checked afterwards.
         self._unchecked: Set[str] = set()

@@ -5,12 +5,13 @@ import tempfile
 import threading
 import time
 import unittest
-from typing import Any, Callable, List
+from typing import Any, Callable, List, Set
 from unittest import mock
 
 import actionlib
 import rospy
 from actionlib_msgs.msg import GoalID, GoalStatus, GoalStatusArray
+from actionlib_tutorials.msg import FibonacciAction
 from roboframenet_msgs.msg import (
     FilledFrameElement,
     FilledSemanticFrame,
@@ -207,10 +208,29 @@ class RFNServerTest(unittest.TestCase):
     def test_registers_again_with_a_registrar_that_restarted(self) -> None:
         server = RFNServer("returning", lambda _frame: None)
         self.assertTrue(server.register_with_frame("coming_back"))
+
+        def frames() -> Set[str]:
+            requests = [request for request in self.registrar.requests if request.callback_topic == "returning"]
+            return {request.frame_name for request in requests}
+
         # Twice, where the catalogue of before the registration arrives after it; that does no harm.
-        self.assertEqual({request.callback_topic for request in self.registrar.requests}, {"returning"})
+        self.assertEqual(frames(), {"coming_back"})
         self.registrar.restart("second")
-        wait_until(lambda: {request.frame_name for request in self.registrar.requests} == {"coming_back"})
+        wait_until(lambda: frames() == {"coming_back"})
+
+    def test_private_name_is_registered_as_the_one_that_others_use(self) -> None:
+        frames = RFNServer("~gripping", lambda _frame: None)
+        ported = RFNServer(
+            "~fibonacci", FibonacciAction, execute_cb=lambda _goal: ported.set_succeeded(), auto_start=False
+        )
+        for server in (frames, ported):
+            self.assertTrue(server.register_with_frame("gripping"), server.last_error)
+            server.start()
+        names = [request.callback_topic for request in self.registrar.requests if request.frame_name == "gripping"]
+        self.assertEqual(set(names), {f"{rospy.get_name()}/gripping", f"{rospy.get_name()}/fibonacci/frame"})
+        for name in set(names):
+            frame = FilledSemanticFrame(frame_elements=[FilledFrameElement("order", "3")])
+            self.assertEqual(Goal(name, frame).wait(), GoalStatus.SUCCEEDED)
 
     def test_refusal_is_false_with_the_reason(self) -> None:
         server = RFNServer("intruding", lambda _frame: None)
