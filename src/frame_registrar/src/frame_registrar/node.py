@@ -83,6 +83,7 @@ class FrameRegistrar:
         self._adding = threading.Lock()
         self._graph = FrameGraph()
         self._texts: Dict[str, str] = {}
+        self._name_of_file: Dict[str, str] = {}
         self._problems: Tuple[Problem, ...] = ()
         self._id = uuid.uuid4().hex
         self._catalogue = rospy.Publisher("frame_catalogue", FrameCatalogue, queue_size=1, latch=True)
@@ -138,10 +139,11 @@ class FrameRegistrar:
         if before is not None and before.path != frame.path:
             rospy.logwarn("frame '%s' of %s replaces that of %s", frame.name, frame.path, before.path)
             self._texts.pop(before.path, None)
-        for name in [name for name, other in self._graph.frames.items() if other.path == frame.path]:
-            if name != frame.name:
-                rospy.loginfo("frame '%s' is removed: %s now describes '%s'", name, frame.path, frame.name)
-                self._graph.remove(name)
+        old = self._graph.frame(self._name_of_file.get(frame.path, ""))
+        if old is not None and old.name != frame.name and old.path == frame.path:
+            rospy.loginfo("frame '%s' is removed: %s now describes '%s'", old.name, frame.path, frame.name)
+            self._graph.remove(old.name)
+        self._name_of_file[frame.path] = frame.name
 
     def _on_add_frame(self, request: AddFrameRequest) -> AddFrameResponse:
         path = request.absolute_file_path
