@@ -11,6 +11,8 @@ import smach
 from arbitrator.plan import Plan, clauses
 from arbitrator.state_machine import build_state_machine, plan_label
 from executor.goal_tracking import Goal, GoalDeadlines, as_sentence
+from executor.patience import Patience
+from executor.quarantine import Quarantine
 from executor.replies import ClauseRun
 from executor.ros_action_clients import ActionClients
 from executor.ros_action_step import ActionStep, StepContext
@@ -50,6 +52,8 @@ class CommandRun:
         settings: DriverSettings,
         running_goals: RunningGoals,
         deadlines: GoalDeadlines,
+        quarantine: Quarantine,
+        patience: Patience,
         on_note: Callable[[str], None],
         on_end: Callable[["CommandRun", RunResult], None],
         introspection: Introspection,
@@ -63,6 +67,8 @@ class CommandRun:
             settings: what the servers need of other nodes
             running_goals: goals that are cancelled after this process was killed
             deadlines: of each goal
+            quarantine: servers that are out of use
+            patience: how long the command may go on
             on_note: called from the thread of the run with a sentence for each step
             on_end: called with the result, last, from the thread of the run
             introspection: of the machine
@@ -83,6 +89,8 @@ class CommandRun:
             settings=settings,
             running_goals=running_goals,
             deadlines=deadlines,
+            quarantine=quarantine,
+            patience=patience,
             is_preempt_asked=self._is_preempt_asked,
             suspension=suspension,
             on_begin=self._begin_step,

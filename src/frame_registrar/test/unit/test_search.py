@@ -326,3 +326,44 @@ def test_search_finds_what_brute_force_finds(seed: int) -> None:
     expected = list(dict.fromkeys(brute_force(children, servers, "f0")))
     found = search(graph, [[reading("f0")]], max_candidates=100000)
     assert (servers_of(found) if not isinstance(found, Refusal) else []) == expected, f"seed {seed}"
+
+
+@pytest.mark.parametrize("step", [1, -1])
+def test_chain_that_is_deeper_than_the_stack_is_searched(step: int) -> None:
+    depth = 3000
+    chain = [f"name: f{number}\nchildren: [{{name: f{number + 1}}}]" for number in range(depth)]
+    graph = graph_of(*chain[::step], f"name: f{depth}", servers=((f"f{depth}", "last"),))
+    (candidate,) = only(search(graph, [[reading("f0")]], max_candidates=64))
+    assert [(frame.name, frame.server) for frame in candidate.frames] == [(f"f{depth}", "last")]
+    graph.set_dead(frozenset(["last"]))
+    refusal = search(graph, [[reading("f0")]], max_candidates=64)
+    assert isinstance(refusal, Refusal) and refusal.code == "NO_SERVER"
+
+
+def test_long_sequence_is_searched() -> None:
+    length = 2000
+    members = ", ".join(f"{{name: m{number}}}" for number in range(length))
+    graph = graph_of(f"name: all\nchildren: [[{members}]]", *(f"name: m{number}" for number in range(length)))
+    for number in range(length):
+        graph.register(f"m{number}", "server")
+    (candidate,) = only(search(graph, [[reading("all")]], max_candidates=64))
+    assert [frame.name for frame in candidate.frames] == [f"m{number}" for number in range(length)]
+
+
+def test_alternatives_come_in_the_order_of_the_files() -> None:
+    graph = graph_of(
+        "name: whole\nchildren:\n  - [{name: a}, {name: b}]\n  - {name: c}",
+        "name: a",
+        "name: b",
+        "name: c",
+        servers=(("a", "a1"), ("a", "a2"), ("b", "b1"), ("b", "b2"), ("c", "c1"), ("whole", "w")),
+    )
+    candidates = only(search(graph, [[reading("whole")]], max_candidates=64))
+    assert [" ".join(frame.server for frame in candidate.frames) for candidate in candidates] == [
+        "w",
+        "a1 b1",
+        "a1 b2",
+        "a2 b1",
+        "a2 b2",
+        "c1",
+    ]

@@ -29,7 +29,7 @@ from rfnserver.ros_goal_forwarding import ForwardedEnd, GoalForwarder
 from rfnserver.ros_goal_messages import fields_of, fill, goal_type_of
 from rfnserver.ros_places import Places, UnknownPlace
 from rfnserver.ros_quiet_action_server import QuietSimpleActionServer
-from rfnserver.ros_registration import Registration
+from rfnserver.ros_registration import Registration, public_name
 from rfnserver.ros_typed_frame import TypedFrame, typed_frame
 from roboframenet_ros.ros_service import ServiceError, call_service
 
@@ -141,7 +141,7 @@ class FrameAdapter:
             mapping: see :mod:`rfnserver.goal_binding`
             ignored_elements: core elements that need not fill a field
         """
-        self._name = name
+        name = self._name = public_name(name)
         self._action_type = action_type
         self._lock = threading.Lock()
         self._is_started = False
