@@ -256,6 +256,10 @@ class Concurrence(Container):
         if outcome not in registered:
             logerr(f"{who} returned the outcome '{outcome}', which is not registered: {sorted(registered)}")
 
+    def is_run_by_this_thread(self) -> bool:
+        """Tell whether the thread that asks executes the concurrence or a state in it."""
+        return threading.current_thread() in self._threads.values() or super().is_run_by_this_thread()
+
     # Preemption
 
     def request_preempt(self) -> None:

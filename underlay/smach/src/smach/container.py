@@ -165,8 +165,11 @@ class Container(State):
         return self._is_running
 
     def is_run_by_this_thread(self) -> bool:
-        """Tell whether the container executes now, in the thread that asks: then it cannot go on while that waits."""
-        return self._running_thread == threading.get_ident()
+        """Tell whether the thread that asks executes the container or a state in it: it must not wait for the end."""
+        if self._running_thread == threading.get_ident():
+            return True
+        children = self.get_children().values() if self._is_running else ()
+        return any(isinstance(child, Container) and child.is_run_by_this_thread() for child in children)
 
     @contextlib.contextmanager
     def _marked_as_running(self) -> Iterator[None]:
