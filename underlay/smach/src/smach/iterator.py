@@ -5,7 +5,7 @@ from typing import Any, Callable, Dict, Iterable, List, Mapping, Optional, Tuple
 
 from smach.container import Container
 from smach.exceptions import InvalidStateError, InvalidTransitionError, InvalidUserCodeError
-from smach.log import logdebug, logerr
+from smach.log import logerr, loginfo
 from smach.state import State
 from smach.user_data import UserData
 from smach.util import is_shutdown
@@ -73,7 +73,7 @@ class Iterator(Container):
             label: its name in the iterator
             state: what runs for each item
             loop_outcomes: outcomes that lead to the next item; when given, every other outcome ends the iteration
-            break_outcomes: outcomes that end the iteration
+            break_outcomes: outcomes that end the iteration; when given, every other outcome leads to the next item
             final_outcome_map: from the outcome that ended the iteration to the outcome of the iterator
         """
         iterator = Iterator._currently_opened_container()
@@ -101,7 +101,9 @@ class Iterator(Container):
             )
 
     def _ends(self, outcome: str) -> bool:
-        return outcome in self._break_outcomes or bool(self._loop_outcomes and outcome not in self._loop_outcomes)
+        if self._break_outcomes:
+            return outcome in self._break_outcomes
+        return bool(self._loop_outcomes) and outcome not in self._loop_outcomes
 
     def execute(self, parent_ud: Any = None) -> Optional[str]:
         """Run the state for each item.
@@ -161,7 +163,7 @@ class Iterator(Container):
             if is_shutdown():
                 return None
             self.userdata[self._items_label] = item
-            logdebug(f"Iterator runs '{self._label}' for {item!r}")
+            loginfo(f"Iterator runs '{self._label}' for {item!r}")
             with self._lock:
                 # A request between two items went to the state that had just ended.
                 state.recall_preempt()

@@ -51,7 +51,7 @@ class UserData:
             remapping: from a name in `ud` to the name here, where they differ
         """
         for key in keys:
-            self[remapping.get(key, key)] = ud[key]
+            self[remapping.get(key, key)] = copy.copy(ud[key])
 
     def keys(self) -> List[str]:
         """Names that have a value now."""

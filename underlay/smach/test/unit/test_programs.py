@@ -266,6 +266,23 @@ def test_state_of_an_iterator_declares_no_keys():
     assert built.execute() == "succeeded" and built.userdata.total == 6
 
 
+@pytest.mark.parametrize(
+    "lists,count",
+    [
+        ({"loop_outcomes": ["go"]}, 1),
+        ({"break_outcomes": ["stop"]}, 3),
+        ({"loop_outcomes": ["go"], "break_outcomes": ["stop"]}, 3),
+    ],
+)
+def test_break_outcomes_of_an_iterator_override_the_loop_outcomes(lists, count):
+    seen = []
+    built = smach.Iterator(["other", "exhausted"], [], [], it=range(3))
+    with built:
+        state = smach.CBState(lambda userdata: seen.append(1) or "other", outcomes=["go", "stop", "other"])
+        smach.Iterator.set_contained_state("EACH", state, **lists)
+    assert built.execute() == ("other" if count == 1 else "exhausted") and len(seen) == count
+
+
 def test_iterator_without_the_outcome_preempted_ends_with_that_of_the_state():
     class Obedient(Wait):
         def execute(self, userdata):
