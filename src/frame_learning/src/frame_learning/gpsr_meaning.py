@@ -66,12 +66,14 @@ class GpsrMapping:
         slot_rules: rules of the grammars whose words count as one slot
         types: FrameNet's semantic type by kind of slot
         words_left_out: words that do not count when words are compared, lower case
+        performer: words for the robot; a unit may list them for the performer, lower case
         logical_forms: for each predicate of the published logical forms, the frames that carry it out
     """
 
     slot_rules: FrozenSet[str]
     types: Mapping[str, str]
     words_left_out: FrozenSet[str]
+    performer: FrozenSet[str]
     logical_forms: Mapping[str, FrozenSet[str]]
     _between: "re.Pattern[str]"
     _clauses: Tuple[_Clause, ...]
@@ -168,7 +170,17 @@ def read_gpsr_mapping(path: str) -> GpsrMapping:
     entries = reader.mapping(
         root,
         "",
-        ("slot_rules", "kinds", "types", "between", "words_left_out", "logical_forms", "macros", "clauses"),
+        (
+            "slot_rules",
+            "kinds",
+            "types",
+            "between",
+            "words_left_out",
+            "performer",
+            "logical_forms",
+            "macros",
+            "clauses",
+        ),
     )
     kinds = {
         name: reader.texts(node, f"kinds.{name}")
@@ -195,6 +207,7 @@ def read_gpsr_mapping(path: str) -> GpsrMapping:
         slot_rules=frozenset(reader.texts(entries.get("slot_rules"), "slot_rules")),
         types=types,
         words_left_out=frozenset(reader.texts(entries.get("words_left_out"), "words_left_out")),
+        performer=frozenset(reader.texts(entries.get("performer"), "performer")),
         logical_forms=logical_forms,
         _between=re.compile(f"(?:{compiler.pattern(between)})*"),
         _clauses=tuple(clauses),

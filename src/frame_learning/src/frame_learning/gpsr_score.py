@@ -12,8 +12,6 @@ from semantic_framer.reading import ElementValue, Reading
 from utterance_passes.tree import DependencyTree
 
 _WORD = re.compile(r"[\w'-]+")
-#: Whom the robot is addressed as; a unit may list them for the performer.
-_PERFORMER = frozenset(["you", "u", "robot"])
 
 
 class Verdict(Enum):
@@ -108,9 +106,11 @@ class _Words:
     def __init__(self, mapping: GpsrMapping, command: DrawnCommand, tree: DependencyTree) -> None:
         self._command = command
         self._tree = tree
-        left_out = mapping.words_left_out
+        self._performer = mapping.performer
         self._words = {
-            match.start(): match for match in _WORD.finditer(command.text) if match.group().lower() not in left_out
+            match.start(): match
+            for match in _WORD.finditer(command.text)
+            if match.group().lower() not in mapping.words_left_out
         }
 
     def of_element(self, element: MeantElement) -> FrozenSet[int]:
@@ -131,7 +131,7 @@ class _Words:
         return " ".join(self._words[at].group() for at in sorted(words))
 
     def are_performer(self, words: FrozenSet[int]) -> bool:
-        return all(self._words[at].group().lower() in _PERFORMER for at in words)
+        return all(self._words[at].group().lower() in self._performer for at in words)
 
     def referent(self, element: MeantElement) -> str:
         """Return what the pronoun of an element stands for; empty if the element is no pronoun."""
