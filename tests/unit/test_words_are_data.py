@@ -58,6 +58,22 @@ NO_SPEECH: Dict[str, Tuple[str, str]] = {
         "domain, domains, frames, grounded, grounded frames, lexical units, robots",
     ),
     "roboframenet_tools/new.py": ("places in a template", "name, verb, capital"),
+    "frame_learning/gpsr_commands.py": (
+        "names of the generators' rules and slots",
+        "ptask, polite, task, main, please, pmain, sub, pos, paj, posadj",
+    ),
+    "frame_learning/gpsr_grammar.py": (
+        "names of the generators' slots",
+        "beacon, female, aobject, kobject, sobject, male, room, placement",
+    ),
+    "frame_learning/gpsr_meaning.py": (
+        "keys of a file",
+        "kinds, between, types, macros, clauses, frames, said, asks, performer",
+    ),
+    "frame_learning/gpsr_world.py": (
+        "names of the generators' slots",
+        "category, name, gesture, object, place, whattosay, room",
+    ),
     "frame_learning/score_command.py": (
         "keys of JSON and headings",
         (
