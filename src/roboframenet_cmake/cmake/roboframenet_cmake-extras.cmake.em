@@ -1,12 +1,16 @@
 # Programs and tests of the RoboFrameNet packages.
 
-# roboframenet_pin_interpreter(<script>...)
+# roboframenet_pin_interpreter(<script>... [DESTINATION <folder>])
 #
 # Give scripts that catkin_install_python() installs the interpreter of the build. catkin leaves
 # "#!/usr/bin/env python3" as it is in the install space, where the first python3 on the PATH need not be the one
-# that ROS belongs to.
+# that ROS belongs to. The destination is that of catkin_install_python(); by default that of the package's programs.
 function(roboframenet_pin_interpreter)
-  foreach(script ${ARGN})
+  cmake_parse_arguments(ARG "" "DESTINATION" "" ${ARGN})
+  if(NOT ARG_DESTINATION)
+    set(ARG_DESTINATION ${CATKIN_PACKAGE_BIN_DESTINATION})
+  endif()
+  foreach(script ${ARG_UNPARSED_ARGUMENTS})
     get_filename_component(name ${script} NAME)
     file(READ ${CMAKE_CURRENT_SOURCE_DIR}/${script} text)
     string(REGEX REPLACE "^#![^\n]*" "#!${PYTHON_EXECUTABLE}" text "${text}")
@@ -14,8 +18,8 @@ function(roboframenet_pin_interpreter)
     file(WRITE ${pinned} "${text}")
     set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/${script})
     # Two files of one second are the same to install(): the one of catkin_install_python has to go first.
-    install(CODE "file(REMOVE \"\$ENV{DESTDIR}\${CMAKE_INSTALL_PREFIX}/${CATKIN_PACKAGE_BIN_DESTINATION}/${name}\")")
-    install(PROGRAMS ${pinned} DESTINATION ${CATKIN_PACKAGE_BIN_DESTINATION})
+    install(CODE "file(REMOVE \"\$ENV{DESTDIR}\${CMAKE_INSTALL_PREFIX}/${ARG_DESTINATION}/${name}\")")
+    install(PROGRAMS ${pinned} DESTINATION ${ARG_DESTINATION})
   endforeach()
 endfunction()
 

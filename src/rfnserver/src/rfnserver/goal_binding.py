@@ -7,10 +7,12 @@ A goal's fields are filled from the frame elements of the same name, or as a map
     angle: {element: angle, unit_element: angle_unit, unit: degree}
     mode: {element: manner, default: slow}              # words used when the element is empty
     planner: {value: navfn}                             # always these words
+    shape: {element: shape, values: {square: 1, triangle: 2}}   # a table of words; others are refused
 
 A mapping that does not fit is refused when the server registers, with the field, and not at the first command.
 """
 
+import dataclasses
 import difflib
 from dataclasses import dataclass
 from typing import Any, Callable, Dict, Iterable, List, Mapping, Optional, Sequence, Tuple, Union
@@ -18,9 +20,9 @@ from typing import Any, Callable, Dict, Iterable, List, Mapping, Optional, Seque
 from rfnserver.arguments import ArgumentError
 from rfnserver.goal_types import Filling, GoalField
 from spoken_quantities import QuantityError, find_unit, parse_measure
-from word_classes import word_class
+from word_classes import without_determiner, word_class
 
-SOURCE_KEYS = ("element", "unit_element", "unit", "default", "value")
+SOURCE_KEYS = ("element", "unit_element", "unit", "default", "value", "values")
 
 #: The mapping of one field: the name of an element, or :data:`SOURCE_KEYS`.
 Declaration = Union[str, Mapping[str, Any]]
@@ -53,6 +55,8 @@ class FieldSource:
         unit: of the field; empty for metres, radians and seconds
         default: words used when the element has no argument
         value: words that always fill it
+        values: by the words of a person, in lower case and without a determiner, the words that fill the field
+            instead; empty for no such table
     """
 
     field: GoalField
@@ -61,6 +65,7 @@ class FieldSource:
     unit: str = ""
     default: str = ""
     value: str = ""
+    values: Mapping[str, str] = dataclasses.field(default_factory=dict)
 
 
 @dataclass(frozen=True)
@@ -130,8 +135,8 @@ def plan_goal(
     for element in known.values():
         if element.is_core and element.name not in used | ignored and not _mentions(problems, element.name):
             problems.append(
-                f"the core element '{element.name}' fills no field: map one of "
-                f"{', '.join(by_path) or 'none'} to it, or ignore it"
+                f"the core element '{element.name}' fills no field: map one of {_fillable(fields)} to it, ignore it, "
+                "or make the goal in a frame_callback"
             )
     if problems:
         raise BindingError(problems)
@@ -157,6 +162,10 @@ def mapped_elements(mapping: Optional[Mapping[str, Declaration]]) -> Tuple[str, 
 
 def _mentions(problems: Sequence[str], element: str) -> bool:
     return any(f"'{element}'" in problem or problem.startswith(f"{element}:") for problem in problems)
+
+
+def _fillable(fields: Sequence[GoalField]) -> str:
+    return ", ".join(field.path for field in fields if field.filling is not None) or "no field (words can fill none)"
 
 
 def _covers(path: str, other: str) -> bool:
@@ -186,15 +195,20 @@ def _declared(
     unknown = [str(key) for key in declaration if key not in SOURCE_KEYS]
     if unknown:
         problems.append(f"{path}: unknown key {', '.join(unknown)}, expected {', '.join(SOURCE_KEYS)}")
-    texts = {key: str(declaration[key]) for key in SOURCE_KEYS if key in declaration}
+    texts = {key: str(declaration[key]) for key in SOURCE_KEYS if key in declaration and key != "values"}
+    table = declaration.get("values", {})
+    if not isinstance(table, Mapping):
+        problems.append(f"{path}: expected a table of words and values, found {table!r}")
+        return None
     if ("element" in texts) == ("value" in texts):
         problems.append(f"{path}: needs either 'element' or 'value'")
         return None
-    source = FieldSource(field=field, **texts)
+    values = {_key(str(words)): str(value) for words, value in table.items()}
+    source = FieldSource(field=field, values=values, **texts)
     if source.unit and find_unit(source.unit) is None:
         problems.append(f"{path}: I do not know the unit '{source.unit}'")
         return None
-    for words in filter(None, (source.value, source.default)):
+    for words in filter(None, (source.value, _default(source), *values.values())):
         if field.filling is not Filling.PLACE:
             try:
                 _value(source, words, locate=_no_place)
@@ -221,16 +235,37 @@ def goal_values(
     """
     values: Dict[str, Any] = {}
     for source in plan.sources:
-        words = source.value or arguments.get(source.element, "") or source.default
-        if not words:
-            continue
+        said = arguments.get(source.element, "")
         unit = arguments.get(source.unit_element, "") if source.unit_element else ""
         try:
+            words = source.value or (_looked_up(source, said) if said else _default(source))
+            if not words:
+                continue
             values[source.field.path] = _value(source, f"{words} {unit}".strip(), locate=locate)
         except ArgumentError as error:
             named = (source.element or source.field.path).replace("_", " ")
             raise ArgumentError(f"I cannot use the {named}: {error}") from error
     return values
+
+
+def _key(words: str) -> str:
+    """Return words as the keys of tables have them."""
+    return without_determiner(words.lower(), word_class("determiners_and_possessives"))
+
+
+def _default(source: FieldSource) -> str:
+    """Return what fills a field whose element was not said: by its table, or as it stands."""
+    return source.values.get(_key(source.default), source.default)
+
+
+def _looked_up(source: FieldSource, words: str) -> str:
+    """Return what the table of a field has for the words of a person; without a table, the words."""
+    if not source.values:
+        return words
+    found = source.values.get(_key(words))
+    if found is None:
+        raise ArgumentError(f'"{words}" is none of {", ".join(source.values)}.')
+    return found
 
 
 def _value(source: FieldSource, words: str, *, locate: Callable[[str], Any]) -> Any:
