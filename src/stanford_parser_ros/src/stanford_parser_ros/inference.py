@@ -125,7 +125,7 @@ class StanzaInference:
             from stanza.models.common.doc import Document
         except ImportError as error:
             raise ModelError(
-                f"Stanza is not installed for {sys.executable} ({error}): run 'make setup' in the clone of RoboFrameNet, "
+                f"Stanza is not installed for {sys.executable} ({error}): run 'make setup' in RoboFrameNet's clone, "
                 "and build with -DPYTHON_EXECUTABLE=CLONE/.venv/bin/python"
             ) from error
         torch.set_num_threads(threads)
