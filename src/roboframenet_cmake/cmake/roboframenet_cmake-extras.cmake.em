@@ -67,6 +67,21 @@ function(roboframenet_add_pytest name folder)
   _roboframenet_label_tests(pytest ${before})
 endfunction()
 
+# roboframenet_check_launch_files(<path>)
+#
+# Check launch files with roslaunch: nodes and included files exist, and package.xml names their packages. As
+# roslaunch_add_file_check(), with the interpreter of the build.
+function(roboframenet_check_launch_files path)
+  find_package(roslaunch REQUIRED)
+  set(folder ${CATKIN_TEST_RESULTS_DIR}/${PROJECT_NAME})
+  set(results roslaunch-check_${path}.xml)
+  get_property(before DIRECTORY PROPERTY TESTS)
+  catkin_run_tests_target("roslaunch-check" ${path} ${results}
+    COMMAND "${CMAKE_COMMAND} -E make_directory ${folder}"
+            "\"${PYTHON_EXECUTABLE}\" ${roslaunch_check_script} -i -o ${folder}/${results} ${CMAKE_CURRENT_SOURCE_DIR}/${path}")
+  _roboframenet_label_tests(rostest ${before})
+endfunction()
+
 # _roboframenet_label_tests(<label> [<test>...])
 #
 # Label the tests of this folder that are not among the given ones; scripts/test chooses by labels.

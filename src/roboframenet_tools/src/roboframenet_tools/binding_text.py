@@ -7,6 +7,8 @@ from rfnserver.goal_types import Filling, GoalField
 
 #: Elements that name a place in the shipped frames.
 _PLACES = ("goal", "location", "place", "destination")
+#: Keys of a binding, and the fields of std_srvs that they name.
+_RESPONSE = (("success_field", "success"), ("text_field", "message"))
 
 
 def guessed_fields(fields: Sequence[GoalField], elements: Iterable[BoundElement]) -> Dict[str, str]:
@@ -21,7 +23,8 @@ def guessed_fields(fields: Sequence[GoalField], elements: Iterable[BoundElement]
     if len(places) == 1 and len(wanted) == 1:
         taken[places[0].path] = wanted[0].name
     cores = [element for element in left if element.is_core and element.name not in taken.values()]
-    others = [field for field in free if field.path not in taken and field.filling is not Filling.PLACE]
+    # Any words fit a string; whether they are yes or no, or a number, nobody knows here.
+    others = [field for field in free if field.path not in taken and field.filling is Filling.STRING]
     if len(cores) == 1 and len(others) == 1:
         taken[others[0].path] = cores[0].name
     return taken
@@ -48,6 +51,7 @@ def binding_text(
     target: str,
     type_name: str,
     fields: Sequence[GoalField],
+    response: Sequence[str] = (),
 ) -> Tuple[str, Optional[str]]:
     """Write the entry of a binding file.
 
@@ -58,6 +62,7 @@ def binding_text(
         target: its name
         type_name: "move_base_msgs/MoveBaseAction"
         fields: of its goals, requests or messages
+        response: names of the fields of a service's response
     Returns:
         the text, and what is still wrong with it; None for nothing
     """
@@ -82,6 +87,7 @@ def binding_text(
     types = {field.path: field.type_name for field in fields}
     lines += [f"      {path}: {element}    # {types[path]}" for path, element in filled.items()]
     lines += [f"      # {path}: {types[path]}, keeps its default" for path in unfilled]
+    lines += [f"    {key}: {name}" for key, name in _RESPONSE if name in response]
     if fault:
         lines.append(f"    # {fault}")
     return "\n".join(lines) + "\n", fault

@@ -34,11 +34,19 @@ class NotThere(LookupError):
 
 @dataclass(frozen=True)
 class Target:
-    """A live action server, service or topic: its kind, its type, and the class of its goals, requests or messages."""
+    """A live action server, service or topic.
+
+    Attributes:
+        kind: "action", "service" or "topic"
+        type_name: "move_base_msgs/MoveBaseAction"
+        message_type: class of its goals, requests or messages
+        response: names of the fields of a service's response
+    """
 
     kind: str
     type_name: str
     message_type: Any
+    response: Tuple[str, ...] = ()
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
@@ -70,6 +78,7 @@ def run(arguments: argparse.Namespace) -> int:
         target=arguments.name,
         type_name=target.type_name,
         fields=fields,
+        response=target.response,
     )
     if not arguments.out:
         print(text, end="")
@@ -104,7 +113,7 @@ def find_target(name: str) -> Target:
         kind = roslib.message.get_service_class(type_name) if type_name else None
         if kind is None:
             raise NotThere(f"the type '{type_name}' of the service {wanted} is not built here")
-        return Target("service", type_name, kind._request_class)
+        return Target("service", type_name, kind._request_class, tuple(kind._response_class.__slots__))
     if wanted in [topic for topic, nodes in subscribed if nodes]:
         return Target("topic", types[wanted], _message_class(types[wanted]))
     servers = sorted(topic[: -len("/result")] for topic, kind in results.items() if kind.endswith("ActionResult"))

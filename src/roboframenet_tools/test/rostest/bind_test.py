@@ -48,6 +48,7 @@ class BindTest(unittest.TestCase):
             with open(path, encoding="utf-8") as file:
                 (binding,) = load_bindings(file.read(), path)
             self.assertEqual((Kind.SERVICE, "std_srvs/SetBool"), (binding.kind, binding.type_name))
+            self.assertEqual(("success", "message"), (binding.success_field, binding.text_field))
             self.assertEqual(2, bind("set_light", "--frame", "pinging", "--out", path).returncode)
 
     def test_unknown_names_are_said(self) -> None:

@@ -31,6 +31,12 @@ def test_same_names_and_what_keeps_its_default():
     assert "# speed: float64, keeps its default" in text
 
 
+def test_only_a_string_takes_any_words():
+    element = (BoundElement("device", is_core=True),)
+    assert text_of((GoalField("name", "string", {}),), element)[1] is None
+    assert "'device' fills no field" in text_of((GoalField("data", "bool", {}),), element)[1]
+
+
 def test_what_cannot_be_guessed_is_said():
     text, fault = text_of((PATH,), GOING)
     assert "'goal' fills no field" in fault

@@ -11,7 +11,7 @@ from offline_pipeline.file_checks import find_problems, load_paths
 from roboframenet_tools import doctor
 from roboframenet_tools.cli import COMMANDS, OUTPUT_CLOSED, main
 from roboframenet_tools.completion import script
-from roboframenet_tools.graph import dot, layers, svg
+from roboframenet_tools.graph import LEGEND, dot, layers, svg
 from roboframenet_tools.listing import count, is_grounded, table
 from roboframenet_tools.verb_forms import verb_of
 
@@ -147,7 +147,9 @@ def test_drawings(chain):
     graph = load_paths([str(chain)])[0].graph
     assert layers(graph) == {"a": 0, "b": 1}
     assert '"a" -> "b"' in dot(graph)
-    ElementTree.fromstring(svg(graph))
+    texts = [element.text for element in ElementTree.fromstring(svg(graph)).iter() if element.text]
+    assert LEGEND in texts
+    assert LEGEND in dot(graph)
 
 
 def test_completion_is_bash():
