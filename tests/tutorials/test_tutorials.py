@@ -21,6 +21,7 @@ SYSTEM_PATH = "/usr/local/sbin:/usr/local/bin:/usr/sbin:/usr/bin:/sbin:/bin"
 #: The whole of a page, and the start of the pipeline, on a busy machine; seconds.
 PAGE_TIMEOUT_S = 600.0
 START_TIMEOUT_S = 180.0
+_COLOURS = re.compile("\x1b\\[[0-9;]*m")
 
 
 def environment() -> Dict[str, str]:
@@ -104,7 +105,7 @@ def run_page(page: Path, text: str, surroundings: Dict[str, str], folder: Path) 
         outputs = "\n".join(path.read_text()[-2000:] for path in sorted(blocks.glob("*.out"))[-4:])
         pytest.fail(f"{page}:{step.line} failed:\n{step.text}\n{outputs}\n{errors.decode()[-500:]}")
     for number, step in enumerate(found):
-        output = (blocks / f"{number}.out").read_text(encoding="utf-8")
+        output = _COLOURS.sub("", (blocks / f"{number}.out").read_text(encoding="utf-8"))
         assert step.output.fullmatch(output), f"{page}:{step.block.line} printed:\n{output}"
 
 
