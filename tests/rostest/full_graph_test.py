@@ -17,9 +17,9 @@ from nav_msgs.msg import Odometry
 from roboframenet_msgs.msg import Reply
 from std_msgs.msg import String
 
-from pipeline import can_do
 from rfnserver import RFNServer
 from roboframenet_demo.ros_pipeline import is_pipeline_complete
+from roboframenet_rostest import can_do
 from roboframenet_testing import wait_until
 from typed_arguments import TypedArgument
 

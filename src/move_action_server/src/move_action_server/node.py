@@ -229,10 +229,11 @@ class MoveActionServer:
             self._servers[frame_name] = server
 
     def start(self) -> None:
-        """Offer the three servers, and register them with their frames."""
+        """Offer the three servers, and register them with their frames: without a registrar, that takes seconds."""
+        for server in self._servers.values():
+            server.start()
         for frame_name, server in self._servers.items():
             server.register_with_frame(frame_name)
-            server.start()
 
     def _shut_down(self) -> None:
         self._odometry.wake()

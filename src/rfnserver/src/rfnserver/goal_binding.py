@@ -8,10 +8,12 @@ A goal's fields are filled from the frame elements of the same name, or as a map
     angle: {element: angle, unit_element: angle_unit, unit: degree}
     mode: {element: manner, default: slow}              # words used when the element is empty
     planner: {value: navfn}                             # always these words
+    shape: {element: shape, values: {square: 1, triangle: 2}}   # a table of words; others are refused
 
 A mapping that does not fit is refused when the server registers, with the field, and not at the first command.
 """
 
+import dataclasses
 import difflib
 from dataclasses import dataclass, replace
 from typing import Any, Callable, Dict, Iterable, List, Mapping, Optional, Sequence, Tuple, Union
@@ -21,9 +23,9 @@ from rfnserver.goal_types import Filling, GoalField
 from spoken_quantities import QuantityError, find_unit, parse_measure
 from typed_arguments import TypedArgument
 from typed_arguments.parts import PARTS
-from word_classes import word_class
+from word_classes import without_determiner, word_class
 
-SOURCE_KEYS = ("element", "unit_element", "unit", "default", "value")
+SOURCE_KEYS = ("element", "unit_element", "unit", "default", "value", "values")
 
 #: The mapping of one field: the name of an element, or :data:`SOURCE_KEYS`.
 Declaration = Union[str, Mapping[str, Any]]
@@ -57,6 +59,8 @@ class FieldSource:
         unit: of the field; empty for metres, radians and seconds
         default: words used when the element has no argument
         value: words that always fill it
+        values: by the words of a person, in lower case and without a determiner, the words that fill the field
+            instead; empty for no such table
     """
 
     field: GoalField
@@ -66,6 +70,7 @@ class FieldSource:
     unit: str = ""
     default: str = ""
     value: str = ""
+    values: Mapping[str, str] = dataclasses.field(default_factory=dict)
 
 
 @dataclass(frozen=True)
@@ -139,8 +144,8 @@ def plan_goal(
     for element in known.values():
         if element.is_core and element.name not in used | ignored and not _mentions(problems, element.name):
             problems.append(
-                f"the core element '{element.name}' fills no field: map one of "
-                f"{', '.join(by_path) or 'none'} to it, or ignore it"
+                f"the core element '{element.name}' fills no field: map one of {_fillable(fields)} to it, ignore it, "
+                "or make the goal in a frame_callback"
             )
     if problems:
         raise BindingError(problems)
@@ -167,6 +172,10 @@ def mapped_elements(mapping: Optional[Mapping[str, Declaration]]) -> Tuple[str, 
 
 def _mentions(problems: Sequence[str], element: str) -> bool:
     return any(f"'{element}'" in problem or problem.startswith(f"{element}:") for problem in problems)
+
+
+def _fillable(fields: Sequence[GoalField]) -> str:
+    return ", ".join(field.path for field in fields if field.filling is not None) or "no field (words can fill none)"
 
 
 def _covers(path: str, other: str) -> bool:
@@ -196,17 +205,22 @@ def _declared(
     unknown = [str(key) for key in declaration if key not in SOURCE_KEYS]
     if unknown:
         problems.append(f"{path}: unknown key {', '.join(unknown)}, expected {', '.join(SOURCE_KEYS)}")
-    texts = {key: str(declaration[key]) for key in SOURCE_KEYS if key in declaration}
+    texts = {key: str(declaration[key]) for key in SOURCE_KEYS if key in declaration and key != "values"}
+    table = declaration.get("values", {})
+    if not isinstance(table, Mapping):
+        problems.append(f"{path}: expected a table of words and values, found {table!r}")
+        return None
     if ("element" in texts) == ("value" in texts):
         problems.append(f"{path}: needs either 'element' or 'value'")
         return None
-    source = _of_part(FieldSource(field=field, **texts), problems)
+    values = {_key(str(words)): str(value) for words, value in table.items()}
+    source = _of_part(FieldSource(field=field, values=values, **texts), problems)
     if source is None:
         return None
     if source.unit and find_unit(source.unit) is None:
         problems.append(f"{path}: I do not know the unit '{source.unit}'")
         return None
-    for words in filter(None, (source.value, source.default)):
+    for words in filter(None, (source.value, _default(source), *values.values())):
         if field.filling is not Filling.PLACE:
             try:
                 _value(source, words, locate=_no_place)
@@ -245,14 +259,14 @@ def goal_values(
         argument = arguments.get(source.element) or TypedArgument()
         unit = arguments.get(source.unit_element) or TypedArgument()
         said = argument.text if not source.part else PARTS[source.part](argument)
-        words = source.value or ("" if said is None else str(said)) or source.default
-        if not words:
-            continue
         try:
-            if not source.part and argument.text:
-                values[source.field.path] = _argument_value(source, argument, unit.text, locate)
-            else:
+            words = source.value or (_default(source) if said in (None, "") else _looked_up(source, str(said)))
+            if not words:
+                continue
+            if source.part or source.values or not argument.text:
                 values[source.field.path] = _value(source, f"{words} {unit.text}".strip(), locate=locate)
+            else:
+                values[source.field.path] = _argument_value(source, argument, unit.text, locate)
         except ArgumentError as error:
             named = (source.element or source.field.path).replace("_", " ")
             raise ArgumentError(f"I cannot use the {named}: {error}") from error
@@ -279,6 +293,26 @@ def _argument_value_of_one(
     if is_number and measure is not None and measure.si is not None and measure.kind == quantity:
         return measure.si / (wanted.si_factor if wanted else 1.0)
     return _single(source, f"{argument.text} {unit}".strip(), locate=locate)
+
+
+def _key(words: str) -> str:
+    """Return words as the keys of tables have them."""
+    return without_determiner(words.lower(), word_class("determiners_and_possessives"))
+
+
+def _default(source: FieldSource) -> str:
+    """Return what fills a field whose element was not said: by its table, or as it stands."""
+    return source.values.get(_key(source.default), source.default)
+
+
+def _looked_up(source: FieldSource, words: str) -> str:
+    """Return what the table of a field has for the words of a person; without a table, the words."""
+    if not source.values:
+        return words
+    found = source.values.get(_key(words))
+    if found is None:
+        raise ArgumentError(f'"{words}" is none of {", ".join(source.values)}.')
+    return found
 
 
 def _value(source: FieldSource, words: str, *, locate: Callable[[str], Any]) -> Any:

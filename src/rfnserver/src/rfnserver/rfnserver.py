@@ -28,15 +28,30 @@ class _Registering:
         """Why the last call to the registrar or the framer failed; empty when it succeeded."""
         return self._registration.last_error
 
-    def register_with_frame(self, frame_name: str) -> bool:
+    def register_with_frame(
+        self,
+        frame_name: str,
+        *,
+        goal_mapping: Optional[Mapping[str, Declaration]] = None,
+        ignored_elements: Iterable[str] = (),
+    ) -> bool:
         """Carry out a frame from now on.
 
         Args:
             frame_name: of a frame, also one whose file is added later
+            goal_mapping: for a server with an action type: which element of this frame fills which field; None for
+                the mapping (or the function) that the server was made with
+            ignored_elements: core elements of this frame that need not fill a field; only with ``goal_mapping``
         Returns:
             True when the registrar accepted; False when it refused or is not running, or when no goal can be made of
             that frame: this is logged, and tried again later
+        Raises:
+            TypeError: a mapping for a server without an action type
         """
+        if goal_mapping is not None:
+            if self._adapter is None:
+                raise TypeError(f"frame {frame_name}: goal_mapping needs a server with the class of an action")
+            self._adapter.map_frame(frame_name, goal_mapping, ignored_elements)
         return self._request(RequestKind.REGISTRATION, frame_name)
 
     def add_semantic_frame(self, path: str) -> bool:

@@ -1,7 +1,7 @@
 """Lets an action server of any type take filled frames."""
 
 import threading
-from typing import Any, Callable, Iterable, Mapping, Optional, Tuple
+from typing import Any, Callable, Dict, Iterable, Mapping, Optional, Tuple
 
 import rospy
 from actionlib_msgs.msg import GoalStatus
@@ -154,7 +154,9 @@ class FrameAdapter:
         else:
             self._maker = GoalMaker(goal_type_of(action_type), mapping=mapping, ignored_elements=ignored_elements)
             self._callback = self._maker.make
-        self.registration = Registration(name + FRAME_SUFFIX, check=self._check if self._maker else None)
+        #: Of the frames that have a mapping of their own.
+        self._makers: Dict[str, GoalMaker] = {}
+        self.registration = Registration(name + FRAME_SUFFIX, check=self._check)
 
     def start(self) -> None:
         """Take frames from now on, or from the first registration on."""
@@ -162,6 +164,12 @@ class FrameAdapter:
             self._is_started = True
             if self._server is not None:
                 self._server.start()
+
+    def map_frame(self, frame_name: str, mapping: Mapping[str, Declaration], ignored_elements: Iterable[str]) -> None:
+        """Make the goals of one frame by a mapping of its own."""
+        self._makers[frame_name] = GoalMaker(
+            goal_type_of(self._action_type), mapping=mapping, ignored_elements=ignored_elements
+        )
 
     def request(self, kind: RequestKind, subject: str) -> bool:
         """See :meth:`Registration.request`; the server for frames exists from the first registration on."""
@@ -175,11 +183,14 @@ class FrameAdapter:
         return self.registration.request(kind, subject)
 
     def _check(self, frame_name: str) -> Tuple[bool, str]:
-        return check_frame(frame_name, self._maker)
+        maker = self._makers.get(frame_name, self._maker)
+        return check_frame(frame_name, maker) if maker else (True, "")
 
     def _execute(self, _goal: FilledSemanticFrameGoal) -> None:
         try:
-            own_goal = self._callback(typed_frame(self._server.current_goal.goal))
+            frame = typed_frame(self._server.current_goal.goal)
+            maker = self._makers.get(frame.name)
+            own_goal = maker.make(frame) if maker else self._callback(frame)
         except ArgumentError as error:
             self._server.set_aborted(None, str(error))
             return

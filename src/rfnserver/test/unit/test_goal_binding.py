@@ -57,6 +57,22 @@ def values(mapping: Dict[str, Any], **arguments: str) -> Dict[str, Any]:
         ({}, {"force": "5"}, {"limits.force": 5.0}),
         ({"order": {"element": "n", "default": "four"}}, {"n": ""}, {"order": 4}),
         ({"order": {"value": 9}}, {}, {"order": 9}),
+        (
+            {"order": {"element": "shape", "values": {"square": 1, "big triangle": 2}}},
+            {"shape": "a square"},
+            {"order": 1},
+        ),
+        ({"order": {"element": "shape", "values": {"Square": 1}, "default": "square"}}, {"shape": ""}, {"order": 1}),
+        ({"order": {"element": "shape", "values": {"square": 1}, "default": 7}}, {"shape": ""}, {"order": 7}),
+        (
+            {
+                "is_loud": {"element": "side", "values": {"left": True, "right": False}},
+                "planner": {"element": "side", "values": {"left": "navfn", "right": "other"}},
+            },
+            {"side": "Left"},
+            {"is_loud": True, "planner": "navfn"},
+        ),
+        ({"distance": {"element": "n", "values": {"twice": 2}}}, {"n": "twice"}, {"distance": 2.0}),
         ({}, {"order": ""}, {}),
     ],
 )
