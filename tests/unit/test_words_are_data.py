@@ -94,6 +94,7 @@ NO_SPEECH: Dict[str, Tuple[str, str]] = {
         "keys of a file",
         "corrections, contrasts, forbidding, asking, reporting",
     ),
+    "semantic_frames/extra_thematic.py": ("keys of a file", "name, prepositions, adverbs, measure, clauses"),
     "semantic_frames/frame_file.py": (
         "keys of a file",
         "name, description, children, framenet, confirm, default, quantity, minimum, maximum, values, question, answer",

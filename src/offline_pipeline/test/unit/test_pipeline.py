@@ -64,7 +64,8 @@ ODD = (
     ("take the mug and bring it to me", "references: bringing(theme=it, beneficiary=me): bringing(theme=the mug"),
     ("bring it to me", "references: it: asked."),
     ("follow", "missing_element: following(): asked. No words for cotheme."),
-    ("go to the office frobnicatingly", "left_over_words: frobnicatingly: refused."),
+    ("go to the office frobnicatingly", 'left_over_words: "frobnicatingly": asked. No server heeds it.'),
+    ("take the mug without the plate", "left_over_words: plate: refused."),
     ("turn left or go back", "choices: turn left or go back: asked."),
 )
 
