@@ -145,3 +145,9 @@ def test_all_mistakes_of_a_file_are_told_at_once() -> None:
     with pytest.raises(FileRefused) as refused:
         load_frame("nmae: a\ndescripton: b\n", "x.yaml")
     assert [problem.code for problem in refused.value.problems] == ["UNKNOWN_KEY", "UNKNOWN_KEY", "MISSING_KEY"]
+
+
+@pytest.mark.parametrize("name", ['"a\\nb"', '"\\e[2J"', "x" * 201])
+def test_name_that_is_no_name_is_refused(name: str) -> None:
+    with pytest.raises(FileRefused, match="NOT_A_NAME name"):
+        load_frame(f"name: {name}\n", "x.yaml")
