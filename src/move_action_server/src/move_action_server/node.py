@@ -29,6 +29,7 @@ from move_action_server.spoken_motion import NotUnderstood, backward_goal, forwa
 from rfnserver import RFNServer
 from roboframenet_ros.parameters import ParameterError, Parameters, parameter
 from roboframenet_ros.ros_node import read_parameters, run_node
+from roboframenet_ros.ros_publishing import publish
 
 GOAL_OF_FRAME = {"moving_forward": forward_goal, "moving_backward": backward_goal, "turning": turn_goal}
 """How to read the arguments of each frame."""
@@ -238,12 +239,7 @@ class MoveActionServer:
         message = Twist()
         message.linear.x = command.linear_m_per_s
         message.angular.z = command.angular_rad_per_s
-        try:
-            self._velocity.publish(message)
-        except rospy.ROSException:
-            # At shutdown the topic closes after on_shutdown has published zero.
-            if not rospy.is_shutdown():
-                raise
+        publish(self._velocity, message)
 
     def _callback(
         self, frame_name: str, goal_of: Callable[[Mapping[str, str]], MotionGoal]
