@@ -233,6 +233,14 @@ class RFNServerTest(unittest.TestCase):
             frame = FilledSemanticFrame(frame_elements=[FilledFrameElement("order", "3")])
             self.assertEqual(Goal(name, frame).wait(), GoalStatus.SUCCEEDED)
 
+    def test_words_that_no_field_takes_are_said_to_the_person(self) -> None:
+        server = RFNServer("computing", FibonacciAction, execute_cb=lambda _goal: server.set_succeeded())
+        self.assertTrue(server.register_with_frame("computing"))
+        elements = [FilledFrameElement("order", "3"), FilledFrameElement("duration", "ten seconds")]
+        goal = Goal("computing/frame", FilledSemanticFrame(name="computing", frame_elements=elements))
+        self.assertEqual(goal.wait(), GoalStatus.ABORTED)
+        self.assertIn('the duration "ten seconds"', goal.handle.get_goal_status_text())
+
     def test_refusal_is_false_with_the_reason(self) -> None:
         server = RFNServer("intruding", lambda _frame: None)
         self.assertFalse(server.register_with_frame("forbidden"))

@@ -6,7 +6,7 @@ from typing import Any, Dict
 import pytest
 
 from rfnserver.arguments import ArgumentError
-from rfnserver.goal_binding import BindingError, BoundElement, goal_values, plan_goal
+from rfnserver.goal_binding import BindingError, BoundElement, goal_values, plan_goal, refuse_unheeded
 from rfnserver.goal_types import FILLING_OF_TYPE, Filling, GoalField
 
 SPEEDS = {"SPEED_SLOW": 0, "SPEED_FAST": 2, "NAVFN": "navfn"}
@@ -122,3 +122,22 @@ def test_every_builtin_type_has_a_filling() -> None:
     assert set(FILLING_OF_TYPE.values()) == set(Filling)
     assert GoalField("x", "char[]", {}).integer_range == (0, 255)
     assert GoalField("x", "int64", {}).integer_range == (-(2**63), 2**63 - 1)
+
+
+def test_words_that_would_reach_no_field_are_refused() -> None:
+    elements = [BoundElement("order", is_core=True), BoundElement("duration", is_core=False)]
+    plan = plan_goal(FIELDS, elements)
+    assert plan.unheeded == ("duration",)
+    assert "not heeded: duration" in str(plan)
+    with pytest.raises(ArgumentError, match='cannot heed the duration "ten seconds"'):
+        refuse_unheeded(plan, {"order": "3", "duration": "ten seconds"}, defaults={})
+    # Nobody said a default.
+    refuse_unheeded(plan, {"order": "3", "duration": "five seconds"}, defaults={"duration": "five seconds"})
+    refuse_unheeded(plan, {"order": "3"}, defaults={})
+
+
+def test_elements_that_are_ignored_or_units_are_heeded() -> None:
+    elements = [BoundElement(name, is_core=False) for name in ("distance", "unit", "manner")]
+    mapping = {"distance": {"element": "distance", "unit_element": "unit"}}
+    assert plan_goal(FIELDS, elements, mapping=mapping, ignored_elements=["manner"]).unheeded == ()
+    assert plan_goal(FIELDS, elements, ignored_elements=["manner"]).unheeded == ("unit",)
