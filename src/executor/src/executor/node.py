@@ -12,6 +12,7 @@ from typing import Optional, Union
 import rospy
 from roboframenet_msgs.msg import Command, CommandPlan, StopReport
 
+import smach
 from arbitrator.plan import Plan
 from arbitrator.ros_messages import plan_from_message
 from executor import command_queue
@@ -269,6 +270,8 @@ class ExecutorNode:
 
 
 def _start() -> ExecutorNode:
+    # The notes of the run say what matters; each transition of its machines is detail.
+    smach.set_loggers(rospy.logdebug, rospy.logwarn, rospy.logdebug, rospy.logerr)
     settings = read_parameters(Settings)
     rospy.loginfo("executor: %s", settings)
     node = ExecutorNode(settings)

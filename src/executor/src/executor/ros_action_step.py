@@ -12,8 +12,6 @@ import rospy
 from roboframenet_msgs.msg import FilledSemanticFrameGoal
 
 import smach
-from arbitrator.plan import FilledFrame
-from arbitrator.ros_messages import frame_to_message
 from arbitrator.state_machine import OUTCOMES
 from executor import goal_tracking as tracking
 from executor.driver_settings import SettingsError
@@ -25,6 +23,8 @@ from executor.ros_driver_settings import DriverSettings
 from executor.ros_running_goals import RunningGoals
 from roboframenet_ros.ros_action_connection import ActionConnection, SentGoal
 from roboframenet_ros.suspension import SuspensionWatch
+from typed_arguments import FilledFrame, to_goal_text
+from typed_arguments.ros_messages import frame_to_message
 
 # A preemption is noticed within this time.
 _LONGEST_WAIT_S = 0.1
@@ -181,6 +181,7 @@ class ActionStep(smach.State):
         goal = tracking.send(self._frame.server, deadlines, now_s=time.monotonic())
         sent: SentGoal = connection.send(
             FilledSemanticFrameGoal(frame=frame_to_message(self._frame)),
+            header_text=_typed_arguments(self._frame),
             on_transition=lambda handle: self._hear(handle, inbox),
             on_feedback=lambda _: on_sign(),
         )
@@ -216,6 +217,15 @@ class ActionStep(smach.State):
         self._context.quarantine.put(goal.server, sent.goal_id, goal.reason, keep=sent)
         if sent.handle.get_comm_state() == actionlib.CommState.DONE:
             self._context.quarantine.hear_end(goal.server, sent.goal_id)
+
+
+def _typed_arguments(frame: FilledFrame) -> str:
+    """Return the text of the typed arguments for the header of a goal; empty when they are too long for it."""
+    try:
+        return to_goal_text(frame.arguments)
+    except ValueError as error:
+        rospy.logwarn("%s gets only the texts of its arguments: %s", frame.server, error)
+        return ""
 
 
 def _read_transition(handle: actionlib.ClientGoalHandle) -> _Transition:

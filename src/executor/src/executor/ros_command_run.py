@@ -8,7 +8,7 @@ from typing import Callable, Dict, List, Optional, Tuple
 import rospy
 
 import smach
-from arbitrator.plan import FilledFrame, Plan, clauses
+from arbitrator.plan import Plan, clauses
 from arbitrator.state_machine import build_state_machine, plan_label
 from executor.goal_tracking import Goal, GoalDeadlines, as_sentence
 from executor.patience import Patience
@@ -20,6 +20,7 @@ from executor.ros_driver_settings import DriverSettings
 from executor.ros_introspection import Introspection
 from executor.ros_running_goals import RunningGoals
 from roboframenet_ros.suspension import SuspensionWatch
+from typed_arguments import FilledFrame
 
 #: Introspection starts a thread for each machine, and each candidate is a machine.
 _MOST_SHOWN = 256

@@ -4,7 +4,6 @@ from dataclasses import dataclass, replace
 from typing import Dict, Iterator, List, Optional, Sequence, Tuple
 
 from frame_registrar.filling import (
-    FilledFrame,
     Unfillable,
     child_arguments,
     fill,
@@ -14,6 +13,7 @@ from frame_registrar.filling import (
 )
 from frame_registrar.graph import FrameGraph
 from semantic_frames.frame import RelatedFrame
+from typed_arguments import FilledFrame
 
 Frames = Tuple[FilledFrame, ...]
 
@@ -237,7 +237,7 @@ class SequenceFinder:
 
 def _not_among(filled: FilledFrame, element: str, values: Sequence[str]) -> Refusal:
     allowed = join_with_or(tuple(dict.fromkeys(values)))
-    said = filled.argument(element)
+    said = filled.text(element)
     if not said:
         return Refusal(
             "MISSING_ELEMENT",

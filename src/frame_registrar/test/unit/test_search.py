@@ -8,8 +8,9 @@ import pytest
 
 from frame_registrar import sequence_finder
 from frame_registrar.graph import FrameGraph
-from frame_registrar.search import Argument, Candidate, Reading, Refusal, combinations, search
+from frame_registrar.search import Candidate, Reading, Refusal, combinations, search
 from semantic_frames import load_frame
+from typed_arguments import TypedArgument
 
 MOVING = """
 name: moving
@@ -39,7 +40,14 @@ def graph_of(*texts: str, servers: Tuple[Tuple[str, str], ...] = ()) -> FrameGra
 
 
 def reading(frame: str, coverage: float = 1.0, **arguments: str) -> Reading:
-    return Reading(frame, tuple(Argument(name, text) for name, text in arguments.items()), coverage)
+    return Reading(frame, tuple(TypedArgument(name, text) for name, text in arguments.items()), coverage)
+
+
+def listed(conjunction: str) -> TypedArgument:
+    """A list of two things, put under something."""
+    members = (TypedArgument(text="the mug"), TypedArgument(text="the plate", relation="behind"))
+    text = f"the mug {conjunction} the plate"
+    return TypedArgument("theme", text, relation="under", members=members, conjunction=conjunction)
 
 
 def moving_graph() -> FrameGraph:
@@ -72,7 +80,7 @@ def test_value_condition_chooses_the_child(direction: str, server: str) -> None:
         moving_graph(), [[reading("moving", direction=direction, distance="3", unit="feet")]], max_candidates=9
     )
     assert servers_of(found) == [(server,)]
-    assert only(found)[0].frames[0].arguments == (("distance", "3"),)
+    assert only(found)[0].frames[0].texts == (("distance", "3"),)
 
 
 def test_default_fills_what_was_not_said() -> None:
@@ -229,7 +237,7 @@ def test_likelier_reading_comes_first_whatever_it_covers() -> None:
 
 
 def test_items_of_or_are_alternatives_of_one_reading() -> None:
-    said = Argument("theme", "the mug or the plate", ("the mug", "the plate"), "or")
+    said = listed("or")
     graph = graph_of(TAKING % "repeat", servers=(("taking", "s"),))
     found = search(graph, [[Reading("taking", (said,), preference=3)]], max_candidates=9)
     assert [candidate.preference for candidate in only(found)] == [3, 3]
@@ -277,9 +285,9 @@ TAKING = "name: taking\nframe_elements: [{name: theme, is_core: True}]\non_list:
 )
 def test_lists(policy: str, conjunction: str, expected: List[List[str]]) -> None:
     graph = graph_of(TAKING % policy, servers=(("taking", "s"),))
-    said = Argument("theme", f"the mug {conjunction} the plate", ("the mug", "the plate"), conjunction)
+    said = listed(conjunction)
     found = search(graph, [[Reading("taking", (said,))]], max_candidates=9)
-    assert [[frame.argument("theme") for frame in candidate.frames] for candidate in only(found)] == expected
+    assert [[frame.text("theme") for frame in candidate.frames] for candidate in only(found)] == expected
 
 
 def brute_force(

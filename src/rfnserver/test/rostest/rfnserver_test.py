@@ -11,7 +11,7 @@ from unittest import mock
 import actionlib
 import rospy
 from actionlib_msgs.msg import GoalID, GoalStatus, GoalStatusArray
-from actionlib_tutorials.msg import FibonacciAction
+from actionlib_tutorials.msg import FibonacciAction, FibonacciGoal
 from roboframenet_msgs.msg import (
     FilledFrameElement,
     FilledSemanticFrame,
@@ -278,6 +278,34 @@ class RFNServerTest(unittest.TestCase):
         server = RFNServer("lost", lambda _frame: None)
         self.assertFalse(server.add_lexical_unit("/no/such/unit.yaml"))
         self.assertEqual(server.last_error, "no such file")
+
+    def test_two_frames_of_one_server_have_mappings_of_their_own(self) -> None:
+        orders: List[int] = []
+
+        def execute(goal: FibonacciGoal) -> None:
+            orders.append(goal.order)
+            server.set_succeeded()
+
+        server = RFNServer("gripper", FibonacciAction, execute_cb=execute, auto_start=False)
+        self.assertTrue(server.register_with_frame("opening", goal_mapping={"order": {"value": 100}}))
+        self.assertTrue(
+            server.register_with_frame(
+                "closing", goal_mapping={"order": {"element": "manner", "values": {"firmly": 0, "softly": 20}}}
+            )
+        )
+        server.start()
+        closing = FilledSemanticFrame(name="closing", frame_elements=[FilledFrameElement("manner", "softly")])
+        for frame in (FilledSemanticFrame(name="opening"), closing):
+            self.assertEqual(Goal("gripper/frame", frame).wait(), GoalStatus.SUCCEEDED)
+        self.assertEqual([100, 20], orders)
+        closing.frame_elements[0].argument = "gladly"
+        refused = Goal("gripper/frame", closing)
+        self.assertEqual(GoalStatus.ABORTED, refused.wait())
+        self.assertIn('"gladly" is none of firmly, softly', refused.handle.get_goal_status_text())
+
+    def test_mapping_needs_an_action_type(self) -> None:
+        with self.assertRaises(TypeError):
+            RFNServer("plain", lambda _frame: None).register_with_frame("opening", goal_mapping={})
 
     def test_shutdown_during_the_first_registration_ends_it(self) -> None:
         # Once it shuts down, rospy calls a hook as soon as it is added.

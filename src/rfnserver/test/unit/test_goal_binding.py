@@ -8,6 +8,7 @@ import pytest
 from rfnserver.arguments import ArgumentError
 from rfnserver.goal_binding import BindingError, BoundElement, goal_values, plan_goal, refuse_unheeded
 from rfnserver.goal_types import FILLING_OF_TYPE, Filling, GoalField
+from typed_arguments import Measure, TypedArgument
 
 SPEEDS = {"SPEED_SLOW": 0, "SPEED_FAST": 2, "NAVFN": "navfn"}
 FIELDS = (
@@ -29,7 +30,8 @@ FIELDS = (
 
 def values(mapping: Dict[str, Any], **arguments: str) -> Dict[str, Any]:
     elements = [BoundElement(name, is_core=False) for name in arguments]
-    return goal_values(plan_goal(FIELDS, elements, mapping=mapping), arguments, locate=lambda words: ("at", words))
+    typed = {name: TypedArgument(name, text) for name, text in arguments.items()}
+    return goal_values(plan_goal(FIELDS, elements, mapping=mapping), typed, locate=lambda words: ("at", words))
 
 
 @pytest.mark.parametrize(
@@ -55,6 +57,22 @@ def values(mapping: Dict[str, Any], **arguments: str) -> Dict[str, Any]:
         ({}, {"force": "5"}, {"limits.force": 5.0}),
         ({"order": {"element": "n", "default": "four"}}, {"n": ""}, {"order": 4}),
         ({"order": {"value": 9}}, {}, {"order": 9}),
+        (
+            {"order": {"element": "shape", "values": {"square": 1, "big triangle": 2}}},
+            {"shape": "a square"},
+            {"order": 1},
+        ),
+        ({"order": {"element": "shape", "values": {"Square": 1}, "default": "square"}}, {"shape": ""}, {"order": 1}),
+        ({"order": {"element": "shape", "values": {"square": 1}, "default": 7}}, {"shape": ""}, {"order": 7}),
+        (
+            {
+                "is_loud": {"element": "side", "values": {"left": True, "right": False}},
+                "planner": {"element": "side", "values": {"left": "navfn", "right": "other"}},
+            },
+            {"side": "Left"},
+            {"is_loud": True, "planner": "navfn"},
+        ),
+        ({"distance": {"element": "n", "values": {"twice": 2}}}, {"n": "twice"}, {"distance": 2.0}),
         ({}, {"order": ""}, {}),
     ],
 )
@@ -129,11 +147,21 @@ def test_words_that_would_reach_no_field_are_refused() -> None:
     plan = plan_goal(FIELDS, elements)
     assert plan.unheeded == ("duration",)
     assert "not heeded: duration" in str(plan)
+    said = {"order": typed("order", text="3"), "duration": typed("duration", text="ten seconds")}
     with pytest.raises(ArgumentError, match='cannot heed the duration "ten seconds"'):
-        refuse_unheeded(plan, {"order": "3", "duration": "ten seconds"}, defaults={})
+        refuse_unheeded(plan, said, defaults={})
     # Nobody said a default.
-    refuse_unheeded(plan, {"order": "3", "duration": "five seconds"}, defaults={"duration": "five seconds"})
-    refuse_unheeded(plan, {"order": "3"}, defaults={})
+    refuse_unheeded(plan, said, defaults={"duration": "ten seconds"})
+    refuse_unheeded(plan, {"order": typed("order", text="3")}, defaults={})
+
+
+def test_unit_of_a_measure_is_heeded() -> None:
+    plan = plan_goal(FIELDS, [BoundElement("distance", is_core=True), BoundElement("unit", is_core=False)])
+    measured = typed("distance", text="3", measure=Measure("length", unit="feet", si=0.9))
+    unit = typed("unit", text="feet")
+    refuse_unheeded(plan, {"distance": measured, "unit": unit}, defaults={})
+    with pytest.raises(ArgumentError, match='the unit "feet"'):
+        refuse_unheeded(plan, {"distance": typed("distance", text="3"), "unit": unit}, defaults={})
 
 
 def test_elements_that_are_ignored_or_units_are_heeded() -> None:
@@ -141,3 +169,49 @@ def test_elements_that_are_ignored_or_units_are_heeded() -> None:
     mapping = {"distance": {"element": "distance", "unit_element": "unit"}}
     assert plan_goal(FIELDS, elements, mapping=mapping, ignored_elements=["manner"]).unheeded == ()
     assert plan_goal(FIELDS, elements, ignored_elements=["manner"]).unheeded == ("unit",)
+
+
+def typed(name: str, **attributes: Any) -> TypedArgument:
+    return TypedArgument(name=name, **attributes)
+
+
+@pytest.mark.parametrize(
+    "mapping, argument, expected",
+    [
+        ({"planner": "goal.relation"}, typed("goal", text="the table", relation="under"), {"planner": "under"}),
+        ({"order": {"element": "goal.count"}}, typed("goal", text="two mugs", count=2), {"order": 2}),
+        (
+            {"order": {"element": "goal.count", "default": "one"}},
+            typed("goal", text="the mug"),
+            {"order": 1},
+        ),
+        ({"planner": "goal.head"}, typed("goal", text="the red mug", head="mug"), {"planner": "mug"}),
+        (
+            {"angle": {"element": "goal", "unit": "degree"}},
+            typed("goal", text="a bit", measure=Measure("angle", si=math.pi)),
+            {"angle": 180.0},
+        ),
+        (
+            {"names": "goal"},
+            typed(
+                "goal",
+                text="salt and pepper and cod",
+                members=(typed("", text="salt and pepper"), typed("", text="cod")),
+            ),
+            {"names": ["salt and pepper", "cod"]},
+        ),
+        (
+            {"limits.force": "goal.si"},
+            typed("goal", text="3 feet", measure=Measure("length", si=0.9)),
+            {"limits.force": 0.9},
+        ),
+    ],
+)
+def test_parts_of_an_argument_fill_fields(mapping: Dict[str, Any], argument: TypedArgument, expected: Any) -> None:
+    plan = plan_goal(FIELDS, [BoundElement("goal", is_core=True)], mapping=mapping)
+    assert goal_values(plan, {"goal": argument}) == pytest.approx(expected)
+
+
+def test_unknown_part_is_refused_with_the_likely_one() -> None:
+    with pytest.raises(BindingError, match="no part 'relatoin'; did you mean 'relation'"):
+        plan_goal(FIELDS, [BoundElement("goal", is_core=True)], mapping={"planner": "goal.relatoin"})

@@ -110,6 +110,7 @@ class ActionConnection:
         self,
         goal: Any,
         *,
+        header_text: str = "",
         on_transition: Callable[[actionlib.ClientGoalHandle], None],
         on_feedback: Callable[[Any], None],
     ) -> SentGoal:
@@ -117,13 +118,20 @@ class ActionConnection:
 
         Args:
             goal: of the server's type
+            header_text: for ``header.frame_id`` of the message around the goal
             on_transition: called with the handle whenever its state changes
             on_feedback: called with each feedback
         """
+        # actionlib makes the message around the goal anew for each goal, and this function publishes it.
+        self._client.manager.register_send_goal_fn(lambda message: self._publish(message, header_text))
         handle = self._client.send_goal(
             goal, transition_cb=on_transition, feedback_cb=lambda _handle, feedback: on_feedback(feedback)
         )
         return SentGoal(handle, handle.comm_state_machine.action_goal.goal_id.id)
+
+    def _publish(self, message: Any, header_text: str) -> None:
+        message.header.frame_id = header_text
+        self._client.pub_goal.publish(message)
 
     def cancel(self, goal: SentGoal) -> None:
         """Send one cancel.
