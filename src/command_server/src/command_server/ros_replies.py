@@ -7,6 +7,7 @@ from roboframenet_msgs.msg import CommandStatus, Reply
 
 from command_server.open_commands import Ending, OpenCommand
 from command_server.ros_messages import command_to_message, ending_to_message
+from roboframenet_ros.bounded_text import one_line
 
 
 class Replies:
@@ -42,7 +43,7 @@ class Replies:
 
     def note(self, sentence: str) -> None:
         """Set the sentence of the next status: what the robot is doing."""
-        self._sentence = sentence
+        self._sentence = one_line(sentence)
         self._is_status_due = True
 
     def publish_status(self, open_commands: Sequence[OpenCommand]) -> None:

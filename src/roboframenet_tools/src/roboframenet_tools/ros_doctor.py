@@ -1,12 +1,16 @@
 """Checks of the running graph for ``rfn doctor``."""
 
+import contextlib
 from typing import List
 
 import rosgraph
 import rosnode
 import rospy
+from roboframenet_msgs.msg import FrameCatalogue
 
 from roboframenet_tools.finding import Finding
+from roboframenet_tools.registrations import registration_findings
+from semantic_frames import FileRefused, load_frame
 
 #: Nodes of the pipeline; the names are those of the launch file.
 PIPELINE = (
@@ -47,7 +51,21 @@ def graph_findings() -> List[Finding]:
                     "" if is_alive else "restart it; 'rosnode cleanup' forgets dead nodes",
                 )
             )
-    return findings + [_time()]
+    return findings + _registrations() + [_time()]
+
+
+def _registrations() -> List[Finding]:
+    try:
+        rospy.init_node("rfn_doctor", anonymous=True, disable_signals=True)
+        catalogue = rospy.wait_for_message("frame_catalogue", FrameCatalogue, timeout=5.0)
+    except rospy.ROSException as error:
+        return [Finding("registrations", f"unknown: {error}", "start frame_registrar")]
+    frames = set()
+    for file in catalogue.files:
+        with contextlib.suppress(FileRefused):
+            frames.add(load_frame(file.text, file.path).name)
+    registrations = [(one.frame_name, one.callback_topic, one.is_alive) for one in catalogue.callbacks]
+    return list(registration_findings(frames, registrations))
 
 
 def _time() -> Finding:
