@@ -194,11 +194,11 @@ class Pipeline:
             behind=behind,
         )
 
-    def understand_safely(self, text: str) -> Understanding:
+    def understand_safely(self, text: str, context: Context = Context()) -> Understanding:
         """Understand one sentence of many: an internal error becomes its reply, and the other sentences are still
-        read."""
+        read. See :meth:`understand`."""
         try:
-            return self.understand(text)
+            return self.understand(text, context)
         except Exception as error:  # boundary: a batch continues after a sentence that causes an error
             return Understanding(text, Reply("FAILED", "STAGE_ERROR", f"{type(error).__name__}: {error}"))
 

@@ -2,14 +2,14 @@
 
 import argparse
 import json
-import os
 import sys
-from typing import Iterable, List
+from typing import List
 
 from frame_registrar.search import Candidate
 from offline_pipeline.knowledge import load_knowledge, pretend_servers, shipped_domains
 from offline_pipeline.pipeline import BEHAVIOURS, Pipeline, Understanding, to_json
 from roboframenet_tools.drawing import draw_arcs, svg_arcs
+from roboframenet_tools.folders import folders_of
 from stanford_parser_ros.inference import ModelError
 from utterance_passes.table import PASSES
 from utterance_passes.trace import TraceLine
@@ -133,24 +133,11 @@ def _pipeline(arguments: argparse.Namespace) -> Pipeline:
         knowledge = live_knowledge(timeout_s=10.0)
         return Pipeline(knowledge, parameters=live_parameters(), without=without, is_traced=not arguments.json)
     knowledge = load_knowledge(
-        [*(_folders(arguments.domains or ()) or [shipped_domains()]), *_folders(arguments.others)]
+        [*(folders_of(arguments.domains or ()) or [shipped_domains()]), *folders_of(arguments.others)]
     )
     pretend_servers(knowledge.graph)
     parameters = BEHAVIOURS[arguments.behaviour or "now"]
     return Pipeline(knowledge, parameters=parameters, without=without, is_traced=not arguments.json)
-
-
-def _folders(texts: Iterable[str]) -> List[str]:
-    """Return the folders of arguments in which commas separate them, as in the launch files.
-
-    Raises:
-        NotADirectoryError: one does not exist
-    """
-    folders = [folder.strip() for text in texts for folder in text.split(",") if folder.strip()]
-    for folder in folders:
-        if not os.path.exists(folder):
-            raise NotADirectoryError(f"there is no folder {folder}")
-    return folders
 
 
 def _follow() -> int:

@@ -13,6 +13,7 @@ from roboframenet_tools.cli import COMMANDS, OUTPUT_CLOSED, main
 from roboframenet_tools.completion import script
 from roboframenet_tools.graph import LEGEND, dot, layers, svg
 from roboframenet_tools.listing import count, is_grounded, table
+from roboframenet_tools.registrations import Registered, registration_findings
 from roboframenet_tools.verb_forms import verb_of
 
 
@@ -164,6 +165,16 @@ def test_doctor_says_what_to_do(monkeypatch):
     assert "->" in str(doctor.host_name())
     monkeypatch.setattr(doctor, "sys", SimpleNamespace(version_info=(3, 7), version="3.7.0 x", executable="python"))
     assert doctor.interpreter().advice
+
+
+def test_doctor_sees_servers_of_unknown_frames_and_dead_ones():
+    (fine,) = registration_findings(["turning"], [Registered("turning", "turning", True)])
+    assert not fine.advice
+    typo, dead = registration_findings(
+        ["broadcasting", "turning"], [Registered("brodcasting", "tts", True), Registered("turning", "turning", False)]
+    )
+    assert "did you mean 'broadcasting'" in typo.advice
+    assert "does not answer" in dead.found and dead.advice
 
 
 @pytest.mark.parametrize("words", [["list"], ["--help"], ["list", "--help"]])
