@@ -16,6 +16,7 @@ from semantic_framer.attachment import (
 from semantic_framer.frame_roles import DESCRIBED, DIRECTION, MESSAGE
 from semantic_framer.framed_lexicon import FramedLexicon
 from semantic_framer.measured_elements import measured_elements, measures_as_in_2012, numeral_at
+from semantic_framer.phrase_types import PhraseTypes, fit_of_relation, misfits
 from semantic_framer.reading import ElementValue, Reading
 from semantic_framer.sentence import Sentence
 from semantic_framer.things import is_unfinished
@@ -23,6 +24,7 @@ from semantic_framer.values import amount_value, given_value, phrase_value, unit
 from semantic_frames.frame import FrameElement, SemanticFrame
 from semantic_frames.lexical_unit import ArgumentForm, ElementRelation, LexicalUnit
 from semantic_frames.relation_names import MEASURE
+from semantic_types import Fit
 from utterance_passes.clauses import Clause, shared_subject
 from utterance_passes.measures import Amount, amounts_of
 from utterance_passes.trace import Trace, TraceLine
@@ -33,6 +35,8 @@ from word_classes import word_class
 #: "bring the mug to the table". A phrase with another preposition ("on", "in", "near") belongs to the verb only for a
 #: core or required element: "put the mug on the table".
 DIRECTIONAL = frozenset(phrase.replace(" ", "_") for phrase in word_class("directional_prepositions"))
+#: What a unit asks for must be the usual sense of the words, or they must have no type.
+_MISFITS = (Fit.POSSIBLE, Fit.WRONG)
 _DESTINATION_ADVERBS = word_class("destination_adverbs")
 _PLACE_PREPOSITIONS = word_class("place_prepositions")
 #: The trace shows at most this many relations or words that the sentence does not have.
@@ -53,13 +57,14 @@ def read_clause(
         readings in the order of the lexicon
     """
     amounts = amounts_of(sentence.tree, clause.positions, clause.verb)
+    types = PhraseTypes(sentence.tree, known.types)
     readings = []
     for match in match_verbs(sentence.tree, clause, known):
         for unit in known.lexicon.units_of(match.verb):
             frame = known.frames.get(unit.frame_name)
             if frame is None:
                 continue
-            filling = _Filling(sentence, clause, unit, frame, match, amounts)
+            filling = _Filling(sentence, clause, unit, frame, match, amounts, types)
             reading = filling.reading()
             if trace is not None:
                 if reading is not None:
@@ -82,7 +87,7 @@ def _write(
     missing = frozenset(element.name for element in reading.missing) if reading else frozenset()
     looked_for = [
         f"no {_some(' or ', list(map(str, relation.relations)))}"
-        + (f" ({_some(', ', relation.words)})" if relation.words else "")
+        + (f" ({_some(', ', relation.words + relation.semantic_types)})" if relation.is_limited else "")
         + f" for {relation.name}"
         for relation in unfilled
         if (reading is None and relation.is_required) or relation.name in missing
@@ -115,6 +120,7 @@ class _Filling:
         frame: SemanticFrame,
         match: VerbMatch,
         amounts: Tuple[Amount, ...],
+        types: PhraseTypes,
     ) -> None:
         self._sentence = sentence
         self._clause = clause
@@ -122,6 +128,9 @@ class _Filling:
         self._frame = frame
         self._match = match
         self._amounts = amounts
+        self._types = types
+        #: How well a phrase fits the types of the relation that it fills, by element.
+        self._fits: Dict[str, Fit] = {}
         self._heads: Dict[str, int] = {}
         self._listed: Dict[str, FrozenSet[int]] = {}
         measured = measured_elements(sentence, unit, frame, match.positions, amounts)
@@ -142,7 +151,7 @@ class _Filling:
         for wants_core in (True, False):
             for relation in self._unit.relations:
                 element = self._frame.element(relation.name)
-                is_first = relation.is_required or bool(relation.words) or (element is not None and element.is_core)
+                is_first = relation.is_required or relation.is_limited or (element is not None and element.is_core)
                 if not self._is_taken(relation.name) and relation.name not in self._unread and is_first == wants_core:
                     self._take_phrase(relation)
         if any(relation.is_required and not self._is_taken(relation.name) for relation in self._unit.relations):
@@ -155,6 +164,7 @@ class _Filling:
             if (element.is_core or element.name in self._unread) and element.name not in names
         )
         left_over, coverage = self._coverage(values)
+        wrong, doubtful = misfits(values, self._frame, self._types)
         return Reading(
             unit=self._unit,
             verb=self._match.verb,
@@ -165,6 +175,8 @@ class _Filling:
             coverage=coverage,
             listed=frozenset().union(*self._listed.values()),
             unread=tuple(dict.fromkeys(amount for amounts in self._unread.values() for amount in amounts)),
+            wrong_types=wrong,
+            doubtful_types=len({name for name, fit in self._fits.items() if fit is not Fit.LIKELY}.union(doubtful)),
         )
 
     def _note(self, rule: str, positions: Iterable[int], what: str) -> None:
@@ -203,8 +215,10 @@ class _Filling:
                     self._note("unfinished", self._sentence.subtree(head), f"no noun for {relation.name}")
                     return
                 listed = self._listed_words(head, relation.words)
-                if relation.words and not listed:
+                fit = fit_of_relation(self._types, head, relation) if not listed else Fit.LIKELY
+                if fit is Fit.WRONG:
                     continue
+                listed = listed or frozenset([head] if relation.is_limited and fit is Fit.LIKELY else [])
                 is_adverb = relation.argument is ArgumentForm.PHRASE and self._is_only_an_adverb(head, path.steps)
                 numeral = numeral_at(head, path, self._amounts) if not relation.words else None
                 if numeral is not None and numeral.is_doubtful:
@@ -217,6 +231,7 @@ class _Filling:
                     continue
                 self._heads[relation.name] = head
                 self._listed[relation.name] = listed
+                self._fits[relation.name] = fit
                 self._note_where_from(relation.name, head)
                 return
 
@@ -347,7 +362,7 @@ class _Filling:
                 for rule, positions in (("places_behind", behind), ("words_before", before)):
                     if positions:
                         self._note(rule, positions, f'part of the {element.name} "{self._sentence.word(head).form}"')
-                attached = self._listed[element.name] | behind | before
+                attached = (self._listed[element.name] - {head}) | behind | before
                 values.append(
                     phrase_value(self._sentence.tree, element.name, head, relation.argument, left_out, attached)
                 )
