@@ -8,7 +8,7 @@ from typing import Dict, List, Sequence, Tuple
 import pytest
 from roboframenet_msgs.msg import Clause
 
-from arbitrator.plan import FilledFrame, as_procedure
+from arbitrator.plan import as_procedure
 from arbitrator.policy import RandomPolicy, arbitrate
 from arbitrator.ros_messages import plan_from_message
 from frame_registrar.graph import FrameGraph
@@ -22,6 +22,7 @@ from semantic_framer.framer import Understood, read
 from semantic_frames import load_lexical_units
 from semantic_frames.lexical_unit import LexicalUnit
 from semantic_types import Fit, shipped_types
+from typed_arguments import FilledFrame
 from word_classes import word_class
 
 DOMAINS = Path(os.path.realpath(__file__)).parents[2] / "src" / "roboframenet_domains" / "domains"

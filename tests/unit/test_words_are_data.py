@@ -40,10 +40,10 @@ NO_SPEECH: Dict[str, Tuple[str, str]] = {
     "location_memorizer/locations.py": ("keys of a file", "x, y, heading"),
     "offline_pipeline/pipeline.py": (
         "keys of JSON",
-        "text, tokens, frames, reply, outcome, code, sentence, name, argument",
+        "text, tokens, frames, reply, outcome, code, sentence, name, argument, typed",
     ),
     "pr2_props/node.py": ("names of props", "hug, hugging, pound, pounding"),
-    "rfnserver/goal_binding.py": ("keys of a declaration", "element, unit, default, value"),
+    "rfnserver/goal_binding.py": ("keys of a declaration", "element, unit, default, value, values"),
     "rfnserver/goal_types.py": ("types of ROS", "bool, string, duration"),
     "roboframenet_demo/node.py": ("headings", "sentence, domain, frame and elements, verdict"),
     "roboframenet_demo/script.py": ("keys of a file", "say, outcome, expect, tolerance, interrupt, person"),
@@ -58,12 +58,33 @@ NO_SPEECH: Dict[str, Tuple[str, str]] = {
         "domain, domains, frames, grounded, grounded frames, lexical units, robots",
     ),
     "roboframenet_tools/new.py": ("places in a template", "name, verb, capital"),
+    "frame_learning/gpsr_commands.py": (
+        "names of the generators' rules and slots",
+        "ptask, polite, task, main, please, pmain, sub, pos, paj, posadj",
+    ),
+    "frame_learning/gpsr_grammar.py": (
+        "names of the generators' slots",
+        "beacon, female, aobject, kobject, sobject, male, room, placement",
+    ),
+    "frame_learning/gpsr_meaning.py": (
+        "keys of a file",
+        "kinds, between, types, macros, clauses, frames, said, asks, performer",
+    ),
+    "frame_learning/gpsr_world.py": (
+        "names of the generators' slots",
+        "category, name, gesture, object, place, whattosay, room",
+    ),
     "frame_learning/score_command.py": (
         "keys of JSON and headings",
         (
             "commands, fp, em, coverage, annotated, predicted, right, precision, right heads, frame, "
             "taken for, lines, answered, refused, stops, errors"
         ),
+    ),
+    "phrase_meanings/head_words.py": ("kinds of a modifier", "adjective, comparative, superlative"),
+    "phrase_meanings/meaning_file.py": (
+        "keys of a file",
+        "relations, directions, quantifiers, bounds, exceptions",
     ),
     "semantic_framer/mood_file.py": (
         "keys of a file",
@@ -88,6 +109,13 @@ NO_SPEECH: Dict[str, Tuple[str, str]] = {
         "frame, frames, server, launch, run, package, file, arguments, executable, name",
     ),
     "stanford_parser_ros/inference.py": ("keys of Stanza", "id, text, lemma, upos, xpos, feats"),
+    "typed_arguments/parts.py": (
+        "parts of an argument",
+        (
+            "text, words, head, lemma, relation, quantifier, count, direction, conjunction, possessor, complement, "
+            "modifiers, referent, source, si, amount, unit, bound, change"
+        ),
+    ),
     "turtlebot_follower/centroid.py": ("keys of numpy", "names, formats, offsets, itemsize"),
     "utter/speech.py": ("what the robot can tell, a sentence for each", "time, date, day, name"),
     "utterance_passes/formula_file.py": (

@@ -12,8 +12,12 @@ from frame_learning.annotated_sentences import sentences_of
 from frame_learning.corpora import CORPORA, PublishedFigures
 from frame_learning.corpus_answers import answer, answer_2012
 from frame_learning.corpus_mapping import CorpusMapping
+from frame_learning.gpsr_command import NAME as GPSR
+from frame_learning.gpsr_command import TITLE as GPSR_TITLE
+from frame_learning.gpsr_command import add_gpsr_arguments, run_gpsr
 from frame_learning.learn_command import learned_knowledge, lexicon_files
 from frame_learning.metrics import Answer, Score, is_exact, score
+from frame_learning.tables import aligned
 from offline_pipeline.knowledge import load_knowledge, pretend_servers, shipped_domains
 from offline_pipeline.pipeline import Pipeline
 from semantic_frames import FileRefused
@@ -25,6 +29,7 @@ EXAMPLES = """examples:
   rfn score huric huric-2.1/english --folds 5
   rfn score tage tagE/data --json > tage.json
   rfn score scout scout/transcripts
+  rfn score gpsr grammars --count 5000 --seed 7 --failures
 
 exit status: 0 scored, 2 wrong usage
 """
@@ -34,7 +39,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Declare the arguments of ``rfn score``."""
     parser.epilog = EXAMPLES
     titles = "; ".join(f"{name}: {corpus.title}" for name, corpus in CORPORA.items())
-    parser.add_argument("corpus", choices=tuple(CORPORA), help=titles)
+    parser.add_argument("corpus", choices=(*CORPORA, GPSR), help=f"{titles}; {GPSR}: {GPSR_TITLE}")
     parser.add_argument("folder", metavar="DIR", help="its folder")
     parser.add_argument("--domains", action="append", metavar="FOLDER", help="frames and units (default: shipped)")
     parser.add_argument(
@@ -52,20 +57,26 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         help="2012: single words, every other word ignored; the table always shows its figures",
     )
     parser.add_argument("--wrong", metavar="FILE", help="write the commands that are not completely right to this file")
+    add_gpsr_arguments(parser)
 
 
 def run(arguments: argparse.Namespace) -> int:
     """Score a corpus; return the exit status."""
-    corpus = CORPORA[arguments.corpus]
-    if not corpus.is_annotated and (arguments.folds or arguments.behaviour == "2012"):
-        print(f"rfn score: {corpus.name} has no annotated frames to learn from or to compare with", file=sys.stderr)
+    corpus = CORPORA.get(arguments.corpus)
+    is_annotated = corpus is not None and corpus.is_annotated
+    if not is_annotated and (arguments.folds or arguments.behaviour == "2012"):
+        print(
+            f"rfn score: {arguments.corpus} has no annotated frames to learn from or to compare with", file=sys.stderr
+        )
         return 2
     try:
         knowledge = load_knowledge(arguments.domains or [shipped_domains()])
         pretend_servers(knowledge.graph)
-        commands = corpus.read(arguments.folder)
-        mapping = corpus.mapping() if corpus.is_annotated else None
         pipeline = Pipeline(knowledge)
+        if corpus is None:
+            return run_gpsr(arguments, pipeline)
+        commands = corpus.read(arguments.folder)
+        mapping = corpus.mapping() if is_annotated else None
     except (CorpusError, FileRefused, ModelError, LookupError) as error:
         print(f"rfn score: {error}", file=sys.stderr)
         return 2
@@ -177,12 +188,7 @@ def table(rows: Sequence[Tuple[str, Score]], published: Sequence[PublishedFigure
         frames.append(
             (name, str(row.frame.annotated), f"{row.frame.f1:.1f}", f"{row.exact.f1:.1f}", f"{row.head.f1:.1f}", taken)
         )
-    return f"{rows[0][1].commands} commands\n\n{_aligned(lines)}\n\n{_aligned(frames)}"
-
-
-def _aligned(rows: Sequence[Sequence[str]]) -> str:
-    widths = [max(len(row[column]) for row in rows) for column in range(len(rows[0]))]
-    return "\n".join("  ".join(cell.ljust(width) for cell, width in zip(row, widths)).rstrip() for row in rows)
+    return f"{rows[0][1].commands} commands\n\n{aligned(lines)}\n\n{aligned(frames)}"
 
 
 def _wrong(command: AnnotatedCommand, given: Answer) -> str:

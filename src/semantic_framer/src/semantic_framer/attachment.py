@@ -2,7 +2,7 @@
 for it.
 """
 
-from typing import AbstractSet, FrozenSet, Tuple
+from typing import AbstractSet, Collection, FrozenSet, Tuple
 
 from utterance_passes.tree import DependencyTree
 from word_classes import word_class
@@ -16,7 +16,6 @@ _LEFT_AND_RIGHT = word_class("left_and_right")
 _ONWARD = word_class("onward_adverbs")
 _PLACE_ADVERBS = word_class("place_adverbs")
 _PLACE_PREPOSITIONS = word_class("place_prepositions")
-_SIDES = word_class("sides")
 _STRAIGHT = word_class("straight_adverbs")
 
 
@@ -53,13 +52,9 @@ def _first_case(tree: DependencyTree, index: int) -> int:
     return min(child.index for child in tree.children(index) if child.deprel == "case")
 
 
-def is_side_of_something(tree: DependencyTree, index: int) -> bool:
-    """Whether a word is a side of a thing and not a direction: "the left of the table"."""
-    return tree.word(index).form.lower() in _SIDES and any(
-        child.deprel.startswith("nmod")
-        and any(inner.deprel == "case" and inner.form.lower() == "of" for inner in tree.children(child.index))
-        for child in tree.children(index)
-    )
+def is_later_item(tree: DependencyTree, index: int, phrases: Collection[int]) -> bool:
+    """Whether a word is a later item of a list whose first item is the head of a phrase: "to Anna and Ben" is one."""
+    return tree.word(index).deprel == "conj" and tree.word(index).head in phrases
 
 
 def places_before(tree: DependencyTree, head: int) -> Tuple[str, ...]:

@@ -78,7 +78,7 @@ def test_sentences_of_this_kind_are_understood(understand: Any, text: str, argum
     outcome, _ = understand(text)
     assert isinstance(outcome, Understood), outcome
     ((reading, *_),) = outcome.clauses
-    assert {value.name: value.argument for value in reading.values if value.positions} == arguments
+    assert {value.name: value.text for value in reading.arguments if value.positions} == arguments
 
 
 def test_degree_that_nothing_takes_is_left_over(understand: Any) -> None:

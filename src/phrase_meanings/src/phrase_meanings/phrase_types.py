@@ -1,17 +1,14 @@
 """The semantic types of phrases: of their head noun, with compounds, names, pronouns and measures."""
 
-from typing import Dict, Iterable, Iterator, List, Sequence, Tuple
+from typing import Dict, Iterator, Sequence, Tuple
 
-from semantic_framer.dialogue import PRONOUNS
-from semantic_framer.reading import ElementValue, WrongType
-from semantic_frames.frame import SemanticFrame
-from semantic_frames.lexical_unit import ElementRelation
 from semantic_types import UNTYPED, Fit, Likelihoods, WordTypes
 from semantic_types.likelihood import UNLIKELY, combined, of_names, of_weights
 from utterance_passes.tree import DependencyTree, Word
 from word_classes import word_class
 
 _MEASURE_NOUNS = word_class("measure_nouns")
+_PRONOUNS = word_class("pronouns")
 _PERSONS = word_class("pronouns_of_persons")
 _PERSONS_OR_THINGS = word_class("pronouns_of_persons_or_things")
 #: Words of these parts of speech may be nouns, also when the tagger erred.
@@ -48,6 +45,10 @@ class PhraseTypes:
             self._of[head] = self._find(head)
         return self._of[head]
 
+    def likeliest(self, head: int) -> str:
+        """Return the likeliest type of a phrase; empty if nothing is known about it."""
+        return self.of(head).likeliest()
+
     def fit(self, head: int, accepted: Sequence[str]) -> Fit:
         """Return how well a phrase fits some types; of a list ("the mug and Anna"), the item that fits worst counts.
 
@@ -76,7 +77,7 @@ class PhraseTypes:
             return _PERSON
         if form in _PERSONS_OR_THINGS:
             return _PERSON_OR_THING
-        if word.upos not in _NOUNS or form in PRONOUNS:
+        if word.upos not in _NOUNS or form in _PRONOUNS:
             return UNTYPED
         types = self._of_noun(word)
         if word.upos == "PROPN":
@@ -145,50 +146,3 @@ class PhraseTypes:
             if child.deprel == "nmod" and cases == ["of"]:
                 return child.index
         return 0
-
-
-def fit_of_relation(types: PhraseTypes, head: int, relation: ElementRelation) -> Fit:
-    """Return how well words that a relation does not list fit it: the types that it asks for must be their usual ones.
-
-    Words without a type fit only a required relation, because otherwise the unit has a better place for them.
-    """
-    if not relation.semantic_types:
-        return Fit.WRONG if relation.words else Fit.LIKELY
-    fit = types.fit(head, relation.semantic_types)
-    return fit if fit is Fit.LIKELY or (fit is Fit.UNKNOWN and relation.is_required) else Fit.WRONG
-
-
-def misfits(
-    values: Iterable[ElementValue], frame: SemanticFrame, types: PhraseTypes
-) -> Tuple[Tuple[WrongType, ...], Tuple[str, ...]]:
-    """Return the values whose words have none of the types of their frame element, and the elements whose words have
-    one of them in a rare sense only.
-    """
-    wrong: List[WrongType] = []
-    doubtful: List[str] = []
-    for value in values:
-        element = frame.element(value.name)
-        accepted = element.semantic_types if element is not None else ()
-        if not accepted or not value.head_position or value.quantity:
-            continue
-        items = types.items(value.head_position)
-        worst = max(items, key=lambda item: types.of(item).fit(accepted))
-        fit = types.of(worst).fit(accepted)
-        if fit is Fit.WRONG:
-            words = value.argument if len(items) == 1 else types.word(worst)
-            wrong.append(WrongType(value.name, words, types.of(worst).likeliest(), accepted))
-        elif fit is Fit.POSSIBLE:
-            doubtful.append(value.name)
-    return tuple(wrong), tuple(doubtful)
-
-
-def semantic_type(tree: DependencyTree, head: int, words: WordTypes, accepted: Tuple[str, ...] = ()) -> str:
-    """Return the semantic type of the argument with a head word; empty if nothing is known about it.
-
-    Args:
-        tree: the sentence
-        head: index of the head word
-        words: what is known about words
-        accepted: the types that its frame element declares: of several senses, one that fits counts
-    """
-    return PhraseTypes(tree, words).of(head).likeliest(accepted)
