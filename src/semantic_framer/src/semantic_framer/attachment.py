@@ -2,7 +2,7 @@
 for it.
 """
 
-from typing import AbstractSet, FrozenSet, Tuple
+from typing import AbstractSet, Collection, FrozenSet, Tuple
 
 from utterance_passes.tree import DependencyTree
 from word_classes import word_class
@@ -50,6 +50,11 @@ def is_postmodifier_of(tree: DependencyTree, index: int, head: int, is_described
 
 def _first_case(tree: DependencyTree, index: int) -> int:
     return min(child.index for child in tree.children(index) if child.deprel == "case")
+
+
+def is_later_item(tree: DependencyTree, index: int, phrases: Collection[int]) -> bool:
+    """Whether a word is a later item of a list whose first item is the head of a phrase: "to Anna and Ben" is one."""
+    return tree.word(index).deprel == "conj" and tree.word(index).head in phrases
 
 
 def places_before(tree: DependencyTree, head: int) -> Tuple[str, ...]:
