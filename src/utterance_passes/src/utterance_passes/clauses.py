@@ -196,7 +196,7 @@ def _asks_somebody_else(vocabulary: Vocabulary, verb: Word, children: Tuple[Word
     """Whether a verb is a command to ask another person: "ask Alice to wait". "I ask you to wait" wraps a request."""
     objects = [child for child in children if child.deprel in ("obj", "iobj")]
     has_subject = any(child.deprel.startswith("nsubj") for child in children)
-    is_known = bool(vocabulary.verbs_beginning_with(verb.lemma.lower()))
+    is_known = verb.lemma.lower() in vocabulary.verbs_beginning_with(verb.lemma.lower())
     return is_known and not has_subject and any(child.form.lower() not in _HEARERS for child in objects)
 
 
