@@ -87,7 +87,7 @@ def test_files_are_valid(loaded):
 def test_domains_have_at_least_the_numbers_of_the_paper(loaded):
     knowledge, _ = loaded
     assert len(knowledge.frames) >= 52
-    assert len({Path(frame.path).parents[1].name for frame in knowledge.frames.values()}) == 10
+    assert len({Path(frame.path).parents[1].name for frame in knowledge.frames.values()}) >= 10
 
 
 def test_every_unit_file_has_three_examples(loaded):
