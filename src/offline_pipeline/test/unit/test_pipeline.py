@@ -140,7 +140,7 @@ def test_the_context_is_carried_on(pipeline: Pipeline) -> None:
 
 
 def test_an_error_becomes_a_reply(pipeline: Pipeline, monkeypatch: pytest.MonkeyPatch) -> None:
-    def fail(text: str) -> None:
+    def fail(*_: object) -> None:
         raise RuntimeError("broken")
 
     monkeypatch.setattr(pipeline, "understand", fail)

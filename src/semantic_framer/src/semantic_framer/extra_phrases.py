@@ -1,8 +1,8 @@
 """Finds extra-thematic phrases among the words that a reading does not account for: "quickly", "for the party"."""
 
-from dataclasses import replace
 from typing import Dict, FrozenSet, List, Optional, Tuple
 
+from phrase_meanings.arguments import with_words
 from semantic_framer.sentence import Sentence
 from semantic_frames.extra_thematic import ExtraThematicElement, extra_thematic_elements
 from typed_arguments import TypedArgument
@@ -40,7 +40,7 @@ def extra_arguments(
         argument = sentence.phrases.argument(element.name, root, left_out=sentence.subtree(root) - own)
         # All words are quoted to the person, also the "to" of "to clean the table".
         said = [index for index in sorted(own) if index in argument.positions or sentence.word(index).deprel == "mark"]
-        found.append(replace(argument, words=sentence.text(said), positions=tuple(said)))
+        found.append(with_words(sentence.tree, argument, said))
     return tuple(found)
 
 

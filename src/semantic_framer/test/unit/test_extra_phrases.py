@@ -13,7 +13,7 @@ from semantic_frames.problem import FileRefused
     "text, name, words",
     [
         ("Follow me for ten seconds.", "Duration", "for ten seconds"),
-        ("Follow me from the kitchen.", "Source", "from the kitchen"),
+        ("Say hello from the kitchen.", "Source", "from the kitchen"),
         ("Say hello in the kitchen.", "Place", "in the kitchen"),
         ("Follow me silently.", "Manner", "silently"),
         ("Take a left at the door.", "Place", "at the door"),
