@@ -70,7 +70,7 @@ class CommandServerNode:
     """Owns the commands.
 
     Subscribes: ``text``, ``stage_events``, ``stop_report``. Publishes: ``command_text``, ``command_cancel``, ``reply``,
-    ``status`` (latched), and what a `Brake` does. Actions: ``command``.
+    ``status`` (latched), ``command_server_started`` (latched), and what a `Brake` does. Actions: ``command``.
     """
 
     def __init__(self, settings: Settings, brake_settings: BrakeSettings) -> None:
@@ -119,6 +119,7 @@ class CommandServerNode:
             rospy.Subscriber("stop_report", StopReport, self._events.put),
             rospy.Subscriber("text", String, lambda message: self._events.put(Said(message.data, _now_ns()))),
         ]
+        self._replies.tell_start()
         self._action.start()
 
     def _shutdown(self) -> None:

@@ -4,6 +4,7 @@ from typing import Sequence
 
 import rospy
 from roboframenet_msgs.msg import CommandStatus, Reply
+from std_msgs.msg import Empty
 
 from command_server.open_commands import Ending, OpenCommand
 from command_server.ros_messages import command_to_message, ending_to_message
@@ -11,7 +12,7 @@ from roboframenet_ros.bounded_text import one_line
 
 
 class Replies:
-    """Publishes ``reply``, and ``status`` (latched).
+    """Publishes ``reply``, ``status`` (latched) and ``command_server_started`` (latched).
 
     Attributes:
         publisher: of ``reply``
@@ -22,8 +23,13 @@ class Replies:
         self.publisher = rospy.Publisher("reply", Reply, queue_size=1000)
         self.last_reply = Reply()
         self._status = rospy.Publisher("status", CommandStatus, queue_size=1, latch=True)
+        self._started = rospy.Publisher("command_server_started", Empty, queue_size=1, latch=True)
         self._sentence = "Ready."
         self._is_status_due = True
+
+    def tell_start(self) -> None:
+        """Tell that texts are heard from now on: the stop server replies to those that were said before."""
+        self._started.publish(Empty())
 
     def publish(self, ending: Ending) -> Reply:
         """Publish the reply to a command, and return it."""
