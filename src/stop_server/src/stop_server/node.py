@@ -28,8 +28,8 @@ from stop_server.unheard_texts import UnheardTexts
 STAGE = "stop_server"
 _JOIN_TIMEOUT_S = 2.0
 # Until then after its start, the command server hears what is said, and has taken it; monotonic seconds.
-_LISTENING_S = 1.0
-_TAKEN_S = 3.0
+_LISTENING_S = 3.0
+_TAKEN_S = 6.0
 # How many stops are kept whose reports may be repeated.
 _MOST_TOLD = 1000
 
