@@ -56,7 +56,7 @@ class _Told:
 class StopServerNode:
     """Stops the robot.
 
-    Subscribes: ``text``, ``command/goal``, ``frame_catalogue``, ``reply``, ``command_text``,
+    Subscribes: ``text``, ``command/goal``, ``frame_catalogue``, ``reply``, ``text_taken``,
     ``command_server_started``. Publishes: ``stop_report``, ``reply``,
     ``<server>/cancel`` of the action servers, zero velocity. Actions: ``stopping``.
     """
@@ -90,7 +90,7 @@ class StopServerNode:
                 lambda message: self._hear(message.goal.text, message.goal_id.id),
             ),
             rospy.Subscriber("frame_catalogue", FrameCatalogue, self._hear_catalogue),
-            rospy.Subscriber("command_text", Command, lambda command: self._hear_taken(command.text)),
+            rospy.Subscriber("text_taken", String, lambda message: self._hear_taken(message.data)),
             rospy.Subscriber("command_server_started", Empty, lambda _: self._hear_start()),
         ]
         self._frame.start()

@@ -11,7 +11,6 @@ from actionlib.msg import TestAction, TestGoal
 from actionlib_msgs.msg import GoalID, GoalStatus
 from geometry_msgs.msg import Twist
 from roboframenet_msgs.msg import (
-    Command,
     ExecuteCommandActionGoal,
     FilledSemanticFrame,
     FilledSemanticFrameAction,
@@ -108,10 +107,10 @@ class StopServerNodeTest(unittest.TestCase):
         self.assertEqual(report.command.stamp, report.stop_stamp)
 
     def test_what_was_said_while_the_command_server_was_away_is_answered(self):
-        taken = rospy.Publisher("command_text", Command, queue_size=10)
+        taken = rospy.Publisher("text_taken", String, queue_size=10)
         started = rospy.Publisher("command_server_started", Empty, queue_size=10)
         wait_until(lambda: taken.get_num_connections() == 1 and started.get_num_connections() == 1)
-        taken.publish(Command(id="1", text="Turn left."))
+        taken.publish("Turn left.")
         for text in ("Turn left.", "Ping.", "Stop."):
             self.text.publish(text)
         self.answer_to("Stop.")
