@@ -11,8 +11,10 @@ from offline_pipeline.pipeline import BEHAVIOURS, Pipeline, Understanding, to_js
 from roboframenet_tools.drawing import draw_arcs, svg_arcs
 from roboframenet_tools.folders import folders_of
 from stanford_parser_ros.inference import ModelError
+from stanford_parser_ros.stanford_dependencies import collapsed
 from utterance_passes.table import PASSES
 from utterance_passes.trace import TraceLine
+from utterance_passes.tree import DependencyTree
 
 EXAMPLES = """examples:
   rfn explain "Bring me the mug from the kitchen."
@@ -156,12 +158,21 @@ def _steps(candidate: Candidate) -> str:
     )
 
 
+def _relations(tree: DependencyTree) -> str:
+    """Return the relations under the names that lexical units use: "prep_at(Wave, Alice)" for obl with "at"."""
+    return " ".join(
+        f"{one.relation}({tree.word(one.governor).form}, {tree.word(one.dependent).form})"
+        for one in collapsed(tree)
+        if one.governor and one.relation != "punct"
+    )
+
+
 def describe(understanding: Understanding) -> str:
     """Return the explanation for a person: the tree that was read, and what each rule did in the run that decided."""
     lines = [understanding.text.strip(), ""]
     tree = understanding.tree_read or understanding.tree
     if tree is not None:
-        lines += [draw_arcs(tree), ""]
+        lines += [draw_arcs(tree), "", f"  {'for lexical units':<{_RULE_WIDTH}} {_relations(tree)}", ""]
     lines += [describe_line(line) for line in understanding.trace]
     if understanding.readings:
         lines.append("frames reached: " + ", then ".join(reading.unit.frame_name for reading in understanding.readings))

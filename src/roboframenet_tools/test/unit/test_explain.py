@@ -71,6 +71,10 @@ def test_negated_command_reaches_no_frame(pipeline):
     assert result["reply"]["code"] == "NEGATED"
 
 
+def test_relations_have_the_names_that_units_use(pipeline):
+    assert "prep_to(go, kitchen)" in describe(pipeline.understand("Take the mug, then go to the kitchen."))
+
+
 def test_missing_relation_is_named(pipeline):
     understanding = pipeline.understand("Bring.")
     assert understanding.reply.code == "MISSING_ELEMENT"
