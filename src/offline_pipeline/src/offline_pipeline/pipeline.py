@@ -129,7 +129,7 @@ class Pipeline:
         self._parameters = parameters
         self._without = without
         self._is_traced = is_traced
-        self._known = FramedLexicon(knowledge.lexicon, knowledge.frames)
+        self._known = FramedLexicon(knowledge.lexicon, knowledge.frames, knowledge.types)
         self._verbs = frozenset(verb.split()[0] for verb in knowledge.lexicon.verbs)
 
     @property

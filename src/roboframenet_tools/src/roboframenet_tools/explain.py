@@ -6,7 +6,7 @@ import sys
 from typing import List
 
 from frame_registrar.search import Candidate
-from offline_pipeline.knowledge import load_knowledge, pretend_servers, shipped_domains
+from offline_pipeline.knowledge import load_knowledge, pretend_servers, shipped_domains, with_names
 from offline_pipeline.pipeline import BEHAVIOURS, Pipeline, Understanding, to_json
 from roboframenet_tools.drawing import draw_arcs, svg_arcs
 from roboframenet_tools.folders import folders_of
@@ -56,6 +56,13 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         help="folders of frames and units beside those of --domains, or beside those shipped",
     )
     parser.add_argument(
+        "--names",
+        action="append",
+        default=[],
+        metavar="FILE",
+        help="names that the robot knows, as the launch argument 'names_file' sets them",
+    )
+    parser.add_argument(
         "--live",
         action="store_true",
         help="use what the running graph knows and its parameters; without a sentence, explain what the graph hears",
@@ -86,6 +93,8 @@ def run(arguments: argparse.Namespace) -> int:
         wrong = "give a sentence or --batch FILE"
     elif arguments.live and arguments.behaviour:
         wrong = "--live uses the parameters of the running graph: omit --behaviour"
+    elif arguments.live and arguments.names:
+        wrong = "--live uses what the running graph knows: omit --names"
     if wrong:
         print(f"rfn explain: {wrong}", file=sys.stderr)
         return 2
@@ -137,6 +146,7 @@ def _pipeline(arguments: argparse.Namespace) -> Pipeline:
     knowledge = load_knowledge(
         [*(folders_of(arguments.domains or ()) or [shipped_domains()]), *folders_of(arguments.others)]
     )
+    knowledge = with_names(knowledge, arguments.names)
     pretend_servers(knowledge.graph)
     parameters = BEHAVIOURS[arguments.behaviour or "now"]
     return Pipeline(knowledge, parameters=parameters, without=without, is_traced=not arguments.json)

@@ -35,6 +35,13 @@ def test_unknown_child_has_its_line(tmp_path):
     assert (problem.code, problem.line) == ("UNKNOWN_FRAME", 3)
 
 
+def test_a_file_of_names_is_checked(tmp_path):
+    path = tmp_path / "names.yaml"
+    path.write_text("names:\n  Anna: Human\n  butler: Devce\n")
+    (problem,) = find_problems(*load_paths([str(path)]))
+    assert (problem.code, problem.line, problem.key) == ("UNKNOWN_TYPE", 3, "names.butler")
+
+
 def test_cycle_and_duplicate(chain):
     write(chain, "b", "name: b\nchildren:\n  - name: a\n")
     write(chain, "c", "name: a\n")
