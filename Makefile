@@ -4,6 +4,7 @@ SHELL := /bin/bash
 ROBOT ?= turtlebot
 FILTER ?=
 DATA ?=
+SMACH ?=
 
 .PHONY: help setup build demo run test acceptance reliability record format lint bench install clean
 
@@ -23,8 +24,8 @@ demo: build ## start simulated robots, say the paper's sentences, show what each
 run: build ## keep the stack up for your own 'rostopic pub' (ROBOT=pr2 for the other robot)
 	@scripts/run robot:=$(ROBOT)
 
-test: build ## run the tests, at most ten minutes (FILTER=package runs one package's)
-	@scripts/test test $(if $(FILTER),-R $(FILTER))
+test: build ## run the tests, at most ten minutes (FILTER=package runs one package's; SMACH=folder: also on that SMACH)
+	@SMACH="$(abspath $(SMACH))" scripts/test test $(if $(FILTER),-R $(FILTER))
 
 acceptance: build ## run full tables and corpora, at most 75 minutes (DATA=folder of corpora, FILTER=package)
 	@ROBOFRAMENET_DATA="$(abspath $(DATA))" scripts/test acceptance $(if $(FILTER),-R $(FILTER))

@@ -9,9 +9,9 @@ import rospy
 from roboframenet_msgs.msg import FilledLexicalUnitList, FilledSemanticFrame, Procedure, Reply
 from std_msgs.msg import String
 
-from pipeline import can_do
 from rfnserver import RFNServer
 from roboframenet_demo.ros_pipeline import is_pipeline_complete
+from roboframenet_rostest import can_do
 from roboframenet_testing import wait_until
 
 #: Server and frame. Two servers go to places; the policy draws lots for which of them is tried first.

@@ -11,8 +11,8 @@ from nav_msgs.msg import Odometry
 from roboframenet_msgs.msg import FilledSemanticFrameActionFeedback, Reply
 from std_msgs.msg import String
 
-from pipeline import can_do
 from roboframenet_demo.ros_pipeline import is_pipeline_complete
+from roboframenet_rostest import can_do
 from roboframenet_testing import wait_until
 
 DRIVE = "Move forward 15 metres."

@@ -6,10 +6,10 @@ import unittest
 import rospy
 import yaml
 
-from pipeline import can_do
 from roboframenet_demo.node import Demonstration
 from roboframenet_demo.ros_pipeline import is_pipeline_complete
 from roboframenet_demo.script import read_line
+from roboframenet_rostest import can_do
 from roboframenet_testing import wait_until
 
 

@@ -138,7 +138,7 @@ def heard(ears: Ears, reply: Reply) -> tuple:
 def expected(understanding: Understanding) -> tuple:
     """Return the sentence of a refusal, the candidates and the rules of the offline pipeline."""
     clauses = [
-        [[(frame.name, list(frame.arguments)) for frame in candidate.frames] for candidate in candidates]
+        [[(frame.name, list(frame.texts)) for frame in candidate.frames] for candidate in candidates]
         for candidates in understanding.candidates
     ]
     sentence = "" if understanding.reply.outcome == "DONE" else understanding.reply.sentence

@@ -15,8 +15,8 @@ from roboframenet_msgs.msg import FileProblem, FileProblems, Reply
 from roboframenet_msgs.srv import AddFrame, AddLexicalUnit, GetEmptyFrame
 from std_msgs.msg import String
 
-from pipeline import can_do
 from roboframenet_demo.ros_pipeline import is_pipeline_complete
+from roboframenet_rostest import can_do
 from roboframenet_testing import comes_true, wait_until
 
 NODES = ("frame_registrar", "semantic_framer", "greeting_server")

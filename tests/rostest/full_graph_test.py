@@ -17,10 +17,11 @@ from nav_msgs.msg import Odometry
 from roboframenet_msgs.msg import Reply
 from std_msgs.msg import String
 
-from pipeline import can_do
 from rfnserver import RFNServer
 from roboframenet_demo.ros_pipeline import is_pipeline_complete
+from roboframenet_rostest import can_do
 from roboframenet_testing import wait_until
+from typed_arguments import TypedArgument
 
 PIPELINE = ("stanford_parser_ros", "semantic_framer", "frame_registrar", "arbitrator", "executor")
 
@@ -34,6 +35,7 @@ class FullGraphTest(unittest.TestCase):
         cls.replies: List[Reply] = []
         cls.statuses: List[int] = []
         cls.waves: List[Dict[str, str]] = []
+        cls.meant: List[TypedArgument] = []
         cls.bows: List[str] = []
         cls.heading = None
         cls.turned = cls.farthest_left = 0.0
@@ -153,7 +155,11 @@ class FullGraphTest(unittest.TestCase):
 
     def test_06_ability_added_while_everything_runs(self) -> None:
         server = RFNServer(
-            "test_waving", lambda frame: self.waves.append({e.name: e.argument for e in frame.frame_elements})
+            "test_waving",
+            lambda frame: (
+                self.waves.append({e.name: e.argument for e in frame.frame_elements}),
+                self.meant.append(frame["addressee"]),
+            ),
         )
         self.assertTrue(
             server.add_semantic_frame(
@@ -182,6 +188,17 @@ class FullGraphTest(unittest.TestCase):
         reply = self.say_and_wait("Wave at Alice.")
         self.assertEqual(reply.outcome, Reply.DONE, reply.sentence)
         self.assertEqual(self.waves, [{"addressee": "Alice"}])
+        reply = self.say_and_wait("Wave at Alice's two red boxes under the table.")
+        self.assertEqual(reply.outcome, Reply.DONE, reply.sentence)
+        meant = self.meant[-1]
+        self.assertEqual(
+            (meant.text, meant.words, meant.relation),
+            ("boxes", "at Alice's two red boxes under the table", "at"),
+        )
+        self.assertEqual((meant.head, meant.count, meant.possessor.text), ("boxes", 2, "Alice"))
+        self.assertEqual([modifier.word for modifier in meant.modifiers], ["red"])
+        (place,) = meant.frames[0].frame_elements
+        self.assertEqual((meant.frames[0].frame_name, place.relation), ("being_located", "under"))
 
     def test_07_second_server_of_a_frame_runs_when_the_first_fails(self) -> None:
         ran = self.bows

@@ -16,9 +16,9 @@ from rosgraph_msgs.msg import Log
 from std_msgs.msg import String
 
 import definitions_2012
-from pipeline import can_do
 from rfnserver import RFNServer
 from roboframenet_demo.ros_pipeline import is_pipeline_complete
+from roboframenet_rostest import can_do
 from roboframenet_testing import wait_until
 from typed_arguments import Measure, TypedArgument, from_goal_text, to_goal_text
 

@@ -29,9 +29,9 @@ from roboframenet_msgs.msg import (
 )
 from std_msgs.msg import Float32, String
 
-from pipeline import can_do
 from rfnserver import RFNActionServer, RFNServer
 from roboframenet_demo.ros_pipeline import is_pipeline_complete
+from roboframenet_rostest import can_do
 from roboframenet_testing import wait_until
 
 #: Steps of the sequence that a server computes before it can be preempted.

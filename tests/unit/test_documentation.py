@@ -147,8 +147,8 @@ def is_internal(name: str) -> bool:
 
 
 @pytest.mark.parametrize("package", PACKAGES, ids=lambda package: package.name)
-def test_main_readme_names_the_package(package: Path) -> None:
-    assert f"src/{package.name})" in (REPOSITORY / "README.md").read_text(encoding="utf-8")
+def test_table_of_packages_names_the_package(package: Path) -> None:
+    assert f"src/{package.name})" in (REPOSITORY / "docs" / "packages.md").read_text(encoding="utf-8")
 
 
 @pytest.mark.parametrize(
@@ -159,10 +159,13 @@ def test_package_has_a_changelog(package: Path) -> None:
     assert "Forthcoming\n-----------" in text and f"Changelog for package {package.name}" in text
 
 
-def test_links_of_the_main_readme_exist() -> None:
-    text = (REPOSITORY / "README.md").read_text(encoding="utf-8")
-    links = re.findall(r"\]\((?!https?:)([^)#]+)", text)
-    assert links and not [link for link in links if not (REPOSITORY / link).exists()]
+PAGES = [path for pattern in ("*.md", "docs/**/*.md", "src/*/README.md") for path in REPOSITORY.glob(pattern)]
+
+
+@pytest.mark.parametrize("page", PAGES, ids=lambda page: str(page.relative_to(REPOSITORY)))
+def test_links_of_a_page_exist(page: Path) -> None:
+    links = re.findall(r"\]\((?!https?:)([^)#]+)", page.read_text(encoding="utf-8"))
+    assert not [link for link in links if not (page.parent / link).exists()]
 
 
 MESSAGES = REPOSITORY / "src" / "roboframenet_msgs"

@@ -8,7 +8,7 @@ from typing import Dict, List, Sequence, Tuple
 import pytest
 from roboframenet_msgs.msg import Clause
 
-from arbitrator.plan import FilledFrame, as_procedure
+from arbitrator.plan import as_procedure
 from arbitrator.policy import RandomPolicy, arbitrate
 from arbitrator.ros_messages import plan_from_message
 from frame_registrar.graph import FrameGraph
@@ -19,6 +19,7 @@ from offline_pipeline.knowledge import pretend_servers
 from offline_pipeline.pipeline import Pipeline
 from semantic_framer import ros_messages as framer_messages
 from semantic_framer.framer import Understood, read
+from typed_arguments import FilledFrame
 
 DOMAINS = Path(os.path.realpath(__file__)).parents[2] / "src" / "roboframenet_domains" / "domains"
 #: Examples that are not understood yet, with the reason. An example that is understood must leave this list.

@@ -142,11 +142,12 @@ def test_a_circle_is_found() -> None:
 
 
 def test_only_tests_depend_on_the_package_for_tests() -> None:
-    importing = [path for path in product_modules() if "roboframenet_testing" in imported_packages(path)]
-    assert {path.parent.name for path in importing} == {"roboframenet_testing"}
+    for_tests = {"roboframenet_testing", "roboframenet_rostest"}
+    importing = [path for path in product_modules() if for_tests & set(imported_packages(path))]
+    assert {path.parent.name for path in importing} == for_tests
     for path in REPOSITORY.glob("*/*/package.xml"):
-        kinds = re.findall(r"<(\w+)[^>]*>roboframenet_testing<", path.read_text(encoding="utf-8"))
-        assert set(kinds) <= {"test_depend", "name"}, path
+        kinds = re.findall(r"<(\w+)[^>]*>roboframenet_(?:testing|rostest)<", path.read_text(encoding="utf-8"))
+        assert set(kinds) <= {"test_depend", "name"} or path.parent.name in for_tests, path
 
 
 #: The one file of the tier "test" that depends on the models.

@@ -81,6 +81,11 @@ NO_SPEECH: Dict[str, Tuple[str, str]] = {
             "taken for, lines, answered, refused, stops, errors"
         ),
     ),
+    "phrase_meanings/head_words.py": ("kinds of a modifier", "adjective, comparative, superlative"),
+    "phrase_meanings/meaning_file.py": (
+        "keys of a file",
+        "relations, directions, quantifiers, bounds, exceptions",
+    ),
     "semantic_framer/mood_file.py": (
         "keys of a file",
         "spellings, parts, acting, telling, name, kind, pattern, example",
@@ -95,11 +100,22 @@ NO_SPEECH: Dict[str, Tuple[str, str]] = {
     ),
     "semantic_frames/lexical_unit_file.py": ("keys of a file", "name, relation, argument, words, required"),
     "semantic_frames/marked_yaml.py": ("values of YAML", "true, yes, false, no"),
+    "semantic_types/wordnet.py": (
+        "endings of plurals",
+        "ies, y, men, man, shes, sh, ches, ch, xes, x, zes, z, ses, s",
+    ),
     "server_hosting/manifest.py": (
         "keys of a file",
         "frame, frames, server, launch, run, package, file, arguments, executable, name",
     ),
     "stanford_parser_ros/inference.py": ("keys of Stanza", "id, text, lemma, upos, xpos, feats"),
+    "typed_arguments/parts.py": (
+        "parts of an argument",
+        (
+            "text, words, head, lemma, relation, quantifier, count, direction, conjunction, possessor, complement, "
+            "modifiers, referent, source, si, amount, unit, bound, change"
+        ),
+    ),
     "turtlebot_follower/centroid.py": ("keys of numpy", "names, formats, offsets, itemsize"),
     "utter/speech.py": ("what the robot can tell, a sentence for each", "time, date, day, name"),
     "utterance_passes/formula_file.py": (

@@ -1,12 +1,16 @@
 # Programs and tests of the RoboFrameNet packages.
 
-# roboframenet_pin_interpreter(<script>...)
+# roboframenet_pin_interpreter(<script>... [DESTINATION <folder>])
 #
 # Give scripts that catkin_install_python() installs the interpreter of the build. catkin leaves
 # "#!/usr/bin/env python3" as it is in the install space, where the first python3 on the PATH need not be the one
-# that ROS belongs to.
+# that ROS belongs to. The destination is that of catkin_install_python(); by default that of the package's programs.
 function(roboframenet_pin_interpreter)
-  foreach(script ${ARGN})
+  cmake_parse_arguments(ARG "" "DESTINATION" "" ${ARGN})
+  if(NOT ARG_DESTINATION)
+    set(ARG_DESTINATION ${CATKIN_PACKAGE_BIN_DESTINATION})
+  endif()
+  foreach(script ${ARG_UNPARSED_ARGUMENTS})
     get_filename_component(name ${script} NAME)
     file(READ ${CMAKE_CURRENT_SOURCE_DIR}/${script} text)
     string(REGEX REPLACE "^#![^\n]*" "#!${PYTHON_EXECUTABLE}" text "${text}")
@@ -14,8 +18,8 @@ function(roboframenet_pin_interpreter)
     file(WRITE ${pinned} "${text}")
     set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/${script})
     # Two files of one second are the same to install(): the one of catkin_install_python has to go first.
-    install(CODE "file(REMOVE \"\$ENV{DESTDIR}\${CMAKE_INSTALL_PREFIX}/${CATKIN_PACKAGE_BIN_DESTINATION}/${name}\")")
-    install(PROGRAMS ${pinned} DESTINATION ${CATKIN_PACKAGE_BIN_DESTINATION})
+    install(CODE "file(REMOVE \"\$ENV{DESTDIR}\${CMAKE_INSTALL_PREFIX}/${ARG_DESTINATION}/${name}\")")
+    install(PROGRAMS ${pinned} DESTINATION ${ARG_DESTINATION})
   endforeach()
 endfunction()
 
@@ -61,6 +65,21 @@ function(roboframenet_add_pytest name folder)
   catkin_run_tests_target("pytest" ${name} "pytest-${name}.xml"
     COMMAND "\"${PYTHON_EXECUTABLE}\" -m pytest -q -p no:cacheprovider --junitxml=${results} ${folder}")
   _roboframenet_label_tests(pytest ${before})
+endfunction()
+
+# roboframenet_check_launch_files(<path>)
+#
+# Check launch files with roslaunch: nodes and included files exist, and package.xml names their packages. As
+# roslaunch_add_file_check(), with the interpreter of the build.
+function(roboframenet_check_launch_files path)
+  find_package(roslaunch REQUIRED)
+  set(folder ${CATKIN_TEST_RESULTS_DIR}/${PROJECT_NAME})
+  set(results roslaunch-check_${path}.xml)
+  get_property(before DIRECTORY PROPERTY TESTS)
+  catkin_run_tests_target("roslaunch-check" ${path} ${results}
+    COMMAND "${CMAKE_COMMAND} -E make_directory ${folder}"
+            "\"${PYTHON_EXECUTABLE}\" ${roslaunch_check_script} -i -o ${folder}/${results} ${CMAKE_CURRENT_SOURCE_DIR}/${path}")
+  _roboframenet_label_tests(rostest ${before})
 endfunction()
 
 # _roboframenet_label_tests(<label> [<test>...])

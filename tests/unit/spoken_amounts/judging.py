@@ -75,7 +75,7 @@ def _done(understood: Understanding) -> Tuple[Tuple[Motion, ...], ...]:
         motions: List[Motion] = []
         for frame in (frame for candidate in candidates for frame in candidate.frames):
             try:
-                goal = _GOALS[frame.name](dict(frame.arguments))
+                goal = _GOALS[frame.name]({argument.name: argument for argument in frame.arguments})
             except (KeyError, NotUnderstood):
                 motions.append((frame.name, math.nan))
                 continue

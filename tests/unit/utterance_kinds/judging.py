@@ -93,9 +93,9 @@ def _meaning(understood: Understanding) -> Meaning:
             reading.unit.frame_name,
             tuple(
                 sorted(
-                    (value.name, value.argument.lower())
-                    for value in reading.values
-                    if value.argument.lower() not in ("you", "ya", "u")
+                    (value.name, value.text.lower())
+                    for value in reading.arguments
+                    if value.text.lower() not in ("you", "ya", "u")
                 )
             ),
         )

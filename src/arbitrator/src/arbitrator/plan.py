@@ -5,37 +5,7 @@ import math
 from dataclasses import dataclass
 from typing import Tuple, Union
 
-
-@dataclass(frozen=True)
-class FilledElement:
-    """A frame element and its argument, in the words of the speaker."""
-
-    name: str
-    argument: str
-
-
-@dataclass(frozen=True)
-class FilledFrame:
-    """A filled semantic frame and the action server that carries it out.
-
-    Attributes:
-        name: name of the frame, not empty
-        frame_elements: filled elements, in the order of the message
-        server: name of the one action server of this step, not empty
-
-    Raises:
-        ValueError: an empty name or server
-    """
-
-    name: str
-    frame_elements: Tuple[FilledElement, ...]
-    server: str
-
-    def __post_init__(self) -> None:
-        if not self.name:
-            raise ValueError("a frame has no name")
-        if not self.server:
-            raise ValueError(f"frame {self.name!r} names no action server")
+from typed_arguments import FilledFrame
 
 
 @dataclass(frozen=True)
@@ -43,13 +13,13 @@ class Candidate:
     """One way to carry out a clause.
 
     Attributes:
-        frames: to be carried out in this order
+        frames: to be carried out in this order, each by its server
         coverage: share of the content words of the clause that it accounts for, 0 to 1
         preference: tier: every candidate of 0, the likeliest reading of the clause, is tried before those of 1
 
     Raises:
-        ValueError: no frame at all, which would succeed by doing nothing; coverage is not finite or not from 0 to 1;
-            preference is negative
+        ValueError: no frame at all, which would succeed by doing nothing; a frame without a name or a server; coverage
+            is not finite or not from 0 to 1; preference is negative
     """
 
     frames: Tuple[FilledFrame, ...]
@@ -59,6 +29,11 @@ class Candidate:
     def __post_init__(self) -> None:
         if not self.frames:
             raise ValueError("a candidate has no frames")
+        for frame in self.frames:
+            if not frame.name:
+                raise ValueError("a frame has no name")
+            if not frame.server:
+                raise ValueError(f"frame {frame.name!r} names no action server")
         if not (math.isfinite(self.coverage) and 0.0 <= self.coverage <= 1.0):
             raise ValueError(f"coverage must be 0 to 1, got {self.coverage}")
         if self.preference < 0:

@@ -1,14 +1,16 @@
 """Converts plans between messages and values."""
 
 from dataclasses import fields
-from typing import Iterable, List
+from typing import Sequence
 
 from roboframenet_msgs import msg
 
-from arbitrator.plan import Candidate, FilledElement, FilledFrame, Plan, as_procedure
+from arbitrator.plan import Candidate, Plan, as_procedure
 from arbitrator.plan_nodes import CARRIED_OUT, Kind, Node, from_nodes, to_nodes
+from typed_arguments import TypedArgument
+from typed_arguments.ros_messages import SharedArguments, frame_to_message, frames_from_messages, from_message
 
-#: Fields of a node that this module reads. The frames hold the arguments as strings.
+#: Fields of a node that this module reads.
 _READ = {field.name for field in fields(Node)} | {"arguments"}
 _NOTHING_SET = msg.PlanNode()
 
@@ -29,7 +31,8 @@ def plan_from_message(message: msg.Plan) -> Plan:
 
 def _node_from_message(position: int, message: msg.PlanNode) -> Node:
     try:
-        candidates = tuple(candidate_from_message(candidate) for candidate in message.candidates)
+        shared = tuple(from_message(argument) for argument in message.arguments)
+        candidates = tuple(candidate_from_message(candidate, shared) for candidate in message.candidates)
     except ValueError as error:
         raise ValueError(f"node {position} of the plan is wrong: {error}") from error
     unread = [name for name in message.__slots__ if name not in _READ and _is_set(message, name)]
@@ -46,70 +49,54 @@ def _is_set(message: msg.PlanNode, name: str) -> bool:
     return bool(value != nothing and not (nothing == [] and len(value) == 0))
 
 
-def candidate_from_message(message: msg.PlanCandidate) -> Candidate:
-    """Turn a message into a value; raises ValueError for a malformed candidate or frame."""
+def candidate_from_message(message: msg.PlanCandidate, shared: Sequence[TypedArgument] = ()) -> Candidate:
+    """Turn a message into a value.
+
+    Args:
+        message: of a node
+        shared: typed arguments of the node
+    Raises:
+        ValueError: a malformed candidate or frame
+    """
     return Candidate(
-        frames=tuple(frame_from_message(frame) for frame in message.frames),
+        frames=frames_from_messages(message.frames, shared, message.arguments),
         coverage=message.coverage,
         preference=message.preference,
     )
 
 
-def frame_from_message(message: msg.FilledSemanticFrame) -> FilledFrame:
-    """Turn a message into a value.
-
-    Raises:
-        ValueError: the frame has no name, or does not name exactly one action server
-    """
-    servers = list(message.action_server_topics)
-    if len(servers) != 1:
-        raise ValueError(f"frame {message.name!r} must name exactly one action server, got {servers}")
-    return FilledFrame(
-        name=message.name,
-        server=servers[0],
-        frame_elements=tuple(FilledElement(element.name, element.argument) for element in message.frame_elements),
-    )
-
-
 def plan_to_message(plan: Plan) -> msg.Plan:
     """Turn a value into a message."""
-    return msg.Plan(
-        nodes=[
-            msg.PlanNode(
-                kind=node.kind,
-                label=node.label,
-                children=list(node.children),
-                candidates=[candidate_to_message(candidate) for candidate in node.candidates],
-            )
-            for node in to_nodes(plan)
-        ]
+    return msg.Plan(nodes=[_node_to_message(node) for node in to_nodes(plan)])
+
+
+def _node_to_message(node: Node) -> msg.PlanNode:
+    shared = SharedArguments()
+    candidates = [candidate_to_message(candidate, shared) for candidate in node.candidates]
+    return msg.PlanNode(
+        kind=node.kind,
+        label=node.label,
+        children=list(node.children),
+        candidates=candidates,
+        arguments=shared.messages,
     )
 
 
-def candidate_to_message(candidate: Candidate) -> msg.PlanCandidate:
-    """Turn a value into a message."""
+def candidate_to_message(candidate: Candidate, shared: SharedArguments) -> msg.PlanCandidate:
+    """Turn a value into a message, and add its arguments to those of its node."""
     return msg.PlanCandidate(
-        frames=_frames_to_messages(candidate.frames), coverage=candidate.coverage, preference=candidate.preference
-    )
-
-
-def frame_to_message(frame: FilledFrame) -> msg.FilledSemanticFrame:
-    """Turn a value into a message."""
-    return msg.FilledSemanticFrame(
-        name=frame.name,
-        action_server_topics=[frame.server],
-        frame_elements=[
-            msg.FilledFrameElement(name=element.name, argument=element.argument) for element in frame.frame_elements
-        ],
+        frames=[frame_to_message(frame) for frame in candidate.frames],
+        coverage=candidate.coverage,
+        preference=candidate.preference,
+        arguments=shared.positions(candidate.frames),
     )
 
 
 def procedure_to_message(plan: Plan) -> msg.Procedure:
     """Return the procedure of 2012 of a plan."""
     return msg.Procedure(
-        frame_lists=[msg.FilledSemanticFrameList(frames=_frames_to_messages(frames)) for frames in as_procedure(plan)]
+        frame_lists=[
+            msg.FilledSemanticFrameList(frames=[frame_to_message(frame) for frame in frames])
+            for frames in as_procedure(plan)
+        ]
     )
-
-
-def _frames_to_messages(frames: Iterable[FilledFrame]) -> List[msg.FilledSemanticFrame]:
-    return [frame_to_message(frame) for frame in frames]

@@ -4,7 +4,8 @@ import re
 from typing import Callable, Iterable, Tuple
 
 import smach
-from arbitrator.plan import Candidate, Do, FilledFrame, Plan
+from arbitrator.plan import Candidate, Do, Plan
+from typed_arguments import FilledFrame
 
 OUTCOMES = ("succeeded", "aborted", "preempted")
 

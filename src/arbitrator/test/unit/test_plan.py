@@ -10,18 +10,19 @@ from arbitrator.plan import (
     MOST_COMBINATIONS,
     Candidate,
     Do,
-    FilledElement,
-    FilledFrame,
     InSequence,
     as_procedure,
     describe,
 )
 from arbitrator.plan_nodes import MOST_FRAMES, MOST_LEVELS, MOST_NODES, Kind, Node, from_nodes, to_nodes
 from arbitrator.ros_messages import plan_from_message, plan_to_message, procedure_to_message
+from typed_arguments import FilledFrame, TypedArgument
 
 
 def frame(name, server="server"):
-    return FilledFrame(name=name, frame_elements=(FilledElement("theme", "the mug"),), server=server)
+    theme = TypedArgument("theme", "the mug", head="mug", relation="under", quantifier="the")
+    goal = TypedArgument("goal", "the hall")
+    return FilledFrame(name=name, arguments=(theme, goal), server=server)
 
 
 def way(*names, preference=0):
@@ -186,8 +187,8 @@ def test_empty_values_are_refused():
         lambda: Candidate(frames=()),
         lambda: Do("x", ()),
         lambda: InSequence("x", ()),
-        lambda: FilledFrame(name="", frame_elements=(), server="s"),
-        lambda: FilledFrame(name="f", frame_elements=(), server=""),
+        lambda: Candidate(frames=(FilledFrame(name="", server="s"),)),
+        lambda: Candidate(frames=(FilledFrame(name="f"),)),
     ):
         with pytest.raises(ValueError):
             make()
@@ -221,3 +222,20 @@ def test_procedure_of_2012_is_bounded_where_clauses_multiply():
 )
 def test_plan_in_words(plan, sentence):
     assert describe(plan) == sentence
+
+
+def test_candidates_share_the_typed_arguments_of_a_node():
+    (node,) = plan_to_message(Do("bow and wave", (way("bowing", "waving"), way("waving")))).nodes
+    assert len(node.arguments) == 1  # the same theme three times; a goal that has only its text travels as a string
+    assert [list(candidate.arguments) for candidate in node.candidates] == [[0, -1, 0, -1], [0, -1]]
+
+
+@pytest.mark.parametrize(
+    "positions, reason",
+    [([0], "1 positions"), ([1, -1], "argument 1 of 1"), ([-2, -1], "argument -2 of 1"), ([-1, 0], "'the hall'")],
+)
+def test_positions_of_arguments_that_do_not_fit_are_refused(positions, reason):
+    message = plan_to_message(PING)
+    message.nodes[0].candidates[0].arguments = positions
+    with pytest.raises(ValueError, match=reason):
+        plan_from_message(message)

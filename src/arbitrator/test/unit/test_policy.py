@@ -6,12 +6,13 @@ import types
 
 import pytest
 
-from arbitrator.plan import Candidate, Do, FilledFrame, InSequence
+from arbitrator.plan import Candidate, Do, InSequence
 from arbitrator.policy import POLICIES, Policy, PolicyError, arbitrate, load_policy, order
+from typed_arguments import FilledFrame
 
 
 def make_candidate(name, coverage=1.0, steps=1, preference=0):
-    frame = FilledFrame(name=name, frame_elements=(), server=f"{name}_server")
+    frame = FilledFrame(name=name, server=f"{name}_server")
     return Candidate(frames=(frame,) * steps, coverage=coverage, preference=preference)
 
 

@@ -3,8 +3,9 @@
 import pytest
 
 import smach
-from arbitrator.plan import Candidate, Do, FilledFrame, InSequence
+from arbitrator.plan import Candidate, Do, InSequence
 from arbitrator.state_machine import OUTCOMES, build_state_machine, candidate_label, child_label, plan_label, step_label
+from typed_arguments import FilledFrame
 
 
 class Step(smach.State):
@@ -21,7 +22,7 @@ class Step(smach.State):
 
 
 def frame(name):
-    return FilledFrame(name=name, frame_elements=(), server="server")
+    return FilledFrame(name=name, server="server")
 
 
 def do(*ways):
@@ -195,6 +196,6 @@ def test_labels_are_readable(words, label):
 
 
 def test_labels_hold_no_slash():
-    turning = FilledFrame(name="turning", frame_elements=(), server="/robot/turn")
+    turning = FilledFrame(name="turning", server="/robot/turn")
     labels = step_label(0, turning) + candidate_label(0) + child_label(0, Do("a/b", do("a").candidates))
     assert "/" not in labels

@@ -12,6 +12,8 @@ Job = TypeVar("Job")
 
 # How many commands that have not arrived yet may be cancelled.
 _MOST_CANCELLED = 1000
+# A stamp that is further in the future is from before the clock was set back, as simulators do.
+_CLOCK_RESET_NS = 1_000_000_000
 
 
 @dataclass(frozen=True)
@@ -101,7 +103,7 @@ def submit(queue: CommandQueue[Job], order: Order[Job], *, now_ns: int) -> Step[
     newest = queue.waiting or queue.running
     if newest is None:
         return replace(queue, running=order, cause=None), (Start(order),)
-    if key.stamp_ns < newest.key.stamp_ns:
+    if key.stamp_ns < newest.key.stamp_ns and not _is_of_old_clock(newest.key, now_ns):
         return queue, (Supersede(order, Cause.NEW_COMMAND),)
     actions: Tuple[object, ...] = ()
     if queue.waiting is not None:
@@ -119,11 +121,17 @@ def finish(queue: CommandQueue[Job]) -> Step[Job]:
     return replace(queue, running=queue.waiting, waiting=None, cause=None), (Start(queue.waiting),)
 
 
-def stop(queue: CommandQueue[Job], stop_stamp_ns: int) -> Step[Job]:
-    """A stop was said: everything said at or before it ends, and must not start later."""
+def stop(queue: CommandQueue[Job], stop_stamp_ns: int, *, now_ns: int) -> Step[Job]:
+    """A stop was said: everything said at or before it ends, and must not start later.
+
+    Args:
+        queue: as it is
+        stop_stamp_ns: when it was said, nanoseconds of ROS time
+        now_ns: ROS time
+    """
     if queue.stop_stamp_ns is None or stop_stamp_ns > queue.stop_stamp_ns:
         queue = replace(queue, stop_stamp_ns=stop_stamp_ns)
-    return _end_some(queue, lambda key: key.stamp_ns <= stop_stamp_ns)
+    return _end_some(queue, lambda key: key.stamp_ns <= stop_stamp_ns or _is_of_old_clock(key, now_ns))
 
 
 def cancel(queue: CommandQueue[Job], command_id: str) -> Step[Job]:
@@ -131,6 +139,11 @@ def cancel(queue: CommandQueue[Job], command_id: str) -> Step[Job]:
     # An ordered dict keeps each id once, in order: the oldest is dropped first.
     ids = tuple(OrderedDict.fromkeys(queue.cancelled_ids + (command_id,)))[-_MOST_CANCELLED:]
     return _end_some(replace(queue, cancelled_ids=ids), lambda key: key.command_id == command_id)
+
+
+def _is_of_old_clock(key: CommandKey, now_ns: int) -> bool:
+    """Whether a command was said before the clock was set back; it is older than whatever is said now."""
+    return key.stamp_ns > now_ns + _CLOCK_RESET_NS
 
 
 def _end_some(queue: CommandQueue[Job], is_meant: Callable[[CommandKey], bool]) -> Step[Job]:

@@ -5,7 +5,7 @@ again at `next_deadline_s`.
 """
 
 import enum
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, fields, replace
 from typing import Dict, Optional, Sequence
 
 
@@ -34,6 +34,9 @@ TERMINAL_STATUSES = frozenset(
         GoalStatusCode.LOST,
     }
 )
+
+#: A sentence names this many of the servers that failed, and counts the others.
+MOST_NAMED = 6
 
 
 class Phase(enum.Enum):
@@ -76,6 +79,8 @@ class GoalDeadlines:
         preempt_s: from the first cancel to the end of the goal
         cancel_period_s: between two cancels
         result_s: from a terminal status to its result
+        suspicion_s: after this silence its process is asked, each time again, whether it still lives
+        execution_s: from the acceptance to the end of the goal
 
     Raises:
         ValueError: a value that is not positive
@@ -86,11 +91,13 @@ class GoalDeadlines:
     preempt_s: float = 5.0
     cancel_period_s: float = 0.5
     result_s: float = 2.0
+    suspicion_s: float = 1.0
+    execution_s: float = 3600.0
 
     def __post_init__(self) -> None:
-        for name in ("acceptance_s", "silence_s", "preempt_s", "cancel_period_s", "result_s"):
-            if not 0.0 < getattr(self, name) < float("inf"):
-                raise ValueError(f"{name} must be positive and finite, got {getattr(self, name)}")
+        for field in fields(self):
+            if not 0.0 < getattr(self, field.name) < float("inf"):
+                raise ValueError(f"{field.name} must be positive and finite, got {getattr(self, field.name)}")
 
 
 @dataclass(frozen=True)
@@ -104,6 +111,7 @@ class Goal:
         since_s: when the phase began, monotonic seconds
         heard_s: when the server last sent a message
         cancelled_s: when the last cancel went out, None before the first
+        asked_s: when its process was last asked whether it lives, None before
         is_preempt_asked: the cancel was requested; it does not follow from a fault
         fault: why the goal counts as failed although the server has not ended it; empty for none
         status: last status of the server
@@ -118,6 +126,7 @@ class Goal:
     since_s: float
     heard_s: float
     cancelled_s: Optional[float] = None
+    asked_s: Optional[float] = None
     is_preempt_asked: bool = False
     fault: str = ""
     status: GoalStatusCode = GoalStatusCode.PENDING
@@ -189,6 +198,16 @@ def hear_result(goal: Goal, status: int, *, success: Optional[bool], text: str, 
     return _end(goal, outcome, f"{_VERBS[code]}{remark}")
 
 
+def hear_death(goal: Goal, *, now_s: float) -> Goal:
+    """The process of the server has ended: nothing more comes, and nothing needs to be cancelled."""
+    if goal.is_ended:
+        return goal
+    goal = replace(goal, heard_s=now_s)
+    if goal.phase is Phase.CONCLUDING:
+        return _conclude_without_result(goal)
+    return _end(goal, Outcome.PREEMPTED if goal.is_preempt_asked else Outcome.FAILED, "has died")
+
+
 _VERBS: Dict[GoalStatusCode, str] = {
     GoalStatusCode.PREEMPTED: "was preempted",
     GoalStatusCode.RECALLED: "was cancelled before it began",
@@ -210,47 +229,60 @@ def ask_preempt(goal: Goal, *, now_s: float) -> Goal:
 
 @dataclass(frozen=True)
 class Tick:
-    """Result of `tick`: the goal, and whether a cancel must be sent now."""
+    """Result of `tick`: the goal, whether a cancel must be sent now, and whether to ask if the process lives."""
 
     goal: Goal
-    is_cancel_due: bool
+    is_cancel_due: bool = False
+    is_question_due: bool = False
 
 
 def tick(goal: Goal, *, now_s: float) -> Tick:
     """Apply the deadlines at the time `now_s`."""
     if goal.is_ended:
-        return Tick(goal, is_cancel_due=False)
+        return Tick(goal)
     deadlines = goal.deadlines
     if goal.phase is Phase.SENT and now_s - goal.since_s >= deadlines.acceptance_s:
         goal = _give_up(goal, f"did not accept the goal within {deadlines.acceptance_s:g} s", now_s=now_s)
     elif goal.phase is Phase.ACCEPTED and now_s - goal.heard_s >= deadlines.silence_s:
         goal = _give_up(goal, f"was silent for {deadlines.silence_s:g} s", now_s=now_s)
+    elif goal.phase is Phase.ACCEPTED and now_s - goal.since_s >= deadlines.execution_s:
+        goal = _give_up(goal, f"did not end within {deadlines.execution_s:g} s", now_s=now_s)
     elif goal.phase is Phase.CONCLUDING and now_s - goal.since_s >= deadlines.result_s:
-        return Tick(_conclude_without_result(goal), is_cancel_due=False)
-    if goal.phase is not Phase.CANCELLING:
-        return Tick(goal, is_cancel_due=False)
-    if now_s - goal.since_s >= deadlines.preempt_s:
-        unfinished = f"did not end on cancel within {deadlines.preempt_s:g} s"
-        reason = f"{goal.fault} and {unfinished}" if goal.fault else unfinished
-        outcome = Outcome.PREEMPTED if goal.is_preempt_asked else Outcome.FAILED
-        return Tick(_end(replace(goal, is_orphaned=True), outcome, reason), is_cancel_due=False)
-    is_cancel_due = goal.cancelled_s is None or now_s - goal.cancelled_s >= deadlines.cancel_period_s
-    return Tick(replace(goal, cancelled_s=now_s) if is_cancel_due else goal, is_cancel_due=is_cancel_due)
+        return Tick(_conclude_without_result(goal))
+    is_cancel_due = False
+    if goal.phase is Phase.CANCELLING:
+        if now_s - goal.since_s >= deadlines.preempt_s:
+            unfinished = f"did not end on cancel within {deadlines.preempt_s:g} s"
+            reason = f"{goal.fault} and {unfinished}" if goal.fault else unfinished
+            outcome = Outcome.PREEMPTED if goal.is_preempt_asked else Outcome.FAILED
+            return Tick(_end(replace(goal, is_orphaned=True), outcome, reason))
+        is_cancel_due = goal.cancelled_s is None or now_s - goal.cancelled_s >= deadlines.cancel_period_s
+        if is_cancel_due:
+            goal = replace(goal, cancelled_s=now_s)
+    is_question_due = now_s >= _question_s(goal)
+    return Tick(replace(goal, asked_s=now_s) if is_question_due else goal, is_cancel_due, is_question_due)
+
+
+def _question_s(goal: Goal) -> float:
+    """When to ask whether its process lives: when it is silent, and again as long as it is."""
+    return max(goal.heard_s, goal.asked_s or float("-inf")) + goal.deadlines.suspicion_s
 
 
 def next_deadline_s(goal: Goal) -> float:
     """When `tick` must be called next, monotonic seconds; infinite when ended."""
     deadlines = goal.deadlines
     if goal.phase is Phase.SENT:
-        return goal.since_s + deadlines.acceptance_s
-    if goal.phase is Phase.ACCEPTED:
-        return goal.heard_s + deadlines.silence_s
-    if goal.phase is Phase.CONCLUDING:
-        return goal.since_s + deadlines.result_s
-    if goal.phase is Phase.CANCELLING:
+        phase_s = goal.since_s + deadlines.acceptance_s
+    elif goal.phase is Phase.ACCEPTED:
+        phase_s = min(goal.heard_s + deadlines.silence_s, goal.since_s + deadlines.execution_s)
+    elif goal.phase is Phase.CONCLUDING:
+        phase_s = goal.since_s + deadlines.result_s
+    elif goal.phase is Phase.CANCELLING:
         next_cancel_s = goal.since_s if goal.cancelled_s is None else goal.cancelled_s + deadlines.cancel_period_s
-        return min(next_cancel_s, goal.since_s + deadlines.preempt_s)
-    return float("inf")
+        phase_s = min(next_cancel_s, goal.since_s + deadlines.preempt_s)
+    else:
+        return float("inf")
+    return min(phase_s, _question_s(goal))
 
 
 def fail_unsent(server: str, deadlines: GoalDeadlines, reason: str, *, now_s: float) -> Goal:
@@ -294,9 +326,11 @@ def _end(goal: Goal, outcome: Outcome, reason: str) -> Goal:
 
 
 def describe_failures(goals: Sequence[Goal]) -> str:
-    """Return a sentence that names each server that failed, and why; empty when none failed."""
+    """Return a sentence that names the servers that failed, and why; empty when none failed."""
     clauses = [f"{goal.server} {goal.reason}" for goal in goals if goal.outcome is Outcome.FAILED]
-    return as_sentence("; ".join(clauses)) if clauses else ""
+    more = len(clauses) - MOST_NAMED
+    told = clauses[:MOST_NAMED] + ([f"and {more} more"] if more > 0 else [])
+    return as_sentence("; ".join(told)) if told else ""
 
 
 def as_sentence(words: str) -> str:

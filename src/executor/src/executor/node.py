@@ -12,11 +12,14 @@ from typing import Optional, Union
 import rospy
 from roboframenet_msgs.msg import Command, CommandPlan, StopReport
 
+import smach
 from arbitrator.plan import Plan
 from arbitrator.ros_messages import plan_from_message
 from executor import command_queue
 from executor.command_queue import CommandKey, CommandQueue, Order, Preempt, Start, Step, Supersede
 from executor.goal_tracking import GoalDeadlines
+from executor.patience import Patience
+from executor.quarantine import Quarantine
 from executor.replies import Ending, ending_of_malformed, ending_of_run, ending_of_unstarted
 from executor.ros_action_clients import ActionClients
 from executor.ros_command_run import CommandRun, RunResult
@@ -44,6 +47,11 @@ class Settings(Parameters):
         preempt_timeout_s: for a goal to end after the first cancel
         cancel_period_s: between two cancels
         result_timeout_s: for the result after a terminal status
+        suspicion_s: silence after which the process of a server is asked whether it lives
+        longest_goal_s: from the acceptance to the end of a goal
+        longest_command_s: for a command
+        longest_search_s: that a command may lose with servers that do not work
+        quarantine_s: for which a server that did not end a goal is not used; 0 for none
         settings_timeout_s: for a node to be reconfigured
         max_clients: connections to servers that are kept
         introspection: publish the topics of smach_viewer
@@ -57,6 +65,11 @@ class Settings(Parameters):
     preempt_timeout_s: float = parameter(5.0, least=0.05, most=600.0)
     cancel_period_s: float = parameter(0.5, least=0.05, most=600.0)
     result_timeout_s: float = parameter(2.0, least=0.05, most=600.0)
+    suspicion_s: float = parameter(1.0, least=0.05, most=600.0)
+    longest_goal_s: float = parameter(3600.0, least=0.05, most=1e6)
+    longest_command_s: float = parameter(7200.0, least=0.05, most=1e6)
+    longest_search_s: float = parameter(30.0, least=0.05, most=1e6)
+    quarantine_s: float = parameter(60.0, least=0.0, most=1e6)
     settings_timeout_s: float = parameter(3.0, least=0.05, most=600.0)
     max_clients: int = parameter(32, least=1, most=1000)
     introspection: bool = parameter(True)
@@ -70,6 +83,8 @@ class Settings(Parameters):
             preempt_s=self.preempt_timeout_s,
             cancel_period_s=self.cancel_period_s,
             result_s=self.result_timeout_s,
+            suspicion_s=self.suspicion_s,
+            execution_s=self.longest_goal_s,
         )
 
 
@@ -112,6 +127,7 @@ class ExecutorNode:
         self._clients = ActionClients(max_kept=settings.max_clients)
         self._server_settings = DriverSettings(timeout_s=settings.settings_timeout_s)
         self._running_goals = RunningGoals()
+        self._quarantine = Quarantine(duration_s=settings.quarantine_s)
         self._introspection = Introspection(is_enabled=settings.introspection)
         self._suspension = SuspensionWatch(longest_turn_s=_LONGEST_TURN_S)
         self._commands: CommandQueue[_Job] = CommandQueue()
@@ -161,7 +177,8 @@ class ExecutorNode:
         if isinstance(event, CommandPlan):
             self._hear_plan(event)
         elif isinstance(event, StopReport):
-            self._follow(command_queue.stop(self._commands, event.stop_stamp.to_nsec()))
+            now_ns = rospy.Time.now().to_nsec()
+            self._follow(command_queue.stop(self._commands, event.stop_stamp.to_nsec(), now_ns=now_ns))
         elif isinstance(event, Command):
             self._follow(command_queue.cancel(self._commands, event.id))
         elif isinstance(event, _Note):
@@ -209,6 +226,8 @@ class ExecutorNode:
             settings=self._server_settings,
             running_goals=self._running_goals,
             deadlines=self._settings.deadlines,
+            quarantine=self._quarantine,
+            patience=Patience(command_s=self._settings.longest_command_s, search_s=self._settings.longest_search_s),
             on_note=lambda sentence: self._inbox.put(_Note(run, sentence)),
             on_end=lambda ended, result: self._inbox.put(_RunEnded(ended, result)),
             introspection=self._introspection,
@@ -251,6 +270,8 @@ class ExecutorNode:
 
 
 def _start() -> ExecutorNode:
+    # The notes of the run say what matters; each transition of its machines is detail.
+    smach.set_loggers(rospy.logdebug, rospy.logwarn, rospy.logdebug, rospy.logerr)
     settings = read_parameters(Settings)
     rospy.loginfo("executor: %s", settings)
     node = ExecutorNode(settings)

@@ -12,17 +12,19 @@ import rospy
 from roboframenet_msgs.msg import FilledSemanticFrameGoal
 
 import smach
-from arbitrator.plan import FilledFrame
-from arbitrator.ros_messages import frame_to_message
 from arbitrator.state_machine import OUTCOMES
 from executor import goal_tracking as tracking
 from executor.driver_settings import SettingsError
 from executor.goal_tracking import Goal, GoalDeadlines, Outcome
+from executor.patience import Patience
+from executor.quarantine import Quarantine
 from executor.ros_action_clients import ActionClients
 from executor.ros_driver_settings import DriverSettings
 from executor.ros_running_goals import RunningGoals
 from roboframenet_ros.ros_action_connection import ActionConnection, SentGoal
 from roboframenet_ros.suspension import SuspensionWatch
+from typed_arguments import FilledFrame, to_goal_text
+from typed_arguments.ros_messages import frame_to_message
 
 # A preemption is noticed within this time.
 _LONGEST_WAIT_S = 0.1
@@ -48,6 +50,8 @@ class StepContext:
         running_goals: what must be cancelled if this process is killed
         deadlines: of each goal
         is_preempt_asked: set when the run must end
+        quarantine: servers that are out of use
+        patience: how long the command may go on
         suspension: whether this process has just been resumed
         on_begin: called with the frame of each step that starts
         on_end: called with the frame, the number of the clause, and the goal that has ended
@@ -58,6 +62,8 @@ class StepContext:
     running_goals: RunningGoals
     deadlines: GoalDeadlines
     is_preempt_asked: threading.Event
+    quarantine: Quarantine
+    patience: Patience
     suspension: SuspensionWatch
     on_begin: Callable[[FilledFrame], None]
     on_end: Callable[[FilledFrame, int, Goal], None]
@@ -77,6 +83,10 @@ class _Sign:
     """The server published its status or feedback."""
 
 
+class _Death:
+    """The process of the server has ended."""
+
+
 class ActionStep(smach.State):
     """Sends the frame as a goal and follows it to its end.
 
@@ -92,7 +102,9 @@ class ActionStep(smach.State):
     def execute(self, userdata: smach.UserData) -> str:
         """Carry the frame out; returns succeeded, aborted or preempted."""
         self._context.on_begin(self._frame)
+        began_s = time.monotonic()
         goal = self._carry_out()
+        self._context.patience.spend(goal, time.monotonic() - began_s)
         self._context.on_end(self._frame, self._clause, goal)
         outcome = SMACH_OUTCOME_OF[goal.outcome]
         if outcome == "preempted" and self.preempt_requested():
@@ -115,6 +127,9 @@ class ActionStep(smach.State):
         began_s = time.monotonic()
         if self._is_to_end:
             return tracking.preempt_unsent(server, deadlines, now_s=began_s)
+        refusal = self._context.patience.refusal() or self._context.quarantine.refusal(server)
+        if refusal:
+            return tracking.fail_unsent(server, deadlines, refusal, now_s=began_s)
         try:
             connection = self._context.clients.get(server, timeout_s=deadlines.acceptance_s)
         except ValueError as error:
@@ -162,13 +177,17 @@ class ActionStep(smach.State):
     def _follow(self, connection: ActionConnection, inbox: "queue.Queue[object]", on_sign: Callable[[], None]) -> Goal:
         if self._read_news():
             return tracking.preempt_unsent(self._frame.server, self._context.deadlines, now_s=time.monotonic())
-        goal = tracking.send(self._frame.server, self._context.deadlines, now_s=time.monotonic())
+        deadlines = self._context.patience.deadlines(self._context.deadlines)
+        goal = tracking.send(self._frame.server, deadlines, now_s=time.monotonic())
         sent: SentGoal = connection.send(
             FilledSemanticFrameGoal(frame=frame_to_message(self._frame)),
-            on_transition=lambda handle: inbox.put(_read_transition(handle)),
+            header_text=_typed_arguments(self._frame),
+            on_transition=lambda handle: self._hear(handle, inbox),
             on_feedback=lambda _: on_sign(),
         )
         self._context.running_goals.note(self._frame.server, sent.goal_id)
+        # Asked later: a process that ends properly takes its address along.
+        uri = connection.node_uri()
         while True:
             if self._is_to_end:
                 goal = tracking.ask_preempt(goal, now_s=time.monotonic())
@@ -178,10 +197,35 @@ class ActionStep(smach.State):
                 rospy.loginfo("cancelling the goal of %s", self._frame.server)
                 connection.cancel(sent)
             if goal.is_ended:
+                if goal.is_orphaned:
+                    self._quarantine(goal, sent)
                 return goal
+            if step.is_question_due:
+                connection.ask_whether_gone(uri, lambda: inbox.put(_Death()))
             wait_s = min(_LONGEST_WAIT_S, max(0.001, tracking.next_deadline_s(goal) - time.monotonic()))
             with contextlib.suppress(queue.Empty):
                 goal = _apply(goal, inbox.get(timeout=wait_s))
+
+    def _hear(self, handle: actionlib.ClientGoalHandle, inbox: "queue.Queue[object]") -> None:
+        transition = _read_transition(handle)
+        inbox.put(transition)
+        if transition.is_done:
+            # This may come long after the step has ended.
+            self._context.quarantine.hear_end(self._frame.server, handle.comm_state_machine.action_goal.goal_id.id)
+
+    def _quarantine(self, goal: Goal, sent: SentGoal) -> None:
+        self._context.quarantine.put(goal.server, sent.goal_id, goal.reason, keep=sent)
+        if sent.handle.get_comm_state() == actionlib.CommState.DONE:
+            self._context.quarantine.hear_end(goal.server, sent.goal_id)
+
+
+def _typed_arguments(frame: FilledFrame) -> str:
+    """Return the text of the typed arguments for the header of a goal; empty when they are too long for it."""
+    try:
+        return to_goal_text(frame.arguments)
+    except ValueError as error:
+        rospy.logwarn("%s gets only the texts of its arguments: %s", frame.server, error)
+        return ""
 
 
 def _read_transition(handle: actionlib.ClientGoalHandle) -> _Transition:
@@ -197,6 +241,8 @@ def _read_transition(handle: actionlib.ClientGoalHandle) -> _Transition:
 
 def _apply(goal: Goal, heard: object) -> Goal:
     now_s = time.monotonic()
+    if isinstance(heard, _Death):
+        return tracking.hear_death(goal, now_s=now_s)
     if not isinstance(heard, _Transition):
         return tracking.hear_sign(goal, now_s=now_s)
     if heard.is_done:

@@ -8,9 +8,11 @@ from typing import Callable, Dict, List, Optional, Tuple
 import rospy
 
 import smach
-from arbitrator.plan import FilledFrame, Plan, clauses
+from arbitrator.plan import Plan, clauses
 from arbitrator.state_machine import build_state_machine, plan_label
 from executor.goal_tracking import Goal, GoalDeadlines, as_sentence
+from executor.patience import Patience
+from executor.quarantine import Quarantine
 from executor.replies import ClauseRun
 from executor.ros_action_clients import ActionClients
 from executor.ros_action_step import ActionStep, StepContext
@@ -18,6 +20,7 @@ from executor.ros_driver_settings import DriverSettings
 from executor.ros_introspection import Introspection
 from executor.ros_running_goals import RunningGoals
 from roboframenet_ros.suspension import SuspensionWatch
+from typed_arguments import FilledFrame
 
 #: Introspection starts a thread for each machine, and each candidate is a machine.
 _MOST_SHOWN = 256
@@ -49,6 +52,8 @@ class CommandRun:
         settings: DriverSettings,
         running_goals: RunningGoals,
         deadlines: GoalDeadlines,
+        quarantine: Quarantine,
+        patience: Patience,
         on_note: Callable[[str], None],
         on_end: Callable[["CommandRun", RunResult], None],
         introspection: Introspection,
@@ -62,6 +67,8 @@ class CommandRun:
             settings: what the servers need of other nodes
             running_goals: goals that are cancelled after this process was killed
             deadlines: of each goal
+            quarantine: servers that are out of use
+            patience: how long the command may go on
             on_note: called from the thread of the run with a sentence for each step
             on_end: called with the result, last, from the thread of the run
             introspection: of the machine
@@ -82,6 +89,8 @@ class CommandRun:
             settings=settings,
             running_goals=running_goals,
             deadlines=deadlines,
+            quarantine=quarantine,
+            patience=patience,
             is_preempt_asked=self._is_preempt_asked,
             suspension=suspension,
             on_begin=self._begin_step,

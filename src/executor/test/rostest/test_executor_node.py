@@ -136,7 +136,7 @@ class ExecutorNodeTest(unittest.TestCase):
             ("succeed", "nobody", "nobody is not running"),
             ("succeed", "not a name", "not a name cannot be reached"),
             ("freeze", "freezing", "freezing was silent"),
-            ("die", "mortal", "mortal was silent"),
+            ("die", "mortal", "mortal has died"),
         ):
             with self.subTest(behaviour=behaviour, server=server):
                 command = self.send([[frame(behaviour, server)], [frame("succeed", "two")]])

@@ -16,6 +16,10 @@ def submit(queue, name, stamp_ns, now_ns=10**9):
     return command_queue.submit(queue, order(name, stamp_ns), now_ns=now_ns)
 
 
+def stop(queue, stop_stamp_ns, now_ns=10**9):
+    return command_queue.stop(queue, stop_stamp_ns, now_ns=now_ns)
+
+
 A, B, C = order("a", 1), order("b", 2), order("c", 3)
 
 
@@ -53,33 +57,33 @@ def test_only_the_newest_of_many_waits():
 
 
 def test_stop_ends_what_was_said_before_it():
-    queue, actions = command_queue.stop(CommandQueue(running=A, cause=Cause.NEW_COMMAND, waiting=B), 2)
+    queue, actions = stop(CommandQueue(running=A, cause=Cause.NEW_COMMAND, waiting=B), 2)
     assert actions == (Supersede(B, Cause.STOPPED),)
     assert (queue.waiting, queue.cause) == (None, Cause.STOPPED)
     assert command_queue.finish(queue)[1] == ()
 
 
 def test_stop_preempts_what_runs_once():
-    queue, actions = command_queue.stop(CommandQueue(running=A), 5)
+    queue, actions = stop(CommandQueue(running=A), 5)
     assert actions == (Preempt(A, Cause.STOPPED),)
-    assert command_queue.stop(queue, 6)[1] == ()
+    assert stop(queue, 6)[1] == ()
 
 
 def test_stop_leaves_what_was_said_later():
-    queue, actions = command_queue.stop(CommandQueue(running=B), 1)
+    queue, actions = stop(CommandQueue(running=B), 1)
     assert actions == () and queue.running == B
 
 
 @pytest.mark.parametrize("stamp_ns,is_refused", [(4, True), (5, True), (6, False)])
 def test_commands_up_to_the_stop_are_refused(stamp_ns, is_refused):
-    queue, _ = command_queue.stop(CommandQueue(), 5)
-    queue, _ = command_queue.stop(queue, 3)
+    queue, _ = stop(CommandQueue(), 5)
+    queue, _ = stop(queue, 3)
     _, actions = submit(queue, "x", stamp_ns)
     assert isinstance(actions[0], Supersede if is_refused else Start)
 
 
 def test_stop_is_forgotten_when_the_clock_was_set_back():
-    queue, _ = command_queue.stop(CommandQueue(), 5_000)
+    queue, _ = stop(CommandQueue(), 5_000)
     _, actions = submit(queue, "x", 10, now_ns=11)
     assert isinstance(actions[0], Start)
 
@@ -113,7 +117,7 @@ def test_every_order_is_answered_once_and_one_runs_at_a_time():
                 count += 1
                 queue, actions = submit(queue, f"c{count}", lots.randrange(1000), now_ns=2000)
             elif what < 0.6 and step < 150:
-                queue, actions = command_queue.stop(queue, lots.randrange(1000))
+                queue, actions = stop(queue, lots.randrange(1000))
             elif what < 0.65 and step < 150:
                 queue, actions = command_queue.cancel(queue, f"c{lots.randrange(1, count + 2)}")
             elif running is not None:
@@ -137,3 +141,22 @@ def test_every_order_is_answered_once_and_one_runs_at_a_time():
             for action in actions:
                 running = action.order.key.command_id
         assert sorted(ends) == sorted(f"c{index}" for index in range(1, count + 1)), f"seed {seed}"
+
+
+def test_command_from_before_the_clock_was_set_back_is_older_than_a_new_one():
+    hour_ns = 3600 * 10**9
+    old = order("old", hour_ns)
+    queue, actions = submit(CommandQueue(running=old), "new", 5 * 10**9, now_ns=5 * 10**9)
+    assert actions == (Preempt(old, Cause.NEW_COMMAND),)
+    assert queue.waiting == order("new", 5 * 10**9)
+
+
+def test_stop_ends_a_command_from_before_the_clock_was_set_back():
+    old = order("old", 3600 * 10**9)
+    _, actions = stop(CommandQueue(running=old), 5 * 10**9, now_ns=5 * 10**9)
+    assert actions == (Preempt(old, Cause.STOPPED),)
+
+
+def test_stop_leaves_a_command_that_was_said_just_after_it():
+    _, actions = stop(CommandQueue(running=order("after", 5 * 10**9 + 1000)), 5 * 10**9, now_ns=5 * 10**9)
+    assert actions == ()

@@ -1,6 +1,7 @@
 """Every way in which a goal can go and end."""
 
 import random
+from dataclasses import replace
 
 import pytest
 
@@ -217,3 +218,54 @@ def test_whatever_happens_a_goal_ends_in_bounded_time_once_it_is_to_end():
         goal, _ = run_clock(goal, now_s, until_s=now_s + 10.0)
         assert goal.is_ended and goal.outcome is not None, f"seed {seed}"
         assert goal.outcome is not Outcome.SUCCEEDED, f"seed {seed}"
+
+
+def test_silent_process_is_asked_whether_it_lives_once_in_a_while():
+    goal = accepted()
+    asked = []
+    for tenth in range(1010, 1040):
+        step = tracking.tick(goal, now_s=tenth / 10.0)
+        goal = step.goal
+        if step.is_question_due:
+            asked.append(tenth / 10.0)
+    assert asked == [102.0, 103.0]
+
+
+def test_server_that_speaks_is_not_asked():
+    goal = accepted()
+    for second in range(102, 110):
+        assert not tracking.tick(goal, now_s=second - 0.1).is_question_due
+        goal = tracking.hear_sign(goal, now_s=float(second))
+
+
+def test_death_ends_the_goal_at_once_and_nothing_is_cancelled():
+    goal = tracking.hear_death(accepted(), now_s=103.0)
+    assert (goal.outcome, goal.reason, goal.is_orphaned) == (Outcome.FAILED, "has died", False)
+    assert not tracking.tick(goal, now_s=1e9).is_cancel_due
+
+
+def test_death_while_it_is_cancelled_is_a_preemption():
+    goal = tracking.hear_death(tracking.ask_preempt(accepted(), now_s=102.0), now_s=103.0)
+    assert (goal.outcome, goal.is_orphaned) == (Outcome.PREEMPTED, False)
+
+
+def test_death_after_a_terminal_status_does_not_change_it():
+    goal = tracking.hear_status(accepted(), GoalStatusCode.ABORTED, now_s=102.0)
+    assert tracking.hear_death(goal, now_s=102.5).reason == "aborted"
+
+
+def test_goal_that_never_ends_is_cancelled_at_its_limit():
+    deadlines = replace(DEADLINES, execution_s=60.0)
+    goal = tracking.hear_status(tracking.send("turn", deadlines, now_s=0.0), GoalStatusCode.ACTIVE, now_s=1.0)
+    for second in range(1, 61):
+        goal = tracking.hear_sign(goal, now_s=float(second))
+        assert goal.phase is Phase.ACCEPTED
+    step = tracking.tick(tracking.hear_sign(goal, now_s=61.0), now_s=61.0)
+    assert step.is_cancel_due
+    ended = tracking.hear_result(step.goal, GoalStatusCode.PREEMPTED, success=False, text="", now_s=62.0)
+    assert (ended.outcome, ended.reason) == (Outcome.FAILED, "did not end within 60 s")
+
+
+def test_sentence_names_a_handful_of_servers_and_counts_the_others():
+    goals = [tracking.fail_unsent(f"s{number}", DEADLINES, "is not running", now_s=0.0) for number in range(64)]
+    assert tracking.describe_failures(goals).endswith("s5 is not running; and 58 more.")

@@ -6,6 +6,7 @@ from typing import Any, Dict, List, Mapping, Optional, Tuple
 
 import yaml
 
+from rfnserver.goal_binding import SOURCE_KEYS
 from semantic_frames.marked_yaml import Reader, describe
 from semantic_frames.problem import FileRefused
 
@@ -33,7 +34,6 @@ BINDING_KEYS = (
     "server_timeout_s",
     "preempt_timeout_s",
 )
-FIELD_KEYS = ("element", "unit_element", "unit", "default", "value")
 
 
 @dataclass(frozen=True)
@@ -147,9 +147,22 @@ def _fields(reader: Reader, node: Optional[yaml.Node], key: str) -> Dict[str, An
         elif isinstance(value, yaml.ScalarNode):
             fields[name] = reader.name(value, f"{key}.{name}")
         else:
-            parts = reader.mapping(value, f"{key}.{name}", FIELD_KEYS)
-            fields[name] = {part: reader.text(item, f"{key}.{name}.{part}") for part, item in parts.items()}
+            parts = reader.mapping(value, f"{key}.{name}", SOURCE_KEYS)
+            fields[name] = {
+                part: _table(reader, item, f"{key}.{name}.{part}")
+                if part == "values"
+                else reader.text(item, f"{key}.{name}.{part}")
+                for part, item in parts.items()
+            }
     return fields
+
+
+def _table(reader: Reader, node: yaml.Node, key: str) -> Dict[str, str]:
+    """Read the words of a person and the words that stand for them in a field."""
+    if not isinstance(node, yaml.MappingNode):
+        reader.report("WRONG_TYPE", node, key, describe(node), "a mapping of words to values")
+        return {}
+    return {reader.name(words, key): reader.text(value, key) for words, value in node.value}
 
 
 __all__ = ["Binding", "FileRefused", "Kind", "load_bindings"]

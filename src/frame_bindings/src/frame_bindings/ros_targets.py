@@ -44,8 +44,9 @@ class ActionTarget:
 
     def live_type(self) -> Optional[str]:
         """Return the present type of the server; None while it is missing."""
-        goal_type = _topic_type(self._binding.target + "/goal")
-        return goal_type[: -len("Goal")] if goal_type else None
+        # The server publishes its results. The topic of goals has the type of its last client, such as this one.
+        result_type = _topic_type(self._binding.target + "/result", is_published=True)
+        return result_type[: -len("Result")] if result_type else None
 
     def carry_out(self, message: Any, is_to_end: IsToEnd, on_feedback: Callable[[Any], None]) -> ForwardedEnd:
         """Send the goal and wait for its end."""
@@ -155,12 +156,12 @@ def _message_class(type_name: str) -> Any:
     return message_class
 
 
-def _topic_type(topic: str) -> Optional[str]:
+def _topic_type(topic: str, *, is_published: bool = False) -> Optional[str]:
+    """Return the type of a topic that other nodes use, or publish; None without such nodes."""
     wanted = rospy.resolve_name(topic)
     published, subscribed, _ = rosgraph.Master(rospy.get_name()).getSystemState()
-    others = {
-        node for name, nodes in published + subscribed if name == wanted for node in nodes if node != rospy.get_name()
-    }
+    ends = published if is_published else published + subscribed
+    others = {node for name, nodes in ends if name == wanted for node in nodes if node != rospy.get_name()}
     if not others:
         return None
     return dict(rosgraph.Master(rospy.get_name()).getTopicTypes()).get(wanted)

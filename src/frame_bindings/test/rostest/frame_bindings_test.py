@@ -105,6 +105,12 @@ class FrameBindingsTest(unittest.TestCase):
         self.assertEqual(GoalStatus.ABORTED, status)
         self.assertIn("is of type actionlib_tutorials/FibonacciAction, not actionlib_tutorials/AveragingAction", text)
 
+    def test_type_is_that_of_the_server_and_not_that_of_its_last_client(self) -> None:
+        status, text = self.end(self.send("miscounting", steps="3"))
+        self.assertEqual(GoalStatus.ABORTED, status)
+        self.assertIn("is of type actionlib_tutorials/FibonacciAction, not actionlib_tutorials/AveragingAction", text)
+        self.assertEqual(GoalStatus.SUCCEEDED, self.end(self.send("computing", steps="three"))[0])
+
 
 if __name__ == "__main__":
     import rostest

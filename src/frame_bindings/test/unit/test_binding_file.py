@@ -44,6 +44,12 @@ def test_bindings_of_each_kind() -> None:
     assert (topic.kind, topic.target, topic.ignored_elements) == (Kind.TOPIC, "speech", ("manner",))
 
 
+def test_table_of_words() -> None:
+    table = "{element: side, values: {left: true, right: false}}"
+    (action, *_) = load_bindings(GOOD.replace("target_pose: goal", f"left_arm: {table}"), "bindings.yaml")
+    assert action.fields["left_arm"] == {"element": "side", "values": {"left": "true", "right": "false"}}
+
+
 @pytest.mark.parametrize(
     "old, new, expected",
     [
@@ -60,6 +66,7 @@ def test_bindings_of_each_kind() -> None:
         ("topic: speech", "topik: speech", ("UNKNOWN_KEY", 17)),
         ("      target_pose: goal", "      speed: goal", ("DUPLICATE_KEY", 8)),
         ("fields: {data: state}", "fields: data", ("WRONG_TYPE", 13)),
+        ("fields: {data: state}", "fields: {data: {element: state, values: on}}", ("WRONG_TYPE", 13)),
     ],
 )
 def test_mistakes_are_found_by_line(old: str, new: str, expected: Tuple[str, int]) -> None:

@@ -4,7 +4,8 @@ from dataclasses import dataclass
 from typing import Dict, FrozenSet, List, Mapping, Optional, Sequence, Set, Tuple
 
 from frame_learning.annotated_sentences import AnnotatedSentence, Span
-from semantic_framer.attachment import is_side_of_something, places_before
+from phrase_meanings.head_words import is_side_of_something
+from semantic_framer.attachment import places_before
 from semantic_framer.matching import DIRECTIONAL
 from semantic_framer.sentence import Sentence
 from semantic_frames.frame import SemanticFrame

@@ -8,7 +8,8 @@ from typing import Counter, Dict, FrozenSet, Iterable, List, Mapping, Sequence, 
 from frame_learning.gpsr_commands import DrawnCommand
 from frame_learning.gpsr_meaning import GpsrMapping, Meaning, MeantElement, MeantFrame
 from offline_pipeline.pipeline import Pipeline, Understanding
-from semantic_framer.reading import ElementValue, Reading
+from semantic_framer.reading import Reading
+from typed_arguments import TypedArgument
 from utterance_passes.tree import DependencyTree
 
 _WORD = re.compile(r"[\w'-]+")
@@ -73,7 +74,7 @@ def _mistake(mapping: GpsrMapping, command: DrawnCommand, meaning: Meaning, unde
 
 
 def _mistake_in(words: "_Words", reading: Reading, frame: MeantFrame) -> str:
-    given = {value.name: words.of_value(value) for value in reading.values if value.positions}
+    given = {value.name: words.of_value(value) for value in reading.arguments if value.positions}
     wanted: Dict[Tuple[str, ...], FrozenSet[int]] = {}
     for element in frame.elements:
         wanted[element.names] = wanted.get(element.names, frozenset()) | words.of_element(element)
@@ -92,11 +93,11 @@ def _wrong_referent(words: "_Words", reading: Reading, frame: MeantFrame) -> str
     """Return the pronoun that stands for something else than in the grammar; empty if there is none."""
     for element in frame.elements:
         referent = words.referent(element)
-        value = next((value for value in reading.values if value.name in element.names), None)
-        if not referent or value is None or value.argument.lower() == value.head.lower():
+        value = next((value for value in reading.arguments if value.name in element.names), None)
+        if not referent or value is None or words.is_as_said(value):
             continue
-        if referent.lower() not in value.argument.lower():
-            return f'{value.name} "{value.head}" stands for "{value.argument}", not for "{referent}"'
+        if referent.lower() not in value.text.lower():
+            return f'{value.name} "{value.head}" stands for "{value.text}", not for "{referent}"'
     return ""
 
 
@@ -117,7 +118,10 @@ class _Words:
         first, last = element.span
         return self._between(self._command.spans[first][0], self._command.spans[last - 1][1])
 
-    def of_value(self, value: ElementValue) -> FrozenSet[int]:
+    def is_as_said(self, value: TypedArgument) -> bool:
+        return value.text.lower() in (self._tree.word(position).form.lower() for position in value.positions)
+
+    def of_value(self, value: TypedArgument) -> FrozenSet[int]:
         found: FrozenSet[int] = frozenset()
         for position in value.positions:
             word = self._tree.word(position)

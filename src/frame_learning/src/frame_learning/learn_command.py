@@ -218,7 +218,7 @@ def _understood(
         return None
     for readings in outcome.clauses:
         for reading in readings[:offered]:
-            arguments = {value.name: value.argument for value in reading.values}
+            arguments = {value.name: value.text for value in reading.arguments}
             if reading.unit.frame_name == lesson.sentence.frame_name and all(
                 arguments.get(name) == text for name, text in lesson.arguments.items()
             ):

@@ -63,7 +63,7 @@ def test_ten_sentences_teach_ten_others(pipeline, text, frame_name, arguments):
     assert understanding.reply.code == "DONE", understanding.reply.sentence
     (reading,) = understanding.readings
     assert reading.unit.frame_name == frame_name
-    assert {value.name: value.argument for value in reading.values} == arguments
+    assert {value.name: value.text for value in reading.arguments} == arguments
 
 
 def test_learned_files_are_right_and_their_examples_are_understood(learned):
@@ -149,7 +149,7 @@ def understood(pipeline, text):
     understanding = pipeline.understand(text)
     assert understanding.reply.code == "DONE", understanding.reply.sentence
     (reading,) = understanding.readings
-    return reading.unit.frame_name, {value.name: value.argument for value in reading.values}
+    return reading.unit.frame_name, {value.name: value.text for value in reading.arguments}
 
 
 def test_what_is_core_in_no_frame_is_said_in_the_same_way_in_all(tmp_path):

@@ -1,8 +1,8 @@
 """Fills frames with the arguments of a lexical unit or of a parent frame."""
 
 import operator
-from dataclasses import dataclass
-from typing import Mapping, Optional, Tuple
+from dataclasses import replace
+from typing import Dict, Mapping, Optional, Tuple
 
 import word_classes
 from semantic_frames.frame import (
@@ -15,25 +15,7 @@ from semantic_frames.frame import (
     ValueCondition,
 )
 from spoken_quantities import QuantityError, parse_measure, parse_number
-
-
-@dataclass(frozen=True)
-class FilledFrame:
-    """A frame whose elements have arguments.
-
-    Attributes:
-        name: name of the frame
-        arguments: element name and argument, in the order of the frame's file; elements without one are left out
-        server: name of the action server that carries it out; empty while none is chosen
-    """
-
-    name: str
-    arguments: Tuple[Tuple[str, str], ...]
-    server: str = ""
-
-    def argument(self, element: str) -> str:
-        """Return the argument of an element; empty if it has none."""
-        return dict(self.arguments).get(element, "")
+from typed_arguments import FilledFrame, Measure, Source, TypedArgument
 
 
 class Unfillable(ValueError):
@@ -53,70 +35,80 @@ class Unfillable(ValueError):
         self.code = code
 
 
-def fill(frame: SemanticFrame, arguments: Mapping[str, str]) -> FilledFrame:
-    """Fill a frame, with defaults for what was not said, and check the values against its file.
+def fill(frame: SemanticFrame, arguments: Mapping[str, TypedArgument]) -> FilledFrame:
+    """Fill a frame, with defaults for what was not said, and check the arguments against its file.
 
     Args:
         frame: the frame to fill
         arguments: by element name; names that the frame does not have are ignored
     Returns:
-        the filled frame
+        the filled frame; an element with a quantity has its measure
     Raises:
         Unfillable: a value that is not allowed, an amount beyond its limit, a core element without argument
     """
-    filled = tuple((element.name, arguments.get(element.name) or element.default) for element in frame.frame_elements)
-    result = FilledFrame(name=frame.name, arguments=tuple((name, argument) for name, argument in filled if argument))
+    found: Dict[str, TypedArgument] = {}
     for element in frame.frame_elements:
-        argument = result.argument(element.name)
-        if not argument:
+        argument = arguments.get(element.name)
+        if argument is not None and argument.text:
+            found[element.name] = argument if argument.name == element.name else replace(argument, name=element.name)
+        elif element.default:
+            found[element.name] = TypedArgument(element.name, element.default, Source.DEFAULT)
+    for element in frame.frame_elements:
+        if element.name not in found:
             if element.is_core:
                 raise Unfillable(
                     "MISSING_ELEMENT",
                     element.question or f"The {spoken_name(element.name)} of {spoken_name(frame.name)} is missing.",
                 )
             continue
-        if element.values and argument.lower() not in [value.lower() for value in element.values]:
+        text = found[element.name].text
+        if element.values and text.lower() not in [value.lower() for value in element.values]:
             raise Unfillable(
                 "VALUE_NOT_ALLOWED",
-                f'The {spoken_name(element.name)} cannot be "{argument}", only {join_with_or(element.values)}.',
+                f'The {spoken_name(element.name)} cannot be "{text}", only {join_with_or(element.values)}.',
             )
-        _check_amount(frame, element, argument, result)
-    return result
+        if element.quantity is not None:
+            found[element.name] = _measured(frame, element, element.quantity, found)
+    return FilledFrame(name=frame.name, arguments=tuple(found.values()))
 
 
-def _check_amount(frame: SemanticFrame, element: FrameElement, argument: str, filled: FilledFrame) -> None:
-    if element.quantity is None:
-        return
-    try:
-        if element.quantity is Quantity.NUMBER:
-            amount = parse_number(argument)
-        else:
-            unit = filled.argument(element.unit_element) if element.unit_element else ""
-            amount = parse_measure(f"{argument} {unit}".strip(), quantity=element.quantity.value).si_amount
-    except QuantityError as error:
-        code = "LIMIT" if error.code == "NOT_FINITE" else "VALUE_NOT_ALLOWED"
-        raise Unfillable(
-            code, f"I cannot use the {spoken_name(element.name)} of {spoken_name(frame.name)}: {error}"
-        ) from error
-    for limit, is_beyond, word in (
-        (element.maximum, operator.gt, "more"),
-        (element.minimum, operator.lt, "less"),
-    ):
-        if limit is not None and is_beyond(amount, limit):
-            said = " ".join(part for part in (argument, filled.argument(element.unit_element)) if part)
+def _measured(
+    frame: SemanticFrame, element: FrameElement, quantity: Quantity, found: Mapping[str, TypedArgument]
+) -> TypedArgument:
+    """Return the argument of an element with a quantity, with its measure.
+
+    Raises:
+        Unfillable: it is no such quantity, or beyond a limit
+    """
+    argument = found[element.name]
+    unit = found[element.unit_element].text if element.unit_element in found else ""
+    said = f"{argument.text} {unit}".strip()
+    si = argument.si if argument.measure is not None and argument.measure.kind == quantity.value else None
+    if si is None:
+        # A default, a constant of a relation, or the words of an element that asks for no measure.
+        try:
+            number = parse_number(argument.text) if quantity is Quantity.NUMBER else None
+            measure = None if number is not None else parse_measure(said, quantity=quantity.value)
+        except QuantityError as error:
+            code = "LIMIT" if error.code == "NOT_FINITE" else "VALUE_NOT_ALLOWED"
             raise Unfillable(
-                "LIMIT",
-                f"{said} is {word} than I may do: the limit is {limit:g} {SI_UNITS[element.quantity]}.".replace(
-                    " .", "."
-                ),
-            )
+                code, f"I cannot use the {spoken_name(element.name)} of {spoken_name(frame.name)}: {error}"
+            ) from error
+        amount, name = (number, "") if measure is None else (measure.amount, measure.unit)
+        si = number if measure is None else measure.si_amount
+        argument = replace(argument, measure=Measure(quantity.value, said, amount, name, si))
+    for limit, is_beyond, word in ((element.maximum, operator.gt, "more"), (element.minimum, operator.lt, "less")):
+        if limit is not None and si is not None and is_beyond(si, limit):
+            sentence = f"{said} is {word} than I may do: the limit is {limit:g} {SI_UNITS[quantity]}."
+            raise Unfillable("LIMIT", sentence.replace(" .", "."))
+    return argument
 
 
 #: Units for limits in sentences.
 SI_UNITS = {Quantity.NUMBER: "", Quantity.LENGTH: "metres", Quantity.ANGLE: "radians", Quantity.DURATION: "seconds"}
 
 
-def child_arguments(parent: FilledFrame, child: RelatedFrame) -> Optional[Mapping[str, str]]:
+def child_arguments(parent: FilledFrame, child: RelatedFrame) -> Optional[Mapping[str, TypedArgument]]:
     """Map the arguments of a filled frame to a child.
 
     Args:
@@ -127,12 +119,15 @@ def child_arguments(parent: FilledFrame, child: RelatedFrame) -> Optional[Mappin
     """
     if unmet_condition(parent, child) is not None:
         return None
-    arguments = {}
+    arguments: Dict[str, TypedArgument] = {}
     for relation in child.frame_element_relations:
+        name = relation.child_name if not isinstance(relation, ValueCondition) else ""
         if isinstance(relation, ConstantArgument):
-            arguments[relation.child_name] = relation.parent_value
-        elif isinstance(relation, ElementMapping) and parent.argument(relation.parent_name):
-            arguments[relation.child_name] = parent.argument(relation.parent_name)
+            arguments[name] = TypedArgument(name, relation.parent_value, Source.DEFAULT)
+        elif isinstance(relation, ElementMapping):
+            argument = parent.find(relation.parent_name)
+            if argument is not None:
+                arguments[name] = argument if argument.name == name else replace(argument, name=name)
     return arguments
 
 
@@ -140,7 +135,7 @@ def unmet_condition(parent: FilledFrame, child: RelatedFrame) -> Optional[ValueC
     """Return the first value condition of a child that its filled parent does not meet; None if it meets all."""
     for relation in child.frame_element_relations:
         if isinstance(relation, ValueCondition):
-            said = without_determiner(parent.argument(relation.parent_name))
+            said = without_determiner(parent.text(relation.parent_name))
             if said not in [without_determiner(value) for value in relation.child_values]:
                 return relation
     return None

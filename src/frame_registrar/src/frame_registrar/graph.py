@@ -41,29 +41,40 @@ class FrameGraph:
         if known == frame:
             return False
         problems = self._element_problems(frame)
-        graph = self._graph.copy()
-        graph.remove_edges_from(list(graph.out_edges(frame.name)) if frame.name in graph else [])
-        graph.add_node(frame.name)
-        graph.add_edges_from((frame.name, child.name) for sequence in frame.children for child in sequence)
-        try:
-            cycle = [edge[0] for edge in networkx.find_cycle(graph, frame.name)]
+        cycle = self._cycle(frame)
+        if cycle:
             problems.append(
                 Problem(
                     code="CYCLE",
                     path=frame.path,
                     line=_line_of_child(frame, cycle),
                     key="children",
-                    found=" -> ".join(cycle + [cycle[0]]),
+                    found=" -> ".join(cycle),
                     expected="relations that lead away from the frame, never back",
                 )
             )
-        except networkx.NetworkXNoCycle:
-            pass
         if problems:
             raise FileRefused(problems)
         self._frames[frame.name] = frame
-        self._graph = graph
+        if frame.name in self._graph:
+            self._graph.remove_edges_from(list(self._graph.out_edges(frame.name)))
+        self._graph.add_node(frame.name)
+        self._graph.add_edges_from((frame.name, child.name) for sequence in frame.children for child in sequence)
         return True
+
+    def _cycle(self, frame: SemanticFrame) -> List[str]:
+        """Return the names along a cycle that the frame would close; the first one is also the last."""
+        for child in (child.name for sequence in frame.children for child in sequence):
+            if child == frame.name:
+                return [frame.name, frame.name]
+            # The graph has no cycle yet, so each new one leads through this frame. The search runs from both ends, and
+            # a frame that nobody names yet ends it at once.
+            if child in self._graph and frame.name in self._graph:
+                try:
+                    return [frame.name] + list(networkx.bidirectional_shortest_path(self._graph, child, frame.name))
+                except networkx.NetworkXNoPath:
+                    pass
+        return []
 
     def remove(self, name: str) -> None:
         """Remove a frame. Registrations and parents that name it are kept, and count when it is added again."""
@@ -77,7 +88,8 @@ class FrameGraph:
         for child in (child for sequence in frame.children for child in sequence):
             if child.name in self._frames and child.name != frame.name:
                 problems += _relation_problems(frame, child, self._frames[child.name], frame.path, child.line)
-        for parent in self._frames.values():
+        parents = self._graph.predecessors(frame.name) if frame.name in self._graph else ()
+        for parent in (self._frames[name] for name in parents if name in self._frames):
             for child in (child for sequence in parent.children for child in sequence):
                 if child.name == frame.name and parent.name != frame.name:
                     problems += _relation_problems(parent, child, frame, frame.path, frame.line)

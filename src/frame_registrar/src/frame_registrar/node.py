@@ -83,6 +83,7 @@ class FrameRegistrar:
         self._adding = threading.Lock()
         self._graph = FrameGraph()
         self._texts: Dict[str, str] = {}
+        self._name_of_file: Dict[str, str] = {}
         self._problems: Tuple[Problem, ...] = ()
         self._id = uuid.uuid4().hex
         self._catalogue = rospy.Publisher("frame_catalogue", FrameCatalogue, queue_size=1, latch=True)
@@ -117,17 +118,19 @@ class FrameRegistrar:
     def _add_file(self, path: str) -> bool:
         """Add one frame file; return whether it is in the graph now. The problems are logged and published."""
         problems: Tuple[Problem, ...] = ()
-        with self._lock:
-            try:
-                text = read_text(path)
-                self._add_frame(load_frame(text, path))
+        try:
+            # Commands need the lock, so the file is read before.
+            text = read_text(path)
+            frame = load_frame(text, path)
+            with self._lock:
+                self._add_frame(frame)
                 self._texts[path] = text
-            except FileRefused as refused:
-                problems = refused.problems
-                for problem in problems:
-                    rospy.logerr("refused: %s", problem)
-            self._problems = replace_problems(self._problems, path, problems)
-            self._file_problems.publish(to_file_problems(self._problems))
+        except FileRefused as refused:
+            problems = refused.problems
+        for problem in problems:
+            rospy.logerr("refused: %s", problem)
+        self._problems = replace_problems(self._problems, path, problems)
+        self._file_problems.publish(to_file_problems(self._problems))
         return not problems
 
     def _add_frame(self, frame: SemanticFrame) -> None:
@@ -136,10 +139,11 @@ class FrameRegistrar:
         if before is not None and before.path != frame.path:
             rospy.logwarn("frame '%s' of %s replaces that of %s", frame.name, frame.path, before.path)
             self._texts.pop(before.path, None)
-        for name in [name for name, other in self._graph.frames.items() if other.path == frame.path]:
-            if name != frame.name:
-                rospy.loginfo("frame '%s' is removed: %s now describes '%s'", name, frame.path, frame.name)
-                self._graph.remove(name)
+        old = self._graph.frame(self._name_of_file.get(frame.path, ""))
+        if old is not None and old.name != frame.name and old.path == frame.path:
+            rospy.loginfo("frame '%s' is removed: %s now describes '%s'", old.name, frame.path, frame.name)
+            self._graph.remove(old.name)
+        self._name_of_file[frame.path] = frame.name
 
     def _on_add_frame(self, request: AddFrameRequest) -> AddFrameResponse:
         path = request.absolute_file_path

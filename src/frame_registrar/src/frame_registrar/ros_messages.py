@@ -8,19 +8,19 @@ from roboframenet_msgs.msg import (
     EmptySemanticFrame,
     FileProblem,
     FileProblems,
-    FilledFrameElement,
-    FilledSemanticFrame,
     FilledSemanticFrameList,
     FilledSemanticFrameListList,
+    LexicalUnitReading,
     Plan,
     PlanCandidate,
     PlanNode,
 )
 
-from frame_registrar.filling import FilledFrame
-from frame_registrar.search import Argument, Candidate, Reading
+from frame_registrar.search import Candidate, Reading
 from semantic_frames import Problem
 from semantic_frames.frame import SemanticFrame
+from typed_arguments import FilledFrame, TypedArgument
+from typed_arguments.ros_messages import SharedArguments, frame_to_message, from_message
 
 
 def to_clauses(clauses: Iterable[Clause]) -> List[List[Reading]]:
@@ -28,22 +28,15 @@ def to_clauses(clauses: Iterable[Clause]) -> List[List[Reading]]:
     return [[_to_reading(reading) for reading in clause.readings] for clause in clauses]
 
 
-def _to_reading(message: object) -> Reading:
-    values = {value.name: value for value in message.values}
-    arguments = []
-    for element in message.lexical_unit.frame_elements:
-        value = values.get(element.name)
-        arguments.append(
-            Argument(
-                name=element.name,
-                text=element.argument,
-                items=tuple(value.items) if value else (),
-                conjunction=value.conjunction if value else "",
-            )
-        )
+def _to_reading(message: LexicalUnitReading) -> Reading:
+    """Raises ValueError if a typed argument is malformed."""
+    typed = {argument.name: from_message(argument) for argument in message.arguments}
     return Reading(
         frame_name=message.lexical_unit.frame_name,
-        arguments=tuple(arguments),
+        arguments=tuple(
+            typed.get(element.name) or TypedArgument(name=element.name, text=element.argument)
+            for element in message.lexical_unit.frame_elements
+        ),
         coverage=message.coverage,
         preference=message.preference,
     )
@@ -57,43 +50,38 @@ def to_plan(clauses: Sequence[Clause], text: str, found: Sequence[Sequence[Candi
         text: of the whole command
         found: candidates of each clause
     """
-    leaves = [
-        PlanNode(
-            kind=PlanNode.DO,
-            label=clause.words or text,
-            candidates=[
-                PlanCandidate(
-                    frames=_to_frames(candidate.frames),
-                    coverage=candidate.coverage,
-                    preference=candidate.preference,
-                )
-                for candidate in candidates
-            ],
-        )
-        for clause, candidates in zip(clauses, found)
-    ]
+    leaves = [_to_leaf(clause.words or text, candidates) for clause, candidates in zip(clauses, found)]
     if len(leaves) == 1:
         return Plan(nodes=leaves)
     root = PlanNode(kind=PlanNode.SEQUENCE, label=text, children=list(range(1, len(leaves) + 1)))
     return Plan(nodes=[root] + leaves)
 
 
-def to_frame_lists(sequences: Iterable[Sequence[FilledFrame]]) -> FilledSemanticFrameListList:
-    """Return sequences of frames as the 2012 message."""
-    return FilledSemanticFrameListList(
-        frame_lists=[FilledSemanticFrameList(frames=_to_frames(frames)) for frames in sequences]
+def _to_leaf(label: str, candidates: Sequence[Candidate]) -> PlanNode:
+    shared = SharedArguments()
+    return PlanNode(
+        kind=PlanNode.DO,
+        label=label,
+        candidates=[
+            PlanCandidate(
+                frames=[frame_to_message(frame) for frame in candidate.frames],
+                coverage=candidate.coverage,
+                preference=candidate.preference,
+                arguments=shared.positions(candidate.frames),
+            )
+            for candidate in candidates
+        ],
+        arguments=shared.messages,
     )
 
 
-def _to_frames(frames: Iterable[FilledFrame]) -> List[FilledSemanticFrame]:
-    return [
-        FilledSemanticFrame(
-            name=frame.name,
-            frame_elements=[FilledFrameElement(name=name, argument=argument) for name, argument in frame.arguments],
-            action_server_topics=[frame.server],
-        )
-        for frame in frames
-    ]
+def to_frame_lists(sequences: Iterable[Sequence[FilledFrame]]) -> FilledSemanticFrameListList:
+    """Return sequences of frames as the 2012 message."""
+    return FilledSemanticFrameListList(
+        frame_lists=[
+            FilledSemanticFrameList(frames=[frame_to_message(frame) for frame in frames]) for frames in sequences
+        ]
+    )
 
 
 def to_empty_frame(frame: SemanticFrame) -> EmptySemanticFrame:

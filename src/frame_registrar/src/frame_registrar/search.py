@@ -8,25 +8,9 @@ from frame_registrar.filling import Unfillable, fill, spoken_name
 from frame_registrar.graph import FrameGraph
 from frame_registrar.sequence_finder import Frames, Refusal, SequenceFinder
 from semantic_frames.frame import ListPolicy, SemanticFrame
+from typed_arguments import TypedArgument
 
-__all__ = ["Argument", "Candidate", "Reading", "Refusal", "combinations", "reply_outcome", "search"]
-
-
-@dataclass(frozen=True)
-class Argument:
-    """The argument of an element, and the items when it is a list.
-
-    Attributes:
-        name: of the element
-        text: the argument as it was said
-        items: of a list; empty for a single argument
-        conjunction: "and" or "or" between the items
-    """
-
-    name: str
-    text: str
-    items: Tuple[str, ...] = ()
-    conjunction: str = ""
+__all__ = ["Candidate", "Reading", "Refusal", "combinations", "reply_outcome", "search"]
 
 
 @dataclass(frozen=True)
@@ -41,7 +25,7 @@ class Reading:
     """
 
     frame_name: str
-    arguments: Tuple[Argument, ...] = ()
+    arguments: Tuple[TypedArgument, ...] = ()
     coverage: float = 1.0
     preference: int = 0
 
@@ -145,26 +129,26 @@ def _search_clause(
     return min(refusals, key=lambda refusal: _REASONS.index(refusal.code))
 
 
-def _tasks(frame: SemanticFrame, reading: Reading) -> Iterator[List[Dict[str, str]]]:
-    """Expand lists: "or" gives alternative tasks; "and" gives one frame for each item if the frame repeats."""
-    lists = [argument for argument in reading.arguments if len(argument.items) > 1]
+def _tasks(frame: SemanticFrame, reading: Reading) -> Iterator[List[Dict[str, TypedArgument]]]:
+    """Expand lists: "or" gives alternative tasks; "and" gives one frame for each member if the frame repeats."""
+    lists = [argument for argument in reading.arguments if len(argument.members) > 1]
     alternative = next((argument for argument in lists if argument.conjunction == "or"), None)
     if alternative is not None:
-        for item in alternative.items:
-            yield from _tasks(frame, _with(reading, alternative, item))
+        for member in alternative.members:
+            yield from _tasks(frame, _with(reading, alternative, member))
         return
     repeated = next(iter(lists), None) if frame.on_list is ListPolicy.REPEAT else None
     if repeated is None:
-        yield [{argument.name: argument.text for argument in reading.arguments}]
+        yield [{argument.name: argument for argument in reading.arguments}]
         return
-    parts = [next(_tasks(frame, _with(reading, repeated, item))) for item in repeated.items]
+    parts = [next(_tasks(frame, _with(reading, repeated, member))) for member in repeated.members]
     yield [arguments for part in parts for arguments in part]
 
 
-def _with(reading: Reading, argument: Argument, item: str) -> Reading:
-    return replace(
-        reading,
-        arguments=tuple(
-            Argument(name=other.name, text=item) if other is argument else other for other in reading.arguments
-        ),
+def _with(reading: Reading, argument: TypedArgument, member: TypedArgument) -> Reading:
+    """Return a reading with one member of a list; it keeps the relation that was said once for all members."""
+    relation = member.relation or argument.relation
+    alone = replace(
+        member, name=argument.name, relation=relation, semantic_type=member.semantic_type or argument.semantic_type
     )
+    return replace(reading, arguments=tuple(alone if other is argument else other for other in reading.arguments))

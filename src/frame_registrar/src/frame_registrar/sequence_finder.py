@@ -4,7 +4,6 @@ from dataclasses import dataclass, replace
 from typing import Dict, Iterator, List, Optional, Sequence, Tuple
 
 from frame_registrar.filling import (
-    FilledFrame,
     Unfillable,
     child_arguments,
     fill,
@@ -14,11 +13,14 @@ from frame_registrar.filling import (
 )
 from frame_registrar.graph import FrameGraph
 from semantic_frames.frame import RelatedFrame
+from typed_arguments import FilledFrame
 
 Frames = Tuple[FilledFrame, ...]
 
 #: How many filled frames one search expands. Frame files that people write need a handful.
 MOST_FRAMES = 20_000
+#: How many reasons of each kind are kept for a frame that nothing can carry out.
+_MOST_REASONS = 20
 
 
 @dataclass(frozen=True)
@@ -54,6 +56,41 @@ class _Options:
         return bool(self.servers or self.sequences)
 
 
+@dataclass(frozen=True)
+class _Expansion:
+    """The children of one filled frame, before it is known whether servers can carry them out.
+
+    Attributes:
+        sequences: those that can be filled
+        refusals: why children that have servers cannot be filled
+        missing: children without a file
+        unmet: values that children demand, when no child is meant for those that were said
+    """
+
+    sequences: Tuple[Frames, ...]
+    refusals: Tuple[Refusal, ...]
+    missing: Tuple[str, ...]
+    unmet: Tuple[Refusal, ...]
+
+
+#: Filled frames as a linked list: the first one and the others.
+_Chain = Optional[Tuple[FilledFrame, "_Chain"]]
+
+
+def _chain(frames: Sequence[FilledFrame], rest: _Chain) -> _Chain:
+    for frame in reversed(frames):
+        rest = (frame, rest)
+    return rest
+
+
+def _reversed_chain(chain: _Chain) -> Frames:
+    frames: List[FilledFrame] = []
+    while chain is not None:
+        first, chain = chain
+        frames.append(first)
+    return tuple(reversed(frames))
+
+
 class SequenceFinder:
     """Finds the sequences of frames with servers that carry out filled frames, during one search.
 
@@ -68,13 +105,26 @@ class SequenceFinder:
     def __init__(self, graph: FrameGraph) -> None:
         self.graph = graph
         self.is_truncated = False
+        self._expansions: Dict[FilledFrame, _Expansion] = {}
         self._known: Dict[FilledFrame, _Options] = {}
-        self._expanded = 0
 
     def find(self, frames: Sequence[FilledFrame]) -> Iterator[Frames]:
         """Yield all sequences that carry out several filled frames one after the other, lazily."""
-        if all(self._options(frame) for frame in frames):
-            yield from self._combinations(frames)
+        if not all(self._options(frame) for frame in frames):
+            return
+        # Depth first, without recursion: chains of frames may be longer than the stack of Python.
+        partial: List[Tuple[_Chain, _Chain]] = [(None, _chain(frames, None))]
+        while partial:
+            done, to_do = partial.pop()
+            if to_do is None:
+                yield _reversed_chain(done)
+                continue
+            first, rest = to_do
+            options = self._options(first)
+            for sequence in reversed(options.sequences):
+                partial.append((done, _chain(sequence, rest)))
+            for server in reversed(options.servers):
+                partial.append(((replace(first, server=server), done), rest))
 
     def why_not(self, frames: Sequence[FilledFrame]) -> List[Refusal]:
         """Return why no server can carry out filled frames for which :meth:`find` yielded nothing."""
@@ -90,37 +140,54 @@ class SequenceFinder:
         )
         return refusals
 
-    def _combinations(self, frames: Sequence[FilledFrame]) -> Iterator[Frames]:
-        if not frames:
-            yield ()
-            return
-        for first in self._one(frames[0]):
-            for rest in self._combinations(frames[1:]):
-                yield first + rest
-
-    def _one(self, filled: FilledFrame) -> Iterator[Frames]:
-        """Every sequence that carries out one filled frame: its own servers first, then its children."""
-        options = self._options(filled)
-        for server in options.servers:
-            yield (replace(filled, server=server),)
-        for sequence in options.sequences:
-            yield from self._combinations(sequence)
-
     def _options(self, filled: FilledFrame) -> _Options:
-        if filled not in self._known:
-            if self._expanded >= MOST_FRAMES:
-                self.is_truncated = True
-                return _Options(servers=self.graph.servers(filled.name), missing=(filled.name,))
-            self._expanded += 1
-            self._known[filled] = self._expand(filled)
+        """Return the options of a filled frame; those of its descendants are found first, without recursion."""
+        waiting = [filled]
+        while waiting:
+            frame = waiting[-1]
+            if frame in self._known:
+                waiting.pop()
+                continue
+            if frame not in self._expansions:
+                if len(self._expansions) >= MOST_FRAMES:
+                    self.is_truncated = True
+                    self._known[frame] = _Options(servers=self.graph.servers(frame.name), missing=(frame.name,))
+                    continue
+                self._expansions[frame] = self._expand(frame)
+            expansion = self._expansions[frame]
+            unknown = [child for sequence in expansion.sequences for child in sequence if child not in self._known]
+            if unknown:
+                waiting += unknown
+            else:
+                self._known[frame] = self._options_of(frame, expansion)
         return self._known[filled]
 
-    def _expand(self, filled: FilledFrame) -> _Options:
-        frame = self.graph.frame(filled.name)
+    def _options_of(self, filled: FilledFrame, expansion: "_Expansion") -> _Options:
+        """Choose among the sequences of a frame, when the options of their members are known."""
         servers = self.graph.servers(filled.name)
+        refusals, missing = list(expansion.refusals), [filled.name, *expansion.missing]
+        sequences = []
+        for children in expansion.sequences:
+            stuck = [self._known[child] for child in children if not self._known[child]]
+            if not stuck:
+                sequences.append(children)
+            for options in stuck:
+                refusals += options.refusals
+                missing += options.missing
+        if servers or sequences:
+            return _Options(servers=servers, sequences=tuple(sequences))
+        refusals += expansion.unmet
+        # A reply names a handful; each level of the graph must not add its own.
+        return _Options(
+            refusals=tuple(dict.fromkeys(refusals))[:_MOST_REASONS],
+            missing=tuple(dict.fromkeys(missing))[:_MOST_REASONS],
+        )
+
+    def _expand(self, filled: FilledFrame) -> "_Expansion":
+        frame = self.graph.frame(filled.name)
         refusals: List[Refusal] = []
         unmet: Dict[str, List[str]] = {}
-        missing = [filled.name]
+        missing: List[str] = []
         sequences = []
         is_meant = False
         for sequence in frame.children if frame is not None else ():
@@ -133,19 +200,14 @@ class SequenceFinder:
                 continue
             is_meant = True
             children = self._fill_children(filled, sequence, refusals, missing)
-            if children is None:
-                continue
-            stuck = [self._options(child) for child in children if not self._options(child)]
-            if not stuck:
+            if children is not None:
                 sequences.append(children)
-            for options in stuck:
-                refusals += options.refusals
-                missing += options.missing
-        if servers or sequences:
-            return _Options(servers=servers, sequences=tuple(sequences))
-        if not is_meant:
-            refusals += [_not_among(filled, element, values) for element, values in unmet.items()]
-        return _Options(refusals=tuple(dict.fromkeys(refusals)), missing=tuple(dict.fromkeys(missing)))
+        return _Expansion(
+            sequences=tuple(sequences),
+            refusals=tuple(refusals),
+            missing=tuple(missing),
+            unmet=() if is_meant else tuple(_not_among(filled, *one) for one in unmet.items()),
+        )
 
     def _fill_children(
         self, parent: FilledFrame, sequence: Sequence[RelatedFrame], refusals: List[Refusal], missing: List[str]
@@ -175,7 +237,7 @@ class SequenceFinder:
 
 def _not_among(filled: FilledFrame, element: str, values: Sequence[str]) -> Refusal:
     allowed = join_with_or(tuple(dict.fromkeys(values)))
-    said = filled.argument(element)
+    said = filled.text(element)
     if not said:
         return Refusal(
             "MISSING_ELEMENT",

@@ -1,7 +1,9 @@
 """The graph of frames: adding, replacing, registering."""
 
+import networkx
 import pytest
 
+from frame_registrar import graph as graph_module
 from frame_registrar.graph import FrameGraph
 from semantic_frames import FileRefused, load_frame
 
@@ -105,3 +107,27 @@ def test_removed_frame_may_come_again() -> None:
     assert graph.frame("a") is None and graph.descendants("a") == ()
     graph.remove("a")
     assert graph.add(frame(A)) and graph.servers("a") == ("server",) and graph.descendants("a") == ("b",)
+
+
+def test_adding_a_frame_looks_at_its_relatives_only(monkeypatch: pytest.MonkeyPatch) -> None:
+    graph = FrameGraph()
+    for number in range(100):
+        graph.add(frame(f"name: f{number}\nchildren: [{{name: f{number + 1}}}]\n"))
+    checked = []
+    check = graph_module._relation_problems
+    monkeypatch.setattr(
+        graph_module, "_relation_problems", lambda *about: checked.append(about[0].name) or check(*about)
+    )
+    monkeypatch.setattr(networkx.DiGraph, "copy", lambda _: pytest.fail("the whole graph is copied"))
+    graph.add(frame("name: f50\ndescription: new\nchildren: [{name: f51}]\n"))
+    assert checked == ["f50", "f49"]
+
+
+def test_refused_frame_leaves_its_relations_alone() -> None:
+    graph = FrameGraph()
+    graph.add(frame(A))
+    graph.add(frame("name: b\nchildren: [{name: c}]\n"))
+    with pytest.raises(FileRefused):
+        graph.add(frame("name: b\nchildren: [{name: d}, {name: a}]\n"))
+    assert graph.descendants("b") == ("c",)
+    assert graph.add(frame("name: d\nchildren: [{name: b}]\n"))

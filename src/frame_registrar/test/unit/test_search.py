@@ -8,8 +8,9 @@ import pytest
 
 from frame_registrar import sequence_finder
 from frame_registrar.graph import FrameGraph
-from frame_registrar.search import Argument, Candidate, Reading, Refusal, combinations, search
+from frame_registrar.search import Candidate, Reading, Refusal, combinations, search
 from semantic_frames import load_frame
+from typed_arguments import TypedArgument
 
 MOVING = """
 name: moving
@@ -39,7 +40,14 @@ def graph_of(*texts: str, servers: Tuple[Tuple[str, str], ...] = ()) -> FrameGra
 
 
 def reading(frame: str, coverage: float = 1.0, **arguments: str) -> Reading:
-    return Reading(frame, tuple(Argument(name, text) for name, text in arguments.items()), coverage)
+    return Reading(frame, tuple(TypedArgument(name, text) for name, text in arguments.items()), coverage)
+
+
+def listed(conjunction: str) -> TypedArgument:
+    """A list of two things, put under something."""
+    members = (TypedArgument(text="the mug"), TypedArgument(text="the plate", relation="behind"))
+    text = f"the mug {conjunction} the plate"
+    return TypedArgument("theme", text, relation="under", members=members, conjunction=conjunction)
 
 
 def moving_graph() -> FrameGraph:
@@ -72,7 +80,7 @@ def test_value_condition_chooses_the_child(direction: str, server: str) -> None:
         moving_graph(), [[reading("moving", direction=direction, distance="3", unit="feet")]], max_candidates=9
     )
     assert servers_of(found) == [(server,)]
-    assert only(found)[0].frames[0].arguments == (("distance", "3"),)
+    assert only(found)[0].frames[0].texts == (("distance", "3"),)
 
 
 def test_default_fills_what_was_not_said() -> None:
@@ -229,7 +237,7 @@ def test_likelier_reading_comes_first_whatever_it_covers() -> None:
 
 
 def test_items_of_or_are_alternatives_of_one_reading() -> None:
-    said = Argument("theme", "the mug or the plate", ("the mug", "the plate"), "or")
+    said = listed("or")
     graph = graph_of(TAKING % "repeat", servers=(("taking", "s"),))
     found = search(graph, [[Reading("taking", (said,), preference=3)]], max_candidates=9)
     assert [candidate.preference for candidate in only(found)] == [3, 3]
@@ -277,9 +285,9 @@ TAKING = "name: taking\nframe_elements: [{name: theme, is_core: True}]\non_list:
 )
 def test_lists(policy: str, conjunction: str, expected: List[List[str]]) -> None:
     graph = graph_of(TAKING % policy, servers=(("taking", "s"),))
-    said = Argument("theme", f"the mug {conjunction} the plate", ("the mug", "the plate"), conjunction)
+    said = listed(conjunction)
     found = search(graph, [[Reading("taking", (said,))]], max_candidates=9)
-    assert [[frame.argument("theme") for frame in candidate.frames] for candidate in only(found)] == expected
+    assert [[frame.text("theme") for frame in candidate.frames] for candidate in only(found)] == expected
 
 
 def brute_force(
@@ -318,3 +326,44 @@ def test_search_finds_what_brute_force_finds(seed: int) -> None:
     expected = list(dict.fromkeys(brute_force(children, servers, "f0")))
     found = search(graph, [[reading("f0")]], max_candidates=100000)
     assert (servers_of(found) if not isinstance(found, Refusal) else []) == expected, f"seed {seed}"
+
+
+@pytest.mark.parametrize("step", [1, -1])
+def test_chain_that_is_deeper_than_the_stack_is_searched(step: int) -> None:
+    depth = 3000
+    chain = [f"name: f{number}\nchildren: [{{name: f{number + 1}}}]" for number in range(depth)]
+    graph = graph_of(*chain[::step], f"name: f{depth}", servers=((f"f{depth}", "last"),))
+    (candidate,) = only(search(graph, [[reading("f0")]], max_candidates=64))
+    assert [(frame.name, frame.server) for frame in candidate.frames] == [(f"f{depth}", "last")]
+    graph.set_dead(frozenset(["last"]))
+    refusal = search(graph, [[reading("f0")]], max_candidates=64)
+    assert isinstance(refusal, Refusal) and refusal.code == "NO_SERVER"
+
+
+def test_long_sequence_is_searched() -> None:
+    length = 2000
+    members = ", ".join(f"{{name: m{number}}}" for number in range(length))
+    graph = graph_of(f"name: all\nchildren: [[{members}]]", *(f"name: m{number}" for number in range(length)))
+    for number in range(length):
+        graph.register(f"m{number}", "server")
+    (candidate,) = only(search(graph, [[reading("all")]], max_candidates=64))
+    assert [frame.name for frame in candidate.frames] == [f"m{number}" for number in range(length)]
+
+
+def test_alternatives_come_in_the_order_of_the_files() -> None:
+    graph = graph_of(
+        "name: whole\nchildren:\n  - [{name: a}, {name: b}]\n  - {name: c}",
+        "name: a",
+        "name: b",
+        "name: c",
+        servers=(("a", "a1"), ("a", "a2"), ("b", "b1"), ("b", "b2"), ("c", "c1"), ("whole", "w")),
+    )
+    candidates = only(search(graph, [[reading("whole")]], max_candidates=64))
+    assert [" ".join(frame.server for frame in candidate.frames) for candidate in candidates] == [
+        "w",
+        "a1 b1",
+        "a1 b2",
+        "a2 b1",
+        "a2 b2",
+        "c1",
+    ]

@@ -10,7 +10,7 @@ from typing import Callable, Dict, Mapping, Optional, Tuple
 import rospy
 from geometry_msgs.msg import Twist
 from nav_msgs.msg import Odometry
-from roboframenet_msgs.msg import FilledSemanticFrame, FilledSemanticFrameFeedback, FilledSemanticFrameResult
+from roboframenet_msgs.msg import FilledSemanticFrameFeedback, FilledSemanticFrameResult
 
 from move_action_server.base_claim import BaseClaim, BaseClaims
 from move_action_server.motion import (
@@ -26,11 +26,19 @@ from move_action_server.motion import (
     describe_amount,
 )
 from move_action_server.spoken_motion import NotUnderstood, backward_goal, forward_goal, turn_goal
-from rfnserver import RFNServer
+from rfnserver import RFNServer, TypedFrame
 from roboframenet_ros.parameters import ParameterError, Parameters, parameter
 from roboframenet_ros.ros_node import read_parameters, run_node
+from typed_arguments import TypedArgument
 
-GOAL_OF_FRAME = {"moving_forward": forward_goal, "moving_backward": backward_goal, "turning": turn_goal}
+#: Makes a motion of the arguments of a frame.
+GoalOf = Callable[[Mapping[str, TypedArgument]], MotionGoal]
+
+GOAL_OF_FRAME: Mapping[str, GoalOf] = {
+    "moving_forward": forward_goal,
+    "moving_backward": backward_goal,
+    "turning": turn_goal,
+}
 """How to read the arguments of each frame."""
 
 
@@ -221,10 +229,11 @@ class MoveActionServer:
             self._servers[frame_name] = server
 
     def start(self) -> None:
-        """Offer the three servers, and register them with their frames."""
+        """Offer the three servers, and register them with their frames: without a registrar, that takes seconds."""
+        for server in self._servers.values():
+            server.start()
         for frame_name, server in self._servers.items():
             server.register_with_frame(frame_name)
-            server.start()
 
     def _shut_down(self) -> None:
         self._odometry.wake()
@@ -245,12 +254,10 @@ class MoveActionServer:
             if not rospy.is_shutdown():
                 raise
 
-    def _callback(
-        self, frame_name: str, goal_of: Callable[[Mapping[str, str]], MotionGoal]
-    ) -> Callable[[FilledSemanticFrame], None]:
-        def execute(frame: FilledSemanticFrame) -> None:
+    def _callback(self, frame_name: str, goal_of: GoalOf) -> Callable[[TypedFrame], None]:
+        def execute(frame: TypedFrame) -> None:
             server = self._servers[frame_name]
-            ending = self._run(server, goal_of, {element.name: element.argument for element in frame.frame_elements})
+            ending = self._run(server, goal_of, {argument.name: argument for argument in frame.arguments})
             rospy.loginfo("%s %s: %s", frame_name, ending.outcome.value, ending.text)
             end = {
                 Outcome.SUCCEEDED: server.set_succeeded,
@@ -262,7 +269,10 @@ class MoveActionServer:
         return execute
 
     def _run(
-        self, server: RFNServer, goal_of: Callable[[Mapping[str, str]], MotionGoal], arguments: Mapping[str, str]
+        self,
+        server: RFNServer,
+        goal_of: Callable[[Mapping[str, TypedArgument]], MotionGoal],
+        arguments: Mapping[str, TypedArgument],
     ) -> Ending:
         try:
             goal = goal_of(arguments)

@@ -5,6 +5,7 @@ from typing import Mapping
 
 from move_action_server.motion import MotionGoal, MotionKind
 from spoken_quantities import QuantityError, parse_measure
+from typed_arguments import TypedArgument
 from word_classes import word_class
 
 LEFTWARD = word_class("leftward")
@@ -16,14 +17,18 @@ class NotUnderstood(ValueError):
     """The arguments describe no motion; the message is a sentence for a person."""
 
 
-def _amount(arguments: Mapping[str, str], *, element: str, quantity: str, question: str) -> float:
+def _amount(arguments: Mapping[str, TypedArgument], *, element: str, quantity: str, question: str) -> float:
     """Read an amount and its unit. The unit is in an element of its own, or follows the number.
 
     Returns:
         metres or radians; finite, with the spoken sign
     """
-    number = arguments.get(element, "").strip()
-    unit = arguments.get(element + "_unit", "").strip()
+    argument = arguments.get(element, TypedArgument())
+    if argument.measure is not None and argument.measure.kind == quantity and argument.si is not None:
+        return argument.si
+    # A client of 2012 sends only texts.
+    number = argument.text.strip()
+    unit = _text(arguments, element + "_unit")
     if not number:
         raise NotUnderstood(question)
     try:
@@ -34,11 +39,15 @@ def _amount(arguments: Mapping[str, str], *, element: str, quantity: str, questi
         raise NotUnderstood(str(error)) from error
 
 
-def _distance_m(arguments: Mapping[str, str]) -> float:
+def _text(arguments: Mapping[str, TypedArgument], element: str) -> str:
+    return arguments.get(element, TypedArgument()).text.strip()
+
+
+def _distance_m(arguments: Mapping[str, TypedArgument]) -> float:
     return _amount(arguments, element="distance", quantity="length", question="How far should I move?")
 
 
-def forward_goal(arguments: Mapping[str, str]) -> MotionGoal:
+def forward_goal(arguments: Mapping[str, TypedArgument]) -> MotionGoal:
     """Read moving_forward(distance, distance_unit). A negative distance moves back.
 
     Raises:
@@ -47,7 +56,7 @@ def forward_goal(arguments: Mapping[str, str]) -> MotionGoal:
     return MotionGoal(kind=MotionKind.STRAIGHT, amount=_distance_m(arguments))
 
 
-def backward_goal(arguments: Mapping[str, str]) -> MotionGoal:
+def backward_goal(arguments: Mapping[str, TypedArgument]) -> MotionGoal:
     """Read moving_backward(distance, distance_unit). A negative distance moves forward.
 
     Raises:
@@ -56,7 +65,7 @@ def backward_goal(arguments: Mapping[str, str]) -> MotionGoal:
     return MotionGoal(kind=MotionKind.STRAIGHT, amount=-_distance_m(arguments))
 
 
-def turn_goal(arguments: Mapping[str, str]) -> MotionGoal:
+def turn_goal(arguments: Mapping[str, TypedArgument]) -> MotionGoal:
     """Read turning(direction, angle, angle_unit). A negative angle turns the other way.
 
     "Around" turns left, by half a turn when no angle is given.
@@ -64,9 +73,9 @@ def turn_goal(arguments: Mapping[str, str]) -> MotionGoal:
     Raises:
         NotUnderstood: the number, the unit or the direction is missing, or it is not an angle
     """
-    direction = arguments.get("direction", "").strip().lower()
+    direction = _text(arguments, "direction").lower()
     if direction == AROUND:
-        is_said = bool(arguments.get("angle", "").strip())
+        is_said = bool(_text(arguments, "angle"))
         return MotionGoal(kind=MotionKind.TURN, amount=_angle_rad(arguments) if is_said else math.pi)
     if direction in LEFTWARD:
         return MotionGoal(kind=MotionKind.TURN, amount=_angle_rad(arguments))
@@ -77,5 +86,5 @@ def turn_goal(arguments: Mapping[str, str]) -> MotionGoal:
     raise NotUnderstood("Should I turn left or right?")
 
 
-def _angle_rad(arguments: Mapping[str, str]) -> float:
+def _angle_rad(arguments: Mapping[str, TypedArgument]) -> float:
     return _amount(arguments, element="angle", quantity="angle", question="How far should I turn?")

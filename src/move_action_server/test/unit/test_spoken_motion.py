@@ -6,6 +6,12 @@ import pytest
 
 from move_action_server.motion import MotionKind
 from move_action_server.spoken_motion import NotUnderstood, backward_goal, forward_goal, turn_goal
+from typed_arguments import Measure, TypedArgument
+
+
+def texts(**arguments):
+    """What a client of 2012 sends."""
+    return {name: TypedArgument(name, text) for name, text in arguments.items()}
 
 
 @pytest.mark.parametrize(
@@ -25,7 +31,7 @@ from move_action_server.spoken_motion import NotUnderstood, backward_goal, forwa
     ],
 )
 def test_distances(distance, unit, metres):
-    arguments = {"distance": distance, "distance_unit": unit}
+    arguments = texts(distance=distance, distance_unit=unit)
     assert forward_goal(arguments).kind is MotionKind.STRAIGHT
     assert forward_goal(arguments).amount == pytest.approx(metres)
     assert backward_goal(arguments).amount == pytest.approx(-metres)
@@ -48,7 +54,7 @@ def test_distances(distance, unit, metres):
     ],
 )
 def test_turns(direction, angle, unit, radians):
-    goal = turn_goal({"direction": direction, "angle": angle, "angle_unit": unit})
+    goal = turn_goal(texts(direction=direction, angle=angle, angle_unit=unit))
     assert goal.kind is MotionKind.TURN
     assert goal.amount == pytest.approx(radians)
 
@@ -68,7 +74,7 @@ def test_turns(direction, angle, unit, radians):
 def test_distances_that_name_no_motion(arguments, words):
     for read in (forward_goal, backward_goal):
         with pytest.raises(NotUnderstood) as caught:
-            read(arguments)
+            read(texts(**arguments))
         assert words in str(caught.value)
 
 
@@ -85,5 +91,17 @@ def test_distances_that_name_no_motion(arguments, words):
 )
 def test_turns_that_name_no_motion(arguments, words):
     with pytest.raises(NotUnderstood) as caught:
-        turn_goal(arguments)
+        turn_goal(texts(**arguments))
     assert words in str(caught.value)
+
+
+def test_the_measure_of_the_framer_is_not_read_again():
+    measure = Measure("angle", "a bit more than that", amount=None, unit="", si=0.25)
+    arguments = {**texts(direction="right"), "angle": TypedArgument("angle", "a bit more", measure=measure)}
+    assert turn_goal(arguments).amount == -0.25
+
+
+def test_a_measure_of_another_kind_is_not_used():
+    arguments = {"distance": TypedArgument("distance", "3 degrees", measure=Measure("angle", si=0.05))}
+    with pytest.raises(NotUnderstood, match="length"):
+        forward_goal(arguments)

@@ -80,7 +80,7 @@ class Examples:
             found = f"{outcome.code}: {outcome.sentence}"
         else:
             reading = outcome.clauses[0][0]
-            arguments = {value.name: value.argument for value in reading.values}
+            arguments = {value.name: value.text for value in reading.arguments}
             is_meant = reading.unit.frame_name == unit.frame_name and all(
                 arguments.get(name) == text for name, text in example.frame_elements.items()
             )
@@ -88,7 +88,7 @@ class Examples:
                 return None
             found = "; ".join(
                 f"{readings[0].unit.frame_name}("
-                + ", ".join(f"{value.name}={value.argument}" for value in readings[0].values)
+                + ", ".join(f"{value.name}={value.text}" for value in readings[0].arguments)
                 + ")"
                 for readings in outcome.clauses
             )

@@ -25,6 +25,7 @@ from semantic_framer.outcome import (
 )
 from semantic_framer.reading import Reading
 from stanford_parser_ros.model import Parser, UnparsableText, shipped_parser
+from typed_arguments.goal_text import to_plain
 from utterance_passes.trace import Trace, TraceLine
 from utterance_passes.tree import DependencyTree
 
@@ -254,10 +255,7 @@ def _registrar_reading(reading: Reading, preference: int) -> registrar.Reading:
         frame_name=reading.unit.frame_name,
         coverage=reading.coverage,
         preference=preference,
-        arguments=tuple(
-            registrar.Argument(name=value.name, text=value.argument, items=value.items, conjunction=value.conjunction)
-            for value in reading.values
-        ),
+        arguments=reading.arguments,
     )
 
 
@@ -288,11 +286,12 @@ def _frame_to_json(reading: Reading, *, is_description: bool) -> Dict[str, objec
         "frame_elements": [
             {
                 "name": value.name,
-                "argument": value.argument,
+                "argument": value.text,
                 "tokens": list(value.positions),
                 "head_token": value.head_position,
+                "typed": to_plain(value),
             }
-            for value in reading.values
+            for value in reading.arguments
         ],
         "is_description": is_description,
     }

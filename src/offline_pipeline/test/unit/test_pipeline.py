@@ -162,7 +162,7 @@ def test_behaviours_are_those_of_the_launch_files(name: str) -> None:
 def test_habits_of_2012(pipeline: Pipeline) -> None:
     old = Pipeline(pipeline.knowledge, pipeline.parser, parameters=BEHAVIOURS["2012"], is_traced=True)
     went = old.understand("Go to Roger's office.")
-    assert [(value.name, value.argument) for value in went.readings[0].values] == [("goal", "office")]
+    assert [(value.name, value.text) for value in went.readings[0].arguments] == [("goal", "office")]
     assert "behaviour_2012" in {line.rule for line in went.trace}
     asked = old.understand("Follow.")
     assert (asked.reply.outcome, asked.reply.code) == ("REFUSED", "MISSING_ELEMENT")
@@ -173,16 +173,16 @@ def test_each_habit_of_2012_is_set_alone(pipeline: Pipeline) -> None:
     words = Parameters(arguments=Arguments.SINGLE_WORDS)
     asks_nothing = Parameters(questions=Questions.REFUSE)
     short = Pipeline(pipeline.knowledge, pipeline.parser, parameters=words).understand("Go to Roger's office.")
-    assert short.candidates[0][0].frames[0].arguments == (("goal", "office"),)
+    assert short.candidates[0][0].frames[0].texts == (("goal", "office"),)
     long = Pipeline(pipeline.knowledge, pipeline.parser, parameters=asks_nothing).understand("Go to Roger's office.")
-    assert long.candidates[0][0].frames[0].arguments == (("goal", "Roger's office"),)
+    assert long.candidates[0][0].frames[0].texts == (("goal", "Roger's office"),)
 
 
 def test_the_command_behind_a_stop_is_understood(pipeline: Pipeline) -> None:
     stopped = pipeline.understand("stop and go to the office")
     assert stopped.reply.sentence == "Stopped." and not stopped.candidates
     assert stopped.behind is not None and stopped.behind.text == "go to the office"
-    assert stopped.behind.candidates[0][0].frames[0].arguments == (("goal", "the office"),)
+    assert stopped.behind.candidates[0][0].frames[0].texts == (("goal", "the office"),)
     assert to_json(stopped)["behind"] == to_json(stopped.behind)
     assert stopped.context == stopped.behind.context
 

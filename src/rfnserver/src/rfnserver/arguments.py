@@ -14,7 +14,7 @@ def argument(frame: Any, name: str, default: str = "") -> str:
 
     Args:
         frame: anything with ``frame_elements`` that have ``name`` and ``argument``, such as the message
-            FilledSemanticFrame
+            FilledSemanticFrame, and perhaps with ``arguments``, as :class:`rfnserver.TypedFrame`
         name: of the element
         default: returned when the element has no argument
     """
@@ -72,6 +72,9 @@ def duration_s(frame: Any, name: str, *, unit_element: str = "", default_unit: s
 
 
 def _si_amount(frame: Any, name: str, quantity: str, unit_element: str, default_unit: str) -> float:
+    typed = next((one for one in getattr(frame, "arguments", ()) if one.name == name), None)
+    if typed is not None and typed.si is not None and typed.measure.kind == quantity:
+        return float(typed.si)
     said = f"{required(frame, name)} {argument(frame, unit_element)}".strip()
     try:
         return parse_measure(said, quantity=quantity, default_unit=default_unit).si_amount

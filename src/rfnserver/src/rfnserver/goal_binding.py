@@ -3,24 +3,29 @@
 A goal's fields are filled from the frame elements of the same name, or as a mapping declares::
 
     target_pose: goal                                   # the element "goal"
+    side: goal.relation                                 # a part of it: "under"
     speed: {element: speed, unit: metre}                # in this unit
     angle: {element: angle, unit_element: angle_unit, unit: degree}
     mode: {element: manner, default: slow}              # words used when the element is empty
     planner: {value: navfn}                             # always these words
+    shape: {element: shape, values: {square: 1, triangle: 2}}   # a table of words; others are refused
 
 A mapping that does not fit is refused when the server registers, with the field, and not at the first command.
 """
 
+import dataclasses
 import difflib
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any, Callable, Dict, Iterable, List, Mapping, Optional, Sequence, Tuple, Union
 
 from rfnserver.arguments import ArgumentError
 from rfnserver.goal_types import Filling, GoalField
 from spoken_quantities import QuantityError, find_unit, parse_measure
-from word_classes import word_class
+from typed_arguments import TypedArgument
+from typed_arguments.parts import PARTS
+from word_classes import without_determiner, word_class
 
-SOURCE_KEYS = ("element", "unit_element", "unit", "default", "value")
+SOURCE_KEYS = ("element", "unit_element", "unit", "default", "value", "values")
 
 #: The mapping of one field: the name of an element, or :data:`SOURCE_KEYS`.
 Declaration = Union[str, Mapping[str, Any]]
@@ -49,18 +54,23 @@ class FieldSource:
     Attributes:
         field: to be filled
         element: whose argument fills it, empty when ``value`` does
+        part: the part of that argument, see :mod:`typed_arguments.parts`; empty for its text or its measure
         unit_element: the element that holds the unit of a number, empty for none
         unit: of the field; empty for metres, radians and seconds
         default: words used when the element has no argument
         value: words that always fill it
+        values: by the words of a person, in lower case and without a determiner, the words that fill the field
+            instead; empty for no such table
     """
 
     field: GoalField
     element: str = ""
+    part: str = ""
     unit_element: str = ""
     unit: str = ""
     default: str = ""
     value: str = ""
+    values: Mapping[str, str] = dataclasses.field(default_factory=dict)
 
 
 @dataclass(frozen=True)
@@ -76,9 +86,13 @@ class GoalPlan:
     unfilled: Tuple[str, ...] = ()
 
     def __str__(self) -> str:
-        filled = ", ".join(f"{source.field.path} <- {source.element or repr(source.value)}" for source in self.sources)
+        filled = ", ".join(f"{source.field.path} <- {_spelled(source)}" for source in self.sources)
         text = filled or "no field is filled"
         return f"{text}; at their default: {', '.join(self.unfilled)}" if self.unfilled else text
+
+
+def _spelled(source: FieldSource) -> str:
+    return ".".join(filter(None, (source.element, source.part))) or repr(source.value)
 
 
 def plan_goal(
@@ -130,8 +144,8 @@ def plan_goal(
     for element in known.values():
         if element.is_core and element.name not in used | ignored and not _mentions(problems, element.name):
             problems.append(
-                f"the core element '{element.name}' fills no field: map one of "
-                f"{', '.join(by_path) or 'none'} to it, or ignore it"
+                f"the core element '{element.name}' fills no field: map one of {_fillable(fields)} to it, ignore it, "
+                "or make the goal in a frame_callback"
             )
     if problems:
         raise BindingError(problems)
@@ -149,14 +163,19 @@ def mapped_elements(mapping: Optional[Mapping[str, Declaration]]) -> Tuple[str, 
     names: List[str] = []
     for declaration in (mapping or {}).values():
         if isinstance(declaration, str):
-            names.append(declaration)
+            names.append(declaration.partition(".")[0])
         elif isinstance(declaration, Mapping):
-            names.extend(str(declaration[key]) for key in ("element", "unit_element") if declaration.get(key))
+            said = (str(declaration[key]) for key in ("element", "unit_element") if declaration.get(key))
+            names.extend(name.partition(".")[0] for name in said)
     return tuple(names)
 
 
 def _mentions(problems: Sequence[str], element: str) -> bool:
     return any(f"'{element}'" in problem or problem.startswith(f"{element}:") for problem in problems)
+
+
+def _fillable(fields: Sequence[GoalField]) -> str:
+    return ", ".join(field.path for field in fields if field.filling is not None) or "no field (words can fill none)"
 
 
 def _covers(path: str, other: str) -> bool:
@@ -179,22 +198,29 @@ def _declared(
         problems.append(f"{path}: words cannot fill a {field.type_name}")
         return None
     if isinstance(declaration, str):
-        return FieldSource(field=field, element=declaration)
+        return _of_part(FieldSource(field=field, element=declaration), problems)
     if not isinstance(declaration, Mapping):
         problems.append(f"{path}: expected an element or a mapping of {', '.join(SOURCE_KEYS)}, found {declaration!r}")
         return None
     unknown = [str(key) for key in declaration if key not in SOURCE_KEYS]
     if unknown:
         problems.append(f"{path}: unknown key {', '.join(unknown)}, expected {', '.join(SOURCE_KEYS)}")
-    texts = {key: str(declaration[key]) for key in SOURCE_KEYS if key in declaration}
+    texts = {key: str(declaration[key]) for key in SOURCE_KEYS if key in declaration and key != "values"}
+    table = declaration.get("values", {})
+    if not isinstance(table, Mapping):
+        problems.append(f"{path}: expected a table of words and values, found {table!r}")
+        return None
     if ("element" in texts) == ("value" in texts):
         problems.append(f"{path}: needs either 'element' or 'value'")
         return None
-    source = FieldSource(field=field, **texts)
+    values = {_key(str(words)): str(value) for words, value in table.items()}
+    source = _of_part(FieldSource(field=field, values=values, **texts), problems)
+    if source is None:
+        return None
     if source.unit and find_unit(source.unit) is None:
         problems.append(f"{path}: I do not know the unit '{source.unit}'")
         return None
-    for words in filter(None, (source.value, source.default)):
+    for words in filter(None, (source.value, _default(source), *values.values())):
         if field.filling is not Filling.PLACE:
             try:
                 _value(source, words, locate=_no_place)
@@ -203,12 +229,21 @@ def _declared(
     return source
 
 
+def _of_part(source: FieldSource, problems: List[str]) -> Optional[FieldSource]:
+    """Split the name of an element from that of a part: "goal.relation"."""
+    element, _, part = source.element.partition(".")
+    if part and part not in PARTS:
+        problems.append(f"{source.field.path}: an argument has no part '{part}'{_offer(part, PARTS)}")
+        return None
+    return replace(source, element=element, part=part)
+
+
 def _no_place(words: str) -> Any:
     raise ArgumentError(f"no place {words}")
 
 
 def goal_values(
-    plan: GoalPlan, arguments: Mapping[str, str], *, locate: Callable[[str], Any] = _no_place
+    plan: GoalPlan, arguments: Mapping[str, TypedArgument], *, locate: Callable[[str], Any] = _no_place
 ) -> Dict[str, Any]:
     """Return the values of a goal's fields, by path.
 
@@ -221,16 +256,63 @@ def goal_values(
     """
     values: Dict[str, Any] = {}
     for source in plan.sources:
-        words = source.value or arguments.get(source.element, "") or source.default
-        if not words:
-            continue
-        unit = arguments.get(source.unit_element, "") if source.unit_element else ""
+        argument = arguments.get(source.element) or TypedArgument()
+        unit = arguments.get(source.unit_element) or TypedArgument()
+        said = argument.text if not source.part else PARTS[source.part](argument)
         try:
-            values[source.field.path] = _value(source, f"{words} {unit}".strip(), locate=locate)
+            words = source.value or (_default(source) if said in (None, "") else _looked_up(source, str(said)))
+            if not words:
+                continue
+            if source.part or source.values or not argument.text:
+                values[source.field.path] = _value(source, f"{words} {unit.text}".strip(), locate=locate)
+            else:
+                values[source.field.path] = _argument_value(source, argument, unit.text, locate)
         except ArgumentError as error:
             named = (source.element or source.field.path).replace("_", " ")
             raise ArgumentError(f"I cannot use the {named}: {error}") from error
     return values
+
+
+def _argument_value(source: FieldSource, argument: TypedArgument, unit: str, locate: Callable[[str], Any]) -> Any:
+    """Return the value of a whole argument; its members and its measure need no second reading."""
+    field = source.field
+    if field.is_list and argument.members:
+        return [_argument_value_of_one(source, member, "", locate) for member in argument.members]
+    if field.is_list:
+        return _value(source, f"{argument.text} {unit}".strip(), locate=locate)
+    return _argument_value_of_one(source, argument, unit, locate)
+
+
+def _argument_value_of_one(
+    source: FieldSource, argument: TypedArgument, unit: str, locate: Callable[[str], Any]
+) -> Any:
+    wanted = find_unit(source.unit) if source.unit else None
+    quantity = "duration" if source.field.filling is Filling.DURATION else wanted.quantity if wanted else ""
+    measure = argument.measure
+    is_number = source.field.filling in (Filling.FLOAT, Filling.DURATION)
+    if is_number and measure is not None and measure.si is not None and measure.kind == quantity:
+        return measure.si / (wanted.si_factor if wanted else 1.0)
+    return _single(source, f"{argument.text} {unit}".strip(), locate=locate)
+
+
+def _key(words: str) -> str:
+    """Return words as the keys of tables have them."""
+    return without_determiner(words.lower(), word_class("determiners_and_possessives"))
+
+
+def _default(source: FieldSource) -> str:
+    """Return what fills a field whose element was not said: by its table, or as it stands."""
+    return source.values.get(_key(source.default), source.default)
+
+
+def _looked_up(source: FieldSource, words: str) -> str:
+    """Return what the table of a field has for the words of a person; without a table, the words."""
+    if not source.values:
+        return words
+    found = source.values.get(_key(words))
+    if found is None:
+        raise ArgumentError(f'"{words}" is none of {", ".join(source.values)}.')
+    return found
 
 
 def _value(source: FieldSource, words: str, *, locate: Callable[[str], Any]) -> Any:

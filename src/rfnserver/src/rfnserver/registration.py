@@ -1,8 +1,13 @@
 """Registration requests of a server: what it asks the registrar and the framer for, and what they do not know yet."""
 
+import os
+import sys
 from dataclasses import dataclass
 from enum import Enum
-from typing import FrozenSet, Iterable, Optional, Tuple
+from typing import Dict, FrozenSet, Iterable, Optional, Tuple
+
+#: Time of change and size of a file; None for one that does not exist.
+FileState = Optional[Tuple[int, int]]
 
 
 class RequestKind(Enum):
@@ -61,3 +66,85 @@ def _is_missing(request: RegistrationRequest, registrar: Optional[KnownState], f
         return False
     known = registrar.files if request.kind is RequestKind.FRAME_FILE else registrar.registrations
     return request.subject not in known
+
+
+@dataclass(frozen=True)
+class Circumstances:
+    """What the answer to a request depends on: it is not asked again while this stays the same.
+
+    Attributes:
+        node_id: of the registrar or the framer that is asked; empty while it is not running
+        file: state of the file
+        known_files: files that the registrar knows; a frame is refused when it does not fit its children
+    """
+
+    node_id: str
+    file: FileState = None
+    known_files: FrozenSet[str] = frozenset()
+
+
+@dataclass(frozen=True)
+class _Refused:
+    circumstances: Circumstances
+    asked_s: float
+    is_final: bool
+
+
+class Refusals:
+    """Requests that were refused, so that nobody asks for the same again and again.
+
+    A file that was refused is offered again when it has changed, or when the other side knows other files or was
+    restarted. Everything else, such as a service that did not answer, is also tried again after a time.
+    """
+
+    def __init__(self, *, retry_s: float) -> None:
+        """
+        Args:
+            retry_s: time between two attempts
+        """
+        self._retry_s = retry_s
+        self._refused: Dict[RegistrationRequest, _Refused] = {}
+
+    def note(self, request: RegistrationRequest, circumstances: Circumstances, *, is_final: bool, now_s: float) -> None:
+        """A request was refused.
+
+        Args:
+            request: the request
+            circumstances: under which it was asked
+            is_final: the answer would be the same again; False when there was none
+            now_s: monotonic seconds
+        """
+        self._refused[request] = _Refused(circumstances, now_s, is_final)
+
+    def forget(self, request: RegistrationRequest) -> None:
+        """A request was granted."""
+        self._refused.pop(request, None)
+
+    def is_due(self, request: RegistrationRequest, circumstances: Circumstances, *, now_s: float) -> bool:
+        """Whether a missing request is to be made now."""
+        refused = self._refused.get(request)
+        if refused is None or refused.circumstances != circumstances:
+            return True
+        return not refused.is_final and now_s - refused.asked_s >= self._retry_s
+
+
+def file_state(path: str) -> FileState:
+    """Return the state of a file."""
+    try:
+        status = os.stat(path)
+    except (OSError, ValueError):
+        return None
+    return status.st_mtime_ns, status.st_size
+
+
+def absolute_path(path: str) -> str:
+    """Return the absolute path of a file that a program names.
+
+    A relative path counts from the working directory, as everywhere, or else from the folder of the program: a node
+    that roslaunch starts has another working directory than one that is started by hand.
+    """
+    named = os.path.expanduser(path)
+    if os.path.isabs(named) or os.path.exists(named):
+        return os.path.abspath(named)
+    beside_program = os.path.join(os.path.dirname(os.path.realpath(sys.argv[0] if sys.argv else "")), named)
+    return os.path.abspath(beside_program if os.path.exists(beside_program) else named)

@@ -2,12 +2,7 @@
 
 from typing import Any, Callable, Iterable, Mapping, Optional
 
-from roboframenet_msgs.msg import (
-    FilledSemanticFrame,
-    FilledSemanticFrameAction,
-    FilledSemanticFrameGoal,
-    FilledSemanticFrameResult,
-)
+from roboframenet_msgs.msg import FilledSemanticFrameAction, FilledSemanticFrameGoal, FilledSemanticFrameResult
 
 from rfnserver.goal_binding import Declaration
 from rfnserver.registration import RequestKind
@@ -15,8 +10,9 @@ from rfnserver.ros_frame_adapter import FrameAdapter, FrameToGoal
 from rfnserver.ros_goal_messages import is_action_type
 from rfnserver.ros_quiet_action_server import QuietActionServer, QuietSimpleActionServer
 from rfnserver.ros_registration import FrameCheck, Registration
+from rfnserver.ros_typed_frame import TypedFrame, typed_frame
 
-FrameCallback = Callable[[FilledSemanticFrame], Any]
+FrameCallback = Callable[[TypedFrame], Any]
 
 
 class _Registering:
@@ -32,15 +28,30 @@ class _Registering:
         """Why the last call to the registrar or the framer failed; empty when it succeeded."""
         return self._registration.last_error
 
-    def register_with_frame(self, frame_name: str) -> bool:
+    def register_with_frame(
+        self,
+        frame_name: str,
+        *,
+        goal_mapping: Optional[Mapping[str, Declaration]] = None,
+        ignored_elements: Iterable[str] = (),
+    ) -> bool:
         """Carry out a frame from now on.
 
         Args:
             frame_name: of a frame, also one whose file is added later
+            goal_mapping: for a server with an action type: which element of this frame fills which field; None for
+                the mapping (or the function) that the server was made with
+            ignored_elements: core elements of this frame that need not fill a field; only with ``goal_mapping``
         Returns:
             True when the registrar accepted; False when it refused or is not running, or when no goal can be made of
             that frame: this is logged, and tried again later
+        Raises:
+            TypeError: a mapping for a server without an action type
         """
+        if goal_mapping is not None:
+            if self._adapter is None:
+                raise TypeError(f"frame {frame_name}: goal_mapping needs a server with the class of an action")
+            self._adapter.map_frame(frame_name, goal_mapping, ignored_elements)
         return self._request(RequestKind.REGISTRATION, frame_name)
 
     def add_semantic_frame(self, path: str) -> bool:
@@ -72,9 +83,10 @@ class RFNServer(_Registering, QuietSimpleActionServer):
         server.register_with_frame("waving")
         server.start()
 
-    The callback gets the filled frame. If it returns without having ended the goal, the goal succeeds, or is preempted
-    when a preemption was requested; if it raises, the goal is aborted with the reason. ``set_aborted(text=...)`` tells
-    the person why.
+    The callback gets the filled frame, and with it the meaning of each argument: ``frame["goal"].relation``,
+    ``frame["angle"].si`` (:class:`rfnserver.TypedFrame`). If it returns without having ended the goal, the goal
+    succeeds, or is preempted when a preemption was requested; if it raises, the goal is aborted with the reason.
+    ``set_aborted(text=...)`` tells the person why.
 
     Or in place of ``SimpleActionServer``, with the same arguments::
 
@@ -144,8 +156,8 @@ class RFNServer(_Registering, QuietSimpleActionServer):
         if self._adapter is not None:
             self._adapter.start()
 
-    def _execute_frame(self, goal: FilledSemanticFrameGoal) -> None:
-        self._frame_callback(goal.frame)
+    def _execute_frame(self, _goal: FilledSemanticFrameGoal) -> None:
+        self._frame_callback(typed_frame(self.current_goal.goal))
         if not self.is_active():
             return
         if self.is_preempt_requested():

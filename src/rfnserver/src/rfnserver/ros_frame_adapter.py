@@ -1,12 +1,11 @@
 """Lets an action server of any type take filled frames."""
 
 import threading
-from typing import Any, Callable, Iterable, Mapping, Optional, Tuple
+from typing import Any, Callable, Dict, Iterable, Mapping, Optional, Tuple
 
 import rospy
 from actionlib_msgs.msg import GoalStatus
 from roboframenet_msgs.msg import (
-    FilledSemanticFrame,
     FilledSemanticFrameAction,
     FilledSemanticFrameFeedback,
     FilledSemanticFrameGoal,
@@ -30,14 +29,15 @@ from rfnserver.ros_goal_forwarding import ForwardedEnd, GoalForwarder
 from rfnserver.ros_goal_messages import fields_of, fill, goal_type_of
 from rfnserver.ros_places import Places, UnknownPlace
 from rfnserver.ros_quiet_action_server import QuietSimpleActionServer
-from rfnserver.ros_registration import Registration
+from rfnserver.ros_registration import Registration, public_name
+from rfnserver.ros_typed_frame import TypedFrame, typed_frame
 from roboframenet_ros.ros_service import ServiceError, call_service
 
 #: A server takes frames under its name and this suffix.
 FRAME_SUFFIX = "/frame"
 CATALOGUE_TIMEOUT_S = 2.0
 
-FrameToGoal = Callable[[FilledSemanticFrame], Any]
+FrameToGoal = Callable[[TypedFrame], Any]
 
 
 class GoalMaker:
@@ -72,13 +72,13 @@ class GoalMaker:
         """
         return plan_goal(self._fields, elements, mapping=self._mapping, ignored_elements=self._ignored)
 
-    def make(self, frame: FilledSemanticFrame) -> Any:
+    def make(self, frame: TypedFrame) -> Any:
         """Return the message for a filled frame.
 
         Raises:
             ArgumentError: an argument does not fit its field
         """
-        arguments = {element.name: element.argument for element in frame.frame_elements}
+        arguments = {argument.name: argument for argument in frame.arguments}
         try:
             # An element that was not said may be missing; core elements were checked when the server registered.
             names = dict.fromkeys((*arguments, *mapped_elements(self._mapping), *self._ignored))
@@ -141,7 +141,7 @@ class FrameAdapter:
             mapping: see :mod:`rfnserver.goal_binding`
             ignored_elements: core elements that need not fill a field
         """
-        self._name = name
+        name = self._name = public_name(name)
         self._action_type = action_type
         self._lock = threading.Lock()
         self._is_started = False
@@ -154,7 +154,9 @@ class FrameAdapter:
         else:
             self._maker = GoalMaker(goal_type_of(action_type), mapping=mapping, ignored_elements=ignored_elements)
             self._callback = self._maker.make
-        self.registration = Registration(name + FRAME_SUFFIX, check=self._check if self._maker else None)
+        #: Of the frames that have a mapping of their own.
+        self._makers: Dict[str, GoalMaker] = {}
+        self.registration = Registration(name + FRAME_SUFFIX, check=self._check)
 
     def start(self) -> None:
         """Take frames from now on, or from the first registration on."""
@@ -162,6 +164,12 @@ class FrameAdapter:
             self._is_started = True
             if self._server is not None:
                 self._server.start()
+
+    def map_frame(self, frame_name: str, mapping: Mapping[str, Declaration], ignored_elements: Iterable[str]) -> None:
+        """Make the goals of one frame by a mapping of its own."""
+        self._makers[frame_name] = GoalMaker(
+            goal_type_of(self._action_type), mapping=mapping, ignored_elements=ignored_elements
+        )
 
     def request(self, kind: RequestKind, subject: str) -> bool:
         """See :meth:`Registration.request`; the server for frames exists from the first registration on."""
@@ -175,11 +183,14 @@ class FrameAdapter:
         return self.registration.request(kind, subject)
 
     def _check(self, frame_name: str) -> Tuple[bool, str]:
-        return check_frame(frame_name, self._maker)
+        maker = self._makers.get(frame_name, self._maker)
+        return check_frame(frame_name, maker) if maker else (True, "")
 
-    def _execute(self, goal: FilledSemanticFrameGoal) -> None:
+    def _execute(self, _goal: FilledSemanticFrameGoal) -> None:
         try:
-            own_goal = self._callback(goal.frame)
+            frame = typed_frame(self._server.current_goal.goal)
+            maker = self._makers.get(frame.name)
+            own_goal = maker.make(frame) if maker else self._callback(frame)
         except ArgumentError as error:
             self._server.set_aborted(None, str(error))
             return

@@ -1,6 +1,7 @@
 """Sends one goal to an action server of any type, and waits for its end."""
 
 import queue
+import threading
 import time
 from dataclasses import dataclass
 from typing import Any, Callable
@@ -13,6 +14,8 @@ from roboframenet_ros.ros_action_connection import ActionConnection, SentGoal
 
 #: How often a running goal checks whether it must end, seconds.
 POLL_S = 0.1
+#: After this silence of a server that has a goal, its process is asked whether it lives, seconds.
+SUSPICION_S = 1.0
 
 
 @dataclass(frozen=True)
@@ -86,8 +89,32 @@ class GoalForwarder:
                 ended.put(handle)
 
         sent = self._connection.send(goal, on_transition=on_transition, on_feedback=on_feedback)
+        heard = threading.Event()
+        gone = threading.Event()
+        self._connection.listen(heard.set)
+        try:
+            return self._follow(sent, ended, heard, gone, is_to_end)
+        finally:
+            self._connection.unlisten(heard.set)
+
+    def _follow(
+        self,
+        sent: SentGoal,
+        ended: "queue.Queue[actionlib.ClientGoalHandle]",
+        heard: threading.Event,
+        gone: threading.Event,
+        is_to_end: Callable[[], bool],
+    ) -> ForwardedEnd:
+        # Asked later: a process that ends properly takes its address along.
+        uri = self._connection.node_uri()
         end_s = time.monotonic() + self._deadlines.goal_s
+        question_s = time.monotonic() + SUSPICION_S
         while not rospy.is_shutdown():
+            if heard.is_set() or time.monotonic() >= question_s:
+                if not heard.is_set():
+                    self._connection.ask_whether_gone(uri, gone.set)
+                heard.clear()
+                question_s = time.monotonic() + SUSPICION_S
             try:
                 ended.get(timeout=POLL_S)
                 return self._end_of(sent.handle)
@@ -98,7 +125,7 @@ class GoalForwarder:
             if time.monotonic() >= end_s:
                 late = f"{self._server} did not finish within {self._deadlines.goal_s:g} s."
                 return self._cancel(sent, ended, ForwardedEnd(GoalStatus.ABORTED, late))
-            if self._connection.is_gone():
+            if gone.is_set() or self._connection.is_gone():
                 return ForwardedEnd(GoalStatus.LOST, f"{self._server} has died.")
         self._cancel(sent, ended, ForwardedEnd(GoalStatus.PREEMPTED, ""))
         return ForwardedEnd(GoalStatus.PREEMPTED, "shutting down")

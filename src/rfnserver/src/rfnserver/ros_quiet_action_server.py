@@ -7,11 +7,14 @@ from typing import Any, Callable, Optional
 
 import actionlib
 import rospy
+from actionlib_msgs.msg import GoalID
 
 from roboframenet_ros.ros_log import log_from_threads
 
 #: The waiting thread wakes up at this period without a notification, seconds; it is only a safeguard.
 WAKE_UP_S = 5.0
+#: Stamps further in the future are from before the clock was set back; less is a difference between hosts, seconds.
+CLOCK_RESET_S = 1.0
 #: Changes of the status within this time are published in one message, seconds.
 STATUS_PAUSE_S = 0.02
 
@@ -80,10 +83,37 @@ class QuietActionServer(actionlib.ActionServer):
 
     def internal_goal_callback(self, goal: object) -> None:
         """Take a goal; its status is published when it changes, and by the timer."""
+        self.follow_clock()
         super().internal_goal_callback(goal)
         with self.lock:
             if self.started and self.status_list:
                 self._begin_timer()
+
+    def internal_cancel_callback(self, goal_id: GoalID) -> None:
+        """Cancel goals by id, or those up to a stamp."""
+        self.follow_clock()
+        super().internal_cancel_callback(goal_id)
+
+    def follow_clock(self, *handles: actionlib.ServerGoalHandle) -> None:
+        """Forget stamps of the future: the clock was set back, as simulators do.
+
+        actionlib compares stamps: new goals would be refused, and goals would not be cancelled by stamp, until the
+        clock has reached the old time again.
+
+        Args:
+            handles: goals that are compared with others although they have left the status
+        """
+        now = rospy.Time.now()
+        latest = now + rospy.Duration.from_sec(CLOCK_RESET_S)
+        with self.lock:
+            if self.last_cancel > latest:
+                self.last_cancel = rospy.Time()
+            for tracker in self.status_list + [handle.status_tracker for handle in handles if handle.goal is not None]:
+                if tracker.status.goal_id.stamp > latest:
+                    # Older than whatever is said since, and not zero, which would mean "no stamp".
+                    tracker.status.goal_id.stamp = rospy.Time(0, 1)
+                if tracker.handle_destruction_time > latest:
+                    tracker.handle_destruction_time = now
 
     def stop(self) -> None:
         """Stop the action server; no goal may be running."""
@@ -131,6 +161,12 @@ class QuietSimpleActionServer(actionlib.SimpleActionServer):
         if auto_start:
             self.start()
 
+    def internal_goal_callback(self, goal: actionlib.ServerGoalHandle) -> None:
+        """Take a goal; it preempts the current one unless it is older."""
+        with self.execute_condition:
+            self.action_server.follow_clock(self.current_goal, self.next_goal)
+        super().internal_goal_callback(goal)
+
     def executeLoop(self) -> None:  # noqa: N802 (the name is the base class's)
         """Wait for goals and run the callback, until shutdown.
 
@@ -142,7 +178,7 @@ class QuietSimpleActionServer(actionlib.SimpleActionServer):
                 if self.need_to_terminate:
                     return
             with self.execute_condition:
-                if not self.is_new_goal_available():
+                if not self.is_new_goal_available() and not self.need_to_terminate:
                     self.execute_condition.wait(WAKE_UP_S)
             if self.is_new_goal_available() and not rospy.is_shutdown():
                 self._run_callback(self.accept_new_goal())
@@ -160,5 +196,7 @@ class QuietSimpleActionServer(actionlib.SimpleActionServer):
                 self.set_aborted(None, f"{type(error).__name__}: {error}")
 
     def _wake_up(self) -> None:
-        with self.execute_condition:
+        """End the loop; called by rospy at shutdown, while is_shutdown() may still be false."""
+        with self.terminate_mutex, self.execute_condition:
+            self.need_to_terminate = True
             self.execute_condition.notify_all()

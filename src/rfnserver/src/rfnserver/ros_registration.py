@@ -1,22 +1,36 @@
 """Registers a server with the registrar and the framer, again when they restart."""
 
-import os
 import threading
+import time
 from typing import Any, Callable, Dict, List, Optional, Set, Tuple
 
 import rospy
 from roboframenet_msgs.msg import FrameCatalogue, Lexicon
 from roboframenet_msgs.srv import AddFrame, AddLexicalUnit, RegisterWithFrame
 
-from rfnserver.registration import KnownState, RegistrationRequest, RequestKind, missing_requests
+from rfnserver.registration import (
+    Circumstances,
+    KnownState,
+    Refusals,
+    RegistrationRequest,
+    RequestKind,
+    absolute_path,
+    file_state,
+    missing_requests,
+)
 from roboframenet_ros.ros_service import ServiceError, call_service
 
 #: Deadline of a call for its service to exist, and again for the answer, seconds.
 SERVICE_TIMEOUT_S = 5.0
-#: A request that was refused is repeated after this time, or when the other side restarts; seconds.
+#: A request that was not answered, or a registration that was refused, is repeated after this time; seconds.
 RETRY_S = 10.0
 
 FrameCheck = Callable[[str], Tuple[bool, str]]
+
+
+def public_name(name: str) -> str:
+    """Return the name under which other nodes find a server: a private one ("~gripper") names its node."""
+    return str(rospy.resolve_name(name)) if name.startswith("~") else name
 
 
 class Registration:
@@ -31,10 +45,10 @@ class Registration:
     def __init__(self, server_name: str, *, check: Optional[FrameCheck] = None) -> None:
         """
         Args:
-            server_name: name of the action server, as it is registered
+            server_name: name of the action server
             check: returns whether a frame is known, and why this server cannot carry it out; empty when it can
         """
-        self._server_name = server_name
+        self._server_name = public_name(server_name)
         self._check = check
         #: Frames that were registered before their file was added: they are checked afterwards.
         self._unchecked: Set[str] = set()
@@ -42,6 +56,7 @@ class Registration:
         self._requests: List[RegistrationRequest] = []
         self._registrar: Optional[KnownState] = None
         self._framer: Optional[KnownState] = None
+        self._refusals = Refusals(retry_s=RETRY_S)
         self._reported: Dict[RegistrationRequest, str] = {}
         self._is_stale = False
         self._is_closed = False
@@ -59,9 +74,7 @@ class Registration:
         Returns:
             whether it was granted at once; if not, :attr:`last_error` says why, and it is repeated later
         """
-        request = RegistrationRequest(
-            kind, subject if kind is RequestKind.REGISTRATION else os.path.abspath(os.path.expanduser(subject))
-        )
+        request = RegistrationRequest(kind, subject if kind is RequestKind.REGISTRATION else absolute_path(subject))
         self._watch()
         with self._condition:
             if request not in self._requests:
@@ -131,17 +144,43 @@ class Registration:
                 self._is_stale = False
                 missing = missing_requests(self._requests, registrar=self._registrar, framer=self._framer)
                 unchecked = sorted(self._unchecked)
-            for request in missing:
+                due = [
+                    request
+                    for request in missing
+                    if self._refusals.is_due(request, self._circumstances(request), now_s=time.monotonic())
+                ]
+            for request in due:
                 if self._ask(request):
                     rospy.loginfo("%s: %s %s repeated", self._server_name, request.kind.value, request.subject)
             for frame_name in unchecked:
                 self._report(RegistrationRequest(RequestKind.REGISTRATION, frame_name), self._find_fault(frame_name))
 
+    def _circumstances(self, request: RegistrationRequest) -> Circumstances:
+        """Return what the answer to a request depends on. Called with the lock."""
+        if request.kind is RequestKind.REGISTRATION:
+            return Circumstances(self._registrar.id if self._registrar else "")
+        file = file_state(request.subject)
+        if request.kind is RequestKind.LEXICAL_UNIT_FILE:
+            return Circumstances(self._framer.id if self._framer else "", file)
+        registrar = self._registrar or KnownState("")
+        return Circumstances(registrar.id, file, registrar.files)
+
     def _ask(self, request: RegistrationRequest) -> bool:
+        with self._condition:
+            circumstances = self._circumstances(request)
+        is_answered = True
         try:
             error = self._call(request)
         except ServiceError as failure:
             error = str(failure)
+            is_answered = False
+        with self._condition:
+            if error:
+                # Whether a registration is granted may also depend on a frame that is added later.
+                is_final = is_answered and request.kind is not RequestKind.REGISTRATION
+                self._refusals.note(request, circumstances, is_final=is_final, now_s=time.monotonic())
+            else:
+                self._refusals.forget(request)
         self._report(request, error)
         return not error
 
@@ -166,6 +205,8 @@ class Registration:
                 callback_topic=self._server_name,
             )
             return "" if response.success else "; ".join(response.error) or "refused"
+        if file_state(request.subject) is None:
+            return "no such file"
         service: Any = AddFrame if request.kind is RequestKind.FRAME_FILE else AddLexicalUnit
         response = call_service(
             request.kind.value, service, timeout_s=SERVICE_TIMEOUT_S, absolute_file_path=request.subject

@@ -1,15 +1,17 @@
 #!/usr/bin/python3
 """RFNServer against a registrar that lives in the test: goals, preemption, registration."""
 
+import tempfile
 import threading
 import time
 import unittest
-from typing import Any, Callable, List
+from typing import Any, Callable, List, Set
 from unittest import mock
 
 import actionlib
 import rospy
-from actionlib_msgs.msg import GoalStatus, GoalStatusArray
+from actionlib_msgs.msg import GoalID, GoalStatus, GoalStatusArray
+from actionlib_tutorials.msg import FibonacciAction, FibonacciGoal
 from roboframenet_msgs.msg import (
     FilledFrameElement,
     FilledSemanticFrame,
@@ -17,10 +19,18 @@ from roboframenet_msgs.msg import (
     FilledSemanticFrameGoal,
     FrameCallback,
     FrameCatalogue,
+    Lexicon,
 )
-from roboframenet_msgs.srv import RegisterWithFrame, RegisterWithFrameRequest, RegisterWithFrameResponse
+from roboframenet_msgs.srv import (
+    AddLexicalUnit,
+    AddLexicalUnitRequest,
+    AddLexicalUnitResponse,
+    RegisterWithFrame,
+    RegisterWithFrameRequest,
+    RegisterWithFrameResponse,
+)
 
-from rfnserver import RFNServer
+from rfnserver import RFNServer, ros_quiet_action_server
 from rfnserver.registration import RequestKind
 from rfnserver.ros_registration import Registration
 from roboframenet_testing import wait_until
@@ -79,6 +89,24 @@ class Registrar:
         return RegisterWithFrameResponse(success=True)
 
 
+class Framer:
+    """A framer that refuses every file, and tells its lexicon each time."""
+
+    def __init__(self) -> None:
+        self.refused = 0
+        self._publisher = rospy.Publisher("lexicon", Lexicon, queue_size=1000, latch=True)
+        self._service = rospy.Service("add_lexical_unit", AddLexicalUnit, self._on_add)
+        self.publish()
+
+    def publish(self) -> None:
+        self._publisher.publish(Lexicon(framer_id="framer"))
+
+    def _on_add(self, _request: AddLexicalUnitRequest) -> AddLexicalUnitResponse:
+        self.refused += 1
+        self.publish()
+        return AddLexicalUnitResponse(success=False)
+
+
 class RFNServerTest(unittest.TestCase):
     """One behaviour in each method."""
 
@@ -130,6 +158,31 @@ class RFNServerTest(unittest.TestCase):
         for _ in range(100):
             self.assertEqual(Goal("counting", FilledSemanticFrame()).wait(), GoalStatus.SUCCEEDED)
 
+    def test_clock_that_was_set_back_leaves_the_server_usable(self) -> None:
+        asked = threading.Event()
+
+        def rest(frame: FilledSemanticFrame) -> None:
+            if frame.name == "long":
+                asked.wait(60.0)
+
+        server = self.serve("resting", rest)
+        server.register_preempt_callback(asked.set)
+        cancel = rospy.Publisher("resting/cancel", GoalID, queue_size=10)
+        wait_until(lambda: cancel.get_num_connections() == 1)
+        # Stamps from before the clock was set back are in the future.
+        later = mock.patch.object(rospy.Time, "now", lambda now=rospy.Time.now: now() + rospy.Duration(3600.0))
+        with later:
+            self.assertEqual(Goal("resting", FilledSemanticFrame()).wait(), GoalStatus.SUCCEEDED)
+            running = Goal("resting", FilledSemanticFrame(name="long"))
+            wait_until(server.is_active)
+        cancel.publish(GoalID(stamp=rospy.Time.now()))
+        self.assertEqual(running.wait(), GoalStatus.PREEMPTED)
+        self.assertEqual(Goal("resting", FilledSemanticFrame()).wait(), GoalStatus.SUCCEEDED)
+        with later:
+            cancel.publish(GoalID(stamp=rospy.Time.now()))
+            wait_until(lambda: not server.action_server.last_cancel.is_zero())
+        self.assertEqual(Goal("resting", FilledSemanticFrame()).wait(), GoalStatus.SUCCEEDED)
+
     def test_idle_server_is_silent_and_still_found(self) -> None:
         self.serve("sleeping", lambda _frame: None)
         statuses: List[GoalStatusArray] = []
@@ -139,18 +192,101 @@ class RFNServerTest(unittest.TestCase):
         self.assertEqual(len(statuses), 1)
         subscriber.unregister()
 
+    def test_idle_server_ends_at_once_when_ros_shuts_down(self) -> None:
+        hooks: List[Callable[[], None]] = []
+        with mock.patch.object(ros_quiet_action_server, "WAKE_UP_S", 1e5), mock.patch.object(
+            rospy, "on_shutdown", hooks.append
+        ):
+            server = self.serve("ending", lambda _frame: None)
+            self.assertEqual(Goal("ending", FilledSemanticFrame()).wait(), GoalStatus.SUCCEEDED)
+            # While the hooks run, rospy.is_shutdown() is still false.
+            for hook in hooks:
+                hook()
+            server.execute_thread.join(60.0)
+        self.assertFalse(server.execute_thread.is_alive())
+
     def test_registers_again_with_a_registrar_that_restarted(self) -> None:
         server = RFNServer("returning", lambda _frame: None)
         self.assertTrue(server.register_with_frame("coming_back"))
+
+        def frames() -> Set[str]:
+            requests = [request for request in self.registrar.requests if request.callback_topic == "returning"]
+            return {request.frame_name for request in requests}
+
         # Twice, where the catalogue of before the registration arrives after it; that does no harm.
-        self.assertEqual({request.callback_topic for request in self.registrar.requests}, {"returning"})
+        self.assertEqual(frames(), {"coming_back"})
         self.registrar.restart("second")
-        wait_until(lambda: {request.frame_name for request in self.registrar.requests} == {"coming_back"})
+        wait_until(lambda: frames() == {"coming_back"})
+
+    def test_private_name_is_registered_as_the_one_that_others_use(self) -> None:
+        frames = RFNServer("~gripping", lambda _frame: None)
+        ported = RFNServer(
+            "~fibonacci", FibonacciAction, execute_cb=lambda _goal: ported.set_succeeded(), auto_start=False
+        )
+        for server in (frames, ported):
+            self.assertTrue(server.register_with_frame("gripping"), server.last_error)
+            server.start()
+        names = [request.callback_topic for request in self.registrar.requests if request.frame_name == "gripping"]
+        self.assertEqual(set(names), {f"{rospy.get_name()}/gripping", f"{rospy.get_name()}/fibonacci/frame"})
+        for name in set(names):
+            frame = FilledSemanticFrame(frame_elements=[FilledFrameElement("order", "3")])
+            self.assertEqual(Goal(name, frame).wait(), GoalStatus.SUCCEEDED)
 
     def test_refusal_is_false_with_the_reason(self) -> None:
         server = RFNServer("intruding", lambda _frame: None)
         self.assertFalse(server.register_with_frame("forbidden"))
         self.assertEqual(server.last_error, "not this one")
+
+    def test_file_that_was_refused_makes_no_storm_of_requests(self) -> None:
+        framer = Framer()
+        server = RFNServer("stubborn", lambda _frame: None)
+        with tempfile.NamedTemporaryFile("w", suffix=".yaml") as file:
+            self.assertFalse(server.add_lexical_unit(file.name))
+            self.assertIn("file_problems", server.last_error)
+            # Each lexicon makes the server look for what is missing.
+            for _ in range(100):
+                framer.publish()
+                time.sleep(0.005)
+            # The first lexicon told which framer this is, and that counts as a change.
+            self.assertLessEqual(framer.refused, 2)
+            refused = framer.refused
+            file.write("frame_name: waving\n")
+            file.flush()
+            framer.publish()
+            wait_until(lambda: framer.refused == refused + 1, message="the changed file is not offered again")
+
+    def test_file_that_does_not_exist_is_said(self) -> None:
+        server = RFNServer("lost", lambda _frame: None)
+        self.assertFalse(server.add_lexical_unit("/no/such/unit.yaml"))
+        self.assertEqual(server.last_error, "no such file")
+
+    def test_two_frames_of_one_server_have_mappings_of_their_own(self) -> None:
+        orders: List[int] = []
+
+        def execute(goal: FibonacciGoal) -> None:
+            orders.append(goal.order)
+            server.set_succeeded()
+
+        server = RFNServer("gripper", FibonacciAction, execute_cb=execute, auto_start=False)
+        self.assertTrue(server.register_with_frame("opening", goal_mapping={"order": {"value": 100}}))
+        self.assertTrue(
+            server.register_with_frame(
+                "closing", goal_mapping={"order": {"element": "manner", "values": {"firmly": 0, "softly": 20}}}
+            )
+        )
+        server.start()
+        closing = FilledSemanticFrame(name="closing", frame_elements=[FilledFrameElement("manner", "softly")])
+        for frame in (FilledSemanticFrame(name="opening"), closing):
+            self.assertEqual(Goal("gripper/frame", frame).wait(), GoalStatus.SUCCEEDED)
+        self.assertEqual([100, 20], orders)
+        closing.frame_elements[0].argument = "gladly"
+        refused = Goal("gripper/frame", closing)
+        self.assertEqual(GoalStatus.ABORTED, refused.wait())
+        self.assertIn('"gladly" is none of firmly, softly', refused.handle.get_goal_status_text())
+
+    def test_mapping_needs_an_action_type(self) -> None:
+        with self.assertRaises(TypeError):
+            RFNServer("plain", lambda _frame: None).register_with_frame("opening", goal_mapping={})
 
     def test_shutdown_during_the_first_registration_ends_it(self) -> None:
         # Once it shuts down, rospy calls a hook as soon as it is added.

@@ -8,6 +8,7 @@ import pytest
 from rfnserver.arguments import ArgumentError
 from rfnserver.goal_binding import BindingError, BoundElement, goal_values, plan_goal
 from rfnserver.goal_types import FILLING_OF_TYPE, Filling, GoalField
+from typed_arguments import Measure, TypedArgument
 
 SPEEDS = {"SPEED_SLOW": 0, "SPEED_FAST": 2, "NAVFN": "navfn"}
 FIELDS = (
@@ -29,7 +30,8 @@ FIELDS = (
 
 def values(mapping: Dict[str, Any], **arguments: str) -> Dict[str, Any]:
     elements = [BoundElement(name, is_core=False) for name in arguments]
-    return goal_values(plan_goal(FIELDS, elements, mapping=mapping), arguments, locate=lambda words: ("at", words))
+    typed = {name: TypedArgument(name, text) for name, text in arguments.items()}
+    return goal_values(plan_goal(FIELDS, elements, mapping=mapping), typed, locate=lambda words: ("at", words))
 
 
 @pytest.mark.parametrize(
@@ -55,6 +57,22 @@ def values(mapping: Dict[str, Any], **arguments: str) -> Dict[str, Any]:
         ({}, {"force": "5"}, {"limits.force": 5.0}),
         ({"order": {"element": "n", "default": "four"}}, {"n": ""}, {"order": 4}),
         ({"order": {"value": 9}}, {}, {"order": 9}),
+        (
+            {"order": {"element": "shape", "values": {"square": 1, "big triangle": 2}}},
+            {"shape": "a square"},
+            {"order": 1},
+        ),
+        ({"order": {"element": "shape", "values": {"Square": 1}, "default": "square"}}, {"shape": ""}, {"order": 1}),
+        ({"order": {"element": "shape", "values": {"square": 1}, "default": 7}}, {"shape": ""}, {"order": 7}),
+        (
+            {
+                "is_loud": {"element": "side", "values": {"left": True, "right": False}},
+                "planner": {"element": "side", "values": {"left": "navfn", "right": "other"}},
+            },
+            {"side": "Left"},
+            {"is_loud": True, "planner": "navfn"},
+        ),
+        ({"distance": {"element": "n", "values": {"twice": 2}}}, {"n": "twice"}, {"distance": 2.0}),
         ({}, {"order": ""}, {}),
     ],
 )
@@ -122,3 +140,49 @@ def test_every_builtin_type_has_a_filling() -> None:
     assert set(FILLING_OF_TYPE.values()) == set(Filling)
     assert GoalField("x", "char[]", {}).integer_range == (0, 255)
     assert GoalField("x", "int64", {}).integer_range == (-(2**63), 2**63 - 1)
+
+
+def typed(name: str, **attributes: Any) -> TypedArgument:
+    return TypedArgument(name=name, **attributes)
+
+
+@pytest.mark.parametrize(
+    "mapping, argument, expected",
+    [
+        ({"planner": "goal.relation"}, typed("goal", text="the table", relation="under"), {"planner": "under"}),
+        ({"order": {"element": "goal.count"}}, typed("goal", text="two mugs", count=2), {"order": 2}),
+        (
+            {"order": {"element": "goal.count", "default": "one"}},
+            typed("goal", text="the mug"),
+            {"order": 1},
+        ),
+        ({"planner": "goal.head"}, typed("goal", text="the red mug", head="mug"), {"planner": "mug"}),
+        (
+            {"angle": {"element": "goal", "unit": "degree"}},
+            typed("goal", text="a bit", measure=Measure("angle", si=math.pi)),
+            {"angle": 180.0},
+        ),
+        (
+            {"names": "goal"},
+            typed(
+                "goal",
+                text="salt and pepper and cod",
+                members=(typed("", text="salt and pepper"), typed("", text="cod")),
+            ),
+            {"names": ["salt and pepper", "cod"]},
+        ),
+        (
+            {"limits.force": "goal.si"},
+            typed("goal", text="3 feet", measure=Measure("length", si=0.9)),
+            {"limits.force": 0.9},
+        ),
+    ],
+)
+def test_parts_of_an_argument_fill_fields(mapping: Dict[str, Any], argument: TypedArgument, expected: Any) -> None:
+    plan = plan_goal(FIELDS, [BoundElement("goal", is_core=True)], mapping=mapping)
+    assert goal_values(plan, {"goal": argument}) == pytest.approx(expected)
+
+
+def test_unknown_part_is_refused_with_the_likely_one() -> None:
+    with pytest.raises(BindingError, match="no part 'relatoin'; did you mean 'relation'"):
+        plan_goal(FIELDS, [BoundElement("goal", is_core=True)], mapping={"planner": "goal.relatoin"})

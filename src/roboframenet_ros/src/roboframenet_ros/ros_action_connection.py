@@ -1,11 +1,17 @@
 """The client of one action server of any type."""
 
+import threading
 from typing import Any, Callable, List
 
 import actionlib
 import rosgraph.names
 import rospy
 from actionlib_msgs.msg import GoalID, GoalStatusArray
+
+from roboframenet_ros.ros_master import is_process_gone
+
+#: How long a process may take to say that it lives, seconds.
+_LIFE_TIMEOUT_S = 1.0
 
 
 class SentGoal:
@@ -57,6 +63,29 @@ class ActionConnection:
             and self._hears(self._client.feedback_sub, server_node)
         )
 
+    def node_uri(self) -> str:
+        """Return the XML-RPC address of the server's node; empty when it is not connected."""
+        status = self._client.last_status_msg
+        node = "" if status is None else status._connection_header["callerid"]
+        known = [one for one in list(self._status.impl.connections) if one.callerid_pub == node]
+        return str(known[0].endpoint_id) if known else ""
+
+    @staticmethod
+    def ask_whether_gone(uri: str, on_gone: Callable[[], None]) -> None:
+        """Ask in a thread whether the process of a node has ended.
+
+        Args:
+            uri: from `node_uri`; to be noted while the server is connected
+            on_gone: called from the thread if it has
+        """
+
+        def ask() -> None:
+            if is_process_gone(uri, timeout_s=_LIFE_TIMEOUT_S):
+                on_gone()
+
+        if uri:
+            threading.Thread(target=ask, name="ask_life", daemon=True).start()
+
     @staticmethod
     def _hears(subscriber: rospy.Subscriber, server_node: str) -> bool:
         return any(connection.callerid_pub == server_node for connection in subscriber.impl.connections)
@@ -81,6 +110,7 @@ class ActionConnection:
         self,
         goal: Any,
         *,
+        header_text: str = "",
         on_transition: Callable[[actionlib.ClientGoalHandle], None],
         on_feedback: Callable[[Any], None],
     ) -> SentGoal:
@@ -88,13 +118,20 @@ class ActionConnection:
 
         Args:
             goal: of the server's type
+            header_text: for ``header.frame_id`` of the message around the goal
             on_transition: called with the handle whenever its state changes
             on_feedback: called with each feedback
         """
+        # actionlib makes the message around the goal anew for each goal, and this function publishes it.
+        self._client.manager.register_send_goal_fn(lambda message: self._publish(message, header_text))
         handle = self._client.send_goal(
             goal, transition_cb=on_transition, feedback_cb=lambda _handle, feedback: on_feedback(feedback)
         )
         return SentGoal(handle, handle.comm_state_machine.action_goal.goal_id.id)
+
+    def _publish(self, message: Any, header_text: str) -> None:
+        message.header.frame_id = header_text
+        self._client.pub_goal.publish(message)
 
     def cancel(self, goal: SentGoal) -> None:
         """Send one cancel.

@@ -85,3 +85,22 @@ class TimedMaster:
         if code != 1:
             raise MasterError(str(message))
         return str(uri)
+
+
+def is_process_gone(uri: str, *, timeout_s: float) -> bool:
+    """Whether the process of a node has certainly ended: nothing listens at its address.
+
+    A node that hangs, or whose host cannot be reached, is not certainly gone. The master is not asked: it knows nodes
+    long after they were killed, and knows no node after it was restarted itself.
+
+    Args:
+        uri: XML-RPC address of the node
+        timeout_s: how long the node may take to answer
+    """
+    try:
+        xmlrpc.client.ServerProxy(uri, transport=TimedTransport(timeout_s)).getPid(rospy.get_name())
+    except ConnectionRefusedError:
+        return True
+    except NO_ANSWER:
+        return False
+    return False

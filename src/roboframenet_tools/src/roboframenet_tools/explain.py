@@ -2,8 +2,9 @@
 
 import argparse
 import json
+import os
 import sys
-from typing import List
+from typing import Iterable, List
 
 from frame_registrar.search import Candidate
 from offline_pipeline.knowledge import load_knowledge, pretend_servers, shipped_domains
@@ -17,6 +18,7 @@ EXAMPLES = """examples:
   rfn explain "Bring me the mug from the kitchen."
   rfn explain --svg parse.svg "Turn left 120 degrees."
   rfn explain --without quotations "Tell her lunch is ready."
+  rfn explain --with my_robot "Wave at Alice."
   rfn explain --behaviour 2012 "Go to Roger's office."
   rfn explain --live "Go to the office."
   rfn explain --live
@@ -27,6 +29,8 @@ the nodes of the graph explain each command that they hear, until Ctrl-C.
 
 exit status: 0 it would be done (a batch: every line has its object), 1 it would not, 2 wrong usage
 """
+#: Under an explanation without --live.
+PRETENCE = "(As if every frame had a server: 'rfn explain --live' and 'rfn list' know which have one.)"
 #: Width of the column of rule names.
 _RULE_WIDTH = 22
 
@@ -36,7 +40,18 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.epilog = EXAMPLES
     parser.add_argument("text", nargs="*", help="the sentence")
     parser.add_argument(
-        "--domains", action="append", metavar="FOLDER", help="folder of frames and units (default: those shipped)"
+        "--domains",
+        action="append",
+        metavar="FOLDER[,FOLDER]",
+        help="folders of frames and units (default: those shipped)",
+    )
+    parser.add_argument(
+        "--with",
+        dest="others",
+        action="append",
+        default=[],
+        metavar="FOLDER[,FOLDER]",
+        help="folders of frames and units beside those of --domains, or beside those shipped",
     )
     parser.add_argument(
         "--live",
@@ -88,6 +103,8 @@ def run(arguments: argparse.Namespace) -> int:
             json.dumps(to_json(understanding), ensure_ascii=False) if arguments.json else describe(understanding),
             flush=True,
         )
+    if not arguments.live and not arguments.json:
+        print(PRETENCE)
     if arguments.batch:
         return 0
     if arguments.svg and understanding.tree is not None:
@@ -115,10 +132,25 @@ def _pipeline(arguments: argparse.Namespace) -> Pipeline:
 
         knowledge = live_knowledge(timeout_s=10.0)
         return Pipeline(knowledge, parameters=live_parameters(), without=without, is_traced=not arguments.json)
-    knowledge = load_knowledge(arguments.domains or [shipped_domains()])
+    knowledge = load_knowledge(
+        [*(_folders(arguments.domains or ()) or [shipped_domains()]), *_folders(arguments.others)]
+    )
     pretend_servers(knowledge.graph)
     parameters = BEHAVIOURS[arguments.behaviour or "now"]
     return Pipeline(knowledge, parameters=parameters, without=without, is_traced=not arguments.json)
+
+
+def _folders(texts: Iterable[str]) -> List[str]:
+    """Return the folders of arguments in which commas separate them, as in the launch files.
+
+    Raises:
+        NotADirectoryError: one does not exist
+    """
+    folders = [folder.strip() for text in texts for folder in text.split(",") if folder.strip()]
+    for folder in folders:
+        if not os.path.exists(folder):
+            raise NotADirectoryError(f"there is no folder {folder}")
+    return folders
 
 
 def _follow() -> int:
@@ -132,7 +164,7 @@ def _follow() -> int:
 
 def _steps(candidate: Candidate) -> str:
     return ", then ".join(
-        f"{frame.name}({', '.join(f'{name}={text}' for name, text in frame.arguments)}) on {frame.server}"
+        f"{frame.name}({', '.join(f'{name}={text}' for name, text in frame.texts)}) on {frame.server}"
         for frame in candidate.frames
     )
 

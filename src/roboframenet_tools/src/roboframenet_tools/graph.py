@@ -12,6 +12,8 @@ EXAMPLES = """examples:
   rfn graph --svg frames.svg
   rfn graph --dot - | dot -Tpdf > frames.pdf
 """
+#: Below the graph.
+LEGEND = "dashed: this frame alone can stand for its parent; 1.2: the second step of the first sequence"
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
@@ -46,6 +48,7 @@ def dot(graph: FrameGraph) -> str:
     dashed.
     """
     lines = ["digraph frames {", "  rankdir=LR; node [shape=box, fontname=sans];"]
+    lines.append(f'  label="{LEGEND}"; fontname=sans;')
     lines += [f'  "{name}";' for name in graph.frames]
     for parent, child, label in _edges(graph):
         lines.append(
@@ -96,13 +99,14 @@ def svg(graph: FrameGraph) -> str:
         column = layer[name] if name in related else last
         place[name] = (20 + 240 * column, 20 + 34 * rows.get(column, 0))
         rows[column] = rows.get(column, 0) + 1
-    width, height = 20 + 240 * (last + 1), 40 + 34 * max(rows.values(), default=0)
+    width, height = max(640, 20 + 240 * (last + 1)), 64 + 34 * max(rows.values(), default=0)
     parts = [
         (
             f'<svg xmlns="http://www.w3.org/2000/svg" width="{width}" height="{height}"'
             ' font-family="sans-serif" font-size="12">'
         )
     ]
+    parts.append(f'<text x="20" y="{height - 12}" fill="#456">{LEGEND}</text>')
     for parent, child, label in edges:
         (x, y), (to_x, to_y) = place[parent], place[child]
         dash = "" if label else ' stroke-dasharray="4 3"'

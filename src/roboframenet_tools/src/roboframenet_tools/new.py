@@ -1,131 +1,132 @@
-"""``rfn new``: writes the files that a new frame needs, ready to be filled in."""
+"""``rfn new``: writes the files that a new ability needs, ready to be filled in."""
 
 import argparse
 import os
-import re
 import sys
-from typing import Dict
+from typing import Dict, FrozenSet, List, Optional, Tuple
+
+from offline_pipeline.knowledge import Knowledge, load_knowledge, shipped_domains
+from roboframenet_tools.scaffold import Ability, ability_files, is_program, node_line, package_files
+from roboframenet_tools.verb_forms import verb_of
 
 EXAMPLES = """examples:
-  rfn new waving --verb wave
-  rfn new waving --verb wave --folder my_robot
+  rfn new waving                              the verb is "wave"
+  rfn new waving --verb beckon --folder my_robot
+  rfn new waving --package src/my_robot       a catkin package, with launch file and rostest
+  rfn new counting --verb count --from-action actionlib_tutorials/Fibonacci.action
   rfn check --examples my_robot
 
-It refuses to overwrite a file. Exit status: 0 written, 1 a file exists already, 2 wrong usage
+It refuses to overwrite a file; an existing package gets the files of one more ability. Exit status: 0 written, 1 a file
+exists already, 2 wrong usage
 """
-_FRAME = """# Name the frame of FrameNet here, or say in a comment why it has none.
-name: {name}
-description: The robot does what "{verb}" means.
-framenet: ""
-frame_elements:
-  - name: theme
-    is_core: True
-    question: What should I {verb}?
-    answer: the box
-"""
-_UNIT = """frame_name: {name}
-verb: [{verb}]
-frame_element_grammatical_relations:
-  - name: theme
-    relation: dobj
-    argument: phrase
-examples:
-  - text: {capital} the box.
-    frame_elements: {{theme: the box}}
-  - text: please {verb} the ball
-    frame_elements: {{theme: the ball}}
-  - text: Could you {verb} the red mug?
-    frame_elements: {{theme: the red mug}}
-"""
-_SERVER = '''#!/usr/bin/env python3
-"""RFNServer of the frame {name}."""
-import os
-
-import rospy
-from rfnserver import RFNServer
-from rfnserver.arguments import argument
-
-FOLDER = os.path.join(os.path.dirname(os.path.realpath(__file__)), "..")
-
-
-def {name}(frame):
-    """Do it; a goal that is not ended here succeeds, an exception aborts it with its text."""
-    rospy.loginfo("{verb}: %s", argument(frame, "theme"))
-
-
-if __name__ == "__main__":
-    rospy.init_node("{name}")
-    server = RFNServer("{name}", {name})
-    server.add_semantic_frame(os.path.join(FOLDER, "frames", "{name}.yaml"))
-    server.add_lexical_unit(os.path.join(FOLDER, "lexical_units", "{name}.yaml"))
-    server.register_with_frame("{name}")
-    server.start()
-    rospy.spin()
-'''
-_TEST = '''"""The files of the frame {name} are right, and its examples are understood."""
-from pathlib import Path
-
-from offline_pipeline.file_checks import Examples, example_problems, find_problems, load_paths
-
-
-def test_files_and_examples():
-    knowledge, checked = load_paths([str(Path(__file__).resolve().parents[1])])
-    assert "{name}" in knowledge.frames
-    assert find_problems(knowledge, checked) == []
-    assert example_problems(Examples(knowledge), checked) == []
-'''
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Declare the arguments of ``rfn new``."""
     parser.epilog = EXAMPLES
     parser.add_argument("name", help="name of the frame, such as waving")
-    parser.add_argument("--verb", help="verb that evokes it, base form (default: the name)")
-    parser.add_argument("--folder", default=".", help="folder for the files (default: this one)")
+    parser.add_argument("--verb", help="verb that evokes it, base form (default: from the name, 'wave' for waving)")
+    where = parser.add_mutually_exclusive_group()
+    where.add_argument("--folder", default=".", help="folder for the files (default: this one)")
+    where.add_argument(
+        "--package", metavar="FOLDER", help="the same, as a catkin package of that name, with launch file and rostest"
+    )
+    parser.add_argument(
+        "--from-action",
+        metavar="PACKAGE/NAME.action",
+        help="the frame gets an element for each field of the goal, and the server takes these goals",
+    )
 
 
 def run(arguments: argparse.Namespace) -> int:
     """Write the files; return the exit status."""
+    known = load_knowledge([shipped_domains()])
     try:
-        files = scaffold(arguments.name, arguments.verb or arguments.name)
+        ability = _ability(arguments, known)
     except ValueError as error:
         print(f"rfn new: {error}", file=sys.stderr)
         return 2
-    paths = {os.path.join(arguments.folder, path): text for path, text in files.items()}
-    there = [path for path in paths if os.path.lexists(path)]
+    folder = arguments.package or arguments.folder
+    files = ability_files(ability)
+    is_new_package = bool(arguments.package) and not os.path.exists(os.path.join(folder, "package.xml"))
+    if is_new_package:
+        files = {**package_files(ability), **files}
+    there = [path for path in (os.path.join(folder, path) for path in files) if os.path.lexists(path)]
     if there:
         print(f"rfn new: these files exist already: {', '.join(there)}; nothing was written", file=sys.stderr)
         return 1
-    for path, text in paths.items():
-        os.makedirs(os.path.dirname(path), exist_ok=True)
-        with open(path, "x", encoding="utf-8") as file:
-            file.write(text)
-        if path.endswith("_server"):
-            os.chmod(path, 0o755)
-        print(path)
+    for warning in _warnings(ability, known):
+        print(f"rfn new: {warning}", file=sys.stderr)
+    _write(files, folder)
+    print("\n".join(next_steps(ability, folder, is_new_package=is_new_package)))
     return 0
 
 
-def scaffold(name: str, verb: str) -> Dict[str, str]:
-    """Return the text of each file by its path in the folder.
-
-    Args:
-        name: of the frame: lower case letters, digits and underscores
-        verb: that evokes it, with a particle if it has one
-    Raises:
-        ValueError: the name or the verb has another form
+def _ability(arguments: argparse.Namespace, known: Knowledge) -> Ability:
     """
-    if not re.fullmatch(r"[a-z][a-z0-9_]*", name):
-        raise ValueError(
-            f"'{name}' is not the name of a frame: use lower case letters, digits and underscores, such as waving"
+    Raises:
+        ValueError: a name or the verb has another form, or the action type does not exist
+    """
+    verbs: FrozenSet[str] = frozenset(verb for unit in known.lexicon.units for verb in unit.verbs)
+    verb: Optional[str] = arguments.verb or verb_of(arguments.name, verbs.__contains__)
+    package = os.path.basename(os.path.abspath(arguments.package)) if arguments.package else ""
+    if verb is None:
+        raise ValueError(f"which verb evokes '{arguments.name}'? Give it with --verb")
+    if not arguments.from_action:
+        return Ability(arguments.name, verb, package=package)
+    from roboframenet_tools.ros_action_types import action_class, elements_of
+
+    action, kind = action_class(arguments.from_action)
+    return Ability(arguments.name, verb, elements=elements_of(kind), action=action, package=package)
+
+
+def _warnings(ability: Ability, known: Knowledge) -> List[str]:
+    """Say what is there already."""
+    warnings = []
+    if ability.name in known.frames:
+        path = known.frames[ability.name].path
+        warnings.append(
+            f"warning: the frame '{ability.name}' exists already ({path}). A server can register for it without "
+            "new files; two files of one frame are a mistake"
         )
-    if not re.fullmatch(r"[a-z]+( [a-z]+)*", verb):
-        raise ValueError(f"'{verb}' is not a verb: use lower case words, such as 'pick up' (give it with --verb)")
-    words = {"name": name, "verb": verb, "capital": verb.capitalize()}
-    templates = {
-        f"frames/{name}.yaml": _FRAME,
-        f"lexical_units/{name}.yaml": _UNIT,
-        f"nodes/{name}_server": _SERVER,
-        f"test/test_{name}.py": _TEST,
-    }
-    return {path: template.format(**words) for path, template in templates.items()}
+    others = sorted({unit.frame_name for unit in known.lexicon.units if ability.verb in unit.verbs})
+    if others:
+        warnings.append(
+            f"note: '{ability.verb}' evokes {', '.join(others)} already; the relations that fit decide between them"
+        )
+    return warnings
+
+
+def _write(files: Dict[str, str], folder: str) -> None:
+    for name, text in files.items():
+        path = os.path.join(folder, name)
+        os.makedirs(os.path.dirname(path) or ".", exist_ok=True)
+        with open(path, "x", encoding="utf-8") as file:
+            file.write(text)
+        if is_program(name):
+            os.chmod(path, 0o755)
+        print(path)
+
+
+def next_steps(ability: Ability, folder: str, *, is_new_package: bool) -> Tuple[str, ...]:
+    """Return what a person does next, a command in each line."""
+    name, package = ability.name, ability.package
+    lines = ["", f'The verb is "{ability.verb}". Next:']
+    steps = [
+        (f"rfn check --examples {folder}", "the example sentences are understood"),
+        (f"edit {os.path.join(folder, 'nodes', name + '_server')}", "what the robot does"),
+    ]
+    if package and not is_new_package:
+        steps.append(
+            (f"edit {os.path.join(folder, 'launch', package + '.launch')}", f"add {node_line(ability).strip()}")
+        )
+    if package:
+        steps += [
+            ("catkin_make && source devel/setup.bash", "in the workspace of the package"),
+            (f"rostest {package} {name}.test", "with a pipeline of its own"),
+            (f"roslaunch {package} {package}.launch", "while a pipeline runs"),
+        ]
+    else:
+        steps.append((os.path.join(folder, "nodes", name + "_server"), "while a pipeline runs"))
+    width = max(len(command) for command, _ in steps)
+    return (*lines, *(f"  {command:<{width}}   # {meaning}" for command, meaning in steps))

@@ -96,6 +96,7 @@ def run(arguments: argparse.Namespace) -> int:
     for server in ported.servers:
         print(f'    {server}.register_with_frame("frame_name")    # after {server}.start()')
     print("    <exec_depend>rfnserver</exec_depend>")
+    print("No frame for it yet? 'rfn new NAME --from-action PACKAGE/NAME.action' writes one, with a lexical unit.")
     return 0
 
 

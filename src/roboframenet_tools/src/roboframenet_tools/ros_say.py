@@ -4,14 +4,26 @@ import argparse
 import queue
 import sys
 import time
-from typing import Tuple, Union
+from typing import Optional, Tuple, Union
 
 import actionlib
+import rosgraph
 import rospy
 from roboframenet_msgs.msg import ExecuteCommandAction, ExecuteCommandFeedback, ExecuteCommandGoal, Reply
 
-from roboframenet_tools.saying import EXIT_STATUS, NO_REPLY, Answer, Outcome, Stage, format_answer, format_stage
+from roboframenet_tools.saying import (
+    EXIT_STATUS,
+    NO_REPLY,
+    Answer,
+    Outcome,
+    Stage,
+    format_answer,
+    format_stage,
+    is_news,
+)
 
+#: Period in which a missing master is looked for, seconds.
+_POLL_S = 0.2
 EXAMPLES = """examples:
   rfn say "Turn left 120 degrees."
   rfn say --json --timeout 20 "Go to the office."
@@ -37,18 +49,27 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         type=float,
         default=10.0,
         metavar="SECONDS",
-        help="how long to wait for the command server (default 10)",
+        help="how long to wait for the master and the command server (default 10)",
     )
 
 
 def run(arguments: argparse.Namespace) -> int:
     """Say the sentence; return the exit status."""
+    end = time.monotonic() + arguments.wait
+    # Without a master, init_node would try for ever.
+    while not rosgraph.is_master_online():
+        if time.monotonic() >= end:
+            return _complain(
+                f"no ROS master at {rosgraph.get_master_uri()} within {arguments.wait:g} s: is the pipeline up "
+                "('make run'), and ROS_MASTER_URI right?"
+            )
+        time.sleep(_POLL_S)
     try:
         rospy.init_node("rfn_say", anonymous=True, disable_signals=True)
     except rospy.ROSException as error:
         return _complain(f"no ROS master: {error}")
     client = actionlib.ActionClient("command", ExecuteCommandAction)
-    if not client.wait_for_server(rospy.Duration(arguments.wait)):
+    if not client.wait_for_server(rospy.Duration(max(_POLL_S, end - time.monotonic()))):
         return _complain(f"no command server within {arguments.wait:g} s: is the pipeline up ('make run')?")
     arrived: queue.Queue[Union[Stage, Tuple[int, Reply]]] = queue.Queue()
 
@@ -63,11 +84,14 @@ def run(arguments: argparse.Namespace) -> int:
     # actionlib keeps a weak reference to the handle only.
     handle = client.send_goal(ExecuteCommandGoal(text=" ".join(arguments.text)), on_transition, on_feedback)
     end = time.monotonic() + arguments.timeout
+    before: Optional[Stage] = None
     try:
         while True:
             item = arrived.get(timeout=max(0.01, end - time.monotonic()))
             if isinstance(item, Stage):
-                print(format_stage(item, as_json=arguments.json), flush=True)
+                if arguments.json or is_news(item, before):
+                    print(format_stage(item, as_json=arguments.json), flush=True)
+                before = item
                 continue
             return _report(item, as_json=arguments.json)
     except queue.Empty:

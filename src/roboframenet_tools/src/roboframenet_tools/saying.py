@@ -1,8 +1,10 @@
 """The output of ``rfn say``, and its exit status."""
 
 import json
+import re
 from dataclasses import asdict, dataclass
 from enum import IntEnum
+from typing import Optional
 
 
 class Outcome(IntEnum):
@@ -45,6 +47,15 @@ class Answer:
     stage: str
     code: str
     sentence: str
+
+
+def is_news(stage: Stage, before: Optional[Stage]) -> bool:
+    """Whether an event says more than the time that has passed since the one before."""
+    return before is None or stage.stage != before.stage or _without_numbers(stage) != _without_numbers(before)
+
+
+def _without_numbers(stage: Stage) -> str:
+    return re.sub(r"\d+(\.\d+)?", "", stage.sentence)
 
 
 def format_stage(stage: Stage, *, as_json: bool) -> str:

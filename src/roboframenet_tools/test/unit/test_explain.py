@@ -34,7 +34,9 @@ def test_json_of_a_command(pipeline):
     frame = result["frames"][0]
     assert (frame["name"], frame["verb_token"]) == ("turning", 1)
     direction = next(element for element in frame["frame_elements"] if element["name"] == "direction")
+    typed = direction.pop("typed")
     assert direction == {"name": "direction", "argument": "left", "tokens": [2], "head_token": 2}
+    assert (typed["name"], typed["text"], typed["direction"]) == ("direction", "left", "left")
     assert result["left_over"] == []
     assert result["reply"]["outcome"] == "DONE"
 

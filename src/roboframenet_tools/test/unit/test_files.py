@@ -8,11 +8,12 @@ from xml.etree import ElementTree
 import pytest
 
 from offline_pipeline.file_checks import find_problems, load_paths
-from roboframenet_tools import doctor, new
+from roboframenet_tools import doctor
 from roboframenet_tools.cli import COMMANDS, OUTPUT_CLOSED, main
 from roboframenet_tools.completion import script
-from roboframenet_tools.graph import dot, layers, svg
+from roboframenet_tools.graph import LEGEND, dot, layers, svg
 from roboframenet_tools.listing import count, is_grounded, table
+from roboframenet_tools.verb_forms import verb_of
 
 
 def write(folder, name, text):
@@ -49,10 +50,87 @@ def test_scaffold_passes_the_check_and_is_not_overwritten(tmp_path, capsys):
     compile((tmp_path / "nodes" / "waving_server").read_text(), "waving_server", "exec")
 
 
-@pytest.mark.parametrize("name", ["Waving", "1a", "../x", ""])
-def test_scaffold_refuses_names(name):
-    with pytest.raises(ValueError):
-        new.scaffold(name, "wave")
+def test_verb_comes_from_the_name_and_next_steps_are_said(tmp_path, capsys):
+    assert main(["new", "waving", "--folder", str(tmp_path)]) == 0
+    printed = capsys.readouterr().out
+    assert 'The verb is "wave".' in printed
+    assert f"rfn check --examples {tmp_path}" in printed
+    assert "verb: [wave]" in (tmp_path / "lexical_units" / "waving.yaml").read_text()
+
+
+def test_new_warns_of_a_frame_that_exists(tmp_path, capsys):
+    assert main(["new", "turning", "--folder", str(tmp_path)]) == 0
+    warned = capsys.readouterr().err
+    assert "the frame 'turning' exists already" in warned
+    assert "'turn' evokes" in warned
+
+
+def test_new_package_and_a_second_ability(tmp_path, capsys):
+    package = tmp_path / "my_robot"
+    assert main(["new", "waving", "--package", str(package)]) == 0
+    assert ElementTree.parse(package / "package.xml").findtext("name") == "my_robot"
+    node = ElementTree.parse(package / "launch" / "my_robot.launch").find("node")
+    assert (node.get("pkg"), node.get("type")) == ("my_robot", "waving_server")
+    test = ElementTree.parse(package / "test" / "rostest" / "waving.test").find("test").get("type")
+    for program in ("nodes/waving_server", f"test/rostest/{test}"):
+        assert (package / program).stat().st_mode & 0o111
+        compile((package / program).read_text(), program, "exec")
+    assert main(["new", "bowing", "--verb", "bow", "--package", str(package)]) == 0
+    assert 'type="bowing_server"' in capsys.readouterr().out
+    knowledge, checked = load_paths([str(package)])
+    assert (len(checked), find_problems(knowledge, checked)) == (4, [])
+
+
+def test_new_from_an_action_fills_its_fields(tmp_path):
+    words = ["new", "counting", "--from-action", "actionlib_tutorials/Fibonacci.action", "--folder", str(tmp_path)]
+    assert main(words) == 0
+    knowledge, checked = load_paths([str(tmp_path)])
+    assert find_problems(knowledge, checked) == []
+    (element,) = knowledge.frames["counting"].frame_elements
+    assert (element.name, element.is_core) == ("order", True)
+    server = (tmp_path / "nodes" / "counting_server").read_text()
+    compile(server, "counting_server", "exec")
+    assert 'RFNServer("counting", FibonacciAction, execute_cb=execute' in server
+
+
+def test_new_from_no_action_is_wrong_usage(tmp_path, capsys):
+    words = ["new", "counting", "--folder", str(tmp_path), "--from-action"]
+    assert main([*words, "actionlib_tutorials/Nothing.action"]) == 2
+    assert "no action type actionlib_tutorials/NothingAction" in capsys.readouterr().err
+    assert main([*words, "Nothing"]) == 2
+    assert not list(tmp_path.iterdir())
+
+
+@pytest.mark.parametrize("name", ["Waving", "1a", "../x", "", "all_of_it"])
+def test_new_refuses_names(name, tmp_path):
+    assert main(["new", name, "--folder", str(tmp_path)]) == 2
+    assert not list(tmp_path.iterdir())
+
+
+@pytest.mark.parametrize(
+    "name, verb",
+    [
+        ("waving", "wave"),
+        ("moving_forward", "move"),
+        ("navigating_to_location", "navigate"),
+        ("running", "run"),
+        ("turning", "turn"),
+        ("handling", "handle"),
+        ("beckoning", "beckon"),
+        ("rescuing", "rescue"),
+        ("lying", "lie"),
+        ("wave", "wave"),
+        ("home_all", None),
+        ("sing", "sing"),
+    ],
+)
+def test_verb_in_the_name_of_a_frame(name, verb):
+    assert verb_of(name) == verb
+
+
+def test_a_known_verb_comes_first():
+    assert verb_of("bathing") == "bath"
+    assert verb_of("bathing", {"bathe"}.__contains__) == "bathe"
 
 
 def test_grounded_through_a_child(chain):
@@ -69,7 +147,9 @@ def test_drawings(chain):
     graph = load_paths([str(chain)])[0].graph
     assert layers(graph) == {"a": 0, "b": 1}
     assert '"a" -> "b"' in dot(graph)
-    ElementTree.fromstring(svg(graph))
+    texts = [element.text for element in ElementTree.fromstring(svg(graph)).iter() if element.text]
+    assert LEGEND in texts
+    assert LEGEND in dot(graph)
 
 
 def test_completion_is_bash():

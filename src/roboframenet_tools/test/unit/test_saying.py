@@ -5,7 +5,16 @@ import json
 import pytest
 
 from roboframenet_tools.cli import COMMANDS, main
-from roboframenet_tools.saying import EXIT_STATUS, Answer, Outcome, Stage, format_answer, format_stage
+from roboframenet_tools.saying import (
+    EXIT_STATUS,
+    NO_REPLY,
+    Answer,
+    Outcome,
+    Stage,
+    format_answer,
+    format_stage,
+    is_news,
+)
 
 ANSWER = Answer(
     id="1",
@@ -51,3 +60,20 @@ def test_unknown_command_is_wrong_usage() -> None:
     with pytest.raises(SystemExit) as ended:
         main(["sya", "hello"])
     assert ended.value.code == 2
+
+
+def test_passing_time_is_no_news() -> None:
+    running = Stage("executor", "Running: turning by turning for 1.0 s.")
+    assert is_news(running, None)
+    assert not is_news(Stage("executor", "Running: turning by turning for 1.5 s."), running)
+    assert is_news(Stage("executor", "Running: moving by moving for 1.5 s."), running)
+    assert is_news(Stage("arbitrator", running.sentence), running)
+
+
+def test_without_a_master_it_ends_with_the_reason(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture
+) -> None:
+    # The discard port: nobody listens there.
+    monkeypatch.setenv("ROS_MASTER_URI", "http://127.0.0.1:9")
+    assert main(["say", "--wait", "0.1", "Turn left."]) == NO_REPLY
+    assert "no ROS master at http://127.0.0.1:9" in capsys.readouterr().err

@@ -2,15 +2,15 @@
 
 from typing import Dict, List, Optional, Sequence, Tuple
 
+from phrase_meanings.arguments import amount_argument, unit_argument
 from semantic_framer.dialogue import Pending, is_yes
 from semantic_framer.frame_roles import MESSAGE
 from semantic_framer.framed_lexicon import FramedLexicon
-from semantic_framer.reading import ElementValue, Reading, with_value
+from semantic_framer.reading import Reading, with_argument
 from semantic_framer.sentence import Sentence
 from semantic_framer.things import is_unfinished
-from semantic_framer.values import amount_value, phrase_value, unit_value
 from semantic_frames.frame import FrameElement, SemanticFrame
-from semantic_frames.lexical_unit import ArgumentForm
+from typed_arguments import TypedArgument
 from utterance_passes.clauses import find_clauses
 from utterance_passes.measures import find_amounts
 from utterance_passes.verb_matching import match_verbs
@@ -61,7 +61,7 @@ def answer(
         values = _values(sentence, pending, frame, name, is_strict)
         element = frame.element(name)
         for value in values:
-            reading = with_value(reading, value)
+            reading = with_argument(reading, value)
         if values and element is not None:
             fitting[bool(element.values) or element.quantity is not None].append(reading)
     # "Left" is a direction if the question asks for one, although a thing could have that name too.
@@ -77,7 +77,7 @@ def answer(
 
 def _values(
     sentence: Sentence, pending: Pending, frame: SemanticFrame, name: str, is_strict: bool
-) -> List[ElementValue]:
+) -> List[TypedArgument]:
     """Return the values that an utterance gives to an element and to its unit element; nothing if it does not fit."""
     element = frame.element(name)
     values = _fragment_values(sentence, frame, element) if element is not None else []
@@ -88,12 +88,12 @@ def _values(
         return []
     # A single question accepts any answer. With several questions, the answer shows which reading was meant.
     allowed = [value.lower() for value in element.values]
-    if len(pending.elements) > 1 and allowed and values[0].argument.lower() not in allowed:
+    if len(pending.elements) > 1 and allowed and values[0].text.lower() not in allowed:
         return []
     return values
 
 
-def _is_all_said(sentence: Sentence, values: List[ElementValue], is_strict: bool) -> bool:
+def _is_all_said(sentence: Sentence, values: List[TypedArgument], is_strict: bool) -> bool:
     """Whether an answer says only its values: no "not", condition or time and, if strict, no other content word."""
     used = frozenset(position for value in values for position in value.positions)
     if sentence.tree.times:
@@ -106,20 +106,20 @@ def _is_all_said(sentence: Sentence, values: List[ElementValue], is_strict: bool
     return True
 
 
-def _is_choice(value: ElementValue, choice: str) -> bool:
+def _is_choice(value: TypedArgument, choice: str) -> bool:
     """Whether an answer names one of the offered things: "the plate", "plate"."""
-    said, offered = value.phrase.lower().split(), choice.lower().split()
+    said, offered = value.words.lower().split(), choice.lower().split()
     return [word for word in said if word not in _ARTICLES] == [word for word in offered if word not in _ARTICLES]
 
 
-def _fragment_values(sentence: Sentence, frame: SemanticFrame, element: FrameElement) -> List[ElementValue]:
+def _fragment_values(sentence: Sentence, frame: SemanticFrame, element: FrameElement) -> List[TypedArgument]:
     positions = [word.index for word in sentence.tree.words if word.upos not in ("PUNCT", "INTJ")]
     amounts = find_amounts(sentence.tree, [word.index for word in sentence.tree.words])
     if element.quantity is not None:
         for amount in amounts if not any(amount.is_doubtful for amount in amounts) else ():
-            values = [amount_value(sentence.tree, element.name, amount, is_whole=not element.unit_element)]
+            values = [amount_argument(sentence.tree, element.name, amount, is_whole=not element.unit_element)]
             if element.unit_element and amount.unit:
-                values.append(unit_value(sentence.tree, element.unit_element, amount))
+                values.append(unit_argument(sentence.tree, element.unit_element, amount))
             return values
         return []
     # "Three feet" is neither a place nor a thing.
@@ -131,4 +131,4 @@ def _fragment_values(sentence: Sentence, frame: SemanticFrame, element: FrameEle
     head = heads[0].index if heads and heads[0].index in positions else positions[0]
     if is_unfinished(sentence.tree, head):
         return []
-    return [phrase_value(sentence.tree, element.name, head, ArgumentForm.PHRASE, frozenset())]
+    return [sentence.phrases.argument(element.name, head)]

@@ -11,7 +11,8 @@ from typing import Dict, Optional, Tuple
 
 from semantic_framer.dialogue import Context
 from semantic_framer.outcome import Outcome, Question, Refusal, Understood
-from semantic_framer.reading import ElementValue, Reading
+from semantic_framer.reading import Reading
+from typed_arguments import TypedArgument
 from utterance_passes.trace import Trace
 
 
@@ -63,19 +64,19 @@ def _in_single_words(understood: Understood, context: Context) -> Tuple[Understo
     head_of: Dict[str, str] = {}
     for readings in understood.clauses:
         for reading in readings:
-            for value in reading.values:
+            for value in reading.arguments:
                 if _is_phrase(value) and _is_said(value):
-                    head_of.setdefault(value.argument, value.head)
+                    head_of.setdefault(value.text, value.head)
 
-    def shortened(value: ElementValue) -> ElementValue:
+    def shortened(value: TypedArgument) -> TypedArgument:
         if not _is_phrase(value):
             return value
         # The phrase has already replaced its pronoun, so the argument is the head of that phrase.
-        word = value.head if _is_said(value) else head_of.get(value.argument, value.argument)
-        return replace(value, argument=word, conjunction="", items=())
+        word = value.head if _is_said(value) else head_of.get(value.text, value.text)
+        return replace(value, text=word, conjunction="", members=())
 
     def with_words(reading: Reading) -> Reading:
-        return replace(reading, values=tuple(shortened(value) for value in reading.values))
+        return replace(reading, arguments=tuple(shortened(value) for value in reading.arguments))
 
     clauses = tuple(tuple(with_words(reading) for reading in readings) for readings in understood.clauses)
     remembered = replace(
@@ -86,11 +87,11 @@ def _in_single_words(understood: Understood, context: Context) -> Tuple[Understo
     return replace(understood, clauses=clauses), remembered
 
 
-def _is_phrase(value: ElementValue) -> bool:
+def _is_phrase(value: TypedArgument) -> bool:
     """Whether words of the utterance fill the element; amounts keep their unit, and defaults keep all words."""
-    return bool(value.positions) and not value.quantity
+    return bool(value.positions) and value.measure is None
 
 
-def _is_said(value: ElementValue) -> bool:
+def _is_said(value: TypedArgument) -> bool:
     """Whether the argument contains its own head word; the argument of a resolved pronoun does not."""
-    return re.search(rf"(?<!\w){re.escape(value.head)}(?!\w)", value.argument) is not None
+    return re.search(rf"(?<!\w){re.escape(value.head)}(?!\w)", value.text) is not None

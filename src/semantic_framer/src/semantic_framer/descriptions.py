@@ -49,7 +49,7 @@ def descriptions(sentence: Sentence, clauses: Sequence[Clause], known: FramedLex
             for reading in read_clause(sentence, clause, known)
             if not reading.missing
             and not reading.left_over
-            and any(clause.subject in value.positions for value in reading.values)
+            and any(clause.subject in value.positions for value in reading.arguments)
         ]
         found += sorted(readings, key=rank)[:1]
     return tuple(found)

@@ -39,7 +39,7 @@ class Lexicon:
             FileRefused: the file is wrong; its earlier units stay
         """
         units = load_lexical_units(text, path)
-        self._replace(path, text, units)
+        self.replace_file(path, text, units)
         return units
 
     @classmethod
@@ -49,7 +49,8 @@ class Lexicon:
         lexicon._index(units)
         return lexicon
 
-    def _replace(self, path: str, text: str, units: Tuple[LexicalUnit, ...]) -> None:
+    def replace_file(self, path: str, text: str, units: Tuple[LexicalUnit, ...]) -> None:
+        """Put units that were read from a file in the place of the earlier units of that file."""
         for old in self._files.get(path, ("", ()))[1]:
             for verb in old.verbs:
                 self._by_verb[verb].remove(old)

@@ -5,7 +5,7 @@ from dataclasses import dataclass
 from typing import Callable, ContextManager, Iterable, List, Mapping, Tuple
 
 from semantic_framer.lexicon import Lexicon
-from semantic_frames import FileRefused, Problem
+from semantic_frames import FileRefused, Problem, load_lexical_units
 from semantic_frames.source_files import read_text, replace_problems
 
 
@@ -55,8 +55,10 @@ class LexiconFiles:
                 problems: Tuple[Problem, ...] = ()
                 try:
                     text = read_text(path)
+                    # Commands need the lock, so the file is understood before.
+                    units = load_lexical_units(text, path)
                     with self._lock:
-                        self._lexicon.add_file(text, path)
+                        self._lexicon.replace_file(path, text, units)
                     accepted.append(path)
                 except FileRefused as error:
                     problems = tuple(error.problems)

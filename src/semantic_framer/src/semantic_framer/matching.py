@@ -3,11 +3,15 @@
 from dataclasses import replace
 from typing import Dict, FrozenSet, Iterable, List, Optional, Sequence, Set, Tuple
 
+from phrase_meanings.arguments import amount_argument, default_argument, unit_argument
+from phrase_meanings.head_words import is_side_of_something
 from semantic_framer.attachment import (
+    behind_description,
+    has_postmodifiers,
     is_direction,
     is_of_one_direction,
+    is_of_something,
     is_postmodifier_of,
-    is_side_of_something,
     places_before,
     preposition_of,
     words_before,
@@ -16,13 +20,13 @@ from semantic_framer.attachment import (
 from semantic_framer.frame_roles import DESCRIBED, DIRECTION, MESSAGE
 from semantic_framer.framed_lexicon import FramedLexicon
 from semantic_framer.measured_elements import measured_elements, measures_as_in_2012, numeral_at
-from semantic_framer.reading import ElementValue, Reading
+from semantic_framer.reading import Reading
 from semantic_framer.sentence import Sentence
 from semantic_framer.things import is_unfinished
-from semantic_framer.values import amount_value, given_value, phrase_value, unit_value
 from semantic_frames.frame import FrameElement, SemanticFrame
 from semantic_frames.lexical_unit import ArgumentForm, ElementRelation, LexicalUnit
 from semantic_frames.relation_names import MEASURE
+from typed_arguments import TypedArgument
 from utterance_passes.clauses import Clause, shared_subject
 from utterance_passes.measures import Amount, amounts_of
 from utterance_passes.trace import Trace, TraceLine
@@ -147,19 +151,19 @@ class _Filling:
                     self._take_phrase(relation)
         if any(relation.is_required and not self._is_taken(relation.name) for relation in self._unit.relations):
             return None
-        values = self._values()
-        names = {value.name for value in values}
+        arguments = self._arguments()
+        names = {argument.name for argument in arguments}
         missing = tuple(
             element
             for element in self._frame.frame_elements
             if (element.is_core or element.name in self._unread) and element.name not in names
         )
-        left_over, coverage = self._coverage(values)
+        left_over, coverage = self._coverage(arguments)
         return Reading(
             unit=self._unit,
             verb=self._match.verb,
             verb_positions=self._match.positions,
-            values=values,
+            arguments=arguments,
             missing=missing,
             left_over=left_over,
             coverage=coverage,
@@ -295,6 +299,12 @@ class _Filling:
                 for inner in self._sentence.children(noun) if relation == "dobj" else ():
                     if inner.deprel == "nmod" and inner.index > noun:
                         found += self._sentence.dependents(inner.index, f"prep_{preposition}")
+                    if inner.deprel == "acl":
+                        found += behind_description(
+                            self._sentence.tree,
+                            inner.index,
+                            self._sentence.dependents(inner.index, f"prep_{preposition}"),
+                        )
         particle = [
             index for index in self._match.positions[1:] if self._sentence.word(index).form.lower() == preposition
         ]
@@ -306,7 +316,7 @@ class _Filling:
         self._moved.update(heads)
         return heads
 
-    def _values(self) -> Tuple[ElementValue, ...]:
+    def _arguments(self) -> Tuple[TypedArgument, ...]:
         verb_words = frozenset(self._match.positions)
         amount_words = frozenset(position for amount in self._amount_of.values() for position in amount.positions)
         amount_words |= frozenset(
@@ -315,22 +325,22 @@ class _Filling:
             for position in amount.positions
             if position != amount.unit_position
         )
-        values: List[ElementValue] = []
+        found: List[TypedArgument] = []
         for element in self._frame.frame_elements:
             if element.name in self._amount_of:
                 amount = self._amount_of[element.name]
                 is_unit = any(other.unit_element == element.name for other in self._frame.frame_elements)
-                values.append(
-                    unit_value(self._sentence.tree, element.name, amount)
+                found.append(
+                    unit_argument(self._sentence.tree, element.name, amount)
                     if is_unit
-                    else amount_value(self._sentence.tree, element.name, amount, is_whole=not element.unit_element)
+                    else amount_argument(self._sentence.tree, element.name, amount, is_whole=not element.unit_element)
                 )
                 hedges = words_before_amount(self._sentence.tree, min(amount.positions))
                 if not is_unit:
-                    values[-1] = replace(values[-1], positions=tuple(sorted(hedges)) + values[-1].positions)
+                    found[-1] = replace(found[-1], positions=tuple(sorted(hedges)) + found[-1].positions)
             elif element.name in self._numeral_of:
                 numeral = self._numeral_of[element.name]
-                values.append(amount_value(self._sentence.tree, element.name, numeral, is_whole=False))
+                found.append(amount_argument(self._sentence.tree, element.name, numeral, is_whole=False))
             elif element.name in self._heads:
                 head = self._heads[element.name]
                 others = [
@@ -348,14 +358,12 @@ class _Filling:
                     if positions:
                         self._note(rule, positions, f'part of the {element.name} "{self._sentence.word(head).form}"')
                 attached = self._listed[element.name] | behind | before
-                values.append(
-                    phrase_value(self._sentence.tree, element.name, head, relation.argument, left_out, attached)
-                )
+                found.append(self._sentence.phrases.argument(element.name, head, relation.argument, left_out, attached))
             elif element.default and not self._is_said_otherwise(element):
-                values.append(given_value(element.name, element.default))
+                found.append(default_argument(element.name, element.default))
             elif element.default:
                 self._note("no_default", (), f"something else is said for {element.name} than {element.default}")
-        return tuple(values)
+        return tuple(found)
 
     def _is_said_otherwise(self, element: FrameElement) -> bool:
         """Whether the clause says something for an element that cannot fill it; the default is not meant then."""
@@ -366,9 +374,12 @@ class _Filling:
 
     def _places_behind(self, head: int, element: FrameElement, left_out: FrozenSet[int]) -> FrozenSet[int]:
         """Return the place phrases directly after a noun that fill no element: "the mug on the table"."""
-        if self._sentence.word(head).upos != "NOUN" or element.framenet == MESSAGE:
+        if not has_postmodifiers(self._sentence.tree, head):
             return frozenset()
         noun = self._sentence.subtree(head) - left_out
+        # "Say hello in the kitchen" says where to say it; "the name of the man in the kitchen" says which man is meant.
+        if element.framenet == MESSAGE and not is_of_something(self._sentence.tree, head):
+            return frozenset()
         taken = frozenset(self._heads.values())
         found: FrozenSet[int] = frozenset()
         for phrase in self._sentence.children(self._clause.verb):
@@ -396,14 +407,14 @@ class _Filling:
             self._clause.condition_positions if head not in self._clause.condition_positions else frozenset()
         )
 
-    def _coverage(self, values: Tuple[ElementValue, ...]) -> Tuple[Tuple[int, ...], float]:
+    def _coverage(self, arguments: Tuple[TypedArgument, ...]) -> Tuple[Tuple[int, ...], float]:
         used: Set[int] = set(self._match.positions) | self._unfinished
-        for value in values:
-            used.update(value.positions)
+        for argument in arguments:
+            used.update(argument.positions)
             # A measure consists of a number, a unit and hedges; its other dependents are not part of it.
-            if value.head_position and not value.unit and not value.quantity:
+            if argument.head_position and argument.measure is None:
                 # Function words of the argument: "to", "the".
-                used.update(child.index for child in self._sentence.children(value.head_position))
+                used.update(child.index for child in self._sentence.children(argument.head_position))
         content = [
             index
             for index in sorted(self._clause.positions)

@@ -77,6 +77,7 @@ class SemanticFramer:
         self._stage = Stage("semantic_framer")
         self._configured = tuple(yaml_files(settings.lexical_unit_paths, LEXICAL_UNITS_FOLDER))
         self._added: List[str] = rospy.get_param(ADDED_LEXICAL_UNITS, [])
+        self._is_announced = False
         self._files = LexiconFiles(self._lexicon, self._lock, self._announce)
         state = self._files.add(self._configured + tuple(self._added))
         self._subscribers = [
@@ -113,12 +114,15 @@ class SemanticFramer:
                 ]
             )
         )
-        self._lexicon_publisher.publish(
-            LexiconMessage(
-                framer_id=self._id,
-                files=[SourceFile(path=path, text=text) for path, text in state.files.items()],
+        if state.accepted or not self._is_announced:
+            # Servers look at each lexicon for what is missing: a refused file changes nothing for them.
+            self._is_announced = True
+            self._lexicon_publisher.publish(
+                LexiconMessage(
+                    framer_id=self._id,
+                    files=[SourceFile(path=path, text=text) for path, text in state.files.items()],
+                )
             )
-        )
         new = [path for path in state.accepted if path not in self._configured and path not in self._added]
         if new:
             self._added += new

@@ -3,11 +3,13 @@
 from dataclasses import dataclass
 from typing import FrozenSet, Tuple
 
-from semantic_framer.attachment import is_direction, is_side_of_something
+from phrase_meanings.head_words import is_side_of_something
+from semantic_framer.attachment import is_direction
 from semantic_framer.frame_roles import MESSAGE, NO_THINGS, PLACES, THEME, THINGS
-from semantic_framer.reading import ElementValue, Reading
+from semantic_framer.reading import Reading
 from semantic_framer.things import is_indefinite, is_no_thing
 from semantic_frames.frame import SemanticFrame
+from typed_arguments import TypedArgument
 from utterance_passes.tree import DependencyTree, Word
 from word_classes import word_class
 
@@ -31,7 +33,7 @@ class Filled:
         tree: the sentence
     """
 
-    value: ElementValue
+    value: TypedArgument
     reading: Reading
     beside: Tuple[Reading, ...]
     frame: SemanticFrame
@@ -45,7 +47,7 @@ class Filled:
     @property
     def roles(self) -> FrozenSet[str]:
         """FrameNet's name of the element that the value fills; empty for an amount."""
-        element = None if self.value.quantity else self.frame.element(self.value.name)
+        element = None if self.value.measure else self.frame.element(self.value.name)
         return frozenset() if element is None or element.quantity is not None else frozenset([element.framenet])
 
 
@@ -74,7 +76,7 @@ def is_unread_elsewhere(filled: Filled) -> bool:
 
 
 def _measured(reading: Reading) -> FrozenSet[int]:
-    return frozenset(position for value in reading.values if value.quantity for position in value.positions)
+    return frozenset(position for value in reading.arguments if value.measure for position in value.positions)
 
 
 def is_numbered_place(filled: Filled) -> bool:
@@ -83,7 +85,7 @@ def is_numbered_place(filled: Filled) -> bool:
         return False
     elements = filled.frame.frame_elements
     themes = {element.name for element in elements if element.framenet == THEME and element.quantity is None}
-    return any(other.name in themes and other.positions for other in filled.reading.values)
+    return any(other.name in themes and other.positions for other in filled.reading.arguments)
 
 
 def is_one_of_two_places(filled: Filled) -> bool:
@@ -95,7 +97,7 @@ def is_one_of_two_places(filled: Filled) -> bool:
     prepositions = [child for child in filled.tree.children(filled.head.index) if child.deprel == "case"]
     elements = filled.frame.frame_elements
     themes = {element.name for element in elements if element.framenet == THEME and element.quantity is None}
-    is_put = any(other.name in themes and other.positions for other in filled.reading.values)
+    is_put = any(other.name in themes and other.positions for other in filled.reading.arguments)
     return is_put and bool(prepositions) and prepositions[0].form.lower() in _PLACING
 
 
@@ -136,10 +138,18 @@ def is_side(filled: Filled) -> bool:
     # "Drive 19 in backwards" goes to no place.
     if filled.roles & PLACES and form in _FORWARD_AND_BACKWARD and filled.head.upos == "ADV":
         return True
+    # "Turn to the left and then to the right" names two directions, and no place.
+    if filled.roles & PLACES and filled.value.direction and _is_direction_said_beside(filled):
+        return True
     if filled.roles & THINGS and is_direction(filled.tree, filled.head.index) and form not in _SIDES:
         return True
     is_one = form in _LEFT_AND_RIGHT and not is_side_of_something(filled.tree, filled.head.index)
     return is_one and filled.head.deprel == "obj" and bool(filled.roles) and not filled.roles & (PLACES | NO_THINGS)
+
+
+def _is_direction_said_beside(filled: Filled) -> bool:
+    others = (other for other in filled.reading.arguments if other is not filled.value and other.direction)
+    return any(other.head_position in filled.reading.listed for other in others)
 
 
 def is_deed(filled: Filled) -> bool:

@@ -1,33 +1,12 @@
 """A reading, which is one way to understand a clause, and its rank among the readings."""
 
-import math
 from dataclasses import dataclass, replace
 from typing import Dict, FrozenSet, Iterable, NamedTuple, Optional, Tuple, cast
 
 from semantic_frames.frame import FrameElement
 from semantic_frames.lexical_unit import LexicalUnit
+from typed_arguments import TypedArgument
 from utterance_passes.measures import Amount
-
-
-@dataclass(frozen=True)
-class ElementValue:
-    """The argument of a frame element; the fields are those of ``roboframenet_msgs/FrameElementValue``."""
-
-    name: str
-    argument: str
-    head: str = ""
-    phrase: str = ""
-    possessor: str = ""
-    determiner: str = ""
-    adjectives: Tuple[str, ...] = ()
-    amount: float = math.nan
-    unit: str = ""
-    quantity: str = ""
-    si_amount: float = math.nan
-    conjunction: str = ""
-    items: Tuple[str, ...] = ()
-    positions: Tuple[int, ...] = ()
-    head_position: int = 0
 
 
 @dataclass(frozen=True)
@@ -38,8 +17,8 @@ class Reading:
         unit: the lexical unit
         verb: the verb as the unit spells it, "pick up"
         verb_positions: positions of the verb in the sentence
-        values: the values of the elements, in the order of the frame
-        missing: core elements without a value
+        arguments: of the elements, in the order of the frame
+        missing: core elements without an argument
         left_over: positions of content words that the reading does not account for
         coverage: share of the content words that the reading accounts for, 0 to 1
         listed: positions of words that the unit lists for its elements: "low five"
@@ -51,7 +30,7 @@ class Reading:
     unit: LexicalUnit
     verb: str
     verb_positions: Tuple[int, ...]
-    values: Tuple[ElementValue, ...]
+    arguments: Tuple[TypedArgument, ...]
     missing: Tuple[FrameElement, ...]
     left_over: Tuple[int, ...]
     coverage: float
@@ -63,7 +42,7 @@ class Reading:
     @property
     def said(self) -> FrozenSet[Tuple[str, str]]:
         """The names and arguments of the elements that words of the sentence fill."""
-        return frozenset((value.name, value.argument) for value in self.values if value.positions)
+        return frozenset((argument.name, argument.text) for argument in self.arguments if argument.positions)
 
     @property
     def asked(self) -> Tuple[FrameElement, ...]:
@@ -71,12 +50,12 @@ class Reading:
         units = frozenset(element.unit_element for element in self.missing)
         return tuple(element for element in self.missing if element.name not in units)
 
-    def value(self, name: str) -> Optional[ElementValue]:
-        """Return the value of an element; None if it has no value."""
-        return next((value for value in self.values if value.name == name), None)
+    def argument(self, name: str) -> Optional[TypedArgument]:
+        """Return the argument of an element; None if it has none."""
+        return next((argument for argument in self.arguments if argument.name == name), None)
 
     def __str__(self) -> str:
-        return f"{self.unit.frame_name}({', '.join(f'{value.name}={value.argument}' for value in self.values)})"
+        return f"{self.unit.frame_name}({', '.join(f'{one.name}={one.text}' for one in self.arguments)})"
 
 
 class Rank(NamedTuple):
@@ -132,7 +111,7 @@ class Rank(NamedTuple):
 def rank(reading: Reading) -> Rank:
     """Return the rank of a reading."""
     unit = reading.unit
-    filled = frozenset(value.name for value in reading.values)
+    filled = frozenset(argument.name for argument in reading.arguments)
     verb_place = unit.verbs.index(reading.verb) if reading.verb in unit.verbs else len(unit.verbs)
     return Rank(
         is_incomplete=bool(reading.missing),
@@ -153,17 +132,17 @@ def without_duplicates(readings: Iterable[Reading]) -> Tuple[Reading, ...]:
     """Keep one reading for each frame with the same arguments: the best one, or the last of equally good ones."""
     best: Dict[object, Reading] = {}
     for reading in readings:
-        meaning = (reading.unit.frame_name, frozenset((value.name, value.argument) for value in reading.values))
+        meaning = (reading.unit.frame_name, frozenset((one.name, one.text) for one in reading.arguments))
         if meaning not in best or rank(reading).before_file <= rank(best[meaning]).before_file:
             best[meaning] = reading
     return tuple(best.values())
 
 
-def with_value(reading: Reading, value: ElementValue) -> Reading:
-    """Return a reading with a value for an element; it replaces an existing value."""
-    kept = tuple(other for other in reading.values if other.name != value.name)
+def with_argument(reading: Reading, argument: TypedArgument) -> Reading:
+    """Return a reading with an argument for an element; it replaces an existing one."""
+    kept = tuple(other for other in reading.arguments if other.name != argument.name)
     return replace(
         reading,
-        values=kept + (value,),
-        missing=tuple(element for element in reading.missing if element.name != value.name),
+        arguments=kept + (argument,),
+        missing=tuple(element for element in reading.missing if element.name != argument.name),
     )

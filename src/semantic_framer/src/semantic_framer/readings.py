@@ -147,7 +147,7 @@ def _unlikely(case: ClauseCase, reading: Reading, listed: FrozenSet[int]) -> int
     return sum(
         value.head_position in listed - reading.listed
         or (value.name in names and is_indefinite(case.sentence.tree, value.head_position))
-        for value in reading.values
+        for value in reading.arguments
         if value.head_position
     )
 
@@ -155,7 +155,7 @@ def _unlikely(case: ClauseCase, reading: Reading, listed: FrozenSet[int]) -> int
 def _with_phrases_left_over(sentence: Sentence, reading: Reading) -> Reading:
     """Mark phrases below a listed word as left over if only the word is the argument: "take a left *at the door*"."""
     left_over = set(reading.left_over)
-    for value in reading.values:
+    for value in reading.arguments:
         relation = next((relation for relation in reading.unit.relations if relation.name == value.name), None)
         if relation is None or not relation.words or relation.argument is not ArgumentForm.HEAD:
             continue
@@ -169,7 +169,7 @@ def _with_phrases_left_over(sentence: Sentence, reading: Reading) -> Reading:
         ]
         behind = frozenset(position for position in value.positions if position > max(whole))
         elsewhere = frozenset(
-            position for other in reading.values if other is not value for position in other.positions
+            position for other in reading.arguments if other is not value for position in other.positions
         )
         said = frozenset(value.positions) & behind.union(*phrases)
         left_over |= {index for index in said - elsewhere if sentence.is_content(index)}

@@ -3,21 +3,22 @@
 from dataclasses import replace
 from typing import Mapping, Union
 
+from phrase_meanings.arguments import resolved
 from semantic_framer.dialogue import DEMONSTRATIVES, PLACE_PRONOUNS, PRONOUNS, Context
 from semantic_framer.frame_roles import NO_THINGS, PLACES
-from semantic_framer.reading import ElementValue, Reading
-from semantic_framer.values import resolved
+from semantic_framer.reading import Reading
 from semantic_frames.frame import SemanticFrame
+from typed_arguments import TypedArgument
 from word_classes import word_class
 
 _PARTICIPANTS = word_class("participants")
 
 
-def resolve(reading: Reading, context: Context) -> Union[Reading, ElementValue]:
+def resolve(reading: Reading, context: Context) -> Union[Reading, TypedArgument]:
     """Resolve the pronouns of a reading; return the value of the first pronoun that cannot be resolved."""
     values = []
-    for value in reading.values:
-        word = value.argument.lower()
+    for value in reading.arguments:
+        word = value.text.lower()
         relation = next((relation for relation in reading.unit.relations if relation.name == value.name), None)
         # "This place" is meant literally. If a unit lists only pronouns, it asks for their referents.
         is_fixed = relation is not None and bool(set(relation.words) - PRONOUNS)
@@ -29,18 +30,18 @@ def resolve(reading: Reading, context: Context) -> Union[Reading, ElementValue]:
         elif word in PLACE_PRONOUNS and not is_fixed and context.place:
             value = resolved(value, context.place)
         values.append(value)
-    return replace(reading, values=tuple(values))
+    return replace(reading, arguments=tuple(values))
 
 
 def remember(reading: Reading, frames: Mapping[str, SemanticFrame], context: Context) -> Context:
     """Remember the thing and the place that a reading mentions."""
     frame = frames[reading.unit.frame_name]
-    for value in reading.values:
+    for value in reading.arguments:
         element = frame.element(value.name)
         if element is None or not value.positions or element.quantity is not None:
             continue
         if element.framenet in PLACES:
-            context = replace(context, place=value.argument)
-        elif element.framenet not in NO_THINGS and value.argument.lower() not in _PARTICIPANTS:
-            context = replace(context, thing=value.argument)
+            context = replace(context, place=value.text)
+        elif element.framenet not in NO_THINGS and value.text.lower() not in _PARTICIPANTS:
+            context = replace(context, thing=value.text)
     return context

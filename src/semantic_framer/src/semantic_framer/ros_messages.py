@@ -7,11 +7,11 @@ from roboframenet_msgs.msg import (
     FilledFrameElement,
     FilledLexicalUnit,
     FilledLexicalUnitList,
-    FrameElementValue,
     LexicalUnitReading,
 )
 
-from semantic_framer.reading import ElementValue, Reading
+from semantic_framer.reading import Reading
+from typed_arguments.ros_messages import to_message
 from utterance_passes.tree import DependencyTree
 
 
@@ -35,7 +35,9 @@ def _unit(reading: Reading) -> FilledLexicalUnit:
     return FilledLexicalUnit(
         frame_name=reading.unit.frame_name,
         verb=reading.verb,
-        frame_elements=[FilledFrameElement(name=value.name, argument=value.argument) for value in reading.values],
+        frame_elements=[
+            FilledFrameElement(name=argument.name, argument=argument.text) for argument in reading.arguments
+        ],
     )
 
 
@@ -43,30 +45,10 @@ def _reading(reading: Reading, tree: DependencyTree, preference: int) -> Lexical
     count = len(tree.words)
     return LexicalUnitReading(
         lexical_unit=_unit(reading),
-        values=[_value(value) for value in reading.values],
+        arguments=[to_message(argument) for argument in reading.arguments],
         verb_position=reading.verb_positions[0],
         left_over=[tree.word(index).form for index in reading.left_over if index <= count],
         coverage=reading.coverage,
         preference=preference,
         source=reading.unit.path,
-    )
-
-
-def _value(value: ElementValue) -> FrameElementValue:
-    return FrameElementValue(
-        name=value.name,
-        argument=value.argument,
-        head=value.head,
-        phrase=value.phrase,
-        possessor=value.possessor,
-        determiner=value.determiner,
-        adjectives=list(value.adjectives),
-        amount=value.amount,
-        unit=value.unit,
-        quantity=value.quantity,
-        si_amount=value.si_amount,
-        conjunction=value.conjunction,
-        items=list(value.items),
-        positions=list(value.positions),
-        head_position=value.head_position,
     )

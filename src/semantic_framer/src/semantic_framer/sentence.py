@@ -2,6 +2,7 @@
 
 from typing import Dict, FrozenSet, List, Sequence, Tuple
 
+from phrase_meanings.phrases import Phrases
 from stanford_parser_ros.stanford_dependencies import Arc, arcs
 from utterance_passes.tree import ABANDONED, ASIDE, DependencyTree, Word
 from word_classes import word_class
@@ -39,11 +40,13 @@ class Sentence:
 
     Attributes:
         tree: the tree
+        phrases: makes the arguments of its phrases
         arcs: every relation, with all of its names
     """
 
     def __init__(self, tree: DependencyTree) -> None:
         self.tree = tree
+        self.phrases = Phrases(tree)
         self.arcs: Tuple[Arc, ...] = arcs(tree)
         self._by_governor: Dict[int, List[Arc]] = {}
         for arc in self.arcs:

@@ -19,9 +19,10 @@ from semantic_framer.outcome import (
     join_with_or,
     left_over_refusal,
 )
-from semantic_framer.reading import ElementValue, Reading
+from semantic_framer.reading import Reading
 from semantic_framer.references import remember, resolve
 from semantic_framer.sentence import Sentence
+from typed_arguments import TypedArgument
 from utterance_passes.trace import Trace
 from utterance_passes.utterance_pass import Choice
 
@@ -117,18 +118,18 @@ class _Open:
 def _resolved(readings: Tuple[Reading, ...], context: Context, now: Now) -> Union[Tuple[Reading, ...], _Open]:
     """Return the readings of a clause with their pronouns resolved, or the question to ask."""
     resolved: List[Reading] = []
-    unresolved: List[Tuple[Reading, ElementValue]] = []
+    unresolved: List[Tuple[Reading, TypedArgument]] = []
     for reading in readings:
         outcome = resolve(reading, context)
-        if isinstance(outcome, ElementValue):
+        if isinstance(outcome, TypedArgument):
             unresolved.append((reading, outcome))
         else:
             resolved.append(outcome)
             if outcome != reading:
                 now.write("references", str(reading), str(outcome))
     if unresolved:
-        now.write("references", unresolved[0][1].argument, "asked. Nothing is known that it stands for.")
-        question = Question("AMBIGUOUS", f'What do you mean by "{unresolved[0][1].argument}"?')
+        now.write("references", unresolved[0][1].text, "asked. Nothing is known that it stands for.")
+        question = Question("AMBIGUOUS", f'What do you mean by "{unresolved[0][1].text}"?')
         names = tuple(value.name for _, value in unresolved)
         return _Open(question, tuple(reading for reading, _ in unresolved), names)
     best = resolved[0]
@@ -136,11 +137,12 @@ def _resolved(readings: Tuple[Reading, ...], context: Context, now: Now) -> Unio
         names = tuple(reading.asked[0].name for reading in resolved)
         now.write("missing_element", str(best), f"asked. No words for {' or '.join(dict.fromkeys(names))}.")
         return _Open(Question("MISSING_ELEMENT", question_of(resolved)), tuple(resolved), names)
-    alternative: Optional[ElementValue] = next((value for value in best.values if value.conjunction == "or"), None)
+    alternative: Optional[TypedArgument] = next((value for value in best.arguments if value.conjunction == "or"), None)
     if alternative is not None and now.policy.alternatives is Alternatives.ASK:
-        now.write("alternatives", str(best), f"asked. {alternative.argument} leaves a choice.")
-        question = Question("AMBIGUOUS", f"Which one: {join_with_or(alternative.items)}?")
-        return _Open(question, (best,), (alternative.name,), alternative.items)
+        now.write("alternatives", str(best), f"asked. {alternative.text} leaves a choice.")
+        choices = tuple(member.text for member in alternative.members)
+        question = Question("AMBIGUOUS", f"Which one: {join_with_or(choices)}?")
+        return _Open(question, (best,), (alternative.name,), choices)
     return tuple(resolved)
 
 
@@ -151,4 +153,4 @@ def without_positions(clauses: Clauses) -> Clauses:
 
 def _in_words(reading: Reading) -> str:
     """Return the verb of a reading and the arguments that were said, in the order of the frame."""
-    return " ".join([reading.verb] + [value.argument for value in reading.values if value.positions])
+    return " ".join([reading.verb] + [value.text for value in reading.arguments if value.positions])

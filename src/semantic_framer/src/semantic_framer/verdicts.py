@@ -211,7 +211,7 @@ def _of_any_value(judge: Callable[[Filled], bool]) -> Drops:
         frames = case.of.known.frames
         return any(
             judge(Filled(value, reading, beside, frames[reading.unit.frame_name], case.sentence.tree))
-            for value in reading.values
+            for value in reading.arguments
             if value.head_position and value.head_position not in reading.listed
         )
 
@@ -311,7 +311,7 @@ def _is_about_its_subject(case: ClauseCase, reading: Reading) -> bool:
     core = {element.name for element in elements if element.is_core}
     required = {relation.name for relation in reading.unit.relations if relation.is_required}
     return bool(subject) and any(
-        subject in value.positions and value.name in core | required for value in reading.values
+        subject in value.positions and value.name in core | required for value in reading.arguments
     )
 
 
@@ -337,7 +337,7 @@ def _depends_on_something(case: ClauseCase, reading: Reading, beside: Tuple[Read
     if not positions:
         return False
     conditional = {index for index in positions if case.sentence.word(index).deprel != "mark"}
-    filled = {position for value in reading.values for position in value.positions}
+    filled = {position for value in reading.arguments for position in value.positions}
     return not (conditional or set(positions)) <= filled or bool(
         inner_condition(case.sentence.tree, case.clause.condition_positions)
     )

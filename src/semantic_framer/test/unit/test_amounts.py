@@ -15,7 +15,7 @@ WARNING = Policy(left_over_words=LeftOverWords.WARN)
 def best(outcome: Any) -> Any:
     assert isinstance(outcome, Understood), outcome
     reading = outcome.clauses[0][0]
-    return reading.unit.frame_name, {value.name: value.argument for value in reading.values}
+    return reading.unit.frame_name, {value.name: value.text for value in reading.arguments}
 
 
 @pytest.mark.parametrize(
@@ -115,7 +115,7 @@ def test_a_range_or_a_bound_is_asked_about(
 def test_an_amount_belongs_to_the_verb_before_it(understand: Any, policy: Policy) -> None:
     outcome, _ = understand("Move back 17 centimeters and turn left a three quarter turn", policy=policy)
     assert isinstance(outcome, Understood), outcome
-    arguments = [{value.name: value.argument for value in clause[0].values} for clause in outcome.clauses]
+    arguments = [{value.name: value.text for value in clause[0].arguments} for clause in outcome.clauses]
     assert (arguments[0]["distance"], arguments[1]["angle"]) == ("17", "0.75")
 
 

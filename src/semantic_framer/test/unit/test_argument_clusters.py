@@ -54,7 +54,7 @@ SPLIT: Dict[str, Tuple[Arguments, ...]] = {
 def test_each_group_is_a_clause(understand: Any, text: str, clauses: Tuple[Arguments, ...]) -> None:
     outcome, _ = understand(text)
     assert isinstance(outcome, Understood)
-    found = tuple({value.name: value.argument for value in readings[0].values} for readings in outcome.clauses)
+    found = tuple({value.name: value.text for value in readings[0].arguments} for readings in outcome.clauses)
     assert found == clauses
 
 
@@ -77,7 +77,8 @@ def test_each_group_is_a_clause(understand: Any, text: str, clauses: Tuple[Argum
 def test_a_list_is_one_argument(understand: Any, text: str, items: Dict[str, Tuple[str, ...]]) -> None:
     outcome, _ = understand(text)
     assert isinstance(outcome, Understood) and len(outcome.clauses) == 1
-    assert {value.name: value.items for value in outcome.clauses[0][0].values if value.items} == items
+    lists = [value for value in outcome.clauses[0][0].arguments if value.members]
+    assert {value.name: tuple(member.text for member in value.members) for value in lists} == items
 
 
 @pytest.mark.parametrize(

@@ -55,7 +55,7 @@ def meant(outcome: Outcome) -> Dict[str, str]:
     if not isinstance(outcome, Understood):
         return {"code": outcome.code}
     (readings,) = outcome.clauses
-    return {value.name: value.argument for value in readings[0].values if value.positions and value.argument != "you"}
+    return {value.name: value.text for value in readings[0].arguments if value.positions and value.text != "you"}
 
 
 def test_formulas_change_nothing(understand: Any) -> None:

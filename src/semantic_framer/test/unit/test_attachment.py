@@ -12,8 +12,8 @@ from semantic_framer.sentence import Sentence
 from semantic_frames import load_frame
 from utterance_passes.clauses import find_clauses
 from utterance_passes.conllu import from_conllu
+from utterance_passes.correcting_table import PARSE_CORRECTING_PASSES
 from utterance_passes.running import run_tree_passes
-from utterance_passes.table import PARSE_CORRECTING_PASSES
 from utterance_passes.vocabulary import Verbs
 
 FRAMES = {
@@ -78,7 +78,7 @@ def lexicon() -> Lexicon:
 def filled(rows: str) -> Dict[str, str]:
     outcome, _ = read(from_conllu(rows), lexicon(), FRAMES, policy=Policy())
     assert isinstance(outcome, Understood), outcome
-    return {value.name: value.argument for value in outcome.clauses[0][0].values}
+    return {value.name: value.text for value in outcome.clauses[0][0].arguments}
 
 
 @pytest.mark.parametrize(
@@ -171,7 +171,7 @@ def described(relative: str) -> Tuple[Dict[str, str], ...]:
     predicate = next(line.split()[0] for line in relative.splitlines() if "acl:relcl" in line)
     sentence = Sentence(from_conllu(rows.format(predicate=predicate)))
     found = descriptions(sentence, find_clauses(sentence.tree), FramedLexicon(lexicon(), FRAMES))
-    return tuple({value.name: value.argument for value in reading.values} for reading in found)
+    return tuple({value.name: value.text for value in reading.arguments} for reading in found)
 
 
 def test_relative_clause_says_where_a_thing_is() -> None:
@@ -198,7 +198,7 @@ def test_place_belongs_to_the_last_of_a_list() -> None:
     )
     outcome, _ = read(from_conllu(rows), lexicon(), FRAMES)
     assert isinstance(outcome, Understood)
-    assert outcome.clauses[0][0].values[0].items == ("cups", "plates on shelves")
+    assert outcome.clauses[0][0].arguments[0].members[1].text == "plates on shelves"
 
 
 LET_GO = (

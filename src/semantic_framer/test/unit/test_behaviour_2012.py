@@ -22,7 +22,7 @@ def best(outcome):
     """Frames of the best readings, with what was said."""
     assert isinstance(outcome, Understood), outcome
     return [
-        (readings[0].unit.frame_name, {value.name: value.argument for value in readings[0].values if value.positions})
+        (readings[0].unit.frame_name, {value.name: value.text for value in readings[0].arguments if value.positions})
         for readings in outcome.clauses
     ]
 
@@ -46,7 +46,7 @@ def test_an_argument_is_the_head_word(understand_as_in_2012, text, frame_name, a
 
 def test_one_word_is_no_list(understand_as_in_2012):
     outcome, _ = understand_as_in_2012("Bring the mug and the plate to the kitchen.")
-    assert {(value.items, value.conjunction) for value in outcome.clauses[0][0].values} == {((), "")}
+    assert {(value.members, value.conjunction) for value in outcome.clauses[0][0].arguments} == {((), "")}
 
 
 def test_a_pronoun_stands_for_one_word(understand_as_in_2012):

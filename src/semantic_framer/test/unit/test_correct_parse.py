@@ -6,8 +6,8 @@ import pytest
 
 from semantic_framer.framer import Refusal, Understood
 from utterance_passes.conllu import from_conllu
+from utterance_passes.correcting_table import PARSE_CORRECTING_PASSES
 from utterance_passes.running import run_tree_passes
-from utterance_passes.table import PARSE_CORRECTING_PASSES
 from utterance_passes.vocabulary import Verbs
 
 
@@ -78,7 +78,7 @@ def test_sentences_of_this_kind_are_understood(understand: Any, text: str, argum
     outcome, _ = understand(text)
     assert isinstance(outcome, Understood), outcome
     ((reading, *_),) = outcome.clauses
-    assert {value.name: value.argument for value in reading.values if value.positions} == arguments
+    assert {value.name: value.text for value in reading.arguments if value.positions} == arguments
 
 
 def test_degree_that_nothing_takes_is_left_over(understand: Any) -> None:

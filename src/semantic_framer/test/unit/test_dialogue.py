@@ -78,7 +78,7 @@ def hear(*utterances: str, policy: Policy = Policy(), frames: Dict[str, Semantic
 def arguments(outcome: Any) -> List[Tuple[str, Dict[str, str]]]:
     assert isinstance(outcome, Understood), outcome
     return [
-        (readings[0].unit.frame_name, {value.name: value.argument for value in readings[0].values})
+        (readings[0].unit.frame_name, {value.name: value.text for value in readings[0].arguments})
         for readings in outcome.clauses
     ]
 

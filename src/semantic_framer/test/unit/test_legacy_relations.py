@@ -45,8 +45,8 @@ def fill(rows: str, relation: str) -> str:
     lexicon.add_file(UNIT % relation, "unit.yaml")
     outcome, _ = read(from_conllu(rows), lexicon, {"scene": FRAME})
     assert isinstance(outcome, Understood), outcome
-    value = outcome.clauses[0][0].value("filler")
-    return value.argument if value else ""
+    value = outcome.clauses[0][0].argument("filler")
+    return value.text if value else ""
 
 
 @pytest.mark.parametrize("relation, name", NAMES)
@@ -74,4 +74,4 @@ def test_chain_of_relations_fills_the_element(chain: str, deprel: str) -> None:
     outcome, _ = read(
         from_conllu("\n".join(rows)), lexicon, {"scene": FRAME}, policy=Policy(left_over_words=LeftOverWords.IGNORE)
     )
-    assert isinstance(outcome, Understood) and outcome.clauses[0][0].value("filler").argument == "thing"
+    assert isinstance(outcome, Understood) and outcome.clauses[0][0].argument("filler").text == "thing"

@@ -143,8 +143,8 @@ def fill(tree: DependencyTree, verb: str, relation: str) -> str:
     outcome, _ = read(tree, lexicon, {"scene": FRAME}, policy=Policy(left_over_words=LeftOverWords.IGNORE))
     if not isinstance(outcome, Understood):
         return getattr(outcome, "sentence", "")
-    value = outcome.clauses[0][0].value("filler")
-    return value.argument if value else ""
+    value = outcome.clauses[0][0].argument("filler")
+    return value.text if value else ""
 
 
 @pytest.mark.parametrize("relation, text, verb, argument", SENTENCES)
@@ -179,5 +179,5 @@ def test_unit_of_2012_for_a_measure_is_filled(parser: Parser) -> None:
     )
     outcome, _ = read(parser.parse("Turn left 120 degrees.", frozenset(["turn"])), lexicon, {"turning": frame})
     assert isinstance(outcome, Understood), outcome
-    found: Any = {value.name: value.argument for value in outcome.clauses[0][0].values}
+    found: Any = {value.name: value.text for value in outcome.clauses[0][0].arguments}
     assert found == {"direction": "left", "angle": "120", "angle_unit": "degrees"}

@@ -10,7 +10,7 @@ from semantic_framer.framer import Refusal, Understood
 def meant(outcome: Any) -> Any:
     assert isinstance(outcome, Understood), outcome
     return [
-        {value.name: value.argument for value in readings[0].values if value.positions} for readings in outcome.clauses
+        {value.name: value.text for value in readings[0].arguments if value.positions} for readings in outcome.clauses
     ]
 
 
@@ -51,8 +51,8 @@ def meant(outcome: Any) -> Any:
 )
 def test_quotation_is_one_argument(understand: Any, text: str, said: Dict[str, str]) -> None:
     assert meant(understand(text)[0]) == [said]
-    (value,) = [value for value in understand(text)[0].clauses[0][0].values if value.name == "message"]
-    assert value.items == ()
+    (value,) = [value for value in understand(text)[0].clauses[0][0].arguments if value.name == "message"]
+    assert value.members == ()
 
 
 @pytest.mark.parametrize("text", ["say hello and turn left", "say hello, turn left", 'say "hello" and then turn left'])

@@ -11,7 +11,7 @@ from semantic_framer.lexicon import Lexicon
 def meant(outcome: Any) -> List[Tuple[str, Dict[str, str]]]:
     assert isinstance(outcome, Understood), outcome
     return [
-        (readings[0].unit.frame_name, {value.name: value.argument for value in readings[0].values if value.positions})
+        (readings[0].unit.frame_name, {value.name: value.text for value in readings[0].arguments if value.positions})
         for readings in outcome.clauses
     ]
 

@@ -55,7 +55,7 @@ def test_correction_takes_the_place_of_what_it_corrects(rows: str) -> None:
     assert sum(1 for word in corrected.words if word.head == 0) == 1
     outcome, _ = read(tree, lexicon(), FRAMES)
     assert isinstance(outcome, Understood)
-    assert outcome.clauses[0][0].value("direction").positions == (len(tree.words),)
+    assert outcome.clauses[0][0].argument("direction").positions == (len(tree.words),)
 
 
 def test_sentence_without_a_correction_is_left_as_it_is() -> None:
@@ -78,7 +78,7 @@ def test_answer_that_is_corrected_is_not_taken() -> None:
 def meant(outcome: Any) -> List[Tuple[str, Dict[str, str]]]:
     assert isinstance(outcome, Understood), outcome
     return [
-        (clause[0].unit.frame_name, {value.name: value.argument for value in clause[0].values if value.positions})
+        (clause[0].unit.frame_name, {value.name: value.text for value in clause[0].arguments if value.positions})
         for clause in outcome.clauses
     ]
 

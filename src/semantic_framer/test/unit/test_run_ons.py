@@ -75,4 +75,4 @@ def test_nothing_is_done_where_one_of_them_is_not_understood(understand: Any, te
 def test_a_noun_is_not_cut(understand: Any, text: str, argument: str) -> None:
     outcome, _ = understand(text)
     assert isinstance(outcome, Understood) and len(outcome.clauses) == 1
-    assert argument in {value.argument for value in outcome.clauses[0][0].values}
+    assert argument in {value.text for value in outcome.clauses[0][0].arguments}

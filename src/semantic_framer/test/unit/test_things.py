@@ -76,7 +76,7 @@ def test_what_is_no_thing_is_not_moved(understand: Any, text: str) -> None:
 def test_a_thing_is_moved(understand: Any, text: str, arguments: Any) -> None:
     outcome, _ = understand(text)
     assert isinstance(outcome, Understood)
-    assert {value.name: value.argument for value in outcome.clauses[0][0].values} == arguments
+    assert {value.name: value.text for value in outcome.clauses[0][0].arguments} == arguments
 
 
 @pytest.mark.parametrize(
@@ -138,7 +138,7 @@ def test_an_article_alone_is_a_missing_element(understand: Any, text: str, asked
 def test_a_letter_behind_a_noun_is_its_name(understand: Any, text: str, arguments: Any) -> None:
     outcome, _ = understand(text)
     assert isinstance(outcome, Understood)
-    assert {value.name: value.argument for value in outcome.clauses[0][0].values} == arguments
+    assert {value.name: value.text for value in outcome.clauses[0][0].arguments} == arguments
 
 
 @pytest.mark.parametrize(
@@ -155,7 +155,7 @@ def test_a_letter_behind_a_noun_is_its_name(understand: Any, text: str, argument
 def test_as_well_as_it_can_be_done_is_no_place(understand: Any, text: str, arguments: Any) -> None:
     outcome, _ = understand(text)
     assert isinstance(outcome, Understood)
-    assert {value.name: value.argument for value in outcome.clauses[0][0].values} == arguments
+    assert {value.name: value.text for value in outcome.clauses[0][0].arguments} == arguments
 
 
 @pytest.mark.parametrize("text", ["drive as far as you can", "go as far as the door", "walk as quickly as a cat home"])

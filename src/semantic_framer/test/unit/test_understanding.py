@@ -12,7 +12,7 @@ def frames_of(outcome: Any) -> List[Tuple[str, Dict[str, str]]]:
     """Name and arguments of the best reading of each clause."""
     assert isinstance(outcome, Understood), outcome
     return [
-        (readings[0].unit.frame_name, {value.name: value.argument for value in readings[0].values})
+        (readings[0].unit.frame_name, {value.name: value.text for value in readings[0].arguments})
         for readings in outcome.clauses
     ]
 
@@ -93,7 +93,7 @@ def test_words_that_a_unit_lists_exclude_units_that_list_fewer(understand: Any) 
 def test_statement_about_a_place_names_it_too(understand: Any) -> None:
     outcome, _ = understand("This is the office.")
     (naming,) = [reading for reading in outcome.clauses[0] if reading.unit.frame_name == "naming_location"]
-    assert naming.value("location").argument == "the office"
+    assert naming.argument("location").text == "the office"
 
 
 def test_clauses_in_order(understand: Any) -> None:
@@ -187,7 +187,7 @@ def test_pronoun_is_not_told_apart_by_its_place(understand: Any) -> None:
 def test_if_that_a_unit_asks_for_is_no_condition(understand: Any) -> None:
     outcome, _ = understand("check if the oven is hot")
     assert isinstance(outcome, Understood)
-    filled = {value.name: value.argument for value in outcome.clauses[0][0].values}
+    filled = {value.name: value.text for value in outcome.clauses[0][0].arguments}
     assert filled == {"ground": "the oven", "desired_state": "is hot"}
     assert understand("check the oven if the door is open")[0].code == "CONDITION"
 
@@ -199,8 +199,8 @@ def test_it_without_anything_before_is_asked_for(understand: Any) -> None:
 
 def test_list_is_one_argument_with_items(understand: Any) -> None:
     outcome, _ = understand("Bring me the mug and the plate.")
-    value = outcome.clauses[0][0].value("theme")
-    assert (value.conjunction, value.items) == ("and", ("the mug", "the plate"))
+    value = outcome.clauses[0][0].argument("theme")
+    assert (value.conjunction, tuple(member.text for member in value.members)) == ("and", ("the mug", "the plate"))
 
 
 def test_alternatives_are_asked_for_where_the_policy_says_so(understand: Any) -> None:
@@ -209,14 +209,14 @@ def test_alternatives_are_asked_for_where_the_policy_says_so(understand: Any) ->
 
 
 def test_typed_value_stands_beside_the_argument(understand: Any) -> None:
-    value = understand("Move forward 3 feet.")[0].clauses[0][0].value("distance")
-    assert (value.amount, value.unit, value.quantity) == (3.0, "feet", "length")
-    assert value.si_amount == pytest.approx(0.9144)
+    value = understand("Move forward 3 feet.")[0].clauses[0][0].argument("distance")
+    assert (value.text, value.measure.amount, value.measure.unit, value.measure.kind) == ("3", 3.0, "foot", "length")
+    assert value.si == pytest.approx(0.9144)
 
 
 def test_possessor_is_known(understand: Any) -> None:
-    value = understand("Go to Roger's office.")[0].clauses[0][0].value("goal")
-    assert (value.possessor, value.head) == ("Roger", "office")
+    value = understand("Go to Roger's office.")[0].clauses[0][0].argument("goal")
+    assert (value.possessor.text, value.head, value.lemma) == ("Roger", "office", "office")
 
 
 @pytest.mark.parametrize(

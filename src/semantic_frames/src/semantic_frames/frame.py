@@ -31,6 +31,7 @@ class FrameElement:
         question: asks a person for the element ("How far should I move?"); empty for a question made of the name
         answer: an example of an answer ("three feet"); empty for none
         framenet: name of the frame element in FrameNet; empty when FrameNet has none
+        semantic_types: what may fill it: something of one of these types, or of a type below them; empty for anything
     """
 
     name: str
@@ -44,6 +45,7 @@ class FrameElement:
     question: str = ""
     answer: str = ""
     framenet: str = ""
+    semantic_types: Tuple[str, ...] = ()
 
 
 @dataclass(frozen=True)

@@ -17,6 +17,7 @@ from semantic_frames.frame import (
     ValueCondition,
 )
 from semantic_frames.marked_yaml import Reader, describe, did_you_mean, line_of
+from semantic_frames.semantic_type import read_semantic_types
 from spoken_quantities import QuantityError, parse_measure, parse_number
 
 FRAME_KEYS = ("name", "description", "frame_elements", "children", "framenet", "on_list", "confirm")
@@ -32,6 +33,7 @@ ELEMENT_KEYS = (
     "question",
     "answer",
     "framenet",
+    "semantic_type",
 )
 CHILD_KEYS = ("name", "frame_element_relations")
 RELATION_KEYS = ("parent_name", "parent_value", "child_name", "child_value")
@@ -92,6 +94,7 @@ def _elements(reader: Reader, node: Optional[yaml.Node]) -> Tuple[FrameElement, 
             question=reader.text(entries.get("question"), f"{key}.question"),
             answer=reader.text(entries.get("answer"), f"{key}.answer"),
             framenet=reader.text(entries.get("framenet"), f"{key}.framenet"),
+            semantic_types=read_semantic_types(reader, entries.get("semantic_type"), f"{key}.semantic_type"),
         )
         if element.name in [other.name for other in elements]:
             reader.report("DUPLICATE_ELEMENT", item, f"{key}.name", f"a second '{element.name}'", "names that differ")
@@ -114,6 +117,14 @@ def _elements(reader: Reader, node: Optional[yaml.Node]) -> Tuple[FrameElement, 
                 f"{key}.minimum",
                 f"{element.minimum:g}",
                 f"not more than the maximum {element.maximum:g}",
+            )
+        if element.semantic_types and element.quantity is not None:
+            reader.report(
+                "TYPED_QUANTITY",
+                entries["semantic_type"],
+                f"{key}.semantic_type",
+                ", ".join(element.semantic_types),
+                "a semantic type only without the key 'quantity'",
             )
         if element.unit_element:
             unit_nodes.append((f"{key}.unit_element", entries["unit_element"], element))

@@ -36,6 +36,8 @@ class ElementRelation:
         relations: alternatives, the first that matches fills the element
         argument: which words become the argument
         words: the only head words (lemmas or forms, lower case) that may fill it; empty for any
+        semantic_types: what may fill it, besides the listed words: something of one of these types, or of a type below
+            them, or something of no known type; empty for anything
         is_required: whether the unit fits only when this relation matches, even if the element is not core or has a
             default ("Give me 5" is a high five because of the 5)
         after_place: prepositions; a phrase of place fills the element only when it follows a phrase with one of these:
@@ -50,6 +52,7 @@ class ElementRelation:
     is_required: bool = False
     after_place: Tuple[str, ...] = ()
     line: int = 0
+    semantic_types: Tuple[str, ...] = ()
 
 
 @dataclass(frozen=True)

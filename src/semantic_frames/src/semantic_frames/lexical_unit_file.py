@@ -9,9 +9,10 @@ from semantic_frames.lexical_unit import ArgumentForm, ElementRelation, Example,
 from semantic_frames.marked_yaml import Reader, did_you_mean, is_empty, line_of
 from semantic_frames.problem import Problem
 from semantic_frames.relation_names import MEASURE, STANFORD, UNIVERSAL, is_relation_name
+from semantic_frames.semantic_type import read_semantic_types
 
 UNIT_KEYS = ("frame_name", "verb", "frame_element_grammatical_relations", "examples")
-RELATION_KEYS = ("name", "relation", "argument", "words", "required", "after_place")
+RELATION_KEYS = ("name", "relation", "argument", "words", "semantic_type", "required", "after_place")
 EXAMPLE_KEYS = ("text", "frame_elements")
 
 
@@ -85,6 +86,7 @@ def _relation(reader: Reader, node: yaml.Node, key: str) -> ElementRelation:
         is_required=reader.boolean(entries.get("required"), f"{key}.required"),
         after_place=tuple(word.lower() for word in reader.texts(entries.get("after_place"), f"{key}.after_place")),
         line=line_of(node),
+        semantic_types=read_semantic_types(reader, entries.get("semantic_type"), f"{key}.semantic_type"),
     )
 
 

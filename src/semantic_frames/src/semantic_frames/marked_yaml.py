@@ -5,9 +5,9 @@ from typing import Dict, Iterable, List, Optional, Sequence, Tuple
 
 import yaml
 
-from semantic_frames.problem import FileRefused, Problem
+from semantic_frames.problem import MOST_PROBLEMS, FileRefused, Problem
 
-#: Nobody writes a longer file by hand.
+#: Characters; nobody writes a longer file by hand.
 LARGEST_FILE = 1_000_000
 #: Lists and mappings inside each other; the deepest key of a frame file is at 6.
 DEEPEST_NESTING = 20
@@ -29,10 +29,16 @@ class Reader:
         self.problems: List[Problem] = []
 
     def report(self, code: str, node: yaml.Node, key: str, found: str, expected: str, hint: str = "") -> None:
-        """Add a problem at the line of a node."""
+        """Add a problem at the line of a node.
+
+        Raises:
+            FileRefused: there are more problems than are told; the rest of the file is not read
+        """
         self.problems.append(
             Problem(code=code, path=self.path, line=line_of(node), key=key, found=found, expected=expected, hint=hint)
         )
+        if len(self.problems) > MOST_PROBLEMS:
+            raise FileRefused(self.problems)
 
     def refuse_if_wrong(self) -> None:
         """

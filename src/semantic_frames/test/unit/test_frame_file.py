@@ -121,6 +121,24 @@ def test_additions_are_read() -> None:
             5,
             "children[0].frame_element_relations[0]",
         ),
+        (
+            "name: a\nframe_elements:\n  - name: x\n    semantic_type: Contaner",
+            "UNKNOWN_TYPE",
+            4,
+            "frame_elements[0].semantic_type",
+        ),
+        (
+            "name: a\nframe_elements:\n  - name: x\n    semantic_type: [Human, Contaner]",
+            "UNKNOWN_TYPE",
+            4,
+            "frame_elements[0].semantic_type[1]",
+        ),
+        (
+            "name: a\nframe_elements:\n  - name: x\n    quantity: length\n    semantic_type: Human",
+            "TYPED_QUANTITY",
+            5,
+            "frame_elements[0].semantic_type",
+        ),
         ("name: a\nchildren:\n  - []", "EMPTY", 3, "children[0]"),
         ("name: &x a\ndescription: *x", "ALIAS", 1, "file"),
         ("name: " + "[" * 3000, "TOO_DEEP", 1, "file"),
@@ -145,3 +163,16 @@ def test_all_mistakes_of_a_file_are_told_at_once() -> None:
     with pytest.raises(FileRefused) as refused:
         load_frame("nmae: a\ndescripton: b\n", "x.yaml")
     assert [problem.code for problem in refused.value.problems] == ["UNKNOWN_KEY", "UNKNOWN_KEY", "MISSING_KEY"]
+
+
+def test_an_element_has_semantic_types() -> None:
+    text = "name: a\nframe_elements:\n  - {name: x, semantic_type: [Human, Animal]}\n  - {name: y, semantic_type: Food}"
+    assert [element.semantic_types for element in load_frame(text, "").frame_elements] == [
+        ("Human", "Animal"),
+        ("Food",),
+    ]
+
+
+def test_an_unknown_semantic_type_gets_a_hint() -> None:
+    with pytest.raises(FileRefused, match="did you mean 'Container'"):
+        load_frame("name: a\nframe_elements:\n  - {name: x, semantic_type: Contaner}", "x.yaml")

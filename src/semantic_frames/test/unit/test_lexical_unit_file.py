@@ -52,6 +52,15 @@ def test_list_of_units_chains_and_alternatives() -> None:
         ("frame_name: a\nverb: go\nverb: come", "DUPLICATE_KEY", 3, "verb"),
         ("frame_name: a\nverbs: go", "UNKNOWN_KEY", 2, "verbs"),
         (
+            (
+                "frame_name: a\nverb: go\nframe_element_grammatical_relations:\n"
+                "  - {name: x, relation: dobj, semantic_type: Contaner}"
+            ),
+            "UNKNOWN_TYPE",
+            4,
+            "frame_element_grammatical_relations[0].semantic_type",
+        ),
+        (
             "frame_name: a\nverb: go\nframe_element_grammatical_relations:\n  - {name: x, relation: dirobj}",
             "UNKNOWN_RELATION",
             4,

@@ -1,10 +1,11 @@
 """The models: what they answer about a text, and how they are loaded."""
 
 import os
+import sys
 import time
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any, List, Optional, Protocol
+from typing import Any, List, Protocol
 
 from utterance_passes.tree import DependencyTree, Word
 from utterance_passes.tree_edits import TreeEdit
@@ -83,13 +84,23 @@ def processors_of(folder: Path) -> str:
     return PROCESSORS + (f",{CONSTITUENCY}" if any((folder / "en" / CONSTITUENCY).glob("*.pt")) else "")
 
 
-def shipped_model_dir(package_share: Optional[str] = None) -> Path:
-    """Return the folder of the shipped models.
+def shipped_model_dir() -> Path:
+    """Return the folder of the shipped models: that of the source tree of this module, or that of the ROS package.
 
-    Args:
-        package_share: share folder of this package, for an install space; None for the source folder of this module
+    Raises:
+        ModelError: there is neither
     """
-    return Path(package_share) / "models" if package_share else Path(os.path.realpath(__file__)).parents[2] / "models"
+    beside = Path(os.path.realpath(__file__)).parents[2] / "models"
+    if beside.is_dir():
+        return beside
+    import rospkg  # only an install space needs it
+
+    try:
+        return Path(rospkg.RosPack().get_path("stanford_parser_ros")) / "models"
+    except rospkg.ResourceNotFound as error:
+        raise ModelError(
+            f"no model folder {beside}, and no ROS package stanford_parser_ros: source the setup file of the workspace"
+        ) from error
 
 
 class StanzaInference:
@@ -114,7 +125,8 @@ class StanzaInference:
             from stanza.models.common.doc import Document
         except ImportError as error:
             raise ModelError(
-                f"Stanza is not installed for this Python ({error}): run 'make setup', or 'pip install stanza'"
+                f"Stanza is not installed for {sys.executable} ({error}): run 'make setup' in RoboFrameNet's clone, "
+                "and build with -DPYTHON_EXECUTABLE=CLONE/.venv/bin/python"
             ) from error
         torch.set_num_threads(threads)
         self._inference_mode: Any = torch.inference_mode

@@ -1,5 +1,6 @@
 """Parses sentences: what the models say, and what the passes of the parser make of it."""
 
+import re
 from collections import OrderedDict
 from dataclasses import dataclass, replace
 from typing import FrozenSet, Tuple
@@ -19,14 +20,27 @@ from utterance_passes.tree import DependencyTree
 from utterance_passes.tree_edits import TreeEdit, at_origins, joined, with_words_around
 from utterance_passes.vocabulary import Verbs
 
+#: Words and other signs of an utterance. The time and memory of the models grow with the square of their number, and
+#: torch keeps the memory: with 500 of them, 1.4 GB. The longest utterance in the corpora has 80.
+MOST_WORDS = 100
+_WORD = re.compile(r"\w+|[^\w\s]")
+
 
 class UnparsableText(ValueError):
-    """The text holds no words."""
+    """The text holds no words, or too many.
 
-    @property
-    def refusal(self) -> Tuple[str, str]:
-        """Code and sentence of the reply."""
-        return "EMPTY_TEXT", f"I cannot read that: {self}."
+    Attributes:
+        refusal: code and sentence of the reply
+    """
+
+    def __init__(self, reason: str, *, code: str) -> None:
+        """
+        Args:
+            reason: a clause, without a full stop
+            code: of the reply
+        """
+        super().__init__(reason)
+        self.refusal = (code, f"I cannot read that: {reason}.")
 
 
 @dataclass(frozen=True)
@@ -64,7 +78,7 @@ class Parser:
         Returns:
             its Universal Dependencies; positions of characters are those of the text as it was said
         Raises:
-            UnparsableText: the text has no words
+            UnparsableText: the text has no words, or too many
         """
         return self.traced(text, verbs).tree
 
@@ -76,7 +90,7 @@ class Parser:
             verbs: as for :meth:`parse`
             without: names of passes that are switched off
         Raises:
-            UnparsableText: the text has no words
+            UnparsableText: the text has no words, or too many
         """
         key = (text, verbs, without)
         parse = self._cache.get(key)
@@ -93,7 +107,10 @@ class Parser:
         trace = Trace()
         spelling = run_text_passes(text, TEXT_PASSES, without=without, trace=trace)
         if not any(character.isalnum() for character in spelling.text):
-            raise UnparsableText("there are no words in it")
+            raise UnparsableText("there are no words in it", code="EMPTY_TEXT")
+        count = len(_WORD.findall(spelling.text))
+        if count > MOST_WORDS:
+            raise UnparsableText(f"it has {count} words and signs; I accept at most {MOST_WORDS}", code="TEXT_TOO_LONG")
         tree = self._tree(text, spelling, _Run(Verbs(verbs), without, trace))
         return Parse(tree, trace.lines)
 

@@ -4,15 +4,14 @@ import queue
 import threading
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Dict, FrozenSet
+from typing import Dict, FrozenSet, Union
 
-import rospkg
 import rospy
 from roboframenet_msgs.msg import Command, CommandParse, Lexicon, Reply
 from stanford_parser_msgs.msg import Parse
 
 from roboframenet_ros.parameters import Parameters, parameter
-from roboframenet_ros.ros_node import StartError, read_parameters, run_node
+from roboframenet_ros.ros_node import read_parameters, run_node
 from roboframenet_ros.ros_stage import Stage
 from semantic_frames import FileRefused, load_lexical_units
 from stanford_parser_ros.inference import ModelError, StanzaInference, shipped_model_dir
@@ -74,11 +73,7 @@ class ParserNode:
         self._verbs_of_file: Dict[str, FrozenSet[str]] = {}
         self._lexicon = rospy.Subscriber("lexicon", Lexicon, self._on_lexicon, queue_size=1)
         models = StanzaInference(
-            model_dir=(
-                Path(settings.model_dir).expanduser()
-                if settings.model_dir
-                else shipped_model_dir(rospkg.RosPack().get_path("stanford_parser_ros"))
-            ),
+            model_dir=Path(settings.model_dir).expanduser() if settings.model_dir else shipped_model_dir(),
             package=settings.package or Settings.package,
             threads=settings.threads,
         )
@@ -174,11 +169,38 @@ def describe(tree: DependencyTree) -> str:
     return " ".join(parts)
 
 
-def _start() -> ParserNode:
+class ParserWithoutModels:
+    """Ends each command with the reason why there is no parser.
+
+    A node that exits would be started again each second, and would never load the models either.
+
+    Subscribes:
+        command_text (Command)
+    Publishes:
+        stage_events (StageEvent)
+    """
+
+    def __init__(self, reason: str) -> None:
+        self._reason = reason
+        self._stage = Stage("stanford_parser_ros")
+        self._subscriber = rospy.Subscriber("command_text", Command, self._on_command, queue_size=100)
+
+    def _on_command(self, command: Command) -> None:
+        self._stage.ends(
+            command,
+            outcome=Reply.FAILED,
+            code="STAGE_ERROR",
+            sentence=f"There is no parser: {self._reason}. Then start the pipeline again.",
+        )
+
+
+def _start() -> Union[ParserNode, ParserWithoutModels]:
+    settings = read_parameters(Settings)
     try:
-        return ParserNode(read_parameters(Settings))
+        return ParserNode(settings)
     except ModelError as error:
-        raise StartError(str(error)) from error
+        rospy.logfatal("%s; every command fails until this node is started again", error)
+        return ParserWithoutModels(str(error))
 
 
 def main() -> None:

@@ -8,6 +8,7 @@ from typing import Dict, List, Tuple
 import pytest
 
 from roboframenet_testing.recorded_parses import Key, key_of_text, read_shipped_recording, render_recording
+from stanford_parser_ros import inference
 from stanford_parser_ros.inference import ModelError, StanzaInference, shipped_model_dir
 from stanford_parser_ros.model import Parser, UnparsableText
 from stanford_parser_ros.stanford_dependencies import arcs
@@ -82,6 +83,20 @@ def test_cache_is_bounded_and_gives_the_same_tree(parser: Parser) -> None:
     parser.parse("go left")
     parser.parse("go right")
     assert parser.parse("go home") is not first
+
+
+def test_shipped_models_are_found_in_an_install_space(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    module = tmp_path / "lib" / "python3" / "dist-packages" / "stanford_parser_ros" / "inference.py"
+    share = tmp_path / "share" / "stanford_parser_ros"
+    share.mkdir(parents=True)
+    (share / "package.xml").write_text("<package><name>stanford_parser_ros</name></package>")
+    monkeypatch.setattr(inference, "__file__", str(module))
+    monkeypatch.setenv("ROS_PACKAGE_PATH", str(tmp_path / "share"))
+    assert shipped_model_dir() == share / "models"
+    monkeypatch.setenv("ROS_PACKAGE_PATH", str(tmp_path / "lib"))
+    monkeypatch.setenv("ROS_ROOT", str(tmp_path / "lib"))
+    with pytest.raises(ModelError, match="source the setup file"):
+        shipped_model_dir()
 
 
 @pytest.mark.parametrize("name", ["nowhere", "empty"])

@@ -7,8 +7,9 @@ here, and parts are values instead of positions. Times and durations are in seco
 
 import enum
 import math
+import re
 from dataclasses import dataclass, fields
-from typing import Iterable, Optional, Tuple, Union
+from typing import Dict, Iterable, Optional, Tuple, Type, Union
 
 #: Number of phrases of an argument: the argument and its parts.
 MOST_PHRASES = 64
@@ -190,11 +191,18 @@ class TypedArgument:
     def __post_init__(self) -> None:
         _check(self)
         _check_positions(self.positions)
-        _refuse_if(self.head_position < 0, f"the head position {self.head_position} is less than 0")
-        _refuse_if(self.count is not None and self.count < 0, f"the count {self.count} is less than 0")
-        _refuse_if(self.referent_count < -1, f"the count of referents {self.referent_count} is less than -1")
+        if self.head_position < 0:
+            raise ValueError(f"the head position {self.head_position} is less than 0")
+        if self.count is not None and self.count < 0:
+            raise ValueError(f"the count {self.count} is less than 0")
+        if self.referent_count < -1:
+            raise ValueError(f"the count of referents {self.referent_count} is less than -1")
+        if self.possessor or self.complement or self.members or self.exceptions or self.frames:
+            self._check_parts()
+
+    def _check_parts(self) -> None:
         _refuse_if(len(self.members) == 1, "a list has one member")
-        for part in (*(part for part in (self.possessor, self.complement) if part), *self.members, *self.exceptions):
+        for part in (*(one for one in (self.possessor, self.complement) if one), *self.members, *self.exceptions):
             _refuse_if(bool(part.name), f"a part fills the frame element {part.name!r}")
         _refuse_if(self.size > MOST_PHRASES, f"an argument has more than {MOST_PHRASES} phrases")
         _refuse_if(self.levels > MOST_LEVELS, f"an argument has more than {MOST_LEVELS} levels")
@@ -223,6 +231,8 @@ class TypedArgument:
 
 
 _Value = Union[Modifier, Measure, TimeExpression, EmbeddedFrame, TypedArgument]
+#: Attributes of each class that hold numbers; the framer makes many arguments, and most attributes hold none.
+_NUMBERS: Dict[Type[_Value], Tuple[str, ...]] = {}
 
 
 def _refuse_if(is_wrong: bool, reason: str) -> None:
@@ -232,13 +242,21 @@ def _refuse_if(is_wrong: bool, reason: str) -> None:
 
 def _check(value: _Value) -> None:
     """Refuse numbers that do not fit into the message: those that are not finite, or need more than 32 bits."""
-    for field in fields(value):
-        part = getattr(value, field.name)
+    kind = type(value)
+    for name in _NUMBERS.get(kind) or _numbers_of(kind):
+        part = getattr(value, name)
         for number in part if isinstance(part, tuple) else (part,):
             if isinstance(number, float):
-                _refuse_if(not math.isfinite(number), f"{field.name} is {number}")
+                _refuse_if(not math.isfinite(number), f"{name} is {number}")
             elif isinstance(number, int):
-                _refuse_if(not -(2**31) <= number < 2**31, f"{field.name} does not fit in 32 bits")
+                _refuse_if(not -(2**31) <= number < 2**31, f"{name} does not fit in 32 bits")
+
+
+def _numbers_of(kind: Type[_Value]) -> Tuple[str, ...]:
+    """Return the attributes of a class that hold numbers."""
+    names = tuple(field.name for field in fields(kind) if re.search(r"\b(int|float)\b", str(field.type)))
+    _NUMBERS[kind] = names
+    return names
 
 
 def _check_positions(positions: Iterable[int]) -> None:

@@ -57,7 +57,7 @@ def to_goal_text(arguments: Sequence[TypedArgument]) -> str:
     if len(arguments) > MOST_ARGUMENTS:
         raise ValueError(f"a goal has {len(arguments)} arguments, and may have {MOST_ARGUMENTS}")
     text = json.dumps(
-        {"typed_arguments": VERSION, "arguments": [_encode(argument) for argument in arguments]},
+        {"typed_arguments": VERSION, "arguments": [to_plain(argument) for argument in arguments]},
         separators=(",", ":"),
         allow_nan=False,
     )
@@ -123,15 +123,16 @@ def _refuse_constant(name: str) -> None:
     raise ValueError(f"{name} is no number")
 
 
-def _encode(value: Any) -> Any:
+def to_plain(value: Any) -> Any:
+    """Return an argument as a mapping of the attributes that differ from their defaults, for JSON."""
     if is_dataclass(value):
         return {
-            field.name: _encode(getattr(value, field.name))
+            field.name: to_plain(getattr(value, field.name))
             for field in fields(value)
             if field.default is MISSING or getattr(value, field.name) != field.default
         }
     if isinstance(value, tuple):
-        return [_encode(entry) for entry in value]
+        return [to_plain(entry) for entry in value]
     return int(value) if isinstance(value, Source) else value
 
 

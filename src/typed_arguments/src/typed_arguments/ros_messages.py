@@ -2,7 +2,7 @@
 
 import math
 from dataclasses import fields, replace
-from typing import Dict, List, Optional, Union
+from typing import Dict, List, Optional, Sequence, Tuple, Union
 
 import genpy
 from roboframenet_msgs import msg
@@ -16,11 +16,92 @@ from typed_arguments.argument import (
     TimeExpression,
     TypedArgument,
 )
+from typed_arguments.filled_frame import FilledFrame
 
 #: Attributes of a phrase that equal fields of the message: strings, flags and numbers that are never None.
 _SAME = tuple(
     field.name for field in fields(TypedArgument) if type(field.default) in (str, bool, int) and field.name != "name"
 )
+
+
+class SharedArguments:
+    """The typed arguments of a node of a plan: its candidates share them, and refer to them by position.
+
+    Attributes:
+        messages: the arguments, each once
+    """
+
+    #: Position of an argument that has only its text.
+    ONLY_TEXT = -1
+
+    def __init__(self) -> None:
+        self.messages: List[msg.TypedArgument] = []
+        self._positions: Dict[TypedArgument, int] = {}
+
+    def positions(self, frames: Sequence[FilledFrame]) -> List[int]:
+        """Add the arguments of some frames, and return the position of each; nothing when all have only text."""
+        found = [self._position(argument) for frame in frames for argument in frame.arguments]
+        return found if any(position != self.ONLY_TEXT for position in found) else []
+
+    def _position(self, argument: TypedArgument) -> int:
+        # The same words may fill elements of different names, as "goal" of one frame and "location" of another.
+        nameless = replace(argument, name="")
+        if nameless == TypedArgument(text=argument.text):
+            return self.ONLY_TEXT
+        if nameless not in self._positions:
+            self._positions[nameless] = len(self.messages)
+            self.messages.append(to_message(argument))
+        return self._positions[nameless]
+
+
+def frame_to_message(frame: FilledFrame) -> msg.FilledSemanticFrame:
+    """Return a frame as the message of 2012, which has the texts of its arguments."""
+    return msg.FilledSemanticFrame(
+        name=frame.name,
+        action_server_topics=[frame.server] if frame.server else [],
+        frame_elements=[
+            msg.FilledFrameElement(name=argument.name, argument=argument.text) for argument in frame.arguments
+        ],
+    )
+
+
+def frames_from_messages(
+    frames: Sequence[msg.FilledSemanticFrame], shared: Sequence[TypedArgument], positions: Sequence[int]
+) -> Tuple[FilledFrame, ...]:
+    """Return frames with their typed arguments.
+
+    Args:
+        frames: as in 2012; each names one action server
+        shared: typed arguments of the node
+        positions: for each element of each frame, the position in `shared`, or -1; empty when all have only text
+    Raises:
+        ValueError: the positions or the texts do not fit the frames, or a frame does not name exactly one server
+    """
+    count = sum(len(frame.frame_elements) for frame in frames)
+    if positions and len(positions) != count:
+        raise ValueError(f"{len(positions)} positions of arguments stand for {count} elements")
+    left = iter(positions or [SharedArguments.ONLY_TEXT] * count)
+    found = []
+    for frame in frames:
+        servers = list(frame.action_server_topics)
+        if len(servers) != 1:
+            raise ValueError(f"frame {frame.name!r} must name exactly one action server, got {servers}")
+        arguments = tuple(
+            _shared_argument(element, shared, position) for element, position in zip(frame.frame_elements, left)
+        )
+        found.append(FilledFrame(name=frame.name, arguments=arguments, server=servers[0]))
+    return tuple(found)
+
+
+def _shared_argument(element: msg.FilledFrameElement, shared: Sequence[TypedArgument], position: int) -> TypedArgument:
+    if position == SharedArguments.ONLY_TEXT:
+        return TypedArgument(name=element.name, text=element.argument)
+    if not 0 <= position < len(shared):
+        raise ValueError(f"the element {element.name!r} refers to argument {position} of {len(shared)}")
+    argument = shared[position]
+    if argument.text != element.argument:
+        raise ValueError(f"{element.name!r} is {element.argument!r}, but its typed argument is {argument.text!r}")
+    return argument if argument.name == element.name else replace(argument, name=element.name)
 
 
 def to_message(argument: TypedArgument) -> msg.TypedArgument:

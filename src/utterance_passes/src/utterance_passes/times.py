@@ -95,7 +95,9 @@ def _continues(tree: DependencyTree, forms: List[str], end: int) -> bool:
     # At the front of a command, the parser takes the verb after a time for a noun: "at five turn left".
     if end == 2 and forms[0] == "at":
         return False
-    return _is_number(forms[end - 1]) and following.upos in ("NOUN", "PROPN", "ADJ", "NUM")
+    # "Two of the cups" counts.
+    is_counting = following.upos in ("NOUN", "PROPN", "ADJ", "NUM") or following.form.lower() == "of"
+    return _is_number(forms[end - 1]) and is_counting
 
 
 def _is_measured(tree: DependencyTree, index: int) -> bool:

@@ -7,7 +7,7 @@ from typing import Any, Callable, Dict, Iterable, List, Mapping, Optional, Tuple
 
 from smach.container import Container
 from smach.exceptions import InvalidStateError, InvalidTransitionError, InvalidUserCodeError
-from smach.log import logerr, loginfo
+from smach.log import logerr, loginfo, logwarn
 from smach.state import State
 from smach.user_data import Remapper, UserData
 from smach.util import is_shutdown
@@ -28,10 +28,11 @@ class ConcurrentStateError(InvalidUserCodeError, InvalidStateError):
 class Concurrence(Container):
     """Container that runs all its states at once, each in a thread, and ends when all have ended.
 
-    The outcome is the first that one of these gives: `outcome_cb`, `outcome_map`, `default_outcome`.
+    The outcome is the first that one of these gives: `outcome_cb`, `outcome_map`, `default_outcome`. When several
+    entries of the map hold, the one that names most states decides, and of those the first. An empty entry never holds.
 
     Args:
-        outcomes: outcomes of the container; those of the outcome map are added
+        outcomes: outcomes of the container
         default_outcome: outcome if nothing else decides
         input_keys: userdata to copy in
         output_keys: userdata to copy out
@@ -39,6 +40,10 @@ class Concurrence(Container):
         outcome_cb: called at the end with the outcomes by label, returns an outcome, or None to leave it to the map
         child_termination_cb: called when a state has ended, with the outcomes by label (None for those that run);
             returns True to preempt the states that still run, a list of labels to preempt only those, else False
+
+    Raises:
+        InvalidStateError: the default outcome or one of the map is not among the outcomes, or a callback cannot be
+            called
     """
 
     def __init__(
@@ -53,7 +58,19 @@ class Concurrence(Container):
     ) -> None:
         super().__init__(outcomes, input_keys, output_keys)
         self._outcome_map = {outcome: dict(children) for outcome, children in (outcome_map or {}).items()}
-        self.register_outcomes(self._outcome_map)
+        registered = self.get_registered_outcomes()
+        problems = [
+            f"the outcome '{outcome}' is not registered: {sorted(registered)}"
+            for outcome in (default_outcome, *self._outcome_map)
+            if outcome not in registered
+        ]
+        problems += [
+            f"the callback {callback!r} cannot be called"
+            for callback in (outcome_cb, child_termination_cb)
+            if callback is not None and not callable(callback)
+        ]
+        if problems:
+            raise InvalidStateError("The concurrence is not described in a valid way: " + "; ".join(problems))
         self._default_outcome = default_outcome
         self._outcome_cb = outcome_cb
         self._child_termination_cb = child_termination_cb
@@ -68,27 +85,27 @@ class Concurrence(Container):
 
     @staticmethod
     def add(label: str, state: State, remapping: Optional[Mapping[str, str]] = None) -> State:
-        """Add a state to the concurrence that is open.
+        """Add a state to the concurrence that is open; it replaces the one that has its label.
 
         Raises:
             InvalidConstructionError: no concurrence is open
-            InvalidStateError: the label is taken, or `state` is no state
+            InvalidStateError: `state` is no state
         """
         concurrence = Concurrence._currently_opened_container()
-        concurrence._check_child(label, state, concurrence._states)
+        concurrence._check_child(label, state, {})
+        if label in concurrence._states:
+            logwarn(f"The state '{label}' of the concurrence is replaced: its label was used already.")
         concurrence._states[label] = state
         concurrence._remappings[label] = dict(remapping or {})
         return state
 
     def check_consistency(self) -> None:
-        """Check the default outcome and the outcome map.
+        """Check the outcome map.
 
         Raises:
             InvalidTransitionError: an outcome or a label in them is unknown
         """
         problems = []
-        if self._default_outcome not in self.get_registered_outcomes():
-            problems.append(f"The default outcome '{self._default_outcome}' is not registered.")
         for outcome, children in self._outcome_map.items():
             for label, child_outcome in children.items():
                 if label not in self._states:
@@ -105,9 +122,11 @@ class Concurrence(Container):
             the outcome; None when the container is not consistent, or the program shuts down and a state says so
 
         Raises:
+            InvalidStateError: there is no state to run
             InvalidUserCodeError: a state or a callback raised; the other states are preempted and waited for
-            InvalidTransitionError: `outcome_cb` returned an outcome that is not registered
         """
+        if not self._states:
+            raise InvalidStateError("The concurrence holds no states.")
         if not self._is_consistent():
             return None
         self._copy_input_keys(parent_ud, self.userdata)
@@ -118,29 +137,33 @@ class Concurrence(Container):
                 label: threading.Thread(target=self._run, args=(label,), name=f"concurrence_{label}", daemon=True)
                 for label in self._states
             }
-            self._is_running = True
-        try:
-            self.call_start_cbs()
-            with self._lock:
-                if self._preempt_requested:
-                    self._preempt(list(self._states))
-            for thread in self._threads.values():
-                thread.start()
-            self._join()
-            if self._errors:
-                reasons = "\n".join(f"State '{label}': {error}" for label, error in self._errors.items())
-                raise ConcurrentStateError(f"A concurrent state failed.\n{reasons}")
-            if None in self._outcomes_by_label.values():
-                return None
-            outcome = self._decide()
-            loginfo(f"Concurrence ends with '{outcome}': {self._outcomes_by_label}")
-            self._copy_output_keys(self.userdata, parent_ud)
-            self.call_termination_cbs(list(self._states), outcome)
-            return outcome
-        finally:
-            with self._lock:
-                self._end_preempt()
-                self._is_running = False
+        with self._marked_as_running():
+            try:
+                return self._run_threads(parent_ud)
+            finally:
+                with self._lock:
+                    self._end_preempt()
+
+    def _run_threads(self, parent_ud: Any) -> Optional[str]:
+        """Start the threads of the states, wait for them, and return the outcome; None when the program shuts down."""
+        loginfo(f"Concurrence starting with userdata: {self.userdata.keys()}")
+        self.call_start_cbs()
+        with self._lock:
+            if self._preempt_requested:
+                self._preempt(list(self._states))
+        for thread in self._threads.values():
+            thread.start()
+        self._join()
+        if self._errors:
+            reasons = "\n".join(f"State '{label}': {error}" for label, error in self._errors.items())
+            raise ConcurrentStateError(f"A concurrent state failed.\n{reasons}")
+        if None in self._outcomes_by_label.values():
+            return None
+        loginfo(f"Concurrent Outcomes: {self._outcomes_by_label}")
+        outcome = self._decide()
+        self._copy_output_keys(self.userdata, parent_ud)
+        self.call_termination_cbs(list(self._states), outcome)
+        return outcome
 
     def _run(self, label: str) -> None:
         """Thread of one state."""
@@ -156,10 +179,11 @@ class Concurrence(Container):
         try:
             outcome = state.execute(view)
             # Containers return None when the program ends.
-            if outcome not in state.get_registered_outcomes() and not (outcome is None and is_shutdown()):
-                failure = InvalidTransitionError(
-                    f"the outcome '{outcome}' is not registered: {sorted(state.get_registered_outcomes())}"
-                )
+            if outcome is None and not is_shutdown():
+                failure = InvalidTransitionError("it returned no outcome")
+            elif outcome is not None:
+                loginfo(f"Concurrent state '{label}' returned outcome '{outcome}' on termination.")
+                self._tell_unregistered(f"State '{label}' of the concurrence", outcome, state)
         except Exception as error:  # boundary: a state is code of the user
             failure = error
             logerr(f"Concurrent state '{label}' raised:\n{traceback.format_exc()}")
@@ -215,16 +239,26 @@ class Concurrence(Container):
             except Exception as error:  # boundary: the callback is code of the user
                 raise InvalidUserCodeError(f"The outcome callback raised:\n{traceback.format_exc()}") from error
             if outcome:
-                if outcome not in self.get_registered_outcomes():
-                    raise InvalidTransitionError(
-                        f"The outcome callback returned '{outcome}', which is not registered: "
-                        f"{sorted(self.get_registered_outcomes())}"
-                    )
+                self._tell_unregistered("The outcome callback of the concurrence", outcome, self)
                 return outcome
-        for outcome, children in self._outcome_map.items():
-            if all(outcomes[label] == child_outcome for label, child_outcome in children.items()):
-                return outcome
-        return self._default_outcome
+        held = [
+            outcome
+            for outcome, children in self._outcome_map.items()
+            if children and all(outcomes[label] == child_outcome for label, child_outcome in children.items())
+        ]
+        # max() takes the first of equals.
+        return max(held, key=lambda outcome: len(self._outcome_map[outcome]), default=self._default_outcome)
+
+    @staticmethod
+    def _tell_unregistered(who: str, outcome: str, state: State) -> None:
+        """Log an outcome that was not registered; it counts all the same."""
+        registered = state.get_registered_outcomes()
+        if outcome not in registered:
+            logerr(f"{who} returned the outcome '{outcome}', which is not registered: {sorted(registered)}")
+
+    def is_run_by_this_thread(self) -> bool:
+        """Tell whether the thread that asks executes the concurrence or a state in it."""
+        return threading.current_thread() in self._threads.values() or super().is_run_by_this_thread()
 
     # Preemption
 
@@ -284,7 +318,7 @@ class Concurrence(Container):
         """Labels of all states."""
         return list(self._states)
 
-    def get_internal_edges(self) -> List[Tuple[str, str, str]]:
+    def get_internal_edges(self) -> List[Tuple[str, str, Optional[str]]]:
         """The outcome map as (outcome of a state, its label, outcome of the container)."""
         return [
             (child_outcome, label, outcome)

@@ -10,6 +10,17 @@ from smach.log import logerr, logwarn
 from smach.state import State
 from smach.user_data import UserData
 
+# What containers call; an object that has these is a state, whatever its class.
+_METHODS_OF_STATES = (
+    "execute",
+    "get_registered_outcomes",
+    "get_registered_input_keys",
+    "get_registered_output_keys",
+    "request_preempt",
+    "recall_preempt",
+    "preempt_requested",
+)
+
 
 # Each thread builds its own containers: `with` blocks of two threads do not see each other.
 class _Construction(threading.local):
@@ -47,6 +58,7 @@ class Container(State):
         # run in it and may ask the container about itself.
         self._lock = threading.RLock()
         self._is_running = False
+        self._running_thread: Optional[int] = None
         self._start_cbs: List[Tuple[Callable[..., Any], Tuple[Any, ...]]] = []
         self._transition_cbs: List[Tuple[Callable[..., Any], Tuple[Any, ...]]] = []
         self._termination_cbs: List[Tuple[Callable[..., Any], Tuple[Any, ...]]] = []
@@ -133,8 +145,11 @@ class Container(State):
         """Labels of the states that run now."""
         raise NotImplementedError
 
-    def get_internal_edges(self) -> List[Tuple[str, str, str]]:
-        """Transitions as (outcome, label of the state, label of the next state or outcome of the container)."""
+    def get_internal_edges(self) -> List[Tuple[str, str, Optional[str]]]:
+        """Transitions as (outcome, label of the state, label of the next state or outcome of the container).
+
+        The target is None where the outcome of the state becomes the outcome of the container.
+        """
         raise NotImplementedError
 
     def check_consistency(self) -> None:
@@ -149,20 +164,34 @@ class Container(State):
         """Tell whether the container executes now."""
         return self._is_running
 
+    def is_run_by_this_thread(self) -> bool:
+        """Tell whether the thread that asks executes the container or a state in it: it must not wait for the end."""
+        if self._running_thread == threading.get_ident():
+            return True
+        children = self.get_children().values() if self._is_running else ()
+        return any(isinstance(child, Container) and child.is_run_by_this_thread() for child in children)
+
+    @contextlib.contextmanager
+    def _marked_as_running(self) -> Iterator[None]:
+        """Mark the container as running; the lock is free inside."""
+        with self._lock:
+            self._is_running = True
+            self._running_thread = threading.get_ident()
+        try:
+            yield
+        finally:
+            with self._lock:
+                self._is_running = False
+                self._running_thread = None
+
     # Construction
 
     def open(self) -> None:
-        """Open the container, so that states can be added by this thread.
-
-        Raises:
-            InvalidConstructionError: this thread has it open already
-        """
-        if self.is_opened():
-            raise InvalidConstructionError("Opening a container that is open already.")
+        """Open the container, so that states can be added by this thread; each open() needs a close()."""
         _opened_containers().append(self)
 
     def close(self) -> None:
-        """Close the container and check it; what is wrong is logged, and found again by `execute`.
+        """Close the container; the last close() checks it. What is wrong is logged, and found again by `execute`.
 
         Raises:
             InvalidConstructionError: it is not the container that this thread opened last
@@ -171,7 +200,8 @@ class Container(State):
         if not opened or opened[-1] is not self:
             raise InvalidConstructionError("Closing a container that is not the one opened last.")
         opened.pop()
-        self._is_consistent()
+        if not self.is_opened():
+            self._is_consistent()
 
     def _is_consistent(self) -> bool:
         """Check the container and log what is wrong."""
@@ -193,16 +223,14 @@ class Container(State):
             raise InvalidConstructionError(msg or "The container is not open.")
 
     @contextlib.contextmanager
-    def opened(self) -> Iterator["Container"]:
-        """Open the container for a `with` block, and leave it open if it was open before."""
-        if self.is_opened():
+    def opened(self, **kwargs: Any) -> Iterator["Container"]:
+        """Open the container for a `with` block; it stays open behind it if it was open before.
+
+        Args:
+            kwargs: accepted for programs that give them; they mean nothing
+        """
+        with self:
             yield self
-            return
-        self.open()
-        try:
-            yield self
-        finally:
-            self.close()
 
     def __enter__(self) -> "Container":
         self.open()
@@ -214,7 +242,8 @@ class Container(State):
         else:
             # The container is incomplete because of this error, so report the error and not what is missing.
             opened = _opened_containers()
-            del opened[opened.index(self) :]
+            while opened and opened.pop() is not self:
+                pass
 
     @classmethod
     def _currently_opened_container(cls) -> Any:
@@ -239,5 +268,5 @@ class Container(State):
         """Raise InvalidStateError for a child that cannot be added."""
         if label in children:
             raise InvalidStateError(f"The label '{label}' is used already in this container.")
-        if not isinstance(state, State):
+        if not all(callable(getattr(state, name, None)) for name in _METHODS_OF_STATES):
             raise InvalidStateError(f"'{label}' is not a state but {state!r}.")

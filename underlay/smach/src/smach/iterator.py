@@ -5,9 +5,9 @@ from typing import Any, Callable, Dict, Iterable, List, Mapping, Optional, Tuple
 
 from smach.container import Container
 from smach.exceptions import InvalidStateError, InvalidTransitionError, InvalidUserCodeError
-from smach.log import logdebug, logerr
+from smach.log import logerr, loginfo
 from smach.state import State
-from smach.user_data import Remapper, UserData
+from smach.user_data import UserData
 from smach.util import is_shutdown
 
 # Outcome of an iterator that is preempted between two items, if it has that outcome.
@@ -18,6 +18,8 @@ Items = Union[Iterable[Any], Callable[[], Iterable[Any]]]
 
 class Iterator(Container):
     """Container that runs one state for each of some items.
+
+    The state gets the userdata of the iterator itself, with the item in it: its keys need no declaration.
 
     Args:
         outcomes: outcomes of the iterator; the exhausted outcome is added
@@ -48,9 +50,14 @@ class Iterator(Container):
         self._break_outcomes: Tuple[str, ...] = ()
         self._final_outcome_map: Dict[str, str] = {}
 
-    def set_iteritems(self, it: Items, it_label: str) -> None:
-        """Set the items, or the function that returns them, and the userdata key of the item."""
-        self._items, self._items_label = it, it_label
+    @staticmethod
+    def set_iteritems(it: Items, it_label: str = "it_data") -> None:
+        """Set the items of the iterator that is open, or the function that returns them, and the key of the item.
+
+        A callback may do this for the next run: `with iterator: Iterator.set_iteritems(items, "item")`.
+        """
+        iterator = Iterator._currently_opened_container()
+        iterator._items, iterator._items_label = it, it_label
 
     @staticmethod
     def set_contained_state(
@@ -66,7 +73,7 @@ class Iterator(Container):
             label: its name in the iterator
             state: what runs for each item
             loop_outcomes: outcomes that lead to the next item; when given, every other outcome ends the iteration
-            break_outcomes: outcomes that end the iteration
+            break_outcomes: outcomes that end the iteration; when given, every other outcome leads to the next item
             final_outcome_map: from the outcome that ended the iteration to the outcome of the iterator
         """
         iterator = Iterator._currently_opened_container()
@@ -94,7 +101,9 @@ class Iterator(Container):
             )
 
     def _ends(self, outcome: str) -> bool:
-        return outcome in self._break_outcomes or bool(self._loop_outcomes and outcome not in self._loop_outcomes)
+        if self._break_outcomes:
+            return outcome in self._break_outcomes
+        return bool(self._loop_outcomes) and outcome not in self._loop_outcomes
 
     def execute(self, parent_ud: Any = None) -> Optional[str]:
         """Run the state for each item.
@@ -109,24 +118,14 @@ class Iterator(Container):
         """
         if not self._is_consistent() or self._state is None:
             return None
-        with self._lock:
-            self._is_running = True
-        try:
+        with self._marked_as_running():
             self._copy_input_keys(parent_ud, self.userdata)
             self.call_start_cbs()
             outcome = self._iterate(self._state)
-            if outcome is not None and outcome not in self.get_registered_outcomes():
-                raise InvalidTransitionError(
-                    f"The iteration of '{self._label}' ended with '{outcome}', which is no "
-                    f"outcome of the iterator: {sorted(self.get_registered_outcomes())}"
-                )
             self._copy_output_keys(self.userdata, parent_ud)
             if outcome is not None:
                 self.call_termination_cbs([self._label], outcome)
             return outcome
-        finally:
-            with self._lock:
-                self._is_running = False
 
     def _next_items(self) -> Iterable[Any]:
         """The items, with an error of the user's code told as such."""
@@ -139,21 +138,38 @@ class Iterator(Container):
         """Outcome of the iterator for the outcome that ended the iteration."""
         return self._final_outcome_map.get(outcome, outcome)
 
+    def _end(self, outcome: str) -> str:
+        """Outcome of the iterator, as _final(); InvalidTransitionError when the iterator has no such outcome."""
+        final = self._final(outcome)
+        if final not in self.get_registered_outcomes():
+            raise InvalidTransitionError(
+                f"The iteration of '{self._label}' ended with '{final}', which is no "
+                f"outcome of the iterator: {sorted(self.get_registered_outcomes())}"
+            )
+        return final
+
+    def _preempted_end(self, outcome: str) -> str:
+        """Outcome of the iterator when its state serviced a request to stop and gave an outcome for the next item."""
+        registered = self.get_registered_outcomes()
+        final = self._final(outcome)
+        if final in registered or _PREEMPTED not in registered:
+            # A machine around the iterator refuses an outcome that the iterator does not have.
+            return final
+        return _PREEMPTED
+
     def _iterate(self, state: State) -> Optional[str]:
         """Outcome of the iterator, or None when the program shuts down."""
-        keys = dict.fromkeys(state.get_registered_input_keys() + (self._items_label,))
-        view = Remapper(self.userdata, keys, state.get_registered_output_keys())
         for item in self._next_items():
             if is_shutdown():
                 return None
             self.userdata[self._items_label] = item
-            logdebug(f"Iterator runs '{self._label}' for {item!r}")
+            loginfo(f"Iterator runs '{self._label}' for {item!r}")
             with self._lock:
                 # A request between two items went to the state that had just ended.
                 state.recall_preempt()
                 if self._preempt_requested:
                     state.request_preempt()
-            outcome = self._execute_child(state, view)
+            outcome = self._execute_child(state)
             if outcome is None:
                 return None
             with self._lock:
@@ -164,17 +180,18 @@ class Iterator(Container):
                 if is_serviced or (stops_here and not self._ends(outcome)):
                     self._preempt_requested = False
             if self._ends(outcome):
-                return self._final(outcome)
-            if is_serviced and self._final(outcome) in self.get_registered_outcomes():
-                return self._final(outcome)
-            if is_serviced or stops_here:
+                return self._end(outcome)
+            if is_serviced:
+                return self._preempted_end(outcome)
+            if stops_here:
                 return _PREEMPTED
             self.call_transition_cbs()
-        return self._final(self._exhausted_outcome)
+        return self._end(self._exhausted_outcome)
 
-    def _execute_child(self, state: State, view: Remapper) -> Optional[str]:
+    def _execute_child(self, state: State) -> Optional[str]:
         try:
-            outcome = state.execute(view)
+            # The userdata itself, unlike in other containers: so programs that declare no keys here run.
+            outcome = state.execute(self.userdata)
         except InvalidUserCodeError:
             logerr(f"State '{self._label}' failed to execute.")
             raise
@@ -225,11 +242,11 @@ class Iterator(Container):
         """Label of the state, in a list."""
         return list(self.get_children())
 
-    def get_internal_edges(self) -> List[Tuple[str, str, str]]:
+    def get_internal_edges(self) -> List[Tuple[str, str, Optional[str]]]:
         """Transitions as (outcome, label of the state, label of the state or outcome of the iterator)."""
         if self._state is None:
             return []
-        edges = []
+        edges: List[Tuple[str, str, Optional[str]]] = []
         for outcome in self._state.get_registered_outcomes():
             target = self._final(outcome) if self._ends(outcome) else self._label
             edges.append((outcome, self._label, target))

@@ -15,7 +15,7 @@ class StateMachine(Container):
     """Container that runs one state at a time.
 
     A transition leads from an outcome of a state to the label of the next state or to an outcome of the machine;
-    without one, or with None, the outcome of the state becomes the outcome of the machine.
+    without one, or with None or an empty text, the outcome of the state becomes the outcome of the machine.
 
     A preempt request goes to the state that runs. When that state services it, the machine counts as having serviced
     it too; when it does not, the next state is asked before it starts.
@@ -48,7 +48,8 @@ class StateMachine(Container):
 
         Args:
             label: name of the state in the machine
-            transitions: from outcomes of the state to labels of states or outcomes of the machine
+            transitions: from outcomes of the state to labels of states or outcomes of the machine; None or an empty
+                text for an outcome that becomes the outcome of the machine
             remapping: from userdata keys of the state to keys of the machine
 
         Returns:
@@ -84,7 +85,7 @@ class StateMachine(Container):
         remapping: Optional[Mapping[str, str]],
         connector_outcomes: Tuple[str, ...] = (),
     ) -> None:
-        given = dict(transitions or {})
+        given = {outcome: target or None for outcome, target in (transitions or {}).items()}
         self._check_child(label, state, self._states)
         self.check_state_spec(label, state, given)
         self.check_state_spec(label, state, dict.fromkeys(connector_outcomes))
@@ -92,7 +93,9 @@ class StateMachine(Container):
             previous, outcomes = self._unconnected
             for outcome in outcomes:
                 self._transitions[previous][outcome] = label
-        self._unconnected = (label, tuple(outcome for outcome in connector_outcomes if outcome not in given))
+        # An empty text says where the outcome leads; None does not.
+        free = tuple(outcome for outcome in connector_outcomes if (transitions or {}).get(outcome) is None)
+        self._unconnected = (label, free)
         self._transitions[label] = {**dict.fromkeys(state.get_registered_outcomes()), **given}
         self._states[label] = state
         self._remappings[label] = dict(remapping or {})
@@ -121,9 +124,11 @@ class StateMachine(Container):
             problems.append(f"The initial state '{self._initial_state_label}' is not in the machine.")
         ends = self.get_registered_outcomes()
         for outcome, label, target in self.get_internal_edges():
-            if target not in self._states and target not in ends and outcome not in ends:
-                problems.append(f"Outcome '{outcome}' of state '{label}' leads to '{target}', which is missing.")
-            elif target not in self._states and target not in ends:
+            if target is None and outcome not in ends:
+                problems.append(
+                    f"Outcome '{outcome}' of state '{label}' leads nowhere and is no outcome of the machine."
+                )
+            elif target is not None and target not in self._states and target not in ends:
                 problems.append(
                     f"Outcome '{outcome}' of state '{label}' leads to '{target}', which is neither a "
                     "state nor an outcome of the machine."
@@ -151,26 +156,26 @@ class StateMachine(Container):
         """
         if not self._is_consistent():
             return None
-        with self._lock:
-            self._is_running = True
-            self._preempted_state = None
-            self._current_label = self._initial_state_label
-        try:
-            self._copy_input_keys(parent_ud, self.userdata)
-            loginfo(
-                f"State machine starting in initial state '{self._current_label}' with userdata: {self.userdata.keys()}"
-            )
-            self.call_start_cbs()
-            outcome = None
-            while outcome is None and not is_shutdown():
-                outcome = self._step()
-            self._copy_output_keys(self.userdata, parent_ud)
-            return outcome
-        finally:
+        with self._marked_as_running():
             with self._lock:
-                self._end_preempt()
-                self._current_label = None
-                self._is_running = False
+                self._preempted_state = None
+                self._current_label = self._initial_state_label
+            try:
+                self._copy_input_keys(parent_ud, self.userdata)
+                loginfo(
+                    f"State machine starting in initial state '{self._current_label}' with userdata: "
+                    f"{self.userdata.keys()}"
+                )
+                self.call_start_cbs()
+                outcome = None
+                while outcome is None and not is_shutdown():
+                    outcome = self._step()
+                self._copy_output_keys(self.userdata, parent_ud)
+                return outcome
+            finally:
+                with self._lock:
+                    self._end_preempt()
+                    self._current_label = None
 
     def _step(self) -> Optional[str]:
         """Run the current state and move on; return the outcome of the machine, or None to go on."""
@@ -302,10 +307,13 @@ class StateMachine(Container):
         """Label of the initial state, in a list; empty when there is none."""
         return [] if self._initial_state_label is None else [self._initial_state_label]
 
-    def get_internal_edges(self) -> List[Tuple[str, str, str]]:
-        """Transitions as (outcome, label of the state, label of the next state or outcome of the machine)."""
+    def get_internal_edges(self) -> List[Tuple[str, str, Optional[str]]]:
+        """Transitions as (outcome, label of the state, label of the next state or outcome of the machine).
+
+        The target is None where the outcome of the state becomes the outcome of the machine.
+        """
         return [
-            (outcome, label, outcome if target is None else target)
+            (outcome, label, target)
             for label, transitions in self._transitions.items()
             for outcome, target in transitions.items()
         ]

@@ -6,6 +6,7 @@ import types
 from typing import Any, Dict, FrozenSet, Iterable, List, Mapping, Optional, SupportsIndex
 
 from smach.exceptions import InvalidUserCodeError
+from smach.log import logerr
 
 
 class MissingKeyError(KeyError, AttributeError):
@@ -32,12 +33,13 @@ class UserData:
         """Copy values to a new userdata under other names.
 
         Args:
-            keys: names in the new userdata
+            keys: names here
             remapping: from a name in the new userdata to the name here, where they differ
         """
+        new_names = {name_here: new_name for new_name, name_here in remapping.items()}
         extracted = UserData()
         for key in keys:
-            extracted[key] = self[remapping.get(key, key)]
+            extracted[new_names.get(key, key)] = copy.copy(self[key])
         return extracted
 
     def merge(self, ud: "UserData", keys: Iterable[str], remapping: Mapping[str, str]) -> None:
@@ -49,7 +51,7 @@ class UserData:
             remapping: from a name in `ud` to the name here, where they differ
         """
         for key in keys:
-            self[remapping.get(key, key)] = ud[key]
+            self[remapping.get(key, key)] = copy.copy(ud[key])
 
     def keys(self) -> List[str]:
         """Names that have a value now."""
@@ -86,8 +88,9 @@ class UserData:
 class Remapper:
     """What one state sees of the userdata of its container.
 
-    Input keys can be read, output keys can be written, under the names that the state uses. What is not an output
-    comes as a view that cannot be changed; see get_const.
+    Input keys can be read, output keys can be written, under the names that the state uses. To write another key is a
+    mistake that is logged; nothing is written. What is not an output comes as a view that cannot be changed; see
+    get_const.
 
     Args:
         ud: userdata of the container
@@ -126,10 +129,11 @@ class Remapper:
 
     def __setitem__(self, key: str, value: Any) -> None:
         if key not in self._output_keys:
-            raise InvalidUserCodeError(
-                f"Writing userdata key '{key}', but the only output keys that this state declared are: "
+            logerr(
+                f"Userdata key '{key}' is not written: the only output keys that this state declared are: "
                 f"{sorted(self._output_keys)}"
             )
+            return
         self._ud[self._remap(key)] = value
 
     def keys(self) -> List[str]:
@@ -137,7 +141,7 @@ class Remapper:
         return [key for key in self._input_keys if self._remap(key) in self._ud]
 
     def update(self, ud: UserData) -> None:
-        """Write every value of another userdata; each name must be an output key."""
+        """Write every value of another userdata, as far as the names are output keys."""
         for key in ud.keys():
             self[key] = ud[key]
 

@@ -1,6 +1,7 @@
 """Callbacks that declare their outcomes and keys, and the check for the end of the program."""
 
 import functools
+import inspect
 from typing import Any, Callable, Iterable, Optional, Protocol, Tuple, runtime_checkable
 
 
@@ -43,10 +44,20 @@ def has_smach_interface(obj: Any) -> bool:
     return isinstance(obj, SmachInterface)
 
 
+def _is_method(function: Callable[..., Any]) -> bool:
+    """Tell whether a function is written to be called with the instance of its class."""
+    try:
+        return next(iter(inspect.signature(function).parameters), None) == "self"
+    except (TypeError, ValueError):
+        # Some functions written in C do not tell their parameters.
+        return False
+
+
 class CBInterface:
     """A callback together with the outcomes it may return and the userdata keys it reads and writes.
 
-    Calls go to the callback unchanged. As an attribute of a class it binds to the instance like a method.
+    Calls go to the callback unchanged. As an attribute of a class it binds to the instance when its first parameter is
+    called `self`, like a method. Any other function is called as it is written, without the instance.
     """
 
     def __init__(
@@ -67,9 +78,10 @@ class CBInterface:
         return self._cb(*args, **kwargs)
 
     def __get__(self, instance: Any, owner: Any = None) -> "CBInterface":
-        if instance is None:
+        if not (isinstance(self._cb, (staticmethod, classmethod)) or (instance is not None and _is_method(self._cb))):
             return self
-        return CBInterface(self._cb.__get__(instance, owner), self._outcomes, self._input_keys, self._output_keys)
+        bound = self._cb.__get__(instance, owner)
+        return CBInterface(bound, self._outcomes, self._input_keys, self._output_keys)
 
     def get_registered_outcomes(self) -> Tuple[str, ...]:
         """Outcomes that the callback may return."""

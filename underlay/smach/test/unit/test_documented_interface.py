@@ -19,7 +19,7 @@ SIGNATURES = {
     smach.Concurrence.add: "label state remapping",
     smach.Iterator: "outcomes input_keys output_keys it it_label exhausted_outcome",
     smach.Iterator.set_contained_state: "label state loop_outcomes break_outcomes final_outcome_map",
-    smach.Iterator.set_iteritems: "self it it_label",
+    smach.Iterator.set_iteritems: "it it_label",
     smach.CBInterface: "cb outcomes input_keys output_keys io_keys",
     smach.Container.register_start_cb: "self start_cb cb_args",
     smach.Container.register_transition_cb: "self transition_cb cb_args",
@@ -115,14 +115,13 @@ def test_callback_interface_accepts_none_and_binds_as_a_method():
 @pytest.mark.parametrize("given,expected", [("mapped", "from_map"), ("callback", "from_callback"), ("else", "default")])
 def test_concurrence_takes_callback_then_map_then_default(given, expected):
     both = smach.Concurrence(
-        outcomes=["default"],
+        outcomes=["default", "from_map", "from_callback"],
         default_outcome="default",
         input_keys=["given"],
         output_keys=["seen"],
         outcome_map={"from_map": {"FOO": "mapped", "BAR": "done"}},
         outcome_cb=lambda outcomes: "from_callback" if outcomes["FOO"] == "callback" else None,
     )
-    both.register_outcomes(["from_callback"])
     with both:
         smach.Concurrence.add(
             "FOO",
@@ -196,7 +195,7 @@ def test_machine_starts_anew_each_time():
 def test_userdata_is_copied_and_merged_under_other_names():
     here = smach.UserData()
     here.a, here["b"] = 1, 2
-    taken = here.extract(["x", "b"], {"x": "a"})
+    taken = here.extract(["a", "b"], {"x": "a"})
     assert (taken.x, taken.b) == (1, 2)
     there = smach.UserData()
     there.merge(taken, ["x"], {"x": "z"})

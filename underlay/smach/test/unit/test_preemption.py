@@ -218,3 +218,28 @@ def test_containers_end_without_an_outcome_when_the_program_ends():
     finally:
         smach.set_shutdown_check(lambda: False)
     assert patient.runs == 1 and not outer.is_running() and not both.is_running()
+
+
+def test_threads_of_a_machine_and_of_its_states_must_not_wait_for_its_end():
+    told = []
+
+    def tell(userdata):
+        told.append(outer.is_run_by_this_thread())
+        return "done"
+
+    both = concurrence(LEFT=smach.CBState(tell, outcomes=["done"]))
+    outer = smach.StateMachine(["done", "preempted"])
+    with outer:
+        smach.StateMachine.add("HERE", smach.CBState(tell, outcomes=["done"]), {"done": "BOTH"})
+        smach.StateMachine.add("BOTH", both, {"done": "PATIENT"})
+        patient = smach.StateMachine.add("PATIENT", Patient())
+    assert not outer.is_run_by_this_thread()
+    assert run_and_preempt(outer, patient) == "preempted"
+    assert told == [True, True]
+    thread = threading.Thread(target=outer.execute, daemon=True)
+    patient.started.clear()
+    thread.start()
+    assert patient.started.wait(DEADLINE_S)
+    assert outer.is_running() and not outer.is_run_by_this_thread()
+    outer.request_preempt()
+    thread.join(DEADLINE_S)

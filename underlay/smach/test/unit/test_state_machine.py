@@ -102,8 +102,6 @@ def test_userdata_is_remapped_and_guarded():
     def add_one(ud):
         with pytest.raises(smach.InvalidUserCodeError):
             _ = ud.z
-        with pytest.raises(smach.InvalidUserCodeError):
-            ud.x = 3
         ud.y = ud.x + 1
         return "done"
 

@@ -22,6 +22,5 @@ __all__ = [
     "set_preempt_handler",
 ]
 
-# Transitions of SMACH are detail in a ROS log; the program that runs the machine says what matters.
-smach.set_loggers(rospy.logdebug, rospy.logwarn, rospy.logdebug, rospy.logerr)
+smach.set_loggers(rospy.loginfo, rospy.logwarn, rospy.logdebug, rospy.logerr)
 smach.set_shutdown_check(rospy.is_shutdown)

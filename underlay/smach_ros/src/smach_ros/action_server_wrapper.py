@@ -34,6 +34,9 @@ class ActionServerWrapper:
         expand_goal_slots: put every field of the goal into the userdata, under its name unless the map has another
         pack_result_slots: take every field of the result from the userdata, under its name unless the map has another
 
+    Attributes:
+        userdata: values that each goal starts with, beside its own
+
     Raises:
         InvalidStateError: an outcome is in two of the lists, or a map names a field that the message does not have
     """
@@ -56,6 +59,7 @@ class ActionServerWrapper:
         pack_result_slots: bool = False,
     ) -> None:
         self.wrapped_container = wrapped_container
+        self.userdata = smach.UserData()
         self._server_name = server_name
         self._action_spec = action_spec
         self._end_of = _ends(succeeded_outcomes, aborted_outcomes, preempted_outcomes)
@@ -91,6 +95,7 @@ class ActionServerWrapper:
         if self._server.is_preempt_requested():
             container.request_preempt()
         userdata = smach.UserData()
+        userdata.update(self.userdata)
         try:
             self._load(goal, userdata)
             outcome = container.execute(userdata)

@@ -8,7 +8,7 @@ from smach_msgs.msg import SmachContainerInitialStatusCmd, SmachContainerStatus,
 from std_msgs.msg import Header
 
 import smach
-from smach_ros.local_data import from_json, to_json
+from smach_ros.local_data import from_json, to_json, to_pickle
 
 STATUS_TOPIC = "/smach/container_status"
 INIT_TOPIC = "/smach/container_init"
@@ -16,6 +16,9 @@ STRUCTURE_TOPIC = "/smach/container_structure"
 
 # How often status and structure are repeated for late subscribers.
 REPEAT_PERIOD_S = 2.0
+
+# What a status says when a command has set the initial state.
+INITIAL_STATE_SET = "REMOTE_INIT"
 
 
 class ContainerProxy:
@@ -63,7 +66,9 @@ class ContainerProxy:
 
     def stop(self) -> None:
         """Stop publishing and listening."""
-        self._stopped.set()
+        # With the lock, so that nothing is being published while the topics are closed.
+        with self._publish_lock:
+            self._stopped.set()
         if self._thread is not None and self._thread is not threading.current_thread():
             self._thread.join(5.0)
         self._init_cmd_sub.unregister()
@@ -72,8 +77,8 @@ class ContainerProxy:
 
     def _repeat(self) -> None:
         while not self._stopped.is_set() and not rospy.is_shutdown():
-            self._publish_structure("Periodic update")
-            self._publish_status("Periodic update")
+            self._publish_structure()
+            self._publish_status("HEARTBEAT")
             self._stopped.wait(self._period_s)
 
     def _publish(self, publisher: rospy.Publisher, message: Any) -> None:
@@ -86,12 +91,13 @@ class ContainerProxy:
                 # At shutdown the topic may be closed between the check and the call.
                 rospy.logdebug("introspection of %s: %s", self._path, error)
 
-    def _publish_structure(self, info_str: str = "") -> None:
+    def _publish_structure(self) -> None:
         message = SmachContainerStructure(header=Header(stamp=rospy.Time.now()), path=self._path)
         message.children = list(self._container.get_children())
         for outcome, label, target in self._container.get_internal_edges():
             message.internal_outcomes.append(str(outcome))
             message.outcomes_from.append(str(label))
+            # Viewers know the text "None" and can hide these transitions.
             message.outcomes_to.append(str(target))
         message.container_outcomes = list(self._container.get_registered_outcomes())
         self._publish(self._structure_pub, message)
@@ -100,7 +106,7 @@ class ContainerProxy:
         message = SmachContainerStatus(header=Header(stamp=rospy.Time.now()), path=self._path, info=info_str)
         message.initial_states = list(self._container.get_initial_states())
         message.active_states = list(self._container.get_active_states())
-        message.local_data = to_json(self._container.userdata)
+        message.local_data = to_pickle(self._container.userdata)
         self._publish(self._status_pub, message)
 
     def _init_cmd_cb(self, msg: SmachContainerInitialStatusCmd) -> None:
@@ -121,13 +127,13 @@ class ContainerProxy:
             for key, value in from_json(msg.local_data).items():
                 userdata[key] = value
             self._container.set_initial_state(list(msg.initial_states), userdata)
-        except (ValueError, smach.SmachError) as error:
+        except (ValueError, RecursionError, smach.SmachError) as error:
             rospy.logerr("introspection of %s: initial status refused: %s", self._path, error)
             return
-        self._publish_status("Initial state set")
+        self._publish_status(INITIAL_STATE_SET)
 
     def _start_cb(self, userdata: Any, initial_states: List[str], *args: Any) -> None:
-        self._publish_structure("Container started")
+        self._publish_structure()
         self._publish_status("Container started")
 
     def _transition_cb(self, userdata: Any, active_states: List[str], *args: Any) -> None:
@@ -143,7 +149,7 @@ class IntrospectionServer:
     Args:
         server_name: name that the topics begin with
         state: the machine
-        path: name of the machine as the root of the tree, for example "/SM_ROOT"
+        path: name of the machine as the root of the tree, for example "/SM_ROOT" or "/"
     """
 
     def __init__(self, server_name: str, state: smach.State, path: str) -> None:
@@ -175,7 +181,7 @@ class IntrospectionServer:
         self._proxies.append(proxy)
         proxy.start()
         for label, child in state.get_children().items():
-            self.construct(server_name, child, f"{path}/{label}")
+            self.construct(server_name, child, f"{path.rstrip('/')}/{label}")
 
 
 class IntrospectionClient:
@@ -212,7 +218,7 @@ class IntrospectionClient:
         confirmed = threading.Event()
 
         def see(status: SmachContainerStatus) -> None:
-            if status.path == path and status.info == "Initial state set" and status.initial_states == wanted:
+            if status.path == path and status.info == INITIAL_STATE_SET and status.initial_states == wanted:
                 confirmed.set()
 
         publisher = rospy.Publisher(server + INIT_TOPIC, SmachContainerInitialStatusCmd, queue_size=1)

@@ -1,6 +1,9 @@
-"""Userdata as JSON text, never as a pickle: reading it runs no code."""
+"""Userdata as text: a pickle for viewers, which is only written, and JSON, which is read. Reading runs no code."""
 
+import base64
 import json
+import math
+import pickle
 from typing import Any, Dict
 
 import smach
@@ -18,8 +21,16 @@ def _describe(value: Any) -> str:
 
 
 def _plain(value: Any, depth: int = 0) -> Any:
-    if value is None or isinstance(value, (bool, int, float, str)):
+    """The value in types that every program can load: no class of the user, and nothing that JSON lacks."""
+    if value is None or isinstance(value, bool):
         return value
+    # Of a subclass only the plain value, because the class may be missing where the text is read.
+    if isinstance(value, int):
+        return int.__int__(value)
+    if isinstance(value, float) and math.isfinite(value):
+        return float.__float__(value)
+    if isinstance(value, str):
+        return str.__str__(value)
     if depth < 5 and type(value) in (list, tuple):
         return [_plain(item, depth + 1) for item in value]
     if depth < 5 and type(value) is dict:
@@ -27,18 +38,37 @@ def _plain(value: Any, depth: int = 0) -> Any:
     return _describe(value)
 
 
+def _plain_dict(userdata: smach.UserData) -> Dict[str, Any]:
+    return {str(key): _plain(userdata[key]) for key in userdata.keys()}
+
+
+def to_pickle(userdata: smach.UserData) -> str:
+    """Write userdata as smach_viewer reads it: the base64 text of a pickled dictionary.
+
+    A value that JSON cannot hold becomes its repr, cut to a bound: to load the dictionary takes no class.
+    """
+    return base64.b64encode(pickle.dumps(_plain_dict(userdata), 2)).decode("ascii")
+
+
+# What other implementations of SMACH send for no userdata. It is compared, never loaded.
+_NO_USERDATA = to_pickle(smach.UserData())
+
+
 def to_json(userdata: smach.UserData) -> str:
-    """Write userdata as the text of a JSON object; a value that JSON cannot hold becomes its repr, cut to a bound."""
-    return json.dumps({str(key): _plain(userdata[key]) for key in userdata.keys()}, sort_keys=True)
+    """Write userdata as the text of a JSON object; a value that JSON cannot hold becomes its repr, cut to a bound.
+
+    No userdata becomes the text that other implementations of SMACH understand, too.
+    """
+    return json.dumps(_plain_dict(userdata), sort_keys=True) if userdata.keys() else _NO_USERDATA
 
 
 def from_json(text: str) -> Dict[str, Any]:
-    """Read the text of a JSON object; an empty text is an empty object.
+    """Read what to_json() writes; an empty text is no userdata.
 
     Raises:
         ValueError: it is something else, or a key begins with an underscore
     """
-    if not text.strip():
+    if text.strip() in ("", _NO_USERDATA):
         return {}
     values = json.loads(text)
     if not isinstance(values, dict):

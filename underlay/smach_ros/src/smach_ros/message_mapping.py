@@ -4,6 +4,8 @@ import copy
 import traceback
 from typing import Any, Callable, Dict, Iterable, Mapping, Optional, Tuple
 
+import genpy
+
 import smach
 
 
@@ -24,10 +26,11 @@ class _MessageCallback:
         if callback is not None and not callable(callback):
             raise smach.InvalidStateError(f"The {what} callback cannot be called: {callback!r}")
 
-    def register(self, state: smach.State) -> None:
-        """Add what the function declares (see smach.cb_interface) to the state."""
+    def register(self, state: smach.State, *, with_outcomes: bool) -> None:
+        """Add the keys that the function declares (see smach.cb_interface) to the state, and its outcomes if wanted."""
         if smach.has_smach_interface(self._callback):
-            state.register_outcomes(self._callback.get_registered_outcomes())
+            if with_outcomes:
+                state.register_outcomes(self._callback.get_registered_outcomes())
             state.register_input_keys(self._callback.get_registered_input_keys())
             state.register_output_keys(self._callback.get_registered_output_keys())
 
@@ -68,6 +71,7 @@ class MessageSource:
             changed the one it got
         args: more positional arguments
         kwargs: more keyword arguments
+        takes_values: whether the value of the only field may be given in place of a message, as services of rospy do
 
     Raises:
         InvalidStateError: the message is of another class, a field is unknown, or the callback cannot be called
@@ -83,48 +87,69 @@ class MessageSource:
         callback: Optional[Callable[..., Any]],
         args: Iterable[Any],
         kwargs: Optional[Mapping[str, Any]],
+        *,
+        takes_values: bool = False,
     ) -> None:
         self._what = what
         self._class = message_class
-        if message is not None and not isinstance(message, message_class):
+        self._takes_values = takes_values
+        try:
+            self._message = message_class() if message is None else copy.deepcopy(self._converted(message))
+        except TypeError as error:
             hint = f"; a function is given as {what}_cb" if callable(message) else ""
             raise smach.InvalidStateError(
                 f"The {what} has to be of type {message_class._type}, not {type(message).__name__}{hint}."
-            )
-        self._message = message_class() if message is None else copy.deepcopy(message)
+            ) from error
         self._key = key
         self._fields = _check_fields(what, message_class, fields)
         self._callback = _MessageCallback(what, callback, args, kwargs)
 
     def register(self, state: smach.State) -> None:
-        """Add the keys that are read, and what the callback declares, to the state."""
+        """Add the keys that are read, and those that the callback declares, to the state."""
         state.register_input_keys(([] if self._key is None else [self._key]) + list(self._fields))
-        self._callback.register(state)
+        # It makes a message; what it returns is no outcome.
+        self._callback.register(state, with_outcomes=False)
 
     def build(self, userdata: Any) -> Any:
         """Return a message of its own for this run.
 
         Raises:
-            InvalidUserCodeError: the userdata or the callback gave something else than a message of the class, or the
-                callback raised
+            InvalidUserCodeError: the userdata holds no value, the userdata or the callback gave something else than a
+                message of the class, or the callback raised
         """
         # Copies, because the callback may change the message, and neither the next run nor the userdata may see that.
-        message = copy.deepcopy(self._message if self._key is None else userdata[self._key])
-        self._check(message, f"userdata key '{self._key}'")
+        message = copy.deepcopy(self._message)
+        if self._key is not None:
+            message = self._checked(copy.deepcopy(_value(userdata, self._key)), f"userdata key '{self._key}'")
         for field in self._fields:
-            setattr(message, field, copy.deepcopy(userdata[field]))
+            setattr(message, field, copy.deepcopy(_value(userdata, field)))
         returned = self._callback(userdata, message)
-        if returned is None:
-            return message
-        self._check(returned, "callback")
-        return returned
+        return message if returned is None else self._checked(returned, "callback")
 
-    def _check(self, message: Any, origin: str) -> None:
-        if not isinstance(message, self._class):
+    def _checked(self, given: Any, origin: str) -> Any:
+        try:
+            return self._converted(given)
+        except TypeError as error:
             raise smach.InvalidUserCodeError(
-                f"The {origin} gave a {type(message).__name__} as {self._what}, which has "
+                f"The {origin} gave a {type(given).__name__} as {self._what}, which has "
                 f"to be of type {self._class._type}."
-            )
+            ) from error
+
+    def _converted(self, given: Any) -> Any:
+        """The message, or one whose only field has the value given; TypeError when it is neither."""
+        if isinstance(given, self._class):
+            return given
+        types = self._class._slot_types if self._takes_values else []
+        if len(types) != 1 or callable(given) or (isinstance(given, genpy.Message) and given._type != types[0]):
+            raise TypeError(given)
+        return self._class(given)
+
+
+def _value(userdata: Any, key: str) -> Any:
+    try:
+        return userdata[key]
+    except KeyError as error:
+        raise smach.InvalidUserCodeError(str(error)) from error
 
 
 class MessageSink:
@@ -164,7 +189,7 @@ class MessageSink:
     def register(self, state: smach.State) -> None:
         """Add the keys that are written, and what the callback declares, to the state."""
         state.register_output_keys(([] if self._key is None else [self._key]) + list(self._fields))
-        self._callback.register(state)
+        self._callback.register(state, with_outcomes=True)
 
     def store(self, state: smach.State, userdata: Any, *args: Any) -> Optional[str]:
         """Take a message, the last of `args`, and return the outcome that the callback chose, or None.

@@ -3,6 +3,7 @@
 import time
 from typing import Any, Callable, Iterable, Mapping, Optional
 
+import genpy
 import rospy
 
 import smach
@@ -15,12 +16,13 @@ STOP_POLL_S = 0.5
 class ServiceState(smach.State):
     """Ends with succeeded when the service answered, with aborted when it failed or did not appear.
 
-    A request to stop is answered (preempted) until the service is called; a call cannot be taken back.
+    A request to stop is answered (preempted) until the service is called; a call cannot be taken back. A callback that
+    raises or returns something that is not allowed aborts the state, as does a key without a value; it is logged.
 
     Args:
         service_name: name of the service
         service_spec: its type, for example Empty
-        request: the request, when it is known now; None for an empty one
+        request: the request, when it is known now, or the value of its only field; None for an empty one
         request_cb: called with the userdata and the request so far; changes the request or returns another one
         request_cb_args: more positional arguments of `request_cb`
         request_cb_kwargs: more keyword arguments of `request_cb`
@@ -71,6 +73,7 @@ class ServiceState(smach.State):
             request_cb,
             request_cb_args,
             request_cb_kwargs,
+            takes_values=True,
         )
         self._response_sink = MessageSink(
             "response",
@@ -88,11 +91,7 @@ class ServiceState(smach.State):
         self._server_wait_timeout_s = None if server_wait_timeout is None else server_wait_timeout.to_sec()
 
     def execute(self, ud: Any) -> str:
-        """Wait for the service, call it and hand on its response.
-
-        Raises:
-            InvalidUserCodeError: a callback raised or returned something that is not allowed
-        """
+        """Wait for the service, call it and hand on its response."""
         is_there = self._wait_for_service()
         if self.preempt_requested():
             self.service_preempt()
@@ -100,13 +99,18 @@ class ServiceState(smach.State):
         if not is_there:
             rospy.logwarn("Service state aborts: no service '%s'", self._service_name)
             return "aborted"
-        request = self._request_source.build(ud)
         try:
+            request = self._request_source.build(ud)
             response = rospy.ServiceProxy(self._service_name, self._service_spec)(request)
-        except (rospy.ServiceException, rospy.ROSException) as error:
-            rospy.logerr("Service '%s' failed: %s", self._service_name, error)
+            return self._response_sink.store(self, ud, response) or "succeeded"
+        except (
+            rospy.ServiceException,
+            rospy.ROSException,
+            genpy.SerializationError,
+            smach.InvalidUserCodeError,
+        ) as error:
+            rospy.logerr("The state of the service '%s' aborts: %s", self._service_name, error)
             return "aborted"
-        return self._response_sink.store(self, ud, response) or "succeeded"
 
     def _wait_for_service(self) -> bool:
         """Wait until the service is there, the time is over, or somebody asks the state to stop."""

@@ -19,7 +19,11 @@ class SimpleActionState(smach.State):
     """Ends with succeeded or aborted as the goal does, and with preempted when it was asked to stop and the goal did.
 
     A goal that ends otherwise (rejected, lost, cancelled by somebody else, out of time) is aborted: preempted tells
-    the container that its own request was answered.
+    the container that its own request was answered. A callback that raises or returns something that is not allowed
+    aborts the state, as does a key without a value; the error is logged.
+
+    A subclass may define `_goal_active_cb(self)`, called when the server has accepted the goal, and
+    `_goal_feedback_cb(self, feedback)`.
 
     Args:
         action_name: name of the action
@@ -40,13 +44,16 @@ class SimpleActionState(smach.State):
         input_keys: userdata that the callbacks read
         output_keys: userdata that the callbacks write
         outcomes: more outcomes, which `result_cb` may return
-        exec_timeout: time after which the goal is cancelled; None for no limit
+        exec_timeout: time after which the goal is cancelled; None or 0 for no limit
         preempt_timeout: time that a cancelled goal gets to end, after which the state aborts
         server_wait_timeout: time that the server gets to appear, after which the state aborts
 
     Raises:
         InvalidStateError: the goal or a field of it does not belong to the action
     """
+
+    # Values of `_status`, for subclasses.
+    WAITING_FOR_SERVER, INACTIVE, ACTIVE, PREEMPTING, COMPLETED = range(5)
 
     def __init__(
         self,
@@ -88,11 +95,12 @@ class SimpleActionState(smach.State):
         self._goal_source.register(self)
         self._result_sink.register(self)
         self._action_name = action_name
-        self._exec_timeout_s = None if exec_timeout is None else exec_timeout.to_sec()
+        self._exec_timeout_s = exec_timeout.to_sec() if exec_timeout else None
         self._preempt_timeout_s = preempt_timeout.to_sec()
         self._server_wait_timeout_s = server_wait_timeout.to_sec()
         # Made here, so that it has its connections when the state starts.
         self._client = actionlib.ActionClient(action_name, action_spec)
+        self._status = self.WAITING_FOR_SERVER
         self._wake = threading.Event()
         # Guards the two below, which request_preempt shares with the running thread.
         self._lock = threading.Lock()
@@ -107,29 +115,45 @@ class SimpleActionState(smach.State):
         self._cancel()
         self._wake.set()
 
-    def execute(self, ud: Any) -> str:
-        """Send the goal and wait for its end.
+    def _goal_active_cb(self) -> None:
+        """Called when the server has accepted the goal."""
 
-        Raises:
-            InvalidUserCodeError: a callback raised or returned something that is not allowed
-        """
+    def _goal_feedback_cb(self, feedback: Any) -> None:
+        """Called for each feedback of the goal, by a thread of ROS."""
+
+    def execute(self, ud: Any) -> str:
+        """Send the goal and wait for its end."""
         with self._lock:
             self._give_up_at = None
+        self._status = self.WAITING_FOR_SERVER
         if not self._wait_for_server():
-            return self._end_early(f"no action server '{self._action_name}'")
-        goal = self._goal_source.build(ud)
+            return self._end_early("no server")
+        try:
+            goal = self._goal_source.build(ud)
+        except smach.InvalidUserCodeError as error:
+            return self._end_early(str(error))
         if self.preempt_requested():
             return self._end_early("asked to stop before the goal was sent")
+        self._status = self.INACTIVE
         with self._lock:
-            self._goal_handle = self._client.send_goal(goal, transition_cb=lambda handle: self._wake.set())
+            self._goal_handle = self._client.send_goal(
+                goal, self._see_transition, lambda handle, feedback: self._goal_feedback_cb(feedback)
+            )
             handle = self._goal_handle
         try:
             if not self._wait_for_end(handle):
-                return self._end_early(f"the goal of '{self._action_name}' did not end")
+                return self._end_early("the goal did not end")
             return self._outcome(ud, handle.get_terminal_state(), handle.get_result())
         finally:
+            self._status = self.COMPLETED
             with self._lock:
                 self._goal_handle = None
+
+    def _see_transition(self, handle: actionlib.ClientGoalHandle) -> None:
+        self._wake.set()
+        if handle.get_comm_state() == actionlib.CommState.ACTIVE:
+            self._status = self.ACTIVE
+            self._goal_active_cb()
 
     def _wait_for_server(self) -> bool:
         """Wait until the server is there, the time is over, or somebody asks the state to stop."""
@@ -173,6 +197,7 @@ class SimpleActionState(smach.State):
             if handle is None or self._give_up_at is not None:
                 return
             self._give_up_at = time.monotonic() + self._preempt_timeout_s
+            self._status = self.PREEMPTING
             # Under the lock of the goal: cancel() would take a goal that ends meanwhile out of its final state.
             with handle.comm_state_machine.mutex:
                 if handle.get_comm_state() == actionlib.CommState.DONE:
@@ -184,7 +209,10 @@ class SimpleActionState(smach.State):
                     rospy.logwarn("The goal of '%s' cannot be cancelled: %s", self._action_name, error)
 
     def _outcome(self, ud: Any, status: int, result: Any) -> str:
-        chosen = self._result_sink.store(self, ud, status, result)
+        try:
+            chosen = self._result_sink.store(self, ud, status, result)
+        except smach.InvalidUserCodeError as error:
+            return self._end_early(str(error))
         outcome = "aborted"
         if status == GoalStatus.SUCCEEDED:
             outcome = "succeeded"
@@ -199,5 +227,5 @@ class SimpleActionState(smach.State):
         if self.preempt_requested() and (self._give_up_at is None or rospy.is_shutdown()):
             self.service_preempt()
             return "preempted"
-        rospy.logwarn("Action state aborts: %s", reason)
+        rospy.logerr("The state of the action '%s' aborts: %s", self._action_name, reason)
         return "aborted"

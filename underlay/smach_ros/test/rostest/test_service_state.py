@@ -48,6 +48,9 @@ class ServiceStateTest(unittest.TestCase):
         for kwargs, expected in (
             ({}, False),
             ({"request": SetBoolRequest(data=True)}, True),
+            ({"request": True}, True),
+            ({"request_key": "data"}, True),
+            ({"request_cb": lambda userdata, request: True}, True),
             ({"request_key": "whole"}, True),
             ({"request_slots": ["data"]}, True),
             ({"request_cb": change}, True),
@@ -81,8 +84,10 @@ class ServiceStateTest(unittest.TestCase):
                 (outcome, userdata.whole.success, userdata.message, userdata.seen),
                 (expected, data, "switched", ((1,), {"a": 2})),
             )
-        with self.assertRaises(smach.InvalidUserCodeError):
-            self.run_in_machine(smach_ros.ServiceState("switch", SetBool, response_cb=lambda ud, response: "unknown"))
+        for bad in (lambda ud, response: "unknown", lambda ud, response: 1 / 0):
+            self.assertEqual(
+                self.run_in_machine(smach_ros.ServiceState("switch", SetBool, response_cb=bad))[0], "aborted"
+            )
 
     def test_wrong_requests(self):
         for kwargs in (
@@ -93,9 +98,26 @@ class ServiceStateTest(unittest.TestCase):
         ):
             with self.assertRaises(smach.InvalidStateError, msg=str(kwargs)):
                 smach_ros.ServiceState("switch", SetBool, **kwargs)
-        with self.assertRaises(smach.InvalidUserCodeError):
-            self.run_in_machine(smach_ros.ServiceState("switch", SetBool, request_cb=lambda ud, request: 1 / 0))
+        with self.assertRaises(smach.InvalidStateError):
+            smach_ros.ServiceState("broken", Empty, True)
+
+    def test_request_that_cannot_be_made_aborts_the_state(self):
+        for kwargs in (
+            {"request_cb": lambda ud, request: 1 / 0},
+            {"request_cb": lambda ud, request: TriggerRequest()},
+            {"request_cb": lambda ud, request: "text"},
+            {"request_key": "missing"},
+            {"request_slots": ["data"]},
+        ):
+            outcome, _ = self.run_in_machine(smach_ros.ServiceState("switch", SetBool, **kwargs))
+            self.assertEqual(outcome, "aborted", kwargs)
         self.assertEqual(self.asked, [])
+
+    def test_outcomes_that_a_request_callback_declares_are_none_of_the_state(self):
+        make = smach.CBInterface(lambda userdata, request: SetBoolRequest(data=True), ["made"])
+        state = smach_ros.ServiceState("switch", SetBool, request_cb=make)
+        self.assertEqual(set(state.get_registered_outcomes()), {"succeeded", "aborted", "preempted"})
+        self.assertEqual(self.run_in_machine(state)[0], "succeeded")
 
     def test_failures(self):
         self.assertEqual(self.run_in_machine(smach_ros.ServiceState("broken", SetBool))[0], "aborted")

@@ -7,7 +7,7 @@ import unittest
 import actionlib
 import rospy
 import rostest
-from actionlib.msg import TestAction, TestGoal, TestRequestAction, TestRequestGoal, TestResult
+from actionlib.msg import TestAction, TestFeedback, TestGoal, TestRequestAction, TestRequestGoal, TestResult
 from actionlib_msgs.msg import GoalStatus
 
 import smach
@@ -29,6 +29,7 @@ class Server:
 
     def _execute(self, goal):
         self.goals.append(goal.goal)
+        self._server.publish_feedback(TestFeedback(feedback=goal.goal))
         result = TestResult(result=goal.goal + 100)
         if goal.goal == ABORT:
             self._server.set_aborted(result)
@@ -118,12 +119,22 @@ class SimpleActionStateTest(unittest.TestCase):
             self.state(goal_slots=["nothing"])
         with self.assertRaises(smach.InvalidStateError):
             self.state(result_slots=["nothing"])
-        for bad in (lambda userdata, goal: 3, lambda userdata, goal: 1 / 0):
-            with self.assertRaises(smach.InvalidUserCodeError):
-                self.run_in_machine(self.state(goal_cb=bad))
-        with self.assertRaises(smach.InvalidUserCodeError):
-            self.run_in_machine(self.state(goal_key="missing"))
         self.assertEqual(self.server.goals, [])
+
+    def test_goal_that_cannot_be_made_aborts_the_state(self):
+        for bad in (lambda userdata, goal: 3, lambda userdata, goal: 1 / 0):
+            self.assertEqual(self.run_in_machine(self.state(goal_cb=bad))[0], "aborted")
+        self.assertEqual(self.run_in_machine(self.state(goal_key="missing"))[0], "aborted")
+        self.assertEqual(self.run_in_machine(self.state(goal_slots=["goal"]))[0], "aborted")
+        self.assertEqual(self.server.goals, [])
+
+    def test_outcomes_that_a_goal_callback_declares_are_none_of_the_state(self):
+        make = smach.CBInterface(lambda userdata, goal: TestGoal(userdata.number), ["made"], ["number"], ["unused"])
+        state = self.state(goal_cb=make)
+        self.assertEqual(set(state.get_registered_outcomes()), {"succeeded", "aborted", "preempted"})
+        self.assertEqual(set(state.get_registered_input_keys()), {"number"})
+        self.assertEqual(self.run_in_machine(state, {"number": 7})[0], "succeeded")
+        self.assertEqual(self.server.goals, [7])
 
     # Results
 
@@ -142,12 +153,33 @@ class SimpleActionStateTest(unittest.TestCase):
             state = self.state(goal=TestGoal(number), result_cb=judge, result_cb_args=[1], result_cb_kwargs={"a": 2})
             outcome, userdata = self.run_in_machine(state, outcomes=("succeeded", "aborted", "preempted", "odd"))
             self.assertEqual((outcome, userdata.status), (expected, (GoalStatus.SUCCEEDED, (1,), {"a": 2})))
-        with self.assertRaises(smach.InvalidUserCodeError):
-            self.run_in_machine(self.state(result_cb=lambda userdata, status, result: "unknown"))
+        for bad in (lambda userdata, status, result: "unknown", lambda userdata, status, result: 1 / 0):
+            self.assertEqual(self.run_in_machine(self.state(goal=TestGoal(7), result_cb=bad))[0], "aborted")
         state = self.state(result_cb=lambda userdata, status, result: "given", outcomes=["given"])
         self.assertEqual(
             self.run_in_machine(state, outcomes=("succeeded", "aborted", "preempted", "given"))[0], "given"
         )
+
+    def test_subclass_sees_acceptance_and_feedback(self):
+        class Watching(smach_ros.SimpleActionState):
+            def _goal_active_cb(self):
+                seen.append("active")
+
+            def _goal_feedback_cb(self, feedback):
+                seen.append(feedback.feedback)
+
+            def execute(self, userdata):
+                outcome = smach_ros.SimpleActionState.execute(self, userdata)
+                return outcome if self._status == self.COMPLETED else "aborted"
+
+        seen = []
+        state = Watching("act", TestAction, TestGoal(OBEY))
+        thread, outcomes = self.start(state)
+        # They come on two topics, in any order.
+        wait_until(lambda: len(seen) == 2 and set(seen) == {"active", OBEY})
+        state.request_preempt()
+        thread.join(20.0)
+        self.assertEqual(outcomes, ["preempted"])
 
     # Ends
 
@@ -190,6 +222,16 @@ class SimpleActionStateTest(unittest.TestCase):
         self.assertEqual(self.run_in_machine(state)[0], "aborted")
         self.assertTrue(self.server.cancelled.is_set())
 
+    def test_execution_time_of_zero_is_no_limit(self):
+        state = self.state(goal=TestGoal(STUBBORN), exec_timeout=rospy.Duration(0))
+        thread, outcomes = self.start(state)
+        wait_until(lambda: self.server.goals == [STUBBORN])
+        # A goal that is cancelled is so within the poll of the state, so a second goal would come too late to see it.
+        self.assertFalse(self.server.cancelled.wait(0.5))
+        self.server.release.set()
+        thread.join(20.0)
+        self.assertEqual(outcomes, ["succeeded"])
+
     def test_missing_server(self):
         state = smach_ros.SimpleActionState("nobody", TestRequestAction, server_wait_timeout=rospy.Duration(0.3))
         self.assertEqual(self.run_in_machine(state)[0], "aborted")
@@ -227,7 +269,7 @@ class SimpleActionStateTest(unittest.TestCase):
     def test_concurrence_of_goals_is_preempted_from_above(self):
         other = Server("act_beside")
         both = smach.Concurrence(
-            ["aborted"], "aborted", outcome_map={"preempted": {"A": "preempted", "B": "preempted"}}
+            ["aborted", "preempted"], "aborted", outcome_map={"preempted": {"A": "preempted", "B": "preempted"}}
         )
         with both:
             smach.Concurrence.add("A", self.state(goal=TestGoal(OBEY)))

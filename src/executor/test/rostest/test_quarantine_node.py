@@ -1,0 +1,64 @@
+#!/usr/bin/python3
+"""Servers that hang cost their deadlines once; they are used again when they have ended what they owed."""
+
+import os
+import sys
+import unittest
+
+import rostest
+from roboframenet_msgs.msg import Reply
+
+sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
+from test_executor_node import ExecutorNodeTest, frame
+
+from roboframenet_testing import wait_until
+
+
+class QuarantineTest(unittest.TestCase):
+    """One executor with a long quarantine."""
+
+    send = ExecutorNodeTest.send
+    send_nodes = ExecutorNodeTest.send_nodes
+    events_of = ExecutorNodeTest.events_of
+    wait_for_reply = ExecutorNodeTest.wait_for_reply
+    assert_reply = ExecutorNodeTest.assert_reply
+    wait_for_log = ExecutorNodeTest.wait_for_log
+    count = 0
+    setUpClass = classmethod(ExecutorNodeTest.setUpClass.__func__)
+
+    def setUp(self):
+        del self.log[:]
+
+    def test_server_that_hangs_is_asked_once(self):
+        self.assert_reply(
+            self.send([[frame("freeze", "freezing")], [frame("succeed", "two")]]), Reply.DONE, "DONE", "was silent"
+        )
+        self.assert_reply(
+            self.send([[frame("succeed", "freezing")]]),
+            Reply.FAILED,
+            "ALL_CANDIDATES_FAILED",
+            "freezing is out of use until it ends its last goal: it was silent",
+        )
+        self.assertNotIn("freezing begins succeed", self.log)
+
+    def test_server_that_ends_late_is_used_again(self):
+        old = self.send([[frame("ignore_cancel", "one", "6")]])
+        self.wait_for_log("one begins ignore_cancel")
+        new = self.send([[frame("succeed", "one")], [frame("succeed", "two")]])
+        self.assert_reply(old, Reply.SUPERSEDED, "NEW_COMMAND", "one did not end on cancel")
+        self.assert_reply(new, Reply.DONE, "DONE", "one is out of use until it ends its last goal")
+        self.wait_for_log("one ends ignore_cancel")
+        wait_until(lambda: self.is_used_again("one"), message="one is still out of use")
+
+    def is_used_again(self, server):
+        return self.wait_for_reply(self.send([[frame("succeed", server)]])).code == "DONE"
+
+    def test_many_servers_that_are_not_there_do_not_take_for_ever(self):
+        ways = [[frame("succeed", f"nobody_{number}")] for number in range(64)]
+        self.assert_reply(
+            self.send(ways), Reply.FAILED, "ALL_CANDIDATES_FAILED", "nobody_0 is not running", "was not tried", "more"
+        )
+
+
+if __name__ == "__main__":
+    rostest.rosrun("executor", "quarantine", QuarantineTest)

@@ -1,0 +1,1 @@
+"""The meaning of the phrases of a sentence, as typed arguments."""

@@ -1,0 +1,88 @@
+"""Makes typed arguments of amounts and defaults, and resolves those of pronouns; ``phrases`` makes those of phrases."""
+
+import math
+from dataclasses import replace
+from typing import Optional
+
+from phrase_meanings.meaning_file import shipped_meanings
+from spoken_quantities import find_unit
+from typed_arguments import Measure, Source, TypedArgument
+from utterance_passes.measures import Amount
+from utterance_passes.tree import DependencyTree
+from word_classes import word_class
+
+_MORE = word_class("more_words")
+
+
+def amount_argument(tree: DependencyTree, name: str, amount: Amount, *, is_whole: bool) -> TypedArgument:
+    """Make the argument of an amount.
+
+    Args:
+        tree: the sentence
+        name: name of the frame element
+        amount: the amount
+        is_whole: whether the text is the amount with its unit ("5 minutes") or only the number ("120")
+    """
+    # The head of "60 degrees" is the unit; for an element that has only the number, the head is the number.
+    numeral = [position for position in amount.positions if is_whole or position != amount.unit_position]
+    whole = f"{amount.digits()} {amount.unit}".strip()
+    last = tree.word(amount.positions[-1])
+    return TypedArgument(
+        name=name,
+        text=whole if is_whole else amount.digits(),
+        words=tree.text_of(amount.positions),
+        positions=amount.positions,
+        head=last.form,
+        lemma=last.lemma.lower(),
+        head_position=(numeral or list(amount.positions))[-1],
+        measure=measure_of(tree, amount),
+    )
+
+
+def measure_of(tree: DependencyTree, amount: Amount) -> Measure:
+    """Return an amount as a measure; an amount that is not finite has no value."""
+    unit = find_unit(amount.unit) if amount.unit else None
+    forms = [tree.word(index).form.lower() for index in amount.positions]
+    first = min(amount.positions) - 1
+    before = [tree.word(index).form.lower() for index in range(max(1, first - 1), first + 1)]
+    bounds = shipped_meanings().bounds
+    bound = next((bounds[said] for said in (" ".join(before), " ".join(before[-1:])) if said in bounds), "")
+    return Measure(
+        kind=amount.quantity or "number",
+        words=tree.text_of(amount.positions),
+        amount=_finite(amount.amount),
+        unit=unit.name if unit else amount.unit,
+        si=_finite(amount.si_amount),
+        bound=bound,
+        change="more" if _MORE & frozenset(forms + before[-1:]) else "",
+    )
+
+
+def _finite(number: float) -> Optional[float]:
+    return number if math.isfinite(number) else None
+
+
+def unit_argument(tree: DependencyTree, name: str, amount: Amount) -> TypedArgument:
+    """Make the argument of the unit of an amount."""
+    word = tree.word(amount.unit_position)
+    return TypedArgument(
+        name=name,
+        text=amount.unit,
+        words=amount.unit,
+        positions=(amount.unit_position,),
+        head=amount.unit,
+        lemma=word.lemma.lower(),
+        head_position=amount.unit_position,
+        is_plural="Number=Plur" in word.feats,
+        measure=measure_of(tree, amount),
+    )
+
+
+def default_argument(name: str, text: str) -> TypedArgument:
+    """Make the argument of an element that the sentence does not fill: the default of its frame."""
+    return TypedArgument(name=name, text=text, words=text, head=text, source=Source.DEFAULT)
+
+
+def resolved(argument: TypedArgument, text: str) -> TypedArgument:
+    """Replace the text of a pronoun by its referent; the head, words and positions stay."""
+    return replace(argument, text=text, source=Source.INFERRED)

@@ -1,0 +1,149 @@
+"""Reads the words around the head of a phrase: how many things it names, and which properties they have."""
+
+import re
+from dataclasses import dataclass
+from typing import FrozenSet, Iterable, Optional, Tuple
+
+from phrase_meanings.meaning_file import shipped_meanings
+from spoken_quantities import QuantityError, parse_number
+from typed_arguments import Modifier
+from utterance_passes.amounts import read_amounts
+from utterance_passes.tree import QUOTED, DependencyTree, Word
+from word_classes import word_class, word_list
+
+_ORDINAL_IN_DIGITS = re.compile(r"(\d{1,3})[nrst][dht]")
+_LAST = word_class("last_ordinals")
+_NEGATIONS = word_class("negations")
+_SIDES = word_class("sides")
+#: Ordinal words in their order, from 1.
+_ORDINALS = word_list("ordinals_in_order")
+
+
+@dataclass(frozen=True)
+class Quantity:
+    """How many things a phrase names."""
+
+    quantifier: str = ""
+    count: Optional[int] = None
+    bound: str = ""
+
+
+def is_of_phrase(tree: DependencyTree, head: int) -> bool:
+    """Whether the first preposition of a phrase is "of"."""
+    return next((child.form.lower() for child in tree.children(head) if child.deprel == "case"), "") == "of"
+
+
+def is_side_of_something(tree: DependencyTree, index: int) -> bool:
+    """Whether a word is a side of a thing and not a direction: "the left of the table"."""
+    return tree.word(index).form.lower() in _SIDES and any(
+        child.deprel.startswith("nmod")
+        and any(inner.deprel == "case" and inner.form.lower() == "of" for inner in tree.children(child.index))
+        for child in tree.children(index)
+    )
+
+
+def chosen_from(tree: DependencyTree, head: int, own: FrozenSet[int]) -> Optional[Tuple[Quantity, int]]:
+    """Return the quantity and the noun of "all of the mugs" and "two of them"; None for other phrases."""
+    word = tree.word(head)
+    quantifier = shipped_meanings().quantifiers.get(word.form.lower(), "")
+    count = _number(word.form) if word.upos == "NUM" else None
+    if not (quantifier or count is not None) or word.upos in ("NOUN", "PROPN"):
+        return None
+    for child in tree.children(head):
+        if child.deprel.startswith("nmod") and child.index in own:
+            if is_of_phrase(tree, child.index):
+                return Quantity(quantifier, count), child.index
+    return None
+
+
+def quantity(tree: DependencyTree, head: int, children: Iterable[Word]) -> Quantity:
+    """Return what the words before a head say of the number of things."""
+    spoken = shipped_meanings().quantifiers
+    quantifier, count, bound = "", None, ""
+    for child in children:
+        form = child.form.lower()
+        if child.deprel in ("det", "det:predet", "amod") and form in spoken:
+            asked = any(inner.form.lower() == "how" for inner in tree.children(child.index))
+            named = f"how_{form}" if asked else spoken[form]
+            # "All the mugs" are all, "a few mugs" are few.
+            quantifier = named if quantifier in ("", "the", "a") else quantifier
+        elif child.deprel == "nummod" and child.index < head:
+            count = _count(tree, child)
+            bound = _bound(tree, child)
+    if count is None:
+        count = {"both": 2, "no": 0}.get(quantifier)
+    return Quantity(quantifier, count, bound)
+
+
+def _count(tree: DependencyTree, numeral: Word) -> Optional[int]:
+    amounts = read_amounts(tree, sorted(tree.subtree(numeral.index)))
+    number = amounts[-1].amount if amounts else None
+    return int(number) if number is not None and 0 <= number < 2**31 and number == int(number) else None
+
+
+def _number(form: str) -> Optional[int]:
+    try:
+        number = parse_number(form)
+    except QuantityError:
+        return None
+    return int(number) if 0 <= number < 2**31 and number == int(number) else None
+
+
+def _bound(tree: DependencyTree, numeral: Word) -> str:
+    inside = sorted(index for index in tree.subtree(numeral.index) if index < numeral.index)
+    first = numeral.index - 1
+    before = [tree.word(index).form.lower() for index in (inside or ([first] if first > 0 else []))]
+    bounds = shipped_meanings().bounds
+    return next((bounds[spoken] for spoken in (" ".join(before[-2:]), " ".join(before[-1:])) if spoken in bounds), "")
+
+
+def modifiers(tree: DependencyTree, head: int, children: Iterable[Word], own: FrozenSet[int]) -> Tuple[Modifier, ...]:
+    """Return the properties that words of the phrase give to its head."""
+    found = []
+    for child in children:
+        form = child.form.lower()
+        base = child.deprel.split(":")[0]
+        kind, number = "", 0
+        if base in ("amod", "nummod") and _ordinal(form):
+            kind, number = "ordinal", _ordinal(form)
+        elif base == "amod" and form not in shipped_meanings().quantifiers:
+            kind = {"JJR": "comparative", "JJS": "superlative"}.get(child.xpos, "adjective")
+        elif base == "compound" and child.index < head:
+            kind = "compound"
+        elif (
+            child.deprel != QUOTED
+            and child.index > head
+            and (base in ("flat", "compound", "appos") or (base == "nummod" and child.index == head + 1))
+        ):
+            kind, number = "name", _number(form) or 0
+        elif base == "advmod" and child.index < head and child.upos == "ADV" and form not in _NEGATIONS:
+            kind = "adverb"
+        if not kind:
+            continue
+        degree = next(
+            (
+                inner.form.lower()
+                for inner in tree.children(child.index)
+                if inner.deprel == "advmod" and inner.index in own
+            ),
+            "",
+        )
+        if kind in ("adjective", "comparative", "superlative"):
+            # "The big red mug" is big and red, however deep the parser hangs one below the other.
+            found += [
+                Modifier("adjective", inner.form, inner.lemma.lower(), position=inner.index)
+                for inner in tree.children(child.index)
+                if inner.deprel in ("amod", "conj") and inner.upos == "ADJ" and inner.index in own
+            ]
+        found.append(Modifier(kind, child.form, child.lemma.lower(), degree, number, child.index))
+    return tuple(sorted(found, key=lambda modifier: modifier.position))
+
+
+def _ordinal(form: str) -> int:
+    """Return the number of an ordinal, -1 for the last; 0 for another word."""
+    if form in _LAST:
+        return -1
+    if form in _ORDINALS:
+        return _ORDINALS.index(form) + 1
+    digits = _ORDINAL_IN_DIGITS.fullmatch(form)
+    return int(digits.group(1)) if digits else 0

@@ -1,0 +1,83 @@
+"""Reads the file of meanings: the spellings of relations, directions, quantifiers and bounds."""
+
+from dataclasses import dataclass
+from functools import lru_cache
+from pathlib import Path
+from typing import Dict, FrozenSet, Mapping, Optional
+
+import yaml
+
+from semantic_frames.marked_yaml import Reader
+from semantic_frames.source_files import read_text
+
+#: Next to this module in the source, devel and install space.
+MEANINGS_FILE = Path(__file__).resolve().parent / "meanings.yaml"
+_SECTIONS = ("relations", "directions", "quantifiers", "bounds", "exceptions")
+
+
+@dataclass(frozen=True)
+class Meanings:
+    """The content of the file; each mapping leads from spoken words to a value of a typed argument.
+
+    Attributes:
+        relations: of prepositions: "under" for "underneath"
+        directions: "counterclockwise" for "anticlockwise"
+        quantifiers: "a" for "an"
+        bounds: "at_most" for "up to"
+        exceptions: prepositions that exclude something
+    """
+
+    relations: Mapping[str, str]
+    directions: Mapping[str, str]
+    quantifiers: Mapping[str, str]
+    bounds: Mapping[str, str]
+    exceptions: FrozenSet[str]
+
+    def relation(self, prepositions: str) -> str:
+        """Return the relation of spoken prepositions; those without an entry are their own relation."""
+        spoken = " ".join(prepositions.lower().split())
+        return self.relations.get(spoken) or spoken.replace(" ", "_")
+
+
+def load_meanings(text: str, path: str) -> Meanings:
+    """Read a file of meanings.
+
+    Args:
+        text: content of the file
+        path: path of the file, for problems
+    Raises:
+        FileRefused: the file is wrong; it lists every mistake
+    """
+    reader = Reader(path)
+    sections = reader.mapping(reader.compose(text, "a mapping of meanings"), "", _SECTIONS, required=_SECTIONS)
+    spellings = {name: _spellings(reader, sections.get(name), name) for name in _SECTIONS[:-1]}
+    exceptions = frozenset(reader.texts(sections.get("exceptions"), "exceptions"))
+    reader.refuse_if_wrong()
+    return Meanings(exceptions=exceptions, **spellings)
+
+
+def _spellings(reader: Reader, node: Optional[yaml.Node], section: str) -> Dict[str, str]:
+    """Return the value of each spelling; a spelling with two values is a mistake."""
+    found: Dict[str, str] = {}
+    if node is None:
+        return found
+    if not isinstance(node, yaml.MappingNode):
+        reader.mapping(node, section, ("name",))
+        return found
+    for name_node, words in node.value:
+        key = f"{section}.{name_node.value}"
+        for spelling in reader.texts(words, key):
+            if spelling in found:
+                reader.report("DUPLICATE_SPELLING", words, key, spelling, "a spelling that no other entry has")
+            found[spelling] = name_node.value
+    return found
+
+
+@lru_cache(maxsize=None)
+def shipped_meanings() -> Meanings:
+    """Return the meanings of ``meanings.yaml``, read once.
+
+    Raises:
+        FileRefused: the file is wrong
+    """
+    return load_meanings(read_text(str(MEANINGS_FILE)), str(MEANINGS_FILE))

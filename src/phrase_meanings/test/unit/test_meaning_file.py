@@ -1,0 +1,20 @@
+"""The file of meanings."""
+
+import pytest
+
+from phrase_meanings.meaning_file import load_meanings, shipped_meanings
+from semantic_frames.problem import FileRefused
+
+
+def test_shipped_spellings_lead_to_one_meaning() -> None:
+    meanings = shipped_meanings()
+    assert meanings.relation("Next to") == "next_to"
+    assert meanings.relation("concerning") == "concerning"
+    assert meanings.quantifiers["an"] == "a"
+
+
+def test_a_spelling_with_two_meanings_is_refused() -> None:
+    text = "relations: {a: [x], b: [x]}\ndirections: {}\nquantifiers: {}\nbounds: {}\nexceptions: []"
+    with pytest.raises(FileRefused) as refused:
+        load_meanings(text, "m.yaml")
+    assert refused.value.problems[0].key == "relations.b"

@@ -1,0 +1,171 @@
+"""The files of a new ability: frame, lexical unit, RFNServer, test; and of the package that holds them."""
+
+import re
+from dataclasses import dataclass
+from typing import Dict, List, Optional, Sequence, Tuple
+
+from roboframenet_tools import new_templates as templates
+
+_NAME = re.compile(r"[a-z][a-z0-9_]*")
+_VERB = re.compile(r"[a-z]+( [a-z]+)*")
+
+
+@dataclass(frozen=True)
+class Element:
+    """A frame element, and how a first version of the unit fills it.
+
+    Attributes:
+        name: of the element
+        is_core: whether the frame cannot be understood without it
+        quantity: "number", "duration"; empty for words
+        values: the only arguments; empty for any
+        relations: that fill it; empty when a person has to choose them
+        arguments: of the examples
+        examples: sentences, with the verb as "{verb}" or "{Verb}"
+    """
+
+    name: str
+    is_core: bool = True
+    quantity: str = ""
+    values: Tuple[str, ...] = ()
+    relations: Tuple[str, ...] = ("dobj",)
+    arguments: Tuple[str, ...] = ("the box", "the ball", "the red mug")
+    examples: Tuple[str, ...] = ("{Verb} the box.", "please {verb} the ball", "Could you {verb} the red mug?")
+
+
+#: The element of a frame about which nothing else is known.
+THEME = Element("theme")
+
+
+@dataclass(frozen=True)
+class Ability:
+    """What is to be written.
+
+    Attributes:
+        name: of the frame
+        verb: that evokes it, base form, with a particle if it has one
+        elements: of the frame, the one of the examples first
+        action: package and name of an action type ("nav_msgs", "GetMapAction"); None for a server of frames
+        package: the catkin package; empty for a plain folder
+
+    Raises:
+        ValueError: a name or the verb has another form
+    """
+
+    name: str
+    verb: str
+    elements: Sequence[Element] = (THEME,)
+    action: Optional[Tuple[str, str]] = None
+    package: str = ""
+
+    def __post_init__(self) -> None:
+        for name, what, example in ((self.name, "a frame", "waving"), (self.package or "x", "a package", "my_robot")):
+            if not _NAME.fullmatch(name):
+                raise ValueError(
+                    f"'{name}' is not the name of {what}: use lower case letters, digits and underscores, such as "
+                    f"{example}"
+                )
+        if not _VERB.fullmatch(self.verb):
+            raise ValueError(
+                f"'{self.verb}' is not a verb: use lower case words, such as 'pick up' (give it with --verb)"
+            )
+
+
+def ability_files(ability: Ability) -> Dict[str, str]:
+    """Return the text of each file of an ability by its path in the folder."""
+    name = ability.name
+    paths = {
+        f"frames/{name}.yaml": _frame(ability),
+        f"lexical_units/{name}.yaml": _unit(ability),
+        f"nodes/{name}_server": _server(ability),
+        f"test/unit/test_{name}.py": templates.UNIT_TEST.format(name=name),
+    }
+    if ability.package:
+        capital = "".join(part.capitalize() for part in name.split("_"))
+        words = {"name": name, "package": ability.package, "capital": capital, "sentence": _sentence(ability)}
+        paths[f"test/rostest/{name}.test"] = templates.ROSTEST.format(**words)
+        paths[f"test/rostest/{name}_test.py"] = templates.ROSTEST_CODE.format(**words)
+    return paths
+
+
+def package_files(ability: Ability) -> Dict[str, str]:
+    """Return the text of each file that a package needs beside those of its first ability."""
+    dependencies = f"  <exec_depend>{ability.action[0]}</exec_depend>\n" if ability.action else ""
+    return {
+        "package.xml": templates.PACKAGE_XML.format(package=ability.package, dependencies=dependencies),
+        "CMakeLists.txt": templates.CMAKE_LISTS.format(package=ability.package),
+        f"launch/{ability.package}.launch": templates.LAUNCH.format(package=ability.package, nodes=node_line(ability)),
+    }
+
+
+def node_line(ability: Ability) -> str:
+    """Return the line of a launch file that starts the server."""
+    return templates.NODE.format(package=ability.package, name=ability.name)
+
+
+def is_program(path: str) -> bool:
+    """Whether a file is to be executed."""
+    return path.startswith("nodes/") or (path.startswith("test/rostest/") and path.endswith(".py"))
+
+
+def _said(text: str, verb: str) -> str:
+    return text.format(verb=verb, Verb=verb.capitalize())
+
+
+def _sentence(ability: Ability) -> str:
+    """Return a sentence that asks for the ability."""
+    return _said(ability.elements[0].examples[0], ability.verb)
+
+
+def _frame(ability: Ability) -> str:
+    lines: List[str] = []
+    for element in ability.elements:
+        lines += [f"  - name: {element.name}", f"    is_core: {element.is_core}"]
+        if element.quantity:
+            lines.append(f"    quantity: {element.quantity}")
+        if element.values:
+            lines.append(f"    values: [{', '.join(element.values)}]")
+        if element.is_core:
+            words = element.name.replace("_", " ")
+            question = f"What should I {ability.verb}?" if element == THEME else f"What is the {words}?"
+            lines += [f"    question: {question}", f"    answer: {element.arguments[0]}"]
+    return templates.FRAME.format(name=ability.name, verb=ability.verb, elements="\n".join(lines))
+
+
+def _unit(ability: Ability) -> str:
+    relations: List[str] = []
+    for element in ability.elements:
+        if element.relations:
+            relations += [f"  - name: {element.name}", f"    relation: [{', '.join(element.relations)}]"]
+            if not element.quantity:
+                relations.append("    argument: phrase")
+        else:
+            relations.append(f"  # which words fill {element.name}? 'rfn explain' shows the relations of a sentence")
+    first = ability.elements[0]
+    examples = [
+        f"  - text: {_said(text, ability.verb)}\n    frame_elements: {{{first.name}: {argument}}}"
+        for text, argument in zip(first.examples, first.arguments)
+    ]
+    return templates.UNIT.format(
+        name=ability.name, verb=ability.verb, relations="\n".join(relations), examples="\n".join(examples)
+    )
+
+
+def _server(ability: Ability) -> str:
+    words = {"name": ability.name, "verb": ability.verb, "element": ability.elements[0].name}
+    imports = ["import rospkg", "import rospy"] if ability.package else ["import rospy"]
+    folder = 'os.path.join(os.path.dirname(os.path.realpath(__file__)), "..")'
+    if ability.package:
+        folder = f'rospkg.RosPack().get_path("{ability.package}")'
+    if ability.action:
+        package, kind = ability.action
+        callback = templates.EXECUTE.format(**words)
+        imports += ["from rfnserver import RFNServer", f"from {package}.msg import {kind}"]
+        constructor = f'RFNServer("{ability.name}", {kind}, execute_cb=execute, auto_start=False)'
+    else:
+        callback = templates.CALLBACK.format(**words)
+        imports += ["from rfnserver import RFNServer", "from rfnserver.arguments import argument"]
+        constructor = f'RFNServer("{ability.name}", {ability.name})'
+    return templates.SERVER.format(
+        imports="\n".join(imports) + "\n", folder=folder, callback=callback, constructor=constructor, **words
+    )

@@ -1,0 +1,78 @@
+"""The semantic types of English nouns, from WordNet."""
+
+from functools import lru_cache
+from pathlib import Path
+from typing import Dict, Tuple
+
+from semantic_frames.semantic_type import with_parents
+from semantic_frames.source_files import read_text
+from semantic_types.likelihood import UNTYPED, Likelihoods, of_names, of_weights
+from semantic_types.noun_file import NounFile, load_noun_file
+from semantic_types.wordnet import Sense, WordNet, shipped_wordnet
+
+#: The file is beside this module in the source, devel and install space.
+NOUN_FILE = Path(__file__).resolve().parent / "nouns.yaml"
+#: WordNet counts senses in texts of newspapers and novels. A person who talks to a robot means what can be seen and
+#: touched more often: "table" is the piece of furniture, though WordNet counts the one in a text twice as often.
+PHYSICAL_WEIGHT = 3.0
+#: Bounds of the memory for words and synsets; a household has fewer.
+MOST_WORDS = 4096
+MOST_SYNSETS = 16384
+
+
+class Nouns:
+    """The types of nouns, by WordNet's senses and a file that maps synsets to types."""
+
+    def __init__(self, wordnet: WordNet, file: NounFile) -> None:
+        self._wordnet = wordnet
+        self._file = file
+        self.types = lru_cache(maxsize=MOST_WORDS)(self._types)
+        self._of_synset = lru_cache(maxsize=MOST_SYNSETS)(self._find_of_synset)
+
+    def _types(self, noun: str, is_name: bool = False) -> Likelihoods:
+        """Return the types of a noun.
+
+        Args:
+            noun: singular, or a plural that WordNet has ("scissors"); words are separated by blanks
+            is_name: whether the noun is a proper noun: then only senses that are spelled with a capital count
+        Returns:
+            its types; none if WordNet has no such noun, or no sense of it has a type
+        """
+        key = noun.lower()
+        if not is_name and key in self._file.words:
+            return of_names(self._file.words[key])
+        senses = self._wordnet.senses(noun)
+        if is_name:
+            senses = tuple(sense for sense in senses if sense.spelling[:1].isupper())
+        weights: Dict[str, float] = {}
+        total = 0.0
+        for place, sense in enumerate(senses, start=1):
+            for name, weight in self._weights(sense, place).items():
+                weights[name] = weights.get(name, 0.0) + weight
+                total += weight
+        return of_weights(weights) if total else UNTYPED
+
+    def _weights(self, sense: Sense, place: int) -> Dict[str, float]:
+        """Return the weight of each type of a sense; a sense that was never counted weighs by its place."""
+        weight = sense.count + 1.0 / place
+        types = self._of_synset(sense.synset)
+        return {name: weight * (PHYSICAL_WEIGHT if "Physical_entity" in with_parents(name) else 1.0) for name in types}
+
+    def _find_of_synset(self, synset: int) -> Tuple[str, ...]:
+        """Return the types of the nearest synsets that the file maps, upwards."""
+        if synset in self._file.synsets:
+            return self._file.synsets[synset]
+        found = [name for above in self._wordnet.hypernyms(synset) for name in self._of_synset(above)]
+        return tuple(dict.fromkeys(found))
+
+
+@lru_cache(maxsize=None)
+def shipped_nouns() -> Nouns:
+    """Return the nouns of the machine's WordNet with the types of ``nouns.yaml``, read once.
+
+    Raises:
+        NoWordNet: the database is not installed
+        FileRefused: the file is wrong
+    """
+    wordnet = shipped_wordnet()
+    return Nouns(wordnet, load_noun_file(read_text(str(NOUN_FILE)), str(NOUN_FILE), wordnet))

@@ -1,0 +1,119 @@
+"""The README and each tutorial run to their ends by their own text, each in an empty folder."""
+
+import os
+import re
+import shutil
+import signal
+import socket
+import subprocess
+import time
+from pathlib import Path
+from typing import Dict, Iterator
+
+import pytest
+
+from page import script_of, steps
+
+REPOSITORY = Path(os.path.realpath(__file__)).parents[2]
+PAGES = (REPOSITORY / "README.md", *sorted((REPOSITORY / "docs" / "tutorials").glob("*/README.md")))
+#: What a fresh Debian has, so that another Python on the path of a developer is not the one of ROS.
+SYSTEM_PATH = "/usr/local/sbin:/usr/local/bin:/usr/sbin:/usr/bin:/sbin:/bin"
+#: The whole of a page, and the start of the pipeline, on a busy machine; seconds.
+PAGE_TIMEOUT_S = 600.0
+START_TIMEOUT_S = 180.0
+_COLOURS = re.compile("\x1b\\[[0-9;]*m")
+
+
+def environment() -> Dict[str, str]:
+    """Return the environment of a shell that has sourced the workspace, with a master of its own."""
+    with socket.socket() as one:
+        one.bind(("127.0.0.1", 0))
+        port = one.getsockname()[1]
+    return {
+        **os.environ,
+        "PATH": f"{REPOSITORY}/devel/bin:{SYSTEM_PATH}",
+        "ROS_MASTER_URI": f"http://127.0.0.1:{port}",
+        "ROS_HOSTNAME": "127.0.0.1",
+    }
+
+
+def end(process: "subprocess.Popen[bytes]") -> None:
+    """End a process and those that it started."""
+    for number, patience_s in ((signal.SIGINT, 60.0), (signal.SIGKILL, 60.0)):
+        try:
+            os.killpg(process.pid, number)
+        except ProcessLookupError:
+            return
+        try:
+            process.wait(patience_s)
+            return
+        except subprocess.TimeoutExpired:
+            continue
+
+
+@pytest.fixture(scope="module")
+def running(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Dict[str, str]]:
+    """The environment of the pages that need a running pipeline; it runs as ``make run`` runs it."""
+    surroundings = environment()
+    log = tmp_path_factory.mktemp("make_run") / "log"
+    with open(log, "wb") as file:
+        process = subprocess.Popen(
+            [str(REPOSITORY / "scripts" / "run")],
+            env=surroundings,
+            stdout=file,
+            stderr=subprocess.STDOUT,
+            start_new_session=True,
+        )
+    try:
+        deadline_s = time.monotonic() + START_TIMEOUT_S
+        while subprocess.run(["rfn", "say", "Ping."], env=surroundings, capture_output=True, check=False).returncode:
+            assert process.poll() is None and time.monotonic() < deadline_s, log.read_text()[-3000:]
+        yield surroundings
+    finally:
+        end(process)
+
+
+def without_make(text: str) -> str:
+    """Return a page without what the fixture does, and without the targets that run this test themselves."""
+    targets = re.findall(r"^make (\w+)", text, re.MULTILINE)
+    makefile = (REPOSITORY / "Makefile").read_text(encoding="utf-8")
+    assert all(re.search(rf"^{target}:", makefile, re.MULTILINE) for target in targets)
+    return re.sub(r"^(make \w+.*|source devel/setup.bash)$", ":", text, flags=re.MULTILINE)
+
+
+def run_page(page: Path, text: str, surroundings: Dict[str, str], folder: Path) -> None:
+    """Run a page in an empty folder; the failure shows the block that failed and its output."""
+    workspace, blocks = folder / "workspace", folder / "blocks"
+    workspace.mkdir()
+    blocks.mkdir()
+    process = subprocess.Popen(
+        ["bash", "-c", script_of(text, blocks)],
+        cwd=workspace,
+        env=surroundings,
+        stdout=subprocess.DEVNULL,
+        stderr=subprocess.PIPE,
+        start_new_session=True,
+    )
+    try:
+        _, errors = process.communicate(timeout=PAGE_TIMEOUT_S)
+    finally:
+        end(process)
+    reached = (blocks / "reached").read_text().strip()
+    found = steps(text)
+    if reached != "done":
+        step = found[int(reached)].block
+        outputs = "\n".join(path.read_text()[-2000:] for path in sorted(blocks.glob("*.out"))[-4:])
+        pytest.fail(f"{page}:{step.line} failed:\n{step.text}\n{outputs}\n{errors.decode()[-500:]}")
+    for number, step in enumerate(found):
+        output = _COLOURS.sub("", (blocks / f"{number}.out").read_text(encoding="utf-8"))
+        assert step.output.fullmatch(output), f"{page}:{step.block.line} printed:\n{output}"
+
+
+@pytest.mark.parametrize("page", PAGES[:-1], ids=lambda page: page.parent.name)
+def test_page(page: Path, running: Dict[str, str], tmp_path: Path) -> None:
+    run_page(page, without_make(page.read_text(encoding="utf-8")), running, tmp_path)
+
+
+def test_your_own_robot(tmp_path: Path) -> None:
+    assert shutil.which("catkin_make", path=SYSTEM_PATH)
+    run_page(PAGES[-1], PAGES[-1].read_text(encoding="utf-8"), environment(), tmp_path)
