@@ -40,10 +40,10 @@ NO_SPEECH: Dict[str, Tuple[str, str]] = {
     "location_memorizer/locations.py": ("keys of a file", "x, y, heading"),
     "offline_pipeline/pipeline.py": (
         "keys of JSON",
-        "text, tokens, frames, reply, outcome, code, sentence, name, argument",
+        "text, tokens, frames, reply, outcome, code, sentence, name, argument, typed",
     ),
     "pr2_props/node.py": ("names of props", "hug, hugging, pound, pounding"),
-    "rfnserver/goal_binding.py": ("keys of a declaration", "element, unit, default, value"),
+    "rfnserver/goal_binding.py": ("keys of a declaration", "element, unit, default, value, values"),
     "rfnserver/goal_types.py": ("types of ROS", "bool, string, duration"),
     "roboframenet_demo/node.py": ("headings", "sentence, domain, frame and elements, verdict"),
     "roboframenet_demo/script.py": ("keys of a file", "say, outcome, expect, tolerance, interrupt, person"),

@@ -126,13 +126,6 @@ def test_pronoun_is_inferred(understand: Any) -> None:
     assert (found.text, found.source, found.words) == ("the red mug", Source.INFERRED, "it")
 
 
-def test_phrase_with_too_many_parts_keeps_its_words(understand: Any) -> None:
-    things = ", ".join(f"the cup {number}" for number in range(70))
-    outcome = understand(f"Bring {things} and the plate.")[0]
-    if isinstance(outcome, Understood):
-        assert argument(outcome, "theme").members == ()
-
-
 def test_two_directions_are_two_turns(understand: Any) -> None:
     found = argument(understand("Turn to the left and then to the right.")[0], "direction")
     assert [member.text for member in found.members] == ["left", "right"]

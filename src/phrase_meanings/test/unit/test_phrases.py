@@ -1,0 +1,18 @@
+"""Phrases of trees that no sentence of a test leads to; real sentences are in the tests of the framer."""
+
+from phrase_meanings.phrases import Phrases
+from utterance_passes.tree import DependencyTree, Word
+
+
+def list_of(count: int) -> DependencyTree:
+    """Return "bring cup, cup, ..."."""
+    words = [Word(1, "bring", "bring", "VERB", "VB", "", 0, "root"), Word(2, "cup", "cup", "NOUN", "NN", "", 1, "obj")]
+    words += [Word(index, "cup", "cup", "NOUN", "NN", "", 2, "conj") for index in range(3, count + 2)]
+    return DependencyTree(" ".join(word.form for word in words), tuple(words))
+
+
+def test_phrase_with_too_many_parts_keeps_its_words() -> None:
+    assert len(Phrases(list_of(60)).argument("theme", 2).members) == 60
+    found = Phrases(list_of(70)).argument("theme", 2)
+    assert found.members == ()
+    assert (len(found.positions), found.head, found.text.split()) == (70, "cup", ["cup"] * 70)
