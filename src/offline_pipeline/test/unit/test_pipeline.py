@@ -36,6 +36,9 @@ ODD = (
     ("go up to the desk", "particles_on_the_way: up: compound:prt(go) -> advmod(go)"),
     ("turn the lights off in the bedroom", "places_of_devices: bedroom: obl(turn) -> nmod(lights)"),
     ("give me a high five", "lists_less: low_fiving(hand=five, partner=me): dropped."),
+    ("take Anna to the hall", "wrong_type: bringing(theme=Anna, goal=the hall): dropped."),
+    ("carry Anna to the hall", 'wrong_type: carry Anna to the hall: asked. For me, "Anna" is a person'),
+    ("take it to the hall", "doubtful_type: guiding(cotheme=it, goal=the hall): dropped."),
     ("go get the mug", "verb_compounds: get: compound(go) -> xcomp(go)"),
     ("Can I have the mug?", "light_verbs: have: VERB/have have -> VERB/want want"),
     (

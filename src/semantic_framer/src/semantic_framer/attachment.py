@@ -2,7 +2,7 @@
 for it.
 """
 
-from typing import AbstractSet, FrozenSet, Sequence, Tuple
+from typing import AbstractSet, Collection, FrozenSet, Sequence, Tuple
 
 from utterance_passes.tree import DependencyTree
 from word_classes import word_class
@@ -82,6 +82,11 @@ def behind_description(tree: DependencyTree, verb: int, phrases: Sequence[int]) 
     return tuple(
         index for index in phrases if (is_purpose or index != min(described)) and max(tree.subtree(index)) == end
     )
+
+
+def is_later_item(tree: DependencyTree, index: int, phrases: Collection[int]) -> bool:
+    """Whether a word is a later item of a list whose first item is the head of a phrase: "to Anna and Ben" is one."""
+    return tree.word(index).deprel == "conj" and tree.word(index).head in phrases
 
 
 def places_before(tree: DependencyTree, head: int) -> Tuple[str, ...]:

@@ -138,7 +138,7 @@ def restructured(
         the sentence; or the readings to choose from, if the correction is ambiguous
     """
     try:
-        return Sentence(run_tree_passes(tree, known, passes, without=without, trace=trace))
+        return Sentence(run_tree_passes(tree, known, passes, without=without, trace=trace), known.types)
     except Uncertain as uncertain:
         if trace is not None:
             trace.add("corrections", after=f"asked: {uncertain}" if uncertain.choices else "all is taken back")

@@ -22,6 +22,7 @@ from semantic_framer.outcome import (
 from semantic_framer.reading import Reading
 from semantic_framer.references import remember, resolve
 from semantic_framer.sentence import Sentence
+from semantic_frames.semantic_type import SEMANTIC_TYPES
 from typed_arguments import TypedArgument
 from utterance_passes.trace import Trace
 from utterance_passes.utterance_pass import Choice
@@ -95,11 +96,16 @@ def resolve_and_confirm(
         context = remember(question[0], now.known.frames, context)
         done.append(question)
     confirm = [readings[0] for readings in done if now.known.frames[readings[0].unit.frame_name].is_confirmed]
-    if confirm and not is_confirmed:
+    wrong = [reason for readings in done for reason in _wrong_types(readings[0])]
+    if (confirm or wrong) and not is_confirmed:
         pending = Pending(without_positions(tuple(done)), 0, (), now.expires_s)
         acts = ", then ".join(_in_words(readings[0]) for readings in done)
-        now.write("confirm", acts, "asked. The frame wants a yes.")
-        asked = Question("CONFIRM", f'Shall I really do this: "{acts}"? Say yes or no.')
+        if wrong:
+            acts = ", then ".join(readings[0].clause_text or _in_words(readings[0]) for readings in done)
+            now.write("wrong_type", acts, f"asked. {' '.join(wrong)}")
+        else:
+            now.write("confirm", acts, "asked. The frame wants a yes.")
+        asked = Question("CONFIRM", " ".join([*wrong, f'Shall I really do this: "{acts}"? Say yes or no.']))
         return asked, replace(context, pending=pending)
     warning = f"ignored: {' '.join(ignored)}" if ignored and policy.left_over_words is LeftOverWords.WARN else ""
     return Understood(tuple(done), warning=warning), context
@@ -144,6 +150,15 @@ def _resolved(readings: Tuple[Reading, ...], context: Context, now: Now) -> Unio
         question = Question("AMBIGUOUS", f"Which one: {join_with_or(choices)}?")
         return _Open(question, (best,), (alternative.name,), choices)
     return tuple(resolved)
+
+
+def _wrong_types(reading: Reading) -> List[str]:
+    """Return a sentence for each value of another type than its element: what it is, and what it should be."""
+    return [
+        f'For me, "{wrong.words}" is {SEMANTIC_TYPES[wrong.found].words}, '
+        f"not {' or '.join(SEMANTIC_TYPES[name].words for name in wrong.accepted)}."
+        for wrong in reading.wrong_types
+    ]
 
 
 def without_positions(clauses: Clauses) -> Clauses:

@@ -42,7 +42,7 @@ def test_only_reading(understand: Any, text: str, frame: str, arguments: Dict[st
 @pytest.mark.parametrize(
     "text, code",
     [
-        ("set the projector to 20", "NO_READING"),
+        ("set the vase to 20", "NO_READING"),
         ("take a left at the door", "LEFT_OVER_WORDS"),
         ("take the second left", "LEFT_OVER_WORDS"),
         ("make a right at the end of the corridor", "LEFT_OVER_WORDS"),

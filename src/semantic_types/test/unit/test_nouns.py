@@ -12,7 +12,7 @@ from semantic_types.wordnet import shipped_wordnet
     ("kind", "nouns"),
     [
         ("Human", "nurse, grandmother, guest, boss, colleague, baby, kid, visitors, women"),
-        ("Animal", "dog, cat, mouse"),
+        ("Animal", "dog, cat, horse"),
         ("Container", "cup, box, suitcase, drawer, cupboard, wardrobe, envelope, tray, coffee cup, trash can, sink"),
         ("Cookware", "pot, pan, saucepan, wok, skillet"),
         ("Device", "lamp, tv, oven, dishwasher, thermostat, alarm, computer, fridge, washing machine, kettle"),

@@ -2,7 +2,7 @@
 
 from typing import Tuple
 
-from utterance_passes import correct_parse, names, participles, places_told
+from utterance_passes import correct_parse, names, objects_behind, participles, places_told
 from utterance_passes.utterance_pass import Example, Stage, TreePass
 
 #: Attach words where they can belong in a command; the words stay the same.
@@ -120,6 +120,16 @@ PARSE_CORRECTING_PASSES: Tuple[TreePass, ...] = (
         ),
         Stage.FRAMER,
         participles.with_participles_at_nouns,
+    ),
+    TreePass(
+        "objects_behind",
+        "Attach an object behind other phrases to the verb.",
+        Example(
+            "bring|VERB|0|root to|ADP|3|case Bob|PROPN|1|obl the|DET|5|det dish|NOUN|3|conj",
+            ("dish: conj(Bob) -> obj(bring)",),
+        ),
+        Stage.FRAMER,
+        objects_behind.with_objects_behind,
     ),
     TreePass(
         "places_told",

@@ -258,10 +258,15 @@ class _Quotation:
         """Remove "to Bob" from the message; a place after it says where Bob is."""
         for index in sorted(inside):
             word = self._tree.word(index)
-            phrase = self._tree.subtree(index)
+            cases = [child.index for child in self._tree.children(index) if child.deprel == "case"]
+            # In "say what day it is to Bob" the parser may take the person for a predicate.
+            phrase = frozenset(i for i in self._tree.subtree(index) if not cases or i >= cases[0])
             is_end = self._case(index) == "to" and max(phrase & inside) == max(inside) and phrase < inside
             is_somebody = word.upos == "PROPN" or word.form.lower() in _PERSONS_TOLD or is_person(word)
-            has_subject = any(self._tree.word(i).deprel.startswith("nsubj") for i in inside)
+            has_subject = any(
+                self._tree.word(i).deprel.startswith("nsubj") and self._tree.word(i).head != index
+                for i in inside - phrase
+            )
             if is_end and is_somebody and not has_subject:
                 self._moved[index] = (self._verb, "obl")
                 inside = inside - phrase

@@ -27,7 +27,7 @@ ORDER = (
     "one_object particle_predicates verb_compounds infinitive_conjuncts reroot "
     "objection restarts corrections "
     "modals_as_nouns particles_on_the_way places_of_devices places_of_all measured_turns sides_apart around_apart "
-    "degrees objects_of_vocatives letters_as_names participles places_told "
+    "degrees objects_of_vocatives letters_as_names participles objects_behind places_told "
     "light_verbs quotations comparisons formulas argument_clusters "
     "shared_verbs times"
 ).split()
