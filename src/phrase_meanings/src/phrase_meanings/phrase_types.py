@@ -23,6 +23,9 @@ _PERSON_OR_THING = of_weights({"Physical_object": 3.0, "Human": 1.0})
 _NAMED = of_names(["Human", "Location"])
 _NAME_WITH_CAPITAL = 0.85
 _NAME_WITHOUT_CAPITAL = 0.5
+#: Many places have the name of a person; few other things have.
+_PLACE = 0.4
+_KNOWN = 0.7
 #: "A cup of coffee" is coffee rather than a cup.
 _OF_COMPLEMENT = 0.6
 
@@ -34,6 +37,7 @@ class PhraseTypes:
         self._tree = tree
         self._words = words
         self._of: Dict[int, Likelihoods] = {}
+        self._fits: Dict[Tuple[int, Tuple[str, ...]], Fit] = {}
 
     def of(self, head: int) -> Likelihoods:
         """Return the types of a phrase, the likeliest first; none if nothing is known about it.
@@ -56,7 +60,10 @@ class PhraseTypes:
             head: index of the head word
             accepted: types; something of a type below them fits, too
         """
-        return max(self.of(item).fit(accepted) for item in self.items(head))
+        key = (head, tuple(accepted))
+        if key not in self._fits:
+            self._fits[key] = max(self.of(item).fit(accepted) for item in self.items(head))
+        return self._fits[key]
 
     def items(self, head: int) -> Tuple[int, ...]:
         """Return the heads of the items of a list; of any other phrase, its head."""
@@ -68,7 +75,7 @@ class PhraseTypes:
 
     def _find(self, head: int) -> Likelihoods:
         word = self._tree.word(head)
-        for text in self._texts_around(head):
+        for text in self._texts_around(head) if self._words.names else ():
             types = self._words.of_name(text)
             if types.types:
                 return types
@@ -133,7 +140,9 @@ class PhraseTypes:
             return as_common
         known = self._words.of_noun([word.form], is_name=True)
         if known.types:
-            return known
+            # "Jordan" is a country, and a person's name.
+            share = _PLACE if known.fit(["Location"]) is Fit.LIKELY else _KNOWN
+            return combined(((known, share), (_NAMED, 1.0 - share)))
         share = _NAME_WITH_CAPITAL if word.form[:1].isupper() else _NAME_WITHOUT_CAPITAL
         return combined(((_NAMED, share), (as_common, 1.0 - share)))
 

@@ -46,11 +46,13 @@ def with_types(arguments: Iterable[TypedArgument], frame: SemanticFrame, types: 
         accepted = element.semantic_types if element is not None else ()
         if accepted and argument.head_position and argument.measure is None:
             head = argument.head_position
-            argument = replace(argument, semantic_type=types.of(head).likeliest(accepted))
-            items = types.items(head)
-            worst = max(items, key=lambda item: types.of(item).fit(accepted))
-            fit = types.of(worst).fit(accepted)
+            likeliest = types.of(head).likeliest(accepted)
+            if likeliest != argument.semantic_type:
+                argument = replace(argument, semantic_type=likeliest)
+            fit = types.fit(head, accepted)
             if fit is Fit.WRONG:
+                items = types.items(head)
+                worst = max(items, key=lambda item: types.of(item).fit(accepted))
                 words = argument.text if len(items) == 1 else types.word(worst)
                 wrong.append(WrongType(argument.name, words, types.likeliest(worst), accepted))
             elif fit is Fit.POSSIBLE:

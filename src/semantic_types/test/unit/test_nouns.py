@@ -80,6 +80,7 @@ def test_a_proper_noun_has_only_the_senses_that_are_spelled_with_a_capital():
     assert shipped_nouns().types("ben").likeliest() == "Location"
     assert shipped_nouns().types("Paris", is_name=True).likeliest() == "Location"
     assert shipped_nouns().types("Anna", is_name=True).names == ()
+    assert shipped_nouns().types("Sam", is_name=True).names == ()
 
 
 def test_likelihoods_add_up_to_one():
