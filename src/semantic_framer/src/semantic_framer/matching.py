@@ -6,9 +6,12 @@ from typing import Dict, FrozenSet, Iterable, List, Optional, Sequence, Set, Tup
 from phrase_meanings.arguments import amount_argument, default_argument, unit_argument
 from phrase_meanings.head_words import is_side_of_something
 from semantic_framer.attachment import (
+    behind_description,
+    has_postmodifiers,
     is_direction,
     is_later_item,
     is_of_one_direction,
+    is_of_something,
     is_postmodifier_of,
     places_before,
     preposition_of,
@@ -313,6 +316,12 @@ class _Filling:
                 for inner in self._sentence.children(noun) if relation == "dobj" else ():
                     if inner.deprel == "nmod" and inner.index > noun:
                         found += self._sentence.dependents(inner.index, f"prep_{preposition}")
+                    if inner.deprel == "acl":
+                        found += behind_description(
+                            self._sentence.tree,
+                            inner.index,
+                            self._sentence.dependents(inner.index, f"prep_{preposition}"),
+                        )
         particle = [
             index for index in self._match.positions[1:] if self._sentence.word(index).form.lower() == preposition
         ]
@@ -382,9 +391,12 @@ class _Filling:
 
     def _places_behind(self, head: int, element: FrameElement, left_out: FrozenSet[int]) -> FrozenSet[int]:
         """Return the place phrases directly after a noun that fill no element: "the mug on the table"."""
-        if self._sentence.word(head).upos != "NOUN" or element.framenet == MESSAGE:
+        if not has_postmodifiers(self._sentence.tree, head):
             return frozenset()
         noun = self._sentence.subtree(head) - left_out
+        # "Say hello in the kitchen" says where to say it; "the name of the man in the kitchen" says which man is meant.
+        if element.framenet == MESSAGE and not is_of_something(self._sentence.tree, head):
+            return frozenset()
         taken = frozenset(self._heads.values())
         found: FrozenSet[int] = frozenset()
         for phrase in self._sentence.children(self._clause.verb):

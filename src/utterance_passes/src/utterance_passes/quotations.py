@@ -9,6 +9,7 @@ from dataclasses import dataclass
 from typing import Dict, FrozenSet, Iterable, Optional, Sequence, Set, Tuple
 
 from utterance_passes.clauses import Clause, find_clauses
+from utterance_passes.persons import is_person
 from utterance_passes.times import find_times
 from utterance_passes.tree import QUOTED, DependencyTree, Word
 from utterance_passes.tree_edits import TreeEdit
@@ -148,11 +149,13 @@ class _Quotation:
         objects = [child for child in self._tree.children(self._verb) if child.deprel in ("obj", "iobj")]
         if len(objects) != 1 or objects[0].index < self._start:
             return 0
-        heads = (self._verb, objects[0].index)
+        # "Tell the man *waiting* at the door to come."
+        described = [child.index for child in self._tree.children(objects[0].index) if child.deprel == "acl"]
+        heads = (self._verb, objects[0].index, *described)
         return next(
             (
                 word.index
-                for word in self._tree.words[objects[0].index : self._end - 1]
+                for word in reversed(self._tree.words[objects[0].index : self._end - 1])
                 if word.head in heads
                 and word.deprel in ("xcomp", "advcl", "ccomp", "acl")
                 and any(
@@ -255,10 +258,15 @@ class _Quotation:
         """Remove "to Bob" from the message; a place after it says where Bob is."""
         for index in sorted(inside):
             word = self._tree.word(index)
-            phrase = self._tree.subtree(index)
+            cases = [child.index for child in self._tree.children(index) if child.deprel == "case"]
+            # In "say what day it is to Bob" the parser may take the person for a predicate.
+            phrase = frozenset(i for i in self._tree.subtree(index) if not cases or i >= cases[0])
             is_end = self._case(index) == "to" and max(phrase & inside) == max(inside) and phrase < inside
-            is_somebody = word.upos == "PROPN" or word.form.lower() in _PERSONS_TOLD
-            has_subject = any(self._tree.word(i).deprel.startswith("nsubj") for i in inside)
+            is_somebody = word.upos == "PROPN" or word.form.lower() in _PERSONS_TOLD or is_person(word)
+            has_subject = any(
+                self._tree.word(i).deprel.startswith("nsubj") and self._tree.word(i).head != index
+                for i in inside - phrase
+            )
             if is_end and is_somebody and not has_subject:
                 self._moved[index] = (self._verb, "obl")
                 inside = inside - phrase
