@@ -130,6 +130,7 @@ NO_SPEECH: Dict[str, Tuple[str, str]] = {
     ),
     "turtlebot_follower/centroid.py": ("keys of numpy", "names, formats, offsets, itemsize"),
     "utter/speech.py": ("what the robot can tell, a sentence for each", "time, date, day, name"),
+    "utterance_passes/places_told.py": ("pronouns, a subject for each object", "him, her, them, it"),
     "utterance_passes/formula_file.py": (
         "keys of a file",
         (
