@@ -200,7 +200,8 @@ class Pipeline:
         try:
             return self.understand(text, context)
         except Exception as error:  # boundary: a batch continues after a sentence that causes an error
-            return Understanding(text, Reply("FAILED", "STAGE_ERROR", f"{type(error).__name__}: {error}"))
+            reply = Reply("FAILED", "STAGE_ERROR", f"{type(error).__name__}: {error}")
+            return Understanding(text, reply, context=context)
 
     def _understanding(self, text: str, tree: DependencyTree, heard: Heard, trace: Optional[Trace]) -> Understanding:
         parameters = self._parameters

@@ -9,6 +9,7 @@ from command_server.stop_words import is_stop
 from offline_pipeline.knowledge import load_knowledge, pretend_servers, shipped_domains
 from offline_pipeline.pipeline import BEHAVIOURS, Parameters, Pipeline, to_json
 from semantic_framer.behaviour_2012 import Arguments, Questions
+from semantic_framer.dialogue import Context
 from semantic_framer.outcome import LeftOverWords, Policy
 
 
@@ -140,7 +141,7 @@ def test_the_context_is_carried_on(pipeline: Pipeline) -> None:
 
 
 def test_an_error_becomes_a_reply(pipeline: Pipeline, monkeypatch: pytest.MonkeyPatch) -> None:
-    def fail(*_: object) -> None:
+    def fail(text: str, context: Context) -> None:
         raise RuntimeError("broken")
 
     monkeypatch.setattr(pipeline, "understand", fail)
