@@ -14,6 +14,7 @@ from semantic_framer.descriptions import descriptions
 from semantic_framer.dialogue import Context
 from semantic_framer.framed_lexicon import FramedLexicon
 from semantic_framer.framer import Heard, hear
+from semantic_framer.heeding import heeded_elements
 from semantic_framer.outcome import (
     CORRECTION,
     DECLINED,
@@ -129,7 +130,10 @@ class Pipeline:
         self._parameters = parameters
         self._without = without
         self._is_traced = is_traced
-        self._known = FramedLexicon(knowledge.lexicon, knowledge.frames, knowledge.types)
+        graph = knowledge.graph
+        served = {frame for frame, server in graph.registrations() if graph.is_alive(server)}
+        heeded = heeded_elements(knowledge.frames, served)
+        self._known = FramedLexicon(knowledge.lexicon, knowledge.frames, knowledge.types, heeded)
         self._verbs = frozenset(verb.split()[0] for verb in knowledge.lexicon.verbs)
 
     @property

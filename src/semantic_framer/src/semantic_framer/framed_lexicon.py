@@ -1,7 +1,7 @@
 """Lexical units and the frames that they evoke: the knowledge of the framer, and the vocabulary of the passes."""
 
 from dataclasses import dataclass, field
-from typing import Mapping, Optional, Sequence, Tuple
+from typing import FrozenSet, Mapping, Optional, Sequence, Tuple
 
 from semantic_framer.frame_roles import ADDRESSEE, MESSAGE
 from semantic_framer.lexicon import Lexicon
@@ -18,11 +18,14 @@ class FramedLexicon:
         lexicon: lexical units
         frames: frames by name; a unit whose frame is missing evokes nothing
         types: semantic types of words
+        heeded: elements of each frame that reach a server; a frame that is missing cannot be carried out, which the
+            registrar says
     """
 
     lexicon: Lexicon
     frames: Mapping[str, SemanticFrame]
     types: WordTypes = field(default_factory=shipped_types)
+    heeded: Mapping[str, FrozenSet[str]] = field(default_factory=dict)
 
     def verbs_beginning_with(self, word: str) -> Tuple[str, ...]:
         """Return the verbs whose first word is this one, those with more words first."""

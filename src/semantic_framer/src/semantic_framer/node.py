@@ -4,7 +4,7 @@ import threading
 import time
 import uuid
 from dataclasses import replace
-from typing import Dict, List, Tuple
+from typing import Dict, FrozenSet, List, Mapping, Tuple
 
 import rospy
 from roboframenet_msgs.msg import (
@@ -33,6 +33,7 @@ from semantic_framer.behaviour_2012 import with_habits
 from semantic_framer.dialogue import Context
 from semantic_framer.framed_lexicon import FramedLexicon
 from semantic_framer.framer import Outcome, hear
+from semantic_framer.heeding import heeded_elements
 from semantic_framer.known_names import KnownNames
 from semantic_framer.lexicon import Lexicon
 from semantic_framer.lexicon_files import LexiconFiles, LexiconState
@@ -72,6 +73,7 @@ class SemanticFramer:
         self._lock = threading.Condition()
         self._lexicon = Lexicon()
         self._frames: Dict[str, SemanticFrame] = {}
+        self._heeded: Mapping[str, FrozenSet[str]] = {}
         self._frame_of_file: Dict[Tuple[str, str], SemanticFrame] = {}
         self._context = Context()
         self._context_stamp = self._stop_stamp = rospy.Time()
@@ -157,8 +159,10 @@ class SemanticFramer:
             except FileRefused as refused:
                 rospy.logwarn("the catalogue holds a frame that cannot be read: %s", refused)
         self._frame_of_file = of_file
+        frames = {frame.name: frame for frame in of_file.values()}
+        heeded = heeded_elements(frames, {one.frame_name for one in message.callbacks if one.is_alive})
         with self._lock:
-            self._frames = {frame.name: frame for frame in of_file.values()}
+            self._frames, self._heeded = frames, heeded
             self._lock.notify_all()
 
     def _on_stop(self, report: StopReport) -> None:
@@ -196,7 +200,7 @@ class SemanticFramer:
                 trace = Trace() if self._settings.trace else None
                 heard = hear(
                     tree,
-                    FramedLexicon(self._lexicon, frames, self._names.types),
+                    FramedLexicon(self._lexicon, frames, self._names.types, self._heeded),
                     context=self._context,
                     policy=self._settings.policy,
                     now_s=time.monotonic(),

@@ -5,8 +5,9 @@ from typing import FrozenSet, Optional, Tuple, Union
 
 from semantic_framer.extra_phrases import extra_arguments
 from semantic_framer.frame_roles import NAME
+from semantic_framer.heeding import without_unheeded
 from semantic_framer.matching import read_clause
-from semantic_framer.outcome import Refusal
+from semantic_framer.outcome import CAREFUL, Refusal
 from semantic_framer.reading import Reading, rank, without_duplicates
 from semantic_framer.sentence import Sentence
 from semantic_framer.things import is_indefinite
@@ -113,6 +114,8 @@ def plausible_readings(case: ClauseCase, trace: Optional[Trace] = None) -> Tuple
             if before != after:
                 words = sorted(set(after.left_over) - set(before.left_over))
                 trace.add("phrases_left_over", str(after), "", f"left over: {case.sentence.text(words)}", words)
+    if case.of.policy.left_over_words in CAREFUL:
+        readings = tuple(_with_what_is_heeded(case, reading, trace) for reading in readings)
     plausible = drop(PLAUSIBILITY, case, readings, readings, trace)
     listed = frozenset().union(*(reading.listed for reading in plausible))
     text = _clause_text(case.sentence.tree, case.clause)
@@ -126,6 +129,15 @@ def plausible_readings(case: ClauseCase, trace: Optional[Trace] = None) -> Tuple
         for reading in drop(DOMINATED, case, plausible, plausible, trace)
     )
     return tuple(sorted(judged, key=rank))
+
+
+def _with_what_is_heeded(case: ClauseCase, reading: Reading, trace: Optional[Trace]) -> Reading:
+    """Leave over what reaches no server, so that it is asked about and not dropped."""
+    name = reading.unit.frame_name
+    kept, words = without_unheeded(case.sentence, reading, case.of.known.frames[name], case.of.known.heeded.get(name))
+    if words and trace is not None:
+        trace.add("unheeded", str(kept), "", f"left over: {case.sentence.text(words)}", words)
+    return kept
 
 
 def _clause_text(tree: DependencyTree, clause: Clause) -> str:
