@@ -67,6 +67,15 @@ def fill(frame: SemanticFrame, arguments: Mapping[str, TypedArgument]) -> Filled
                 "VALUE_NOT_ALLOWED",
                 f'The {spoken_name(element.name)} cannot be "{text}", only {join_with_or(element.values)}.',
             )
+        relation = found[element.name].relation
+        if element.relations and relation and relation not in element.relations:
+            said = found[element.name].words or f"{relation.replace('_', ' ')} {text}"
+            allowed = join_with_or(tuple(other.replace("_", " ") for other in element.relations))
+            raise Unfillable(
+                "VALUE_NOT_ALLOWED",
+                f'The {spoken_name(element.name)} of {spoken_name(frame.name)} cannot be "{said}", only {allowed} '
+                "something.",
+            )
         if element.quantity is not None:
             found[element.name] = _measured(frame, element, element.quantity, found)
     return FilledFrame(name=frame.name, arguments=tuple(found.values()))
@@ -127,7 +136,9 @@ def child_arguments(parent: FilledFrame, child: RelatedFrame) -> Optional[Mappin
         elif isinstance(relation, ElementMapping):
             argument = parent.find(relation.parent_name)
             if argument is not None:
-                arguments[name] = argument if argument.name == name else replace(argument, name=name)
+                meant = relation.relation or argument.relation
+                is_same = argument.name == name and argument.relation == meant
+                arguments[name] = argument if is_same else replace(argument, name=name, relation=meant)
     return arguments
 
 

@@ -10,7 +10,7 @@ from frame_registrar import sequence_finder
 from frame_registrar.graph import FrameGraph
 from frame_registrar.search import Candidate, Reading, Refusal, combinations, search
 from semantic_frames import load_frame
-from typed_arguments import TypedArgument
+from typed_arguments import Source, TypedArgument
 
 MOVING = """
 name: moving
@@ -367,3 +367,51 @@ def test_alternatives_come_in_the_order_of_the_files() -> None:
         "a2 b2",
         "c1",
     ]
+
+
+PLACING = """
+name: placing
+frame_elements: [{name: goal, is_core: True}]
+children:
+  - - name: going
+      frame_element_relations: [{parent_name: goal, child_name: goal, relation: to}]
+    - name: releasing
+      frame_element_relations: [{parent_name: goal, child_name: goal}]
+"""
+
+
+@pytest.mark.parametrize("relation, is_done", [("on", True), ("next_to", True), ("under", False), ("", True)])
+def test_relation_that_a_frame_cannot_express_is_refused(relation: str, is_done: bool) -> None:
+    graph = graph_of(
+        PLACING,
+        "{name: going, frame_elements: [{name: goal, relations: [to]}]}",
+        "{name: releasing, frame_elements: [{name: goal, relations: ['on', next_to]}]}",
+        servers=(("going", "base"), ("releasing", "arm")),
+    )
+    said = TypedArgument("goal", "the table", relation=relation)
+    found = search(graph, [[Reading("placing", (said,))]], max_candidates=9)
+    if is_done:
+        going, releasing = only(found)[0].frames
+        assert (going.arguments[0].relation, releasing.arguments[0].relation) == ("to", relation)
+    else:
+        assert found == Refusal(
+            "VALUE_NOT_ALLOWED",
+            'The goal of releasing cannot be "under the table", only on or next to something.',
+        )
+
+
+def test_default_has_its_measure_and_says_that_it_is_one() -> None:
+    graph = graph_of(
+        "{name: turning, frame_elements: [{name: angle, default: '90', quantity: angle, unit_element: unit},"
+        " {name: unit, default: degrees}]}",
+        servers=(("turning", "base"),),
+    )
+    angle = only(search(graph, [[Reading("turning")]], max_candidates=9))[0].frames[0].find("angle")
+    assert angle is not None and angle.source is Source.DEFAULT
+    assert angle.si == pytest.approx(1.5707963)
+
+
+def test_member_of_a_list_keeps_the_relation_that_was_said_once() -> None:
+    graph = graph_of(TAKING % "repeat", servers=(("taking", "s"),))
+    found = only(search(graph, [[Reading("taking", (listed("and"),))]], max_candidates=9))
+    assert [frame.arguments[0].relation for frame in found[0].frames] == ["under", "behind"]

@@ -28,6 +28,7 @@ class FrameElement:
         minimum: smallest amount allowed, in SI units; None for no limit
         maximum: largest amount allowed, in SI units; None for no limit
         values: the only arguments allowed; empty for any
+        relations: the only relations of an argument that can be expressed ("on", "in"); empty for any
         question: asks a person for the element ("How far should I move?"); empty for a question made of the name
         answer: an example of an answer ("three feet"); empty for none
         framenet: name of the frame element in FrameNet; empty when FrameNet has none
@@ -42,6 +43,7 @@ class FrameElement:
     minimum: Optional[float] = None
     maximum: Optional[float] = None
     values: Tuple[str, ...] = ()
+    relations: Tuple[str, ...] = ()
     question: str = ""
     answer: str = ""
     framenet: str = ""
@@ -50,10 +52,18 @@ class FrameElement:
 
 @dataclass(frozen=True)
 class ElementMapping:
-    """The child's element takes the argument of the parent's element."""
+    """The child's element takes the argument of the parent's element.
+
+    Attributes:
+        parent_name: element of the parent
+        child_name: element of the child
+        relation: relation that the argument has for the child; empty for that of the parent. To put something *on* the
+            table, the robot goes *to* the table.
+    """
 
     parent_name: str
     child_name: str
+    relation: str = ""
 
 
 @dataclass(frozen=True)

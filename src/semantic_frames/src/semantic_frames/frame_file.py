@@ -30,13 +30,14 @@ ELEMENT_KEYS = (
     "minimum",
     "maximum",
     "values",
+    "relations",
     "question",
     "answer",
     "framenet",
     "semantic_type",
 )
 CHILD_KEYS = ("name", "frame_element_relations")
-RELATION_KEYS = ("parent_name", "parent_value", "child_name", "child_value")
+RELATION_KEYS = ("parent_name", "parent_value", "child_name", "child_value", "relation")
 
 
 def load_frame(text: str, path: str) -> SemanticFrame:
@@ -91,6 +92,7 @@ def _elements(reader: Reader, node: Optional[yaml.Node]) -> Tuple[FrameElement, 
             minimum=_limit(reader, entries, key, "minimum", quantity),
             maximum=_limit(reader, entries, key, "maximum", quantity),
             values=reader.texts(entries.get("values"), f"{key}.values"),
+            relations=reader.texts(entries.get("relations"), f"{key}.relations"),
             question=reader.text(entries.get("question"), f"{key}.question"),
             answer=reader.text(entries.get("answer"), f"{key}.answer"),
             framenet=reader.text(entries.get("framenet"), f"{key}.framenet"),
@@ -203,7 +205,9 @@ def _relation(reader: Reader, node: yaml.Node, key: str, names: List[str]) -> Op
         return reader.name(entries.get(name), f"{key}.{name}")
 
     makers: Dict[FrozenSet[str], Callable[[], FrameElementRelation]] = {
-        frozenset(("parent_name", "child_name")): lambda: ElementMapping(text("parent_name"), text("child_name")),
+        frozenset(("parent_name", "child_name")): lambda: ElementMapping(
+            text("parent_name"), text("child_name"), reader.text(entries.get("relation"), f"{key}.relation")
+        ),
         frozenset(("parent_name", "child_value")): lambda: ValueCondition(
             text("parent_name"), reader.texts(entries["child_value"], f"{key}.child_value")
         ),
@@ -211,7 +215,8 @@ def _relation(reader: Reader, node: yaml.Node, key: str, names: List[str]) -> Op
     }
     if not entries:
         return None
-    make = makers.get(frozenset(entries))
+    is_mapping = {"parent_name", "child_name"} <= set(entries)
+    make = makers.get(frozenset(entries) - ({"relation"} if is_mapping else frozenset()))
     if make is None:
         reader.report(
             "RELATION_FORM",
