@@ -39,6 +39,8 @@ SUMS = {
     "roboframenet_msgs/FrameCatalogue": "3912268bb832acb7cbb7081d0e7ce1a9",
     "roboframenet_msgs/GetEmptyFrame": "04219de4717ce8422705fc0a0c034202",
     "roboframenet_msgs/HeededElement": "6a7eb758bbfe9bc27a64ff03e6697d2b",
+    "roboframenet_msgs/KnownName": "8c88d6e9e3ec55fb75efe3cc8092bf47",
+    "roboframenet_msgs/KnownNames": "66d6a2aceddbb587bc9c830a4a59e045",
     "roboframenet_msgs/LexicalUnitReading": "85db7633d5df0c383c97487518d9e959",
     "roboframenet_msgs/Lexicon": "ccf56eabb845a05f5695134bab46cff4",
     "roboframenet_msgs/Locations": "a528a136f6c6b68beaf8e529bd27b9ef",

@@ -10,11 +10,13 @@ from typing import List, Mapping, Tuple
 from frame_learning.corpus_mapping import CorpusMapping
 from semantic_framer.lexicon import Lexicon
 from semantic_framer.sentence import Sentence
+from semantic_framer.type_fits import fit_of_relation
 from semantic_frames.frame import SemanticFrame
 from semantic_frames.lexical_unit import ElementRelation, LexicalUnit
 from semantic_frames.relation_names import MEASURE
+from semantic_types import Fit
+from utterance_passes.correcting_table import PARSE_CORRECTING_PASSES
 from utterance_passes.running import run_tree_passes
-from utterance_passes.table import PARSE_CORRECTING_PASSES
 from utterance_passes.tree import DependencyTree
 from utterance_passes.vocabulary import Verbs
 
@@ -78,7 +80,8 @@ def _values(sentence: Sentence, verb: int, unit: LexicalUnit) -> Tuple[Tuple[str
 
 def _is_allowed(sentence: Sentence, position: int, relation: ElementRelation) -> bool:
     word = sentence.word(position)
-    return not relation.words or word.form.lower() in relation.words or word.lemma.lower() in relation.words
+    is_listed = word.form.lower() in relation.words or word.lemma.lower() in relation.words
+    return is_listed or fit_of_relation(sentence.types, position, relation) is not Fit.WRONG
 
 
 def _follow(sentence: Sentence, verb: int, steps: Tuple[str, ...]) -> List[int]:

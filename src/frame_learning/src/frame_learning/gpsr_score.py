@@ -47,10 +47,13 @@ def judge(pipeline: Pipeline, mapping: GpsrMapping, command: DrawnCommand) -> Ju
     understanding = pipeline.understand_safely(command.text)
     outcome = understanding.reply.outcome
     asks = meanings[0].asks
-    if outcome == "DONE" or (asks and outcome == "NEEDS_INFORMATION"):
-        mistakes = [_mistake(mapping, command, meaning, understanding) for meaning in meanings]
-        return Judged(command, Verdict.RIGHT) if "" in mistakes else Judged(command, Verdict.WRONG, mistakes[0])
-    verdict = Verdict.ASKED if outcome == "NEEDS_INFORMATION" else Verdict.REFUSED
+    mistakes = [_mistake(mapping, command, meaning, understanding) for meaning in meanings]
+    is_question = outcome == "NEEDS_INFORMATION"
+    if "" in mistakes and (outcome == "DONE" or (asks and is_question)):
+        return Judged(command, Verdict.RIGHT)
+    if outcome == "DONE":
+        return Judged(command, Verdict.WRONG, mistakes[0])
+    verdict = Verdict.ASKED if is_question else Verdict.REFUSED
     # The sentence repeats the clause after what is not understood.
     said = understanding.reply.sentence.split('" in "')[0]
     return Judged(command, verdict, f"{understanding.reply.code}: {_with_slots(command, said)}")
@@ -94,7 +97,7 @@ def _wrong_referent(words: "_Words", reading: Reading, frame: MeantFrame) -> str
     for element in frame.elements:
         referent = words.referent(element)
         value = next((value for value in reading.arguments if value.name in element.names), None)
-        if not referent or value is None or value.text.lower() == value.head.lower():
+        if not referent or value is None or words.is_as_said(value):
             continue
         if referent.lower() not in value.text.lower():
             return f'{value.name} "{value.head}" stands for "{value.text}", not for "{referent}"'
@@ -108,15 +111,21 @@ class _Words:
         self._command = command
         self._tree = tree
         self._performer = mapping.performer
+        matches = list(_WORD.finditer(command.text))
+        before = [""] + [match.group().lower() for match in matches]
+        # "Personal items" and "items" make "personal items items".
         self._words = {
             match.start(): match
-            for match in _WORD.finditer(command.text)
-            if match.group().lower() not in mapping.words_left_out
+            for match, last in zip(matches, before)
+            if match.group().lower() not in mapping.words_left_out | {last}
         }
 
     def of_element(self, element: MeantElement) -> FrozenSet[int]:
         first, last = element.span
         return self._between(self._command.spans[first][0], self._command.spans[last - 1][1])
+
+    def is_as_said(self, value: TypedArgument) -> bool:
+        return value.text.lower() in (self._tree.word(position).form.lower() for position in value.positions)
 
     def of_value(self, value: TypedArgument) -> FrozenSet[int]:
         found: FrozenSet[int] = frozenset()

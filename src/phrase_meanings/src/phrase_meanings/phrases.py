@@ -1,7 +1,7 @@
 """Makes the typed argument of a phrase: relation, quantifier, count, modifiers, parts and descriptions of its head."""
 
 from dataclasses import replace
-from typing import Dict, FrozenSet, Iterable, List, NamedTuple, Optional, Tuple
+from typing import Callable, Dict, FrozenSet, Iterable, List, NamedTuple, Optional, Tuple
 
 from phrase_meanings.head_words import chosen_from, is_side_of_something, modifiers, quantity
 from phrase_meanings.meaning_file import shipped_meanings
@@ -45,8 +45,14 @@ class _Extent(NamedTuple):
 class Phrases:
     """Makes the arguments of the phrases of one tree; a phrase that several lexical units ask for is read once."""
 
-    def __init__(self, tree: DependencyTree) -> None:
+    def __init__(self, tree: DependencyTree, semantic_type: Callable[[int], str] = lambda head: "") -> None:
+        """
+        Args:
+            tree: the sentence
+            semantic_type: returns the semantic type of a phrase, by the position of its head; empty if it is unknown
+        """
         self._tree = tree
+        self._semantic_type = semantic_type
         self._known: Dict[object, TypedArgument] = {}
 
     def argument(
@@ -136,6 +142,7 @@ class Phrases:
             lemma=word.lemma.lower(),
             head_position=noun,
             is_plural=_is_plural(word),
+            semantic_type=self._semantic_type(noun),
             relation=relation,
             quantifier=amount.quantifier,
             count=amount.count,

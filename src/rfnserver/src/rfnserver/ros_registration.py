@@ -153,8 +153,9 @@ class Registration:
                     if self._refusals.is_due(request, self._circumstances(request), now_s=time.monotonic())
                 ]
             for request in due:
+                again = " again" if self._reported.get(request) == "" else ""
                 if self._ask(request):
-                    rospy.loginfo("%s: %s %s repeated", self._server_name, request.kind.value, request.subject)
+                    rospy.loginfo("%s: %s %s%s", self._server_name, request.kind.value, request.subject, again)
             self._tell_remarks()
             for frame_name in unchecked:
                 self._report(RegistrationRequest(RequestKind.REGISTRATION, frame_name), self._find_fault(frame_name))

@@ -12,10 +12,12 @@ import rostest
 from std_msgs.msg import String
 from std_srvs.srv import Trigger, TriggerResponse
 
+from roboframenet_ros.ros_log import log_from_threads
 from roboframenet_ros.ros_master import MasterError, TimedMaster
 from roboframenet_ros.ros_persistent_parameter import PersistentParameter
 from roboframenet_ros.ros_publishing import publish
 from roboframenet_ros.ros_service import ServiceError, call_service
+from roboframenet_testing import wait_until
 
 NODE = """
 import enum
@@ -90,6 +92,15 @@ class NodeTest(unittest.TestCase):
         second = PersistentParameter("~kept")
         self.assertEqual(value, second.load())
         second.close(timeout_s=60.0)
+
+    def test_log_asks_the_master_for_its_parameter_once(self) -> None:
+        name = "/rosout_disable_topics_generation"
+        log_from_threads()
+        wait_until(lambda: rospy.has_param(name))
+        self.assertIs(False, rospy.get_param(name))
+        self.assertIs(False, rospy.get_param_cached(name))
+        with mock.patch.object(rospy.client._param_server, "target", None):
+            self.assertIs(False, rospy.get_param_cached(name))
 
     def test_service_answers(self) -> None:
         service = rospy.Service("~ready", Trigger, lambda _: TriggerResponse(success=True, message="yes"))

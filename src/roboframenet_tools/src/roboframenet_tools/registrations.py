@@ -1,29 +1,41 @@
-"""What ``rfn doctor`` says of the servers that are registered."""
+"""What ``rfn doctor`` finds about registered servers."""
 
-from typing import Collection, Sequence, Tuple
+import difflib
+from dataclasses import dataclass
+from typing import Iterable, List
 
 from roboframenet_tools.finding import Finding
-from semantic_frames.marked_yaml import did_you_mean
 
 
-def registration_findings(
-    frames: Collection[str], registrations: Sequence[Tuple[str, str, bool]]
-) -> Tuple[Finding, ...]:
-    """Check the registrations of servers.
+@dataclass(frozen=True)
+class Registered:
+    """A server that is registered for a frame, and whether it answers."""
+
+    frame: str
+    server: str
+    is_alive: bool
+
+
+def registration_findings(frames: Iterable[str], servers: Iterable[Registered]) -> List[Finding]:
+    """Find servers for frames that no file describes, and servers that do not answer.
 
     Args:
         frames: names of the frames that files describe
-        registrations: frame name, server, and whether the server is alive
+        servers: as the catalogue lists them
     """
-    findings = []
-    for frame, server, is_alive in registrations:
-        if frame not in frames:
-            advice = (
-                did_you_mean(frame, frames) or "add its frame file, or correct the name that the server registers for"
+    known, registered = list(frames), list(servers)
+    findings: List[Finding] = []
+    for one in registered:
+        if one.frame not in known:
+            alike = difflib.get_close_matches(one.frame, known, n=1)
+            hint = f"did you mean '{alike[0]}'? Correct the name, or add" if alike else "correct the name, or add"
+            findings.append(
+                Finding(
+                    "frame", f"{one.server} registered for '{one.frame}', which no file describes", f"{hint} the file"
+                )
             )
-            findings.append(Finding(server, f"registered for '{frame}', which no file describes", advice))
-        if not is_alive:
-            findings.append(Finding(server, "registered, and not running", "start it, or look into its log"))
-    if not findings:
-        findings.append(Finding("registrations", f"{len(registrations)}, each for a frame that a file describes"))
-    return tuple(dict.fromkeys(findings))
+        elif not one.is_alive:
+            findings.append(
+                Finding("server", f"{one.server} ({one.frame}) does not answer", "start it again, or see why it hangs")
+            )
+    return findings or [Finding("servers", f"{len(registered)} registered, all answer")]

@@ -2,7 +2,7 @@
 for it.
 """
 
-from typing import AbstractSet, FrozenSet, Tuple
+from typing import AbstractSet, Collection, FrozenSet, Sequence, Tuple
 
 from utterance_passes.tree import DependencyTree
 from word_classes import word_class
@@ -12,6 +12,7 @@ _OF_A_THING = frozenset(["with", "without"])
 _ADVERBS_BEFORE_PREPOSITIONS = word_class("adverbs_before_prepositions")
 _ALL_DIRECTIONS = word_class("all_directions")
 _AMOUNT_MODIFIERS = word_class("amount_modifiers")
+_INDEFINITE_PERSONS = word_class("indefinite_persons")
 _LEFT_AND_RIGHT = word_class("left_and_right")
 _ONWARD = word_class("onward_adverbs")
 _PLACE_ADVERBS = word_class("place_adverbs")
@@ -50,6 +51,42 @@ def is_postmodifier_of(tree: DependencyTree, index: int, head: int, is_described
 
 def _first_case(tree: DependencyTree, index: int) -> int:
     return min(child.index for child in tree.children(index) if child.deprel == "case")
+
+
+def has_postmodifiers(tree: DependencyTree, index: int) -> bool:
+    """Whether a place behind a word can tell which is meant: "the mug on the table", "Bob at the door"."""
+    word = tree.word(index)
+    return word.upos in ("NOUN", "PROPN") or word.form.lower() in _INDEFINITE_PERSONS
+
+
+def is_of_something(tree: DependencyTree, index: int) -> bool:
+    """Whether a noun has a complement with "of": "the name of the man"."""
+    return any(
+        child.deprel == "nmod" and any(case.form.lower() == "of" for case in tree.children(child.index))
+        for child in tree.children(index)
+    )
+
+
+def behind_description(tree: DependencyTree, verb: int, phrases: Sequence[int]) -> Tuple[int, ...]:
+    """Return the phrase behind a whole description: "guide the man sitting on the sofa *to the door*".
+
+    Args:
+        tree: the sentence
+        verb: of the description
+        phrases: phrases of the verb with the wanted preposition; the first phrase of "the man pointing to the door"
+            belongs to the description, and so does a phrase with more words of the description behind it
+    """
+    described = [child.index for child in tree.children(verb) if child.index > verb]
+    is_purpose = any(child.deprel == "mark" for child in tree.children(verb))
+    end = max(tree.subtree(verb))
+    return tuple(
+        index for index in phrases if (is_purpose or index != min(described)) and max(tree.subtree(index)) == end
+    )
+
+
+def is_later_item(tree: DependencyTree, index: int, phrases: Collection[int]) -> bool:
+    """Whether a word is a later item of a list whose first item is the head of a phrase: "to Anna and Ben" is one."""
+    return tree.word(index).deprel == "conj" and tree.word(index).head in phrases
 
 
 def places_before(tree: DependencyTree, head: int) -> Tuple[str, ...]:

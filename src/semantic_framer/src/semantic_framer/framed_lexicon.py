@@ -1,11 +1,12 @@
 """Lexical units and the frames that they evoke: the knowledge of the framer, and the vocabulary of the passes."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Mapping, Optional, Sequence, Tuple
 
 from semantic_framer.frame_roles import ADDRESSEE, MESSAGE
 from semantic_framer.lexicon import Lexicon
 from semantic_frames.frame import SemanticFrame
+from semantic_types import WordTypes, shipped_types
 from utterance_passes.vocabulary import Speech
 
 
@@ -16,10 +17,12 @@ class FramedLexicon:
     Attributes:
         lexicon: lexical units
         frames: frames by name; a unit whose frame is missing evokes nothing
+        types: semantic types of words
     """
 
     lexicon: Lexicon
     frames: Mapping[str, SemanticFrame]
+    types: WordTypes = field(default_factory=shipped_types)
 
     def verbs_beginning_with(self, word: str) -> Tuple[str, ...]:
         """Return the verbs whose first word is this one, those with more words first."""

@@ -1,13 +1,17 @@
 """Matches lexical units against a clause: finds the words that fill each frame element."""
 
 from dataclasses import replace
-from typing import Dict, FrozenSet, Iterable, List, Optional, Sequence, Set, Tuple
+from typing import Dict, FrozenSet, Iterable, List, Optional, Set, Tuple
 
 from phrase_meanings.arguments import amount_argument, default_argument, unit_argument
 from phrase_meanings.head_words import is_side_of_something
 from semantic_framer.attachment import (
+    behind_description,
+    has_postmodifiers,
     is_direction,
+    is_later_item,
     is_of_one_direction,
+    is_of_something,
     is_postmodifier_of,
     places_before,
     preposition_of,
@@ -20,9 +24,12 @@ from semantic_framer.measured_elements import measured_elements, measures_as_in_
 from semantic_framer.reading import Reading
 from semantic_framer.sentence import Sentence
 from semantic_framer.things import is_unfinished
+from semantic_framer.type_fits import fit_of_relation, with_types
+from semantic_framer.unit_trace import write_unit
 from semantic_frames.frame import FrameElement, SemanticFrame
 from semantic_frames.lexical_unit import ArgumentForm, ElementRelation, LexicalUnit
 from semantic_frames.relation_names import MEASURE
+from semantic_types import Fit
 from typed_arguments import TypedArgument
 from utterance_passes.clauses import Clause, shared_subject
 from utterance_passes.measures import Amount, amounts_of
@@ -34,10 +41,10 @@ from word_classes import word_class
 #: "bring the mug to the table". A phrase with another preposition ("on", "in", "near") belongs to the verb only for a
 #: core or required element: "put the mug on the table".
 DIRECTIONAL = frozenset(phrase.replace(" ", "_") for phrase in word_class("directional_prepositions"))
+#: What a unit asks for must be the usual sense of the words, or they must have no type.
+_MISFITS = (Fit.POSSIBLE, Fit.WRONG)
 _DESTINATION_ADVERBS = word_class("destination_adverbs")
 _PLACE_PREPOSITIONS = word_class("place_prepositions")
-#: The trace shows at most this many relations or words that the sentence does not have.
-_SHOWN = 8
 
 
 def read_clause(
@@ -65,44 +72,10 @@ def read_clause(
             if trace is not None:
                 if reading is not None:
                     trace.extend(filling.notes)
-                _write(trace, sentence, match, unit, reading, filling.unfilled())
+                write_unit(trace, sentence, match, unit, reading, filling.unfilled())
             if reading is not None:
                 readings.append(reading)
     return tuple(readings)
-
-
-def _write(
-    trace: Trace,
-    sentence: Sentence,
-    match: VerbMatch,
-    unit: LexicalUnit,
-    reading: Optional[Reading],
-    unfilled: Tuple[ElementRelation, ...],
-) -> None:
-    """Write to the trace that a unit was tried, and why it does not fit."""
-    missing = frozenset(element.name for element in reading.missing) if reading else frozenset()
-    looked_for = [
-        f"no {_some(' or ', list(map(str, relation.relations)))}"
-        + (f" ({_some(', ', relation.words)})" if relation.words else "")
-        + f" for {relation.name}"
-        for relation in unfilled
-        if (reading is None and relation.is_required) or relation.name in missing
-    ]
-    verdict = "no" if reading is None else "incomplete" if looked_for or missing else "fits"
-    left_over = sentence.text(reading.left_over) if reading else ""
-    parts = [verdict] + looked_for + ([f"left over: {left_over}"] if left_over else [])
-    place = f"{unit.path.rsplit('/', 1)[-1]}:{unit.line}"
-    trace.add(
-        "unit",
-        f"{match.verb} -> {reading or unit.frame_name}",
-        after="; ".join(parts) + f" [{place}]",
-        positions=match.positions,
-    )
-
-
-def _some(separator: str, texts: Sequence[str]) -> str:
-    """Join the first few texts, with dots if there are more."""
-    return separator.join(texts[:_SHOWN]) + (f"{separator}..." if len(texts) > _SHOWN else "")
 
 
 class _Filling:
@@ -123,6 +96,8 @@ class _Filling:
         self._frame = frame
         self._match = match
         self._amounts = amounts
+        #: How well a phrase fits the types of the relation that it fills, by element.
+        self._fits: Dict[str, Fit] = {}
         self._heads: Dict[str, int] = {}
         self._listed: Dict[str, FrozenSet[int]] = {}
         measured = measured_elements(sentence, unit, frame, match.positions, amounts)
@@ -143,12 +118,13 @@ class _Filling:
         for wants_core in (True, False):
             for relation in self._unit.relations:
                 element = self._frame.element(relation.name)
-                is_first = relation.is_required or bool(relation.words) or (element is not None and element.is_core)
+                is_first = relation.is_required or relation.is_limited or (element is not None and element.is_core)
                 if not self._is_taken(relation.name) and relation.name not in self._unread and is_first == wants_core:
                     self._take_phrase(relation)
         if any(relation.is_required and not self._is_taken(relation.name) for relation in self._unit.relations):
             return None
-        arguments = self._arguments()
+        typed = with_types(self._arguments(), self._frame, self._sentence.types)
+        arguments = typed.arguments
         names = {argument.name for argument in arguments}
         missing = tuple(
             element
@@ -166,6 +142,10 @@ class _Filling:
             coverage=coverage,
             listed=frozenset().union(*self._listed.values()),
             unread=tuple(dict.fromkeys(amount for amounts in self._unread.values() for amount in amounts)),
+            wrong_types=typed.wrong,
+            doubtful_types=len(
+                {name for name, fit in self._fits.items() if fit is not Fit.LIKELY}.union(typed.doubtful)
+            ),
         )
 
     def _note(self, rule: str, positions: Iterable[int], what: str) -> None:
@@ -198,14 +178,18 @@ class _Filling:
             for head in heads:
                 if head in self._heads.values() or head in self._match.positions or not self._is_in_clause(head):
                     continue
+                if is_later_item(self._sentence.tree, head, [*heads, *self._heads.values()]):
+                    continue
                 if not relation.words and is_unfinished(self._sentence.tree, head):
                     self._unread[relation.name] = ()
                     self._unfinished |= self._sentence.subtree(head)
                     self._note("unfinished", self._sentence.subtree(head), f"no noun for {relation.name}")
                     return
                 listed = self._listed_words(head, relation.words)
-                if relation.words and not listed:
+                fit = fit_of_relation(self._sentence.types, head, relation) if not listed else Fit.LIKELY
+                if fit is Fit.WRONG:
                     continue
+                listed = listed or frozenset([head] if relation.is_limited and fit is Fit.LIKELY else [])
                 is_adverb = relation.argument is ArgumentForm.PHRASE and self._is_only_an_adverb(head, path.steps)
                 numeral = numeral_at(head, path, self._amounts) if not relation.words else None
                 if numeral is not None and numeral.is_doubtful:
@@ -218,6 +202,7 @@ class _Filling:
                     continue
                 self._heads[relation.name] = head
                 self._listed[relation.name] = listed
+                self._fits[relation.name] = fit
                 self._note_where_from(relation.name, head)
                 return
 
@@ -296,6 +281,12 @@ class _Filling:
                 for inner in self._sentence.children(noun) if relation == "dobj" else ():
                     if inner.deprel == "nmod" and inner.index > noun:
                         found += self._sentence.dependents(inner.index, f"prep_{preposition}")
+                    if inner.deprel == "acl":
+                        found += behind_description(
+                            self._sentence.tree,
+                            inner.index,
+                            self._sentence.dependents(inner.index, f"prep_{preposition}"),
+                        )
         particle = [
             index for index in self._match.positions[1:] if self._sentence.word(index).form.lower() == preposition
         ]
@@ -348,7 +339,7 @@ class _Filling:
                 for rule, positions in (("places_behind", behind), ("words_before", before)):
                     if positions:
                         self._note(rule, positions, f'part of the {element.name} "{self._sentence.word(head).form}"')
-                attached = self._listed[element.name] | behind | before
+                attached = (self._listed[element.name] - {head}) | behind | before
                 found.append(self._sentence.phrases.argument(element.name, head, relation.argument, left_out, attached))
             elif element.default and not self._is_said_otherwise(element):
                 found.append(default_argument(element.name, element.default))
@@ -365,9 +356,12 @@ class _Filling:
 
     def _places_behind(self, head: int, element: FrameElement, left_out: FrozenSet[int]) -> FrozenSet[int]:
         """Return the place phrases directly after a noun that fill no element: "the mug on the table"."""
-        if self._sentence.word(head).upos != "NOUN" or element.framenet == MESSAGE:
+        if not has_postmodifiers(self._sentence.tree, head):
             return frozenset()
         noun = self._sentence.subtree(head) - left_out
+        # "Say hello in the kitchen" says where to say it; "the name of the man in the kitchen" says which man is meant.
+        if element.framenet == MESSAGE and not is_of_something(self._sentence.tree, head):
+            return frozenset()
         taken = frozenset(self._heads.values())
         found: FrozenSet[int] = frozenset()
         for phrase in self._sentence.children(self._clause.verb):

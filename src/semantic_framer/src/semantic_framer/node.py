@@ -20,16 +20,20 @@ from roboframenet_msgs.msg import (
     StopReport,
 )
 from roboframenet_msgs.msg import (
+    KnownNames as KnownNamesMessage,
+)
+from roboframenet_msgs.msg import (
     Lexicon as LexiconMessage,
 )
 from roboframenet_msgs.srv import AddLexicalUnit, AddLexicalUnitRequest, AddLexicalUnitResponse
 
-from roboframenet_ros.ros_node import read_parameters, run_node
+from roboframenet_ros.ros_node import StartError, read_parameters, run_node
 from roboframenet_ros.ros_stage import Stage
 from semantic_framer.behaviour_2012 import with_habits
 from semantic_framer.dialogue import Context
 from semantic_framer.framed_lexicon import FramedLexicon
 from semantic_framer.framer import Outcome, hear
+from semantic_framer.known_names import KnownNames
 from semantic_framer.lexicon import Lexicon
 from semantic_framer.lexicon_files import LexiconFiles, LexiconState
 from semantic_framer.outcome import Refusal, Understood, reply_outcome
@@ -38,6 +42,7 @@ from semantic_framer.settings import Settings
 from semantic_frames import FileRefused, load_frame
 from semantic_frames.frame import SemanticFrame
 from semantic_frames.source_files import LEXICAL_UNITS_FOLDER, yaml_files
+from semantic_types import NoWordNet
 from stanford_parser_ros.ros_messages import to_tree
 from utterance_passes.trace import Trace
 from utterance_passes.tree import DependencyTree
@@ -52,7 +57,8 @@ class SemanticFramer:
     """Understands commands, one at a time.
 
     Subscribes:
-        command_parse (CommandParse), frame_catalogue (FrameCatalogue, latched), stop_report (StopReport)
+        command_parse (CommandParse), frame_catalogue (FrameCatalogue, latched), stop_report (StopReport),
+        known_names (KnownNames, latched)
     Publishes:
         command_lexical_units (CommandLexicalUnits), filled_lexical_units (FilledLexicalUnitList),
         lexicon (Lexicon, latched), file_problems (FileProblems, latched), stage_events (StageEvent)
@@ -78,19 +84,23 @@ class SemanticFramer:
         self._configured = tuple(yaml_files(settings.lexical_unit_paths, LEXICAL_UNITS_FOLDER))
         self._added: List[str] = rospy.get_param(ADDED_LEXICAL_UNITS, [])
         self._is_announced = False
+        self._names = KnownNames(settings.names_file)
+        for problem in self._names.problems:
+            rospy.logerr("refused: %s", problem)
         self._files = LexiconFiles(self._lexicon, self._lock, self._announce)
         state = self._files.add(self._configured + tuple(self._added))
         self._subscribers = [
             rospy.Subscriber("frame_catalogue", FrameCatalogue, self._on_catalogue, queue_size=1),
             rospy.Subscriber("command_parse", CommandParse, self._on_command, queue_size=100),
             rospy.Subscriber("stop_report", StopReport, self._on_stop, queue_size=100),
+            rospy.Subscriber("known_names", KnownNamesMessage, self._on_names, queue_size=1),
         ]
         self._service = rospy.Service("add_lexical_unit", AddLexicalUnit, self._on_add_lexical_unit)
         rospy.loginfo(
             "ready: %d lexical units, %d verbs, %d problems, %s",
             len(self._lexicon.units),
             len(self._lexicon.verbs),
-            len(state.problems),
+            len(state.problems) + len(self._names.problems),
             settings,
         )
 
@@ -110,7 +120,7 @@ class SemanticFramer:
                         expected=problem.expected,
                         hint=problem.hint,
                     )
-                    for problem in state.problems
+                    for problem in self._names.problems + state.problems
                 ]
             )
         )
@@ -130,6 +140,12 @@ class SemanticFramer:
 
     def _on_add_lexical_unit(self, request: AddLexicalUnitRequest) -> AddLexicalUnitResponse:
         return AddLexicalUnitResponse(success=not self._files.add([request.absolute_file_path]).refused)
+
+    def _on_names(self, message: KnownNamesMessage) -> None:
+        source = message._connection_header.get("callerid", "known_names")
+        problems = self._names.hear(((known.name, known.semantic_types) for known in message.names), source)
+        if problems:
+            rospy.logerr("the names are refused, the names before stay: %s", problems[0])
 
     def _on_catalogue(self, message: FrameCatalogue) -> None:
         known = self._frame_of_file
@@ -180,7 +196,7 @@ class SemanticFramer:
                 trace = Trace() if self._settings.trace else None
                 heard = hear(
                     tree,
-                    FramedLexicon(self._lexicon, frames),
+                    FramedLexicon(self._lexicon, frames, self._names.types),
                     context=self._context,
                     policy=self._settings.policy,
                     now_s=time.monotonic(),
@@ -222,6 +238,19 @@ class SemanticFramer:
         self._stage.ends(command, outcome=outcome, code=code, sentence=sentence, trace=trace)
 
 
+def start() -> SemanticFramer:
+    """Start the node.
+
+    Raises:
+        ParameterError: a parameter is wrong
+        StartError: the database of nouns is not installed
+    """
+    try:
+        return SemanticFramer(read_parameters(Settings))
+    except NoWordNet as error:
+        raise StartError(str(error)) from error
+
+
 def main() -> None:
-    """Run the node until ROS shuts down; exit with a message if a parameter is wrong."""
-    run_node("semantic_framer", lambda: SemanticFramer(read_parameters(Settings)))
+    """Run the node until ROS shuts down; exit with a message if it cannot start."""
+    run_node("semantic_framer", start)

@@ -80,7 +80,7 @@ def _measured(reading: Reading) -> FrozenSet[int]:
 
 
 def is_numbered_place(filled: Filled) -> bool:
-    """Whether a number is taken for the place of something: "set the projector to 20"."""
+    """Whether a number is taken for the place of something: "set the vase to 20"."""
     if not filled.roles & PLACES or filled.head.upos != "NUM":
         return False
     elements = filled.frame.frame_elements

@@ -10,6 +10,23 @@ from utterance_passes.measures import Amount
 
 
 @dataclass(frozen=True)
+class WrongType:
+    """A value whose words have another semantic type than its element.
+
+    Attributes:
+        name: name of the element
+        words: the words, as they were said
+        found: their likeliest type
+        accepted: the types that the element may have
+    """
+
+    name: str
+    words: str
+    found: str
+    accepted: Tuple[str, ...]
+
+
+@dataclass(frozen=True)
 class Reading:
     """One way to understand a clause.
 
@@ -24,7 +41,10 @@ class Reading:
         listed: positions of words that the unit lists for its elements: "low five"
         unlikely: number of words that are unlikely to be meant for the element that they fill
         clause_text: the words of the clause, as they were said
+        extra: extra-thematic phrases among the left-over words, if they hold all of them; None if not
         unread: amounts that elements ask for but that must not be acted on: "two or three metres"
+        wrong_types: values of another semantic type than their frame element: "carry Anna"
+        doubtful_types: number of values whose words have the type that the unit asks for in a rare sense, or no type
     """
 
     unit: LexicalUnit
@@ -37,7 +57,10 @@ class Reading:
     listed: FrozenSet[int] = frozenset()
     unlikely: int = 0
     clause_text: str = ""
+    extra: Optional[Tuple[TypedArgument, ...]] = None
     unread: Tuple[Amount, ...] = ()
+    wrong_types: Tuple[WrongType, ...] = ()
+    doubtful_types: int = 0
 
     @property
     def said(self) -> FrozenSet[Tuple[str, str]]:
@@ -63,8 +86,10 @@ class Rank(NamedTuple):
 
     Attributes:
         is_incomplete: a core element is missing
+        wrong_types: number of elements whose words have another semantic type
         left_over: number of words that the reading does not account for
         unlikely: number of words that are unlikely to be meant for the element that they fill
+        doubtful_types: number of elements whose words have the type that the unit asks for in a rare sense, or no type
         unfilled: minus the number of elements that were said, minus the number of relations that the unit requires
         asked: number of elements that the framer would ask a person for
         verb: minus the number of words of the verb
@@ -77,8 +102,10 @@ class Rank(NamedTuple):
     """
 
     is_incomplete: bool
+    wrong_types: int
     left_over: int
     unlikely: int
+    doubtful_types: int
     unfilled: int
     asked: int
     verb: int
@@ -115,8 +142,10 @@ def rank(reading: Reading) -> Rank:
     verb_place = unit.verbs.index(reading.verb) if reading.verb in unit.verbs else len(unit.verbs)
     return Rank(
         is_incomplete=bool(reading.missing),
+        wrong_types=len(reading.wrong_types),
         left_over=len(reading.left_over),
         unlikely=reading.unlikely,
+        doubtful_types=reading.doubtful_types,
         unfilled=-len(reading.said) - sum(1 for relation in unit.relations if relation.is_required),
         asked=len(reading.asked),
         verb=-len(reading.verb.split()),

@@ -20,8 +20,9 @@ def resolve(reading: Reading, context: Context) -> Union[Reading, TypedArgument]
     for value in reading.arguments:
         word = value.text.lower()
         relation = next((relation for relation in reading.unit.relations if relation.name == value.name), None)
-        # "This place" is meant literally. If a unit lists only pronouns, it asks for their referents.
-        is_fixed = relation is not None and bool(set(relation.words) - PRONOUNS)
+        # "This place" is meant literally. If a unit lists only pronouns, it asks for their referents. "Them" who get
+        # something are persons, and only things and places are remembered.
+        is_fixed = relation is not None and (bool(set(relation.words) - PRONOUNS) or relation.is_for_persons)
         if word in PRONOUNS - DEMONSTRATIVES and value.positions and not is_fixed:
             # "Go near the radio and switch it on": a place may also be a thing.
             if not context.thing and not context.place:

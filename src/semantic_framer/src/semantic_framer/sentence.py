@@ -1,8 +1,10 @@
 """A sentence: its tree, and the relations of each governor."""
 
-from typing import Dict, FrozenSet, List, Sequence, Tuple
+from typing import Dict, FrozenSet, List, Optional, Sequence, Tuple
 
+from phrase_meanings.phrase_types import PhraseTypes
 from phrase_meanings.phrases import Phrases
+from semantic_types import WordTypes, shipped_types
 from stanford_parser_ros.stanford_dependencies import Arc, arcs
 from utterance_passes.tree import ABANDONED, ASIDE, DependencyTree, Word
 from word_classes import word_class
@@ -40,13 +42,20 @@ class Sentence:
 
     Attributes:
         tree: the tree
+        types: semantic types of its phrases
         phrases: makes the arguments of its phrases
         arcs: every relation, with all of its names
     """
 
-    def __init__(self, tree: DependencyTree) -> None:
+    def __init__(self, tree: DependencyTree, words: Optional[WordTypes] = None) -> None:
+        """
+        Args:
+            tree: the tree
+            words: semantic types of words; None for those of the language alone
+        """
         self.tree = tree
-        self.phrases = Phrases(tree)
+        self.types = PhraseTypes(tree, words or shipped_types())
+        self.phrases = Phrases(tree, self.types.likeliest)
         self.arcs: Tuple[Arc, ...] = arcs(tree)
         self._by_governor: Dict[int, List[Arc]] = {}
         for arc in self.arcs:

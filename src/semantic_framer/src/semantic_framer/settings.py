@@ -14,6 +14,7 @@ class Settings(Parameters):
 
     Attributes:
         lexical_unit_paths: files, and folders with folders named ``lexical_units``
+        names_file: file of the names that the robot knows, with their semantic types; empty for none
         left_over_words: what to do with words that a reading does not account for
         alternatives: what to do with "or"
         question_timeout_s: how long a question may be answered, seconds
@@ -26,6 +27,7 @@ class Settings(Parameters):
     """
 
     lexical_unit_paths: Tuple[str, ...] = parameter((), may_be_single=True)
+    names_file: str = parameter("")
     left_over_words: LeftOverWords = parameter(Policy.left_over_words)
     alternatives: Alternatives = parameter(Policy.alternatives)
     question_timeout_s: float = parameter(Policy.question_timeout_s, least=1.0, most=3600.0)

@@ -8,6 +8,7 @@ from semantic_framer.choices import question_of_choices
 from semantic_framer.dialogue import Context, Pending
 from semantic_framer.framed_lexicon import FramedLexicon
 from semantic_framer.outcome import (
+    CAREFUL,
     DECLINED,
     Alternatives,
     LeftOverWords,
@@ -16,12 +17,14 @@ from semantic_framer.outcome import (
     Question,
     Refusal,
     Understood,
+    join_with_and,
     join_with_or,
     left_over_refusal,
 )
 from semantic_framer.reading import Reading
 from semantic_framer.references import remember, resolve
 from semantic_framer.sentence import Sentence
+from semantic_frames.semantic_type import SEMANTIC_TYPES
 from typed_arguments import TypedArgument
 from utterance_passes.trace import Trace
 from utterance_passes.utterance_pass import Choice
@@ -78,12 +81,20 @@ def resolve_and_confirm(
     """
     policy = now.policy
     # Judge the left-over words before asking anything: their positions belong to this sentence only.
-    if policy.left_over_words is LeftOverWords.STRICT:
+    if policy.left_over_words in CAREFUL:
         for readings in clauses:
-            if readings[0].left_over:
+            is_asked = policy.left_over_words is LeftOverWords.ASK and readings[0].extra is not None
+            if readings[0].left_over and not is_asked:
                 words = sentence.text(readings[0].left_over)
                 now.write("left_over_words", words, "refused. No element has these words.")
                 return left_over_refusal(sentence, readings[0].left_over), context
+        extra = [argument for readings in clauses for argument in readings[0].extra or ()]
+        if extra:
+            said = join_with_and([f'"{argument.words}"' for argument in extra])
+            now.write("left_over_words", said, "asked. No server heeds it.")
+            pending = Pending(without_positions(clauses), 0, (), now.expires_s, is_about_words=True)
+            text = f"I cannot take {said} into account. Shall I go on without it?"
+            return Question("LEFT_OVER_WORDS", text), replace(context, pending=pending)
     ignored = [sentence.word(index).form for readings in clauses for index in readings[0].left_over]
     done: List[Tuple[Reading, ...]] = []
     for readings in clauses:
@@ -95,11 +106,16 @@ def resolve_and_confirm(
         context = remember(question[0], now.known.frames, context)
         done.append(question)
     confirm = [readings[0] for readings in done if now.known.frames[readings[0].unit.frame_name].is_confirmed]
-    if confirm and not is_confirmed:
+    wrong = [reason for readings in done for reason in _wrong_types(readings[0])]
+    if (confirm or wrong) and not is_confirmed:
         pending = Pending(without_positions(tuple(done)), 0, (), now.expires_s)
         acts = ", then ".join(_in_words(readings[0]) for readings in done)
-        now.write("confirm", acts, "asked. The frame wants a yes.")
-        asked = Question("CONFIRM", f'Shall I really do this: "{acts}"? Say yes or no.')
+        if wrong:
+            acts = ", then ".join(readings[0].clause_text or _in_words(readings[0]) for readings in done)
+            now.write("wrong_type", acts, f"asked. {' '.join(wrong)}")
+        else:
+            now.write("confirm", acts, "asked. The frame wants a yes.")
+        asked = Question("CONFIRM", " ".join([*wrong, f'Shall I really do this: "{acts}"? Say yes or no.']))
         return asked, replace(context, pending=pending)
     warning = f"ignored: {' '.join(ignored)}" if ignored and policy.left_over_words is LeftOverWords.WARN else ""
     return Understood(tuple(done), warning=warning), context
@@ -146,9 +162,18 @@ def _resolved(readings: Tuple[Reading, ...], context: Context, now: Now) -> Unio
     return tuple(resolved)
 
 
+def _wrong_types(reading: Reading) -> List[str]:
+    """Return a sentence for each value of another type than its element: what it is, and what it should be."""
+    return [
+        f'For me, "{wrong.words}" is {SEMANTIC_TYPES[wrong.found].words}, '
+        f"not {' or '.join(SEMANTIC_TYPES[name].words for name in wrong.accepted)}."
+        for wrong in reading.wrong_types
+    ]
+
+
 def without_positions(clauses: Clauses) -> Clauses:
     """Remove the left-over words from readings that outlive their sentence: positions mean nothing in the next one."""
-    return tuple(tuple(replace(reading, left_over=()) for reading in readings) for readings in clauses)
+    return tuple(tuple(replace(reading, left_over=(), extra=None) for reading in readings) for readings in clauses)
 
 
 def _in_words(reading: Reading) -> str:

@@ -359,6 +359,14 @@ def _is_less_likely_asked(case: ClauseCase, reading: Reading, beside: Tuple[Read
     return bool(reading.missing) and rank(reading).of_what_was_said != rank(beside[0]).of_what_was_said
 
 
+def _is_of_another_type(case: ClauseCase, reading: Reading, beside: Tuple[Reading, ...]) -> bool:
+    return len(reading.wrong_types) > len(beside[0].wrong_types)
+
+
+def _is_of_a_doubtful_type(case: ClauseCase, reading: Reading, beside: Tuple[Reading, ...]) -> bool:
+    return not reading.missing and reading.doubtful_types > beside[0].doubtful_types
+
+
 def _leaves_more_over(case: ClauseCase, reading: Reading, beside: Tuple[Reading, ...]) -> bool:
     if reading.missing or case.of.policy.left_over_words is LeftOverWords.IGNORE:
         return False
@@ -385,7 +393,17 @@ READING_VERDICTS: Tuple[ReadingVerdict, ...] = (
     ReadingVerdict(
         "less_likely_asked", "It is less likely than the reading that is asked about.", _is_less_likely_asked
     ),
+    ReadingVerdict(
+        "wrong_type",
+        'Words have another semantic type than their element, and another reading has the right types: "take Anna".',
+        _is_of_another_type,
+    ),
     ReadingVerdict("leaves_more_over", "Another reading accounts for more words.", _leaves_more_over),
+    ReadingVerdict(
+        "doubtful_type",
+        'A unit asks for a semantic type that the words hardly have, and another reading fits: "open the thing".',
+        _is_of_a_doubtful_type,
+    ),
     ReadingVerdict(
         "lists_less", 'A unit lists less than another one of what was said: "low five", "turn around".', _lists_less
     ),

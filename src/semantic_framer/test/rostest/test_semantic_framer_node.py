@@ -14,6 +14,8 @@ from roboframenet_msgs.msg import (
     FileProblems,
     FilledLexicalUnitList,
     FrameCatalogue,
+    KnownName,
+    KnownNames,
     Lexicon,
     Reply,
     SourceFile,
@@ -25,6 +27,11 @@ from stanford_parser_msgs.msg import UniversalWord
 
 from roboframenet_testing import wait_until
 
+CARRYING = (
+    "name: carrying\nframe_elements:\n  - {name: theme, is_core: True, semantic_type: Physical_object}\n"
+    "  - {name: agent, semantic_type: Sentient}\n"
+)
+CARRY = "frame_name: carrying\nverb: carry\nframe_element_grammatical_relations:\n  - {name: theme, relation: dobj}\n"
 FRAME = "name: turning\nframe_elements:\n  - {name: direction, is_core: True, values: [left, right]}\n"
 UNIT = (
     "- frame_name: turning\n  verb: turn\n  frame_element_grammatical_relations:\n"
@@ -56,7 +63,9 @@ class SemanticFramerNodeTest(unittest.TestCase):
         connected = [cls.parses, cls.stops, cls.catalogue] + cls.subscribers
         wait_until(lambda: all(end.get_num_connections() for end in connected))
         assert cls.add(absolute_file_path=cls.file("units.yaml", UNIT)).success
-        cls.catalogue.publish(FrameCatalogue(registrar_id="test", files=[SourceFile(path="turning.yaml", text=FRAME)]))
+        assert cls.add(absolute_file_path=cls.file("carry.yaml", CARRY)).success
+        files = [SourceFile(path="turning.yaml", text=FRAME), SourceFile(path="carrying.yaml", text=CARRYING)]
+        cls.catalogue.publish(FrameCatalogue(registrar_id="test", files=files))
 
     @classmethod
     def tearDownClass(cls):
@@ -133,6 +142,46 @@ class SemanticFramerNodeTest(unittest.TestCase):
         self.assertEqual((Reply.NEEDS_INFORMATION, "MISSING_ELEMENT"), (reply.outcome, reply.code))
         self.say("answer", "right right ADV RB 0 root")
         wait_until(lambda: any(message.command.id == "answer" for message in self.units))
+
+    def test_names_that_a_program_sends_have_types(self):
+        known = rospy.Publisher("known_names", KnownNames, queue_size=1, latch=True)
+        known.publish(KnownNames(names=[KnownName(name="frobnicator", semantic_types=["Human"])]))
+        outcomes = []
+        # The names and the parses come on connections of their own.
+        wait_until(lambda: self.outcome_of_carrying(outcomes) == "CONFIRM")
+        # Names with a mistake are refused, and the names before stay.
+        known.publish(KnownNames(names=[KnownName(name="frobnicator", semantic_types=["Humam"])]))
+        self.assertEqual("CONFIRM", self.outcome_of_carrying(outcomes))
+        known.publish(KnownNames(names=[KnownName(name="frobnicator", semantic_types=["Device"])]))
+        wait_until(lambda: self.outcome_of_carrying(outcomes) == "")
+        reading = (
+            [message for message in self.units if message.command.id.startswith("carry")][-1].clauses[0].readings[0]
+        )
+        self.assertEqual(
+            ["Device"], [phrase.semantic_type for argument in reading.arguments for phrase in argument.phrases]
+        )
+
+    def outcome_of_carrying(self, outcomes):
+        """Say "carry the frobnicator"; return the code of the reply, which is empty if the command is passed on."""
+        command_id = f"carry{len(outcomes)}"
+        self.say(
+            command_id, "carry carry VERB VB 0 root", "the the DET DT 3 det", "frobnicator frobnicator NOUN NN 1 obj"
+        )
+        wait_until(lambda: self.events_of(command_id))
+        event = self.events_of(command_id)[0]
+        outcomes.append(event.reply.code if event.is_final else "")
+        if not event.is_final:
+            wait_until(lambda: any(message.command.id == command_id for message in self.units))
+        return outcomes[-1]
+
+    def test_mistakes_in_the_file_of_names_are_published(self):
+        problems = []
+        subscriber = rospy.Subscriber("quiet/file_problems", FileProblems, problems.append)
+        wait_until(lambda: problems)
+        subscriber.unregister()
+        (problem,) = problems[0].problems
+        self.assertEqual(("UNKNOWN_TYPE", 2, "names.Anna"), (problem.code, problem.line, problem.key))
+        self.assertIn("Human", problem.hint)
 
     def test_question_from_before_a_stop_is_answered_by_nothing(self):
         before = rospy.Time.now()

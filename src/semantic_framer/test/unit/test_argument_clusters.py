@@ -65,7 +65,7 @@ def test_each_group_is_a_clause(understand: Any, text: str, clauses: Tuple[Argum
         ("put the mug and the plate on the table", {"theme": ("the mug", "the plate")}),
         ("give Anna the pen and the cup", {"theme": ("the pen", "the cup")}),
         ("give Anna and Ben the pen", {"recipient": ("Anna", "Ben")}),
-        ("bring the mug to Anna and Ben", {"goal": ("Anna", "Ben")}),
+        ("bring the mug to Anna and Ben", {"beneficiary": ("Anna", "Ben")}),
         ("go to the kitchen and the office", {"goal": ("the kitchen", "the office")}),
         (
             "take Anna to the kitchen and the bathroom on the second floor",

@@ -77,7 +77,7 @@ def test_formulas_change_nothing(understand: Any) -> None:
         ("if you see Bob, turn left", "CONDITION"),
         ("do me a favour and turn left when I say so", "CONDITION"),
         ("close the door right after lunch", "CONDITION"),
-        ("make sure that Bob turns left", "NO_READING"),
+        ("see to it that Bob turns left", "REPORT"),
         ("why do you turn left", "QUESTION"),
     ],
 )

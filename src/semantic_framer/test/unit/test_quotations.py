@@ -37,7 +37,7 @@ def meant(outcome: Any) -> Any:
         ("tell her I will not come", {"addressee": "her", "message": "I will not come"}),
         ("tell Bob that I will not come", {"addressee": "Bob", "message": "I will not come"}),
         ("tell Bob not to come", {"addressee": "Bob", "message": "not to come"}),
-        ("tell the kids to come to the table", {"addressee": "the kids", "message": "to come to the table"}),
+        ("tell the kids to come to the table", {"addressee": "the kids", "message": "come to the table"}),
         ("tell my wife dinner is ready", {"addressee": "my wife", "message": "dinner is ready"}),
         ("tell her lunch is ready", {"addressee": "her", "message": "lunch is ready"}),
         ("tell Alice that dinner is ready", {"addressee": "Alice", "message": "dinner is ready"}),

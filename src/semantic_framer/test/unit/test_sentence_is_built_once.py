@@ -8,6 +8,7 @@ import pytest
 
 from semantic_framer import framer
 from semantic_framer.sentence import Sentence
+from semantic_types import WordTypes
 from utterance_passes.tree import DependencyTree
 
 
@@ -27,9 +28,9 @@ def test_one_sentence_for_each_utterance(understand: Any, monkeypatch: pytest.Mo
     built: List[DependencyTree] = []
 
     class Counted(Sentence):
-        def __init__(self, tree: DependencyTree) -> None:
+        def __init__(self, tree: DependencyTree, words: WordTypes) -> None:
             built.append(tree)
-            super().__init__(tree)
+            super().__init__(tree, words)
 
     monkeypatch.setattr(framer, "Sentence", Counted)
     understand(text)

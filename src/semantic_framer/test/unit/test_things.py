@@ -55,7 +55,7 @@ THINGS = {
     "bring the end table to the hall": {"theme": "the end table", "goal": "the hall"},
     "bring me a seat": {"theme": "a seat", "beneficiary": "me"},
     "take the rest of the plates to the kitchen": {"theme": "the rest of the plates", "goal": "the kitchen"},
-    "take the photo to Anna": {"theme": "the photo", "goal": "Anna"},
+    "take the photo to Anna": {"theme": "the photo", "beneficiary": "Anna"},
     "take the picture from the wall": {"theme": "the picture", "source": "the wall"},
     "take the remote control": {"theme": "the remote control"},
     "bring me the toy train": {"theme": "the toy train", "beneficiary": "me"},

@@ -20,7 +20,7 @@ def test_order() -> None:
         "noun_of_another_verb measured_elsewhere unread_elsewhere number_is_no_place one_place two_phrases "
         "degree_is_no_thing "
         "side_is_no_thing deed_is_no_thing listed_elsewhere says_less report performer nothing_fits condition "
-        "incomplete less_likely_asked leaves_more_over lists_less told_inside words_outside"
+        "incomplete less_likely_asked wrong_type leaves_more_over doubtful_type lists_less told_inside words_outside"
     ).split()
 
 

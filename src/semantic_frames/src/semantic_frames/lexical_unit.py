@@ -4,6 +4,8 @@ from dataclasses import dataclass, field
 from enum import Enum
 from typing import Mapping, Tuple
 
+from semantic_frames.semantic_type import with_parents
+
 
 class ArgumentForm(Enum):
     """Which words of a matched phrase become the argument."""
@@ -36,8 +38,8 @@ class ElementRelation:
         relations: alternatives, the first that matches fills the element
         argument: which words become the argument
         words: the only head words (lemmas or forms, lower case) that may fill it; empty for any
-        semantic_types: what may fill it, besides the listed words: something of one of these types, or of a type below
-            them, or something of no known type; empty for anything
+        semantic_types: what may fill it, besides the listed words: something that usually has one of these types, or a
+            type below them, or something of no known type; empty for anything
         is_required: whether the unit fits only when this relation matches, even if the element is not core or has a
             default ("Give me 5" is a high five because of the 5)
         after_place: prepositions; a phrase of place fills the element only when it follows a phrase with one of these:
@@ -53,6 +55,16 @@ class ElementRelation:
     after_place: Tuple[str, ...] = ()
     line: int = 0
     semantic_types: Tuple[str, ...] = ()
+
+    @property
+    def is_limited(self) -> bool:
+        """Whether only some words may fill the element."""
+        return bool(self.words or self.semantic_types)
+
+    @property
+    def is_for_persons(self) -> bool:
+        """Whether only persons, and other living beings, may fill the element."""
+        return bool(self.semantic_types) and all("Sentient" in with_parents(name) for name in self.semantic_types)
 
 
 @dataclass(frozen=True)

@@ -2,14 +2,16 @@
 
 from dataclasses import dataclass
 from enum import IntEnum
-from typing import Iterable, Mapping, Sequence, Tuple
+from typing import Dict, Iterable, Mapping, Sequence, Tuple
 
 from semantic_frames.semantic_type import with_parents
 
 #: From this likelihood on, a type is one that the word usually has.
-LIKELY = 0.2
+LIKELY = 0.3
 #: Below this likelihood, nobody means the word in this sense.
 UNLIKELY = 0.03
+#: Weight of a type in a list without numbers, relative to the one before. Only the first of two types is LIKELY.
+_NEXT = 0.4
 
 
 class Fit(IntEnum):
@@ -78,5 +80,14 @@ def of_weights(weights: Mapping[str, float]) -> Likelihoods:
 
 
 def of_names(names: Sequence[str]) -> Likelihoods:
-    """Return likelihoods of types in the order of likelihood: each weighs half of the one before."""
-    return of_weights({name: 0.5**place for place, name in enumerate(names)})
+    """Return likelihoods of types in the order of likelihood: each weighs less than half of the one before."""
+    return of_weights({name: _NEXT**place for place, name in enumerate(names)})
+
+
+def combined(parts: Iterable[Tuple[Likelihoods, float]]) -> Likelihoods:
+    """Return the likelihoods of several possibilities, each with its own likelihood; untyped ones do not count."""
+    weights: Dict[str, float] = {}
+    for types, share in parts:
+        for name, likelihood in types.types:
+            weights[name] = weights.get(name, 0.0) + share * likelihood
+    return of_weights(weights) if weights else UNTYPED

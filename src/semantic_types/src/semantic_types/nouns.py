@@ -43,7 +43,7 @@ class Nouns:
             return of_names(self._file.words[key])
         senses = self._wordnet.senses(noun)
         if is_name:
-            senses = tuple(sense for sense in senses if sense.spelling[:1].isupper())
+            senses = tuple(sense for sense in senses if _is_spelled_alike(sense.spelling, noun))
         weights: Dict[str, float] = {}
         total = 0.0
         for place, sense in enumerate(senses, start=1):
@@ -64,6 +64,11 @@ class Nouns:
             return self._file.synsets[synset]
         found = [name for above in self._wordnet.hypernyms(synset) for name in self._of_synset(above)]
         return tuple(dict.fromkeys(found))
+
+
+def _is_spelled_alike(known: str, said: str) -> bool:
+    """Whether a name may be what was said: it has a capital, and "Sam" is no abbreviation SAM."""
+    return known[:1].isupper() and (said.isupper() or not known.isupper())
 
 
 @lru_cache(maxsize=None)

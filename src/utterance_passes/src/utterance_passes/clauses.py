@@ -10,6 +10,7 @@ from word_classes import word_class
 _ADDRESSEES = word_class("addressees")
 _CONDITIONS = word_class("conditions")
 _REPORTING_AUXILIARIES = word_class("reporting_auxiliaries")
+_HEARERS = word_class("hearers")
 _LEADING_VERBS = word_class("leading_verbs")
 _LEAD_IN = word_class("lead_in")
 _LEFT_AND_RIGHT = word_class("left_and_right")
@@ -154,7 +155,8 @@ def _collect(
     wrapped = next(
         (child for child in children if child.deprel in ("xcomp", "ccomp") and child.upos in ("VERB", "AUX")), None
     )
-    if (wrapped is not None and word.lemma.lower() in _REQUEST_VERBS) or (
+    wraps = word.lemma.lower() in _REQUEST_VERBS and not _asks_somebody_else(vocabulary, word, children)
+    if (wrapped is not None and wraps) or (
         wrapped is not None and word.lemma.lower() in _LEADING_VERBS and wrapped.index == word.index + 1
     ):
         _collect(tree, vocabulary, wrapped, is_negated, found)
@@ -188,6 +190,14 @@ def _collect(
         ):
             # "Don't move or speak" negates both verbs; "don't move, just speak" is rare, and it is safe not to act.
             _collect(tree, vocabulary, child, is_negated and child.deprel == "conj", found)
+
+
+def _asks_somebody_else(vocabulary: Vocabulary, verb: Word, children: Tuple[Word, ...]) -> bool:
+    """Whether a verb is a command to ask another person: "ask Alice to wait". "I ask you to wait" wraps a request."""
+    objects = [child for child in children if child.deprel in ("obj", "iobj")]
+    has_subject = any(child.deprel.startswith("nsubj") for child in children)
+    is_known = verb.lemma.lower() in vocabulary.verbs_beginning_with(verb.lemma.lower())
+    return is_known and not has_subject and any(child.form.lower() not in _HEARERS for child in objects)
 
 
 def _is_purpose(tree: DependencyTree, vocabulary: Vocabulary, verb: Word, child: Word) -> bool:

@@ -106,7 +106,9 @@ def with_objects_of_vocatives(tree: DependencyTree, _: Vocabulary) -> Dependency
         if word.deprel != "vocative" or not word.head > 0:
             continue
         verb = tree.word(word.head)
-        if determiners and min(child.index for child in determiners) > verb.index and not _has_object(tree, verb):
+        if word.index > verb.index and any(child.deprel == "case" for child in tree.children(word.index)):
+            edit.relabel(word.index, "obl")  # "follow behind Bob"
+        elif determiners and min(child.index for child in determiners) > verb.index and not _has_object(tree, verb):
             edit.rehang(word.index, verb.index, "obj")
         elif before.upos == "ADJ" and before.deprel in _NOMINAL and before.head and _has_determiner(tree, before):
             edit.rehang(word.index, before.head, before.deprel)

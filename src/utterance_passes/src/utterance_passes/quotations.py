@@ -9,6 +9,7 @@ from dataclasses import dataclass
 from typing import Dict, FrozenSet, Iterable, Optional, Sequence, Set, Tuple
 
 from utterance_passes.clauses import Clause, find_clauses
+from utterance_passes.persons import is_person
 from utterance_passes.times import find_times
 from utterance_passes.tree import QUOTED, DependencyTree, Word
 from utterance_passes.tree_edits import TreeEdit
@@ -99,12 +100,22 @@ class _Quotation:
         #: Correct head and relation of words that the parser attached wrongly.
         self._moved: Dict[int, Tuple[int, str]] = {}
         self._end = self._next_command(clauses, vocabulary)
+        #: Verb of what somebody is asked to do; it is no quotation.
+        self._requested = self._infinitive() if saying.is_told else 0
         if saying.is_told:
             self._skip_addressee()
 
     def tree(self) -> DependencyTree:
         """Return the sentence with the quotation as one object; unchanged if nothing is quoted."""
         tree = self._tree
+        if self._requested:
+            edit = TreeEdit(tree)
+            edit.rehang(self._requested, self._verb, "xcomp")
+            for child in tree.children(self._verb):
+                # "Tell Bob *not* to come": Bob is told.
+                if child.form.lower() in _NEGATIONS and self._start <= child.index < self._requested:
+                    edit.rehang(child.index, self._requested, "advmod")
+            return edit.tree()
         inside = self._without_addressee(self._between_marks() or self._governed())
         if not inside or not inside <= self._tree.subtree(self._verb) or self._is_of_nothing(inside):
             return tree
@@ -132,6 +143,27 @@ class _Quotation:
             elif word.head in inside:
                 edit.rehang(word.index, self._verb)
         return edit.tree()
+
+    def _infinitive(self) -> int:
+        """Return the verb of what the addressee is asked to do: "tell Bob to *come*"; 0 if there is none."""
+        objects = [child for child in self._tree.children(self._verb) if child.deprel in ("obj", "iobj")]
+        if len(objects) != 1 or objects[0].index < self._start:
+            return 0
+        # "Tell the man *waiting* at the door to come."
+        described = [child.index for child in self._tree.children(objects[0].index) if child.deprel == "acl"]
+        heads = (self._verb, objects[0].index, *described)
+        return next(
+            (
+                word.index
+                for word in reversed(self._tree.words[objects[0].index : self._end - 1])
+                if word.head in heads
+                and word.deprel in ("xcomp", "advcl", "ccomp", "acl")
+                and any(
+                    child.deprel == "mark" and child.form.lower() == "to" for child in self._tree.children(word.index)
+                )
+            ),
+            0,
+        )
 
     def _next_command(self, clauses: Sequence[Clause], vocabulary: Vocabulary) -> int:
         """Return the position where the next command begins, its joining words included: "say hello and turn left"."""
@@ -226,10 +258,15 @@ class _Quotation:
         """Remove "to Bob" from the message; a place after it says where Bob is."""
         for index in sorted(inside):
             word = self._tree.word(index)
-            phrase = self._tree.subtree(index)
+            cases = [child.index for child in self._tree.children(index) if child.deprel == "case"]
+            # In "say what day it is to Bob" the parser may take the person for a predicate.
+            phrase = frozenset(i for i in self._tree.subtree(index) if not cases or i >= cases[0])
             is_end = self._case(index) == "to" and max(phrase & inside) == max(inside) and phrase < inside
-            is_somebody = word.upos == "PROPN" or word.form.lower() in _PERSONS_TOLD
-            has_subject = any(self._tree.word(i).deprel.startswith("nsubj") for i in inside)
+            is_somebody = word.upos == "PROPN" or word.form.lower() in _PERSONS_TOLD or is_person(word)
+            has_subject = any(
+                self._tree.word(i).deprel.startswith("nsubj") and self._tree.word(i).head != index
+                for i in inside - phrase
+            )
             if is_end and is_somebody and not has_subject:
                 self._moved[index] = (self._verb, "obl")
                 inside = inside - phrase

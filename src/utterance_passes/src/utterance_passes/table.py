@@ -6,11 +6,9 @@ from typing import Callable, Match, Pattern, Tuple, Union
 from utterance_passes import (
     argument_clusters,
     comparisons,
-    correct_parse,
     corrections,
     formulas,
     light_verbs,
-    names,
     objections,
     quotations,
     relations,
@@ -21,6 +19,7 @@ from utterance_passes import (
     tagging,
     times,
 )
+from utterance_passes.correcting_table import PARSE_CORRECTING_PASSES
 from utterance_passes.utterance_pass import (
     CutPass,
     Example,
@@ -235,114 +234,6 @@ CORRECTION_PASSES: Tuple[TreePass, ...] = (
         ),
         Stage.FRAMER,
         corrections.without_corrected,
-    ),
-)
-
-#: Attach words where they can belong in a command; the words stay the same.
-PARSE_CORRECTING_PASSES: Tuple[TreePass, ...] = (
-    TreePass(
-        "modals_as_nouns",
-        "Turn a modal after a noun into a noun if it helps no verb.",
-        Example(
-            "take|VERB|0|root corn|NOUN|1|obj can|AUX|1|aux|can|MD",
-            ("corn: obj(take) -> compound(can)", "can: aux(take) AUX/can -> obj(take) NOUN/can"),
-        ),
-        Stage.FRAMER,
-        correct_parse.with_modals_as_nouns,
-    ),
-    TreePass(
-        "particles_on_the_way",
-        'Turn a particle right before "to" or a similar preposition into an adverb.',
-        Example(
-            "go|VERB|0|root up|ADP|1|compound:prt to|ADP|4|case Bob|PROPN|1|obl",
-            ("up: compound:prt(go) -> advmod(go)",),
-        ),
-        Stage.FRAMER,
-        correct_parse.with_particles_on_the_way,
-    ),
-    TreePass(
-        "places_of_devices",
-        'Attach a place after "on" or "off" to the object before it.',
-        Example(
-            "turn|VERB|0|root lights|NOUN|1|obj off|ADP|1|compound:prt in|ADP|5|case rooms|NOUN|1|obl",
-            ("rooms: obl(turn) -> nmod(lights)",),
-        ),
-        Stage.FRAMER,
-        correct_parse.with_places_of_devices,
-    ),
-    TreePass(
-        "places_of_all",
-        'Attach a place to "everything" or a similar word before it.',
-        Example(
-            "take|VERB|0|root all|PRON|1|obj in|ADP|4|case boxes|NOUN|1|obl",
-            ("boxes: obl(take) -> nmod(all)",),
-        ),
-        Stage.FRAMER,
-        correct_parse.with_places_of_all,
-    ),
-    TreePass(
-        "measured_turns",
-        'Turn the verb "turn" after a number or a fraction into a noun.',
-        Example(
-            "turn|VERB|0|root quarter|NOUN|1|obj turn|VERB|1|xcomp left|ADV|3|advmod",
-            (
-                "quarter: obj(turn-1) -> compound(turn-3)",
-                "turn: xcomp(turn-1) VERB/turn -> obl:unmarked(turn-1) NOUN/turn",
-                "left: advmod(turn-3) -> advmod(turn-1)",
-            ),
-        ),
-        Stage.FRAMER,
-        correct_parse.with_measured_turns,
-    ),
-    TreePass(
-        "sides_apart",
-        "Attach a side and the measure after it separately to the verb.",
-        Example(
-            "turn|VERB|0|root left|ADJ|4|amod two|NUM|4|nummod degrees|NOUN|1|obj",
-            ("left: amod(degrees) ADJ/left -> advmod(turn) ADV/left",),
-        ),
-        Stage.FRAMER,
-        correct_parse.with_sides_apart,
-    ),
-    TreePass(
-        "around_apart",
-        'Turn "around" between a verb of turning and a measure into an adverb.',
-        Example(
-            "turn|VERB|0|root around|ADP|4|case two|NUM|4|nummod degrees|NOUN|1|obl",
-            ("around: case(degrees) ADP/around -> advmod(turn) ADV/around",),
-        ),
-        Stage.FRAMER,
-        correct_parse.with_around_apart,
-    ),
-    TreePass(
-        "degrees",
-        'Attach "a bit" and "a little" to the verb, not to the noun before them.',
-        Example(
-            "open|VERB|0|root windows|NOUN|1|obj a|DET|4|det bit|NOUN|2|nmod:unmarked",
-            ("bit: nmod:unmarked(windows) -> obl:unmarked(open)",),
-        ),
-        Stage.FRAMER,
-        correct_parse.with_degrees,
-    ),
-    TreePass(
-        "objects_of_vocatives",
-        "Turn a false vocative back into the end of the object.",
-        Example(
-            "push|VERB|0|root the|DET|3|det blue|ADJ|1|obj robot|NOUN|1|vocative",
-            ("the: det(blue) -> det(robot)", "blue: obj(push) -> amod(robot)", "robot: vocative(push) -> obj(push)"),
-        ),
-        Stage.FRAMER,
-        correct_parse.with_objects_of_vocatives,
-    ),
-    TreePass(
-        "letters_as_names",
-        "Attach a letter or a number after a noun to the noun, as its name.",
-        Example(
-            "go|VERB|0|root to|ADP|3|case room|NOUN|1|obl C|PROPN|1|vocative",
-            ("C: vocative(go) -> flat(room)",),
-        ),
-        Stage.FRAMER,
-        names.with_letters_as_names,
     ),
 )
 

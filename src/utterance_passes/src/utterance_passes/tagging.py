@@ -72,8 +72,12 @@ def numbered_noun_position(forms: Sequence[str], tags: Sequence[str], vocabulary
         if (
             forms[position - 1].lower() == "to"
             and tags[position] == "VERB"
-            and not vocabulary.verbs_beginning_with(forms[position].lower())
             and (tags[position + 1] == "NUM" or _LETTER.fullmatch(forms[position + 1]))
+            and (
+                not vocabulary.verbs_beginning_with(forms[position].lower())
+                # "Go to point A" is no purpose; "I want you to press A" has another word before "to".
+                or (tags[position - 2] == "VERB" and _LETTER.fullmatch(forms[position + 1]))
+            )
             and is_last
         ):
             return position + 1

@@ -46,9 +46,9 @@ class TreeEdit:
         word = self.word(index)
         self._words[index - 1] = replace(word, lemma=word.form.lower(), upos=upos, xpos=xpos, feats=feats)
 
-    def respell(self, index: int, form: str) -> None:
-        """Replace the form and the lemma of a word."""
-        self._words[index - 1] = replace(self.word(index), form=form, lemma=form)
+    def respell(self, index: int, form: str, lemma: str = "") -> None:
+        """Replace the form and the lemma of a word; an empty lemma is the form."""
+        self._words[index - 1] = replace(self.word(index), form=form, lemma=lemma or form)
 
     def drop_brackets(self) -> None:
         """Drop the phrase tree of the parser: it no longer fits the sentence."""

@@ -27,7 +27,8 @@ ORDER = (
     "one_object particle_predicates verb_compounds infinitive_conjuncts reroot "
     "objection restarts corrections "
     "modals_as_nouns particles_on_the_way places_of_devices places_of_all measured_turns sides_apart around_apart "
-    "degrees objects_of_vocatives letters_as_names light_verbs quotations comparisons formulas argument_clusters "
+    "degrees objects_of_vocatives letters_as_names participles objects_behind places_told "
+    "light_verbs quotations comparisons formulas argument_clusters "
     "shared_verbs times"
 ).split()
 PACKAGE = Path(__file__).resolve().parents[2] / "src" / "utterance_passes"
@@ -133,7 +134,7 @@ RUNS = {
 def test_no_pass_calls_another() -> None:
     names = {name for _, name in RUNS}
     for path in PACKAGE.glob("*.py"):
-        if path.name != "table.py":
+        if path.name not in ("table.py", "correcting_table.py"):
             tree = ast.parse(path.read_text(encoding="utf-8"))
             used = {node.id for node in ast.walk(tree) if isinstance(node, ast.Name)}
             used |= {node.attr for node in ast.walk(tree) if isinstance(node, ast.Attribute)}

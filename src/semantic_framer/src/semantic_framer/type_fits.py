@@ -1,0 +1,61 @@
+"""Compares the semantic types of words with those that lexical units and frames ask for."""
+
+from dataclasses import replace
+from typing import FrozenSet, Iterable, List, NamedTuple, Tuple
+
+from phrase_meanings.phrase_types import PhraseTypes
+from semantic_framer.reading import WrongType
+from semantic_frames.frame import SemanticFrame
+from semantic_frames.lexical_unit import ElementRelation
+from semantic_types import Fit
+from typed_arguments import TypedArgument
+
+
+class TypedArguments(NamedTuple):
+    """The arguments of a reading, with their semantic types.
+
+    Attributes:
+        arguments: of several types of its words, each has the likeliest one that its frame element accepts
+        wrong: arguments whose words have none of the types of their frame element
+        doubtful: elements whose words have one of the types in a rare sense only
+    """
+
+    arguments: Tuple[TypedArgument, ...]
+    wrong: Tuple[WrongType, ...]
+    doubtful: FrozenSet[str]
+
+
+def fit_of_relation(types: PhraseTypes, head: int, relation: ElementRelation) -> Fit:
+    """Return how well words that a relation does not list fit it: the types that it asks for must be their usual ones.
+
+    Words without a type fit only a required relation, because otherwise the unit has a better place for them.
+    """
+    if not relation.semantic_types:
+        return Fit.WRONG if relation.words else Fit.LIKELY
+    fit = types.fit(head, relation.semantic_types)
+    return fit if fit is Fit.LIKELY or (fit is Fit.UNKNOWN and relation.is_required) else Fit.WRONG
+
+
+def with_types(arguments: Iterable[TypedArgument], frame: SemanticFrame, types: PhraseTypes) -> TypedArguments:
+    """Compare arguments with the semantic types that their frame elements accept."""
+    typed: List[TypedArgument] = []
+    wrong: List[WrongType] = []
+    doubtful: List[str] = []
+    for argument in arguments:
+        element = frame.element(argument.name)
+        accepted = element.semantic_types if element is not None else ()
+        if accepted and argument.head_position and argument.measure is None:
+            head = argument.head_position
+            likeliest = types.of(head).likeliest(accepted)
+            if likeliest != argument.semantic_type:
+                argument = replace(argument, semantic_type=likeliest)
+            fit = types.fit(head, accepted)
+            if fit is Fit.WRONG:
+                items = types.items(head)
+                worst = max(items, key=lambda item: types.of(item).fit(accepted))
+                words = argument.text if len(items) == 1 else types.word(worst)
+                wrong.append(WrongType(argument.name, words, types.likeliest(worst), accepted))
+            elif fit is Fit.POSSIBLE:
+                doubtful.append(argument.name)
+        typed.append(argument)
+    return TypedArguments(tuple(typed), tuple(wrong), frozenset(doubtful))

@@ -1,0 +1,63 @@
+"""Attaches an object that stands behind other phrases to its verb: "bring to Bob at the table *the dish*"."""
+
+from typing import Tuple
+
+from utterance_passes.persons import is_person
+from utterance_passes.tree import DependencyTree, Word
+from utterance_passes.tree_edits import TreeEdit
+from utterance_passes.vocabulary import Vocabulary
+
+_NOUNS = frozenset(["NOUN", "PROPN"])
+#: Relations of a noun phrase without a preposition behind the words of a description.
+_UNMARKED = frozenset(["obl:unmarked", "obj", "nmod:unmarked"])
+
+
+def with_objects_behind(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
+    """Attach a noun phrase with an article to the verb as its object.
+
+    It is not an item of a list if nothing joins it ("bring to Bob at the table the dish"), and not a part of the
+    description of a person if that is complete without it ("give the man holding a cup a spoon").
+    """
+    edit = TreeEdit(tree)
+    for verb in tree.words:
+        if verb.upos != "VERB":
+            continue
+        objects = [child for child in tree.children(verb.index) if child.deprel == "obj"]
+        if not objects:
+            for word in _unjoined(tree, verb)[:1]:
+                edit.rehang(word.index, verb.index, "obj")
+        elif len(objects) == 1 and is_person(objects[0]):
+            for word in _behind_description(tree, objects[0]):
+                edit.rehang(word.index, verb.index, "obj")
+                edit.relabel(objects[0].index, "iobj")
+    return edit.tree()
+
+
+def _unjoined(tree: DependencyTree, verb: Word) -> Tuple[Word, ...]:
+    """Return the nouns of phrases of a verb that the parser took for items of a list although nothing joins them."""
+    below = [
+        index for child in tree.children(verb.index) if child.deprel == "obl" for index in tree.subtree(child.index)
+    ]
+    return tuple(
+        word
+        for word in map(tree.word, sorted(below))
+        if word.deprel == "conj" and word.upos in _NOUNS and _begins_with_article(tree, word)
+    )
+
+
+def _begins_with_article(tree: DependencyTree, word: Word) -> bool:
+    first = tree.word(min(tree.subtree(word.index)))
+    before = tree.word(first.index - 1) if first.index > 1 else first
+    return first.deprel == "det" and first.head == word.index and before.upos not in ("PUNCT", "CCONJ")
+
+
+def _behind_description(tree: DependencyTree, person: Word) -> Tuple[Word, ...]:
+    """Return the last phrase of a participle behind a person if it is one too many."""
+    participles = [child for child in tree.children(person.index) if child.deprel == "acl"]
+    for participle in participles[-1:]:
+        phrases = [child for child in tree.children(participle.index) if child.index > participle.index]
+        last = phrases[-1] if len(phrases) > 1 else None
+        is_noun = last is not None and last.upos == "NOUN" and last.deprel in _UNMARKED
+        if last is not None and is_noun and _begins_with_article(tree, last):
+            return (last,)
+    return ()

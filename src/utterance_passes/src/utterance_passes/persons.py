@@ -1,0 +1,17 @@
+"""Tells whether a noun is a person."""
+
+from semantic_types import Fit, shipped_types
+from utterance_passes.tree import Word
+from word_classes import word_class
+
+_INDEFINITE_PERSONS = word_class("indefinite_persons")
+
+
+def is_person(word: Word) -> bool:
+    """Whether a word names a person, or any person: "the nurse", "Bob", "somebody"."""
+    if word.form.lower() in _INDEFINITE_PERSONS:
+        return True
+    if word.upos not in ("NOUN", "PROPN"):
+        return False
+    types = shipped_types().of_noun([word.form.lower(), word.lemma.lower()], is_name=word.upos == "PROPN")
+    return types.fit(["Human"]) is Fit.LIKELY

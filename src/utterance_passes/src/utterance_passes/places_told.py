@@ -1,0 +1,60 @@
+"""Replaces a promise to the hearer by what it tells: "you will find her at the desk" means "she is at the desk"."""
+
+from typing import Tuple
+
+from utterance_passes.tree import ASIDE, DependencyTree, Word
+from utterance_passes.tree_edits import TreeEdit
+from utterance_passes.vocabulary import Vocabulary
+from word_classes import word_class
+
+_FINDING = word_class("finding_verbs")
+_HEARERS = word_class("hearers")
+_MODALS = word_class("modals_of_promises")
+_PLACE_PREPOSITIONS = word_class("place_prepositions")
+#: Subjects by objects.
+_SUBJECTS = {"him": "he", "her": "she", "them": "they", "it": "it"}
+
+
+def with_places_told(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
+    """Replace "you will find her at the desk" beside a command by "she is at the desk".
+
+    Alone, such a sentence may be a command.
+    """
+    for word in tree.words:
+        if word.lemma.lower() in _FINDING and word.deprel in ("parataxis", "conj", "ccomp", "list"):
+            told = _told(tree, word)
+            if told:
+                return _replaced(tree, word, *told)
+    return tree
+
+
+def _told(tree: DependencyTree, verb: Word) -> Tuple[Word, ...]:
+    """Return the hearer, and who or what is where: an object and a place; nothing if it is no promise."""
+    children = tree.children(verb.index)
+    subjects = [child for child in children if child.deprel == "nsubj" and child.form.lower() in _HEARERS]
+    modals = [child for child in children if child.deprel == "aux" and child.form.lower() in _MODALS]
+    objects = [child for child in children if child.deprel == "obj" and child.form.lower() in _SUBJECTS]
+    places = [child for child in children if child.deprel == "obl" and _is_place(tree, child)]
+    is_promise = subjects and modals and subjects[0].index < modals[0].index and len(objects) == len(places) == 1
+    return (subjects[0], objects[0], places[0]) if is_promise else ()
+
+
+def _is_place(tree: DependencyTree, word: Word) -> bool:
+    return any(
+        child.deprel == "case" and child.form.lower() in _PLACE_PREPOSITIONS for child in tree.children(word.index)
+    )
+
+
+def _replaced(tree: DependencyTree, verb: Word, hearer: Word, thing: Word, place: Word) -> DependencyTree:
+    edit = TreeEdit(tree)
+    edit.rehang(place.index, verb.head, verb.deprel)
+    for child in tree.children(verb.index):
+        if child.index != place.index:
+            is_aside = child.deprel == "aux" or child.index == thing.index
+            edit.rehang(child.index, place.index, ASIDE if is_aside else "")
+    # The subject stands where the hearer was named, before its verb.
+    edit.respell(hearer.index, _SUBJECTS[thing.form.lower()])
+    edit.rehang(verb.index, place.index, "cop")
+    edit.tag(verb.index, "AUX", "VBZ", "Mood=Ind|Tense=Pres|VerbForm=Fin")
+    edit.respell(verb.index, "is", lemma="be")
+    return edit.tree()
