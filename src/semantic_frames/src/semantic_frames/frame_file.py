@@ -56,7 +56,7 @@ def load_frame(text: str, path: str) -> SemanticFrame:
     entries = reader.mapping(root, "", FRAME_KEYS, required=("name",))
     elements = _elements(reader, entries.get("frame_elements"))
     frame = SemanticFrame(
-        name=reader.name(entries.get("name"), "name"),
+        name=reader.graph_name(entries.get("name"), "name"),
         description=reader.text(entries.get("description"), "description"),
         frame_elements=elements,
         children=_children(reader, entries.get("children"), elements),
@@ -84,7 +84,7 @@ def _elements(reader: Reader, node: Optional[yaml.Node]) -> Tuple[FrameElement, 
         )
         quantity = Quantity(quantity_name) if quantity_name else None
         element = FrameElement(
-            name=reader.name(entries.get("name"), f"{key}.name"),
+            name=reader.graph_name(entries.get("name"), f"{key}.name"),
             is_core=reader.boolean(entries.get("is_core"), f"{key}.is_core"),
             default=reader.text(entries.get("default"), f"{key}.default"),
             quantity=quantity,
@@ -192,7 +192,7 @@ def _child(reader: Reader, node: yaml.Node, key: str, elements: Tuple[FrameEleme
         for item_key, item in reader.sequence(entries.get("frame_element_relations"), f"{key}.frame_element_relations")
     ]
     return RelatedFrame(
-        name=reader.name(entries.get("name"), f"{key}.name"),
+        name=reader.graph_name(entries.get("name"), f"{key}.name"),
         line=line_of(node),
         frame_element_relations=tuple(relation for relation in relations if relation is not None),
     )

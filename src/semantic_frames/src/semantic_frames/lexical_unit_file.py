@@ -44,7 +44,7 @@ def _unit(reader: Reader, node: yaml.Node, key: str) -> LexicalUnit:
     if "verb" in entries and not any(verbs):
         reader.report("EMPTY", entries["verb"], f"{prefix}verb", "no verb", "a verb or a list of verbs")
     return LexicalUnit(
-        frame_name=reader.name(entries.get("frame_name"), f"{prefix}frame_name"),
+        frame_name=reader.graph_name(entries.get("frame_name"), f"{prefix}frame_name"),
         verbs=verbs,
         relations=tuple(
             _relation(reader, item, item_key)
@@ -72,7 +72,7 @@ def _relation(reader: Reader, node: yaml.Node, key: str) -> ElementRelation:
     if relation is not None and not paths:
         reader.report("EMPTY", relation, f"{key}.relation", "no relation", "a relation such as dobj or prep_to")
     return ElementRelation(
-        name=reader.name(entries.get("name"), f"{key}.name"),
+        name=reader.graph_name(entries.get("name"), f"{key}.name"),
         relations=tuple(paths),
         argument=ArgumentForm(
             reader.choice(

@@ -163,11 +163,16 @@ class Reader:
         return str(node.value).strip()
 
     def name(self, node: Optional[yaml.Node], key: str) -> str:
-        """Return a text that must be a name; a missing key was reported with its mapping."""
+        """Return a text that must not be empty; a missing key was reported with its mapping."""
         value = self.text(node, key)
         if node is not None and not value and isinstance(node, yaml.ScalarNode):
             self.report("EMPTY", node, key, "nothing", "a name")
-        elif node is not None and not is_name(value):
+        return value
+
+    def graph_name(self, node: Optional[yaml.Node], key: str) -> str:
+        """Return the name of a frame or an element, which appears in logs, messages and replies."""
+        value = self.name(node, key)
+        if node is not None and not is_name(value):
             self.report("NOT_A_NAME", node, key, describe(node), NAME_EXPECTED)
         return value
 

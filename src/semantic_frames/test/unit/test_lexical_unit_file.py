@@ -147,3 +147,9 @@ def test_check_names_the_line_of_an_example_with_an_unknown_element() -> None:
     (problem,) = check_lexical_unit(load_lexical_units(text, "give.yaml")[0], {"giving": GIVING})
     assert (problem.code, problem.line, problem.key) == ("UNKNOWN_ELEMENT", 9, "examples")
     assert problem.hint == "did you mean 'theme'?"
+
+
+def test_long_example_is_no_name() -> None:
+    words = "and wave " * 50
+    (unit,) = load_lexical_units(f"frame_name: waving\nverb: wave\nexamples: [{{text: Wave {words}.}}]\n", "x.yaml")
+    assert len(unit.examples[0].text) > 400
