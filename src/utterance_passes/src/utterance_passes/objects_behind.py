@@ -9,7 +9,7 @@ from utterance_passes.vocabulary import Vocabulary
 
 _NOUNS = frozenset(["NOUN", "PROPN"])
 #: Relations of a noun phrase without a preposition behind the words of a description.
-_UNMARKED = frozenset(["obl:unmarked", "obj", "nmod:unmarked"])
+_UNMARKED = frozenset(["obl:unmarked", "obl", "obj", "nmod:unmarked"])
 
 
 def with_objects_behind(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
@@ -22,7 +22,7 @@ def with_objects_behind(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
     for verb in tree.words:
         if verb.upos != "VERB":
             continue
-        objects = [child for child in tree.children(verb.index) if child.deprel == "obj"]
+        objects = [child for child in tree.children(verb.index) if child.deprel in ("obj", "iobj")]
         if not objects:
             for word in _unjoined(tree, verb)[:1]:
                 edit.rehang(word.index, verb.index, "obj")
