@@ -6,7 +6,7 @@ FILTER ?=
 DATA ?=
 SMACH ?=
 
-.PHONY: help setup build demo run test acceptance reliability record format lint bench install clean
+.PHONY: help setup build demo run test acceptance reliability record format lint bench docs install clean
 
 help: ## list the targets
 	@grep -hE '^[a-z]+:.*## ' $(MAKEFILE_LIST) | sed -E 's/^([a-z]+):.*## /  make \1|/' | column -t -s '|'
@@ -44,6 +44,9 @@ lint: build ## check format, rules, types, packages and launch files; change not
 
 bench: build ## compare with stock Stanza and stock actionlib (EWT=folder: score the parser on the treebank)
 	@EWT="$(abspath $(EWT))" HURIC="$(abspath $(HURIC))" scripts/bench
+
+docs: build ## make the reference of modules and messages into build/docs/html (needs Debian's python3-sphinx)
+	@scripts/docs
 
 install: build ## install into install/ (DESTDIR-style: set PREFIX to choose another folder)
 	@scripts/install $(PREFIX)

@@ -1,4 +1,5 @@
-# Sourced by the other scripts: the environment of the workspace; nodes listen on this machine only.
+# Sourced by the other scripts: the environment of the workspace; nodes listen on this machine only. One port is an
+# exception that no setting changes: the XML-RPC server of roscpp, which the node rosout uses, listens on all addresses.
 if [ ! -f devel/setup.bash ]; then
   echo "devel/setup.bash is missing: run 'make build' first." >&2
   exit 1
@@ -6,6 +7,8 @@ fi
 unset PYTHONPATH PYTHONHOME
 . devel/setup.bash
 export ROS_HOSTNAME=${ROS_HOSTNAME:-127.0.0.1}
+# roscpp binds its topics to the loopback device for this variable only.
+if [ "$ROS_HOSTNAME" = 127.0.0.1 ]; then export ROS_IP=${ROS_IP:-127.0.0.1}; fi
 export ROS_HOME=${ROS_HOME:-$PWD/.ros}
 export ROS_LOG_DIR=${ROS_LOG_DIR:-$ROS_HOME/log}
 export PYTHONUNBUFFERED=1

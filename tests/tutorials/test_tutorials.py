@@ -8,7 +8,7 @@ import socket
 import subprocess
 import time
 from pathlib import Path
-from typing import Dict, Iterator
+from typing import Dict, Iterator, List
 
 import pytest
 
@@ -21,6 +21,8 @@ SYSTEM_PATH = "/usr/local/sbin:/usr/local/bin:/usr/sbin:/usr/bin:/sbin:/bin"
 #: The whole of a page, and the start of the pipeline, on a busy machine; seconds.
 PAGE_TIMEOUT_S = 600.0
 START_TIMEOUT_S = 180.0
+#: Deadlines of the pipeline, seconds; a test machine that is busy is slower than a robot.
+PATIENT = {"/command_server/stop_timeout_s": "30.0", "/command_server/stage_timeout_s": "60.0"}
 _COLOURS = re.compile("\x1b\\[[0-9;]*m")
 
 
@@ -56,21 +58,32 @@ def running(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Dict[str, str]
     """The environment of the pages that need a running pipeline; it runs as ``make run`` runs it."""
     surroundings = environment()
     log = tmp_path_factory.mktemp("make_run") / "log"
-    with open(log, "wb") as file:
-        process = subprocess.Popen(
-            [str(REPOSITORY / "scripts" / "run")],
-            env=surroundings,
-            stdout=file,
-            stderr=subprocess.STDOUT,
-            start_new_session=True,
-        )
-    try:
+    processes: List[subprocess.Popen[bytes]] = []
+
+    def start(*command: str) -> "subprocess.Popen[bytes]":
+        with open(log, "ab") as file:
+            processes.append(
+                subprocess.Popen(
+                    command, env=surroundings, stdout=file, stderr=subprocess.STDOUT, start_new_session=True
+                )
+            )
+        return processes[-1]
+
+    def wait_for(*command: str) -> None:
         deadline_s = time.monotonic() + START_TIMEOUT_S
-        while subprocess.run(["rfn", "say", "Ping."], env=surroundings, capture_output=True, check=False).returncode:
-            assert process.poll() is None and time.monotonic() < deadline_s, log.read_text()[-3000:]
+        while subprocess.run(command, env=surroundings, capture_output=True, check=False).returncode:
+            assert processes[-1].poll() is None and time.monotonic() < deadline_s, log.read_text()[-3000:]
+
+    try:
+        start("roscore", "-p", surroundings["ROS_MASTER_URI"].rpartition(":")[2])
+        for name, value in PATIENT.items():
+            wait_for("rosparam", "set", name, value)
+        start(str(REPOSITORY / "scripts" / "run"))
+        wait_for("rfn", "say", "Ping.")
         yield surroundings
     finally:
-        end(process)
+        for process in reversed(processes):
+            end(process)
 
 
 def without_make(text: str) -> str:

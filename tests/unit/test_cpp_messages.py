@@ -1,6 +1,7 @@
 """The messages have C++ headers that compile: a program in C++ can be a client of the action ``command``."""
 
 import os
+import re
 import shutil
 import subprocess
 from pathlib import Path
@@ -20,14 +21,25 @@ def test_headers_compile(package: str) -> None:
     paths = sorted((INCLUDE / package).glob("*.h"))
     assert set(messages) <= {path.stem for path in paths}
     headers = [path.relative_to(INCLUDE) for path in paths if path.name not in NOT_FOR_CPP]
+    assert not errors_in("".join(f"#include <{header}>\n" for header in headers))
+
+
+def test_documented_client_compiles() -> None:
+    text = (REPOSITORY / "docs" / "interfaces.md").read_text(encoding="utf-8")
+    (program,) = re.findall(r"^```cpp\n(.*?)^```", text, re.MULTILINE | re.DOTALL)
+    assert not errors_in(program)
+
+
+def errors_in(program: str) -> str:
+    """Return the beginning of what the compiler says about a program; empty when it compiles."""
     compiler = shutil.which("g++")
     assert compiler, "g++ is not installed: make setup"
     result = subprocess.run(
         [compiler, "-x", "c++", "-std=c++14", "-fsyntax-only", f"-I{INCLUDE}", "-"],
-        input="".join(f"#include <{header}>\n" for header in headers),
+        input=program,
         capture_output=True,
         text=True,
         timeout=300,
         check=False,
     )
-    assert not result.returncode, result.stderr[:2000]
+    return result.stderr[:2000] if result.returncode else ""

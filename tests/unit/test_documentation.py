@@ -151,6 +151,19 @@ def test_table_of_packages_names_the_package(package: Path) -> None:
     assert f"src/{package.name})" in (REPOSITORY / "docs" / "packages.md").read_text(encoding="utf-8")
 
 
+def test_metapackage_depends_on_all_packages() -> None:
+    text = (REPOSITORY / "src" / "roboframenet" / "package.xml").read_text(encoding="utf-8")
+    wanted = {package.name for package in PACKAGES} - {"roboframenet", "roboframenet_testing"}
+    assert set(re.findall(r"<exec_depend>(\w+)<", text)) == wanted
+
+
+def test_packages_have_one_version_and_an_author() -> None:
+    texts = [path.read_text(encoding="utf-8") for path in REPOSITORY.glob("*/*/package.xml")]
+    (version,) = {found for text in texts for found in re.findall(r"<version>(.*)</version>", text)}
+    assert f"version: {version}\n" in (REPOSITORY / "CITATION.cff").read_text(encoding="utf-8")
+    assert all("<author>" in text and "<url" in text for text in texts)
+
+
 @pytest.mark.parametrize(
     "package", [path.parent for path in REPOSITORY.glob("*/*/package.xml")], ids=lambda package: package.name
 )

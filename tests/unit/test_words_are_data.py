@@ -35,7 +35,7 @@ NO_SPEECH: Dict[str, Tuple[str, str]] = {
     "executor/driver_settings.py": ("keys of a record", "node, name, former"),
     "frame_bindings/binding_file.py": (
         "keys of a file",
-        "frame, name, action, service, topic, type, fields, element, unit, default, value",
+        "frame, name, action, service, topic, type, fields",
     ),
     "location_memorizer/locations.py": ("keys of a file", "x, y, heading"),
     "offline_pipeline/pipeline.py": (
@@ -51,13 +51,24 @@ NO_SPEECH: Dict[str, Tuple[str, str]] = {
     "roboframenet_sim/room.py": ("keys of a file", "bounds, walls, boxes"),
     "roboframenet_tools/cli.py": (
         "commands of rfn",
-        "check, completion, doctor, explain, graph, learn, list, new, passes, port, say, score",
+        ("bind, check, completion, doctor, explain, graph, learn, list, new, passes, port, record, replay, say, score"),
     ),
     "roboframenet_tools/listing.py": (
         "headings and kinds",
         "domain, domains, frames, grounded, grounded frames, lexical units, robots",
     ),
-    "roboframenet_tools/new.py": ("places in a template", "name, verb, capital"),
+    "roboframenet_tools/binding_text.py": ("names of elements", "goal, place, location, destination"),
+    "roboframenet_tools/recording.py": ("keys of a record", "sentence, outcome, code, reply, frames, text"),
+    "roboframenet_tools/ros_action_types.py": ("examples in a new file", "ten seconds, two minutes, an hour"),
+    "roboframenet_tools/scaffold.py": (
+        "examples and places in a template",
+        "the ball, the box, the red mug, sentence, package, capital, name, element, verb",
+    ),
+    "roboframenet_tools/verb_forms.py": (
+        "letters at the end of a verb",
+        "ch, ea, au, oo, ai, ou, r, us, ir, os, as, ut, in, at, iz, ag, ul, ar, id",
+    ),
+    "semantic_frames/problem.py": ("keys of a problem", "key, expected, hint, found, path"),
     "frame_learning/gpsr_commands.py": (
         "names of the generators' rules and slots",
         "ptask, polite, task, main, please, pmain, sub, pos, paj, posadj",
@@ -94,6 +105,7 @@ NO_SPEECH: Dict[str, Tuple[str, str]] = {
         "keys of a file",
         "corrections, contrasts, forbidding, asking, reporting",
     ),
+    "semantic_frames/extra_thematic.py": ("keys of a file", "name, prepositions, adverbs, measure, clauses"),
     "semantic_frames/frame_file.py": (
         "keys of a file",
         "name, description, children, framenet, confirm, default, quantity, minimum, maximum, values, question, answer",
@@ -118,6 +130,7 @@ NO_SPEECH: Dict[str, Tuple[str, str]] = {
     ),
     "turtlebot_follower/centroid.py": ("keys of numpy", "names, formats, offsets, itemsize"),
     "utter/speech.py": ("what the robot can tell, a sentence for each", "time, date, day, name"),
+    "utterance_passes/places_told.py": ("pronouns, a subject for each object", "him, her, them, it"),
     "utterance_passes/formula_file.py": (
         "keys of a file",
         (

@@ -19,7 +19,7 @@ class AveragingServer:
     def __init__(self, name):
         self._wanted = 0
         self._numbers = []
-        self._server = RFNServer(name, AveragingAction, auto_start=False)
+        self._server = RFNServer(name, AveragingAction, auto_start=False, ignored_elements=["item"])
         self._server.register_goal_callback(self.on_goal)
         self._server.register_preempt_callback(self.on_preempt)
         self._subscriber = rospy.Subscriber("random_number", Float32, self.on_number)

@@ -16,7 +16,14 @@ class FibonacciServer:
 
     def __init__(self, name):
         self._rate_hz = 20.0
-        self._server = RFNServer(name, FibonacciAction, execute_cb=self.execute, auto_start=False)
+        # The words "the Fibonacci sequence" say which frame is meant, and no more.
+        self._server = RFNServer(
+            name,
+            FibonacciAction,
+            execute_cb=self.execute,
+            auto_start=False,
+            ignored_elements=["sequence", "counted_as"],
+        )
         self._server.start()
         self._server.add_semantic_frame(os.path.join(HERE, "frames", "computing_fibonacci_sequence.yaml"))
         self._server.add_lexical_unit(os.path.join(HERE, "lexical_units", "compute.yaml"))

@@ -70,7 +70,7 @@ class CommandServerNode:
     """Owns the commands.
 
     Subscribes: ``text``, ``stage_events``, ``stop_report``. Publishes: ``command_text``, ``command_cancel``, ``reply``,
-    ``status`` (latched), and what a `Brake` does. Actions: ``command``.
+    ``status``, ``command_server_started`` (latched), ``text_taken``, and what a `Brake` does. Actions: ``command``.
     """
 
     def __init__(self, settings: Settings, brake_settings: BrakeSettings) -> None:
@@ -119,6 +119,7 @@ class CommandServerNode:
             rospy.Subscriber("stop_report", StopReport, self._events.put),
             rospy.Subscriber("text", String, lambda message: self._events.put(Said(message.data, _now_ns()))),
         ]
+        self._replies.tell_start()
         self._action.start()
 
     def _shutdown(self) -> None:
@@ -191,6 +192,7 @@ class CommandServerNode:
         else:
             self._text_count += 1
             command_id = f"text-{self._run_tag}-{self._text_count}"
+            self._replies.note_taken(said.text)
         refusal = refusal_of_text(said.text, max_length=self._settings.max_text_length)
         command = CommandText(
             command_id=command_id, stamp_ns=self._last_stamp_ns, text=said.text[: self._settings.max_text_length]

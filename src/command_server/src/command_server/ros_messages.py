@@ -6,6 +6,7 @@ import rospy
 from roboframenet_msgs.msg import Command, Reply, StageEvent
 
 from command_server.open_commands import STOP_STAGE, CommandText, Ending, Outcome
+from roboframenet_ros.bounded_text import one_line
 
 
 def time_from_ns(stamp_ns: int) -> rospy.Time:
@@ -61,7 +62,7 @@ def ending_to_message(ending: Ending) -> Reply:
         outcome=int(ending.outcome),
         stage=ending.stage,
         code=ending.code,
-        sentence=ending.sentence,
+        sentence=one_line(ending.sentence),
         stamp=rospy.Time.now(),
     )
 

@@ -1,16 +1,18 @@
 """Publishes the one reply to each command, and the status."""
 
-from typing import Sequence
+from typing import List, Sequence
 
 import rospy
 from roboframenet_msgs.msg import CommandStatus, Reply
+from std_msgs.msg import Empty, String
 
 from command_server.open_commands import Ending, OpenCommand
 from command_server.ros_messages import command_to_message, ending_to_message
+from roboframenet_ros.bounded_text import one_line
 
 
 class Replies:
-    """Publishes ``reply``, and ``status`` (latched).
+    """Publishes ``reply``, ``text_taken``, ``status`` and ``command_server_started`` (both latched).
 
     Attributes:
         publisher: of ``reply``
@@ -21,8 +23,19 @@ class Replies:
         self.publisher = rospy.Publisher("reply", Reply, queue_size=1000)
         self.last_reply = Reply()
         self._status = rospy.Publisher("status", CommandStatus, queue_size=1, latch=True)
+        self._taken = rospy.Publisher("text_taken", String, queue_size=1000)
+        self._untold: List[str] = []
+        self._started = rospy.Publisher("command_server_started", Empty, queue_size=1, latch=True)
         self._sentence = "Ready."
         self._is_status_due = True
+
+    def tell_start(self) -> None:
+        """Tell that texts are heard from now on: the stop server replies to those that were said before."""
+        self._started.publish(Empty())
+
+    def note_taken(self, text: str) -> None:
+        """A text was heard; this is told with the next status, when its command is saved and will be answered."""
+        self._untold.append(text)
 
     def publish(self, ending: Ending) -> Reply:
         """Publish the reply to a command, and return it."""
@@ -42,15 +55,18 @@ class Replies:
 
     def note(self, sentence: str) -> None:
         """Set the sentence of the next status: what the robot is doing."""
-        self._sentence = sentence
+        self._sentence = one_line(sentence)
         self._is_status_due = True
 
     def publish_status(self, open_commands: Sequence[OpenCommand]) -> None:
-        """Publish the status, if it has changed.
+        """Publish which texts were taken, and the status if it has changed. Call it when the commands are saved.
 
         Args:
             open_commands: oldest first
         """
+        untold, self._untold = self._untold, []
+        for text in untold:
+            self._taken.publish(String(data=text))
         if not self._is_status_due:
             return
         self._is_status_due = False

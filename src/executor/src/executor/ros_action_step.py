@@ -186,9 +186,10 @@ class ActionStep(smach.State):
             on_feedback=lambda _: on_sign(),
         )
         self._context.running_goals.note(self._frame.server, sent.goal_id)
-        # Asked later: a process that ends properly takes its address along.
-        uri = connection.node_uri()
+        uri = ""
         while True:
+            # A process that has ended takes its address along, and one that has just started may connect twice.
+            uri = connection.node_uri() or uri
             if self._is_to_end:
                 goal = tracking.ask_preempt(goal, now_s=time.monotonic())
             step = tracking.tick(goal, now_s=time.monotonic())

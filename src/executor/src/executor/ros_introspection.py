@@ -2,16 +2,20 @@
 
 import queue
 import threading
-from dataclasses import dataclass, field
+import time
+from dataclasses import dataclass
 from typing import Optional
 
 import rospy
+from smach_msgs.msg import SmachContainerInitialStatusCmd, SmachContainerStatus, SmachContainerStructure
 
 import smach
 import smach_ros
+from smach_ros.introspection import INIT_TOPIC, STATUS_TOPIC, STRUCTURE_TOPIC
 
-# How long a run waits for its introspection, so that smach_viewer shows it from the start.
-_SHOW_TIMEOUT_S = 0.3
+_SERVER_NAME = "executor"
+# The first goal of a machine goes out before its introspection takes the interpreter.
+_HEAD_START_S = 0.02
 
 
 @dataclass(frozen=True)
@@ -20,14 +24,13 @@ class _View:
 
     machine: Optional[smach.StateMachine]
     label: str = ""
-    is_done: threading.Event = field(default_factory=threading.Event)
 
 
 class Introspection:
-    """Owns the topics of smach_viewer, one set for each machine.
+    """Shows one machine after the other on the topics of smach_viewer.
 
-    Opening and closing them calls the master, for which rospy has no deadline, so a thread of its own does it. While it
-    hangs, machines run without introspection.
+    The topics stay open: a viewer keeps its connections and misses no message of the next machine, and a machine costs
+    no call to the master, for which rospy has no deadline. A thread of its own does all of it: machines never wait.
     """
 
     def __init__(self, *, is_enabled: bool) -> None:
@@ -40,23 +43,25 @@ class Introspection:
             threading.Thread(target=self._work, name="introspection", daemon=True).start()
 
     def show(self, machine: smach.StateMachine, *, label: str) -> None:
-        """Show a machine under a label; returns when it is published, or after a deadline."""
-        if not self._request(_View(machine, label)).is_done.wait(_SHOW_TIMEOUT_S):
-            rospy.logwarn_throttle(30.0, "Introspection is delayed: the master does not answer")
+        """Show a machine under a label, unless it ends at once; returns at once."""
+        self._request(_View(machine, label))
 
     def hide(self) -> None:
         """Hide the machine; returns at once."""
         self._request(_View(None))
 
-    def _request(self, view: _View) -> _View:
+    def _request(self, view: _View) -> None:
         self._last = view
         if self._is_enabled:
             self._views.put(view)
-        else:
-            view.is_done.set()
-        return view
 
     def _work(self) -> None:
+        # While these exist, those of the machines are copies that the master need not know.
+        self._topics = (
+            rospy.Publisher(_SERVER_NAME + STATUS_TOPIC, SmachContainerStatus, queue_size=10),
+            rospy.Publisher(_SERVER_NAME + STRUCTURE_TOPIC, SmachContainerStructure, queue_size=10),
+            rospy.Subscriber(_SERVER_NAME + INIT_TOPIC, SmachContainerInitialStatusCmd),
+        )
         viewer: Optional[smach_ros.IntrospectionServer] = None
         while True:
             view = self._views.get()
@@ -64,11 +69,12 @@ class Introspection:
                 if viewer is not None:
                     viewer.stop()
                     viewer = None
-                # A machine that was requested while the master hung has ended by now.
-                if view.machine is not None and view is self._last:
-                    viewer = smach_ros.IntrospectionServer("executor", view.machine, f"/{view.label}")
+                if view.machine is None:
+                    continue
+                time.sleep(_HEAD_START_S)
+                # A machine that has ended by now is not shown.
+                if view is self._last:
+                    viewer = smach_ros.IntrospectionServer(_SERVER_NAME, view.machine, f"/{view.label}")
                     viewer.start()
             except Exception as fault:  # boundary: introspection must not keep a command from running
                 rospy.logwarn("Introspection is disabled: %s: %s", type(fault).__name__, fault)
-            finally:
-                view.is_done.set()

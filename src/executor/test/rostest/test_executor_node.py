@@ -322,6 +322,21 @@ class ExecutorNodeTest(unittest.TestCase):
         self.wait_for_reply(command)
         viewer.unregister()
 
+    def test_viewer_stays_connected_from_one_machine_to_the_next(self):
+        seen = set()
+        viewer = rospy.Subscriber(
+            "executor/smach/container_structure", SmachContainerStructure, lambda structure: seen.add(structure.path)
+        )
+        # Nothing runs yet.
+        wait_until(lambda: viewer.get_num_connections() > 0)
+        for words in ("Ping", "wave at Alice"):
+            command = self.send_clauses((words, [[frame("run", "one")]]), ("go home", [[frame("succeed", "two")]]))
+            wait_until(lambda words=words: f"/do it all/1 {words}/candidate_1" in seen, message=lambda: seen)
+            self.cancels.publish(command)
+            self.wait_for_reply(command)
+            self.assertGreater(viewer.get_num_connections(), 0)
+        viewer.unregister()
+
     def test_more_servers_than_connections(self):
         for _ in range(3):
             command = self.send([[frame("succeed", server) for server in ("one", "two", "three", "one")]])

@@ -47,7 +47,7 @@ class Binding:
         target: name of the action server, service or topic
         type_name: "move_base_msgs/MoveBaseAction", "std_srvs/SetBool", "std_msgs/String"
         fields: by path of a field; see :mod:`rfnserver.goal_binding`
-        ignored_elements: core elements that need not fill a field
+        ignored_elements: elements that need not fill a field
         success_field: field of the response of a service that says whether it worked; empty for none
         text_field: field of the response of a service with a text to say; empty for none
         server_timeout_s: how long to wait for the server, the service or a subscriber

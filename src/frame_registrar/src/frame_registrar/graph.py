@@ -5,8 +5,13 @@ from typing import Dict, FrozenSet, List, Mapping, Optional, Set, Tuple
 import networkx
 
 from semantic_frames.frame import ConstantArgument, ElementMapping, RelatedFrame, SemanticFrame
-from semantic_frames.marked_yaml import did_you_mean
+from semantic_frames.marked_yaml import NAME_EXPECTED, did_you_mean, is_name
 from semantic_frames.problem import FileRefused, Problem
+
+#: Registrations come from the wire, and none is ever withdrawn.
+MOST_REGISTRATIONS = 5000
+#: Frames that a graph holds.
+MOST_FRAMES = 20_000
 
 
 class FrameGraph:
@@ -40,6 +45,10 @@ class FrameGraph:
         known = self._frames.get(frame.name)
         if known == frame:
             return False
+        if known is None and len(self._frames) >= MOST_FRAMES:
+            raise FileRefused(
+                [Problem("TOO_MANY", frame.path, frame.line, "name", f"{MOST_FRAMES} frames already", "fewer")]
+            )
         problems = self._element_problems(frame)
         cycle = self._cycle(frame)
         if cycle:
@@ -106,11 +115,34 @@ class FrameGraph:
         """
         if not frame_name.strip() or not server.strip():
             return ("a registration needs the name of a frame and of an action server",)
+        for name in (frame_name, server):
+            if not is_name(name):
+                return (f"expected {NAME_EXPECTED}, found {len(name)} characters: {name[:40]!r}",)
+        servers = self._servers.get(frame_name, [])
+        if server not in servers and len(self.registrations()) >= MOST_REGISTRATIONS and not self._forget_dead():
+            return (f"there are {MOST_REGISTRATIONS} registrations already",)
         servers = self._servers.setdefault(frame_name, [])
         if server not in servers:
             servers.append(server)
         self._dead.discard(server)
         return ()
+
+    def _forget_dead(self) -> bool:
+        """Remove the registrations of dead servers to make room; a server that comes back registers again."""
+        count = len(self.registrations())
+        for frame_name, servers in list(self._servers.items()):
+            self._servers[frame_name] = [server for server in servers if server not in self._dead]
+            if not self._servers[frame_name]:
+                del self._servers[frame_name]
+        self._dead.clear()
+        return len(self.registrations()) < count
+
+    def remark(self, frame_name: str) -> str:
+        """Return what is odd about a registration that was accepted; empty for nothing."""
+        if frame_name in self._frames:
+            return ""
+        hint = did_you_mean(frame_name, tuple(self._frames))
+        return f"no file describes the frame '{frame_name}' yet" + (f"; {hint}" if hint else "")
 
     def registrations(self) -> Tuple[Tuple[str, str], ...]:
         """Every registration: frame name and action server, by frame, in the order in which they were made."""

@@ -162,25 +162,23 @@ class FrameRegistrar:
         return GetEmptyFrameResponse(frame=to_empty_frame(frame) if frame else EmptySemanticFrame())
 
     def _on_register(self, request: RegisterWithFrameRequest) -> RegisterWithFrameResponse:
-        server = request.callback_topic
-        if server.strip() and (server.startswith("~") or not rosgraph.names.is_legal_name(server)):
+        frame_name, server = request.frame_name, request.callback_topic
+        if server.strip() and not _is_server_name(server):
             errors: Tuple[str, ...] = (
-                f"'{server}' is not the name of an action server: expected a graph name without '~'",
+                f"{server[:40]!r} is not the name of an action server: expected a graph name without '~'",
             )
         else:
             with self._lock:
-                errors = self._graph.register(request.frame_name, server)
+                errors = self._graph.register(frame_name, server)
         for error in errors:
             rospy.logerr("registration refused: %s", error)
-        if not errors:
-            if self._graph.frame(request.frame_name) is None:
-                rospy.logwarn(
-                    "'%s' registered for the frame '%s', which no file describes yet",
-                    server,
-                    request.frame_name,
-                )
-            self._publish_catalogue()
-        return RegisterWithFrameResponse(success=not errors, error=list(errors))
+        if errors:
+            return RegisterWithFrameResponse(success=False, error=list(errors))
+        self._publish_catalogue()
+        remark = self._graph.remark(frame_name)
+        if remark:
+            rospy.logwarn("'%s' registered for a frame: %s", server, remark)
+        return RegisterWithFrameResponse(success=True, error=[remark] if remark else [])
 
     def _registered_servers(self) -> FrozenSet[str]:
         with self._lock:
@@ -235,6 +233,10 @@ class FrameRegistrar:
         self._stage.passes_on(message.command, describe(plan))
         self._candidates_2012.publish(to_frame_lists(combinations(outcome, self._settings.max_candidates)))
         self._candidates.publish(CommandSemanticFrames(command=message.command, plan=plan))
+
+
+def _is_server_name(name: str) -> bool:
+    return not name.startswith("~") and not name.endswith("/") and bool(rosgraph.names.is_legal_name(name))
 
 
 def describe(plan: Plan) -> str:

@@ -5,12 +5,15 @@ import xmlrpc.client
 from typing import Callable, Dict, FrozenSet, Iterable, Tuple
 
 import rospy
+from roboframenet_msgs.msg import FilledSemanticFrameActionResult
 
 from roboframenet_ros.ros_master import NO_ANSWER, TimedMaster, TimedTransport
 
 #: A server that seems dead is checked again after this time, seconds: its node may be busy, or the server may have
 #: registered just before it started.
 _SECOND_LOOK_S = 1.0
+#: An action server publishes its results itself, so the master knows their type from it.
+_RESULT_TYPE = FilledSemanticFrameActionResult._type
 
 
 class LivenessWatch:
@@ -71,6 +74,7 @@ class LivenessWatch:
 
     def _dead_among(self, servers: Tuple[str, ...]) -> FrozenSet[str]:
         nodes_of = self._master.system_state().publishers
+        types = self._master.topic_types()
         answers: Dict[str, bool] = {}
         dead = set()
         known = self._proxies
@@ -80,8 +84,14 @@ class LivenessWatch:
             for node in nodes:
                 if node not in answers:
                     answers[node] = node == rospy.get_name() or self._answers(node, known)
+            result_type = types.get(rospy.resolve_name(server + "/result"), _RESULT_TYPE)
             if not any(answers[node] for node in nodes):
                 dead.add(server)
+            elif result_type != _RESULT_TYPE:
+                # Nothing could be sent to it.
+                dead.add(server)
+                if server not in self._dead:
+                    rospy.logerr("%s takes no frames: its results are of type %s", server, result_type)
         return frozenset(dead)
 
     def _answers(self, node: str, known: Dict[str, xmlrpc.client.ServerProxy]) -> bool:

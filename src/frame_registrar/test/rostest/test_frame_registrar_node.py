@@ -9,8 +9,10 @@ import unittest
 from typing import List, Optional
 from xmlrpc.client import ServerProxy
 
+import actionlib
 import rosgraph
 import rospy
+from actionlib.msg import TestAction
 from actionlib_msgs.msg import GoalStatusArray
 from roboframenet_msgs.msg import (
     Clause,
@@ -194,10 +196,26 @@ class FrameRegistrarTest(unittest.TestCase):
         self.assertEqual((event.is_final, event.reply.code), (True, "NO_READING"))
 
     def test_registration_that_makes_no_sense_is_refused_with_a_reason(self) -> None:
-        for frame, server in (("", "steady"), ("moving", ""), ("moving", "two words"), ("moving", "~private")):
+        for frame, server in (
+            ("", "steady"),
+            ("moving", ""),
+            ("moving", "two words"),
+            ("moving", "~private"),
+            ("moving", "/"),
+            ("moving", "two\nlines"),
+            ("moving", "s" * 100_000),
+            ("m" * 1_000_000, "steady"),
+            ("two\nlines", "steady"),
+        ):
             answer = self.call("register_with_frame", RegisterWithFrame, frame, server)
             self.assertFalse(answer.success)
             self.assertTrue(answer.error and answer.error[0])
+            self.assertLess(len(answer.error[0]), 300)
+
+    def test_registration_for_a_frame_that_no_file_describes_is_remarked(self) -> None:
+        answer = self.call("register_with_frame", RegisterWithFrame, "movign", "steady")
+        self.assertTrue(answer.success)
+        self.assertEqual(list(answer.error), ["no file describes the frame 'movign' yet; did you mean 'moving'?"])
 
     def test_wrong_file_at_start_is_told_by_line_and_key_to_who_comes_late(self) -> None:
         late = rospy.wait_for_message("file_problems", FileProblems, timeout=60.0)
@@ -233,6 +251,13 @@ class FrameRegistrarTest(unittest.TestCase):
         self.assertTrue(self.add_frame("gesture.yaml", "name: nodding\n"))
         self.assertEqual(self.servers("nodding"), [["steady"]])
         self.assertEqual(self.command("bowing").reply.code, "UNKNOWN_FRAME")
+
+    def test_server_of_another_type_is_not_offered(self) -> None:
+        self.assertTrue(self.add_frame("counting.yaml", "name: counting\n"))
+        other = actionlib.SimpleActionServer("counter", TestAction, execute_cb=lambda goal: None, auto_start=False)
+        other.start()
+        self.register("counting", "counter")
+        wait_until(lambda: self.is_alive("counter") is False, message="a server of another type is offered")
 
     def test_killed_server_is_not_offered_until_it_is_back(self) -> None:
         self.assertTrue(self.add_frame("dying.yaml", "name: dying\n"))

@@ -131,3 +131,33 @@ def test_refused_frame_leaves_its_relations_alone() -> None:
         graph.add(frame("name: b\nchildren: [{name: d}, {name: a}]\n"))
     assert graph.descendants("b") == ("c",)
     assert graph.add(frame("name: d\nchildren: [{name: b}]\n"))
+
+
+@pytest.mark.parametrize("name", ["x" * 201, "two\nlines", "\x1b[2J"])
+def test_names_that_are_no_names_are_refused(name: str) -> None:
+    for about in ((name, "server"), ("frame", name)):
+        (error,) = FrameGraph().register(*about)
+        assert "printable" in error
+        assert error.isprintable()
+        assert len(error) < 200
+
+
+def test_registrations_are_limited_and_dead_servers_make_room(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(graph_module, "MOST_REGISTRATIONS", 3)
+    graph = FrameGraph()
+    for server in "abc":
+        assert graph.register("f", server) == ()
+    assert graph.register("f", "d") == ("there are 3 registrations already",)
+    assert graph.register("f", "a") == ()
+    graph.set_dead(frozenset("b"))
+    assert graph.register("f", "d") == ()
+    assert graph.registrations() == (("f", "a"), ("f", "c"), ("f", "d"))
+
+
+def test_frames_are_limited(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(graph_module, "MOST_FRAMES", 1)
+    graph = FrameGraph()
+    graph.add(frame("name: a\n"))
+    with pytest.raises(FileRefused, match="TOO_MANY"):
+        graph.add(frame("name: b\n"))
+    assert graph.add(frame("name: a\ndescription: new\n"))

@@ -54,6 +54,8 @@ def read_locations(path: str) -> Dict[str, Location]:
             document = yaml.safe_load(file)
         except yaml.YAMLError as error:
             raise LocationFileError(f"{path}: not YAML: {error}") from error
+        except UnicodeDecodeError as error:
+            raise LocationFileError(f"{path}: not UTF-8: {error}") from error
     if document is None:
         return {}
     if not isinstance(document, dict):
@@ -79,7 +81,7 @@ def _location(path: str, name: str, entry: Any) -> Location:
 
 
 def write_locations(locations: Mapping[str, Location], path: str) -> None:
-    """Write a file of places. An existing file is replaced as a whole or not at all.
+    """Write a file of places. An existing file is replaced as a whole or not at all; a link to it stays a link.
 
     Raises:
         OSError: the file cannot be written
@@ -88,10 +90,28 @@ def write_locations(locations: Mapping[str, Location], path: str) -> None:
         name: {"x": location.x_m, "y": location.y_m, "heading": location.heading_rad, "frame_id": location.frame_id}
         for name, location in sorted(locations.items())
     }
-    folder = os.path.dirname(os.path.abspath(path))
+    path = os.path.realpath(path)
+    folder = os.path.dirname(path)
     os.makedirs(folder, exist_ok=True)
     with tempfile.NamedTemporaryFile("w", dir=folder, delete=False, encoding="utf-8") as file:
         yaml.safe_dump(document, file, sort_keys=True)
         file.flush()
         os.fsync(file.fileno())
     os.replace(file.name, path)
+
+
+def set_aside(path: str) -> str:
+    """Rename a file that cannot be read, so that nothing overwrites what somebody may still mend.
+
+    Returns:
+        its new path
+    Raises:
+        OSError: it cannot be renamed
+    """
+    path = os.path.realpath(path)
+    number = 1
+    while os.path.lexists(f"{path}.unreadable.{number}"):
+        number += 1
+    aside = f"{path}.unreadable.{number}"
+    os.rename(path, aside)
+    return aside

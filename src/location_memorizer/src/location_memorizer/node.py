@@ -10,7 +10,7 @@ import rospy
 from geometry_msgs.msg import PoseStamped, PoseWithCovarianceStamped
 from roboframenet_msgs.msg import FilledSemanticFrame, Locations
 
-from location_memorizer.locations import Location, LocationFileError, read_locations, write_locations
+from location_memorizer.locations import Location, LocationFileError, read_locations, set_aside, write_locations
 from location_memorizer.srv import GetLocation, GetLocationRequest, GetLocationResponse
 from rfnserver import RFNServer
 from rfnserver.places import location_name
@@ -74,8 +74,11 @@ class LocationMemorizer:
         self._memory_file = os.path.expanduser(
             settings.memory_file or os.path.join(os.environ.get("ROS_HOME", "~/.ros"), "locations.yaml")
         )
-        self._places = self._read(settings.places_file) if settings.places_file else {}
-        self._remembered = self._read(self._memory_file) if os.path.exists(self._memory_file) else {}
+        self._places = (self._read(settings.places_file) or {}) if settings.places_file else {}
+        remembered = self._read(self._memory_file) if os.path.exists(self._memory_file) else {}
+        if remembered is None:
+            self._set_memory_aside()
+        self._remembered = remembered or {}
         self._publisher = rospy.Publisher("locations", Locations, queue_size=1, latch=True)
         self._publish()
         self._subscriber = rospy.Subscriber("amcl_pose", PoseWithCovarianceStamped, self._on_pose, queue_size=1)
@@ -85,12 +88,20 @@ class LocationMemorizer:
         self._server.start()
 
     @staticmethod
-    def _read(path: str) -> Dict[str, Location]:
+    def _read(path: str) -> Optional[Dict[str, Location]]:
+        """Return the places of a file; None when it cannot be read."""
         try:
             return read_locations(path)
         except (LocationFileError, OSError) as error:
             rospy.logerr("places are missing: %s", error)
-            return {}
+            return None
+
+    def _set_memory_aside(self) -> None:
+        """Keep a memory that cannot be read: the next place would overwrite it."""
+        try:
+            rospy.logwarn("the memory that cannot be read is kept as %s", set_aside(self._memory_file))
+        except OSError as error:
+            rospy.logerr("the memory that cannot be read will be overwritten: %s", error)
 
     def _known(self) -> Dict[str, Location]:
         return {**self._places, **self._remembered}

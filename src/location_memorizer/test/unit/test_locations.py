@@ -8,6 +8,7 @@ from location_memorizer.locations import (
     Location,
     LocationFileError,
     read_locations,
+    set_aside,
     write_locations,
 )
 
@@ -48,3 +49,26 @@ def test_bad_file_is_refused_by_name(text: str, tmp_path) -> None:
 def test_empty_file_has_no_places(tmp_path) -> None:
     (tmp_path / "places.yaml").write_text("", encoding="utf-8")
     assert read_locations(str(tmp_path / "places.yaml")) == {}
+
+
+def test_memory_that_cannot_be_read_is_kept(tmp_path) -> None:
+    memory = tmp_path / "locations.yaml"
+    for number, text in enumerate((b"office: {x: 1", b"name: \xff"), start=1):
+        memory.write_bytes(text)
+        with pytest.raises(LocationFileError):
+            read_locations(str(memory))
+        aside = set_aside(str(memory))
+        assert aside == f"{memory}.unreadable.{number}"
+        assert not memory.exists()
+        with open(aside, "rb") as file:
+            assert file.read() == text
+        write_locations({}, str(memory))
+
+
+def test_link_to_a_memory_stays_a_link(tmp_path) -> None:
+    memory, link = tmp_path / "real.yaml", tmp_path / "locations.yaml"
+    memory.write_text("{}")
+    link.symlink_to(memory)
+    write_locations({"office": Location("map", 1.0, 2.0, 0.0)}, str(link))
+    assert link.is_symlink()
+    assert "office" in read_locations(str(memory))

@@ -28,7 +28,9 @@ from move_action_server.motion import (
 from move_action_server.spoken_motion import NotUnderstood, backward_goal, forward_goal, turn_goal
 from rfnserver import RFNServer, TypedFrame
 from roboframenet_ros.parameters import ParameterError, Parameters, parameter
+from roboframenet_ros.pausable_clock import PausableClock
 from roboframenet_ros.ros_node import read_parameters, run_node
+from roboframenet_ros.ros_publishing import publish
 from typed_arguments import TypedArgument
 
 #: Makes a motion of the arguments of a frame.
@@ -247,12 +249,7 @@ class MoveActionServer:
         message = Twist()
         message.linear.x = command.linear_m_per_s
         message.angular.z = command.angular_rad_per_s
-        try:
-            self._velocity.publish(message)
-        except rospy.ROSException:
-            # At shutdown the topic closes after on_shutdown has published zero.
-            if not rospy.is_shutdown():
-                raise
+        publish(self._velocity, message)
 
     def _callback(self, frame_name: str, goal_of: GoalOf) -> Callable[[TypedFrame], None]:
         def execute(frame: TypedFrame) -> None:
@@ -306,7 +303,10 @@ class MoveActionServer:
             if server.is_preempt_requested():
                 return Ending(Outcome.PREEMPTED, "cancelled before the first odometry")
             return Ending(Outcome.ABORTED, f"no odometry on {self._odometry.topic}")
-        motion = Motion(goal, settings=motion_settings, start=start, now_s=time.monotonic())
+        clock = PausableClock(
+            ros_time_ns=lambda: rospy.Time.now().to_nsec(), is_simulated=not rospy.rostime.is_wallclock()
+        )
+        motion = Motion(goal, settings=motion_settings, start=start, now_s=clock.now_s())
         rospy.loginfo("%s: %s", goal.kind.value, describe_amount(goal))
         feedback_s = -math.inf
         while not rospy.is_shutdown():
@@ -314,20 +314,20 @@ class MoveActionServer:
                 return Ending(Outcome.PREEMPTED, "cancelled")
             if claim.is_revoked:
                 return Ending(Outcome.PREEMPTED, "another motion takes the base")
-            now_s = time.monotonic()
-            step = motion.step(now_s=now_s)
+            # In a simulation that is paused there is no odometry: the motion goes on when the simulation does.
+            step = motion.step(now_s=clock.now_s())
             self._publish(step.command)
             if step.state is MotionState.ARRIVED:
                 done = MotionGoal(kind=goal.kind, amount=motion.progress)
                 return Ending(Outcome.SUCCEEDED, f"{describe_amount(done)} by odometry")
             if step.state is MotionState.FAILED:
                 return Ending(Outcome.ABORTED, step.reason)
-            if now_s - feedback_s >= self._settings.feedback_period_s:
-                feedback_s = now_s
+            if time.monotonic() - feedback_s >= self._settings.feedback_period_s:
+                feedback_s = time.monotonic()
                 server.publish_feedback(FilledSemanticFrameFeedback(is_succeeding=True))
             sample, count = self._odometry.wait_newer(than=count, timeout_s=self.WAIT_S)
             if sample is not None:
-                motion.observe(sample, now_s=time.monotonic())
+                motion.observe(sample, now_s=clock.now_s())
         return Ending(Outcome.ABORTED, "the node is shut down")
 
 

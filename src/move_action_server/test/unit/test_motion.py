@@ -16,6 +16,7 @@ from move_action_server.motion import (
     OdometrySample,
     check_goal,
 )
+from roboframenet_ros.pausable_clock import PausableClock
 from roboframenet_sim.base import BaseLimits, DifferentialBase, Pose, Velocity
 
 PERIOD_S = 0.02
@@ -229,3 +230,26 @@ def test_goals_at_the_limits_pass(kind, amount):
 def test_settings_that_make_no_sense_are_refused(make):
     with pytest.raises(ValueError):
         make()
+
+
+def test_motion_goes_on_after_a_pause_of_the_simulation():
+    rig = Rig(MotionKind.STRAIGHT, 1.0)
+    wall = {"s": 0.0, "ros_ns": 0}
+    clock = PausableClock(ros_time_ns=lambda: wall["ros_ns"], is_simulated=True, now=lambda: wall["s"])
+
+    def pass_time(is_paused):
+        wall["s"] += PERIOD_S
+        wall["ros_ns"] += 0 if is_paused else int(PERIOD_S * 1e9)
+        return clock.now_s()
+
+    for _ in range(50):
+        pass_time(is_paused=False)
+        assert rig.tick() is MotionState.MOVING
+    begun_s = rig.now_s - clock.now_s()
+    for _ in range(500):
+        step = rig.motion.step(now_s=begun_s + pass_time(is_paused=True))
+        assert step.state is MotionState.MOVING
+    assert step.command == STANDING
+    rig.now_s = begun_s + clock.now_s()
+    assert rig.run().state is MotionState.ARRIVED
+    assert rig.gone_m() == pytest.approx(1.0, rel=0.02)

@@ -3,7 +3,7 @@
 import os
 from typing import Iterable, List, Optional, Tuple
 
-from offline_pipeline.knowledge import Knowledge, load_files, pretend_servers
+from offline_pipeline.knowledge import Knowledge, load_files, pretend_servers, with_names
 from offline_pipeline.pipeline import Pipeline
 from semantic_framer.framer import Understood, read
 from semantic_frames import Problem, check_lexical_unit
@@ -15,30 +15,37 @@ def load_paths(paths: Iterable[str], others: Iterable[str] = ()) -> Tuple[Knowle
     """Read files and folders.
 
     Args:
-        paths: files and folders to check; a file with a key ``frame_name`` is a lexical unit file
+        paths: files and folders to check; a file with a key ``frame_name`` is a lexical unit file, one with a key
+            ``names`` is a file of names
         others: folders that the checked files may refer to
     Returns:
         all knowledge that was read, and the paths of the files to check
     """
     frames: List[str] = []
     units: List[str] = []
+    names: List[str] = []
     for path in paths:
         if os.path.isdir(path):
             frames += yaml_files([path], FRAMES_FOLDER)
             units += yaml_files([path], LEXICAL_UNITS_FOLDER)
         else:
-            (units if _is_unit_file(path) else frames).append(os.path.abspath(path))
-    checked = tuple(dict.fromkeys(frames + units))
+            files = units if _is_unit_file(path) else names if _has_key(path, "names") else frames
+            files.append(os.path.abspath(path))
+    checked = tuple(dict.fromkeys(frames + units + names))
     frames += yaml_files(others, FRAMES_FOLDER)
     units += yaml_files(others, LEXICAL_UNITS_FOLDER)
-    return load_files(dict.fromkeys(frames), dict.fromkeys(units)), checked
+    return with_names(load_files(dict.fromkeys(frames), dict.fromkeys(units)), names), checked
 
 
 def _is_unit_file(path: str) -> bool:
     if os.path.basename(os.path.dirname(os.path.abspath(path))) == LEXICAL_UNITS_FOLDER:
         return True
+    return _has_key(path, "frame_name")
+
+
+def _has_key(path: str, key: str) -> bool:
     with open(path, encoding="utf-8", errors="replace") as file:
-        return any(line.lstrip("- ").startswith("frame_name:") for line in file)
+        return any(line.lstrip("- ").startswith(f"{key}:") for line in file)
 
 
 def find_problems(knowledge: Knowledge, checked: Tuple[str, ...]) -> List[Problem]:

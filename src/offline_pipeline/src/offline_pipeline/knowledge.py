@@ -1,7 +1,7 @@
 """Reads frames and lexical units from files, in the same way as the registrar and the framer."""
 
 import os
-from dataclasses import dataclass
+from dataclasses import dataclass, field, replace
 from functools import partial
 from pathlib import Path
 from typing import Callable, Dict, FrozenSet, Iterable, List, Mapping, Tuple
@@ -11,19 +11,22 @@ from semantic_framer.lexicon import Lexicon
 from semantic_frames import FileRefused, Problem, load_frame
 from semantic_frames.frame import SemanticFrame
 from semantic_frames.source_files import FRAMES_FOLDER, LEXICAL_UNITS_FOLDER, read_text, yaml_files
+from semantic_types import WordTypes, load_name_file, shipped_types
 
 
 @dataclass(frozen=True)
 class Knowledge:
     """Frames and lexical units of some folders, and the problems of their files.
 
-    ``read_names`` are the frames of all readable files, including those that the graph refused.
+    ``read_names`` are the frames of all readable files, including those that the graph refused; ``types`` are the
+    semantic types of words, with the names that the robot knows.
     """
 
     graph: FrameGraph
     lexicon: Lexicon
     problems: Tuple[Problem, ...]
     read_names: FrozenSet[str]
+    types: WordTypes = field(default_factory=shipped_types)
 
     @property
     def frames(self) -> Mapping[str, SemanticFrame]:
@@ -89,6 +92,18 @@ def load_texts(
         except FileRefused as error:
             problems += error.problems
     return Knowledge(graph, lexicon, tuple(problems), frozenset(owners))
+
+
+def with_names(knowledge: Knowledge, paths: Iterable[str]) -> Knowledge:
+    """Add the names of some files, in the same way as the framer; a file with mistakes yields problems."""
+    names: Dict[str, Tuple[str, ...]] = {}
+    problems = list(knowledge.problems)
+    for path in paths:
+        try:
+            names.update(load_name_file(read_text(path), path))
+        except FileRefused as error:
+            problems += error.problems
+    return replace(knowledge, problems=tuple(problems), types=WordTypes(knowledge.types.nouns, names))
 
 
 def pretend_servers(graph: FrameGraph) -> None:

@@ -129,7 +129,7 @@ class Pipeline:
         self._parameters = parameters
         self._without = without
         self._is_traced = is_traced
-        self._known = FramedLexicon(knowledge.lexicon, knowledge.frames)
+        self._known = FramedLexicon(knowledge.lexicon, knowledge.frames, knowledge.types)
         self._verbs = frozenset(verb.split()[0] for verb in knowledge.lexicon.verbs)
 
     @property
@@ -194,13 +194,14 @@ class Pipeline:
             behind=behind,
         )
 
-    def understand_safely(self, text: str) -> Understanding:
+    def understand_safely(self, text: str, context: Context = Context()) -> Understanding:
         """Understand one sentence of many: an internal error becomes its reply, and the other sentences are still
-        read."""
+        read. See :meth:`understand`."""
         try:
-            return self.understand(text)
+            return self.understand(text, context)
         except Exception as error:  # boundary: a batch continues after a sentence that causes an error
-            return Understanding(text, Reply("FAILED", "STAGE_ERROR", f"{type(error).__name__}: {error}"))
+            reply = Reply("FAILED", "STAGE_ERROR", f"{type(error).__name__}: {error}")
+            return Understanding(text, reply, context=context)
 
     def _understanding(self, text: str, tree: DependencyTree, heard: Heard, trace: Optional[Trace]) -> Understanding:
         parameters = self._parameters

@@ -9,6 +9,7 @@ from command_server.stop_words import is_stop
 from offline_pipeline.knowledge import load_knowledge, pretend_servers, shipped_domains
 from offline_pipeline.pipeline import BEHAVIOURS, Parameters, Pipeline, to_json
 from semantic_framer.behaviour_2012 import Arguments, Questions
+from semantic_framer.dialogue import Context
 from semantic_framer.outcome import LeftOverWords, Policy
 
 
@@ -67,7 +68,8 @@ ODD = (
     ("take the mug and bring it to me", "references: bringing(theme=it, beneficiary=me): bringing(theme=the mug"),
     ("bring it to me", "references: it: asked."),
     ("follow", "missing_element: following(): asked. No words for cotheme."),
-    ("go to the office frobnicatingly", "left_over_words: frobnicatingly: refused."),
+    ("go to the office frobnicatingly", 'left_over_words: "frobnicatingly": asked. No server heeds it.'),
+    ("take the mug without the plate", "left_over_words: plate: refused."),
     ("turn left or go back", "choices: turn left or go back: asked."),
 )
 
@@ -139,7 +141,7 @@ def test_the_context_is_carried_on(pipeline: Pipeline) -> None:
 
 
 def test_an_error_becomes_a_reply(pipeline: Pipeline, monkeypatch: pytest.MonkeyPatch) -> None:
-    def fail(text: str) -> None:
+    def fail(text: str, context: Context) -> None:
         raise RuntimeError("broken")
 
     monkeypatch.setattr(pipeline, "understand", fail)

@@ -2,7 +2,7 @@
 
 import math
 from dataclasses import replace
-from typing import Optional
+from typing import Optional, Sequence
 
 from phrase_meanings.meaning_file import shipped_meanings
 from spoken_quantities import find_unit
@@ -86,3 +86,8 @@ def default_argument(name: str, text: str) -> TypedArgument:
 def resolved(argument: TypedArgument, text: str) -> TypedArgument:
     """Replace the text of a pronoun by its referent; the head, words and positions stay."""
     return replace(argument, text=text, source=Source.INFERRED)
+
+
+def with_words(tree: DependencyTree, argument: TypedArgument, positions: Sequence[int]) -> TypedArgument:
+    """Return an argument with other words; its text stays."""
+    return replace(argument, words=tree.text_of(positions), positions=tuple(sorted(positions)))

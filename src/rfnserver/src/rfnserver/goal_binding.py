@@ -80,14 +80,18 @@ class GoalPlan:
     Attributes:
         sources: of the fields that are filled
         unfilled: paths of the fields that keep their default
+        unheeded: elements that fill no field, and are not ignored on purpose
     """
 
     sources: Tuple[FieldSource, ...]
     unfilled: Tuple[str, ...] = ()
+    unheeded: Tuple[str, ...] = ()
 
     def __str__(self) -> str:
         filled = ", ".join(f"{source.field.path} <- {_spelled(source)}" for source in self.sources)
         text = filled or "no field is filled"
+        if self.unheeded:
+            text += f"; not heeded: {', '.join(self.unheeded)}"
         return f"{text}; at their default: {', '.join(self.unfilled)}" if self.unfilled else text
 
 
@@ -108,7 +112,7 @@ def plan_goal(
         fields: every field of the goal, including those of nested messages
         elements: of the frame
         mapping: by path of a field; the others are filled from the element of their name
-        ignored_elements: core elements that need not fill a field
+        ignored_elements: elements that need not fill a field
     Raises:
         BindingError: a declared field or element does not exist, a field cannot be filled from words, a name fits two
             fields, or a core element fills none, so that words would be ignored
@@ -155,7 +159,27 @@ def plan_goal(
         for field in fields
         if field.filling is not None and not any(_covers(path, field.path) for path in filled)
     )
-    return GoalPlan(sources=tuple(sources), unfilled=unfilled)
+    unheeded = tuple(name for name in known if name not in used | ignored)
+    return GoalPlan(sources=tuple(sources), unfilled=unfilled, unheeded=unheeded)
+
+
+def refuse_unheeded(plan: GoalPlan, arguments: Mapping[str, TypedArgument], *, defaults: Mapping[str, str]) -> None:
+    """Check that every word that was said reaches the goal.
+
+    Args:
+        plan: see :func:`plan_goal`
+        arguments: of the filled frame, by name of the element
+        defaults: of the frame, by name of the element: nobody has said those
+    Raises:
+        ArgumentError: words would be dropped; the message is for the person who said them
+    """
+    heeded = [arguments[source.element] for source in plan.sources if source.element in arguments]
+    # A measure knows its unit, which may also be an element of its own.
+    units = {argument.measure.unit for argument in heeded if argument.measure is not None}
+    for name in plan.unheeded:
+        words = arguments[name].text if name in arguments else ""
+        if words and words != defaults.get(name, "") and words not in units:
+            raise ArgumentError(f'I cannot heed the {name.replace("_", " ")} "{words}" when I do that.')
 
 
 def mapped_elements(mapping: Optional[Mapping[str, Declaration]]) -> Tuple[str, ...]:

@@ -122,7 +122,7 @@ class RFNServer(_Registering, QuietSimpleActionServer):
             frame_callback: with an action type: gets the filled frame and returns a goal, or None when it has carried
                 the frame out itself
             goal_mapping: with an action type: which element fills which field, where their names differ
-            ignored_elements: with an action type: core elements that need not fill a field
+            ignored_elements: with an action type: elements that need not fill a field
         Raises:
             TypeError: neither an action type nor a callback
         """

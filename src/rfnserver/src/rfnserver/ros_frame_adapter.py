@@ -22,6 +22,7 @@ from rfnserver.goal_binding import (
     goal_values,
     mapped_elements,
     plan_goal,
+    refuse_unheeded,
 )
 from rfnserver.goal_types import Filling
 from rfnserver.registration import RequestKind
@@ -54,15 +55,20 @@ class GoalMaker:
         Args:
             goal_type: class of the message to make
             mapping: see :mod:`rfnserver.goal_binding`
-            ignored_elements: core elements that need not fill a field
+            ignored_elements: elements that need not fill a field
         """
         self._goal_type = goal_type
         self._fields = fields_of(goal_type)
         self._mapping = mapping
         self._ignored = tuple(ignored_elements)
+        self._defaults: Dict[str, Mapping[str, str]] = {}
         # Listens only where a place may be asked for: every topic costs threads.
         has_places = any(field.filling is Filling.PLACE for field in self._fields)
         self._places = Places() if has_places else None
+
+    def note_defaults(self, frame_name: str, defaults: Mapping[str, str]) -> None:
+        """Keep the defaults of the elements of a frame: they may fill no field, because nobody has said them."""
+        self._defaults[frame_name] = dict(defaults)
 
     def plan(self, elements: Iterable[BoundElement]) -> GoalPlan:
         """Decide how a frame with these elements fills the message.
@@ -83,6 +89,7 @@ class GoalMaker:
             # An element that was not said may be missing; core elements were checked when the server registered.
             names = dict.fromkeys((*arguments, *mapped_elements(self._mapping), *self._ignored))
             plan = self.plan(BoundElement(name, is_core=False) for name in names)
+            refuse_unheeded(plan, arguments, defaults=self._defaults.get(frame.name, {}))
             values = goal_values(plan, arguments, locate=self._places.locate if self._places else _nowhere)
         except (BindingError, UnknownPlace) as error:
             raise ArgumentError(str(error)) from error
@@ -111,7 +118,9 @@ def check_frame(frame_name: str, maker: GoalMaker) -> Tuple[bool, str]:
         plan = maker.plan(BoundElement(element.name, element.is_core) for element in frame.frame_elements)
     except BindingError as error:
         return True, str(error)
-    rospy.loginfo("frame %s: %s", frame_name, plan)
+    maker.note_defaults(frame.name, {element.name: element.default for element in frame.frame_elements})
+    log = rospy.logwarn if plan.unheeded else rospy.loginfo
+    log("frame %s: %s", frame_name, plan)
     return True, ""
 
 
@@ -139,7 +148,7 @@ class FrameAdapter:
             frame_callback: gets the filled frame and returns a goal of the server's type, or None when it has carried
                 the frame out itself; without one the goal is made by name and ``mapping``
             mapping: see :mod:`rfnserver.goal_binding`
-            ignored_elements: core elements that need not fill a field
+            ignored_elements: elements that need not fill a field
         """
         name = self._name = public_name(name)
         self._action_type = action_type

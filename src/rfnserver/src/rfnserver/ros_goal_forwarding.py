@@ -105,11 +105,12 @@ class GoalForwarder:
         gone: threading.Event,
         is_to_end: Callable[[], bool],
     ) -> ForwardedEnd:
-        # Asked later: a process that ends properly takes its address along.
-        uri = self._connection.node_uri()
+        uri = ""
         end_s = time.monotonic() + self._deadlines.goal_s
         question_s = time.monotonic() + SUSPICION_S
         while not rospy.is_shutdown():
+            # A process that has ended takes its address along, and one that has just started may connect twice.
+            uri = self._connection.node_uri() or uri
             if heard.is_set() or time.monotonic() >= question_s:
                 if not heard.is_set():
                     self._connection.ask_whether_gone(uri, gone.set)

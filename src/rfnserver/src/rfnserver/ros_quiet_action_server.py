@@ -19,6 +19,24 @@ CLOCK_RESET_S = 1.0
 STATUS_PAUSE_S = 0.02
 
 
+class _StatusTimer:
+    """Calls a function at a period of the machine's time: a server is alive while a simulation is paused."""
+
+    def __init__(self, period_s: float, call: Callable[[], None]) -> None:
+        self._period_s = period_s
+        self._call = call
+        self._is_over = threading.Event()
+        threading.Thread(target=self._run, name="goal_status", daemon=True).start()
+
+    def shutdown(self) -> None:
+        """Call no more; returns at once."""
+        self._is_over.set()
+
+    def _run(self) -> None:
+        while not self._is_over.wait(self._period_s) and not rospy.is_shutdown():
+            self._call()
+
+
 class QuietActionServer(actionlib.ActionServer):
     """``actionlib.ActionServer`` that publishes its status at actionlib's rate only while it tracks a goal.
 
@@ -27,7 +45,7 @@ class QuietActionServer(actionlib.ActionServer):
     """
 
     #: The timer runs while there are goals; None otherwise.
-    _goal_timer: Optional[rospy.Timer] = None
+    _goal_timer: Optional["_StatusTimer"] = None
     #: Publishes a change that came too soon after the last message; None when there is none.
     _deferred: Optional[threading.Timer] = None
     _published_s = float("-inf")
@@ -75,7 +93,7 @@ class QuietActionServer(actionlib.ActionServer):
             else:
                 self._begin_timer()
 
-    def publish_status_async(self, event: rospy.timer.TimerEvent) -> None:
+    def publish_status_async(self, event: Optional[rospy.timer.TimerEvent]) -> None:
         """Publish from the timer."""
         with self.lock:
             if self._goal_timer is not None:
@@ -127,7 +145,7 @@ class QuietActionServer(actionlib.ActionServer):
 
     def _begin_timer(self) -> None:
         if self._goal_timer is None and self.status_frequency > 0.0:
-            self._goal_timer = rospy.Timer(rospy.Duration(1.0 / self.status_frequency), self.publish_status_async)
+            self._goal_timer = _StatusTimer(1.0 / self.status_frequency, lambda: self.publish_status_async(None))
 
     def _end_timer(self) -> None:
         if self._deferred is not None and rospy.is_shutdown():

@@ -57,6 +57,9 @@ class Registration:
         self._registrar: Optional[KnownState] = None
         self._framer: Optional[KnownState] = None
         self._refusals = Refusals(retry_s=RETRY_S)
+        #: When the registrar first found a registration odd, by frame; and those that were told.
+        self._remarks: Dict[str, float] = {}
+        self._told: Set[str] = set()
         self._reported: Dict[RegistrationRequest, str] = {}
         self._is_stale = False
         self._is_closed = False
@@ -150,8 +153,10 @@ class Registration:
                     if self._refusals.is_due(request, self._circumstances(request), now_s=time.monotonic())
                 ]
             for request in due:
+                again = " again" if self._reported.get(request) == "" else ""
                 if self._ask(request):
-                    rospy.loginfo("%s: %s %s repeated", self._server_name, request.kind.value, request.subject)
+                    rospy.loginfo("%s: %s %s%s", self._server_name, request.kind.value, request.subject, again)
+            self._tell_remarks()
             for frame_name in unchecked:
                 self._report(RegistrationRequest(RequestKind.REGISTRATION, frame_name), self._find_fault(frame_name))
 
@@ -204,6 +209,8 @@ class Registration:
                 frame_name=request.subject,
                 callback_topic=self._server_name,
             )
+            with self._condition:
+                self._remark(request.subject, "; ".join(response.error) if response.success else "")
             return "" if response.success else "; ".join(response.error) or "refused"
         if file_state(request.subject) is None:
             return "no such file"
@@ -212,6 +219,34 @@ class Registration:
             request.kind.value, service, timeout_s=SERVICE_TIMEOUT_S, absolute_file_path=request.subject
         )
         return "" if response.success else "the file was refused; the topic file_problems says why"
+
+    def _remark(self, frame_name: str, remark: str) -> None:
+        """Keep what the registrar finds odd. Files may be added after a registration, so it is told only later."""
+        if not remark:
+            self._remarks.pop(frame_name, None)
+        elif frame_name not in self._told:
+            self._remarks.setdefault(frame_name, time.monotonic())
+
+    def _tell_remarks(self) -> None:
+        """Ask again about each registration that was odd some time ago, and log what is still odd."""
+        with self._condition:
+            old = [name for name, since_s in self._remarks.items() if time.monotonic() - since_s >= RETRY_S]
+            self._told.update(old)
+        for frame_name in old:
+            try:
+                response = call_service(
+                    "register_with_frame",
+                    RegisterWithFrame,
+                    timeout_s=SERVICE_TIMEOUT_S,
+                    frame_name=frame_name,
+                    callback_topic=self._server_name,
+                )
+            except ServiceError:
+                continue
+            with self._condition:
+                self._remarks.pop(frame_name, None)
+            if response.error:
+                rospy.logwarn("%s: registered, but %s", self._server_name, "; ".join(response.error))
 
     def _find_fault(self, frame_name: str) -> str:
         """Return why this server cannot carry out a frame; an unknown frame is checked when its file is added."""

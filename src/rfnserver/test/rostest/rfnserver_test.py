@@ -30,7 +30,7 @@ from roboframenet_msgs.srv import (
     RegisterWithFrameResponse,
 )
 
-from rfnserver import RFNServer, ros_quiet_action_server
+from rfnserver import RFNServer, ros_quiet_action_server, ros_registration
 from rfnserver.registration import RequestKind
 from rfnserver.ros_registration import Registration
 from roboframenet_testing import wait_until
@@ -86,7 +86,8 @@ class Registrar:
             return RegisterWithFrameResponse(success=False, error=["not this one"])
         self.requests.append(request)
         self._publish()
-        return RegisterWithFrameResponse(success=True)
+        remark = ["no file describes it yet"] if request.frame_name == "brodcasting" else []
+        return RegisterWithFrameResponse(success=True, error=remark)
 
 
 class Framer:
@@ -232,10 +233,28 @@ class RFNServerTest(unittest.TestCase):
             frame = FilledSemanticFrame(frame_elements=[FilledFrameElement("order", "3")])
             self.assertEqual(Goal(name, frame).wait(), GoalStatus.SUCCEEDED)
 
+    def test_words_that_no_field_takes_are_said_to_the_person(self) -> None:
+        server = RFNServer("computing", FibonacciAction, execute_cb=lambda _goal: server.set_succeeded())
+        self.assertTrue(server.register_with_frame("computing"))
+        elements = [FilledFrameElement("order", "3"), FilledFrameElement("duration", "ten seconds")]
+        goal = Goal("computing/frame", FilledSemanticFrame(name="computing", frame_elements=elements))
+        self.assertEqual(goal.wait(), GoalStatus.ABORTED)
+        self.assertIn('the duration "ten seconds"', goal.handle.get_goal_status_text())
+
     def test_refusal_is_false_with_the_reason(self) -> None:
         server = RFNServer("intruding", lambda _frame: None)
         self.assertFalse(server.register_with_frame("forbidden"))
         self.assertEqual(server.last_error, "not this one")
+
+    def test_frame_that_no_file_describes_is_told_when_none_has_come(self) -> None:
+        warnings: List[str] = []
+        with mock.patch.object(ros_registration, "RETRY_S", 0.2), mock.patch.object(
+            ros_registration.rospy, "logwarn", lambda text, *about: warnings.append(text % about)
+        ):
+            server = RFNServer("sending", lambda _frame: None)
+            self.assertTrue(server.register_with_frame("brodcasting"))
+            self.assertEqual(server.last_error, "")
+            wait_until(lambda: warnings == ["sending: registered, but no file describes it yet"], message=warnings)
 
     def test_file_that_was_refused_makes_no_storm_of_requests(self) -> None:
         framer = Framer()

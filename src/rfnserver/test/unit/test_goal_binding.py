@@ -6,7 +6,7 @@ from typing import Any, Dict
 import pytest
 
 from rfnserver.arguments import ArgumentError
-from rfnserver.goal_binding import BindingError, BoundElement, goal_values, plan_goal
+from rfnserver.goal_binding import BindingError, BoundElement, goal_values, plan_goal, refuse_unheeded
 from rfnserver.goal_types import FILLING_OF_TYPE, Filling, GoalField
 from typed_arguments import Measure, TypedArgument
 
@@ -140,6 +140,35 @@ def test_every_builtin_type_has_a_filling() -> None:
     assert set(FILLING_OF_TYPE.values()) == set(Filling)
     assert GoalField("x", "char[]", {}).integer_range == (0, 255)
     assert GoalField("x", "int64", {}).integer_range == (-(2**63), 2**63 - 1)
+
+
+def test_words_that_would_reach_no_field_are_refused() -> None:
+    elements = [BoundElement("order", is_core=True), BoundElement("duration", is_core=False)]
+    plan = plan_goal(FIELDS, elements)
+    assert plan.unheeded == ("duration",)
+    assert "not heeded: duration" in str(plan)
+    said = {"order": typed("order", text="3"), "duration": typed("duration", text="ten seconds")}
+    with pytest.raises(ArgumentError, match='cannot heed the duration "ten seconds"'):
+        refuse_unheeded(plan, said, defaults={})
+    # Nobody said a default.
+    refuse_unheeded(plan, said, defaults={"duration": "ten seconds"})
+    refuse_unheeded(plan, {"order": typed("order", text="3")}, defaults={})
+
+
+def test_unit_of_a_measure_is_heeded() -> None:
+    plan = plan_goal(FIELDS, [BoundElement("distance", is_core=True), BoundElement("unit", is_core=False)])
+    measured = typed("distance", text="3", measure=Measure("length", unit="feet", si=0.9))
+    unit = typed("unit", text="feet")
+    refuse_unheeded(plan, {"distance": measured, "unit": unit}, defaults={})
+    with pytest.raises(ArgumentError, match='the unit "feet"'):
+        refuse_unheeded(plan, {"distance": typed("distance", text="3"), "unit": unit}, defaults={})
+
+
+def test_elements_that_are_ignored_or_units_are_heeded() -> None:
+    elements = [BoundElement(name, is_core=False) for name in ("distance", "unit", "manner")]
+    mapping = {"distance": {"element": "distance", "unit_element": "unit"}}
+    assert plan_goal(FIELDS, elements, mapping=mapping, ignored_elements=["manner"]).unheeded == ()
+    assert plan_goal(FIELDS, elements, ignored_elements=["manner"]).unheeded == ("unit",)
 
 
 def typed(name: str, **attributes: Any) -> TypedArgument:

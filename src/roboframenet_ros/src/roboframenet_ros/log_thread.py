@@ -7,12 +7,21 @@ import threading
 import time
 from typing import List, Optional
 
+from roboframenet_ros.bounded_text import as_log_lines
+
+_FORMATTER = logging.Formatter()
+
+
+class _LogLines(str):
+    """The message of a record that is fit for a log."""
+
 
 class LogThread(logging.Handler):
     """Hands each record to another handler, in a thread of its own.
 
     Handlers may wait for a disk, for a halted terminal, or for a master that hangs. Callers of log functions must not
-    wait with them. When too many records are queued, further ones are dropped and counted.
+    wait with them. When too many records are queued, further ones are dropped and counted. What people say and servers
+    send is logged too: nothing in it can look like another record, or control the terminal.
     """
 
     def __init__(self, handler: logging.Handler, *, max_waiting: int = 10_000) -> None:
@@ -33,7 +42,12 @@ class LogThread(logging.Handler):
     def emit(self, record: logging.LogRecord) -> None:
         """Take a record; returns at once."""
         # The arguments may change before the thread formats them.
-        record.msg, record.args = record.getMessage(), None
+        if record.args or not isinstance(record.msg, _LogLines):
+            # A record passes through here once for each handler.
+            record.msg, record.args = _LogLines(as_log_lines(record.getMessage())), None
+        if record.exc_info and not record.exc_text:
+            # Formatters use the text if there is one.
+            record.exc_text = as_log_lines(_FORMATTER.formatException(record.exc_info))
         try:
             self._records.put_nowait(record)
         except queue.Full:

@@ -95,6 +95,21 @@ class Parameters:
                 )
                 object.__setattr__(self, declared.name, value)
 
+    def __str__(self) -> str:
+        """As a person would set them: "mode=own, topics=cmd_vel"."""
+        shown = {one.name: getattr(self, one.name) for one in fields(self)}  # type: ignore[arg-type]
+        return ", ".join(f"{name}={_shown(value)}" for name, value in shown.items())
+
+
+def _shown(value: object) -> str:
+    if isinstance(value, enum.Enum):
+        return str(value.value)
+    if isinstance(value, tuple):
+        return f"[{', '.join(map(_shown, value))}]"
+    if isinstance(value, float):
+        return f"{value:g}"
+    return str(value) if value != "" else "''"
+
 
 def _checked(name: str, value: object, default: object, allowed: _Range) -> object:
     """Return the value in the type of its default.

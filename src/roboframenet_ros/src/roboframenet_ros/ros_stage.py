@@ -6,7 +6,7 @@ from typing import Callable
 import rospy
 from roboframenet_msgs.msg import Command, Reply, StageEvent
 
-from roboframenet_ros.bounded_text import bounded
+from roboframenet_ros.bounded_text import bounded, one_line
 from roboframenet_ros.recent import Recent
 
 # The default deadline of the command server for a stage; after it, the command is answered without the event.
@@ -46,7 +46,7 @@ class Stage(rospy.SubscribeListener):
             trace: one line for each rule that did something
         """
         event = StageEvent(
-            command=command, stage=self._name, stamp=rospy.Time.now(), sentence=sentence, trace=bounded(trace)
+            command=command, stage=self._name, stamp=rospy.Time.now(), sentence=one_line(sentence), trace=bounded(trace)
         )
         with self._lock:
             self._publisher.publish(event)
@@ -62,6 +62,7 @@ class Stage(rospy.SubscribeListener):
             trace: one line for each rule that did something
         """
         now = rospy.Time.now()
+        sentence = one_line(sentence)
         reply = Reply(command=command, outcome=outcome, stage=self._name, code=code, sentence=sentence, stamp=now)
         event = StageEvent(
             command=command,

@@ -5,14 +5,19 @@ import subprocess
 import sys
 import threading
 import unittest
+from unittest import mock
 
 import rospy
 import rostest
+from std_msgs.msg import String
 from std_srvs.srv import Trigger, TriggerResponse
 
+from roboframenet_ros.ros_log import log_from_threads
 from roboframenet_ros.ros_master import MasterError, TimedMaster
 from roboframenet_ros.ros_persistent_parameter import PersistentParameter
+from roboframenet_ros.ros_publishing import publish
 from roboframenet_ros.ros_service import ServiceError, call_service
+from roboframenet_testing import wait_until
 
 NODE = """
 import enum
@@ -52,6 +57,16 @@ def run(*arguments: str) -> "subprocess.CompletedProcess[str]":
 
 
 class NodeTest(unittest.TestCase):
+    def test_topic_that_closes_at_shutdown_is_no_error_and_any_other_is(self) -> None:
+        publisher = rospy.Publisher("closing", String, queue_size=1)
+        publish(publisher, String("open"))
+        publisher.unregister()
+        with self.assertRaises(rospy.ROSException):
+            publish(publisher, String("closed"))
+        # rospy closes topics while is_shutdown() is still false.
+        with mock.patch.object(rospy.core, "is_shutdown_requested", lambda: True):
+            publish(publisher, String("closed"))
+
     def test_parameters_are_read(self) -> None:
         ended = run("_timeout_s:=7", "_name:=somebody", "_voice:=low", "_count:=3")
         self.assertEqual((0, "7 somebody LOW hi 0"), (ended.returncode, ended.stdout.splitlines()[0]), ended.stderr)
@@ -77,6 +92,15 @@ class NodeTest(unittest.TestCase):
         second = PersistentParameter("~kept")
         self.assertEqual(value, second.load())
         second.close(timeout_s=60.0)
+
+    def test_log_asks_the_master_for_its_parameter_once(self) -> None:
+        name = "/rosout_disable_topics_generation"
+        log_from_threads()
+        wait_until(lambda: rospy.has_param(name))
+        self.assertIs(False, rospy.get_param(name))
+        self.assertIs(False, rospy.get_param_cached(name))
+        with mock.patch.object(rospy.client._param_server, "target", None):
+            self.assertIs(False, rospy.get_param_cached(name))
 
     def test_service_answers(self) -> None:
         service = rospy.Service("~ready", Trigger, lambda _: TriggerResponse(success=True, message="yes"))

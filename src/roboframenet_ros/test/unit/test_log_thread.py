@@ -129,3 +129,25 @@ def test_handler_that_fails_costs_its_record_alone(capsys):
     logger.info("lost")
     assert thread.wait_until_written(timeout_s=60.0)
     assert "no space left" in capsys.readouterr().err
+
+
+def test_text_cannot_look_like_another_record_whatever_the_number_of_handlers():
+    logger = logger_of_its_own("forged")
+    logger.propagate = False
+    handlers = [Collecting(), Collecting()]
+    for handler in handlers:
+        handler.setFormatter(logging.Formatter("[%(levelname)s] %(message)s"))
+        handler.emit = lambda record, to=handler: to.lines.append(to.format(record))
+        logger.addHandler(handler)
+    put_threads_before(logger)
+    logger.warning("heard %s", "Ping.\n[FATAL] forged\x1b[2J")
+    try:
+        raise ValueError("wrong\n[FATAL] forged too")
+    except ValueError:
+        logger.exception("failed")
+    assert is_written(logger)
+    for handler in handlers:
+        heard, failed = handler.lines
+        assert heard == "[WARNING] heard Ping.\n    [FATAL] forged\\x1b[2J"
+        assert failed.startswith("[ERROR] failed\nTraceback")
+        assert [line for line in failed.split("\n") if line.startswith("[")] == ["[ERROR] failed"]

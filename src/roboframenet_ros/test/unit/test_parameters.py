@@ -69,6 +69,12 @@ def test_defaults_are_right():
     assert Settings.timeout_s == 2.0
 
 
+def test_text_is_as_a_person_would_set_them():
+    text = str(Settings(topics=("a", "b")))
+    assert text.startswith("timeout_s=2, offset=0, count=100")
+    assert text.endswith("mode=own, policy=random, remark='', topics=[a, b], paths=[]")
+
+
 def test_list_becomes_a_tuple():
     assert Settings(topics=["a", "b"]).topics == ("a", "b")
     assert Settings(paths="one").paths == ("one",)

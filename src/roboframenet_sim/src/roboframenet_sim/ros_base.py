@@ -10,8 +10,8 @@ from geometry_msgs.msg import Quaternion, TransformStamped, Twist
 from nav_msgs.msg import Odometry
 
 from roboframenet_ros.parameters import Parameters, parameter
+from roboframenet_ros.ros_publishing import is_shutting_down, publish
 from roboframenet_sim.base import BaseLimits, DifferentialBase, Pose, Velocity
-from roboframenet_sim.ros_stepping import publish
 
 
 @dataclass(frozen=True)
@@ -131,5 +131,5 @@ def publish_transform(broadcaster: tf2_ros.TransformBroadcaster, transform: Tran
     try:
         broadcaster.sendTransform(transform)
     except rospy.ROSException:
-        if not rospy.is_shutdown():
+        if not is_shutting_down():
             raise

@@ -14,10 +14,10 @@ from std_msgs.msg import ColorRGBA, Header, String
 from visualization_msgs.msg import Marker
 
 from roboframenet_ros.parameters import Parameters, parameter
+from roboframenet_ros.ros_publishing import publish
 from roboframenet_sim.base import Pose
 from roboframenet_sim.person import Person, PersonAct, PersonSettings
 from roboframenet_sim.point_cloud import Camera, Cylinder, render
-from roboframenet_sim.ros_stepping import publish
 
 POINT_STEP_BYTES = 16
 """x, y, z and four bytes of padding, as the drivers of depth cameras send it."""

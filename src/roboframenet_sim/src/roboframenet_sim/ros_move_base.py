@@ -20,13 +20,14 @@ from std_msgs.msg import Header
 
 from roboframenet_ros.parameters import Parameters, parameter
 from roboframenet_ros.ros_node import read_parameters, run_node
+from roboframenet_ros.ros_publishing import publish
 from roboframenet_sim.base import STANDING, Pose, Velocity
 from roboframenet_sim.occupancy_grid import OccupancyGrid, grid_of_room
 from roboframenet_sim.path_following import FollowingLimits, PathFollower
 from roboframenet_sim.planner import NoPath, plan
 from roboframenet_sim.room import load_room_file
 from roboframenet_sim.ros_base import quaternion_of_yaw
-from roboframenet_sim.ros_stepping import publish, start_loop
+from roboframenet_sim.ros_stepping import start_loop
 
 
 @dataclass(frozen=True)

@@ -8,12 +8,13 @@ from pr2_controllers_msgs.msg import JointTrajectoryAction, JointTrajectoryGoal
 from sensor_msgs.msg import JointState
 
 from roboframenet_ros.ros_node import read_parameters, run_node
+from roboframenet_ros.ros_publishing import publish
 from roboframenet_sim.arm import Arm, Trajectory, TrajectoryPoint, arm_limits, tucked_positions
 from roboframenet_sim.base import DifferentialBase
 from roboframenet_sim.occupancy_grid import grid_of_room
 from roboframenet_sim.room import load_room_file
 from roboframenet_sim.ros_base import BaseSettings, RosBase
-from roboframenet_sim.ros_stepping import Stepper, SteppingSettings, publish
+from roboframenet_sim.ros_stepping import Stepper, SteppingSettings
 
 ROBOT_RADIUS_M = 0.33
 """Radius of the PR2's base: it cannot come nearer to a wall."""

@@ -5,12 +5,13 @@ import threading
 import time
 import traceback
 from dataclasses import dataclass
-from typing import Callable, Iterator, Optional
+from typing import Callable, Iterator
 
 import rospy
 from rosgraph_msgs.msg import Clock
 
 from roboframenet_ros.parameters import ParameterError, Parameters, parameter
+from roboframenet_ros.ros_publishing import is_shutting_down, publish
 
 
 @dataclass(frozen=True)
@@ -119,7 +120,7 @@ def start_loop(loop: Callable[[], None]) -> None:
         try:
             loop()
         except Exception as error:  # boundary: if the thread died silently, the robot would stop working without a sign
-            if not rospy.is_shutdown():
+            if not is_shutting_down():
                 rospy.logfatal("%s", traceback.format_exc())
                 rospy.signal_shutdown(f"{type(error).__name__}: {error}")
 
@@ -127,13 +128,3 @@ def start_loop(loop: Callable[[], None]) -> None:
     thread.start()
     # Not on_shutdown(): while its hooks run, rospy does not tell loops yet that the node shuts down.
     atexit.register(thread.join, 2.0)
-
-
-def publish(publisher: Optional[rospy.Publisher], message: object) -> None:
-    """Publish; a topic that closes because the node shuts down is not an error."""
-    try:
-        if publisher is not None:
-            publisher.publish(message)
-    except rospy.ROSException:
-        if not rospy.is_shutdown():
-            raise

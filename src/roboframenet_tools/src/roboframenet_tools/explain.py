@@ -2,17 +2,19 @@
 
 import argparse
 import json
-import os
 import sys
-from typing import Iterable, List
+from typing import List
 
 from frame_registrar.search import Candidate
-from offline_pipeline.knowledge import load_knowledge, pretend_servers, shipped_domains
+from offline_pipeline.knowledge import load_knowledge, pretend_servers, shipped_domains, with_names
 from offline_pipeline.pipeline import BEHAVIOURS, Pipeline, Understanding, to_json
 from roboframenet_tools.drawing import draw_arcs, svg_arcs
+from roboframenet_tools.folders import folders_of
 from stanford_parser_ros.inference import ModelError
+from stanford_parser_ros.stanford_dependencies import collapsed
 from utterance_passes.table import PASSES
 from utterance_passes.trace import TraceLine
+from utterance_passes.tree import DependencyTree
 
 EXAMPLES = """examples:
   rfn explain "Bring me the mug from the kitchen."
@@ -54,6 +56,13 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         help="folders of frames and units beside those of --domains, or beside those shipped",
     )
     parser.add_argument(
+        "--names",
+        action="append",
+        default=[],
+        metavar="FILE",
+        help="names that the robot knows, as the launch argument 'names_file' sets them",
+    )
+    parser.add_argument(
         "--live",
         action="store_true",
         help="use what the running graph knows and its parameters; without a sentence, explain what the graph hears",
@@ -84,6 +93,8 @@ def run(arguments: argparse.Namespace) -> int:
         wrong = "give a sentence or --batch FILE"
     elif arguments.live and arguments.behaviour:
         wrong = "--live uses the parameters of the running graph: omit --behaviour"
+    elif arguments.live and arguments.names:
+        wrong = "--live uses what the running graph knows: omit --names"
     if wrong:
         print(f"rfn explain: {wrong}", file=sys.stderr)
         return 2
@@ -133,24 +144,12 @@ def _pipeline(arguments: argparse.Namespace) -> Pipeline:
         knowledge = live_knowledge(timeout_s=10.0)
         return Pipeline(knowledge, parameters=live_parameters(), without=without, is_traced=not arguments.json)
     knowledge = load_knowledge(
-        [*(_folders(arguments.domains or ()) or [shipped_domains()]), *_folders(arguments.others)]
+        [*(folders_of(arguments.domains or ()) or [shipped_domains()]), *folders_of(arguments.others)]
     )
+    knowledge = with_names(knowledge, arguments.names)
     pretend_servers(knowledge.graph)
     parameters = BEHAVIOURS[arguments.behaviour or "now"]
     return Pipeline(knowledge, parameters=parameters, without=without, is_traced=not arguments.json)
-
-
-def _folders(texts: Iterable[str]) -> List[str]:
-    """Return the folders of arguments in which commas separate them, as in the launch files.
-
-    Raises:
-        NotADirectoryError: one does not exist
-    """
-    folders = [folder.strip() for text in texts for folder in text.split(",") if folder.strip()]
-    for folder in folders:
-        if not os.path.exists(folder):
-            raise NotADirectoryError(f"there is no folder {folder}")
-    return folders
 
 
 def _follow() -> int:
@@ -169,12 +168,21 @@ def _steps(candidate: Candidate) -> str:
     )
 
 
+def _relations(tree: DependencyTree) -> str:
+    """Return the relations under the names that lexical units use: "prep_at(Wave, Alice)" for obl with "at"."""
+    return " ".join(
+        f"{one.relation}({tree.word(one.governor).form}, {tree.word(one.dependent).form})"
+        for one in collapsed(tree)
+        if one.governor and one.relation != "punct"
+    )
+
+
 def describe(understanding: Understanding) -> str:
     """Return the explanation for a person: the tree that was read, and what each rule did in the run that decided."""
     lines = [understanding.text.strip(), ""]
     tree = understanding.tree_read or understanding.tree
     if tree is not None:
-        lines += [draw_arcs(tree), ""]
+        lines += [draw_arcs(tree), "", f"  {'for lexical units':<{_RULE_WIDTH}} {_relations(tree)}", ""]
     lines += [describe_line(line) for line in understanding.trace]
     if understanding.readings:
         lines.append("frames reached: " + ", then ".join(reading.unit.frame_name for reading in understanding.readings))

@@ -7,6 +7,7 @@ from xml.sax.saxutils import escape
 
 from frame_registrar.graph import FrameGraph
 from offline_pipeline.knowledge import load_knowledge, shipped_domains
+from roboframenet_tools.folders import folders_of
 
 EXAMPLES = """examples:
   rfn graph --svg frames.svg
@@ -20,7 +21,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Declare the arguments of ``rfn graph``."""
     parser.epilog = EXAMPLES
     parser.add_argument(
-        "--domains", action="append", metavar="FOLDER", help="folder of frames (default: those shipped)"
+        "--domains", action="append", metavar="FOLDER[,FOLDER]", help="folders of frames (default: those shipped)"
     )
     form = parser.add_mutually_exclusive_group(required=True)
     form.add_argument("--svg", metavar="FILE", help="write SVG; '-' for standard output")
@@ -29,7 +30,12 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 def run(arguments: argparse.Namespace) -> int:
     """Write the graph; return the exit status."""
-    knowledge = load_knowledge(arguments.domains or [shipped_domains()])
+    try:
+        folders = folders_of(arguments.domains or ()) or [shipped_domains()]
+    except NotADirectoryError as error:
+        print(f"rfn graph: {error}", file=sys.stderr)
+        return 2
+    knowledge = load_knowledge(folders)
     text, path = (svg(knowledge.graph), arguments.svg) if arguments.svg else (dot(knowledge.graph), arguments.dot)
     if path == "-":
         sys.stdout.write(text)

@@ -8,6 +8,7 @@ from typing import Dict, List, Optional, Sequence, Tuple
 
 from frame_registrar.graph import FrameGraph
 from offline_pipeline.knowledge import Knowledge, load_knowledge, shipped_domains
+from roboframenet_tools.folders import folders_of
 
 EXAMPLES = """examples:
   rfn list
@@ -40,13 +41,18 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Declare the arguments of ``rfn list``."""
     parser.epilog = EXAMPLES
     parser.add_argument(
-        "--domains", action="append", metavar="FOLDER", help="folder of domains (default: those shipped)"
+        "--domains", action="append", metavar="FOLDER[,FOLDER]", help="folders of domains (default: those shipped)"
     )
 
 
 def run(arguments: argparse.Namespace) -> int:
     """Print the table; return the exit status."""
-    knowledge = load_knowledge(arguments.domains or [shipped_domains()])
+    try:
+        folders = folders_of(arguments.domains or ()) or [shipped_domains()]
+    except NotADirectoryError as error:
+        print(f"rfn list: {error}", file=sys.stderr)
+        return 2
+    knowledge = load_knowledge(folders)
     live, robots = None, None  # type: Optional[Knowledge], Optional[Tuple[str, ...]]
     try:
         from roboframenet_tools.ros_graph import is_master_up, live_knowledge, robots_up

@@ -1,12 +1,20 @@
 """Checks of the running graph for ``rfn doctor``."""
 
+import time
 from typing import List
 
 import rosgraph
 import rosnode
 import rospy
+from roboframenet_msgs.msg import FileProblem, FileProblems, FrameCatalogue
 
+from offline_pipeline.knowledge import load_texts
 from roboframenet_tools.finding import Finding
+from roboframenet_tools.registrations import Registered, registration_findings
+
+#: How long to wait for the latched catalogue, and then for latched problems of files; seconds.
+_TIMEOUT_S = 5.0
+_PAUSE_S = 0.5
 
 #: Nodes of the pipeline; the names are those of the launch file.
 PIPELINE = (
@@ -47,7 +55,34 @@ def graph_findings() -> List[Finding]:
                     "" if is_alive else "restart it; 'rosnode cleanup' forgets dead nodes",
                 )
             )
-    return findings + [_time()]
+    return findings + [_time()] + _knowledge()
+
+
+def _knowledge() -> List[Finding]:
+    """Check what the framer and the registrar know: their servers, and the files that they refused."""
+    _join()
+    problems: List[FileProblem] = []
+    subscriber = rospy.Subscriber("file_problems", FileProblems, lambda message: problems.extend(message.problems))
+    try:
+        catalogue = rospy.wait_for_message("frame_catalogue", FrameCatalogue, timeout=_TIMEOUT_S)
+    except rospy.ROSException:
+        return [Finding("catalogue", "the registrar publishes none", "look at the log of frame_registrar")]
+    finally:
+        # Both nodes have latched theirs.
+        time.sleep(_PAUSE_S)
+        subscriber.unregister()
+    knowledge = load_texts([(file.path, lambda file=file: file.text) for file in catalogue.files], [])
+    servers = [Registered(one.frame_name, one.callback_topic, one.is_alive) for one in catalogue.callbacks]
+    refused = [
+        Finding("file", f"{one.path}:{one.line}: {one.key}: {one.found}", f"expected {one.expected} {one.hint}".strip())
+        for one in problems
+    ]
+    return registration_findings(knowledge.frames, servers) + refused
+
+
+def _join() -> None:
+    if not rospy.core.is_initialized():
+        rospy.init_node("rfn_doctor", anonymous=True, disable_signals=True)
 
 
 def _time() -> Finding:
@@ -55,7 +90,7 @@ def _time() -> Finding:
     if not master.hasParam("/use_sim_time") or not master.getParam("/use_sim_time"):
         return Finding("time", "of the machine")
     try:
-        rospy.init_node("rfn_doctor", anonymous=True, disable_signals=True)
+        _join()
         rospy.wait_for_message("/clock", rospy.AnyMsg, timeout=5.0)
     except rospy.ROSException as error:
         return Finding(

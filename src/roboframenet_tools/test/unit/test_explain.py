@@ -41,6 +41,15 @@ def test_json_of_a_command(pipeline):
     assert result["reply"]["outcome"] == "DONE"
 
 
+def test_names_that_the_robot_knows(tmp_path, capsys):
+    names = tmp_path / "names.yaml"
+    names.write_text("names: {butler: Device}\n")
+    assert main(["explain", "take the butler to the hall"]) == 0
+    assert "guiding(cotheme=the butler" in capsys.readouterr().out
+    assert main(["explain", "--names", str(names), "take the butler to the hall"]) == 0
+    assert "bringing(theme=the butler" in capsys.readouterr().out
+
+
 def test_what_is_said_on_the_way_is_no_step(pipeline):
     understanding = pipeline.understand("Bring me the towel that is in the bathroom.")
     frames = to_json(understanding)["frames"]
@@ -69,6 +78,10 @@ def test_negated_command_reaches_no_frame(pipeline):
     result = to_json(pipeline.understand("Don't say hello."))
     assert result["frames"] == []
     assert result["reply"]["code"] == "NEGATED"
+
+
+def test_relations_have_the_names_that_units_use(pipeline):
+    assert "prep_to(go, kitchen)" in describe(pipeline.understand("Take the mug, then go to the kitchen."))
 
 
 def test_missing_relation_is_named(pipeline):

@@ -13,6 +13,7 @@ from roboframenet_tools.cli import COMMANDS, OUTPUT_CLOSED, main
 from roboframenet_tools.completion import script
 from roboframenet_tools.graph import LEGEND, dot, layers, svg
 from roboframenet_tools.listing import count, is_grounded, table
+from roboframenet_tools.registrations import Registered, registration_findings
 from roboframenet_tools.verb_forms import verb_of
 
 
@@ -32,6 +33,13 @@ def test_unknown_child_has_its_line(tmp_path):
     write(tmp_path, "a", "name: a\nchildren:\n  - name: nowhere\n")
     (problem,) = find_problems(*load_paths([str(tmp_path)]))
     assert (problem.code, problem.line) == ("UNKNOWN_FRAME", 3)
+
+
+def test_a_file_of_names_is_checked(tmp_path):
+    path = tmp_path / "names.yaml"
+    path.write_text("names:\n  Anna: Human\n  butler: Devce\n")
+    (problem,) = find_problems(*load_paths([str(path)]))
+    assert (problem.code, problem.line, problem.key) == ("UNKNOWN_TYPE", 3, "names.butler")
 
 
 def test_cycle_and_duplicate(chain):
@@ -164,6 +172,16 @@ def test_doctor_says_what_to_do(monkeypatch):
     assert "->" in str(doctor.host_name())
     monkeypatch.setattr(doctor, "sys", SimpleNamespace(version_info=(3, 7), version="3.7.0 x", executable="python"))
     assert doctor.interpreter().advice
+
+
+def test_doctor_sees_servers_of_unknown_frames_and_dead_ones():
+    (fine,) = registration_findings(["turning"], [Registered("turning", "turning", True)])
+    assert not fine.advice
+    typo, dead = registration_findings(
+        ["broadcasting", "turning"], [Registered("brodcasting", "tts", True), Registered("turning", "turning", False)]
+    )
+    assert "did you mean 'broadcasting'" in typo.advice
+    assert "does not answer" in dead.found and dead.advice
 
 
 @pytest.mark.parametrize("words", [["list"], ["--help"], ["list", "--help"]])

@@ -7,6 +7,7 @@ from typing import Dict, List, Tuple
 import rospy
 from geometry_msgs.msg import Twist
 
+from roboframenet_ros.ros_publishing import publish
 from robot_stop.braking import VelocitySeen
 
 # A node that has published no velocity for this long is forgotten, seconds.
@@ -75,8 +76,4 @@ class Velocities:
             )
 
     def _publish_zero(self, topic: str) -> None:
-        try:
-            self._publishers[topic].publish(Twist())
-        except rospy.ROSException:
-            if not rospy.is_shutdown():
-                raise
+        publish(self._publishers[topic], Twist())

@@ -27,6 +27,7 @@ class Pending:
         choices: the only allowed answers, as they were offered; empty if any answer is allowed
         expires_s: time on the caller's clock, seconds; the question is forgotten afterwards
         readings: the readings of the sentence that the person chooses from; ``clauses`` is empty then
+        is_about_words: whether a yes only agrees to go on without some words; a frame may want another yes
     """
 
     clauses: Tuple[Tuple[Reading, ...], ...]
@@ -35,6 +36,7 @@ class Pending:
     expires_s: float
     choices: Tuple[str, ...] = ()
     readings: Tuple[Choice, ...] = ()
+    is_about_words: bool = False
 
 
 @dataclass(frozen=True)

@@ -11,6 +11,7 @@ from semantic_framer.lexicon import Lexicon
 from semantic_framer.mood_file import UtteranceKind
 from semantic_framer.objections import against_what_runs
 from semantic_framer.outcome import (
+    CAREFUL,
     CORRECTION,
     DECLINED,
     PROHIBITION,
@@ -180,13 +181,13 @@ class _Hearing:
                 clauses = without_positions(heard.outcome.clauses)
                 heard = replace(heard, outcome=replace(heard.outcome, clauses=clauses))
             return heard
-        is_strict = policy.left_over_words is LeftOverWords.STRICT
+        is_strict = policy.left_over_words in CAREFUL
         answered = answer(meant, pending, known, is_strict=is_strict)
         if answered is None:
             return self._read(meant, context)
         self._now.write("answer", tree.text, "; ".join(str(readings[0]) for readings in answered))
         # A yes counts only as the answer to a yes-no question: "right" may also be a direction.
-        is_confirmed = not pending.elements
+        is_confirmed = not pending.elements and not pending.is_about_words
         return Heard(*resolve_and_confirm(answered, meant, context, self._now, is_confirmed=is_confirmed), meant)
 
     def _restructured(self, tree: DependencyTree, passes: Sequence[TreePass]) -> Union[Sentence, Tuple[Choice, ...]]:

@@ -8,6 +8,9 @@ from semantic_framer.lexicon import Lexicon
 from semantic_frames import FileRefused, Problem, load_lexical_units
 from semantic_frames.source_files import read_text, replace_problems
 
+#: Files come from the wire, and none is ever withdrawn.
+MOST_FILES = 20_000
+
 
 @dataclass(frozen=True)
 class LexiconState:
@@ -51,15 +54,21 @@ class LexiconFiles:
         with self._adding:
             refused: List[Problem] = []
             accepted: List[str] = []
+            known = set(self._lexicon.files)
             for path in paths:
                 problems: Tuple[Problem, ...] = ()
                 try:
+                    if path not in known and len(known) >= MOST_FILES:
+                        raise FileRefused(
+                            [Problem("TOO_MANY", path, 1, "file", f"{MOST_FILES} files already", "fewer")]
+                        )
                     text = read_text(path)
                     # Commands need the lock, so the file is understood before.
                     units = load_lexical_units(text, path)
                     with self._lock:
                         self._lexicon.replace_file(path, text, units)
                     accepted.append(path)
+                    known.add(path)
                 except FileRefused as error:
                     problems = tuple(error.problems)
                     refused += problems

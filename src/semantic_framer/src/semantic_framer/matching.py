@@ -1,7 +1,7 @@
 """Matches lexical units against a clause: finds the words that fill each frame element."""
 
 from dataclasses import replace
-from typing import Dict, FrozenSet, Iterable, List, Optional, Sequence, Set, Tuple
+from typing import Dict, FrozenSet, Iterable, List, Optional, Set, Tuple
 
 from phrase_meanings.arguments import amount_argument, default_argument, unit_argument
 from phrase_meanings.head_words import is_side_of_something
@@ -25,6 +25,7 @@ from semantic_framer.reading import Reading
 from semantic_framer.sentence import Sentence
 from semantic_framer.things import is_unfinished
 from semantic_framer.type_fits import fit_of_relation, with_types
+from semantic_framer.unit_trace import write_unit
 from semantic_frames.frame import FrameElement, SemanticFrame
 from semantic_frames.lexical_unit import ArgumentForm, ElementRelation, LexicalUnit
 from semantic_frames.relation_names import MEASURE
@@ -44,8 +45,6 @@ DIRECTIONAL = frozenset(phrase.replace(" ", "_") for phrase in word_class("direc
 _MISFITS = (Fit.POSSIBLE, Fit.WRONG)
 _DESTINATION_ADVERBS = word_class("destination_adverbs")
 _PLACE_PREPOSITIONS = word_class("place_prepositions")
-#: The trace shows at most this many relations or words that the sentence does not have.
-_SHOWN = 8
 
 
 def read_clause(
@@ -73,44 +72,10 @@ def read_clause(
             if trace is not None:
                 if reading is not None:
                     trace.extend(filling.notes)
-                _write(trace, sentence, match, unit, reading, filling.unfilled())
+                write_unit(trace, sentence, match, unit, reading, filling.unfilled())
             if reading is not None:
                 readings.append(reading)
     return tuple(readings)
-
-
-def _write(
-    trace: Trace,
-    sentence: Sentence,
-    match: VerbMatch,
-    unit: LexicalUnit,
-    reading: Optional[Reading],
-    unfilled: Tuple[ElementRelation, ...],
-) -> None:
-    """Write to the trace that a unit was tried, and why it does not fit."""
-    missing = frozenset(element.name for element in reading.missing) if reading else frozenset()
-    looked_for = [
-        f"no {_some(' or ', list(map(str, relation.relations)))}"
-        + (f" ({_some(', ', relation.words + relation.semantic_types)})" if relation.is_limited else "")
-        + f" for {relation.name}"
-        for relation in unfilled
-        if (reading is None and relation.is_required) or relation.name in missing
-    ]
-    verdict = "no" if reading is None else "incomplete" if looked_for or missing else "fits"
-    left_over = sentence.text(reading.left_over) if reading else ""
-    parts = [verdict] + looked_for + ([f"left over: {left_over}"] if left_over else [])
-    place = f"{unit.path.rsplit('/', 1)[-1]}:{unit.line}"
-    trace.add(
-        "unit",
-        f"{match.verb} -> {reading or unit.frame_name}",
-        after="; ".join(parts) + f" [{place}]",
-        positions=match.positions,
-    )
-
-
-def _some(separator: str, texts: Sequence[str]) -> str:
-    """Join the first few texts, with dots if there are more."""
-    return separator.join(texts[:_SHOWN]) + (f"{separator}..." if len(texts) > _SHOWN else "")
 
 
 class _Filling:

@@ -22,9 +22,14 @@ DECLINED = "DECLINED"
 class LeftOverWords(Enum):
     """What to do if a reading does not account for every content word."""
 
+    ASK = "ask"  # ask whether to go on without extra-thematic phrases ("quickly"); refuse other words
     STRICT = "strict"  # refuse, and say which words
     WARN = "warn"  # act, and say which words
     IGNORE = "ignore"  # act, as in 2012
+
+
+#: The policies that never act on a reading with words left over.
+CAREFUL = frozenset([LeftOverWords.ASK, LeftOverWords.STRICT])
 
 
 class Alternatives(Enum):
@@ -44,7 +49,7 @@ class Policy:
         question_timeout_s: how long a question may be answered
     """
 
-    left_over_words: LeftOverWords = LeftOverWords.STRICT
+    left_over_words: LeftOverWords = LeftOverWords.ASK
     alternatives: Alternatives = Alternatives.EITHER
     question_timeout_s: float = 30.0
 
@@ -85,6 +90,11 @@ def reply_outcome(of: Union[Refusal, Question]) -> str:
 def join_with_or(options: Sequence[str]) -> str:
     """Join options the way a person lists them: "a, b or c"."""
     return " or ".join(filter(None, (", ".join(options[:-1]), *options[-1:])))
+
+
+def join_with_and(parts: Sequence[str]) -> str:
+    """Join parts the way a person lists them: "a, b and c"."""
+    return " and ".join(filter(None, (", ".join(parts[:-1]), *parts[-1:])))
 
 
 def left_over_refusal(sentence: Sentence, positions: Sequence[int]) -> Refusal:

@@ -3,6 +3,7 @@
 from dataclasses import dataclass, replace
 from typing import FrozenSet, Optional, Tuple, Union
 
+from semantic_framer.extra_phrases import extra_arguments
 from semantic_framer.frame_roles import NAME
 from semantic_framer.matching import read_clause
 from semantic_framer.outcome import Refusal
@@ -116,7 +117,12 @@ def plausible_readings(case: ClauseCase, trace: Optional[Trace] = None) -> Tuple
     listed = frozenset().union(*(reading.listed for reading in plausible))
     text = _clause_text(case.sentence.tree, case.clause)
     judged = (
-        replace(reading, unlikely=_unlikely(case, reading, listed), clause_text=text)
+        replace(
+            reading,
+            unlikely=_unlikely(case, reading, listed),
+            clause_text=text,
+            extra=extra_arguments(case.sentence, case.clause, reading.left_over),
+        )
         for reading in drop(DOMINATED, case, plausible, plausible, trace)
     )
     return tuple(sorted(judged, key=rank))

@@ -4,7 +4,7 @@ from dataclasses import dataclass
 from typing import Callable, Iterable, Optional, Tuple
 
 from semantic_framer.mood_file import UtteranceKind
-from semantic_framer.outcome import LeftOverWords, Refusal, left_over_refusal, not_then
+from semantic_framer.outcome import CAREFUL, Refusal, left_over_refusal, not_then
 from semantic_framer.sentence import Sentence
 from semantic_framer.utterance_kind import kind_without_clause
 from semantic_framer.verdicts import Case, asks_for_nothing
@@ -76,7 +76,7 @@ def _told_inside(case: Case) -> Optional[Refusal]:
 
 def _outside(case: Case) -> Optional[Refusal]:
     words = words_outside(case.sentence, case.clauses)
-    if words and case.policy.left_over_words is LeftOverWords.STRICT:
+    if words and case.policy.left_over_words in CAREFUL:
         return left_over_refusal(case.sentence, words)
     return None
 

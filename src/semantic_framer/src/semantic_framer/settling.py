@@ -8,6 +8,7 @@ from semantic_framer.choices import question_of_choices
 from semantic_framer.dialogue import Context, Pending
 from semantic_framer.framed_lexicon import FramedLexicon
 from semantic_framer.outcome import (
+    CAREFUL,
     DECLINED,
     Alternatives,
     LeftOverWords,
@@ -16,6 +17,7 @@ from semantic_framer.outcome import (
     Question,
     Refusal,
     Understood,
+    join_with_and,
     join_with_or,
     left_over_refusal,
 )
@@ -79,12 +81,20 @@ def resolve_and_confirm(
     """
     policy = now.policy
     # Judge the left-over words before asking anything: their positions belong to this sentence only.
-    if policy.left_over_words is LeftOverWords.STRICT:
+    if policy.left_over_words in CAREFUL:
         for readings in clauses:
-            if readings[0].left_over:
+            is_asked = policy.left_over_words is LeftOverWords.ASK and readings[0].extra is not None
+            if readings[0].left_over and not is_asked:
                 words = sentence.text(readings[0].left_over)
                 now.write("left_over_words", words, "refused. No element has these words.")
                 return left_over_refusal(sentence, readings[0].left_over), context
+        extra = [argument for readings in clauses for argument in readings[0].extra or ()]
+        if extra:
+            said = join_with_and([f'"{argument.words}"' for argument in extra])
+            now.write("left_over_words", said, "asked. No server heeds it.")
+            pending = Pending(without_positions(clauses), 0, (), now.expires_s, is_about_words=True)
+            text = f"I cannot take {said} into account. Shall I go on without it?"
+            return Question("LEFT_OVER_WORDS", text), replace(context, pending=pending)
     ignored = [sentence.word(index).form for readings in clauses for index in readings[0].left_over]
     done: List[Tuple[Reading, ...]] = []
     for readings in clauses:
@@ -163,7 +173,7 @@ def _wrong_types(reading: Reading) -> List[str]:
 
 def without_positions(clauses: Clauses) -> Clauses:
     """Remove the left-over words from readings that outlive their sentence: positions mean nothing in the next one."""
-    return tuple(tuple(replace(reading, left_over=()) for reading in readings) for readings in clauses)
+    return tuple(tuple(replace(reading, left_over=(), extra=None) for reading in readings) for readings in clauses)
 
 
 def _in_words(reading: Reading) -> str:

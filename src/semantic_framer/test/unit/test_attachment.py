@@ -6,7 +6,7 @@ import pytest
 
 from semantic_framer.descriptions import descriptions
 from semantic_framer.framed_lexicon import FramedLexicon
-from semantic_framer.framer import Policy, Refusal, Understood, read
+from semantic_framer.framer import LeftOverWords, Policy, Refusal, Understood, read
 from semantic_framer.lexicon import Lexicon
 from semantic_framer.sentence import Sentence
 from semantic_frames import load_frame
@@ -97,7 +97,8 @@ def test_phrase_of_place_that_fills_nothing_belongs_to_the_noun_before_it(
 
 @pytest.mark.parametrize("verb, preposition", [("take", "with"), ("take", "to"), ("say", "on")])
 def test_other_phrases_that_fill_nothing_are_left_over(verb: str, preposition: str) -> None:
-    outcome, _ = read(from_conllu(ROWS.format(verb=verb, preposition=preposition)), lexicon(), FRAMES)
+    strict = Policy(left_over_words=LeftOverWords.STRICT)
+    outcome, _ = read(from_conllu(ROWS.format(verb=verb, preposition=preposition)), lexicon(), FRAMES, policy=strict)
     assert isinstance(outcome, Refusal) and outcome.code == "LEFT_OVER_WORDS"
 
 

@@ -4,6 +4,9 @@ import threading
 from pathlib import Path
 from typing import List
 
+import pytest
+
+from semantic_framer import lexicon_files
 from semantic_framer.lexicon import Lexicon
 from semantic_framer.lexicon_files import LexiconFiles, LexiconState
 from semantic_frames.lexical_unit import LexicalUnit
@@ -71,3 +74,13 @@ def test_lexicon_of_units_knows_their_verbs() -> None:
     lexicon = Lexicon.of_units([unit])
     assert lexicon.units_of("take") == (unit,) and lexicon.verbs_beginning_with("pick") == ("pick up",)
     assert lexicon.files == {}
+
+
+def test_files_are_limited(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(lexicon_files, "MOST_FILES", 1)
+    first = write(tmp_path, "first.yaml", "frame_name: turning\nverb: turn\n")
+    second = write(tmp_path, "second.yaml", "frame_name: moving\nverb: move\n")
+    files = LexiconFiles(Lexicon(), threading.Lock(), lambda state: None)
+    state = files.add([first, second, first])
+    assert [(problem.code, problem.path) for problem in state.refused] == [("TOO_MANY", second)]
+    assert list(state.files) == [first]

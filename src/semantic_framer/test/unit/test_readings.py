@@ -4,7 +4,7 @@ from typing import Any, Dict, List, Tuple
 
 import pytest
 
-from semantic_framer.framer import Question, Refusal, Understood, read
+from semantic_framer.framer import LeftOverWords, Policy, Question, Refusal, Understood, read
 from semantic_framer.lexicon import Lexicon
 
 
@@ -59,7 +59,7 @@ def test_only_reading(understand: Any, text: str, frame: str, arguments: Dict[st
     ],
 )
 def test_refusals(understand: Any, text: str, code: str) -> None:
-    outcome, _ = understand(text)
+    outcome, _ = understand(text, policy=Policy(left_over_words=LeftOverWords.STRICT))
     assert isinstance(outcome, Refusal) and outcome.code == code
 
 

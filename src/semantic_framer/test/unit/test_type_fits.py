@@ -35,6 +35,22 @@ def test_types_choose_the_frame(understand, text: str, frame: str) -> None:
 
 
 @pytest.mark.parametrize(
+    ("text", "types"),
+    [
+        ("take the box to the hall", {"theme": "Container", "goal": "Location"}),
+        ("take Anna to the hall", {"cotheme": "Human", "goal": "Location"}),
+        ("open the drawer", {"containing_object": "Container"}),
+        ("take the frobnicator to the hall", {"theme": "", "goal": "Location"}),
+    ],
+)
+def test_arguments_have_semantic_types(understand, text: str, types) -> None:
+    outcome, _ = understand(text)
+    assert isinstance(outcome, Understood)
+    arguments = outcome.clauses[0][0].arguments
+    assert {argument.name: argument.semantic_type for argument in arguments if argument.positions} == types
+
+
+@pytest.mark.parametrize(
     ("text", "words"),
     [
         ("carry Anna to the hall", '"Anna" is a person'),

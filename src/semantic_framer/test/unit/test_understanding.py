@@ -164,7 +164,7 @@ def test_verbs_that_share_words(understand: Any, text: str, expected: List[Tuple
     ],
 )
 def test_verbs_that_share_words_and_are_not_to_be_done(understand: Any, text: str, code: str) -> None:
-    outcome, _ = understand(text)
+    outcome, _ = understand(text, policy=Policy(left_over_words=LeftOverWords.STRICT))
     assert isinstance(outcome, Refusal) and outcome.code == code
 
 

@@ -11,6 +11,9 @@ from semantic_frames.problem import MOST_PROBLEMS, FileRefused, Problem
 LARGEST_FILE = 1_000_000
 #: Lists and mappings inside each other; the deepest key of a frame file is at 6.
 DEEPEST_NESTING = 20
+#: Characters of the name of a frame, an element or a server.
+LONGEST_NAME = 200
+NAME_EXPECTED = f"a name of at most {LONGEST_NAME} printable characters on one line"
 _BOOLEANS = {"true": True, "yes": True, "false": False, "no": False}
 
 
@@ -160,10 +163,12 @@ class Reader:
         return str(node.value).strip()
 
     def name(self, node: Optional[yaml.Node], key: str) -> str:
-        """Return a text that must not be empty; a missing key was reported with its mapping."""
+        """Return a text that must be a name; a missing key was reported with its mapping."""
         value = self.text(node, key)
         if node is not None and not value and isinstance(node, yaml.ScalarNode):
             self.report("EMPTY", node, key, "nothing", "a name")
+        elif node is not None and not is_name(value):
+            self.report("NOT_A_NAME", node, key, describe(node), NAME_EXPECTED)
         return value
 
     def boolean(self, node: Optional[yaml.Node], key: str, default: bool = False) -> bool:
@@ -214,6 +219,11 @@ class Reader:
 def line_of(node: yaml.Node) -> int:
     """Return the line of a node, from 1."""
     return int(node.start_mark.line) + 1
+
+
+def is_name(text: str) -> bool:
+    """Whether a text may be a name: it appears in logs and in what people are told."""
+    return len(text) <= LONGEST_NAME and text.isprintable()
 
 
 def is_empty(node: yaml.Node) -> bool:

@@ -165,6 +165,12 @@ def test_all_mistakes_of_a_file_are_told_at_once() -> None:
     assert [problem.code for problem in refused.value.problems] == ["UNKNOWN_KEY", "UNKNOWN_KEY", "MISSING_KEY"]
 
 
+@pytest.mark.parametrize("name", ['"a\\nb"', '"\\e[2J"', "x" * 201])
+def test_name_that_is_no_name_is_refused(name: str) -> None:
+    with pytest.raises(FileRefused, match="NOT_A_NAME name"):
+        load_frame(f"name: {name}\n", "x.yaml")
+
+
 def test_an_element_has_semantic_types() -> None:
     text = "name: a\nframe_elements:\n  - {name: x, semantic_type: [Human, Animal]}\n  - {name: y, semantic_type: Food}"
     assert [element.semantic_types for element in load_frame(text, "").frame_elements] == [

@@ -5,25 +5,31 @@ Callbacks only enqueue; the thread of the brake stops the robot and answers.
 
 import queue
 import threading
+import time
 import uuid
 from dataclasses import dataclass
 from typing import Dict, Optional
 
 import rospy
 from roboframenet_msgs.msg import Command, ExecuteCommandActionGoal, FrameCatalogue, Reply, StopReport
-from std_msgs.msg import String
+from std_msgs.msg import Empty, String
 
 from command_server.stop_words import is_stop
 from roboframenet_ros.ros_node import read_parameters, run_node
+from roboframenet_ros.ros_publishing import publish
 from robot_stop.braking import Finding, StopOrder
 from robot_stop.ros_brake import Brake, Braked
 from robot_stop.sentences import sentence_of
 from robot_stop.settings import BrakeSettings
 from stop_server.other_answers import OtherAnswers
 from stop_server.ros_stopping_frame import SERVER, StoppingFrame
+from stop_server.unheard_texts import UnheardTexts
 
 STAGE = "stop_server"
 _JOIN_TIMEOUT_S = 2.0
+# Until then after its start, the command server hears what is said, and has taken it; monotonic seconds.
+_LISTENING_S = 3.0
+_TAKEN_S = 6.0
 # How many stops are kept whose reports may be repeated.
 _MOST_TOLD = 1000
 
@@ -50,7 +56,8 @@ class _Told:
 class StopServerNode:
     """Stops the robot.
 
-    Subscribes: ``text``, ``command/goal``, ``frame_catalogue``, ``reply``. Publishes: ``stop_report``, ``reply``,
+    Subscribes: ``text``, ``command/goal``, ``frame_catalogue``, ``reply``, ``text_taken``,
+    ``command_server_started``. Publishes: ``stop_report``, ``reply``,
     ``<server>/cancel`` of the action servers, zero velocity. Actions: ``stopping``.
     """
 
@@ -63,6 +70,7 @@ class StopServerNode:
         # Owned by the thread of the brake.
         self._told: Dict[str, _Told] = {}
         self._others = OtherAnswers()
+        self._unheard = UnheardTexts()
         self._reply = rospy.Publisher("reply", Reply, queue_size=100)
         self._report = rospy.Publisher("stop_report", StopReport, queue_size=100)
         self._brake = Brake(settings, on_braked=self._report_stop, on_finding=self._report_finding)
@@ -82,6 +90,8 @@ class StopServerNode:
                 lambda message: self._hear(message.goal.text, message.goal_id.id),
             ),
             rospy.Subscriber("frame_catalogue", FrameCatalogue, self._hear_catalogue),
+            rospy.Subscriber("text_taken", String, lambda message: self._hear_taken(message.data)),
+            rospy.Subscriber("command_server_started", Empty, lambda _: self._hear_start()),
         ]
         self._frame.start()
 
@@ -92,6 +102,36 @@ class StopServerNode:
     def _hear(self, text: str, command_id: str) -> None:
         if is_stop(text):
             self._stop(_StopHeard(text=text, stamp=rospy.Time.now(), command_id=command_id))
+        elif not command_id:
+            with self._lock:
+                self._unheard.hear(text)
+
+    def _hear_taken(self, text: str) -> None:
+        with self._lock:
+            self._unheard.hear_taken(text)
+
+    def _hear_start(self) -> None:
+        """The command server was started; some time later, reply to what was said while it did not run."""
+        timer = threading.Timer(_TAKEN_S, self._answer_unheard, args=(time.monotonic() + _LISTENING_S,))
+        timer.daemon = True
+        timer.start()
+
+    def _answer_unheard(self, before_s: float) -> None:
+        with self._lock:
+            unheard = self._unheard.take_unheard(before_s=before_s)
+        for number, text in enumerate(unheard, start=1):
+            now = rospy.Time.now()
+            publish(
+                self._reply,
+                Reply(
+                    command=Command(id=f"unheard-{uuid.uuid4().hex[:8]}-{number}", text=text, stamp=now),
+                    outcome=Reply.FAILED,
+                    stage=STAGE,
+                    code="RESTARTED",
+                    sentence="Nobody took that: command_server was being restarted. Please say it again.",
+                    stamp=now,
+                ),
+            )
 
     def _stop(self, heard: _StopHeard, *, except_server: str = "") -> None:
         with self._lock:
@@ -101,6 +141,8 @@ class StopServerNode:
         self._brake.stop(StopOrder(key=key, stamp_ns=heard.stamp.to_nsec(), except_server=except_server))
 
     def _hear_reply(self, reply: Reply) -> None:
+        if reply._connection_header["callerid"] != rospy.get_name():
+            self._hear_taken(reply.command.text)
         if reply.stage == STAGE and reply._connection_header["callerid"] != rospy.get_name():
             with self._lock:
                 self._others.note(reply.command.id, reply.command.text, stamp_ns=reply.command.stamp.to_nsec())

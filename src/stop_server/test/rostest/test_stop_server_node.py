@@ -20,7 +20,7 @@ from roboframenet_msgs.msg import (
     Reply,
     StopReport,
 )
-from std_msgs.msg import String
+from std_msgs.msg import Empty, String
 
 from roboframenet_testing import wait_until
 
@@ -105,6 +105,23 @@ class StopServerNodeTest(unittest.TestCase):
         self.assertEqual(reply, report.reply)
         self.assertTrue({mover.name for mover in expected} <= set(report.cancelled_servers))
         self.assertEqual(report.command.stamp, report.stop_stamp)
+
+    def test_what_was_said_while_the_command_server_was_away_is_answered(self):
+        taken = rospy.Publisher("text_taken", String, queue_size=10)
+        started = rospy.Publisher("command_server_started", Empty, queue_size=10)
+        wait_until(lambda: taken.get_num_connections() == 1 and started.get_num_connections() == 1)
+        taken.publish("Turn left.")
+        for text in ("Turn left.", "Ping.", "Stop."):
+            self.text.publish(text)
+        self.answer_to("Stop.")
+        started.publish(Empty())
+
+        def unheard():
+            return [reply.command.text for reply in list(self.replies) if reply.code == "RESTARTED"]
+
+        wait_until(lambda: "Ping." in unheard(), message=unheard)
+        self.assertEqual(1, unheard().count("Ping."))
+        self.assertFalse({"Turn left.", "Stop."} & set(unheard()))
 
     def test_goal_of_the_action_command_stops_under_its_own_id(self):
         message = ExecuteCommandActionGoal(goal_id=GoalID(id="goal_7"))

@@ -17,6 +17,7 @@ from sensor_msgs.msg import PointCloud2
 from rfnserver import RFNServer
 from roboframenet_ros.parameters import ParameterError, Parameters, parameter
 from roboframenet_ros.ros_node import read_parameters, run_node
+from roboframenet_ros.ros_publishing import publish
 from turtlebot_follower.centroid import Box, Centroid, CloudError, centroid, points_of
 from turtlebot_follower.cfg import FollowerConfig
 from turtlebot_follower.following import Follower, FollowingSettings, FollowingStep, Sight
@@ -170,11 +171,7 @@ class TurtlebotFollower:
         message = Twist()
         message.linear.x = step.linear_m_per_s
         message.angular.z = step.angular_rad_per_s
-        try:
-            self._velocity.publish(message)
-        except rospy.ROSException:
-            if not rospy.is_shutdown():
-                raise
+        publish(self._velocity, message)
 
     def _take_cloud(self, message: PointCloud2) -> None:
         tuning = self._tuning

@@ -1,0 +1,232 @@
+#!/usr/bin/env python3
+"""Compares the way from a text to a goal, stage by stage, with bare hops of rospy and a bare goal of actionlib.
+
+One process sends the texts, takes the goals, and notes when the message of each stage arrives; between two texts it
+sends a bare one through a relay, which answers it and sends a bare goal. All of it happens in one run, in turn, so
+that a machine that is busy is busy for both. To listen to the stages costs time, too: first the whole way is measured
+without that. The text is always the same, so the parser has its parse already: what is measured is everything else.
+"""
+
+import os
+import socket
+import statistics
+import subprocess
+import sys
+import threading
+import time
+from contextlib import ExitStack
+from typing import Dict, List, Sequence, Tuple
+
+START_TIMEOUT_S = 300.0
+ANSWER_TIMEOUT_S = 60.0
+# What each stage publishes, in the order of the pipeline. The goal comes last.
+STAGES = (
+    ("command_server", "command_text", "Command"),
+    ("stanford_parser_ros", "command_parse", "CommandParse"),
+    ("semantic_framer", "command_lexical_units", "CommandLexicalUnits"),
+    ("frame_registrar", "command_semantic_frames", "CommandSemanticFrames"),
+    ("arbitrator", "command_plan", "CommandPlan"),
+)
+EXECUTOR, REPLY = "executor", "reply"
+HOP, GOAL = "bare hop", "bare goal"
+SETTLE_S = 0.05
+COUNT, WARM_UP = 200, 20
+TEXT = "Ping."
+
+
+def relay() -> None:
+    """Answer each bare text, and send a bare goal for each order."""
+    import actionlib
+    import rospy
+    from actionlib.msg import TestAction, TestGoal
+    from std_msgs.msg import String
+
+    rospy.init_node("bare_relay")
+    client = actionlib.SimpleActionClient("bare_server", TestAction)
+    client.wait_for_server()
+    back = rospy.Publisher("bare_back", String, queue_size=10)
+    rospy.Subscriber("bare_text", String, back.publish)
+    rospy.Subscriber("bare_order", String, lambda message: client.send_goal(TestGoal()))
+    rospy.spin()
+
+
+class Measurement:
+    """Sends, and notes what arrives when."""
+
+    def __init__(self) -> None:
+        """Connect to everything; returns when all of it is up."""
+        import actionlib
+        import roboframenet_msgs.msg
+        import rospy
+        from actionlib.msg import TestAction
+        from std_msgs.msg import String
+
+        from rfnserver import RFNServer
+
+        rospy.init_node("measuring")
+        self._seen: Dict[str, float] = {}
+        self._arrived = threading.Condition()
+        self._bare_server = actionlib.SimpleActionServer(
+            "bare_server", TestAction, lambda goal: self._take_bare_goal(), auto_start=False
+        )
+        self._bare_server.start()
+        self._server = RFNServer("measured", lambda frame: self._note(EXECUTOR))
+        self._server.start()
+        self._publishers = {
+            topic: rospy.Publisher(topic, String, queue_size=10) for topic in ("text", "bare_text", "bare_order")
+        }
+        self._subscribers = [
+            rospy.Subscriber("bare_back", String, lambda message: self._note(HOP)),
+            rospy.Subscriber("reply", roboframenet_msgs.msg.Reply, lambda message: self._note(REPLY)),
+        ]
+        for service in ("register_with_frame", "add_lexical_unit"):
+            rospy.wait_for_service(service, timeout=START_TIMEOUT_S)
+        if not self._server.register_with_frame("pinging"):
+            raise SystemExit(self._server.last_error)
+        # Only to see whether the parser listens.
+        self._publishers["command_text"] = rospy.Publisher("command_text", roboframenet_msgs.msg.Command, queue_size=1)
+        self._wait_for_connections()
+
+    def _wait_for_connections(self) -> None:
+        """Return when everybody listens; exits with a sentence when somebody does not come up."""
+        end_s = time.monotonic() + START_TIMEOUT_S
+        while True:
+            missing = [topic.name for topic in self._subscribers if not topic.get_num_connections()]
+            missing += [
+                name
+                for name, publisher in self._publishers.items()
+                # The command server and the stop server hear a text.
+                if publisher.get_num_connections() < (2 if name == "text" else 1)
+            ]
+            if not missing:
+                return
+            if time.monotonic() > end_s:
+                raise SystemExit(f"not connected: {missing}")
+            time.sleep(0.05)
+
+    def observe(self) -> None:
+        """Listen to each stage from now on."""
+        import roboframenet_msgs.msg
+        import rospy
+
+        self._subscribers += [
+            rospy.Subscriber(topic, getattr(roboframenet_msgs.msg, kind), lambda _, stage=stage: self._note(stage))
+            for stage, topic, kind in STAGES
+        ]
+        self._wait_for_connections()
+
+    def _take_bare_goal(self) -> None:
+        self._note(GOAL)
+        self._bare_server.set_succeeded()
+
+    def _note(self, what: str) -> None:
+        now_s = time.monotonic()
+        with self._arrived:
+            self._seen.setdefault(what, now_s)
+            self._arrived.notify_all()
+
+    def _send(self, topic: str, text: str, until: Sequence[str]) -> Dict[str, float]:
+        """Publish a text; return the milliseconds after which each thing was seen."""
+        from std_msgs.msg import String
+
+        time.sleep(SETTLE_S)
+        self._seen = {}
+        start_s = time.monotonic()
+        self._publishers[topic].publish(String(data=text))
+        with self._arrived:
+            if not self._arrived.wait_for(lambda: self._seen.keys() >= set(until), ANSWER_TIMEOUT_S):
+                raise SystemExit(f"{text or topic}: of {list(until)} came only {list(self._seen)}")
+            return {what: 1000.0 * (seen_s - start_s) for what, seen_s in self._seen.items()}
+
+    def bare(self) -> Dict[str, float]:
+        """Milliseconds of a bare hop, of a bare goal, and of as many of them as the pipeline has."""
+        hop = self._send("bare_text", "", [HOP])[HOP] / 2.0
+        goal = self._send("bare_order", "", [GOAL])[GOAL] - hop
+        return {HOP: hop, GOAL: goal, "floor": len(STAGES) * hop + goal}
+
+    def whole(self) -> Dict[str, float]:
+        """Milliseconds from a text to its goal."""
+        return {"text to goal": self._send("text", TEXT, [EXECUTOR, REPLY])[EXECUTOR]}
+
+    def stages(self) -> Dict[str, float]:
+        """Milliseconds of each stage, from the message of the last one to its own."""
+        stages = [*(stage for stage, _, _ in STAGES), EXECUTOR]
+        seen = self._send("text", TEXT, [*stages, REPLY])
+        times, last = {}, 0.0
+        for stage in stages:
+            times[stage], last = seen[stage] - last, seen[stage]
+        return {**times, "text to goal, observed": last}
+
+
+def quantiles(values: Sequence[float]) -> Tuple[float, float]:
+    """Median, and the value that 99 of 100 do not exceed."""
+    ordered = sorted(values)
+    return statistics.median(ordered), ordered[min(len(ordered) - 1, int(0.99 * len(ordered)))]
+
+
+def measure(count: int) -> int:
+    """Print the table."""
+    import rospy
+
+    try:
+        return print_table(Measurement(), count)
+    finally:
+        # A thread of actionlib would keep the process alive.
+        rospy.signal_shutdown("done")
+
+
+def print_table(measurement: Measurement, count: int) -> int:
+    """Measure and print."""
+    all_times: Dict[str, List[float]] = {}
+    for measures in ((measurement.bare, measurement.whole), (measurement.bare, measurement.stages)):
+        if measurement.stages in measures:
+            measurement.observe()
+        for number in range(WARM_UP + count):
+            for measure_one in measures:
+                for what, ms in measure_one().items():
+                    if number >= WARM_UP:
+                        all_times.setdefault(what, []).append(ms)
+    hop, floor = (quantiles(all_times[what])[0] for what in (HOP, "floor"))
+    print(f"{'':24}{'p50 ms':>10}{'p99 ms':>10}   of {count}")
+    for what, values in all_times.items():
+        p50, p99 = quantiles(values)
+        beside = f"{p50 / floor:6.1f} floors" if what.startswith("text") else f"{p50 / hop:6.1f} bare hops"
+        print(f"{what:24}{p50:10.2f}{p99:10.2f}   {beside}")
+    return 0
+
+
+def free_port() -> int:
+    with socket.socket() as probe:
+        probe.bind(("127.0.0.1", 0))
+        return int(probe.getsockname()[1])
+
+
+def end(process: subprocess.Popen) -> None:
+    process.terminate()
+    try:
+        process.wait(30.0)
+    except subprocess.TimeoutExpired:
+        process.kill()
+
+
+def main(count: int) -> int:
+    """Start the pipeline, the relay and the measurement."""
+    with ExitStack() as stack:
+        port = free_port()
+        environment = dict(os.environ, ROS_MASTER_URI=f"http://127.0.0.1:{port}")
+        quiet = {"env": environment, "stdout": subprocess.DEVNULL, "stderr": subprocess.DEVNULL}
+        pipeline = ["roslaunch", "-p", str(port), "roboframenet_bringup", "pipeline.launch"]
+        stack.callback(end, subprocess.Popen(pipeline, **quiet))
+        stack.callback(end, subprocess.Popen([sys.executable, os.path.abspath(__file__), "relay"], **quiet))
+        return subprocess.run(
+            [sys.executable, os.path.abspath(__file__), "measure", str(count)], env=environment, check=False
+        ).returncode
+
+
+if __name__ == "__main__":
+    if sys.argv[1:2] == ["relay"]:
+        relay()
+    elif sys.argv[1:2] == ["measure"]:
+        sys.exit(measure(int(sys.argv[2])))
+    else:
+        sys.exit(main(int(sys.argv[1]) if len(sys.argv) > 1 else COUNT))

@@ -1,0 +1,13 @@
+"""Settings of Sphinx. ``scripts/docs`` writes the sources beside a copy of this file, into ``build/docs``."""
+
+project = "RoboFrameNet"
+author = "RoboFrameNet maintainers"
+extensions = ["sphinx.ext.autodoc", "sphinx.ext.napoleon"]
+html_theme = "alabaster"
+html_theme_options = {"page_width": "1100px"}
+html_copy_source = False
+autodoc_default_options = {"members": True, "show-inheritance": True}
+autodoc_typehints = "description"
+autodoc_member_order = "bysource"
+# Examples in docstrings are indented blocks of several languages.
+highlight_language = "none"

@@ -1,0 +1,78 @@
+"""Extra-thematic frame elements, which every frame inherits: how, how long, how often, why, where."""
+
+from dataclasses import dataclass
+from functools import lru_cache
+from pathlib import Path
+from typing import FrozenSet, List, Tuple
+
+from semantic_frames.marked_yaml import Reader
+from semantic_frames.source_files import read_text
+
+#: Next to this module in the source, devel and install space.
+EXTRA_THEMATIC_FILE = Path(__file__).resolve().parent / "extra_thematic.yaml"
+_KEYS = ("name", "prepositions", "adverbs", "measure", "clauses")
+
+
+@dataclass(frozen=True)
+class ExtraThematicElement:
+    """An element that belongs to no frame in particular.
+
+    Attributes:
+        name: FrameNet's name
+        prepositions: prepositions of its phrases
+        adverbs: adverbs and adverbial phrases
+        endings: endings of further adverbs: "ly"
+        measure: kind of measure that its phrases must have; empty for any phrase
+        clauses: words that begin its clauses
+    """
+
+    name: str
+    prepositions: FrozenSet[str] = frozenset()
+    adverbs: FrozenSet[str] = frozenset()
+    endings: Tuple[str, ...] = ()
+    measure: str = ""
+    clauses: FrozenSet[str] = frozenset()
+
+
+def load_extra_thematic(text: str, path: str) -> Tuple[ExtraThematicElement, ...]:
+    """Read a file of extra-thematic elements.
+
+    Args:
+        text: content of the file
+        path: path of the file, for problems
+    Raises:
+        FileRefused: the file is wrong; it lists every mistake
+    """
+    reader = Reader(path)
+    found: List[ExtraThematicElement] = []
+    for key, node in reader.sequence(reader.compose(text, "a list of elements"), ""):
+        entries = reader.mapping(node, key, _KEYS, required=("name",))
+        adverbs = reader.texts(entries.get("adverbs"), f"{key}.adverbs")
+        found.append(
+            ExtraThematicElement(
+                name=reader.name(entries.get("name"), f"{key}.name"),
+                prepositions=frozenset(reader.texts(entries.get("prepositions"), f"{key}.prepositions")),
+                adverbs=frozenset(adverb for adverb in adverbs if not adverb.startswith("-")),
+                endings=tuple(adverb[1:] for adverb in adverbs if adverb.startswith("-")),
+                measure=reader.text(entries.get("measure"), f"{key}.measure"),
+                clauses=frozenset(reader.texts(entries.get("clauses"), f"{key}.clauses")),
+            )
+        )
+    reader.refuse_if_wrong()
+    return tuple(found)
+
+
+@lru_cache(maxsize=None)
+def extra_thematic_elements() -> Tuple[ExtraThematicElement, ...]:
+    """Return the elements that every frame inherits; the file is read once.
+
+    Raises:
+        FileRefused: the file is wrong
+    """
+    return load_extra_thematic(read_text(str(EXTRA_THEMATIC_FILE)), str(EXTRA_THEMATIC_FILE))
+
+
+@lru_cache(maxsize=None)
+def extra_thematic_names() -> FrozenSet[str]:
+    """Return the names of the elements that every frame inherits."""
+    return frozenset(element.name for element in extra_thematic_elements())
