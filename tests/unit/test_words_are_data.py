@@ -138,7 +138,6 @@ NO_SPEECH: Dict[str, Tuple[str, str]] = {
             "pattern, example, becomes"
         ),
     ),
-    "utterance_passes/places_told.py": ("pronouns, each with its other case", "him, her, them, it"),
     "word_classes/word_file.py": ("keys of a file", "for, includes, words"),
 }
 
