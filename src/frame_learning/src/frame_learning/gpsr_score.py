@@ -112,12 +112,12 @@ class _Words:
         self._tree = tree
         self._performer = mapping.performer
         matches = list(_WORD.finditer(command.text))
-        before = [""] + [match.group().lower() for match in matches]
+        behind = [match.group().lower() for match in matches[1:]] + [""]
         # "Personal items" and "items" make "personal items items".
         self._words = {
             match.start(): match
-            for match, last in zip(matches, before)
-            if match.group().lower() not in mapping.words_left_out | {last}
+            for match, following in zip(matches, behind)
+            if match.group().lower() not in mapping.words_left_out | {following}
         }
 
     def of_element(self, element: MeantElement) -> FrozenSet[int]:

@@ -9,7 +9,9 @@ from utterance_passes.vocabulary import Vocabulary
 
 _NOUNS = frozenset(["NOUN", "PROPN"])
 #: Relations of a noun phrase without a preposition behind the words of a description.
-_UNMARKED = frozenset(["obl:unmarked", "obj", "nmod:unmarked"])
+_UNMARKED = frozenset(["obl:unmarked", "obl", "obj", "nmod:unmarked"])
+#: Relations that the parser gives to such a phrase if it takes it for a part of the phrase before it.
+_OF_NOUNS = frozenset(["conj", "nmod", "nmod:unmarked", "appos"])
 
 
 def with_objects_behind(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
@@ -22,7 +24,7 @@ def with_objects_behind(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
     for verb in tree.words:
         if verb.upos != "VERB":
             continue
-        objects = [child for child in tree.children(verb.index) if child.deprel == "obj"]
+        objects = [child for child in tree.children(verb.index) if child.deprel in ("obj", "iobj")]
         if not objects:
             for word in _unjoined(tree, verb)[:1]:
                 edit.rehang(word.index, verb.index, "obj")
@@ -34,14 +36,14 @@ def with_objects_behind(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
 
 
 def _unjoined(tree: DependencyTree, verb: Word) -> Tuple[Word, ...]:
-    """Return the nouns of phrases of a verb that the parser took for items of a list although nothing joins them."""
+    """Return the nouns of phrases of a verb that the parser took for parts of another phrase."""
     below = [
         index for child in tree.children(verb.index) if child.deprel == "obl" for index in tree.subtree(child.index)
     ]
     return tuple(
         word
         for word in map(tree.word, sorted(below))
-        if word.deprel == "conj" and word.upos in _NOUNS and _begins_with_article(tree, word)
+        if word.deprel in _OF_NOUNS and word.upos in _NOUNS and _begins_with_article(tree, word)
     )
 
 

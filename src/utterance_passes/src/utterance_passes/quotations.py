@@ -245,8 +245,9 @@ class _Quotation:
         if child.form.lower() in _HARMLESS and relation in ("discourse", "vocative", "advmod"):
             is_last = child.index == self._end - 1
             return child.form.lower() not in _COURTESIES and (bool(inside) or not is_last)
+        # In "say what day it is to Bob" the parser may take Bob for a predicate.
         if self._case(child.index) == "to":
-            return True
+            return not any(inner.deprel == "cop" for inner in self._tree.children(child.index))
         if relation in ("obl", "nmod", "advmod"):
             return child.form.lower() not in _NEGATIONS and not self._has_verb(inside)
         return False
@@ -259,7 +260,6 @@ class _Quotation:
         for index in sorted(inside):
             word = self._tree.word(index)
             cases = [child.index for child in self._tree.children(index) if child.deprel == "case"]
-            # In "say what day it is to Bob" the parser may take the person for a predicate.
             phrase = frozenset(i for i in self._tree.subtree(index) if not cases or i >= cases[0])
             is_end = self._case(index) == "to" and max(phrase & inside) == max(inside) and phrase < inside
             is_somebody = word.upos == "PROPN" or word.form.lower() in _PERSONS_TOLD or is_person(word)
