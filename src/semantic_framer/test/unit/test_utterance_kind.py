@@ -1,6 +1,6 @@
 """The kind of each clause, by the words in front of its verb, and the file of these words."""
 
-from typing import Tuple
+from typing import Any, Tuple
 
 import pytest
 
@@ -97,3 +97,17 @@ def test_what_is_wrong_is_named_with_its_line(entry: str, code: str, key: str) -
     problem = refused.value.problems[0]
     assert (problem.line, problem.key) == (5, key), problem
     assert problem.code == code
+
+
+@pytest.mark.parametrize(
+    "text, code",
+    [
+        ("Make sure not to open the door.", "NEGATED"),
+        ("Be certain not to turn left.", "NEGATED"),
+        ("Make sure to open the door.", ""),
+        ("Make sure that the door is open.", ""),
+    ],
+)
+def test_what_somebody_makes_sure_to_do_is_the_command(understand: Any, text: str, code: str) -> None:
+    outcome, _ = understand(text)
+    assert getattr(outcome, "code", "") == code

@@ -1,7 +1,7 @@
 """Finds the clauses of a sentence: each verb that asks for something, with its words."""
 
 from dataclasses import dataclass, replace
-from typing import FrozenSet, List, Set, Tuple
+from typing import FrozenSet, List, Optional, Set, Tuple
 
 from utterance_passes.tree import DependencyTree, Word
 from utterance_passes.vocabulary import Verbs, Vocabulary
@@ -11,6 +11,8 @@ _ADDRESSEES = word_class("addressees")
 _CONDITIONS = word_class("conditions")
 _REPORTING_AUXILIARIES = word_class("reporting_auxiliaries")
 _HEARERS = word_class("hearers")
+_ASSURING = word_class("assuring_verbs")
+_CERTAIN = word_class("certain_adjectives")
 _LEADING_VERBS = word_class("leading_verbs")
 _LEAD_IN = word_class("lead_in")
 _LEFT_AND_RIGHT = word_class("left_and_right")
@@ -155,6 +157,11 @@ def _collect(
     wrapped = next(
         (child for child in children if child.deprel in ("xcomp", "ccomp") and child.upos in ("VERB", "AUX")), None
     )
+    assured = _assured(tree, word)
+    if assured is not None:
+        # "Make sure to open the door" asks for the door, and "make sure not to open it" forbids it.
+        _collect(tree, vocabulary, assured, is_negated, found)
+        return
     wraps = word.lemma.lower() in _REQUEST_VERBS and not _asks_somebody_else(vocabulary, word, children)
     if (wrapped is not None and wraps) or (
         wrapped is not None and word.lemma.lower() in _LEADING_VERBS and wrapped.index == word.index + 1
@@ -190,6 +197,18 @@ def _collect(
         ):
             # "Don't move or speak" negates both verbs; "don't move, just speak" is rare, and it is safe not to act.
             _collect(tree, vocabulary, child, is_negated and child.deprel == "conj", found)
+
+
+def _assured(tree: DependencyTree, verb: Word) -> Optional[Word]:
+    """Return what somebody is to make sure to do: "open" in "make sure to open the door"; None for other sentences."""
+    sure = next((child for child in tree.children(verb.index) if child.form.lower() in _CERTAIN), None)
+    if sure is None or verb.lemma.lower() not in _ASSURING:
+        return None
+    for child in tree.children(sure.index) + tree.children(verb.index):
+        marks = [mark.form.lower() for mark in tree.children(child.index) if mark.deprel == "mark"]
+        if child.upos in ("VERB", "AUX") and child.deprel in ("ccomp", "xcomp", "advcl") and "to" in marks:
+            return child
+    return None
 
 
 def _asks_somebody_else(vocabulary: Vocabulary, verb: Word, children: Tuple[Word, ...]) -> bool:
