@@ -108,7 +108,10 @@ NO_SPEECH: Dict[str, Tuple[str, str]] = {
     "semantic_frames/extra_thematic.py": ("keys of a file", "name, prepositions, adverbs, measure, clauses"),
     "semantic_frames/frame_file.py": (
         "keys of a file",
-        "name, description, children, framenet, confirm, default, quantity, minimum, maximum, values, question, answer",
+        (
+            "name, description, children, framenet, confirm, default, quantity, minimum, maximum, values, relations, "
+            "question, answer"
+        ),
     ),
     "semantic_frames/lexical_unit_file.py": ("keys of a file", "name, relation, argument, words, required"),
     "semantic_frames/marked_yaml.py": ("values of YAML", "true, yes, false, no"),
