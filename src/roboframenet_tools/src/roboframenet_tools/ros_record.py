@@ -23,6 +23,8 @@ One JSON object for each reply, until Ctrl-C. Exit status: 0, 2 wrong usage, 6 n
 _NO_MASTER = 6
 #: Commands whose reply is awaited, at most; the oldest are forgotten.
 _MAX_OPEN = 1000
+#: Stages behind the framer: what they reply to has frames.
+_BEHIND_THE_FRAMER = ("frame_registrar", "arbitrator", "executor")
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
@@ -84,6 +86,9 @@ class Recorder:
 
     def _on_reply(self, reply: Reply) -> None:
         with self._lock:
+            if reply.stage in _BEHIND_THE_FRAMER and reply.command.id not in self._frames:
+                # The command was said before both topics were connected: its frames were not heard.
+                return
             record = Record(
                 text=reply.command.text,
                 frames=self._frames.pop(reply.command.id, ()),
