@@ -2,15 +2,7 @@
 
 import pytest
 
-
-class Clock:
-    """Returns `now_s` when called, seconds."""
-
-    def __init__(self):
-        self.now_s = 100.0
-
-    def __call__(self):
-        return self.now_s
+from roboframenet_testing import Clock
 
 
 @pytest.fixture

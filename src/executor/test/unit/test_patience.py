@@ -3,18 +3,9 @@
 from executor import goal_tracking as tracking
 from executor.goal_tracking import Goal, GoalDeadlines, GoalStatusCode
 from executor.patience import Patience
+from roboframenet_testing import Clock
 
 DEADLINES = GoalDeadlines(execution_s=3600.0)
-
-
-class Clock:
-    """A clock that is set by hand."""
-
-    def __init__(self) -> None:
-        self.now_s = 100.0
-
-    def __call__(self) -> float:
-        return self.now_s
 
 
 def absent() -> Goal:

@@ -1,16 +1,7 @@
 """Servers that hang: out of use, and not for ever."""
 
 from executor.quarantine import Quarantine
-
-
-class Clock:
-    """A clock that is set by hand."""
-
-    def __init__(self) -> None:
-        self.now_s = 100.0
-
-    def __call__(self) -> float:
-        return self.now_s
+from roboframenet_testing import Clock
 
 
 def make(duration_s: float = 60.0):

@@ -3,16 +3,7 @@
 import pytest
 
 from roboframenet_ros.recent import Recent
-
-
-class Clock:
-    """Stands still until it is set."""
-
-    def __init__(self) -> None:
-        self.now_s = 100.0
-
-    def __call__(self) -> float:
-        return self.now_s
+from roboframenet_testing import Clock
 
 
 def test_values_come_in_the_order_in_which_they_were_added() -> None:

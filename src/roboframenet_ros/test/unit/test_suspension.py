@@ -1,14 +1,7 @@
 """Whether a process did not run."""
 
 from roboframenet_ros.suspension import SuspensionWatch
-
-
-class Clock:
-    def __init__(self):
-        self.now_s = 100.0
-
-    def __call__(self):
-        return self.now_s
+from roboframenet_testing import Clock
 
 
 def test_turns_in_time_are_no_suspension():

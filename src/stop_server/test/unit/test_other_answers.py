@@ -2,15 +2,8 @@
 
 import pytest
 
+from roboframenet_testing import Clock
 from stop_server.other_answers import OtherAnswers
-
-
-class Clock:
-    def __init__(self):
-        self.now_s = 100.0
-
-    def __call__(self):
-        return self.now_s
 
 
 @pytest.fixture

@@ -1,16 +1,7 @@
 """Which texts nobody took."""
 
+from roboframenet_testing import Clock
 from stop_server.unheard_texts import UnheardTexts
-
-
-class Clock:
-    """A clock that is set by hand."""
-
-    def __init__(self) -> None:
-        self.now_s = 100.0
-
-    def __call__(self) -> float:
-        return self.now_s
 
 
 def test_texts_that_nobody_took_are_returned_once_and_in_order() -> None:
