@@ -4,6 +4,7 @@ import math
 from dataclasses import replace
 from typing import Optional, Sequence
 
+from phrase_meanings.head_words import is_plural
 from phrase_meanings.meaning_file import shipped_meanings
 from spoken_quantities import find_unit
 from typed_arguments import Measure, Source, TypedArgument
@@ -45,15 +46,13 @@ def measure_of(tree: DependencyTree, amount: Amount) -> Measure:
     forms = [tree.word(index).form.lower() for index in amount.positions]
     first = min(amount.positions) - 1
     before = [tree.word(index).form.lower() for index in range(max(1, first - 1), first + 1)]
-    bounds = shipped_meanings().bounds
-    bound = next((bounds[said] for said in (" ".join(before), " ".join(before[-1:])) if said in bounds), "")
     return Measure(
         kind=amount.quantity or "number",
         words=tree.text_of(amount.positions),
         amount=_finite(amount.amount),
         unit=unit.name if unit else amount.unit,
         si=_finite(amount.si_amount),
-        bound=bound,
+        bound=shipped_meanings().bound(before),
         change="more" if _MORE & frozenset(forms + before[-1:]) else "",
     )
 
@@ -73,7 +72,7 @@ def unit_argument(tree: DependencyTree, name: str, amount: Amount) -> TypedArgum
         head=amount.unit,
         lemma=word.lemma.lower(),
         head_position=amount.unit_position,
-        is_plural="Number=Plur" in word.feats,
+        is_plural=is_plural(word),
         measure=measure_of(tree, amount),
     )
 

@@ -28,9 +28,14 @@ class Quantity:
     bound: str = ""
 
 
-def is_of_phrase(tree: DependencyTree, head: int) -> bool:
-    """Whether the first preposition of a phrase is "of"."""
-    return next((child.form.lower() for child in tree.children(head) if child.deprel == "case"), "") == "of"
+def first_preposition(tree: DependencyTree, head: int) -> str:
+    """Return the first preposition of a phrase; empty for none."""
+    return next((child.form.lower() for child in tree.children(head) if child.deprel == "case"), "")
+
+
+def is_plural(word: Word) -> bool:
+    """Whether a noun is plural."""
+    return "Number=Plur" in word.feats or word.xpos in ("NNS", "NNPS")
 
 
 def is_side_of_something(tree: DependencyTree, index: int) -> bool:
@@ -50,9 +55,8 @@ def chosen_from(tree: DependencyTree, head: int, own: FrozenSet[int]) -> Optiona
     if not (quantifier or count is not None) or word.upos in ("NOUN", "PROPN"):
         return None
     for child in tree.children(head):
-        if child.deprel.startswith("nmod") and child.index in own:
-            if is_of_phrase(tree, child.index):
-                return Quantity(quantifier, count), child.index
+        if child.deprel.startswith("nmod") and child.index in own and first_preposition(tree, child.index) == "of":
+            return Quantity(quantifier, count), child.index
     return None
 
 
@@ -93,8 +97,7 @@ def _bound(tree: DependencyTree, numeral: Word) -> str:
     inside = sorted(index for index in tree.subtree(numeral.index) if index < numeral.index)
     first = numeral.index - 1
     before = [tree.word(index).form.lower() for index in (inside or ([first] if first > 0 else []))]
-    bounds = shipped_meanings().bounds
-    return next((bounds[spoken] for spoken in (" ".join(before[-2:]), " ".join(before[-1:])) if spoken in bounds), "")
+    return shipped_meanings().bound(before)
 
 
 def modifiers(tree: DependencyTree, head: int, children: Iterable[Word], own: FrozenSet[int]) -> Tuple[Modifier, ...]:

@@ -3,7 +3,7 @@
 from dataclasses import dataclass
 from functools import lru_cache
 from pathlib import Path
-from typing import Dict, FrozenSet, Mapping, Optional
+from typing import Dict, FrozenSet, Mapping, Optional, Sequence
 
 import yaml
 
@@ -38,6 +38,11 @@ class Meanings:
         spoken = " ".join(prepositions.lower().split())
         return self.relations.get(spoken) or spoken.replace(" ", "_")
 
+    def bound(self, before: Sequence[str]) -> str:
+        """Return the bound that the last words before a number make of it; empty for none."""
+        spoken = (" ".join(before[-2:]), " ".join(before[-1:]))
+        return next((self.bounds[words] for words in spoken if words in self.bounds), "")
+
 
 def load_meanings(text: str, path: str) -> Meanings:
     """Read a file of meanings.
@@ -59,12 +64,7 @@ def load_meanings(text: str, path: str) -> Meanings:
 def _spellings(reader: Reader, node: Optional[yaml.Node], section: str) -> Dict[str, str]:
     """Return the value of each spelling; a spelling with two values is a mistake."""
     found: Dict[str, str] = {}
-    if node is None:
-        return found
-    if not isinstance(node, yaml.MappingNode):
-        reader.mapping(node, section, ("name",))
-        return found
-    for name_node, words in node.value:
+    for name_node, words in reader.free_mapping(node, section):
         key = f"{section}.{name_node.value}"
         for spelling in reader.texts(words, key):
             if spelling in found:

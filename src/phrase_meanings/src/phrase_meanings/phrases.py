@@ -3,7 +3,14 @@
 from dataclasses import replace
 from typing import Callable, Dict, FrozenSet, Iterable, List, NamedTuple, Optional, Tuple
 
-from phrase_meanings.head_words import chosen_from, is_side_of_something, modifiers, quantity
+from phrase_meanings.head_words import (
+    chosen_from,
+    first_preposition,
+    is_plural,
+    is_side_of_something,
+    modifiers,
+    quantity,
+)
 from phrase_meanings.meaning_file import shipped_meanings
 from semantic_frames.lexical_unit import ArgumentForm
 from typed_arguments import EmbeddedFrame, TypedArgument
@@ -86,21 +93,27 @@ class Phrases:
         tree = self._tree
         left_out |= tree.abandoned | tree.fillers - {head}
         extent = _extent(tree, head, left_out, attached)
-        text = tree.text_of(extent.bare) if form is ArgumentForm.PHRASE else tree.word(head).form
-        plain = TypedArgument(
-            name=name,
-            text=text,
-            words=tree.text_of(extent.positions),
-            positions=extent.positions,
-            head=tree.word(head).form,
-            lemma=tree.word(head).lemma.lower(),
-            head_position=head,
-        )
+        plain = self._plain(head, extent, form, name)
         try:
             return self._described(plain, head, extent, left_out, attached, form)
         except ValueError:
             # It has more parts than an argument may have. Its words are still there.
             return plain
+
+    def _plain(
+        self, head: int, extent: _Extent, form: ArgumentForm = ArgumentForm.PHRASE, name: str = ""
+    ) -> TypedArgument:
+        """Return an argument that says which words it has, and not yet what they mean."""
+        word = self._tree.word(head)
+        return TypedArgument(
+            name=name,
+            text=self._tree.text_of(extent.bare) if form is ArgumentForm.PHRASE else word.form,
+            words=self._tree.text_of(extent.positions),
+            positions=extent.positions,
+            head=word.form,
+            lemma=word.lemma.lower(),
+            head_position=head,
+        )
 
     def _described(
         self,
@@ -131,7 +144,7 @@ class Phrases:
             if child.deprel in ("nmod", "nmod:of", "nmod:unmarked", "obl", "acl", "acl:relcl")
         ]
         inner += [tree.word(index) for index in self._attached_heads(attached, own)]
-        by_relation = [(child, _first_preposition(tree, child.index)) for child in inner if child.index != noun]
+        by_relation = [(child, first_preposition(tree, child.index)) for child in inner if child.index != noun]
         complement = next(
             (child for child, prep in by_relation if prep == "of" and child.deprel.startswith("nmod")), None
         )
@@ -141,7 +154,7 @@ class Phrases:
             head=word.form,
             lemma=word.lemma.lower(),
             head_position=noun,
-            is_plural=_is_plural(word),
+            is_plural=is_plural(word),
             semantic_type=self._semantic_type(noun),
             relation=relation,
             quantifier=amount.quantifier,
@@ -169,15 +182,8 @@ class Phrases:
     def _part(self, head: int, left_out: FrozenSet[int]) -> TypedArgument:
         tree = self._tree
         extent = _extent(tree, head, left_out, frozenset())
-        plain = TypedArgument(
-            text=tree.text_of(index for index in extent.bare if tree.word(index).form.lower() not in _CLITICS),
-            words=tree.text_of(extent.positions),
-            positions=extent.positions,
-            head=tree.word(head).form,
-            lemma=tree.word(head).lemma.lower(),
-            head_position=head,
-        )
-        return self._described(plain, head, extent, left_out)
+        text = tree.text_of(index for index in extent.bare if tree.word(index).form.lower() not in _CLITICS)
+        return self._described(replace(self._plain(head, extent), text=text), head, extent, left_out)
 
     def _members(
         self,
@@ -203,14 +209,7 @@ class Phrases:
             extent = _Extent(tuple(words), prepositions & frozenset(words))
             if not extent.bare:
                 continue
-            plain = TypedArgument(
-                text=tree.text_of(extent.bare) if form is ArgumentForm.PHRASE else tree.word(member).form,
-                words=tree.text_of(words),
-                positions=extent.positions,
-                head=tree.word(member).form,
-                lemma=tree.word(member).lemma.lower(),
-                head_position=member,
-            )
+            plain = self._plain(member, extent, form)
             found.append(self._described(plain, member, extent, left_out | later if member == head else left_out))
         return tuple(found) if len(found) > 1 else ()
 
@@ -297,10 +296,6 @@ def _prepositions(tree: DependencyTree, head: int) -> FrozenSet[int]:
     return frozenset(found)
 
 
-def _first_preposition(tree: DependencyTree, head: int) -> str:
-    return next((child.form.lower() for child in tree.children(head) if child.deprel == "case"), "")
-
-
 def _beside_a_place(tree: DependencyTree, head: int) -> FrozenSet[int]:
     """Return the words of a relative clause that only say that something is somewhere: "that is"."""
     return frozenset(
@@ -320,7 +315,7 @@ def _relation(tree: DependencyTree, head: int, extent: _Extent) -> Tuple[str, in
     form = tree.word(head).form.lower()
     inside = [child.index for child in tree.children(head) if child.deprel.startswith("nmod")]
     whole = next(
-        (index for index in inside if index in extent.positions and _first_preposition(tree, index) == "of"), None
+        (index for index in inside if index in extent.positions and first_preposition(tree, index) == "of"), None
     )
     if whole is not None and form in _LEFT_AND_RIGHT and is_side_of_something(tree, head):
         return f"{form}_of", whole
@@ -341,10 +336,6 @@ def _conjunction(tree: DependencyTree, conjuncts: Iterable[Word]) -> str:
         inner.form.lower() for conjunct in conjuncts for inner in tree.children(conjunct.index) if inner.deprel == "cc"
     )
     return next(coordinators, "and")
-
-
-def _is_plural(word: Word) -> bool:
-    return "Number=Plur" in word.feats or word.xpos in ("NNS", "NNPS")
 
 
 def _direction(tree: DependencyTree, head: int, extent: _Extent) -> str:

@@ -4,7 +4,7 @@ from dataclasses import dataclass
 from enum import Enum
 from functools import lru_cache
 from pathlib import Path
-from typing import Dict, List, Mapping, Optional, Pattern, Tuple
+from typing import Dict, Mapping, Optional, Pattern, Tuple
 
 import yaml
 
@@ -86,27 +86,15 @@ def load_moods(text: str, path: str) -> Moods:
     sections = reader.mapping(reader.compose(text, "a mapping of rules"), "", _SECTIONS, required=_SECTIONS)
     spellings: Dict[str, str] = {}
     parts: Dict[str, str] = {}
-    for full, short, node in _pairs(reader, sections.get("spellings"), "spellings"):
-        spellings.update({reader.name(item, key): full for key, item in reader.sequence(node, short)})
-    for name, key, node in _pairs(reader, sections.get("parts"), "parts"):
-        parts[name] = f"(?:{fill_pattern(reader, node, key, parts)})"
+    for full_node, node in reader.free_mapping(sections.get("spellings"), "spellings"):
+        full = reader.name(full_node, "spellings")
+        spellings.update({reader.name(item, key): full for key, item in reader.sequence(node, f"spellings.{full}")})
+    for name_node, node in reader.free_mapping(sections.get("parts"), "parts"):
+        name = reader.name(name_node, "parts")
+        parts[name] = f"(?:{fill_pattern(reader, node, f'parts.{name}', parts)})"
     acting, telling = (_rules(reader, sections.get(name), name, parts) for name in ("acting", "telling"))
     reader.refuse_if_wrong()
     return Moods(spellings, acting, telling)
-
-
-def _pairs(reader: Reader, node: Optional[yaml.Node], key: str) -> List[Tuple[str, str, yaml.Node]]:
-    """Return the name, the key and the value of each entry of a mapping."""
-    if node is None:
-        return []
-    if not isinstance(node, yaml.MappingNode):
-        reader.mapping(node, key, ("name",))
-        return []
-    pairs = []
-    for name_node, value in node.value:
-        name = reader.name(name_node, key)
-        pairs.append((name, f"{key}.{name}", value))
-    return pairs
 
 
 def _rules(reader: Reader, node: Optional[yaml.Node], section: str, parts: Mapping[str, str]) -> Tuple[MoodRule, ...]:

@@ -144,6 +144,15 @@ class Reader:
                 self.report("MISSING_KEY", node, prefix + name, "nothing", f"the key '{name}'")
         return entries
 
+    def free_mapping(self, node: Optional[yaml.Node], key: str) -> List[Tuple[yaml.Node, yaml.Node]]:
+        """Return the keys and values of a mapping whose keys may be anything; nothing for no node."""
+        if node is None:
+            return []
+        if not isinstance(node, yaml.MappingNode):
+            self.report("WRONG_TYPE", node, key, describe(node), "a mapping")
+            return []
+        return list(node.value)
+
     def sequence(self, node: Optional[yaml.Node], key: str) -> List[Tuple[str, yaml.Node]]:
         """Return the items of a list, each with its key ("children[2]"); nothing for an empty value."""
         if node is None or is_empty(node):

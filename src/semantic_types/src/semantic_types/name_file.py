@@ -5,7 +5,6 @@ from typing import Dict, Iterable, List, Mapping, Sequence, Tuple
 from semantic_frames.marked_yaml import Reader, did_you_mean
 from semantic_frames.problem import FileRefused, Problem
 from semantic_frames.semantic_type import SEMANTIC_TYPES, read_semantic_types
-from semantic_types.noun_file import entries_of
 
 #: A robot's world has fewer named things.
 MOST_NAMES = 5000
@@ -30,7 +29,7 @@ def load_name_file(text: str, path: str) -> Names:
     reader = Reader(path)
     root = reader.mapping(reader.compose(text, "a mapping with names"), "", ("names",), required=("names",))
     names: Dict[str, Tuple[str, ...]] = {}
-    entries = entries_of(reader, root.get("names"), "names")
+    entries = reader.free_mapping(root.get("names"), "names")
     if len(entries) > MOST_NAMES:
         reader.report("TOO_MANY", root["names"], "names", f"{len(entries)} names", f"at most {MOST_NAMES}")
     for name_node, node in entries[:MOST_NAMES]:

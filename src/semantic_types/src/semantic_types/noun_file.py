@@ -41,7 +41,7 @@ def load_noun_file(text: str, path: str, wordnet: WordNet) -> NounFile:
     root = reader.mapping(reader.compose(text, "a mapping with synsets"), "", FILE_KEYS, required=("synsets",))
     synsets = _synsets(reader, root.get("synsets"), wordnet)
     words: Dict[str, Tuple[str, ...]] = {}
-    for name_node, node in entries_of(reader, root.get("words"), "words"):
+    for name_node, node in reader.free_mapping(root.get("words"), "words"):
         word = " ".join(reader.name(name_node, "words").lower().split())
         key = f"words.{word}"
         entry = reader.mapping(node, key, WORD_KEYS, required=WORD_KEYS)
@@ -54,7 +54,7 @@ def load_noun_file(text: str, path: str, wordnet: WordNet) -> NounFile:
 
 def _synsets(reader: Reader, node: Optional[yaml.Node], wordnet: WordNet) -> Mapping[int, List[str]]:
     found: Dict[int, List[str]] = {}
-    for type_node, list_node in entries_of(reader, node, "synsets"):
+    for type_node, list_node in reader.free_mapping(node, "synsets"):
         name = read_semantic_type(reader, type_node, f"synsets.{describe(type_node)}")
         for key, item in reader.sequence(list_node, f"synsets.{name}"):
             is_explained = isinstance(item, yaml.MappingNode)
@@ -69,13 +69,3 @@ def _synsets(reader: Reader, node: Optional[yaml.Node], wordnet: WordNet) -> Map
                 reader.report("DUPLICATE_SYNSET", item, key, f"a second '{synset_name}'", "each synset once")
             found[synset].append(name)
     return found
-
-
-def entries_of(reader: Reader, node: Optional[yaml.Node], key: str) -> List[Tuple[yaml.Node, yaml.Node]]:
-    """Return the keys and values of a mapping with free keys; none for no node."""
-    if node is None:
-        return []
-    if not isinstance(node, yaml.MappingNode):
-        reader.report("WRONG_TYPE", node, key, "no mapping", "a mapping")
-        return []
-    return list(node.value)
