@@ -141,6 +141,19 @@ NO_SPEECH: Dict[str, Tuple[str, str]] = {
             "pattern, example, becomes"
         ),
     ),
+    "world_model/knowledge.py": ("values of WorldObject", "ajar, closed, lying, open, sitting, standing, walking"),
+    "world_model/world.py": (
+        "values of WorldRelation",
+        "above, around, at, below, beneath, beside, by, in, inside, into, near, on, onto, over, under, underneath, within",
+    ),
+    "world_model/world_file.py": (
+        "keys of a file",
+        (
+            "places, doors, things, devices, persons, robots, name, names, category, attributes, states, size, x, y, z, "
+            "heading, on, in, under, above, behind, beside, near, of, to"
+        ),
+    ),
+    "world_model/world_object.py": ("fields of WorldObject", "attributes, states, relations"),
     "word_classes/word_file.py": ("keys of a file", "for, includes, words"),
 }
 
