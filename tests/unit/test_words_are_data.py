@@ -145,13 +145,16 @@ NO_SPEECH: Dict[str, Tuple[str, str]] = {
     "world_model/knowledge.py": ("values of WorldObject", "ajar, closed, lying, open, sitting, standing, walking"),
     "world_model/world.py": (
         "values of WorldRelation",
-        "above, around, at, below, beneath, beside, by, in, inside, into, near, on, onto, over, under, underneath, within",
+        (
+            "above, around, at, below, beneath, beside, by, in, inside, into, near, on, onto, over, under, underneath, "
+            "within"
+        ),
     ),
     "world_model/world_file.py": (
         "keys of a file",
         (
-            "places, doors, things, devices, persons, robots, name, names, category, attributes, states, size, x, y, z, "
-            "heading, on, in, under, above, behind, beside, near, of, to"
+            "places, doors, things, devices, persons, robots, name, names, category, attributes, states, size, x, y, "
+            "z, heading, on, in, under, above, behind, beside, near, of, to"
         ),
     ),
     "world_model/world_object.py": ("fields of WorldObject", "attributes, states, relations"),
