@@ -44,6 +44,11 @@ NO_SPEECH: Dict[str, Tuple[str, str]] = {
         "text, tokens, frames, reply, outcome, code, sentence, name, argument, typed",
     ),
     "pr2_props/node.py": ("names of props", "hug, hugging, pound, pounding"),
+    "referring_expressions/fitting.py": ("values of WorldRelation", "of, to, in, on"),
+    "referring_expressions/resolving.py": (
+        "values of Phrase.quantifier",
+        "a, any, some, another, several, many, few, most, all, every, each, both",
+    ),
     "rfnserver/goal_binding.py": ("keys of a declaration", "element, unit, default, value, values"),
     "rfnserver/goal_types.py": ("types of ROS", "bool, string, duration"),
     "roboframenet_demo/node.py": ("headings", "sentence, domain, frame and elements, verdict"),

@@ -1,8 +1,9 @@
 """A snapshot of what the robot knows, and the queries on it."""
 
+import math
 from dataclasses import dataclass
 from functools import cached_property
-from typing import Dict, FrozenSet, Iterator, List, Mapping, Optional, Tuple
+from typing import Dict, FrozenSet, Iterable, Iterator, List, Mapping, Optional, Set, Tuple
 
 from semantic_types import shipped_nouns, spoken
 from world_model.world_object import ROBOT_ID, Pose, Sort, WorldObject
@@ -27,6 +28,8 @@ _ALIKE: Tuple[FrozenSet[str], ...] = (
 _IN, _ON, _NEAR, _UNDER, _HELD = "in", "on", "near", "under", "held_by"
 #: Whoever is carried by one of these goes where the other one goes.
 _CARRYING = frozenset([_IN, _ON, _HELD, _UNDER])
+#: Under the mug is what the mug stands on.
+_OPPOSITE = {_UNDER: _ON, "left_of": "right_of", "right_of": "left_of"}
 _STANDARD: Mapping[str, str] = {
     word: standard for words, standard in zip(_ALIKE, (_ON, _IN, _NEAR, _UNDER, _HELD)) for word in words
 }
@@ -139,52 +142,121 @@ class World:
         """Return the place that an object is in, by what contains it or by its pose; None when unknown."""
         if one.sort is Sort.PLACE:
             return one
-        carried = [one]
-        for _, other in self.above(one):
-            if other.sort is Sort.PLACE:
-                return other
-            carried.append(other)
-        posed = next((other.pose for other in carried if other.pose is not None), None)
-        if posed is not None:
-            return next((room for room in self._rooms if _holds(room, posed)), None)
+        if self.get(one.id) is not one:
+            return self._find_room(one)
+        if one.id not in self._room_of:
+            self._room_of[one.id] = self._find_room(one)
+        return self._room_of[one.id]
+
+    @cached_property
+    def _room_of(self) -> Dict[str, Optional[WorldObject]]:
+        """The rooms that were found so far."""
+        return {}
+
+    def _find_room(self, one: WorldObject) -> Optional[WorldObject]:
+        room = self._room_carried(one)
+        if room is not None or one.pose is not None:
+            return room
         # What is beside something is in its room.
         near = next((other for place in one.places for other in [self.get(place.reference)] if other is not None), None)
         if near is None:
             return None
-        return near if near.sort is Sort.PLACE else self._room_above(near)
+        return near if near.sort is Sort.PLACE else self._room_carried(near)
 
-    def _room_above(self, one: WorldObject) -> Optional[WorldObject]:
-        return next((other for _, other in self.above(one) if other.sort is Sort.PLACE), None)
+    def _room_carried(self, one: WorldObject) -> Optional[WorldObject]:
+        """Return the place that contains an object, or what carries it, or the pose of one of them."""
+        pose = one.pose
+        for _, other in self.above(one):
+            if other.sort is Sort.PLACE:
+                return other
+            pose = pose or other.pose
+        return next((room for room in self._rooms if pose is not None and _holds(room, pose)), None)
+
+    @cached_property
+    def _inside(self) -> Mapping[str, FrozenSet[str]]:
+        """The ids of the objects in each place."""
+        found: Dict[str, Set[str]] = {}
+        for one in self.objects:
+            room = self.room_of(one) if one.sort is not Sort.PLACE else None
+            for place in [one, room] if room is not None else [one]:
+                chain = [place, *(other for _, other in self.above(place))]
+                for other in chain if place is room else chain[1:]:
+                    if other.sort is Sort.PLACE:
+                        found.setdefault(other.id, set()).add(one.id)
+        return {name: frozenset(ids) for name, ids in found.items()}
+
+    @cached_property
+    def _related(self) -> Mapping[str, Tuple[Tuple[str, str], ...]]:
+        """For each object, the relations of others to it: the common name of the relation, and the id of the other."""
+        found: Dict[str, List[Tuple[str, str]]] = {}
+        for one in self.objects:
+            for place in one.places:
+                found.setdefault(place.reference, []).append((standard_relation(place.relation), one.id))
+        return {name: tuple(related) for name, related in found.items()}
+
+    @cached_property
+    def _cells(self) -> Mapping[Tuple[str, int, int], Tuple[WorldObject, ...]]:
+        """The objects with a pose, by squares as wide as things beside each other may be apart."""
+        found: Dict[Tuple[str, int, int], List[WorldObject]] = {}
+        for one in self.objects:
+            if one.pose is not None:
+                found.setdefault(_cell(one.pose), []).append(one)
+        return {cell: tuple(objects) for cell, objects in found.items()}
 
     def stands(self, one: WorldObject, relation: str, other: WorldObject) -> bool:
         """Whether an object has a relation of place to another one, as far as is known."""
+        return one.id in self.at(relation, [other])
+
+    def at(self, relation: str, references: Iterable[WorldObject]) -> FrozenSet[str]:
+        """Return the ids of the objects that have a relation of place to any of some objects, as far as is known."""
         wanted = standard_relation(relation)
-        if one.id == other.id:
-            return False
-        if any(place.reference == other.id and standard_relation(place.relation) == wanted for place in one.places):
-            return True
-        if other.sort is Sort.PLACE and wanted in (_IN, _ON, _NEAR):
-            room = self.room_of(one)
-            return room is not None and (room.id == other.id or self._is_inside(room, other))
-        if wanted in (_IN, _ON, _HELD):
-            chain = list(self.above(one))
-            links = [link for link, reached in chain[: self._depth(chain, other)]]
-            return bool(links) and (links[-1] == wanted and (wanted != _ON or set(links) == {_ON}))
-        if wanted == _NEAR:
-            return any(
-                place.reference == one.id and standard_relation(place.relation) == _NEAR for place in other.places
-            ) or (one.pose is not None and other.pose is not None and one.pose.distance_m(other.pose) <= NEAR_M)
-        opposite = {"under": _ON, "left_of": "right_of", "right_of": "left_of"}.get(wanted)
-        return opposite is not None and any(
-            place.reference == one.id and standard_relation(place.relation) == opposite for place in other.places
-        )
+        found: Set[str] = set()
+        for reference in references:
+            if reference.sort is Sort.PLACE and wanted in (_IN, _ON, _NEAR):
+                found |= self._inside.get(reference.id, frozenset())
+            direct = [name for related, name in self._related.get(reference.id, ()) if related == wanted]
+            found.update(direct)
+            if wanted in (_IN, _ON, _HELD):
+                found |= self._carried_by(direct, frozenset([_ON]) if wanted == _ON else _CARRYING)
+            opposite = _NEAR if wanted == _NEAR else _OPPOSITE.get(wanted)
+            found.update(one.reference for one in reference.places if standard_relation(one.relation) == opposite)
+            if wanted == _NEAR and reference.pose is not None and reference.sort is not Sort.PLACE:
+                found |= self._near(reference.id, reference.pose)
+        return frozenset(found)
 
-    @staticmethod
-    def _depth(chain: List[Tuple[str, WorldObject]], other: WorldObject) -> int:
-        return next((depth for depth, (_, reached) in enumerate(chain, start=1) if reached.id == other.id), 0)
+    def _carried_by(self, names: Iterable[str], relations: FrozenSet[str]) -> Set[str]:
+        """Return the ids of what some objects carry, of what that carries, and so on."""
+        found: Set[str] = set()
+        left = list(names)
+        while left:
+            for related, name in self._related.get(left.pop(), ()):
+                if related in relations and name not in found:
+                    found.add(name)
+                    left.append(name)
+        return found
 
-    def _is_inside(self, room: WorldObject, other: WorldObject) -> bool:
-        return any(reached.id == other.id for _, reached in self.above(room))
+    @cached_property
+    def _near_of(self) -> Dict[str, FrozenSet[str]]:
+        """What is near each object, as far as anybody asked."""
+        return {}
+
+    def _near(self, name: str, pose: Pose) -> FrozenSet[str]:
+        if name not in self._near_of:
+            frame_id, x, y = _cell(pose)
+            self._near_of[name] = frozenset(
+                one.id
+                for dx in (-1, 0, 1)
+                for dy in (-1, 0, 1)
+                for one in self._cells.get((frame_id, x + dx, y + dy), ())
+                if one.id != name and one.sort is not Sort.PLACE and one.pose and one.pose.distance_m(pose) <= NEAR_M
+            )
+        return self._near_of[name]
+
+    def prepare(self) -> "World":
+        """Look up now what queries need of the whole world, so that the first one is as fast as the others."""
+        for index in ("_by_name", "_categories_below", "_inside", "_related", "_cells"):
+            getattr(self, index)
+        return self
 
     def owners(self, one: WorldObject) -> Tuple[WorldObject, ...]:
         """Return the known persons that an object belongs to."""
@@ -196,6 +268,10 @@ def category_of(one: WorldObject) -> str:
     if one.category:
         return spoken(one.category)
     return one.sort.value if one.sort in (Sort.PERSON, Sort.ROBOT, Sort.DOOR) else ""
+
+
+def _cell(pose: Pose) -> Tuple[str, int, int]:
+    return (pose.frame_id, math.floor(pose.x_m / NEAR_M), math.floor(pose.y_m / NEAR_M))
 
 
 def _holds(room: WorldObject, pose: Pose) -> bool:

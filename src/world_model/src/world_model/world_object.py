@@ -4,7 +4,8 @@ import enum
 import math
 import re
 from dataclasses import dataclass
-from typing import List, Optional, Tuple
+from functools import cached_property
+from typing import FrozenSet, List, Optional, Tuple
 
 LONGEST_TEXT = 100
 #: Entries of each list of an object.
@@ -98,6 +99,12 @@ class WorldObject:
     def places(self) -> Tuple[Relation, ...]:
         """The relations that say where it is."""
         return tuple(relation for relation in self.relations if relation.relation not in NOT_PLACES)
+
+    @cached_property
+    def properties(self) -> FrozenSet[str]:
+        """The words of its attributes, states, category and names, in lower case."""
+        texts = (*self.attributes, *self.states, self.category, *self.names)
+        return frozenset(word for text in map(str.lower, texts) for word in (text, *text.split()))
 
     def related(self, relation: str) -> Tuple[str, ...]:
         """Return the ids of the objects that it has a relation to."""
