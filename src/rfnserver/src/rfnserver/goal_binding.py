@@ -174,11 +174,11 @@ def refuse_unheeded(plan: GoalPlan, arguments: Mapping[str, TypedArgument], *, d
         ArgumentError: words would be dropped; the message is for the person who said them
     """
     heeded = [arguments[source.element] for source in plan.sources if source.element in arguments]
-    # A measure knows its unit, which may also be an element of its own.
-    units = {argument.measure.unit for argument in heeded if argument.measure is not None}
+    # A measure knows its unit, which may also be an element of its own, in the words of the person: "degrees".
+    units = {find_unit(argument.measure.unit) for argument in heeded if argument.measure is not None} - {None}
     for name in plan.unheeded:
         words = arguments[name].text if name in arguments else ""
-        if words and words != defaults.get(name, "") and words not in units:
+        if words and words != defaults.get(name, "") and find_unit(words) not in units:
             raise ArgumentError(f'I cannot heed the {name.replace("_", " ")} "{words}" when I do that.')
 
 

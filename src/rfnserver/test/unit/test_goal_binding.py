@@ -155,13 +155,16 @@ def test_words_that_would_reach_no_field_are_refused() -> None:
     refuse_unheeded(plan, {"order": typed("order", text="3")}, defaults={})
 
 
-def test_unit_of_a_measure_is_heeded() -> None:
+@pytest.mark.parametrize("said, unit", [("feet", "foot"), ("degrees", "degree"), ("m", "metre")])
+def test_unit_of_a_measure_is_heeded(said: str, unit: str) -> None:
     plan = plan_goal(FIELDS, [BoundElement("distance", is_core=True), BoundElement("unit", is_core=False)])
-    measured = typed("distance", text="3", measure=Measure("length", unit="feet", si=0.9))
-    unit = typed("unit", text="feet")
-    refuse_unheeded(plan, {"distance": measured, "unit": unit}, defaults={})
-    with pytest.raises(ArgumentError, match='the unit "feet"'):
-        refuse_unheeded(plan, {"distance": typed("distance", text="3"), "unit": unit}, defaults={})
+    measured = typed("distance", text="3", measure=Measure("length", unit=unit, si=0.9))
+    spoken = typed("unit", text=said)
+    refuse_unheeded(plan, {"distance": measured, "unit": spoken}, defaults={})
+    with pytest.raises(ArgumentError, match=f'the unit "{said}"'):
+        refuse_unheeded(plan, {"distance": typed("distance", text="3"), "unit": spoken}, defaults={})
+    with pytest.raises(ArgumentError, match='the unit "inches"'):
+        refuse_unheeded(plan, {"distance": measured, "unit": typed("unit", text="inches")}, defaults={})
 
 
 def test_elements_that_are_ignored_or_units_are_heeded() -> None:
