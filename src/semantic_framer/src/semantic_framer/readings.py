@@ -5,12 +5,12 @@ from typing import FrozenSet, Optional, Tuple, Union
 
 from semantic_framer.extra_phrases import extra_arguments
 from semantic_framer.frame_roles import NAME
-from semantic_framer.heeding import with_heeded_extras, without_unheeded
 from semantic_framer.matching import read_clause
 from semantic_framer.outcome import CAREFUL, Refusal
 from semantic_framer.reading import Reading, rank, without_duplicates
 from semantic_framer.sentence import Sentence
 from semantic_framer.things import is_indefinite
+from semantic_framer.unheeded import with_heeded_extras, without_unheeded
 from semantic_framer.verdicts import (
     CLAUSE_VERDICTS,
     DOMINATED,
