@@ -116,6 +116,10 @@ NO_SPEECH: Dict[str, Tuple[str, str]] = {
     ),
     "semantic_frames/lexical_unit_file.py": ("keys of a file", "name, relation, argument, words, required"),
     "semantic_frames/marked_yaml.py": ("values of YAML", "true, yes, false, no"),
+    "semantic_frames/server_statement.py": (
+        "keys of a statement",
+        "purpose, heeds, unheeded, occupies, settings, robot, relations, values, most, node, name, value",
+    ),
     "semantic_types/wordnet.py": (
         "endings of plurals",
         "ies, y, men, man, shes, sh, ches, ch, xes, x, zes, z, ses, s",
