@@ -140,7 +140,7 @@ NO_SPEECH: Dict[str, Tuple[str, str]] = {
     "turtlebot_follower/centroid.py": ("keys of numpy", "names, formats, offsets, itemsize"),
     "typed_arguments/relation_names.py": (
         "names of relations, not the prepositions that are said for them",
-        ", ".join(RELATIONS_OF_ARGUMENTS),
+        ", ".join(name for name in RELATIONS_OF_ARGUMENTS if "_" not in name),
     ),
     "utter/speech.py": ("what the robot can tell, a sentence for each", "time, date, day, name"),
     "utterance_passes/places_told.py": ("pronouns, a subject for each object", "him, her, them, it"),
