@@ -37,7 +37,9 @@ def world_of(count: int) -> World:
         category = CATEGORIES[number % len(CATEGORIES)]
         name = f"{category.replace(' ', '_')}_{number}"
         place = (
-            Relation("in", f"room_{number % 20}") if category in CATEGORIES[3:4] else Relation("on", "coffee_table_3")
+            Relation("in", f"room_{number % 20}")
+            if category in CATEGORIES[3:4]
+            else Relation("on", f"coffee_table_{3 + 10 * (number % 3)}")
         )
         known[name] = WorldObject(
             name,
