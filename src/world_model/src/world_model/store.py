@@ -118,10 +118,9 @@ class Store:
                 self._file.execute("UPDATE version SET number = number + 1")
                 store, number = self._file.execute("SELECT store, number FROM version").fetchone()
                 self._file.execute("COMMIT")
-            except BaseException:
+            finally:
                 if self._file.in_transaction:
                     self._file.execute("ROLLBACK")
-                raise
         except sqlite3.Error as error:
             raise StoreError(f"{self._path} cannot be written: {error}") from error
         return f"{store}-{number}"

@@ -210,18 +210,22 @@ class World:
     def at(self, relation: str, references: Iterable[WorldObject]) -> FrozenSet[str]:
         """Return the ids of the objects that have a relation of place to any of some objects, as far as is known."""
         wanted = standard_relation(relation)
+        opposite = _NEAR if wanted == _NEAR else _OPPOSITE.get(wanted, "")
         found: Set[str] = set()
         for reference in references:
-            if reference.sort is Sort.PLACE and wanted in (_IN, _ON, _NEAR):
+            is_place = reference.sort is Sort.PLACE
+            if is_place and wanted in (_IN, _ON, _NEAR):
                 found |= self._inside.get(reference.id, frozenset())
-            direct = [name for related, name in self._related.get(reference.id, ()) if related == wanted]
-            found.update(direct)
-            if wanted in (_IN, _ON, _HELD):
-                found |= self._carried_by(direct, frozenset([_ON]) if wanted == _ON else _CARRYING)
-            opposite = _NEAR if wanted == _NEAR else _OPPOSITE.get(wanted)
-            found.update(one.reference for one in reference.places if standard_relation(one.relation) == opposite)
-            if wanted == _NEAR and reference.pose is not None and reference.sort is not Sort.PLACE:
-                found |= self._near(reference.id, reference.pose)
+            related = self._related.get(reference.id, ())
+            if related:
+                direct = [name for other, name in related if other == wanted]
+                found.update(direct)
+                if wanted in (_IN, _ON, _HELD):
+                    found |= self._carried_by(direct, frozenset([_ON]) if wanted == _ON else _CARRYING)
+            if opposite:
+                found.update(one.reference for one in reference.places if standard_relation(one.relation) == opposite)
+            if wanted == _NEAR and reference.pose is not None and not is_place:
+                found |= self._near_of.get(reference.id) or self._find_near(reference.id, reference.pose)
         return frozenset(found)
 
     def _carried_by(self, names: Iterable[str], relations: FrozenSet[str]) -> Set[str]:
@@ -240,16 +244,15 @@ class World:
         """What is near each object, as far as anybody asked."""
         return {}
 
-    def _near(self, name: str, pose: Pose) -> FrozenSet[str]:
-        if name not in self._near_of:
-            frame_id, x, y = _cell(pose)
-            self._near_of[name] = frozenset(
-                one.id
-                for dx in (-1, 0, 1)
-                for dy in (-1, 0, 1)
-                for one in self._cells.get((frame_id, x + dx, y + dy), ())
-                if one.id != name and one.sort is not Sort.PLACE and one.pose and one.pose.distance_m(pose) <= NEAR_M
-            )
+    def _find_near(self, name: str, pose: Pose) -> FrozenSet[str]:
+        frame_id, x, y = _cell(pose)
+        self._near_of[name] = frozenset(
+            one.id
+            for dx in (-1, 0, 1)
+            for dy in (-1, 0, 1)
+            for one in self._cells.get((frame_id, x + dx, y + dy), ())
+            if one.id != name and one.sort is not Sort.PLACE and one.pose and one.pose.distance_m(pose) <= NEAR_M
+        )
         return self._near_of[name]
 
     def prepare(self) -> "World":

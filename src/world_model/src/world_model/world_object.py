@@ -95,7 +95,7 @@ class WorldObject:
         """Its name and its other names."""
         return ((self.name,) if self.name else ()) + self.other_names
 
-    @property
+    @cached_property
     def places(self) -> Tuple[Relation, ...]:
         """The relations that say where it is."""
         return tuple(relation for relation in self.relations if relation.relation not in NOT_PLACES)
