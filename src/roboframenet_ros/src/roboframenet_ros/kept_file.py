@@ -69,13 +69,12 @@ class KeptFile:
         self._path.parent.mkdir(mode=0o700, parents=True, exist_ok=True)
         new = self._path.with_suffix(".new")
         log = os.open(new, os.O_WRONLY | os.O_CREAT | os.O_TRUNC | os.O_APPEND, 0o600)
-        try:
+        with contextlib.ExitStack() as failing:
+            failing.callback(os.close, log)
             if os.write(log, line) < len(line):
                 raise OSError(f"the disk is full: {new}")
             os.replace(new, self._path)
-        except BaseException:
-            os.close(log)
-            raise
+            failing.pop_all()
         self._log, self._size = log, len(line)
 
 
