@@ -9,6 +9,7 @@ import rosgraph
 import rospy
 from roboframenet_msgs.msg import (
     CommandLexicalUnits,
+    CommandPlan,
     CommandSemanticFrames,
     EmptySemanticFrame,
     FileProblems,
@@ -95,6 +96,7 @@ class FrameRegistrar:
         self._file_problems = rospy.Publisher("file_problems", FileProblems, queue_size=5, latch=True)
         self._candidates = rospy.Publisher("command_semantic_frames", CommandSemanticFrames, queue_size=100)
         self._candidates_2012 = rospy.Publisher("filled_semantic_frames", FilledSemanticFrameListList, queue_size=100)
+        self._questions = rospy.Publisher("command_question", CommandPlan, queue_size=100)
         self._stage = Stage("frame_registrar")
         self._load_files()
         self._subscriber = rospy.Subscriber(
@@ -255,8 +257,19 @@ class FrameRegistrar:
             return
         plan = to_plan(message.clauses, message.command.text, outcome)
         self._stage.passes_on(message.command, describe(plan))
+        if self._is_question(message):
+            # Nobody stops what the robot does to answer a question.
+            self._questions.publish(CommandPlan(command=message.command, plan=plan))
+            return
         self._candidates_2012.publish(to_frame_lists(combinations(outcome, self._settings.max_candidates)))
         self._candidates.publish(CommandSemanticFrames(command=message.command, plan=plan))
+
+    def _is_question(self, message: CommandLexicalUnits) -> bool:
+        """Whether a command only asks something."""
+        names = {reading.lexical_unit.frame_name for clause in message.clauses for reading in clause.readings}
+        with self._lock:
+            frames = [self._graph.frame(name) for name in names]
+        return all(frame is not None and frame.is_question for frame in frames)
 
 
 def _told(errors: Sequence[str], remark: str) -> List[str]:

@@ -20,7 +20,7 @@ from semantic_frames.marked_yaml import Reader, describe, did_you_mean, line_of
 from semantic_frames.semantic_type import read_semantic_types
 from spoken_quantities import QuantityError, parse_measure, parse_number
 
-FRAME_KEYS = ("name", "description", "frame_elements", "children", "framenet", "on_list", "confirm")
+FRAME_KEYS = ("name", "description", "frame_elements", "children", "framenet", "on_list", "confirm", "is_question")
 ELEMENT_KEYS = (
     "name",
     "is_core",
@@ -67,6 +67,7 @@ def load_frame(text: str, path: str) -> SemanticFrame:
             )
         ),
         is_confirmed=reader.boolean(entries.get("confirm"), "confirm"),
+        is_question=reader.boolean(entries.get("is_question"), "is_question"),
         path=path,
         line=line_of(root),
     )
