@@ -9,7 +9,6 @@ import rosgraph
 import rospy
 from roboframenet_msgs.msg import (
     CommandLexicalUnits,
-    CommandPlan,
     CommandSemanticFrames,
     EmptySemanticFrame,
     FileProblems,
@@ -37,6 +36,7 @@ from roboframenet_msgs.srv import (
 )
 
 from frame_registrar.graph import FrameGraph
+from frame_registrar.ros_candidate_topics import CandidateTopics
 from frame_registrar.ros_liveness import LivenessWatch
 from frame_registrar.ros_messages import to_clauses, to_empty_frame, to_file_problems, to_frame_lists, to_plan
 from frame_registrar.search import Refusal, combinations, reply_outcome, search
@@ -94,9 +94,8 @@ class FrameRegistrar:
         self._id = uuid.uuid4().hex
         self._catalogue = rospy.Publisher("frame_catalogue", FrameCatalogue, queue_size=1, latch=True)
         self._file_problems = rospy.Publisher("file_problems", FileProblems, queue_size=5, latch=True)
-        self._candidates = rospy.Publisher("command_semantic_frames", CommandSemanticFrames, queue_size=100)
+        self._candidates = CandidateTopics(self._is_question)
         self._candidates_2012 = rospy.Publisher("filled_semantic_frames", FilledSemanticFrameListList, queue_size=100)
-        self._questions = rospy.Publisher("command_question", CommandPlan, queue_size=100)
         self._stage = Stage("frame_registrar")
         self._load_files()
         self._subscriber = rospy.Subscriber(
@@ -231,6 +230,12 @@ class FrameRegistrar:
                 )
             )
 
+    def _is_question(self, name: str) -> bool:
+        """Whether a frame is a question."""
+        with self._lock:
+            frame = self._graph.frame(name)
+        return frame is not None and frame.is_question
+
     def _on_command(self, message: CommandLexicalUnits) -> None:
         try:
             if message.plan.nodes:
@@ -257,19 +262,8 @@ class FrameRegistrar:
             return
         plan = to_plan(message.clauses, message.command.text, outcome)
         self._stage.passes_on(message.command, describe(plan))
-        if self._is_question(message):
-            # Nobody stops what the robot does to answer a question.
-            self._questions.publish(CommandPlan(command=message.command, plan=plan))
-            return
         self._candidates_2012.publish(to_frame_lists(combinations(outcome, self._settings.max_candidates)))
         self._candidates.publish(CommandSemanticFrames(command=message.command, plan=plan))
-
-    def _is_question(self, message: CommandLexicalUnits) -> bool:
-        """Whether a command only asks something."""
-        names = {reading.lexical_unit.frame_name for clause in message.clauses for reading in clause.readings}
-        with self._lock:
-            frames = [self._graph.frame(name) for name in names]
-        return all(frame is not None and frame.is_question for frame in frames)
 
 
 def _told(errors: Sequence[str], remark: str) -> List[str]:

@@ -2,7 +2,7 @@
 
 import re
 from functools import lru_cache
-from typing import List, Mapping, Optional, Pattern, Tuple
+from typing import List, Mapping, Optional, Pattern, Sequence, Tuple
 
 from semantic_framer.mood_file import UtteranceKind
 from semantic_framer.reading import Reading, rank
@@ -14,7 +14,6 @@ from typed_arguments import TypedArgument
 from utterance_passes.tree import Word
 from word_classes import word_class
 
-_HERE = word_class("here_and_there")
 _PADDING = word_class("question_padding")
 _PREPOSITIONS = word_class("place_prepositions") | word_class("complex_prepositions")
 #: Spellings that patterns do not have, if the word is a verb.
@@ -25,7 +24,7 @@ _OF_A_PLACE = "|".join(sorted(map(re.escape, _PREPOSITIONS), key=len, reverse=Tr
 _WORDS_OF_SLOTS: Mapping[str, str] = {
     "": ".+?",
     "word": r"\S+",
-    "place": rf"(?:(?:{_OF_A_PLACE}) .+?|{'|'.join(sorted(_HERE))})",
+    "place": rf"(?:(?:{_OF_A_PLACE}) .+?|here)",
 }
 
 
@@ -72,11 +71,13 @@ def _read(case: Case, unit: LexicalUnit, frame: SemanticFrame, question: Questio
         return None
     arguments = []
     inside: List[int] = []
-    for name in question.elements:
+    for name, kind in question.slots:
         if match.group(name) is None:
             continue
         first = len(match.string[: match.start(name)].split())
         positions = [word.index for word in words[first : first + len(match.group(name).split())]]
+        if not kind and len(_heads(case, positions)) > 1:
+            return None  # "is the door heavy to open": these words are no phrase
         inside += positions
         arguments.append(_argument(case, name, positions))
     filled = {argument.name for argument in arguments}
@@ -105,11 +106,16 @@ def _spelling(word: Word) -> str:
     return _VERBS_IN_FULL.get(form, form) if word.upos in ("AUX", "VERB") else form
 
 
+def _heads(case: Case, positions: Sequence[int]) -> List[int]:
+    """Return the words of some that depend on none of the others."""
+    return [index for index in positions if case.sentence.word(index).head not in positions]
+
+
 def _argument(case: Case, name: str, positions: List[int]) -> TypedArgument:
     """Return the argument of the words of an element, whatever the parser attached them to."""
     sentence = case.sentence
     inside = frozenset(positions)
-    heads = [index for index in positions if sentence.word(index).head not in inside]
+    heads = _heads(case, positions)
     nouns = [index for index in heads if sentence.word(index).upos in ("NOUN", "PROPN", "PRON", "NUM")]
     head = (nouns or heads)[0]
     below = sentence.subtree(head)
