@@ -63,5 +63,5 @@ class QuestionAnsweringTest(unittest.TestCase):
 if __name__ == "__main__":
     import rostest
 
-    rospy.init_node("question_answering_test")
-    rostest.rosrun("question_answering", "question_answering_test", QuestionAnsweringTest)
+    rospy.init_node("questions_test")
+    rostest.rosrun("roboframenet_tests", "questions_test", QuestionAnsweringTest)
