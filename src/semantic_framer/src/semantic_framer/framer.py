@@ -4,6 +4,7 @@ from dataclasses import dataclass, replace
 from typing import FrozenSet, Mapping, Optional, Sequence, Tuple, Union
 
 from semantic_framer.answers import answer
+from semantic_framer.change import last_command, settle_fragment
 from semantic_framer.choices import choices_of_amounts, choices_of_clauses, chosen
 from semantic_framer.dialogue import Context, is_no
 from semantic_framer.framed_lexicon import FramedLexicon
@@ -97,6 +98,7 @@ def hear(
     context: Context = Context(),
     policy: Policy = Policy(),
     now_s: float = 0.0,
+    said_s: float = 0.0,
     without: FrozenSet[str] = frozenset(),
     trace: Optional[Trace] = None,
 ) -> Heard:
@@ -108,11 +110,14 @@ def hear(
         context: what the framer remembers of earlier utterances
         policy: how careful the framer is
         now_s: time on the caller's clock, seconds; it decides when questions expire
+        said_s: stamp of the command, seconds; it decides which commands a fragment ("again") may repeat
         without: names of passes to switch off, which shows what a pass does
         trace: receives a line from every rule that changes or settles something; None for no trace
     """
-    heard = _Hearing(Now(known, policy, now_s, trace), without).hear(tree, context.at(now_s))
+    context = context.at(now_s).fresh(said_s, policy.fragment_timeout_s)
+    heard = _Hearing(Now(known, policy, now_s, trace), without).hear(tree, context)
     outcome = against_what_runs(heard.outcome, tree)
+    heard = replace(heard, context=replace(heard.context, last=last_command(outcome, heard.context.last, said_s)))
     if trace is not None:
         if not isinstance(outcome, Understood) and outcome != heard.outcome:
             is_against = outcome.code in (PROHIBITION, CORRECTION)
@@ -194,7 +199,10 @@ class _Hearing:
         return restructured(tree, self._now.known, passes=passes, without=self._without, trace=self._trace)
 
     def _read(self, sentence: Sentence, context: Context) -> Heard:
-        """Understand a sentence that is not an answer."""
+        """Understand a sentence that is not an answer: as a change of the last command, or as a command."""
+        settled = settle_fragment(sentence, context, self._now)
+        if settled is not None:
+            return Heard(*settled, sentence)
         known, policy = self._now.known, self._now.policy
         case = case_of(sentence, self._clauses(sentence), known, policy)
         if self._trace is not None:

@@ -1,0 +1,322 @@
+"""Applies a fragment to the last command: the words of the fragment fill elements, and all others stay as they were.
+
+A fragment is read behind the verb of the last command ("ten feet" as "move ten feet"), by the lexical units of its frame. A noun
+phrase without a preposition replaces what was said for an element of its type: "the office" after "go to the kitchen".
+"""
+
+import re
+from dataclasses import replace
+from typing import Dict, FrozenSet, List, Optional, Sequence, Tuple
+
+from semantic_framer.dialogue import LastCommand
+from semantic_framer.fragments import Fragment, FragmentKind
+from semantic_framer.framed_lexicon import FramedLexicon
+from semantic_framer.matching import read_clause
+from semantic_framer.reading import Reading
+from semantic_framer.sentence import Sentence
+from semantic_framer.type_fits import with_types
+from semantic_frames.frame import FrameElement, SemanticFrame
+from semantic_frames.semantic_type import with_parents
+from semantic_types import Fit
+from typed_arguments import Source, TypedArgument
+from typed_arguments.positions import with_moved_positions, without_any_position
+from utterance_passes.clauses import find_clauses
+from utterance_passes.measures import find_amounts
+from utterance_passes.tree_edits import behind_verb
+from word_classes import word_class, word_list
+
+_COMPARED = ("Sentient", "Location", "Physical_object", "Substance", "Information")
+_HEARERS = word_class("hearers")
+_PERSONS = word_class("pronouns_of_persons")
+_ONES = frozenset(["one", "ones"])
+_PAIRS = word_list("opposite_sides")
+#: The other side of each side.
+_OPPOSITES: Dict[str, str] = {
+    **dict(zip(_PAIRS[::2], _PAIRS[1::2])),
+    **dict(zip(_PAIRS[1::2], _PAIRS[::2])),
+}
+
+
+Clauses = Tuple[Tuple[Reading, ...], ...]
+
+
+def amended(fragment: Fragment, sentence: Sentence, last: LastCommand, known: FramedLexicon) -> Tuple[Clauses, ...]:
+    """Return what a fragment may mean after a command.
+
+    Args:
+        fragment: the fragment
+        sentence: its utterance
+        last: the command
+        known: lexical units and frames
+    Returns:
+        the readings of the changed command, for each of its clauses that the fragment may change; empty if the
+        fragment fits none
+    """
+    if any(one.unit.frame_name not in known.frames for readings in last.clauses for one in readings):
+        return ()
+    if fragment.kind is FragmentKind.REPEAT:
+        return (tuple(tuple(map(_unsaid, readings)) for readings in last.clauses),)
+    found: List[Tuple[int, Clauses]] = []
+    for readings in reversed(last.clauses):
+        changes = [_Amending(fragment, sentence, reading, known).changed() for reading in readings]
+        fitting = tuple(reading for reading in changes if reading is not None)
+        # The best reading was what the person meant: if it does not fit, the fragment is about something else.
+        if fitting and changes[0] is not None:
+            names = {one.name for one in readings[0].arguments}
+            added = sum(1 for one in fitting[0].arguments if one.positions and one.name not in names)
+            found.append((added, (fitting,)))
+    least = min((added for added, _ in found), default=0)
+    return tuple(clauses for added, clauses in found if added == least)
+
+
+def _unsaid(reading: Reading) -> Reading:
+    """Return a reading of an earlier utterance as one of which nothing was said in this one."""
+    return replace(
+        reading,
+        verb_positions=(),
+        arguments=tuple(_inferred(argument) for argument in reading.arguments),
+        left_over=(),
+        extra=None,
+        listed=frozenset(),
+        unread=(),
+    )
+
+
+def _inferred(argument: TypedArgument) -> TypedArgument:
+    is_default = argument.source is Source.DEFAULT
+    return replace(without_any_position(argument), source=Source.DEFAULT if is_default else Source.INFERRED)
+
+
+class _Amending:
+    """Applies a fragment to one reading of a clause."""
+
+    def __init__(self, fragment: Fragment, sentence: Sentence, reading: Reading, known: FramedLexicon) -> None:
+        self._fragment = fragment
+        self._sentence = sentence
+        self._tree = sentence.tree
+        self._reading = reading
+        self._known = known
+        self._frame: SemanticFrame = known.frames[reading.unit.frame_name]
+        heeded = known.heeded.get(self._frame.name)
+        core = {element.name for element in self._frame.frame_elements if element.is_core}
+        self._heeded: Optional[FrozenSet[str]] = None if heeded is None else heeded | core
+
+    def changed(self) -> Optional[Reading]:
+        """Return the changed reading; None if the fragment does not fit it."""
+        kind = self._fragment.kind
+        if kind is FragmentKind.MORE:
+            return _unsaid(self._reading) if self._measured() else None
+        if kind is FragmentKind.BIT:
+            return self._with_open_amount()
+        if kind is FragmentKind.OPPOSITE:
+            found = self._of_the_other_side() or self._replaced()
+        else:
+            found = self._replaced() or self._read_behind_verb()
+        if not found or any(self._heeded is not None and one.name not in self._heeded for one in found):
+            return None
+        return self._with(found)
+
+    def _with(self, found: Sequence[TypedArgument]) -> Reading:
+        new = {argument.name: argument for argument in found}
+        before = _unsaid(self._reading)
+        kept = [one for one in before.arguments if one.name not in new]
+        order = [element.name for element in self._frame.frame_elements]
+        arguments = tuple(sorted([*kept, *found], key=lambda one: order.index(one.name)))
+        units = {element.unit_element for element in self._frame.frame_elements if element.quantity}
+        said = [one.words or one.text for one in arguments if one.source is not Source.DEFAULT and one.name not in units]
+        return replace(
+            before,
+            arguments=arguments,
+            missing=tuple(element for element in before.missing if element.name not in new),
+            clause_text=" ".join([before.verb, *(words for words in said if words.lower() not in _HEARERS)]),
+        )
+
+    def _measured(self) -> List[FrameElement]:
+        """Return the elements of the frame that have an amount."""
+        filled = {argument.name for argument in self._reading.arguments}
+        return [element for element in self._frame.frame_elements if element.quantity and element.name in filled]
+
+    def _with_open_amount(self) -> Optional[Reading]:
+        """Return the reading without its amount: the person must say how much a bit is."""
+        measured = self._measured()
+        if len(measured) != 1:
+            return None
+        names = {measured[0].name, measured[0].unit_element}
+        before = _unsaid(self._reading)
+        return replace(
+            before,
+            arguments=tuple(one for one in before.arguments if one.name not in names),
+            missing=tuple(element for element in self._frame.frame_elements if element.name in names),
+        )
+
+    def _of_the_other_side(self) -> Tuple[TypedArgument, ...]:
+        """Return the only argument with a side, on the other side; nothing if there is none."""
+        found = []
+        for argument in self._reading.arguments:
+            words = re.findall(r"\w+", argument.text.lower()) + [one.word.lower() for one in argument.modifiers]
+            spoken = [word for word in dict.fromkeys(words) if word in _OPPOSITES]
+            if len(spoken) == 1 and argument.measure is None:
+                found.append((argument, spoken[0]))
+        if len(found) != 1:
+            return ()
+        argument, side = found[0]
+        other = _OPPOSITES[side]
+        turned = replace(
+            without_any_position(argument),
+            text=re.sub(rf"\b{side}\b", other, argument.text, flags=re.IGNORECASE),
+            direction=other if argument.direction else "",
+            head=other if argument.head.lower() == side else argument.head,
+            lemma=other if argument.lemma == side else argument.lemma,
+            modifiers=tuple(
+                replace(one, word=other, lemma=other, position=0) if one.word.lower() == side else one
+                for one in without_any_position(argument).modifiers
+            ),
+            words=self._tree.text_of(self._fragment.positions),
+            positions=self._fragment.positions,
+            source=Source.SAID,
+        )
+        return (turned,)
+
+    # --- noun phrases
+
+    def _replaced(self) -> Tuple[TypedArgument, ...]:
+        """Return the noun phrase of the fragment, in the place of what was said for an element; nothing if the fragment
+        is none, or fits no element or several.
+        """
+        head = self._head()
+        if not head:
+            return ()
+        word = self._tree.word(head)
+        fitting = []
+        for argument in self._reading.arguments:
+            element = self._frame.element(argument.name)
+            if element is None or not self._is_noun_phrase(argument, element):
+                continue
+            if word.form.lower() in _ONES:
+                fits = argument.text.lower() not in _PERSONS and bool(argument.head)
+            else:
+                fits = self._fits(head, argument, element)
+            if fits:
+                fitting.append((argument, element))
+        if len(fitting) > 1 and word.form.lower() in _ONES:
+            # "The red one" is what had a colour, or another property, before.
+            fitting = [(argument, element) for argument, element in fitting if argument.modifiers] or fitting
+        if len(fitting) != 1:
+            return ()
+        argument, element = fitting[0]
+        made = self._sentence.phrases.argument(argument.name, head, left_out=self._left_out())
+        if word.form.lower() in _ONES:
+            made = _of_the_same_kind(made, argument)
+        elif len(made.positions) != len(self._fragment.positions):
+            return ()
+        made = replace(made, relation=argument.relation)
+        typed = with_types([made], self._frame, self._sentence.types)
+        return typed.arguments if not typed.wrong or word.form.lower() in _ONES else ()
+
+    def _head(self) -> int:
+        """Return the head of a fragment that is one noun phrase without a preposition; 0 for others."""
+        kept = frozenset(self._fragment.positions)
+        tops = [index for index in self._fragment.positions if self._tree.word(index).head not in kept]
+        if len(tops) != 1 or self._tree.word(tops[0]).upos not in ("NOUN", "PROPN", "PRON", "NUM", "X"):
+            return 0
+        is_in_phrase = any(child.deprel == "case" for child in self._tree.children(tops[0]) if child.index in kept)
+        spoken = [index for index in self._fragment.positions if self._tree.word(index).upos != "PUNCT"]
+        is_amount = any(amount.unit or len(spoken) == len(amount.positions) for amount in find_amounts(self._tree, spoken))
+        return 0 if is_in_phrase or (is_amount and self._tree.word(tops[0]).form.lower() not in _ONES) else tops[0]
+
+    def _left_out(self) -> FrozenSet[int]:
+        return frozenset(word.index for word in self._tree.words) - frozenset(self._fragment.positions)
+
+    def _is_noun_phrase(self, argument: TypedArgument, element: FrameElement) -> bool:
+        is_word_of_unit = any(
+            relation.name == argument.name and argument.text.lower() in relation.words
+            for relation in self._reading.unit.relations
+        )
+        is_unit = any(other.unit_element == element.name for other in self._frame.frame_elements)
+        return not (
+            argument.measure is not None
+            or argument.source is Source.DEFAULT
+            or argument.direction
+            or element.quantity
+            or element.values
+            or is_word_of_unit
+            or is_unit
+            or argument.text.lower() in _HEARERS
+        )
+
+    def _fits(self, head: int, argument: TypedArgument, element: FrameElement) -> bool:
+        """Whether a noun phrase may replace an argument: it fits the element, and is of the same kind."""
+        types = self._sentence.types
+        if element.semantic_types and types.fit(head, element.semantic_types) is Fit.WRONG:
+            return False
+        before = with_parents(argument.semantic_type) if argument.semantic_type else frozenset()
+        kinds = [kind for kind in _COMPARED if kind in before]
+        if not kinds:
+            return bool(element.semantic_types) and types.fit(head, element.semantic_types) is Fit.LIKELY
+        if any(types.fit(head, (kind,)) is Fit.LIKELY for kind in kinds):
+            return True
+        is_thing = {"Physical_object", "Substance"} & set(kinds)
+        if is_thing and types.fit(head, ("Physical_object", "Substance")) is Fit.LIKELY:
+            return True
+        return not types.of(head).types
+
+    # --- other phrases
+
+    def _read_behind_verb(self) -> Tuple[TypedArgument, ...]:
+        """Return what the units of the frame make of the fragment behind their verb; nothing if words are left over."""
+        amounts = find_amounts(self._tree, list(self._fragment.positions))
+        unit = ""
+        if amounts and not any(amount.unit for amount in amounts):
+            unit = self._unit() if self._fragment.is_more else ""
+            if not unit:
+                return ()
+        verb = self._reading.verb.split()
+        tree = behind_verb(self._tree, verb, frozenset(self._fragment.positions), unit)
+        if not tree.is_connected:
+            return ()
+        sentence = Sentence(tree, self._known.types)
+        shift, count = len(verb), len(self._tree.words)
+
+        def moved(position: int) -> int:
+            return position - shift if shift < position <= shift + count else 0
+
+        for clause in find_clauses(tree, self._known)[:1]:
+            for reading in read_clause(sentence, clause, self._known):
+                if reading.unit.frame_name != self._frame.name or reading.left_over or reading.wrong_types:
+                    continue
+                said = [one for one in reading.arguments if any(position > shift for position in one.positions)]
+                if said and not reading.unread and not self._has_unlisted(sentence, reading):
+                    return tuple(with_moved_positions(one, moved) for one in said)
+        return ()
+
+    def _has_unlisted(self, sentence: Sentence, reading: Reading) -> bool:
+        """Whether an argument has more words than the unit lists for its element: "slowly and the cat"."""
+        limited = {relation.name for relation in reading.unit.relations if relation.words}
+        said = {
+            index
+            for one in reading.arguments
+            if one.name in limited and one.head_position in reading.listed
+            for index in one.positions
+        }
+        return any(sentence.is_content(index) for index in said - reading.listed)
+
+    def _unit(self) -> str:
+        """Return the unit of the amount in the last command; empty if it has none, or several."""
+        measured = self._measured()
+        value = self._reading.argument(measured[0].unit_element) if len(measured) == 1 else None
+        return value.text if value is not None else ""
+
+
+def _of_the_same_kind(argument: TypedArgument, before: TypedArgument) -> TypedArgument:
+    """Return "the red one" after "the blue mug" as the red mug."""
+    compounds = tuple(one for one in before.modifiers if one.kind == "compound")
+    noun = " ".join([*(one.word for one in compounds), before.head])
+    return replace(
+        argument,
+        text=re.sub(r"\bones?\b", noun, argument.text, count=1, flags=re.IGNORECASE),
+        head=before.head,
+        lemma=before.lemma,
+        is_plural=before.is_plural,
+        semantic_type=before.semantic_type,
+        modifiers=tuple(replace(one, position=0) for one in compounds) + argument.modifiers,
+    )
