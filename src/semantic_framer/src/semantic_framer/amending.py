@@ -8,6 +8,7 @@ import re
 from dataclasses import replace
 from typing import Dict, FrozenSet, List, Optional, Sequence, Tuple
 
+from phrase_meanings.arguments import of_same_kind, on_other_side
 from semantic_framer.dialogue import LastCommand
 from semantic_framer.fragments import Fragment, FragmentKind
 from semantic_framer.framed_lexicon import FramedLexicon
@@ -25,7 +26,8 @@ from utterance_passes.measures import find_amounts
 from utterance_passes.tree_edits import behind_verb
 from word_classes import word_class, word_list
 
-_COMPARED = ("Sentient", "Location", "Physical_object", "Substance", "Information")
+#: Types with much in common.
+_ALIKE = (("Sentient",), ("Location",), ("Physical_object", "Substance"), ("Information",))
 _HEARERS = word_class("hearers")
 _PERSONS = word_class("pronouns_of_persons")
 _ONES = frozenset(["one", "ones"])
@@ -108,8 +110,9 @@ class _Amending:
             return _unsaid(self._reading) if self._measured() else None
         if kind is FragmentKind.BIT:
             return self._with_open_amount()
-        if kind is FragmentKind.OPPOSITE:
-            found = self._of_the_other_side() or self._replaced()
+        is_one = self._tree.word(self._fragment.positions[-1]).form.lower() in _ONES
+        if kind is FragmentKind.OPPOSITE or is_one:
+            found = self._of_a_side() or self._replaced()
         else:
             found = self._replaced() or self._read_behind_verb()
         if not found or any(self._heeded is not None and one.name not in self._heeded for one in found):
@@ -149,33 +152,24 @@ class _Amending:
             missing=tuple(element for element in self._frame.frame_elements if element.name in names),
         )
 
-    def _of_the_other_side(self) -> Tuple[TypedArgument, ...]:
-        """Return the only argument with a side, on the other side; nothing if there is none."""
+    def _of_a_side(self) -> Tuple[TypedArgument, ...]:
+        """Return the only argument with a side, on the other side, or on the side that the fragment names ("the right one");
+        nothing if there is none.
+        """
+        named = [self._tree.word(index).form.lower() for index in self._fragment.positions]
+        sides = [form for form in named if form in _OPPOSITES]
         found = []
         for argument in self._reading.arguments:
             words = re.findall(r"\w+", argument.text.lower()) + [one.word.lower() for one in argument.modifiers]
             spoken = [word for word in dict.fromkeys(words) if word in _OPPOSITES]
             if len(spoken) == 1 and argument.measure is None:
                 found.append((argument, spoken[0]))
-        if len(found) != 1:
+        is_about_sides = self._fragment.kind is FragmentKind.OPPOSITE or len(sides) == 1
+        if len(found) != 1 or not is_about_sides or (sides and sides[0] not in (found[0][1], _OPPOSITES[found[0][1]])):
             return ()
         argument, side = found[0]
-        other = _OPPOSITES[side]
-        turned = replace(
-            without_any_position(argument),
-            text=re.sub(rf"\b{side}\b", other, argument.text, flags=re.IGNORECASE),
-            direction=other if argument.direction else "",
-            head=other if argument.head.lower() == side else argument.head,
-            lemma=other if argument.lemma == side else argument.lemma,
-            modifiers=tuple(
-                replace(one, word=other, lemma=other, position=0) if one.word.lower() == side else one
-                for one in without_any_position(argument).modifiers
-            ),
-            words=self._tree.text_of(self._fragment.positions),
-            positions=self._fragment.positions,
-            source=Source.SAID,
-        )
-        return (turned,)
+        other = sides[0] if sides else _OPPOSITES[side]
+        return (on_other_side(self._tree, argument, side, other, self._fragment.positions),)
 
     # --- noun phrases
 
@@ -186,40 +180,46 @@ class _Amending:
         head = self._head()
         if not head:
             return ()
-        word = self._tree.word(head)
-        fitting = []
-        for argument in self._reading.arguments:
-            element = self._frame.element(argument.name)
-            if element is None or not self._is_noun_phrase(argument, element):
-                continue
-            if word.form.lower() in _ONES:
-                fits = argument.text.lower() not in _PERSONS and bool(argument.head)
-            else:
-                fits = self._fits(head, argument, element)
-            if fits:
-                fitting.append((argument, element))
-        if len(fitting) > 1 and word.form.lower() in _ONES:
+        is_one = self._tree.word(head).form.lower() in _ONES
+        slots = [
+            (argument, element)
+            for argument in self._reading.arguments
+            for element in [self._frame.element(argument.name)]
+            if element is not None and self._is_noun_phrase(argument, element)
+        ]
+        if is_one:
             # "The red one" is what had a colour, or another property, before.
-            fitting = [(argument, element) for argument, element in fitting if argument.modifiers] or fitting
+            slots = [slot for slot in slots if slot[0].text.lower() not in _PERSONS and slot[0].head]
+            fitting = [slot for slot in slots if slot[0].modifiers] if len(slots) > 1 else slots
+        else:
+            near = [(self._nearness(head, *slot), slot) for slot in slots]
+            best = max((nearness for nearness, _ in near), default=0)
+            fitting = [slot for nearness, slot in near if nearness == best and nearness > 0]
         if len(fitting) != 1:
             return ()
         argument, element = fitting[0]
         made = self._sentence.phrases.argument(argument.name, head, left_out=self._left_out())
-        if word.form.lower() in _ONES:
-            made = _of_the_same_kind(made, argument)
+        if is_one:
+            made = of_same_kind(made, argument)
         elif len(made.positions) != len(self._fragment.positions):
             return ()
         made = replace(made, relation=argument.relation)
         typed = with_types([made], self._frame, self._sentence.types)
-        return typed.arguments if not typed.wrong or word.form.lower() in _ONES else ()
+        return typed.arguments if is_one or not typed.wrong else ()
 
     def _head(self) -> int:
-        """Return the head of a fragment that is one noun phrase without a preposition; 0 for others."""
+        """Return the head of a fragment that is one noun phrase without prepositions; 0 for others."""
         kept = frozenset(self._fragment.positions)
         tops = [index for index in self._fragment.positions if self._tree.word(index).head not in kept]
         if len(tops) != 1 or self._tree.word(tops[0]).upos not in ("NOUN", "PROPN", "PRON", "NUM", "X"):
             return 0
-        is_in_phrase = any(child.deprel == "case" for child in self._tree.children(tops[0]) if child.index in kept)
+        # "The plate to the office" and "Ben the cup" are two phrases each.
+        inside = [self._tree.word(index) for index in self._fragment.positions if index > tops[0]]
+        is_in_phrase = any(
+            word.deprel in ("case", "mark") or (word.deprel == "det" and self._tree.word(word.head).deprel != "conj")
+            for word in inside
+        )
+        is_in_phrase |= any(child.deprel == "case" for child in self._tree.children(tops[0]) if child.index in kept)
         spoken = [index for index in self._fragment.positions if self._tree.word(index).upos != "PUNCT"]
         is_amount = any(amount.unit or len(spoken) == len(amount.positions) for amount in find_amounts(self._tree, spoken))
         return 0 if is_in_phrase or (is_amount and self._tree.word(tops[0]).form.lower() not in _ONES) else tops[0]
@@ -244,21 +244,22 @@ class _Amending:
             or argument.text.lower() in _HEARERS
         )
 
-    def _fits(self, head: int, argument: TypedArgument, element: FrameElement) -> bool:
-        """Whether a noun phrase may replace an argument: it fits the element, and is of the same kind."""
+    def _nearness(self, head: int, argument: TypedArgument, element: FrameElement) -> int:
+        """Return how near a noun phrase is to what was said for an element: 3 for the same type, 2 for types that have much
+        in common, 1 if it fits the element, 0 if it cannot replace it.
+        """
         types = self._sentence.types
-        if element.semantic_types and types.fit(head, element.semantic_types) is Fit.WRONG:
-            return False
+        fit = types.fit(head, element.semantic_types) if element.semantic_types else Fit.UNKNOWN
+        if fit is Fit.WRONG:
+            return 0
+        if not types.of(head).types:
+            return 2
         before = with_parents(argument.semantic_type) if argument.semantic_type else frozenset()
-        kinds = [kind for kind in _COMPARED if kind in before]
-        if not kinds:
-            return bool(element.semantic_types) and types.fit(head, element.semantic_types) is Fit.LIKELY
-        if any(types.fit(head, (kind,)) is Fit.LIKELY for kind in kinds):
-            return True
-        is_thing = {"Physical_object", "Substance"} & set(kinds)
-        if is_thing and types.fit(head, ("Physical_object", "Substance")) is Fit.LIKELY:
-            return True
-        return not types.of(head).types
+        if argument.semantic_type and types.likeliest(head) == argument.semantic_type:
+            return 3
+        if any(types.fit(head, kinds) is Fit.LIKELY for kinds in _ALIKE if before & frozenset(kinds)):
+            return 2
+        return 1 if fit is Fit.LIKELY else 0
 
     # --- other phrases
 
@@ -286,8 +287,12 @@ class _Amending:
                     continue
                 said = [one for one in reading.arguments if any(position > shift for position in one.positions)]
                 if said and not reading.unread and not self._has_unlisted(sentence, reading):
-                    return tuple(with_moved_positions(one, moved) for one in said)
+                    return tuple(self._resolved(with_moved_positions(one, moved)) for one in said)
         return ()
+
+    def _resolved(self, argument: TypedArgument) -> TypedArgument:
+        before = self._reading.argument(argument.name)
+        return argument if before is None or argument.head.lower() not in _ONES else of_same_kind(argument, before)
 
     def _has_unlisted(self, sentence: Sentence, reading: Reading) -> bool:
         """Whether an argument has more words than the unit lists for its element: "slowly and the cat"."""
@@ -305,18 +310,3 @@ class _Amending:
         measured = self._measured()
         value = self._reading.argument(measured[0].unit_element) if len(measured) == 1 else None
         return value.text if value is not None else ""
-
-
-def _of_the_same_kind(argument: TypedArgument, before: TypedArgument) -> TypedArgument:
-    """Return "the red one" after "the blue mug" as the red mug."""
-    compounds = tuple(one for one in before.modifiers if one.kind == "compound")
-    noun = " ".join([*(one.word for one in compounds), before.head])
-    return replace(
-        argument,
-        text=re.sub(r"\bones?\b", noun, argument.text, count=1, flags=re.IGNORECASE),
-        head=before.head,
-        lemma=before.lemma,
-        is_plural=before.is_plural,
-        semantic_type=before.semantic_type,
-        modifiers=tuple(replace(one, position=0) for one in compounds) + argument.modifiers,
-    )

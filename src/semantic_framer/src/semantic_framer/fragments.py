@@ -28,7 +28,10 @@ KINDS = ("openings", "endings", "repeats", "more", "bits", "opposites")
 #: The most words of an opening or an ending.
 _LONGEST = 6
 _AGREEMENTS = word_class("agreements")
+_LEFT_AND_RIGHT = word_class("left_and_right")
 _MORE = word_class("more_words")
+#: Alone, they name nothing that was not said already.
+_NOTHING_NEW = word_class("pronouns") | word_class("place_adverbs")
 _NO_FRAGMENT = word_class("negations") | word_class("conditions") | word_class("question_words")
 
 
@@ -99,15 +102,21 @@ def fragment_of(sentence: Sentence, known: FramedLexicon) -> Optional[Fragment]:
     first, last = _core(forms)
     core = " ".join(forms[first:last])
     positions = tuple(word.index for word in said[first:last])
-    if not core or core in _AGREEMENTS:
+    # "Right" alone agrees; "now right" and "no, right" do not.
+    if not core or (core in _AGREEMENTS and last - first == len(forms)):
         return None
     kind = next((kind for kind, pattern in _WHOLE if pattern.fullmatch(core)), None)
     if kind is not None:
         return Fragment(kind, positions)
+    if core in _LEFT_AND_RIGHT:
+        # The parser takes "left" for a verb.
+        return Fragment(FragmentKind.ELEMENTS, positions)
     clauses = find_clauses(tree, known)
     if any(match_verbs(tree, clause, known) for clause in clauses) or frozenset(forms[first:last]) & _NO_FRAGMENT:
         return None
-    if tree.times or tree.quoted or kind_without_clause(tree).kind is not UtteranceKind.ANSWER:
+    if core in _NOTHING_NEW or tree.times or tree.quoted:
+        return None
+    if kind_without_clause(tree).kind is not UtteranceKind.ANSWER:
         return None
     is_more = bool(_MORE & frozenset(forms[first:last]))
     if forms[last - 1] in _MORE and last - first > 1:

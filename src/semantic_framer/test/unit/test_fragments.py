@@ -63,7 +63,7 @@ def test_a_measure_replaces_the_amount(talk: Talk) -> None:
     assert direction.source is Source.INFERRED and not direction.positions
     assert distance.source is Source.SAID and distance.positions == (1, 2)
     assert distance.si == pytest.approx(3.048)
-    assert "fragment: ten feet: -> changes elements" in talk.trace
+    assert "fragment: ten feet: changes elements" in talk.trace
 
 
 def test_a_repeat_says_nothing_new(talk: Talk) -> None:

@@ -1,12 +1,14 @@
 """Trees come of trees in one place, and what comes of an edit is a tree."""
 
 import ast
+from dataclasses import replace
 from pathlib import Path
 from typing import Iterator, List, Tuple
 
 import pytest
 
 from utterance_passes.conllu import from_short
+from utterance_passes.tree import DependencyTree
 from utterance_passes.tree_edits import NotATree, TreeEdit, behind_verb, set_aside
 
 SOURCES = Path(__file__).resolve().parents[3]
@@ -84,7 +86,10 @@ def test_the_check_itself_finds_an_edit_by_hand(tmp_path: Path) -> None:
 
 
 def test_a_fragment_stands_behind_a_verb() -> None:
-    fragment = from_short("and|CCONJ|4|cc now|ADV|4|advmod ten|NUM|4|nummod more|ADJ|0|root")
+    words = from_short("and|CCONJ|4|cc now|ADV|4|advmod ten|NUM|4|nummod more|ADJ|0|root").words
+    starts = (0, 4, 8, 12)
+    placed = (replace(word, start_character=at, end_character=at + len(word.form)) for word, at in zip(words, starts))
+    fragment = DependencyTree("and now ten more", tuple(placed))
     tree = behind_verb(fragment, ["pick", "up"], {3, 4}, "feet")
     assert tree.text == "pick up and now ten more feet"
     assert [tree.text[word.start_character : word.end_character] for word in tree.words] == tree.text.split()
