@@ -74,8 +74,4 @@ def is_right(understanding: Understanding, expected: Tuple[str, ...]) -> bool:
     found = described(understanding).lower()
     wanted = [" + ".join(map(_sorted, one.split(" + "))).lower() for one in expected]
     is_asked, is_refused = reply.outcome == "NEEDS_INFORMATION", reply.outcome == "REFUSED"
-    return (
-        found in wanted
-        or ("asks" in expected and is_asked)
-        or ("no" in expected and (is_asked or is_refused))
-    )
+    return found in wanted or ("asks" in expected and is_asked) or ("no" in expected and (is_asked or is_refused))

@@ -12,7 +12,7 @@ from offline_pipeline.knowledge import load_knowledge, pretend_servers, shipped_
 from offline_pipeline.pipeline import Pipeline
 
 #: The least number of lines of each table that are right. The others ask or refuse.
-LEAST_RIGHT: Dict[str, int] = {"fragments": 39}
+LEAST_RIGHT: Dict[str, int] = {"fragments": 59, "small_talk": 70}
 
 
 @pytest.fixture(scope="module")

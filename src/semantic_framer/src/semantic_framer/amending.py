@@ -1,7 +1,8 @@
 """Applies a fragment to the last command: the words of the fragment fill elements, and all others stay as they were.
 
-A fragment is read behind the verb of the last command ("ten feet" as "move ten feet"), by the lexical units of its frame. A noun
-phrase without a preposition replaces what was said for an element of its type: "the office" after "go to the kitchen".
+A fragment is read behind the verb of the last command ("ten feet" as "move ten feet"), by the lexical units of its
+frame. A noun phrase without a preposition replaces what was said for an element of its type: "the office" after "go to
+the kitchen".
 """
 
 import re
@@ -126,7 +127,8 @@ class _Amending:
         order = [element.name for element in self._frame.frame_elements]
         arguments = tuple(sorted([*kept, *found], key=lambda one: order.index(one.name)))
         units = {element.unit_element for element in self._frame.frame_elements if element.quantity}
-        said = [one.words or one.text for one in arguments if one.source is not Source.DEFAULT and one.name not in units]
+        spoken = [one for one in arguments if one.source is not Source.DEFAULT and one.name not in units]
+        said = [one.words or one.text for one in spoken]
         return replace(
             before,
             arguments=arguments,
@@ -153,8 +155,8 @@ class _Amending:
         )
 
     def _of_a_side(self) -> Tuple[TypedArgument, ...]:
-        """Return the only argument with a side, on the other side, or on the side that the fragment names ("the right one");
-        nothing if there is none.
+        """Return the only argument with a side, on the other side, or on the side that the fragment names ("the right
+        one"); nothing if there is none.
         """
         named = [self._tree.word(index).form.lower() for index in self._fragment.positions]
         sides = [form for form in named if form in _OPPOSITES]
@@ -197,7 +199,7 @@ class _Amending:
             fitting = [slot for nearness, slot in near if nearness == best and nearness > 0]
         if len(fitting) != 1:
             return ()
-        argument, element = fitting[0]
+        argument, _ = fitting[0]
         made = self._sentence.phrases.argument(argument.name, head, left_out=self._left_out())
         if is_one:
             made = of_same_kind(made, argument)
@@ -221,7 +223,9 @@ class _Amending:
         )
         is_in_phrase |= any(child.deprel == "case" for child in self._tree.children(tops[0]) if child.index in kept)
         spoken = [index for index in self._fragment.positions if self._tree.word(index).upos != "PUNCT"]
-        is_amount = any(amount.unit or len(spoken) == len(amount.positions) for amount in find_amounts(self._tree, spoken))
+        is_amount = any(
+            amount.unit or len(spoken) == len(amount.positions) for amount in find_amounts(self._tree, spoken)
+        )
         return 0 if is_in_phrase or (is_amount and self._tree.word(tops[0]).form.lower() not in _ONES) else tops[0]
 
     def _left_out(self) -> FrozenSet[int]:
@@ -245,8 +249,8 @@ class _Amending:
         )
 
     def _nearness(self, head: int, argument: TypedArgument, element: FrameElement) -> int:
-        """Return how near a noun phrase is to what was said for an element: 3 for the same type, 2 for types that have much
-        in common, 1 if it fits the element, 0 if it cannot replace it.
+        """Return how near a noun phrase is to what was said for an element: 3 for the same type, 2 for types that have
+        much in common, 1 if it fits the element, 0 if it cannot replace it.
         """
         types = self._sentence.types
         fit = types.fit(head, element.semantic_types) if element.semantic_types else Fit.UNKNOWN

@@ -1,7 +1,7 @@
 """Recognises fragments: utterances without a verb of their own that change or repeat the last command.
 
-"Ten feet", "to the left", "and now the red one" name elements; "again", "more", "a bit more" and "the other way" say what to
-do with the whole command. The words are in ``fragments.yaml``.
+"Ten feet", "to the left", "and now the red one" name elements; "again", "more", "a bit more" and "the other way" say
+what to do with the whole command. The words are in ``fragments.yaml``.
 """
 
 from dataclasses import dataclass

@@ -34,6 +34,7 @@ from semantic_framer.sentence_verdicts import (
     words_outside,
 )
 from semantic_framer.settling import Now, ask_which, resolve_and_confirm, without_positions
+from semantic_framer.small_talk import answer_small_talk, small_talk_of
 from semantic_framer.utterance_kind import KindVerdict
 from semantic_framer.verdicts import Case, case_of
 from semantic_frames.frame import SemanticFrame
@@ -69,12 +70,14 @@ class Heard:
         context: what to remember
         sentence: the sentence that was read; None if the person must first say what was meant
         clauses: the clauses of the sentence with their readings; empty if no clause was read
+        is_small_talk: whether it is small talk from end to end, which is against nothing that runs
     """
 
     outcome: Outcome
     context: Context
     sentence: Optional[Sentence] = None
     clauses: Tuple[ClauseReadings, ...] = ()
+    is_small_talk: bool = False
 
 
 def read(
@@ -116,7 +119,7 @@ def hear(
     """
     context = context.at(now_s).fresh(said_s, policy.fragment_timeout_s)
     heard = _Hearing(Now(known, policy, now_s, trace), without).hear(tree, context)
-    outcome = against_what_runs(heard.outcome, tree)
+    outcome = heard.outcome if heard.is_small_talk else against_what_runs(heard.outcome, tree)
     heard = replace(heard, context=replace(heard.context, last=last_command(outcome, heard.context.last, said_s)))
     if trace is not None:
         if not isinstance(outcome, Understood) and outcome != heard.outcome:
@@ -199,7 +202,12 @@ class _Hearing:
         return restructured(tree, self._now.known, passes=passes, without=self._without, trace=self._trace)
 
     def _read(self, sentence: Sentence, context: Context) -> Heard:
-        """Understand a sentence that is not an answer: as a change of the last command, or as a command."""
+        """Understand a sentence that is not an answer: small talk, a change of the last command, or a command."""
+        talk = small_talk_of(sentence.tree)
+        if talk is not None:
+            kind = KindVerdict(UtteranceKind.TALK, talk.name)
+            self._now.write("utterance_kind", sentence.tree.text, str(kind))
+            return Heard(answer_small_talk(talk), context, sentence, is_small_talk=True)
         settled = settle_fragment(sentence, context, self._now)
         if settled is not None:
             return Heard(*settled, sentence)

@@ -13,6 +13,7 @@ from semantic_framer.lexicon import Lexicon
 from semantic_frames.frame import SemanticFrame
 from stanford_parser_ros.model import Parser
 from typed_arguments import Source
+from utterance_passes.formula_file import Formula
 from utterance_passes.trace import Trace
 
 PATTERNS = [(kind, formula) for kind, formulas in shipped_fragments().items() for formula in formulas]
@@ -47,9 +48,9 @@ def talk(parser: Parser, lexicon: Lexicon, frames: Dict[str, SemanticFrame]) -> 
 
 
 @pytest.mark.parametrize("kind, formula", PATTERNS, ids=lambda value: getattr(value, "example", value))
-def test_the_example_of_a_pattern_is_its_own(kind: str, formula: object) -> None:
+def test_the_example_of_a_pattern_is_its_own(kind: str, formula: Formula) -> None:
     of_kind = [other for of, other in PATTERNS if of == kind]
-    assert [other for other in of_kind if other.pattern.fullmatch(getattr(formula, "example"))] == [formula]
+    assert [other for other in of_kind if other.pattern.fullmatch(formula.example)] == [formula]
 
 
 def test_a_measure_replaces_the_amount(talk: Talk) -> None:

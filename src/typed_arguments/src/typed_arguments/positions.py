@@ -20,9 +20,7 @@ def with_moved_positions(argument: TypedArgument, move: Move) -> TypedArgument:
         argument,
         positions=_moved(argument.positions, move),
         head_position=move(argument.head_position) if argument.head_position else 0,
-        modifiers=tuple(
-            replace(one, position=move(one.position) if one.position else 0) for one in argument.modifiers
-        ),
+        modifiers=tuple(replace(one, position=move(one.position) if one.position else 0) for one in argument.modifiers),
         possessor=None if possessor is None else with_moved_positions(possessor, move),
         complement=None if complement is None else with_moved_positions(complement, move),
         members=tuple(with_moved_positions(one, move) for one in argument.members),
