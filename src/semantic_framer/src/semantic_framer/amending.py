@@ -17,6 +17,7 @@ from semantic_framer.matching import read_clause
 from semantic_framer.reading import Reading
 from semantic_framer.sentence import Sentence
 from semantic_framer.type_fits import with_types
+from semantic_framer.unheeded import without_unheeded
 from semantic_frames.frame import FrameElement, SemanticFrame
 from semantic_frames.semantic_type import with_parents
 from semantic_types import Fit
@@ -100,9 +101,6 @@ class _Amending:
         self._reading = reading
         self._known = known
         self._frame: SemanticFrame = known.frames[reading.unit.frame_name]
-        heeded = known.heeded.get(self._frame.name)
-        core = {element.name for element in self._frame.frame_elements if element.is_core}
-        self._heeded: Optional[FrozenSet[str]] = None if heeded is None else heeded | core
 
     def changed(self) -> Optional[Reading]:
         """Return the changed reading; None if the fragment does not fit it."""
@@ -116,16 +114,18 @@ class _Amending:
             found = self._of_a_side() or self._replaced()
         else:
             found = self._replaced() or self._read_behind_verb()
-        if not found or any(self._heeded is not None and one.name not in self._heeded for one in found):
+        if not found:
             return None
-        return self._with(found)
+        changed = self._with(found)
+        _, lost = without_unheeded(self._sentence, changed, self._frame, self._known.heeded.get(self._frame.name))
+        return None if lost else changed
 
     def _with(self, found: Sequence[TypedArgument]) -> Reading:
         new = {argument.name: argument for argument in found}
         before = _unsaid(self._reading)
         kept = [one for one in before.arguments if one.name not in new]
-        order = [element.name for element in self._frame.frame_elements]
-        arguments = tuple(sorted([*kept, *found], key=lambda one: order.index(one.name)))
+        order = {element.name: place for place, element in enumerate(self._frame.frame_elements)}
+        arguments = tuple(sorted([*kept, *found], key=lambda one: order.get(one.name, len(order))))
         units = {element.unit_element for element in self._frame.frame_elements if element.quantity}
         spoken = [one for one in arguments if one.source is not Source.DEFAULT and one.name not in units]
         said = [one.words or one.text for one in spoken]
