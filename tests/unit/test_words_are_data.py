@@ -33,6 +33,7 @@ NO_SPEECH: Dict[str, Tuple[str, str]] = {
     "arbitrator/state_machine.py": ("outcomes of SMACH", "succeeded, aborted, preempted"),
     "executor/ros_driver_settings.py": ("keys of a record", "node, name, former"),
     "executor/driver_settings.py": ("keys of a record", "node, name, former"),
+    "frame_learning/corpus_mapping.py": ("keys of a file", "frames, descriptions, arguments"),
     "frame_bindings/binding_file.py": (
         "keys of a file",
         "frame, name, action, service, topic, type, fields",
