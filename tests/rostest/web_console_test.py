@@ -11,9 +11,9 @@ from xmlrpc.client import ServerProxy
 
 import rosgraph
 import rospy
-from console_browser import CHROMIUM, TELEPHONE, WINDOW, ConsoleBrowser
 from nav_msgs.msg import Odometry
 
+from console_browser import CHROMIUM, TELEPHONE, WINDOW, ConsoleBrowser
 from roboframenet_rostest import wait_for_pipeline
 from roboframenet_testing import wait_until
 
@@ -166,4 +166,4 @@ if __name__ == "__main__":
     import rostest
 
     rospy.init_node("web_console_test", disable_signals=True)
-    rostest.rosrun("web_console", "web_console_page", WebConsoleTest)
+    rostest.rosrun("roboframenet_tests", "web_console_page", WebConsoleTest)
