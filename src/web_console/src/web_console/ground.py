@@ -20,7 +20,7 @@ _STILL_M = 0.003
 _STILL_RAD = 0.004
 #: Palette of the picture: unknown, free, occupied; the page gives them the colours of its theme.
 _PALETTE = bytes((0, 0, 0, 255, 255, 255, 0, 0, 0))
-_TRANSPARENCY = bytes((0, 40, 255))
+_TRANSPARENCY = bytes((0, 24, 255))
 
 
 @dataclass(frozen=True)

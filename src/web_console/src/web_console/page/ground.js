@@ -132,6 +132,9 @@ export class Ground {
       pen.beginPath();
       pen.arc(x(one.x_m), y(one.y_m), one.kind === "place" ? 3 : 5, 0, 7);
       pen.fill();
+      pen.strokeStyle = this.colour("--card");
+      pen.lineWidth = 3;
+      pen.strokeText(one.name, x(one.x_m), y(one.y_m) - 8);
       pen.fillText(one.name, x(one.x_m), y(one.y_m) - 8);
     }
     if (this.pose && this.from !== this.pose && performance.now() - this.since < GLIDE_MS) this.soon();

@@ -126,5 +126,6 @@ document.addEventListener("keydown", (event) => {
     byId("text").focus();
   }
 });
+redraw();
 connect();
 showState();

@@ -67,7 +67,8 @@ function head(view, cancel) {
     make("p", { class: "sentence" }, `“${view.text}”`,
       view.is_cancellable && !view.reply
         ? make("button", { type: "button", class: "cancel", onclick: () => cancel(view.id) }, "Cancel") : null),
-    make("ol", { class: "strip" }, ...items),
+    // A stop takes no stage.
+    view.stages.length || !view.reply ? make("ol", { class: "strip" }, ...items) : null,
     view.reply
       ? make("p", { class: `reply ${view.reply.outcome}` }, make("b", {}, view.reply.code), " ", view.reply.sentence)
       : make("p", { class: "reply" }, newest ? newest.sentence : "Heard."),
