@@ -6,7 +6,7 @@ from web_console.views import HealthView, NodeView
 
 #: Each stage: the name of its package, a topic that only it publishes, and what it is for.
 STAGES: Tuple[Tuple[str, str, str], ...] = (
-    ("command_server", "command_text", "accepts commands, replies"),
+    ("command_server", "command_text", "accepts commands and replies"),
     ("stop_server", "stop_report", "stops the robot"),
     ("stanford_parser_ros", "command_parse", "parses sentences"),
     ("semantic_framer", "lexicon", "fills frames"),

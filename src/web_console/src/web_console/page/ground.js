@@ -132,6 +132,8 @@ export class Ground {
       pen.beginPath();
       pen.arc(x(one.x_m), y(one.y_m), one.kind === "place" ? 3 : 5, 0, 7);
       pen.fill();
+      // The goal stands on the place that it is.
+      if (one.kind === "goal") continue;
       pen.strokeStyle = this.colour("--card");
       pen.lineWidth = 3;
       pen.strokeText(one.name, x(one.x_m), y(one.y_m) - 8);
