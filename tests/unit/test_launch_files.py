@@ -50,7 +50,7 @@ def default_of(parameter: str) -> str:
     """Return the default of ``node/parameter`` in the README of the node's package."""
     package, name = parameter.split("/")
     text = (REPOSITORY / "src" / package / "README.md").read_text(encoding="utf-8")
-    found = re.search(rf"^\| `~{name}` \| \w+ \| `?(\w+)`? \|", text, re.MULTILINE)
+    found = re.search(rf"^\| `~{name}` \| \w+ \| `?([\w.]+)`? \|", text, re.MULTILINE)
     assert found, f"{package}/README.md does not list ~{name}"
     return found.group(1)
 
@@ -88,7 +88,8 @@ def test_an_unknown_robot_is_refused_with_the_known_names() -> None:
 
 
 def test_behaviour_now_equals_the_defaults_of_the_nodes() -> None:
-    assert behaviour("now") == {parameter: default_of(parameter) for parameter in behaviour("now")}
+    said = {parameter: str(value) for parameter, value in behaviour("now").items()}
+    assert said == {parameter: default_of(parameter) for parameter in said}
 
 
 def test_readme_and_files_of_the_behaviours_agree() -> None:
