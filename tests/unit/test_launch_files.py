@@ -40,7 +40,7 @@ def behaviour(name: str) -> Dict[str, str]:
     """Return the parameters that ``behaviour:=NAME`` sets, as ``node/parameter``."""
     text = (BRINGUP / "config" / "behaviours" / f"{name}.yaml").read_text(encoding="utf-8")
     return {
-        f"{node}/{parameter}": value
+        f"{node}/{parameter}": str(value)
         for node, parameters in yaml.safe_load(text).items()
         for parameter, value in parameters.items()
     }
@@ -88,13 +88,12 @@ def test_an_unknown_robot_is_refused_with_the_known_names() -> None:
 
 
 def test_behaviour_now_equals_the_defaults_of_the_nodes() -> None:
-    said = {parameter: str(value) for parameter, value in behaviour("now").items()}
-    assert said == {parameter: default_of(parameter) for parameter in said}
+    assert behaviour("now") == {parameter: default_of(parameter) for parameter in behaviour("now")}
 
 
 def test_readme_and_files_of_the_behaviours_agree() -> None:
     text = (BRINGUP / "README.md").read_text(encoding="utf-8")
-    rows = re.findall(r"^\| `(\w+/\w+)` \| (\w+) \| (\w+) \|", text, re.MULTILINE)
+    rows = re.findall(r"^\| `(\w+/\w+)` \| ([\w.]+) \| ([\w.]+) \|", text, re.MULTILINE)
     assert {parameter: value for parameter, value, _ in rows} == behaviour("now")
     assert {parameter: value for parameter, _, value in rows} == behaviour("2012")
 

@@ -1,11 +1,12 @@
-"""Settles a fragment: carries out the changed command, asks, or leaves the utterance to be read as a command."""
+"""Decides what a fragment leads to: a changed command, a question, or an utterance to be read as a command."""
 
-from dataclasses import replace
-from typing import Optional, Tuple
+from dataclasses import dataclass
+from typing import Optional
 
 from semantic_framer.amending import Clauses, amended
-from semantic_framer.dialogue import Context, LastCommand, Pending
+from semantic_framer.dialogue import Context, LastCommand
 from semantic_framer.fragments import Fragment, FragmentKind, fragment_of
+from semantic_framer.framed_lexicon import FramedLexicon
 from semantic_framer.outcome import (
     CORRECTION,
     DECLINED,
@@ -20,7 +21,6 @@ from semantic_framer.outcome import (
     join_with_or,
 )
 from semantic_framer.sentence import Sentence
-from semantic_framer.settling import Now, resolve_and_confirm
 
 #: After these refusals, a fragment still means the command before: no other command was said.
 _NO_COMMANDS = frozenset([TALK, QUESTION, REPORT, WISH, DECLINED, CORRECTION, "NO_VERB"])
@@ -43,60 +43,65 @@ def last_command(outcome: Outcome, before: Optional[LastCommand], said_s: float)
     return before if isinstance(outcome, Refusal) and outcome.code in _NO_COMMANDS else None
 
 
-def settle_fragment(sentence: Sentence, context: Context, now: Now) -> Optional[Tuple[Outcome, Context]]:
+@dataclass(frozen=True)
+class Change:
+    """What a fragment leads to.
+
+    Attributes:
+        note: says in the trace what was done
+        outcome: why nothing is done; None if the changed command is carried out
+        clauses: readings of the changed command; empty with an outcome
+        wants_yes: whether the person must first say yes
+    """
+
+    note: str
+    outcome: Optional[Outcome] = None
+    clauses: Clauses = ()
+    wants_yes: bool = False
+
+
+def change_of(sentence: Sentence, context: Context, known: FramedLexicon) -> Optional[Change]:
     """Apply a fragment to the last command.
 
     Args:
         sentence: the utterance
         context: what the framer remembers
-        now: the circumstances of the utterance
+        known: lexical units and frames
     Returns:
-        the outcome, and what to remember; None if the utterance is to be read as a command
+        the change; None if the utterance is to be read as a command
     """
-    if not now.policy.fragment_timeout_s:
-        return None
-    fragment = fragment_of(sentence, now.known)
+    fragment = fragment_of(sentence, known)
     if fragment is None:
         return None
     said = sentence.tree.text.strip(_MARKS)
     if context.last is None:
         if not fragment.needs_command:
             return None
-        now.write("fragment", said, "asked. No command was said before it.")
-        return Question("AMBIGUOUS", f'What do you mean by "{said}"? Say it in a whole sentence.'), context
+        question = Question("AMBIGUOUS", f'What do you mean by "{said}"? Say it in a whole sentence.')
+        return Change("asked. No command was said before it.", question)
     before = "; ".join(str(readings[0]) for readings in context.last.clauses)
-    found = amended(fragment, sentence, context.last, now.known)
+    found = amended(fragment, sentence, context.last, known)
     if len(found) > 1:
-        now.write("fragment", said, f"asked. Several clauses of {before} have such an element.")
-        return _which(found, context)
+        options = [f'"{clauses[0][0].clause_text}"' for clauses in found]
+        question = Question("AMBIGUOUS", f"Which do you mean: {join_with_or(options)}? Say it in a whole sentence.")
+        return Change(f"asked. Several clauses of {before} have such an element.", question)
     if not found:
         if not fragment.needs_command:
             return None
-        now.write("fragment", said, f"refused. It says nothing about {before}.")
-        return Refusal("NO_VERB", f'I do not know what "{said}" means after my last command.'), context
+        refusal = Refusal("NO_VERB", f'I do not know what "{said}" means after my last command.')
+        return Change(f"refused. It says nothing about {before}.", refusal)
     clauses = found[0]
     after = "; ".join(str(readings[0]) for readings in clauses)
-    now.write("fragment", said, f"{fragment.kind.value}: {before} -> {after}")
-    if _is_manner_of_amount(fragment, clauses, now):
-        acts = clauses[0][0].clause_text
-        now.write("confirm", acts, "asked. The amount would be done again.")
-        pending = Pending(clauses, 0, (), now.expires_s)
-        asked = Question("CONFIRM", f'Shall I do this: "{acts}"? Say yes or no.')
-        return asked, replace(context, pending=pending)
-    return resolve_and_confirm(clauses, sentence, context, now)
+    note = f"{fragment.kind.value}: {before} -> {after}"
+    return Change(note, clauses=clauses, wants_yes=_is_manner_of_amount(fragment, clauses, known))
 
 
-def _which(found: Tuple[Clauses, ...], context: Context) -> Tuple[Outcome, Context]:
-    options = [f'"{clauses[0][0].clause_text}"' for clauses in found]
-    return Question("AMBIGUOUS", f"Which do you mean: {join_with_or(options)}? Say it in a whole sentence."), context
-
-
-def _is_manner_of_amount(fragment: Fragment, clauses: Clauses, now: Now) -> bool:
+def _is_manner_of_amount(fragment: Fragment, clauses: Clauses, known: FramedLexicon) -> bool:
     """Whether a fragment says only how to do something that has an amount: "faster" after "move forward two metres"."""
     if fragment.kind is not FragmentKind.ELEMENTS:
         return False
     reading = clauses[0][0]
-    frame = now.known.frames[reading.unit.frame_name]
+    frame = known.frames[reading.unit.frame_name]
     said = {argument.name for argument in reading.arguments if argument.positions}
     core = {element.name for element in frame.frame_elements if element.is_core}
     return not said & core and any(argument.measure is not None for argument in reading.arguments)

@@ -24,7 +24,7 @@ from word_classes import word_class
 
 #: Next to this module in the source, devel and install space.
 FRAGMENTS_FILE = Path(__file__).resolve().parent / "fragments.yaml"
-KINDS = ("openings", "endings", "repeats", "more", "bits", "opposites")
+KINDS = ("openings", "endings", "whole_command", "as_much_again", "a_bit_more", "other_side")
 #: The most words of an opening or an ending.
 _LONGEST = 6
 _AGREEMENTS = word_class("agreements")
@@ -79,10 +79,10 @@ _OPENINGS, _ENDINGS = any_of(shipped_fragments()["openings"]), any_of(shipped_fr
 _WHOLE: Tuple[Tuple[FragmentKind, Pattern[str]], ...] = tuple(
     (kind, any_of(shipped_fragments()[name]))
     for kind, name in (
-        (FragmentKind.REPEAT, "repeats"),
-        (FragmentKind.MORE, "more"),
-        (FragmentKind.BIT, "bits"),
-        (FragmentKind.OPPOSITE, "opposites"),
+        (FragmentKind.REPEAT, "whole_command"),
+        (FragmentKind.MORE, "as_much_again"),
+        (FragmentKind.BIT, "a_bit_more"),
+        (FragmentKind.OPPOSITE, "other_side"),
     )
 )
 

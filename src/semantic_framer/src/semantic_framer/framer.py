@@ -4,9 +4,9 @@ from dataclasses import dataclass, replace
 from typing import FrozenSet, Mapping, Optional, Sequence, Tuple, Union
 
 from semantic_framer.answers import answer
-from semantic_framer.change import last_command, settle_fragment
+from semantic_framer.change import Change, change_of, last_command
 from semantic_framer.choices import choices_of_amounts, choices_of_clauses, chosen
-from semantic_framer.dialogue import Context, is_no
+from semantic_framer.dialogue import Context, Pending, is_no
 from semantic_framer.framed_lexicon import FramedLexicon
 from semantic_framer.lexicon import Lexicon
 from semantic_framer.mood_file import UtteranceKind
@@ -208,9 +208,10 @@ class _Hearing:
             kind = KindVerdict(UtteranceKind.TALK, talk.name)
             self._now.write("utterance_kind", sentence.tree.text, str(kind))
             return Heard(answer_small_talk(talk), context, sentence, is_small_talk=True)
-        settled = settle_fragment(sentence, context, self._now)
-        if settled is not None:
-            return Heard(*settled, sentence)
+        change = change_of(sentence, context, self._now.known) if self._now.policy.fragment_timeout_s else None
+        if change is not None:
+            self._now.write("fragment", sentence.tree.text, change.note)
+            return Heard(*self._changed(change, sentence, context), sentence)
         known, policy = self._now.known, self._now.policy
         case = case_of(sentence, self._clauses(sentence), known, policy)
         if self._trace is not None:
@@ -238,6 +239,17 @@ class _Hearing:
             ignored = " ".join(sentence.word(index).form for index in words)
             outcome = replace(outcome, warning=f"{outcome.warning or 'ignored:'} {ignored}")
         return Heard(outcome, context, sentence, clauses)
+
+    def _changed(self, change: Change, sentence: Sentence, context: Context) -> Tuple[Outcome, Context]:
+        """Carry out a changed command, or ask first."""
+        if change.outcome is not None:
+            return change.outcome, context
+        if not change.wants_yes:
+            return resolve_and_confirm(change.clauses, sentence, context, self._now)
+        act = change.clauses[0][0].clause_text
+        self._now.write("confirm", act, "asked. The amount would be done again.")
+        pending = Pending(change.clauses, 0, (), self._now.expires_s)
+        return Question("CONFIRM", f'Shall I do this: "{act}"? Say yes or no.'), replace(context, pending=pending)
 
     def _readings(self, case: Case) -> Tuple[ClauseReadings, ...]:
         """Read each clause except the clauses that only tell something."""
