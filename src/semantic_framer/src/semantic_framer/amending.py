@@ -6,14 +6,27 @@ the kitchen".
 """
 
 import re
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from typing import Dict, FrozenSet, List, Optional, Sequence, Tuple
 
 from phrase_meanings.arguments import of_same_kind, on_other_side
-from semantic_framer.dialogue import LastCommand
-from semantic_framer.fragments import Fragment, FragmentKind
+from semantic_framer.dialogue import Context, LastCommand
+from semantic_framer.fragments import Fragment, FragmentKind, fragment_of
 from semantic_framer.framed_lexicon import FramedLexicon
 from semantic_framer.matching import read_clause
+from semantic_framer.outcome import (
+    CORRECTION,
+    DECLINED,
+    QUESTION,
+    REPORT,
+    TALK,
+    WISH,
+    Outcome,
+    Question,
+    Refusal,
+    Understood,
+    join_with_or,
+)
 from semantic_framer.reading import Reading
 from semantic_framer.sentence import Sentence
 from semantic_framer.type_fits import with_types
@@ -40,8 +53,11 @@ _OPPOSITES: Dict[str, str] = {
     **dict(zip(_PAIRS[1::2], _PAIRS[::2])),
 }
 
-
 Clauses = Tuple[Tuple[Reading, ...], ...]
+#: After these refusals, a fragment still means the command before: no other command was said.
+_NO_COMMANDS = frozenset([TALK, QUESTION, REPORT, WISH, DECLINED, CORRECTION, "NO_VERB"])
+#: Replies quote an utterance without these final marks.
+_MARKS = " .!?,"
 
 
 def amended(fragment: Fragment, sentence: Sentence, last: LastCommand, known: FramedLexicon) -> Tuple[Clauses, ...]:
@@ -314,3 +330,82 @@ class _Amending:
         measured = self._measured()
         value = self._reading.argument(measured[0].unit_element) if len(measured) == 1 else None
         return value.text if value is not None else ""
+
+
+def last_command(outcome: Outcome, before: Optional[LastCommand], said_s: float) -> Optional[LastCommand]:
+    """Return the command that the next fragment may change or repeat.
+
+    A command that was refused or asked about leaves none: the fragment could mean it, and not the command before.
+
+    Args:
+        outcome: of this utterance
+        before: the last command before it
+        said_s: stamp of this utterance, seconds
+    """
+    if isinstance(outcome, Understood):
+        return LastCommand(outcome.clauses, said_s)
+    return before if isinstance(outcome, Refusal) and outcome.code in _NO_COMMANDS else None
+
+
+@dataclass(frozen=True)
+class Change:
+    """What a fragment leads to.
+
+    Attributes:
+        note: says in the trace what was done
+        outcome: why nothing is done; None if the changed command is carried out
+        clauses: readings of the changed command; empty with an outcome
+        wants_yes: whether the person must first say yes
+    """
+
+    note: str
+    outcome: Optional[Outcome] = None
+    clauses: Clauses = ()
+    wants_yes: bool = False
+
+
+def change_of(sentence: Sentence, context: Context, known: FramedLexicon) -> Optional[Change]:
+    """Apply a fragment to the last command.
+
+    Args:
+        sentence: the utterance
+        context: what the framer remembers
+        known: lexical units and frames
+    Returns:
+        the change; None if the utterance is to be read as a command
+    """
+    fragment = fragment_of(sentence, known)
+    if fragment is None:
+        return None
+    said = sentence.tree.text.strip(_MARKS)
+    if context.last is None:
+        if not fragment.needs_command:
+            return None
+        question = Question("AMBIGUOUS", f'What do you mean by "{said}"? Say it in a whole sentence.')
+        return Change("asked. No command was said before it.", question)
+    before = "; ".join(str(readings[0]) for readings in context.last.clauses)
+    found = amended(fragment, sentence, context.last, known)
+    if len(found) > 1:
+        options = [f'"{clauses[0][0].clause_text}"' for clauses in found]
+        question = Question("AMBIGUOUS", f"Which do you mean: {join_with_or(options)}? Say it in a whole sentence.")
+        return Change(f"asked. Several clauses of {before} have such an element.", question)
+    if not found:
+        if not fragment.needs_command:
+            return None
+        refusal = Refusal("NO_VERB", f'I do not know what "{said}" means after my last command.')
+        return Change(f"refused. It says nothing about {before}.", refusal)
+    clauses = found[0]
+    after = "; ".join(str(readings[0]) for readings in clauses)
+    note = f"{fragment.kind.value}: {before} -> {after}"
+    return Change(note, clauses=clauses, wants_yes=_is_manner_of_amount(fragment, clauses, known))
+
+
+def _is_manner_of_amount(fragment: Fragment, clauses: Clauses, known: FramedLexicon) -> bool:
+    """Whether a fragment says only how to do something that has an amount: "faster" after "move forward two metres"."""
+    if fragment.kind is not FragmentKind.ELEMENTS:
+        return False
+    reading = clauses[0][0]
+    frame = known.frames[reading.unit.frame_name]
+    said = {argument.name for argument in reading.arguments if argument.positions}
+    core = {element.name for element in frame.frame_elements if element.is_core}
+    return not said & core and any(argument.measure is not None for argument in reading.arguments)

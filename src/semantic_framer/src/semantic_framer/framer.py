@@ -3,8 +3,8 @@
 from dataclasses import dataclass, replace
 from typing import FrozenSet, Mapping, Optional, Sequence, Tuple, Union
 
+from semantic_framer.amending import Change, change_of, last_command
 from semantic_framer.answers import answer
-from semantic_framer.change import Change, change_of, last_command
 from semantic_framer.choices import choices_of_amounts, choices_of_clauses, chosen
 from semantic_framer.dialogue import Context, Pending, is_no
 from semantic_framer.framed_lexicon import FramedLexicon
