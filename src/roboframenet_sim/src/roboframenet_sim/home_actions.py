@@ -217,7 +217,7 @@ def check_put(scene: Scene, action: Action) -> Optional[Failure]:
         return Failure("wrong_kind", f"I cannot put anything {action.relation} {goal.the_name}.", action.goal)
     if scene.floor.is_hidden_in(scene.state, goal.id, action.relation):
         return Failure("closed", f"{goal.the_name.capitalize()} is closed.", goal.id)
-    if goal.kind == "door" or goal.kind == "person" and action.relation in ("on", "in"):
+    if goal.kind == "door" or (goal.kind == "person" and action.relation in ("on", "in")):
         return Failure("wrong_kind", f"I cannot put anything {action.relation} {goal.the_name}.", action.goal)
     area_m2 = (goal.x_m[1] - goal.x_m[0]) * (goal.y_m[1] - goal.y_m[0])
     if len(scene.state.at(action.goal, action.relation)) >= max(_LEAST_THINGS, area_m2 * _THINGS_PER_M2):
