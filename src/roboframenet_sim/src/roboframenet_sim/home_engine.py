@@ -9,11 +9,13 @@ from roboframenet_sim.base import STANDING, DifferentialBase, Pose, Velocity
 from roboframenet_sim.home_actions import Action, Failure, Scene
 from roboframenet_sim.home_floor import Closed, Floor
 from roboframenet_sim.home_people import People
-from roboframenet_sim.home_rules import RULES, durations_s
+from roboframenet_sim.home_rules import RULES, check_push, durations_s, effect_push
 from roboframenet_sim.home_state import NO_FAULTS, ROBOT, Faults, Place, Plan, Point, State
 from roboframenet_sim.path_following import PathFollower, wrap
 from roboframenet_sim.planner import NoPath
 
+#: Actions that drive the base: to a goal, with a heavy thing to a goal, or on the spot until it faces a goal.
+DRIVING = ("go", "tow", "face")
 #: From so far people hear what is said, in the room and through open doors.
 EARSHOT_M = 7.0
 #: A door that is blocked is free again after this time.
@@ -116,7 +118,7 @@ class Home:
         Returns:
             why it cannot be done; None when it has begun. Its end is one of :meth:`outcomes`
         """
-        if action.kind == "go":
+        if action.kind in DRIVING:
             return self._begin_driving(action)
         rule = RULES.get(action.kind)
         if rule is None:
@@ -133,7 +135,7 @@ class Home:
 
     def preempt(self, kind: str = "") -> None:
         """End the action of a kind, or all. What had its effect keeps it; the rest leaves no trace."""
-        if self._driving is not None and kind in ("", "go"):
+        if self._driving is not None and kind in ("", self._driving.action.kind):
             self._end(self._driving.action, is_preempted=True)
             self._driving = None
             self.base.command(STANDING)
@@ -175,6 +177,11 @@ class Home:
             one for one in listeners if one != who and self._is_heard(mouth, self.plan.position(self._state, one))
         )
         self._state = self._state.with_event("said", who, text, heard)
+        if who == ROBOT:
+            for person in heard:
+                self._state, reply = self._people.hear(self._state, person, text)
+                if reply:
+                    self.say(person, reply)
         return heard
 
     def _is_heard(self, mouth: Point, ear: Point) -> bool:
@@ -230,6 +237,11 @@ class Home:
             if is_off:
                 changes["is_docked"] = False
             self._state = self._state.with_robot(**changes)
+            if self._driving is not None and self._driving.action.kind == "tow":
+                point = self.plan.position(self._state, ROBOT)
+                room = self.plan.room_at(point)
+                if room:
+                    self._state = self._state.with_place(self._driving.action.theme, Place("on", room, *point))
         for kind in list(self._running):
             self._advance(kind, self._running[kind], duration_s)
         if self._state.robot.is_docked and self._state.robot.battery < 1.0:
@@ -275,6 +287,13 @@ class Home:
         if target and target not in self.plan.entities:
             return Failure("unknown", f"There is no {target}.")
         start = self.plan.position(self._state, ROBOT)
+        if action.kind == "tow":
+            failure = check_push(self.scene, replace(action, goal=""))
+            if failure is not None:
+                return failure
+        if action.kind == "face":
+            self._driving = _Driving(action, [start], self._heading(target, start, [start]))
+            return None
         try:
             reach_m = self.plan.robot.reach_m - _SPARE_M if math.isnan(action.amount) else action.amount
             if target:
@@ -342,6 +361,10 @@ class Home:
 
     def _finish_driving(self, driving: _Driving, failure: Optional[Failure]) -> None:
         self._driving = None
+        if driving.action.kind == "tow" and failure is None:
+            failure = check_push(self.scene, driving.action)
+            if failure is None:
+                self._state = effect_push(self.scene, driving.action)
         self._end(driving.action, failure)
 
     def _unblock(self) -> None:

@@ -91,6 +91,22 @@ def _crosses(begin: Point, end: Point, walls: "NDArray[np.float64]") -> bool:
     return bool(np.any((np.abs(cross) > 1e-12) & (along > 1e-6) & (along < 1 - 1e-6) & (on_wall >= 0) & (on_wall <= 1)))
 
 
+def _parts_of(grid: OccupancyGrid) -> "NDArray[np.int64]":
+    """Return the number of the connected part of each free cell; 0 for taken cells."""
+    parts = np.zeros(grid.is_taken.shape, dtype=np.int64)
+    for row, column in zip(*np.nonzero(~grid.is_taken)):
+        if parts[row, column]:
+            continue
+        number = int(parts.max()) + 1
+        todo = [(int(row), int(column))]
+        while todo:
+            cell = todo.pop()
+            if grid.is_cell_free(cell) and not parts[cell]:
+                parts[cell] = number
+                todo += [(cell[0] + down, cell[1] + right) for down, right in ((1, 0), (-1, 0), (0, 1), (0, -1))]
+    return parts
+
+
 class Floor:
     """The geometry of a plan, with what is worked out of it once.
 
@@ -106,7 +122,7 @@ class Floor:
         self._walls = walls_of(plan)
         self._grids: Dict[Tuple[FrozenSet[str], float], OccupancyGrid] = {}
         self._sights: Dict[FrozenSet[str], NDArray[np.float64]] = {}
-        self._connected: Dict[float, NDArray[np.bool_]] = {}
+        self._parts: Dict[Tuple[FrozenSet[str], float], NDArray[np.int64]] = {}
         self._doors = tuple(door for door in plan.of_kind("door") if "open" not in door.traits)
         self._tall = {
             entity.id: np.array(
@@ -210,10 +226,13 @@ class Floor:
         x = grid.origin_x_m + (columns + 0.5) * grid.resolution_m
         y = grid.origin_y_m + (rows + 0.5) * grid.resolution_m
         begin = start or self._plan.position(state, ROBOT)
+        can_get_there = self._is_connected(frozenset(), begin, is_person=is_person)[rows, columns]
+        is_on_this_side = self._is_connected(closed, begin, is_person=is_person)[rows, columns]
         if entity is not None and entity.kind == "room":
             centre = entity.centre
-            inside = self._is_connected(begin, is_person=is_person)[rows, columns]
-            inside &= (x > entity.x_m[0]) & (x < entity.x_m[1]) & (y > entity.y_m[0]) & (y < entity.y_m[1])
+            inside = (
+                can_get_there & (x > entity.x_m[0]) & (x < entity.x_m[1]) & (y > entity.y_m[0]) & (y < entity.y_m[1])
+            )
             return self._best(x[inside], y[inside], np.hypot(x[inside] - centre[0], y[inside] - centre[1]), entity)
         if entity is not None and entity.kind in ("furniture", "door"):
             low_x, high_x = sorted(entity.x_m)
@@ -224,19 +243,17 @@ class Floor:
         else:
             point = self._plan.position(state, target)
             away = np.hypot(x - point[0], y - point[1])
-        near = (away <= reach_m) & self._is_connected(begin, is_person=is_person)[rows, columns]
+        near = (away <= reach_m) & can_get_there
         if entity is not None and entity.kind == "door":
             # The leaf needs room to swing, and the robot room to turn.
             near &= away >= min(0.5, reach_m / 2.0)
         elif target == ROBOT or target in state.people:
             near &= away >= min(0.6, reach_m / 2.0)
-        x, y, away = x[near], y[near], away[near]
-        cost = np.round(away, 1) + 0.05 * np.hypot(x - begin[0], y - begin[1])
-        if entity is not None and entity.kind == "door":
-            cost = np.hypot(x - begin[0], y - begin[1])
-            room = self._plan.room_at(begin)
-            if room in entity.rooms:
-                cost = cost + 100.0 * np.array([self._plan.room_at((a, b)) != room for a, b in zip(x, y)])
+        x, y, away, is_on_this_side = x[near], y[near], away[near], is_on_this_side[near]
+        here_m = np.hypot(x - begin[0], y - begin[1])
+        is_door = entity is not None and entity.kind == "door"
+        # A way without a closed door is preferred, and the near side of a door.
+        cost = (here_m if is_door else np.round(away, 1) + 0.05 * here_m) + 100.0 * ~is_on_this_side
         order = np.argsort(cost, kind="stable")
         for index in order[:400]:
             point = (float(x[index]), float(y[index]))
@@ -245,23 +262,21 @@ class Floor:
         name = entity.the_name if entity else "it"
         raise NoPath(f"there is no free place beside {name}")
 
-    def _is_connected(self, start: Point, *, is_person: bool) -> "NDArray[np.bool_]":
-        """Return the cells to which a way leads when all doors are open."""
+    def _is_connected(self, closed: FrozenSet[str], start: Point, *, is_person: bool) -> "NDArray[np.bool_]":
+        """Return the cells to which a way leads when these doors are closed."""
         radius_m = PERSON_RADIUS_M if is_person else self._plan.robot.radius_m
-        if radius_m not in self._connected:
-            grid = self.grid(frozenset(), radius_m)
-            try:
-                todo = [nearest_free_cell(grid, near=grid.cell_of(*start), reach_m=ESCAPE_M)]
-            except NoPath:
-                return np.asarray(~grid.is_taken)
-            found = np.zeros_like(grid.is_taken)
-            while todo:
-                row, column = todo.pop()
-                if grid.is_cell_free((row, column)) and not found[row, column]:
-                    found[row, column] = True
-                    todo += [(row + 1, column), (row - 1, column), (row, column + 1), (row, column - 1)]
-            self._connected[radius_m] = found
-        return self._connected[radius_m]
+        grid = self.grid(closed, radius_m)
+        key = (closed, radius_m)
+        if key not in self._parts:
+            if len(self._parts) >= _MOST_GRIDS:
+                self._parts.pop(next(iter(self._parts)))
+            self._parts[key] = _parts_of(grid)
+        try:
+            cell = nearest_free_cell(grid, near=grid.cell_of(*start), reach_m=ESCAPE_M)
+        except NoPath:
+            return np.asarray(~grid.is_taken)
+        parts = self._parts[key]
+        return np.asarray(parts == parts[cell])
 
     @staticmethod
     def _best(x: "NDArray[np.float64]", y: "NDArray[np.float64]", cost: "NDArray[np.float64]", entity: Entity) -> Point:

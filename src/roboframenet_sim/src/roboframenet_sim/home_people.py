@@ -8,7 +8,7 @@ from typing import Dict, List, Tuple, Union
 from roboframenet_sim.base import Pose
 from roboframenet_sim.home_actions import Failure
 from roboframenet_sim.home_floor import Floor
-from roboframenet_sim.home_state import Place, Plan, Point, State
+from roboframenet_sim.home_state import ROBOT, Place, Plan, Point, State
 from roboframenet_sim.planner import NoPath
 
 WALK_M_PER_S = 0.9
@@ -20,6 +20,12 @@ REACH_M = 1.2
 _DOOR_M = 0.6
 #: Whoever follows looks for a new way so often, seconds.
 _NEW_WAY_S = 1.0
+#: What persons do when the robot asks for it, and by which words they know.
+_REQUESTS = (
+    ("follow", ("follow me", "come with me")),
+    ("stand", ("we are there", "wait", "stop", "stand", "stay")),
+    ("sit", ("sit", "take a seat")),
+)
 
 
 @dataclass
@@ -72,6 +78,27 @@ class People:
         if order == "put":
             return self._put(state, person, name, target)
         return Failure("unknown", f"{name} cannot {order}.")
+
+    def hear(self, state: State, person: str, text: str) -> Tuple[State, str]:
+        """A person hears what the robot says, and does or answers it when it names the person.
+
+        Returns:
+            the state, and the answer; empty for none
+        """
+        words = text.lower()
+        name = self._plan.entities[person].name
+        if name.lower() not in words:
+            return state, ""
+        for order, signs in _REQUESTS:
+            if any(sign in words for sign in signs):
+                changed = self.order(state, person, order, ROBOT if order == "follow" else "")
+                return (state, "") if isinstance(changed, Failure) else (changed, "")
+        if text.endswith("?"):
+            for (who, about), answer in self._plan.answers.items():
+                if who == person and about in words:
+                    return state, answer
+            return state, "I do not know"
+        return state, ""
 
     def _take(self, state: State, person: str, name: str, thing: str) -> Union[State, Failure]:
         place = state.places.get(thing)
