@@ -163,7 +163,7 @@ def _our_frame(
     wanted = {element.name for element in annotated.elements}
     best: Optional[Tuple[Tuple[int, int, bool, str], SemanticFrame]] = None
     for frame in frames.values():
-        if mapping.frame_name(frame) != annotated.name or frame.name in mapping.not_learned:
+        if mapping.frame_name(frame) != annotated.name:
             continue
         names = _our_elements(frame, mapping)
         if not all(_may_be(frame, names.get(element.name), command, element) for element in annotated.elements):

@@ -29,7 +29,6 @@ class CorpusMapping:
             the door is the head of "the front of the door"
         is_head_span: whether a span of the corpus ends with its head ("the mug" of "the mug on the table")
         has_descriptions: whether relative clauses are annotated ("the tv that is on the table" is located)
-        not_learned: our frames that no sentence of the corpus is taken for when units are learned from it
         arguments: how the corpus writes arguments; None if it is not scored in its own convention
     """
 
@@ -39,7 +38,6 @@ class CorpusMapping:
     transparent_nouns: FrozenSet[str] = frozenset()
     is_head_span: bool = False
     has_descriptions: bool = True
-    not_learned: FrozenSet[str] = frozenset()
     arguments: Optional[ArgumentConvention] = None
 
     def frame_name(self, frame: SemanticFrame) -> str:
@@ -77,7 +75,6 @@ def load_mapping(path: str) -> CorpusMapping:
             "transparent_nouns",
             "head_spans",
             "descriptions",
-            "not_learned",
             "arguments",
         ),
     )
@@ -92,7 +89,6 @@ def load_mapping(path: str) -> CorpusMapping:
         transparent_nouns=frozenset(reader.texts(entries.get("transparent_nouns"), "transparent_nouns")),
         is_head_span=reader.boolean(entries.get("head_spans"), "head_spans"),
         has_descriptions=reader.boolean(entries.get("descriptions"), "descriptions", default=True),
-        not_learned=frozenset(reader.texts(entries.get("not_learned"), "not_learned")),
         arguments=read_convention(reader, entries.get("arguments"), "arguments"),
     )
     reader.refuse_if_wrong()

@@ -22,7 +22,7 @@ def only_frame(outcome: Any) -> str:
         ("turn north", "turning_to_direction(direction=north)"),
         ("turn fifty degrees south west", "turning_to_direction(direction=south west, angle=50, angle_unit=degrees)"),
         ("walk north three metres", "moving_in_direction(direction=north, distance=3, distance_unit=metres)"),
-        ("drive two yards to the left", "moving_in_direction(direction=left, distance=2, distance_unit=yards)"),
+        ("drive two yards to the east", "moving_in_direction(direction=east, distance=2, distance_unit=yards)"),
         ("go to the north door", "navigating_to_location(goal=the north door)"),
         # A side of the hearer behind a place says which place is meant.
         ("go through the gate on the left", "moving_along_path(path=the gate on the left)"),
