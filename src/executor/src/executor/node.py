@@ -13,7 +13,7 @@ import rospy
 from roboframenet_msgs.msg import Command, CommandPlan, StopReport
 
 import smach
-from arbitrator.plan import Plan
+from arbitrator.plan import Condition, Plan, walk
 from arbitrator.ros_messages import plan_from_message
 from executor import command_queue
 from executor.command_queue import CommandKey, CommandQueue, Order, Preempt, Start, Step, Supersede
@@ -190,6 +190,9 @@ class ExecutorNode:
     def _hear_plan(self, message: CommandPlan) -> None:
         try:
             plan = plan_from_message(message.plan)
+            watched = next((part.label for part in walk(plan) if isinstance(part, Condition)), None)
+            if watched is not None:
+                raise ValueError(f'nobody watches whether "{watched}"')
         except ValueError as error:
             self._end(message.command, ending_of_malformed(str(error)))
             return
@@ -202,7 +205,8 @@ class ExecutorNode:
             return
         order, cause = self._commands.running, self._commands.cause
         self._run = None
-        ending = ending_of_run(ended.result.outcome, ended.result.clauses, cause=cause, error=ended.result.error)
+        result = ended.result
+        ending = ending_of_run(result.outcome, order.job.plan, result.records, cause=cause, error=result.error)
         self._end(order.job.command, ending)
         self._follow(command_queue.finish(self._commands))
 

@@ -2,7 +2,6 @@
 
 import contextlib
 import queue
-import threading
 import time
 from dataclasses import dataclass
 from typing import Callable, Optional
@@ -12,7 +11,8 @@ import rospy
 from roboframenet_msgs.msg import FilledSemanticFrameGoal
 
 import smach
-from arbitrator.state_machine import OUTCOMES
+from arbitrator.node_runs import OUTCOMES
+from arbitrator.scopes import Scope
 from executor import goal_tracking as tracking
 from executor.driver_settings import SettingsError
 from executor.goal_tracking import Goal, GoalDeadlines, Outcome
@@ -26,7 +26,7 @@ from roboframenet_ros.suspension import SuspensionWatch
 from typed_arguments import FilledFrame, to_goal_text
 from typed_arguments.ros_messages import frame_to_message
 
-# A preemption is noticed within this time.
+# The limits of the plan are looked at within this time.
 _LONGEST_WAIT_S = 0.1
 # After a suspension, messages that arrived meanwhile are read within this time.
 _WAKE_S = 0.5
@@ -49,19 +49,17 @@ class StepContext:
         settings: what the servers need of other nodes
         running_goals: what must be cancelled if this process is killed
         deadlines: of each goal
-        is_preempt_asked: set when the run must end
         quarantine: servers that are out of use
         patience: how long the command may go on
         suspension: whether this process has just been resumed
         on_begin: called with the frame of each step that starts
-        on_end: called with the frame, the number of the clause, and the goal that has ended
+        on_end: called with the frame, the number of its node in the plan, and the goal that has ended
     """
 
     clients: ActionClients
     settings: DriverSettings
     running_goals: RunningGoals
     deadlines: GoalDeadlines
-    is_preempt_asked: threading.Event
     quarantine: Quarantine
     patience: Patience
     suspension: SuspensionWatch
@@ -87,16 +85,28 @@ class _Death:
     """The process of the server has ended."""
 
 
+class _Cancel:
+    """The step is to end."""
+
+
 class ActionStep(smach.State):
     """Sends the frame as a goal and follows it to its end.
 
     Callbacks only enqueue; the thread that executes the state owns everything else and waits with deadlines.
     """
 
-    def __init__(self, frame: FilledFrame, clause: int, context: StepContext) -> None:
+    def __init__(self, frame: FilledFrame, number: int, scope: Scope, context: StepContext) -> None:
+        """
+        Args:
+            frame: the goal
+            number: of the clause in the plan
+            scope: the goal is cancelled with it
+            context: of the run
+        """
         super().__init__(outcomes=list(OUTCOMES))
         self._frame = frame
-        self._clause = clause
+        self._number = number
+        self._scope = scope
         self._context = context
 
     def execute(self, userdata: smach.UserData) -> str:
@@ -105,7 +115,7 @@ class ActionStep(smach.State):
         began_s = time.monotonic()
         goal = self._carry_out()
         self._context.patience.spend(goal, time.monotonic() - began_s)
-        self._context.on_end(self._frame, self._clause, goal)
+        self._context.on_end(self._frame, self._number, goal)
         outcome = SMACH_OUTCOME_OF[goal.outcome]
         if outcome == "preempted" and self.preempt_requested():
             self.service_preempt()
@@ -113,12 +123,17 @@ class ActionStep(smach.State):
 
     @property
     def _is_to_end(self) -> bool:
-        return self._context.is_preempt_asked.is_set() or self.preempt_requested()
+        self._scope.tick()
+        return self._scope.is_cancelled
+
+    def _pause(self, duration_s: float) -> None:
+        """Wait, unless the step is to end."""
+        self._scope.wait(self._number, lambda: False, time.monotonic() + duration_s)
 
     def _read_news(self) -> bool:
         """After a suspension, wait for messages that arrived meanwhile; returns whether the command was closed."""
         if self._context.suspension.is_just_awake(within_s=_WAKE_S):
-            self._context.is_preempt_asked.wait(_WAKE_S)
+            self._pause(_WAKE_S)
         return self._is_to_end
 
     def _carry_out(self) -> Goal:
@@ -138,6 +153,13 @@ class ActionStep(smach.State):
             return tracking.fail_unsent(
                 server, deadlines, "cannot be reached: the master does not answer", now_s=began_s
             )
+        try:
+            return self._carry_out_over(connection, began_s)
+        finally:
+            self._context.clients.release(server)
+
+    def _carry_out_over(self, connection: ActionConnection, began_s: float) -> Goal:
+        server, deadlines = self._frame.server, self._context.deadlines
         while not connection.is_ready():
             if self._is_to_end:
                 return tracking.preempt_unsent(server, deadlines, now_s=time.monotonic())
@@ -148,7 +170,7 @@ class ActionStep(smach.State):
                     f"is not running: no answer within {deadlines.acceptance_s:g} s",
                     now_s=time.monotonic(),
                 )
-            self._context.is_preempt_asked.wait(0.01)
+            self._pause(0.01)
         owner = f"{self._frame.name} by {server}"
         try:
             self._context.settings.apply(server, owner=owner)
@@ -167,12 +189,16 @@ class ActionStep(smach.State):
         def on_sign() -> None:
             inbox.put(_Sign())
 
+        def on_cancel() -> None:
+            inbox.put(_Cancel())
+
         connection.listen(on_sign)
+        self._scope.listen(on_cancel)
         try:
             return self._follow(connection, inbox, on_sign)
         finally:
             connection.unlisten(on_sign)
-            self._context.running_goals.clear()
+            self._scope.unlisten(on_cancel)
 
     def _follow(self, connection: ActionConnection, inbox: "queue.Queue[object]", on_sign: Callable[[], None]) -> Goal:
         if self._read_news():
@@ -186,6 +212,14 @@ class ActionStep(smach.State):
             on_feedback=lambda _: on_sign(),
         )
         self._context.running_goals.note(self._frame.server, sent.goal_id)
+        try:
+            return self._follow_sent(connection, sent, goal, inbox)
+        finally:
+            self._context.running_goals.forget(sent.goal_id)
+
+    def _follow_sent(
+        self, connection: ActionConnection, sent: SentGoal, goal: Goal, inbox: "queue.Queue[object]"
+    ) -> Goal:
         uri = ""
         while True:
             # A process that has ended takes its address along, and one that has just started may connect twice.
@@ -244,6 +278,8 @@ def _apply(goal: Goal, heard: object) -> Goal:
     now_s = time.monotonic()
     if isinstance(heard, _Death):
         return tracking.hear_death(goal, now_s=now_s)
+    if isinstance(heard, _Cancel):
+        return goal
     if not isinstance(heard, _Transition):
         return tracking.hear_sign(goal, now_s=now_s)
     if heard.is_done:

@@ -41,6 +41,7 @@ class ActionConnection:
         self.server = server
         self._client = actionlib.ActionClient(server, action_type)
         self._listeners: List[Callable[[], None]] = []
+        self._sending = threading.Lock()
         self._status = rospy.Subscriber(
             rospy.remap_name(server) + "/status", GoalStatusArray, self._tell_listeners, queue_size=10
         )
@@ -92,11 +93,13 @@ class ActionConnection:
 
     def listen(self, on_sign: Callable[[], None]) -> None:
         """Call `on_sign` for each status message from now on."""
-        self._listeners = self._listeners + [on_sign]
+        with self._sending:
+            self._listeners = self._listeners + [on_sign]
 
     def unlisten(self, on_sign: Callable[[], None]) -> None:
         """End `listen`."""
-        self._listeners = [listener for listener in self._listeners if listener is not on_sign]
+        with self._sending:
+            self._listeners = [listener for listener in self._listeners if listener is not on_sign]
 
     def _tell_listeners(self, _: GoalStatusArray) -> None:
         for listener in self._listeners:
@@ -123,10 +126,11 @@ class ActionConnection:
             on_feedback: called with each feedback
         """
         # actionlib makes the message around the goal anew for each goal, and this function publishes it.
-        self._client.manager.register_send_goal_fn(lambda message: self._publish(message, header_text))
-        handle = self._client.send_goal(
-            goal, transition_cb=on_transition, feedback_cb=lambda _handle, feedback: on_feedback(feedback)
-        )
+        with self._sending:
+            self._client.manager.register_send_goal_fn(lambda message: self._publish(message, header_text))
+            handle = self._client.send_goal(
+                goal, transition_cb=on_transition, feedback_cb=lambda _handle, feedback: on_feedback(feedback)
+            )
         return SentGoal(handle, handle.comm_state_machine.action_goal.goal_id.id)
 
     def _publish(self, message: Any, header_text: str) -> None:
