@@ -9,6 +9,7 @@ import pytest
 from word_lists import WordList, word_lists
 
 from semantic_frames.relation_names import STANFORD, UNIVERSAL
+from typed_arguments.relation_names import RELATIONS as RELATIONS_OF_ARGUMENTS
 from word_classes import word_classes
 
 SOURCES = Path(__file__).resolve().parents[2] / "src"
@@ -33,6 +34,7 @@ NO_SPEECH: Dict[str, Tuple[str, str]] = {
     "arbitrator/state_machine.py": ("outcomes of SMACH", "succeeded, aborted, preempted"),
     "executor/ros_driver_settings.py": ("keys of a record", "node, name, former"),
     "executor/driver_settings.py": ("keys of a record", "node, name, former"),
+    "frame_learning/corpus_mapping.py": ("keys of a file", "frames, descriptions, arguments"),
     "frame_bindings/binding_file.py": (
         "keys of a file",
         "frame, name, action, service, topic, type, fields",
@@ -115,6 +117,10 @@ NO_SPEECH: Dict[str, Tuple[str, str]] = {
     ),
     "semantic_frames/lexical_unit_file.py": ("keys of a file", "name, relation, argument, words, required"),
     "semantic_frames/marked_yaml.py": ("values of YAML", "true, yes, false, no"),
+    "semantic_frames/server_statement.py": (
+        "keys of a statement",
+        "purpose, heeds, unheeded, occupies, settings, robot, relations, values, most, node, name, value",
+    ),
     "semantic_types/wordnet.py": (
         "endings of plurals",
         "ies, y, men, man, shes, sh, ches, ch, xes, x, zes, z, ses, s",
@@ -132,6 +138,10 @@ NO_SPEECH: Dict[str, Tuple[str, str]] = {
         ),
     ),
     "turtlebot_follower/centroid.py": ("keys of numpy", "names, formats, offsets, itemsize"),
+    "typed_arguments/relation_names.py": (
+        "names of relations, not the prepositions that are said for them",
+        ", ".join(name for name in RELATIONS_OF_ARGUMENTS if "_" not in name),
+    ),
     "utter/speech.py": ("what the robot can tell, a sentence for each", "time, date, day, name"),
     "utterance_passes/places_told.py": ("pronouns, a subject for each object", "him, her, them, it"),
     "utterance_passes/formula_file.py": (
