@@ -4,7 +4,7 @@ import contextlib
 import queue
 import time
 from dataclasses import dataclass
-from typing import Callable, Optional
+from typing import Callable
 
 import actionlib
 import rospy
@@ -20,10 +20,11 @@ from executor.patience import Patience
 from executor.quarantine import Quarantine
 from executor.ros_action_clients import ActionClients
 from executor.ros_driver_settings import DriverSettings
+from executor.ros_goal_news import Death, Sign, WakeUp, apply, header_text, read_transition
 from executor.ros_running_goals import RunningGoals
 from roboframenet_ros.ros_action_connection import ActionConnection, SentGoal
 from roboframenet_ros.suspension import SuspensionWatch
-from typed_arguments import FilledFrame, to_goal_text
+from typed_arguments import FilledFrame
 from typed_arguments.ros_messages import frame_to_message
 
 # The limits of the plan are looked at within this time.
@@ -65,28 +66,6 @@ class StepContext:
     suspension: SuspensionWatch
     on_begin: Callable[[FilledFrame], None]
     on_end: Callable[[FilledFrame, int, Goal], None]
-
-
-@dataclass(frozen=True)
-class _Transition:
-    """State of the goal handle when the goal changed."""
-
-    status: int
-    is_done: bool
-    success: Optional[bool]
-    text: str
-
-
-class _Sign:
-    """The server published its status or feedback."""
-
-
-class _Death:
-    """The process of the server has ended."""
-
-
-class _Cancel:
-    """The step is to end."""
 
 
 class ActionStep(smach.State):
@@ -187,10 +166,10 @@ class ActionStep(smach.State):
         inbox: queue.Queue[object] = queue.Queue()
 
         def on_sign() -> None:
-            inbox.put(_Sign())
+            inbox.put(Sign())
 
         def on_cancel() -> None:
-            inbox.put(_Cancel())
+            inbox.put(WakeUp())
 
         connection.listen(on_sign)
         self._scope.listen(on_cancel)
@@ -207,7 +186,7 @@ class ActionStep(smach.State):
         goal = tracking.send(self._frame.server, deadlines, now_s=time.monotonic())
         sent: SentGoal = connection.send(
             FilledSemanticFrameGoal(frame=frame_to_message(self._frame)),
-            header_text=_typed_arguments(self._frame),
+            header_text=header_text(self._frame),
             on_transition=lambda handle: self._hear(handle, inbox),
             on_feedback=lambda _: on_sign(),
         )
@@ -236,13 +215,13 @@ class ActionStep(smach.State):
                     self._quarantine(goal, sent)
                 return goal
             if step.is_question_due:
-                connection.ask_whether_gone(uri, lambda: inbox.put(_Death()))
+                connection.ask_whether_gone(uri, lambda: inbox.put(Death()))
             wait_s = min(_LONGEST_WAIT_S, max(0.001, tracking.next_deadline_s(goal) - time.monotonic()))
             with contextlib.suppress(queue.Empty):
-                goal = _apply(goal, inbox.get(timeout=wait_s))
+                goal = apply(goal, inbox.get(timeout=wait_s))
 
     def _hear(self, handle: actionlib.ClientGoalHandle, inbox: "queue.Queue[object]") -> None:
-        transition = _read_transition(handle)
+        transition = read_transition(handle)
         inbox.put(transition)
         if transition.is_done:
             # This may come long after the step has ended.
@@ -252,36 +231,3 @@ class ActionStep(smach.State):
         self._context.quarantine.put(goal.server, sent.goal_id, goal.reason, keep=sent)
         if sent.handle.get_comm_state() == actionlib.CommState.DONE:
             self._context.quarantine.hear_end(goal.server, sent.goal_id)
-
-
-def _typed_arguments(frame: FilledFrame) -> str:
-    """Return the text of the typed arguments for the header of a goal; empty when they are too long for it."""
-    try:
-        return to_goal_text(frame.arguments)
-    except ValueError as error:
-        rospy.logwarn("%s gets only the texts of its arguments: %s", frame.server, error)
-        return ""
-
-
-def _read_transition(handle: actionlib.ClientGoalHandle) -> _Transition:
-    is_done = handle.get_comm_state() == actionlib.CommState.DONE
-    result = handle.get_result() if is_done else None
-    return _Transition(
-        status=handle.get_goal_status(),
-        is_done=is_done,
-        text=handle.get_goal_status_text(),
-        success=None if result is None else bool(result.success),
-    )
-
-
-def _apply(goal: Goal, heard: object) -> Goal:
-    now_s = time.monotonic()
-    if isinstance(heard, _Death):
-        return tracking.hear_death(goal, now_s=now_s)
-    if isinstance(heard, _Cancel):
-        return goal
-    if not isinstance(heard, _Transition):
-        return tracking.hear_sign(goal, now_s=now_s)
-    if heard.is_done:
-        return tracking.hear_result(goal, heard.status, success=heard.success, text=heard.text, now_s=now_s)
-    return tracking.hear_status(goal, heard.status, now_s=now_s)

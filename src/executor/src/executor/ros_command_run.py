@@ -8,14 +8,16 @@ from typing import Callable, Dict, Optional, Tuple
 import rospy
 
 import smach
-from arbitrator.plan import Do, Plan, walk
+from arbitrator.plan import Condition, Do, Plan, walk
 from arbitrator.scopes import Scope
 from arbitrator.state_machine import build_state_machine, plan_label
+from arbitrator.watching import Observation
 from executor.goal_tracking import Goal, GoalDeadlines, as_sentence
 from executor.patience import Patience
 from executor.quarantine import Quarantine
 from executor.ros_action_clients import ActionClients
 from executor.ros_action_step import ActionStep, StepContext
+from executor.ros_condition_watch import ConditionWatch, WatchContext
 from executor.ros_driver_settings import DriverSettings
 from executor.ros_introspection import Introspection
 from executor.ros_running_goals import RunningGoals
@@ -55,6 +57,8 @@ class CommandRun:
         deadlines: GoalDeadlines,
         quarantine: Quarantine,
         patience: Patience,
+        longest_silence_s: Callable[[FilledFrame], float],
+        longest_wait_s: float,
         on_note: Callable[[str], None],
         on_end: Callable[["CommandRun", RunResult], None],
         introspection: Introspection,
@@ -70,6 +74,8 @@ class CommandRun:
             deadlines: of each goal
             quarantine: servers that are out of use
             patience: how long the command may go on
+            longest_silence_s: returns, for the frame of a condition, for how long its source may be silent
+            longest_wait_s: after which a wait for a condition fails, if it does not say a limit
             on_note: called from the thread of the run with a sentence for each step
             on_end: called with the result, last, from the thread of the run
             introspection: of the machine
@@ -77,6 +83,8 @@ class CommandRun:
         """
         self._plan = plan
         self._on_note = on_note
+        self._longest_wait_s = longest_wait_s
+        self._watches = WatchContext(clients, running_goals, deadlines, longest_silence_s, on_note)
         self._on_end = on_end
         self._introspection = introspection
         self._record = RunRecord(plan)
@@ -141,10 +149,19 @@ class CommandRun:
     def _make_step(self, frame: FilledFrame, number: int, scope: Scope) -> ActionStep:
         return ActionStep(frame, number, scope, self._context)
 
+    def _watch(self, condition: Condition, on_observation: Callable[[Observation], None]) -> Callable[[], None]:
+        return ConditionWatch(condition, on_observation, self._watches).close
+
     def _run(self) -> None:
         outcome, error = "", ""
         try:
-            self._machine = build_state_machine(self._plan, self._make_step, observe=self._record.hear)
+            self._machine = build_state_machine(
+                self._plan,
+                self._make_step,
+                watch=self._watch,
+                observe=self._record.hear,
+                longest_wait_s=self._longest_wait_s,
+            )
             if self._is_preempt_asked.is_set():
                 self._machine.request_preempt()
             self._show(self._machine)

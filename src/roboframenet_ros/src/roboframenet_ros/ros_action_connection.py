@@ -22,6 +22,17 @@ class SentGoal:
         self.goal_id = goal_id
 
 
+class _StampingClient(actionlib.ActionClient):
+    """Keeps the stamp of the last feedback, which actionlib does not pass on."""
+
+    feedback_stamp = rospy.Time()
+
+    def _feedback_cb(self, msg: Any) -> None:
+        # rospy calls this from one thread for each topic, and actionlib calls the callbacks of goals from here.
+        self.feedback_stamp = msg.header.stamp
+        super()._feedback_cb(msg)
+
+
 class ActionConnection:
     """The client of one action server. Callbacks run in threads of rospy and must only enqueue."""
 
@@ -39,7 +50,7 @@ class ActionConnection:
             # rospy only warns of such a name, and then waits for a topic that cannot exist.
             raise ValueError("it is not a legal name")
         self.server = server
-        self._client = actionlib.ActionClient(server, action_type)
+        self._client = _StampingClient(server, action_type)
         self._listeners: List[Callable[[], None]] = []
         self._sending = threading.Lock()
         self._status = rospy.Subscriber(
@@ -50,6 +61,11 @@ class ActionConnection:
         """Disconnect."""
         self._status.unregister()
         self._client.stop()
+
+    @property
+    def feedback_stamp(self) -> rospy.Time:
+        """Stamp of the feedback; to be asked in the callback that gets the feedback."""
+        return self._client.feedback_stamp
 
     def is_ready(self) -> bool:
         """Whether the server has published its status and is connected both ways; returns at once."""
