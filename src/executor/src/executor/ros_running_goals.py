@@ -7,20 +7,19 @@ from typing import Dict, Optional, Sequence, Tuple
 import rospy
 from actionlib_msgs.msg import GoalID
 
-from roboframenet_ros.ros_persistent_parameter import PersistentParameter
+from roboframenet_ros.ros_kept_value import KeptValue
 
-_SAVE_TIMEOUT_S = 0.2
 _CONNECT_TIMEOUT_S = 5.0
 
 
 class RunningGoals:
-    """Keeps the running goals in a private parameter; an executor that was killed cancels them when it is restarted.
+    """Keeps the running goals in a file; an executor that was killed cancels them when it is restarted.
 
     Any thread may call.
     """
 
     def __init__(self, parameter: str = "~running_goals") -> None:
-        self._record = PersistentParameter(parameter)
+        self._record = KeptValue(parameter)
         self._thread: Optional[threading.Thread] = None
         self._lock = threading.Lock()
         self._servers: Dict[str, str] = {}
@@ -52,13 +51,13 @@ class RunningGoals:
 
     def _save(self) -> None:
         running = [{"server": server, "goal_id": goal_id} for goal_id, server in self._servers.items()]
-        self._record.save(running, timeout_s=_SAVE_TIMEOUT_S)
+        self._record.save(running)
 
     def close(self, *, timeout_s: float) -> None:
-        """End the threads."""
+        """End the thread, and remove an empty record."""
         if self._thread is not None:
             self._thread.join(timeout_s)
-        self._record.close(timeout_s=timeout_s)
+        self._record.close()
 
     def _cancel(self, left_over: Sequence[Tuple[str, str]]) -> None:
         publishers = [
