@@ -23,8 +23,8 @@ from semantic_framer.outcome import (
 )
 from semantic_framer.reading import Reading
 from semantic_framer.references import remember, resolve
-from semantic_framer.referents import refer, spoken_of
 from semantic_framer.sentence import Sentence
+from semantic_framer.world_references import refer, spoken_of
 from semantic_frames.semantic_type import SEMANTIC_TYPES
 from typed_arguments import TypedArgument
 from utterance_passes.trace import Trace
