@@ -119,7 +119,7 @@ class Memory:
         for nouns, sort in ((THINGS, "thing"), (PERSONS, "person")):
             if nouns.intersection(wanted):
                 objects = [replace(one, names=(*one.names, *nouns)) if one.sort == sort else one for one in objects]
-        scored = [(score, one) for one in objects for score in [_score(wanted, one)] if score < len(wanted) + 1]
+        scored = [(score, one) for one in objects for score in [_score(wanted, one)] if score < 2 * len(wanted)]
         if not scored:
             return []
         telling = {m.lemma or m.word for m in argument.modifiers if m.kind in _TELLING}
@@ -160,9 +160,14 @@ def wanted_names(argument: TypedArgument) -> List[str]:
 
 
 def _score(wanted: List[str], one: Known) -> int:
-    """Return how far down the list of wanted names an object is found; more than its length for not at all."""
+    """Return how far down the list of wanted names an object is found; more than its length for not at all.
+
+    A name counts more than a category.
+    """
     names = [name.lower() for name in one.names]
     for index, name in enumerate(wanted):
-        if name in names or name == one.category or name.replace(" ", "_") == one.id:
-            return index
-    return len(wanted) + 1
+        if name in names or name.replace(" ", "_") == one.id:
+            return 2 * index
+        if name == one.category:
+            return 2 * index + 1
+    return 2 * len(wanted)

@@ -33,6 +33,8 @@ _LONGEST_S = 600.0
 _REPLY_S = 1.0
 _POLL_S = 0.01
 _ROBOT = "robot"
+#: Sorts of the world, and what this package calls them; the rest is furniture or a thing.
+_SORTS = {"place": "room", "door": "door", "person": "person"}
 
 
 def known_of(one: WorldObject, rooms: Set[str], furniture: Set[str]) -> Known:
@@ -53,9 +55,7 @@ def known_of(one: WorldObject, rooms: Set[str], furniture: Set[str]) -> Known:
         if each.relation not in ("to", "of") and not relation:
             relation, holder = ("held" if each.relation == "held_by" else each.relation), each.reference
             room = holder if holder in rooms else room
-    sort = {WorldObject.PLACE: "room", WorldObject.DOOR: "door", WorldObject.PERSON: "person"}.get(
-        one.sort, "furniture" if one.id in furniture else "thing"
-    )
+    sort = _SORTS.get(one.sort, "furniture" if one.id in furniture else "thing")
     names = tuple(name for name in (one.name or one.category, *one.other_names) if name)
     return Known(
         one.id,
@@ -197,16 +197,14 @@ class RosBody:
 
     def _on_map(self, message: WorldUpdate) -> None:
         with self._lock:
-            self._rooms = {one.id for one in message.objects if one.sort == WorldObject.PLACE}
-            self._furniture = {
-                one.id for one in message.objects if one.sort not in (WorldObject.PLACE, WorldObject.DOOR)
-            }
+            self._rooms = {one.id for one in message.objects if _SORTS.get(one.sort) == "room"}
+            self._furniture = {one.id for one in message.objects if one.sort not in _SORTS}
         self.memory.update(known_of(one, self._rooms, self._furniture) for one in message.objects)
 
     def _on_update(self, message: WorldUpdate) -> None:
         with self._lock:
             rooms, furniture = self._rooms, self._furniture
-        known = [known_of(one, rooms, furniture) for one in message.objects if one.sort != WorldObject.ROBOT]
+        known = [known_of(one, rooms, furniture) for one in message.objects if one.id != _ROBOT]
         self.memory.update(known)
         me = [one for one in message.objects if one.id == _ROBOT]
         if me:

@@ -37,9 +37,9 @@ def states_of(state: State, entity: Entity) -> List[str]:
 
 def _object(entity: Entity, point: Any, yaw_rad: float = 0.0) -> WorldObject:
     one = WorldObject(id=entity.id, source=SOURCE, other_names=list(entity.names[1:]), category=entity.category)
-    one.sort = {"room": WorldObject.PLACE, "door": WorldObject.DOOR, "person": WorldObject.PERSON}.get(
-        entity.kind, WorldObject.DEVICE if "switch" in entity.traits else WorldObject.THING
-    )
+    # A string constant of a message would hold the comment on its line, too.
+    sorts = {"room": "place", "door": "door", "person": "person"}
+    one.sort = sorts.get(entity.kind, "device" if "switch" in entity.traits else "thing")
     if entity.kind == "thing":
         # One of many mugs has no name of its own.
         one.category = entity.name
@@ -92,7 +92,7 @@ def seen_objects(plan: Plan, state: State, seen: Iterable[str], stamp: rospy.Tim
         one.stamp = stamp
         found.append(one)
     pose = state.robot.pose
-    me = WorldObject(id=ROBOT, sort=WorldObject.ROBOT, source=SOURCE, stamp=stamp)
+    me = WorldObject(id=ROBOT, sort="robot", source=SOURCE, stamp=stamp)
     me.pose.header.frame_id = "map"
     me.pose.pose.position.x, me.pose.pose.position.y = pose.x_m, pose.y_m
     me.pose.pose.orientation = quaternion_of_yaw(pose.yaw_rad)
