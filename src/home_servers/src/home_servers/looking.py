@@ -148,6 +148,7 @@ def list_things(skills: Skills, frame: FilledFrame) -> None:
         found = [one for one in skills.memory.all() if skills.is_at(one, place)]
     else:
         place = None
+        skills.attempt("look")
         found = skills.memory.find(words)
     meant = {one.id for one in skills.memory.find(words)}
     named = [one for one in found if one.id in meant] or (found if place is not None else [])
