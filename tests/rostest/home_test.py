@@ -1,4 +1,4 @@
-#!/usr/bin/env python3
+#!/usr/bin/python3
 """Sentences act in the home: text, pipeline, servers, actions, and the truth afterwards."""
 
 import json
