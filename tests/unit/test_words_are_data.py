@@ -406,7 +406,9 @@ def test_every_word_class_is_used() -> None:
     included = set(re.findall(r"\w+", " ".join(re.findall(r"includes: \[(.*)\]", text))))
     files = (
         "utterance_passes/src/utterance_passes/formulas.yaml",
+        "semantic_framer/src/semantic_framer/fragments.yaml",
         "semantic_framer/src/semantic_framer/objections.yaml",
+        "semantic_framer/src/semantic_framer/small_talk.yaml",
     )
     formulas = "".join((SOURCES / name).read_text(encoding="utf-8") for name in files)
     used = set().union(*asked_for().values()) | included | set(re.findall(r"<(\w+)>", formulas))
