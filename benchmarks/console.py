@@ -86,7 +86,7 @@ def console() -> "Iterator[subprocess.Popen[bytes]]":
     if rospy.has_param("/web_console/url"):
         rospy.delete_param("/web_console/url")
     program = subprocess.run(
-        ["catkin_find", "--first-only", "web_console", "web_console"], capture_output=True, text=True
+        ["catkin_find", "--first-only", "web_console", "web_console"], capture_output=True, text=True, check=True
     )
     process = subprocess.Popen(
         [program.stdout.strip(), f"_port:={PORT}"], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL

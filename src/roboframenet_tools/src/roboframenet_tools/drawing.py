@@ -25,14 +25,14 @@ def draw_arcs(tree: DependencyTree) -> str:
     arcs = levels(_words(tree))
     height = max((level for _, level in arcs), default=0)
     rows = [[" "] * at for _ in range(height + 1)]
-    for word, level in sorted(arcs, key=lambda pair: -pair[1]):
+    for arc, level in sorted(arcs, key=lambda pair: -pair[1]):
         row = rows[height - level]
-        start, end = centres[word.index - 1], centres[word.head - 1]
+        start, end = centres[arc.index - 1], centres[arc.head - 1]
         left, right = sorted((start, end))
         for column in range(left + 1, right):
             row[column] = "─"
         row[left], row[right] = "╭" if row[left] == " " else "┬", "╮" if row[right] == " " else "┬"
-        label = word.relation[: max(0, right - left - 1)]
+        label = arc.relation[: max(0, right - left - 1)]
         begin = left + 1 + (right - left - 1 - len(label)) // 2
         row[begin : begin + len(label)] = list(label)
         for below in rows[height - level + 1 :]:

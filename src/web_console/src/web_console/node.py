@@ -54,6 +54,7 @@ class WebConsole:
             self._board,
             self._history,
             call_soon=call_soon,
+            call_later=self._loop.call_later,
             on_change=self._flush_soon,
             on_stop_report=self._on_stop_report,
         )
