@@ -68,6 +68,7 @@ class Listener:
         self._board = board
         self._history = history
         self._call_soon = call_soon
+        self._call_later = call_later
         self._on_change = on_change
         self._on_stop_report = on_stop_report
         self._lock = threading.Lock()
