@@ -17,9 +17,9 @@ from console_browser import TELEPHONE, ConsoleBrowser
 from roboframenet_rostest import wait_for_pipeline
 from roboframenet_testing import wait_until
 
-SIZE = (1360, 850)
+SIZE = (1360, 900)
 #: Of the animated picture.
-FRAME_S, FRAMES, SMALL = 0.25, 22, (1200, 750)
+FRAME_S, FRAMES, SMALL, SCALE = 0.3, 18, (1240, 840), 0.75
 
 
 def animated(frames: List[bytes], *, size: Tuple[int, int], frame_s: float) -> bytes:
@@ -70,7 +70,7 @@ def turtlebot(browser: ConsoleBrowser, folder: Path) -> None:
     browser.screenshot(str(folder / "console_telephone.png"))
     browser.click("#answers button", "No")
     browser.reply()
-    browser.resize(*SMALL)
+    browser.resize(*SMALL, scale=SCALE)
     browser.find("#text")[0].send_keys("Turn right 160 degrees.")
     frames = [webp(browser)]
     browser.find("#text")[0].send_keys("\n")
@@ -81,7 +81,8 @@ def turtlebot(browser: ConsoleBrowser, folder: Path) -> None:
         frames.append(webp(browser))
     browser.reply()
     frames.append(webp(browser))
-    (folder / "console.webp").write_bytes(animated(frames, size=SMALL, frame_s=FRAME_S))
+    size = (int(SMALL[0] * SCALE), int(SMALL[1] * SCALE))
+    (folder / "console.webp").write_bytes(animated(frames, size=size, frame_s=FRAME_S))
 
 
 def pr2(browser: ConsoleBrowser, folder: Path) -> None:
