@@ -1,6 +1,7 @@
 """The node of the page: the event loop of the web server in the main thread, and the subscribers of rospy."""
 
 import functools
+import os
 from typing import Any, Callable, List, Tuple
 
 import rospy
@@ -152,6 +153,7 @@ class WebConsole:
 
 def _start() -> WebConsole:
     settings = read_parameters(Settings)
+    os.nice(settings.niceness)
     token = _read_token(settings.token_file)
     try:
         check_access(settings.address, token)
