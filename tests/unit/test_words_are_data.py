@@ -107,7 +107,7 @@ NO_SPEECH: Dict[str, Tuple[str, str]] = {
         "keys of a file",
         "corrections, contrasts, forbidding, asking, reporting",
     ),
-    "semantic_frames/extra_thematic.py": ("keys of a file", "name, prepositions, adverbs, measure, clauses"),
+    "semantic_frames/extra_thematic.py": ("keys of a file", "name, prepositions, adverbs, heads, measure, clauses"),
     "semantic_frames/frame_file.py": (
         "keys of a file",
         (
