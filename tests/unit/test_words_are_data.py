@@ -45,6 +45,11 @@ NO_SPEECH: Dict[str, Tuple[str, str]] = {
         "text, tokens, frames, reply, outcome, code, sentence, name, argument, typed",
     ),
     "pr2_props/node.py": ("names of props", "hug, hugging, pound, pounding"),
+    "referring_expressions/fitting.py": ("values of WorldRelation", "of, to, in, on"),
+    "referring_expressions/resolving.py": (
+        "values of Phrase.quantifier",
+        "a, any, some, another, several, many, few, most, all, every, each, both",
+    ),
     "rfnserver/goal_binding.py": ("keys of a declaration", "element, unit, default, value, values"),
     "rfnserver/goal_types.py": ("types of ROS", "bool, string, duration"),
     "roboframenet_demo/node.py": ("headings", "sentence, domain, frame and elements, verdict"),
@@ -151,6 +156,22 @@ NO_SPEECH: Dict[str, Tuple[str, str]] = {
             "pattern, example, becomes"
         ),
     ),
+    "world_model/knowledge.py": ("values of WorldObject", "ajar, closed, lying, open, sitting, standing, walking"),
+    "world_model/world.py": (
+        "values of WorldRelation",
+        (
+            "above, around, at, below, beneath, beside, by, in, inside, into, near, on, onto, over, under, underneath, "
+            "within"
+        ),
+    ),
+    "world_model/world_file.py": (
+        "keys of a file",
+        (
+            "places, doors, things, devices, persons, robots, name, names, category, attributes, states, size, x, y, "
+            "z, heading, on, in, under, above, behind, beside, near, of, to"
+        ),
+    ),
+    "world_model/world_object.py": ("fields of WorldObject", "attributes, states, relations"),
     "word_classes/word_file.py": ("keys of a file", "for, includes, words"),
 }
 
