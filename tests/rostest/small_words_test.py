@@ -38,7 +38,7 @@ class Deed:
     sentence: str
     turned_rad: float
     moved_m: float
-    position_m: Tuple[float, float]
+    place_m: Tuple[float, float]
     arms: Tuple[float, float]
     said: Tuple[str, ...]
 
@@ -51,7 +51,7 @@ class Deed:
         return (
             abs(self.turned_rad - other.turned_rad) > LEAST_RAD
             or abs(self.moved_m - other.moved_m) > LEAST_M
-            or math.dist(self.position_m, other.position_m) > LEAST_M
+            or math.dist(self.place_m, other.place_m) > LEAST_M
             or any(abs(one - another) > LEAST_RAD for one, another in zip(self.arms, other.arms))
             or self.said != other.said
         )
@@ -87,9 +87,11 @@ class SmallWordsTest(unittest.TestCase):
         seen = self.observer.observe()
         arms = self.excursion_of("l"), self.excursion_of("r")
         outcome = OUTCOME_NAMES[reply.outcome]
-        deed = Deed(
-            outcome, reply.code, reply.sentence, seen.turned_rad, seen.moved_m, seen.position_m, arms, tuple(seen.said)
-        )
+        # For a robot that goes to places, the way depends on where it was, and only the end counts.
+        goes_to_places = rospy.get_param("~goes_to_places")
+        turned_rad, moved_m = (0.0, 0.0) if goes_to_places else (seen.turned_rad, seen.moved_m)
+        place_m = seen.position_m if goes_to_places else (0.0, 0.0)
+        deed = Deed(outcome, reply.code, reply.sentence, turned_rad, moved_m, place_m, arms, tuple(seen.said))
         print(f"{text:45} {outcome:18} {reply.sentence[:90]:90} {seen.describe()} {arms}", flush=True)
         if outcome in ("REFUSED", "NEEDS_INFORMATION"):
             self.assertLess(max(abs(seen.turned_rad), seen.driven_m, *arms), LEAST_M, f"{text}: refused, but it moved")

@@ -43,9 +43,7 @@ class Rig:
         self.start = pose
         self.now_s = 100.0
         self.queue = [self.sample()] * (lag + 1)
-        self.motion = Motion(
-            MotionGoal(kind, amount, pace), settings=settings, start=self.sample(), now_s=self.now_s
-        )
+        self.motion = Motion(MotionGoal(kind, amount, pace), settings=settings, start=self.sample(), now_s=self.now_s)
         self.last = None
         self.fastest = 0.0
 
