@@ -76,6 +76,24 @@ NO_SPEECH: Dict[str, Tuple[str, str]] = {
         "ch, ea, au, oo, ai, ou, r, us, ir, os, as, ut, in, at, iz, ag, ul, ar, id",
     ),
     "semantic_frames/problem.py": ("keys of a problem", "key, expected, hint, found, path"),
+    "web_console/arcs.py": ("attributes of SVG", "class, height, rx, label-ground"),
+    "web_console/arguments.py": (
+        "kinds of measures",
+        "length, angle, duration, speed, temperature, volume, mass",
+    ),
+    "web_console/health.py": (
+        "stages, topics and what the page says about nodes",
+        (
+            "arbitrator, carries plans out, does not answer, executor, fills frames, is missing, lexicon, "
+            "orders candidates, parses sentences, runs, stops the robot"
+        ),
+    ),
+    "web_console/picture.py": (
+        "elements and attributes of SVG",
+        "circle, path, rect, text, class, d, x, y, r, rx, cx, cy, width, height, text-anchor",
+    ),
+    "web_console/progress.py": ("outcomes of SMACH", "succeeded, aborted, preempted"),
+    "web_console/ros_speaker.py": ("beginnings of ids", "stop-, text-, unheard-"),
     "frame_learning/gpsr_commands.py": (
         "names of the generators' rules and slots",
         "ptask, polite, task, main, please, pmain, sub, pos, paj, posadj",
