@@ -7,6 +7,7 @@ from typed_arguments import TypedArgument
 
 #: What may be called an arm.
 ARM_NOUNS = ("arm", "hand")
+_ALL = frozenset(["each", "every", "all", "both"])
 
 
 class UnknownArm(ValueError):
@@ -25,7 +26,7 @@ def named_arms(argument: TypedArgument) -> Tuple[Arm, ...]:
     arms = tuple(arm for arm in Arm if arm.value in said)
     if arms:
         return arms
-    if argument.is_plural or argument.count == len(Arm):
+    if argument.quantifier in _ALL or argument.is_plural or argument.count == len(Arm):
         return tuple(Arm)
     if argument.modifiers or argument.count not in (None, 1):
         raise UnknownArm(f'I do not know which arm "{argument.words or argument.text}" is: left or right?')

@@ -11,7 +11,7 @@ from semantic_frames.frame import SemanticFrame
 from semantic_frames.marked_yaml import NAME_EXPECTED, did_you_mean, is_name
 from semantic_frames.semantic_type import SEMANTIC_TYPES, with_parents
 from typed_arguments import TypedArgument
-from typed_arguments.relation_names import RELATIONS
+from typed_arguments.attribute_names import RELATIONS
 
 #: The only type of goals that the executor sends.
 ACTION_TYPE = "roboframenet_msgs/FilledSemanticFrameAction"
