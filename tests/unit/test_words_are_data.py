@@ -32,7 +32,11 @@ EXEMPT = {
 }
 #: Exempt words: nobody says them to the robot, or each has its own treatment. Other lists of the module count.
 NO_SPEECH: Dict[str, Tuple[str, str]] = {
-    "arbitrator/state_machine.py": ("outcomes of SMACH", "succeeded, aborted, preempted"),
+    "arbitrator/node_runs.py": ("outcomes of SMACH", "succeeded, aborted, preempted"),
+    "arbitrator/plan.py": ("names of fields", "condition, child, otherwise"),
+    "arbitrator/plan_nodes.py": ("names of fields", "kind, label, children, candidates, after"),
+    "arbitrator/ros_messages.py": ("names of fields", "kind, label, count, most, trigger"),
+    "arbitrator/state_machine.py": ("labels of states", "together, monitor, next round"),
     "executor/ros_driver_settings.py": ("keys of a record", "node, name, former"),
     "executor/driver_settings.py": ("keys of a record", "node, name, former"),
     "frame_learning/corpus_mapping.py": ("keys of a file", "frames, descriptions, arguments"),
