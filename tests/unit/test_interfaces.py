@@ -61,11 +61,11 @@ SUMS = {
     "roboframenet_msgs/StopReport": "cb1a5e3982826833f7d22934fa185bef",
     "roboframenet_msgs/TimeExpression": "63b35963cf0bd5db3a699e1df77d1eb2",
     "roboframenet_msgs/TypedArgument": "48c0c878ab8cbab6ef682927d3369b32",
-    "roboframenet_msgs/UpdateWorld": "d9a434b63c2ae5306e66a9a124a8f02f",
-    "roboframenet_msgs/World": "fbc71e63fd6747a12338b005a97eaea0",
-    "roboframenet_msgs/WorldObject": "d886f880aefc16706ad7228e418bf693",
+    "roboframenet_msgs/UpdateWorld": "0b586ca2746980e61ea7c2726815b6a5",
+    "roboframenet_msgs/World": "5c7e501874c42e3c039ba16002aeb0b9",
+    "roboframenet_msgs/WorldObject": "ce6961b9da604cbacc468a88d3c1ca26",
     "roboframenet_msgs/WorldRelation": "fd0ddba041ad43903fe35ccce987df8b",
-    "roboframenet_msgs/WorldUpdate": "24d7877057b27d5c6a570bcfc1d8abca",
+    "roboframenet_msgs/WorldUpdate": "733652d0a85ecccfde0ab904c46ffa11",
     "stanford_parser_msgs/Dependency": "cdc828bde2cbc087845b7c347e45a5ee",
     "stanford_parser_msgs/Parse": "094e3dbdff171c4bff80579d73b3ed1b",
     "stanford_parser_msgs/SquashedParseTreeNode": "8e3f507a30ff03f4eed132c8e51d902b",
@@ -110,3 +110,9 @@ def test_goal_of_2012_has_the_string_that_typed_arguments_travel_in():
 def test_kinds_of_a_plan_have_different_numbers():
     kinds = [value for name, value in vars(PlanNode).items() if name.isupper() and name not in ("HOLDS", "BEGINS")]
     assert sorted(kinds) == list(range(1, len(kinds) + 1))
+
+
+def test_no_constant_contains_its_comment() -> None:
+    """A string constant goes on to the end of its line, also behind '#'."""
+    lines = [line for path in SOURCES.glob("*/msg/*.msg") for line in path.read_text().splitlines()]
+    assert not [line for line in lines if line.startswith("string ") and "=" in line.split("#")[0] and "#" in line]
