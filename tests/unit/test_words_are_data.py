@@ -9,7 +9,8 @@ import pytest
 from word_lists import WordList, word_lists
 
 from semantic_frames.relation_names import STANFORD, UNIVERSAL
-from typed_arguments.relation_names import RELATIONS as RELATIONS_OF_ARGUMENTS
+from typed_arguments.attribute_names import QUANTIFIERS
+from typed_arguments.attribute_names import RELATIONS as RELATIONS_OF_ARGUMENTS
 from word_classes import word_classes
 
 SOURCES = Path(__file__).resolve().parents[2] / "src"
@@ -48,6 +49,7 @@ NO_SPEECH: Dict[str, Tuple[str, str]] = {
         "keys of JSON",
         "text, tokens, frames, reply, outcome, code, sentence, name, argument, typed",
     ),
+    "pr2_props/named_arms.py": ("names of quantifiers", "each, every, all, both"),
     "pr2_props/node.py": ("names of props", "hug, hugging, pound, pounding"),
     "referring_expressions/fitting.py": ("values of WorldRelation", "of, to, in, on"),
     "referring_expressions/resolving.py": (
@@ -176,12 +178,12 @@ NO_SPEECH: Dict[str, Tuple[str, str]] = {
         "keys of a file",
         "corrections, contrasts, forbidding, asking, reporting",
     ),
-    "semantic_frames/extra_thematic.py": ("keys of a file", "name, prepositions, adverbs, measure, clauses"),
+    "semantic_frames/extra_thematic.py": ("keys of a file", "name, prepositions, adverbs, heads, measure, clauses"),
     "semantic_frames/frame_file.py": (
         "keys of a file",
         (
             "name, description, children, framenet, confirm, default, quantity, minimum, maximum, values, relations, "
-            "question, answer"
+            "counts, quantifiers, question, answer"
         ),
     ),
     "semantic_frames/lexical_unit_file.py": ("keys of a file", "name, relation, argument, words, required"),
@@ -206,10 +208,11 @@ NO_SPEECH: Dict[str, Tuple[str, str]] = {
             "modifiers, referent, source, si, amount, unit, bound, change"
         ),
     ),
+    "turtlebot_follower/node.py": ("names of elements", "goal, source, path, manner, area"),
     "turtlebot_follower/centroid.py": ("keys of numpy", "names, formats, offsets, itemsize"),
-    "typed_arguments/relation_names.py": (
-        "names of relations, not the prepositions that are said for them",
-        ", ".join(name for name in RELATIONS_OF_ARGUMENTS if "_" not in name),
+    "typed_arguments/attribute_names.py": (
+        "names of relations and quantifiers, not the words that are said for them",
+        ", ".join(name for name in RELATIONS_OF_ARGUMENTS | QUANTIFIERS if "_" not in name),
     ),
     "utter/speech.py": ("what the robot can tell, a sentence for each", "time, date, day, name"),
     "utterance_passes/places_told.py": ("pronouns, a subject for each object", "him, her, them, it"),
