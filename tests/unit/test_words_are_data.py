@@ -226,6 +226,9 @@ NO_SPEECH: Dict[str, Tuple[str, str]] = {
         "names of the generators' slots",
         "category, name, gesture, object, place, whattosay, room",
     ),
+    "frame_learning/score_command.py": (
+        "keys of JSON and headings",
+        ("commands, fp, em, coverage, annotated, predicted, right, precision, right heads, frame, taken for"),
     ),
     "phrase_meanings/head_words.py": ("kinds of a modifier", "adjective, comparative, superlative"),
     "phrase_meanings/meaning_file.py": (
