@@ -13,6 +13,7 @@ from xmlrpc.client import ServerProxy
 import rosgraph
 import rospy
 from actionlib_msgs.msg import GoalStatus, GoalStatusArray
+from diagnostic_msgs.msg import DiagnosticArray, DiagnosticStatus
 from nav_msgs.msg import Odometry
 from roboframenet_msgs.msg import Reply
 from std_msgs.msg import String
@@ -72,6 +73,22 @@ class FullGraphTest(unittest.TestCase):
 
     def setUp(self) -> None:
         self.wait_for_rest()
+
+    def test_every_node_says_how_it_is(self) -> None:
+        levels: Dict[str, int] = {}
+
+        def hear(message: DiagnosticArray) -> None:
+            levels.update((status.name.partition(":")[0].rpartition("/")[2], status.level) for status in message.status)
+
+        subscriber = rospy.Subscriber("/diagnostics", DiagnosticArray, hear)
+        nodes = {*PIPELINE, "command_server", "stop_server", "move_action_server", "turtlebot_sim"}
+        wait_until(lambda: nodes <= set(levels))
+        subscriber.unregister()
+        # Other tests leave files with mistakes and servers that have ended.
+        warn = {name for name, level in levels.items() if level == DiagnosticStatus.WARN}
+        well = {name for name, level in levels.items() if level == DiagnosticStatus.OK}
+        self.assertLessEqual(warn & nodes, {"frame_registrar", "semantic_framer", "executor"})
+        self.assertLessEqual(nodes - warn, well)
 
     def say(self, text: str) -> None:
         self.text.publish(String(data=text))
