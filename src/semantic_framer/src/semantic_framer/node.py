@@ -3,7 +3,6 @@
 import threading
 import time
 import uuid
-from dataclasses import replace
 from typing import Dict, List, Mapping, Tuple
 
 import rospy
@@ -39,7 +38,7 @@ from semantic_framer.known_names import KnownNames
 from semantic_framer.lexicon import Lexicon
 from semantic_framer.lexicon_files import LexiconFiles, LexiconState
 from semantic_framer.outcome import Refusal, Understood, reply_outcome
-from semantic_framer.ros_messages import acting_servers, to_clauses, to_filled_units
+from semantic_framer.ros_messages import acting_servers, to_clauses, to_filled_units, to_plan
 from semantic_framer.settings import Settings
 from semantic_frames import FileRefused, load_frame
 from semantic_frames.frame import SemanticFrame
@@ -178,11 +177,11 @@ class SemanticFramer:
             self._lock.notify_all()
 
     def _on_stop(self, report: StopReport) -> None:
-        """Forget the open question: after a stop, nothing answers a question from before it."""
+        """Forget the open question and the last command: after a stop, nothing answers or repeats them."""
         with self._lock:
             self._stop_stamp = report.stop_stamp
             if self._context_stamp <= report.stop_stamp:
-                self._context = replace(self._context, pending=None)
+                self._context = self._context.stopped()
 
     def _on_command(self, message: CommandParse) -> None:
         try:
@@ -216,6 +215,7 @@ class SemanticFramer:
                     context=self._context,
                     policy=self._settings.policy,
                     now_s=time.monotonic(),
+                    said_s=stamp.to_sec(),
                     trace=trace,
                 )
                 outcome = heard.outcome
@@ -235,7 +235,7 @@ class SemanticFramer:
                     )
                     # A stopped command asks nothing. A stop stamp in the future does not count: the clock was set back.
                     is_stopped = stamp <= self._stop_stamp <= rospy.Time.now() and not self._stop_stamp.is_zero()
-                    self._context = replace(context, pending=None) if is_stopped else context
+                    self._context = context.stopped() if is_stopped else context
                     self._context_stamp = stamp
                     return outcome, str(trace) if trace is not None else ""
 
@@ -247,7 +247,13 @@ class SemanticFramer:
             trace=trace,
         )
         self._units_2012.publish(to_filled_units(understood.clauses))
-        self._units.publish(CommandLexicalUnits(command=message.command, clauses=to_clauses(understood.clauses, tree)))
+        self._units.publish(
+            CommandLexicalUnits(
+                command=message.command,
+                clauses=to_clauses(understood.clauses, tree),
+                plan=to_plan(understood.clauses, message.command.text),
+            )
+        )
 
     def _end(self, command: Command, *, outcome: int, code: str, sentence: str, trace: str = "") -> None:
         rospy.loginfo("cmd=%s ends here: %s", command.id, sentence)
