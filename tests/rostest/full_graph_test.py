@@ -13,6 +13,7 @@ from xmlrpc.client import ServerProxy
 import rosgraph
 import rospy
 from actionlib_msgs.msg import GoalStatus, GoalStatusArray
+from diagnostic_msgs.msg import DiagnosticArray, DiagnosticStatus
 from nav_msgs.msg import Odometry
 from roboframenet_msgs.msg import Reply
 from std_msgs.msg import String
@@ -97,6 +98,17 @@ class FullGraphTest(unittest.TestCase):
         with open(path, "w", encoding="utf-8") as file:
             file.write(text)
         return path
+
+    def test_00_every_node_is_well(self) -> None:
+        levels: Dict[str, int] = {}
+
+        def hear(message: DiagnosticArray) -> None:
+            levels.update((status.name.partition(":")[0], status.level) for status in message.status)
+
+        subscriber = rospy.Subscriber("/diagnostics", DiagnosticArray, hear)
+        nodes = {*PIPELINE, "command_server", "stop_server", "move_action_server", "turtlebot_sim"}
+        wait_until(lambda: nodes <= {name for name, level in levels.items() if level == DiagnosticStatus.OK})
+        subscriber.unregister()
 
     def test_01_turns_by_what_was_said(self) -> None:
         for text, expected in (("Turn left 120 degrees.", math.radians(120)), ("Turn right 2 radians.", -2.0)):

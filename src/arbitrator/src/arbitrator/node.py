@@ -10,6 +10,7 @@ from roboframenet_msgs.msg import CommandPlan, CommandSemanticFrames, Procedure,
 from arbitrator.policy import Policy, PolicyError, arbitrate, load_policy
 from arbitrator.procedure import describe
 from arbitrator.ros_messages import plan_from_message, plan_to_message, procedure_to_message
+from roboframenet_ros.health import Health
 from roboframenet_ros.parameters import ParameterError, Parameters, parameter
 from roboframenet_ros.ros_node import read_parameters, run_node
 from roboframenet_ros.ros_stage import Stage
@@ -50,6 +51,10 @@ class ArbitratorNode:
         self._subscriber = rospy.Subscriber(
             "command_semantic_frames", CommandSemanticFrames, self._on_candidates, queue_size=100
         )
+
+    def health(self) -> Health:
+        """How the node is."""
+        return Health(values={"policy": type(self._policy).__name__})
 
     def _on_candidates(self, message: CommandSemanticFrames) -> None:
         try:

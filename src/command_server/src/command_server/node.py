@@ -41,6 +41,7 @@ from command_server.ros_settings import read_brake_settings
 from command_server.settings import Settings
 from command_server.stop_words import find_cry
 from command_server.withdrawals import Withdrawals, is_against_what_runs
+from roboframenet_ros.health import Health
 from roboframenet_ros.ros_node import read_parameters, run_node
 from roboframenet_ros.suspension import SuspensionWatch
 from robot_stop.braking import Finding, StopOrder
@@ -119,6 +120,10 @@ class CommandServerNode:
         ]
         self._replies.tell_start()
         self._action.start()
+
+    def health(self) -> Health:
+        """How the node is."""
+        return Health(values={"open commands": len(self._saved), "last reply": self._replies.last_reply.code})
 
     def _shutdown(self) -> None:
         self._events.put(None)

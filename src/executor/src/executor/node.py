@@ -27,6 +27,7 @@ from executor.ros_driver_settings import DriverSettings
 from executor.ros_introspection import Introspection
 from executor.ros_running_goals import RunningGoals
 from executor.ros_server_profiles import ServerProfiles
+from roboframenet_ros.health import Health, Level
 from roboframenet_ros.parameters import Parameters, parameter
 from roboframenet_ros.ros_node import read_parameters, run_node
 from roboframenet_ros.ros_stage import Stage
@@ -155,6 +156,14 @@ class ExecutorNode:
             rospy.Subscriber("command_cancel", Command, self._inbox.put),
             rospy.Subscriber("command_plan", CommandPlan, self._inbox.put),
         ]
+
+    def health(self) -> Health:
+        """How the node is."""
+        run, servers = self._run, self._quarantine.servers
+        doing = "Waits for a command." if run is None else run.describe()
+        if servers:
+            return Health(Level.WARN, f"{doing} Out of use: {', '.join(servers)}.")
+        return Health(message=doing)
 
     def _shutdown(self) -> None:
         self._inbox.put(None)

@@ -3,7 +3,7 @@
 import threading
 import time
 from dataclasses import dataclass
-from typing import Callable, Dict
+from typing import Callable, Dict, Tuple
 
 
 @dataclass(frozen=True)
@@ -58,6 +58,12 @@ class Quarantine:
             debt = self._debts.get(server)
             if debt is not None and debt.goal_id == goal_id:
                 del self._debts[server]
+
+    @property
+    def servers(self) -> Tuple[str, ...]:
+        """The servers that are out of use, in alphabetical order."""
+        with self._lock:
+            return tuple(sorted(server for server, debt in self._debts.items() if self._now() < debt.until_s))
 
     def refusal(self, server: str) -> str:
         """Return why a server may not be used, a clause that follows its name; empty when it may."""

@@ -40,6 +40,7 @@ from frame_registrar.ros_candidate_topics import CandidateTopics
 from frame_registrar.ros_liveness import LivenessWatch
 from frame_registrar.ros_messages import to_clauses, to_empty_frame, to_file_problems, to_frame_lists, to_plan
 from frame_registrar.search import Refusal, combinations, reply_outcome, search
+from roboframenet_ros.health import Health, Level
 from roboframenet_ros.parameters import Parameters, parameter
 from roboframenet_ros.ros_node import read_parameters, run_node
 from roboframenet_ros.ros_stage import Stage
@@ -91,6 +92,7 @@ class FrameRegistrar:
         self._texts: Dict[str, str] = {}
         self._name_of_file: Dict[str, str] = {}
         self._problems: Tuple[Problem, ...] = ()
+        self._dead: FrozenSet[str] = frozenset()
         self._id = uuid.uuid4().hex
         self._catalogue = rospy.Publisher("frame_catalogue", FrameCatalogue, queue_size=1, latch=True)
         self._file_problems = rospy.Publisher("file_problems", FileProblems, queue_size=5, latch=True)
@@ -117,6 +119,16 @@ class FrameRegistrar:
         )
         rospy.on_shutdown(self._watch.close)
         rospy.loginfo("ready: %d frames, %d problems, %s", len(self._graph.frames), len(self._problems), settings)
+
+    def health(self) -> Health:
+        """How the node is."""
+        faults = []
+        if self._problems:
+            faults.append(f"Problems in files: {len(self._problems)}; see file_problems.")
+        if self._dead:
+            faults.append(f"Not running: {', '.join(sorted(self._dead))}.")
+        values = {"frames": len(self._texts), "problems in files": len(self._problems)}
+        return Health(Level.WARN, " ".join(faults), values) if faults else Health(values=values)
 
     def _load_files(self) -> None:
         added: List[str] = rospy.get_param(ADDED_FRAMES, [])
@@ -207,6 +219,7 @@ class FrameRegistrar:
     def _on_dead(self, servers: FrozenSet[str]) -> None:
         with self._lock:
             is_changed = self._graph.set_dead(servers)
+            self._dead = servers
         if is_changed:
             rospy.loginfo("action servers that are not running: %s", ", ".join(sorted(servers)) or "none")
             self._publish_catalogue()

@@ -27,6 +27,7 @@ from move_action_server.motion import (
 )
 from move_action_server.spoken_motion import PACES, SPEEDS, NotUnderstood, backward_goal, forward_goal, turn_goal
 from rfnserver import RFNServer, TypedFrame
+from roboframenet_ros.health import Health, Level
 from roboframenet_ros.parameters import ParameterError, Parameters, parameter
 from roboframenet_ros.pausable_clock import PausableClock
 from roboframenet_ros.ros_node import read_parameters, run_node
@@ -251,6 +252,12 @@ class MoveActionServer:
             server.start()
         for frame_name, server in self._servers.items():
             server.register_with_frame(frame_name)
+
+    def health(self) -> Health:
+        """How the node is."""
+        if self._odometry.count == 0:
+            return Health(Level.WARN, f"No odometry yet on {self._odometry.topic}: the base does not move without it.")
+        return Health(values={"odometry messages": self._odometry.count})
 
     def _shut_down(self) -> None:
         self._odometry.wake()

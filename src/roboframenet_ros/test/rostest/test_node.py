@@ -1,17 +1,22 @@
 #!/usr/bin/python3
 """Nodes start with the parameters that are set, end with a sentence when one is wrong, and wait for nobody for ever."""
 
+import itertools
 import subprocess
 import sys
 import threading
 import unittest
+from typing import Set, Tuple
 from unittest import mock
 
 import rospy
 import rostest
+from diagnostic_msgs.msg import DiagnosticArray
 from std_msgs.msg import String
 from std_srvs.srv import Trigger, TriggerResponse
 
+from roboframenet_ros.health import Health, Level
+from roboframenet_ros.ros_diagnostics import Diagnostics
 from roboframenet_ros.ros_kept_value import KeptValue
 from roboframenet_ros.ros_log import log_from_threads
 from roboframenet_ros.ros_master import MasterError, TimedMaster
@@ -82,6 +87,33 @@ class NodeTest(unittest.TestCase):
         self.assertEqual(1, ended.returncode)
         self.assertIn("reader: nobody is there", ended.stderr)
         self.assertNotIn("Traceback", ended.stderr)
+
+    def test_node_says_how_it_is(self) -> None:
+        healths = itertools.cycle([Health(values={"verbs": 3}), Health(Level.WARN, "No odometry\nyet."), None])
+
+        def health() -> Health:
+            current = next(healths)
+            if current is None:
+                raise KeyError("frames")
+            return current
+
+        heard: Set[Tuple[object, ...]] = set()
+
+        def hear(message: DiagnosticArray) -> None:
+            for one in message.status:
+                values = tuple((pair.key, pair.value) for pair in one.values)
+                heard.add((one.name, one.hardware_id, one.level, one.message, values))
+
+        subscriber = rospy.Subscriber("/diagnostics", DiagnosticArray, hear)
+        Diagnostics(health)
+        name = f"{rospy.get_name()[1:]}: state"
+        expected = {
+            (name, "none", 0, "Runs.", (("verbs", "3"),)),
+            (name, "none", 1, "No odometry yet.", ()),
+            (name, "none", 2, "Cannot say how it is: KeyError: 'frames'", ()),
+        }
+        wait_until(lambda: expected <= heard)
+        subscriber.unregister()
 
     def test_value_outlives_its_node(self) -> None:
         value = [{"id": "a", "stamp_ns": 1_700_000_000_000_000_000, "text": "say \x07 it"}]

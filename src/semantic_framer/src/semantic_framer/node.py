@@ -29,6 +29,7 @@ from roboframenet_msgs.msg import (
 )
 from roboframenet_msgs.srv import AddLexicalUnit, AddLexicalUnitRequest, AddLexicalUnitResponse
 
+from roboframenet_ros.health import Health, Level
 from roboframenet_ros.ros_node import StartError, read_parameters, run_node
 from roboframenet_ros.ros_stage import Stage
 from semantic_framer.behaviour_2012 import with_habits
@@ -91,6 +92,7 @@ class SemanticFramer:
         self._added: List[str] = rospy.get_param(ADDED_LEXICAL_UNITS, [])
         self._is_announced = False
         self._world = World()
+        self._problem_count = 0
         self._names = KnownNames(settings.names_file)
         for problem in self._names.problems:
             rospy.logerr("refused: %s", problem)
@@ -112,10 +114,20 @@ class SemanticFramer:
             settings,
         )
 
+    def health(self) -> Health:
+        """How the node is."""
+        values = {"lexical units": len(self._lexicon.units), "frames": len(self._frames)}
+        if not self._frames:
+            return Health(Level.WARN, "No frame is known: frame_registrar has published none.", values)
+        if self._problem_count:
+            return Health(Level.WARN, f"Problems in files: {self._problem_count}; see file_problems.", values)
+        return Health(values=values)
+
     def _announce(self, state: LexiconState) -> None:
         """Publish the current state. Only one thread at a time calls this, so the latched message is the newest."""
         for problem in state.refused:
             rospy.logerr("refused: %s", problem)
+        self._problem_count = len(self._names.problems) + len(state.problems)
         self._file_problems.publish(
             FileProblems(
                 problems=[

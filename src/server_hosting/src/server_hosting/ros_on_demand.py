@@ -229,7 +229,7 @@ def read_manifests(paths: Sequence[str]) -> Dict[str, Manifest]:
     return chosen
 
 
-def _run() -> None:
+def _start() -> OnDemand:
     settings = read_parameters(Settings)
     manifests = read_manifests(settings.files)
     if not manifests:
@@ -238,9 +238,9 @@ def _run() -> None:
     registering = threading.Thread(target=node.register, name="registering", daemon=True)
     registering.start()
     rospy.loginfo("%d frames on demand", len(manifests))
-    node.run()
+    return node
 
 
 def main() -> None:
     """Run the node until ROS shuts down; exits with a sentence when it cannot start."""
-    run_node("on_demand", _run)
+    run_node("on_demand", _start, work=OnDemand.run)

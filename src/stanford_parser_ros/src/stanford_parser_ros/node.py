@@ -10,6 +10,7 @@ import rospy
 from roboframenet_msgs.msg import Command, CommandParse, Lexicon, Reply
 from stanford_parser_msgs.msg import Parse
 
+from roboframenet_ros.health import Health, Level
 from roboframenet_ros.parameters import Parameters, parameter
 from roboframenet_ros.ros_node import read_parameters, run_node
 from roboframenet_ros.ros_stage import Stage
@@ -94,6 +95,10 @@ class ParserNode:
             times.warm_up_s,
             settings,
         )
+
+    def health(self) -> Health:
+        """How the node is."""
+        return Health(values={"waiting commands": self._commands.qsize(), "verbs of the lexicon": len(self._verbs)})
 
     def _on_lexicon(self, message: Lexicon) -> None:
         verbs_of_file: Dict[str, FrozenSet[str]] = {}
@@ -184,6 +189,10 @@ class ParserWithoutModels:
         self._reason = reason
         self._stage = Stage("stanford_parser_ros")
         self._subscriber = rospy.Subscriber("command_text", Command, self._on_command, queue_size=100)
+
+    def health(self) -> Health:
+        """How the node is."""
+        return Health(Level.ERROR, f"There is no parser: {self._reason}.")
 
     def _on_command(self, command: Command) -> None:
         self._stage.ends(
