@@ -3,15 +3,20 @@
 import argparse
 import json
 import sys
-from typing import Counter, Dict, List, Sequence
+from dataclasses import replace
+from typing import Counter, Dict, List, Sequence, Tuple
 
-from frame_learning.gpsr_commands import draw_commands
+from frame_learning.gpsr_commands import DrawnCommand, draw_commands
 from frame_learning.gpsr_logical_forms import agrees, find_logical_form, read_logical_forms
 from frame_learning.gpsr_meaning import GpsrMapping, load_gpsr_mapping
 from frame_learning.gpsr_score import Judged, Verdict, by_category, causes, judge
 from frame_learning.tables import aligned
 from offline_pipeline.pipeline import Pipeline
+from semantic_frames.semantic_type import with_parents
+from semantic_types import WordTypes
 
+#: Kinds of slots whose words a robot is told.
+_NAME, _OBJECT = "name", "object"
 #: Name of the corpus on the command line.
 NAME = "gpsr"
 TITLE = "grammars of the command generators of RoboCup@Home (GPSR, EGPSR), a folder in any depth"
@@ -33,6 +38,7 @@ def run_gpsr(arguments: argparse.Namespace, pipeline: Pipeline) -> int:
     """
     mapping = load_gpsr_mapping()
     commands = draw_commands(arguments.folder, arguments.count, arguments.seed, mapping.slot_rules)
+    pipeline = with_names(pipeline, mapping, commands)
     judged = [judge(pipeline, mapping, command) for command in commands]
     forms = _forms(arguments.folder, mapping, judged)
     if arguments.wrong:
@@ -54,6 +60,20 @@ def run_gpsr(arguments: argparse.Namespace, pipeline: Pipeline) -> int:
         ]
         print("\n" + aligned([("", "", "cause", "example"), *rows]))
     return 0
+
+
+def with_names(pipeline: Pipeline, mapping: GpsrMapping, commands: Sequence[DrawnCommand]) -> Pipeline:
+    """Return a pipeline of a robot that knows the persons and the objects of the grammars: a team gets these names
+    before the competition.
+    """
+    types = pipeline.knowledge.types
+    names: Dict[str, Tuple[str, ...]] = {}
+    for piece in (piece for command in commands for piece in command.pieces if piece.kind in (_NAME, _OBJECT)):
+        text, wanted = piece.text.lower(), mapping.types.get(piece.kind, ())
+        if text not in names and wanted:
+            found = types.of_noun([text]).names if piece.kind == _OBJECT else ()
+            names[text] = tuple(one for one in found if with_parents(one) & frozenset(wanted)) or wanted[:1]
+    return Pipeline(replace(pipeline.knowledge, types=WordTypes(types.nouns, names)), pipeline.parser)
 
 
 def _forms(folder: str, mapping: GpsrMapping, judged: Sequence[Judged]) -> Dict[str, int]:

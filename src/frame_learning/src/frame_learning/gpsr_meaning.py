@@ -64,14 +64,14 @@ class GpsrMapping:
 
     Attributes:
         slot_rules: rules of the grammars whose words count as one slot
-        types: FrameNet's semantic type by kind of slot
+        types: FrameNet's semantic types by kind of slot; one of them is right
         words_left_out: words that do not count when words are compared, lower case
         performer: words for the robot; a unit may list them for the performer, lower case
         logical_forms: for each predicate of the published logical forms, the frames that carry it out
     """
 
     slot_rules: FrozenSet[str]
-    types: Mapping[str, str]
+    types: Mapping[str, Tuple[str, ...]]
     words_left_out: FrozenSet[str]
     performer: FrozenSet[str]
     logical_forms: Mapping[str, FrozenSet[str]]
@@ -187,7 +187,8 @@ def read_gpsr_mapping(path: str) -> GpsrMapping:
         for name, node in _pairs(reader, entries.get("kinds"), "kinds").items()
     }
     types = {
-        name: reader.name(node, f"types.{name}") for name, node in _pairs(reader, entries.get("types"), "types").items()
+        name: reader.texts(node, f"types.{name}")
+        for name, node in _pairs(reader, entries.get("types"), "types").items()
     }
     logical_forms = {
         name: frozenset(reader.texts(node, f"logical_forms.{name}"))

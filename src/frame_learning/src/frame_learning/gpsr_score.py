@@ -9,16 +9,20 @@ from frame_learning.gpsr_commands import DrawnCommand
 from frame_learning.gpsr_meaning import GpsrMapping, Meaning, MeantElement, MeantFrame
 from offline_pipeline.pipeline import Pipeline, Understanding
 from semantic_framer.reading import Reading
+from semantic_frames.semantic_type import with_parents
 from typed_arguments import TypedArgument
 from utterance_passes.tree import DependencyTree
+from word_classes import word_class
 
 _WORD = re.compile(r"[\w'-]+")
+_ARTICLES = word_class("articles") | {"some"}
 
 
 class Verdict(Enum):
     """What became of a command.
 
-    RIGHT: the right frames in the right order, each slot in the right element; or a question where something lacks
+    RIGHT: the right frames in the right order, each slot in the right element with the right semantic type; or a
+        question where something lacks
     WRONG: would be carried out with another frame, or with a slot in another element or none
     ASKED: leads to a question; REFUSED: is refused; UNMAPPED: the mapping has no meaning for it
     """
@@ -89,7 +93,20 @@ def _mistake_in(words: "_Words", reading: Reading, frame: MeantFrame) -> str:
     for name, found in given.items():
         if found and not words.are_performer(found):
             return f'{name} has "{words.text(found)}" for nothing'
-    return _wrong_referent(words, reading, frame)
+    return _wrong_type(words, reading, frame) or _wrong_referent(words, reading, frame)
+
+
+def _wrong_type(words: "_Words", reading: Reading, frame: MeantFrame) -> str:
+    """Return the slot whose value has another semantic type than its kind; empty if there is none."""
+    for element in frame.elements:
+        wanted = words.semantic_types(element)
+        value = next((value for value in reading.arguments if value.name in element.names), None)
+        if not wanted or value is None or value.members:
+            continue
+        found = value.semantic_type
+        if not found or not frozenset(wanted) & with_parents(found):
+            return f'{value.name} "{value.text}" is a {found or "thing of no type"}, no {" or ".join(wanted)}'
+    return ""
 
 
 def _wrong_referent(words: "_Words", reading: Reading, frame: MeantFrame) -> str:
@@ -111,6 +128,7 @@ class _Words:
         self._command = command
         self._tree = tree
         self._performer = mapping.performer
+        self._types = mapping.types
         matches = list(_WORD.finditer(command.text))
         behind = [match.group().lower() for match in matches[1:]] + [""]
         # "Personal items" and "items" make "personal items items".
@@ -142,6 +160,14 @@ class _Words:
 
     def are_performer(self, words: FrozenSet[int]) -> bool:
         return all(self._words[at].group().lower() in self._performer for at in words)
+
+    def semantic_types(self, element: MeantElement) -> Tuple[str, ...]:
+        """Return the types of an element that is one slot, apart from articles; none for other elements."""
+        pieces = self._command.pieces[element.span[0] : element.span[1]]
+        kinds = [piece.kind for piece in pieces if piece.kind]
+        words = [piece.text.lower() for piece in pieces if not piece.kind]
+        is_slot = len(kinds) == 1 and frozenset(words) <= _ARTICLES
+        return self._types.get(kinds[0], ()) if is_slot else ()
 
     def referent(self, element: MeantElement) -> str:
         """Return what the pronoun of an element stands for; empty if the element is no pronoun."""

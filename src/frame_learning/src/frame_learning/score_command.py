@@ -3,10 +3,8 @@
 import argparse
 import json
 import sys
-from collections import Counter
 from typing import Callable, Dict, Iterable, List, Sequence, Tuple
 
-from command_server.stop_words import is_stop
 from frame_learning.annotated_commands import AnnotatedCommand, CorpusError
 from frame_learning.annotated_sentences import sentences_of
 from frame_learning.corpora import CORPORA, PublishedFigures
@@ -17,6 +15,7 @@ from frame_learning.gpsr_command import TITLE as GPSR_TITLE
 from frame_learning.gpsr_command import add_gpsr_arguments, run_gpsr
 from frame_learning.learn_command import learned_knowledge, lexicon_files
 from frame_learning.metrics import Answer, Count, Score, is_exact, score
+from frame_learning.outcome_score import add_outcome_arguments, score_outcomes
 from frame_learning.tables import aligned
 from offline_pipeline.knowledge import load_knowledge, pretend_servers, shipped_domains
 from offline_pipeline.pipeline import Pipeline
@@ -29,6 +28,7 @@ EXAMPLES = """examples:
   rfn score huric huric-2.1/english --folds 5
   rfn score tage tagE/data --json > tage.json
   rfn score scout scout/transcripts
+  rfn score scout scout/transcripts --sample 200 --seed 7
   rfn score gpsr grammars --count 5000 --seed 7 --failures
 
 exit status: 0 scored, 2 wrong usage
@@ -58,6 +58,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     )
     parser.add_argument("--wrong", metavar="FILE", help="write the commands that are not completely right to this file")
     add_gpsr_arguments(parser)
+    add_outcome_arguments(parser)
 
 
 def run(arguments: argparse.Namespace) -> int:
@@ -83,7 +84,7 @@ def run(arguments: argparse.Namespace) -> int:
     for problem in knowledge.problems:
         print(problem, file=sys.stderr)
     if mapping is None:
-        return _score_outcomes(arguments, pipeline, commands)
+        return score_outcomes(arguments, pipeline, commands)
     return _score_frames(arguments, pipeline, mapping, commands, corpus.published)
 
 
@@ -225,38 +226,3 @@ def _wrong(command: AnnotatedCommand, given: Answer) -> str:
 
 def _words(command: AnnotatedCommand, positions: Iterable[int]) -> str:
     return " ".join(command.tokens[position - 1] for position in sorted(positions) if position)
-
-
-def _score_outcomes(arguments: argparse.Namespace, pipeline: Pipeline, commands: Sequence[AnnotatedCommand]) -> int:
-    """Count the outcomes of commands without annotated frames."""
-    outcomes: List[Tuple[str, str]] = []
-    stops = 0
-    for command in commands:
-        if is_stop(command.text):
-            stops += 1
-            outcomes.append((command.text, "STOP"))
-            continue
-        reply = pipeline.understand_safely(command.text).reply
-        outcomes.append((command.text, reply.code if reply.outcome == "FAILED" else reply.outcome))
-    counts = Counter(outcome for _, outcome in outcomes)
-    result = {
-        "lines": len(commands),
-        "answered": counts["DONE"],
-        "asked_back": counts["NEEDS_INFORMATION"],
-        "refused": counts["REFUSED"],
-        "stops": stops,
-        "errors": counts["STAGE_ERROR"],
-    }
-    if arguments.wrong:
-        with open(arguments.wrong, "w", encoding="utf-8") as file:
-            file.writelines(f"{outcome}\t{text}\n" for text, outcome in outcomes)
-    if arguments.json:
-        print(json.dumps(result))
-    else:
-        print(
-            "\n".join(
-                f"{name.replace('_', ' '):<11} {value:>6}  {100.0 * value / len(commands):5.1f} %"
-                for name, value in result.items()
-            )
-        )
-    return 0

@@ -26,6 +26,8 @@ def to_yaml(units: Sequence[LearnedUnit], is_understood: Callable[[Lesson], bool
             is_closed = unit.closed_relations.get(name) is relations
             lines += [f"    - name: {name}", f"      relation: [{', '.join(relations)}]", "      argument: phrase"]
             lines += [f"      words: [{', '.join(map(_quoted, unit.words[name]))}]"] if is_closed else []
+            typed = is_closed and name in unit.types
+            lines += [f"      semantic_type: [{', '.join(unit.types[name])}]"] if typed else []
             lines += ["      required: True"] if name in unit.required else []
             lines += [f"      after_place: [{_quoted(unit.after_place[name])}]"] if name in unit.after_place else []
         examples = [lesson for lesson in unit.lessons if is_understood(lesson)][:MOST_EXAMPLES]

@@ -28,6 +28,11 @@ PREPOSITION_GROUPS: Tuple[Tuple[str, ...], ...] = tuple(
 )
 #: Prepositions that mean the same in every frame.
 _OF_PERIPHERAL = frozenset(f"prep_{preposition}" for group in PREPOSITION_GROUPS[1:3] for preposition in group)
+#: Who gets something, or has it done for him, is said alike in every frame.
+_OF_RECEIVERS = frozenset(["iobj", "prep_for"])
+_RECEIVERS = frozenset(["Beneficiary", "Recipient"])
+#: "Go to the hall by crossing the room" says the way, like "through the room".
+_WAYS, _BY_DOING = frozenset(["prep_through", "prep_via", "prep_by"]), "prepc_by"
 #: Words of closed classes of the same kind; one of a group stands for the whole group.
 WORD_GROUPS: Tuple[Tuple[str, ...], ...] = tuple(
     word_list(name) for name in ("manner_adverbs", "left_and_right", "forward_and_backward", "portals")
@@ -47,6 +52,7 @@ class LearnedUnit:
         closed_relations: relations by element, only for the words that were seen
         words: those words, by element
         required: elements without which the unit does not fit
+        types: semantic types that also may fill an element with listed words: a beneficiary is a person
         after_place: elements that count only after another phrase of place, with its preposition
         lessons: evidence from which it was learned
     """
@@ -56,6 +62,7 @@ class LearnedUnit:
     open_relations: Dict[str, List[str]] = field(default_factory=dict)
     closed_relations: Dict[str, List[str]] = field(default_factory=dict)
     words: Dict[str, List[str]] = field(default_factory=dict)
+    types: Dict[str, Tuple[str, ...]] = field(default_factory=dict)
     required: Set[str] = field(default_factory=set)
     after_place: Dict[str, str] = field(default_factory=dict)
     lessons: List[Lesson] = field(default_factory=list)
@@ -118,7 +125,7 @@ def _units(lessons: Sequence[Lesson], frames: Mapping[str, SemanticFrame]) -> Tu
             unit.verbs += [verb] if verb not in unit.verbs else []
             unit.lessons += piece
     for unit in units.values():
-        _fill(unit, rarer, same_shape)
+        _fill(unit, rarer, same_shape, frames.get(unit.frame_name))
     _share_closed(list(units.values()), lessons)
     _share_optional(list(units.values()))
     _share_between_frames(list(units.values()), lessons, frames)
@@ -187,9 +194,11 @@ def _share_between_frames(
     prepositions: Dict[str, List[str]] = defaultdict(list)
     for unit in units:
         for name, shared in _peripheral(frames.get(unit.frame_name)).items():
-            prepositions[shared] += [
-                relation for relation in unit.open_relations.get(name, []) if relation in _OF_PERIPHERAL
-            ]
+            alike = _OF_RECEIVERS if shared in _RECEIVERS else _OF_PERIPHERAL
+            said = unit.open_relations.get(name, []) + unit.closed_relations.get(name, [])
+            prepositions[shared] += [relation for relation in said if relation in alike]
+            if shared == "Path" and _WAYS.intersection(said):
+                prepositions[shared].append(_BY_DOING)
     for unit in units:
         for name, shared in _peripheral(frames.get(unit.frame_name)).items():
             if name in unit.required:
@@ -307,9 +316,13 @@ def _fill(
     unit: LearnedUnit,
     rarer: FrozenSet[Tuple[str, str, str]],
     same_shape: Mapping[Tuple[str, str], FrozenSet[Tuple[str, str]]],
+    frame: Optional[SemanticFrame],
 ) -> None:
     for lesson in unit.lessons:
         for name, relation in lesson.relations.items():
+            element = frame.element(name) if frame is not None else None
+            if (unit.frame_name, name, relation) in rarer and element is not None and element.semantic_types:
+                unit.types[name] = element.semantic_types
             is_closed = (relation != MEASURE and name in lesson.closed) or (unit.frame_name, name, relation) in rarer
             is_closed |= (name, relation) in same_shape.get((lesson.verb, unit.frame_name), ())
             seen = (unit.closed_relations if is_closed else unit.open_relations).setdefault(name, [])

@@ -235,3 +235,50 @@ def test_what_lacks_the_telling_element_is_a_unit_of_its_own(tmp_path):
     assert understood(pipeline, "Move to your right.") == ("going", {"direction": "your right"})
     assert understood(pipeline, "Move to the lab.") == ("going", {"goal": "the lab"})
     assert understood(pipeline, "Move the chair to the lab.") == ("bringing", {"theme": "the chair", "goal": "the lab"})
+
+
+def test_who_gets_something_is_said_in_the_same_way_in_all_frames(tmp_path):
+    pipeline = taught(
+        "- {text: Bring me the jar., frame_name: bringing, verb: Bring,"
+        " frame_elements: {theme: the jar, beneficiary: me}}\n"
+        "- {text: Find the jar., frame_name: finding, verb: Find, frame_elements: {theme: the jar}}\n",
+        {name: frame_text(name, ["theme"], ["Beneficiary"]) for name in ("bringing", "finding")},
+        tmp_path,
+    )
+    assert understood(pipeline, "Find me the radio.") == ("finding", {"theme": "the radio", "beneficiary": "me"})
+
+
+def test_a_way_is_also_said_by_what_is_crossed(tmp_path):
+    pipeline = taught(
+        "- {text: Go to the hall through the main door., frame_name: going, verb: Go,"
+        " frame_elements: {goal: to the hall, path: through the main door}}\n",
+        {"going": frame_text("going", ["goal"], ["Path"])},
+        tmp_path,
+    )
+    assert understood(pipeline, "Go to the hall by crossing the garage.") == (
+        "going",
+        {"goal": "the hall", "path": "crossing the garage"},
+    )
+
+
+def test_the_rarer_of_two_elements_has_the_semantic_type_of_its_frame(tmp_path):
+    frame = frame_text("bringing", ["theme"], ["Goal", "Beneficiary"])
+    frame = frame.replace("framenet: Beneficiary", "framenet: Beneficiary, semantic_type: Sentient")
+    pipeline = taught(
+        "- {text: Bring the jar to the kitchen., frame_name: bringing, verb: Bring,"
+        " frame_elements: {theme: the jar, goal: to the kitchen}}\n"
+        "- {text: Bring the box to the hall., frame_name: bringing, verb: Bring,"
+        " frame_elements: {theme: the box, goal: to the hall}}\n"
+        "- {text: Bring the box to my mother., frame_name: bringing, verb: Bring,"
+        " frame_elements: {theme: the box, beneficiary: to my mother}}\n",
+        {"bringing": frame},
+        tmp_path,
+    )
+    assert understood(pipeline, "Bring the box to the nurse.") == (
+        "bringing",
+        {"theme": "the box", "beneficiary": "the nurse"},
+    )
+    assert understood(pipeline, "Bring the box to the garage.") == (
+        "bringing",
+        {"theme": "the box", "goal": "the garage"},
+    )

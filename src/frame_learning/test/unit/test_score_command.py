@@ -231,7 +231,23 @@ def test_scout_counts_every_line(tmp_path, capsys):
     score_command.add_arguments(parser)
     assert score_command.run(parser.parse_args(["scout", str(tmp_path), "--json"])) == 0
     found = json.loads(capsys.readouterr().out)
-    assert found == {"lines": 6, "answered": 1, "asked_back": 0, "refused": 3, "stops": 2, "errors": 0}
+    counts = {"answered": 1, "talk": 0, "asked_back": 0, "asked_to_leave_out": 0, "refused": 3, "stops": 2, "errors": 0}
+    assert {name: found[name] for name in counts} == counts
+    assert found["lines"] == 6
+    assert found["codes"] == {"EMPTY_TEXT": 2, "NO_VERB": 1}
+    # Two of the lines have no words.
+    assert found["different"]["lines"] == 4
+
+
+def test_scout_shows_a_seeded_sample_of_what_is_acted_on(tmp_path, capsys):
+    rows = "".join(f'{number}\t1.0\tCMD\t"{line}"\n' for number, line in enumerate(["turn left", "Turn left.", "uhm"]))
+    (tmp_path / "x_transcript.txt").write_text("id\ttime\tstream\ttext\n" + rows, encoding="utf-8")
+    parser = score_command.argparse.ArgumentParser()
+    score_command.add_arguments(parser)
+    assert score_command.run(parser.parse_args(["scout", str(tmp_path), "--sample", "5", "--seed", "1"])) == 0
+    shown = capsys.readouterr().out
+    assert "1 different utterances that are acted on, seed 1" in shown
+    assert "turn left | turning(direction=left" in shown
 
 
 @pytest.mark.parametrize("words", [["--folds", "2"], ["--behaviour", "2012"]])

@@ -87,7 +87,9 @@ class PhraseTypes:
         if word.upos not in _NOUNS or form in _PRONOUNS:
             return UNTYPED
         types = self._of_noun(word)
-        if word.upos == "PROPN":
+        # An unknown word with a capital is a name, whatever the tagger says.
+        is_name = word.upos == "NOUN" and word.index > 1 and word.form.istitle() and not types.types
+        if word.upos == "PROPN" or is_name:
             types = self._of_proper_noun(word, types)
         complement = self._complement(word, types)
         if complement:

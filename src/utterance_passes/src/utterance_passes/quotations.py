@@ -25,6 +25,7 @@ _HARMLESS = word_class("harmless")
 _NEGATIONS = word_class("negations")
 _NO_PRONOUNS = word_class("no_pronouns")
 _PERSONS_TOLD = word_class("persons_told")
+_QUESTION_WORDS = word_class("question_words")
 _PLACE_PREPOSITIONS = word_class("place_prepositions")
 #: These conjunctions are not quoted: they delay the saying ("tell me when dinner is ready").
 _PUTTING_OFF = _CONDITIONS - {"if"}
@@ -99,6 +100,8 @@ class _Quotation:
         self._start = saying.last + 1
         #: Correct head and relation of words that the parser attached wrongly.
         self._moved: Dict[int, Tuple[int, str]] = {}
+        #: Names that the parser takes for verbs.
+        self._names: Set[int] = set()
         self._end = self._next_command(clauses, vocabulary)
         #: Verb of what somebody is asked to do; it is no quotation.
         self._requested = self._infinitive() if saying.is_told else 0
@@ -131,6 +134,8 @@ class _Quotation:
         if first.form.lower() == "that" and first.deprel in ("mark", "det") and self._has_verb(inside):
             self._moved[first.index] = (head.index, "mark")
         for word in tree.words:
+            if word.index in self._names:
+                edit.retag(word.index, "PROPN", "NNP")
             if word.index in self._moved:
                 governor, relation = self._moved[word.index]
                 edit.rehang(word.index, governor, relation)
@@ -217,7 +222,23 @@ class _Quotation:
         ):
             told = frozenset([owner.index])
             self._moved[owner.index] = (self._verb, "iobj")
+        told = told or self._told_before_question()
         self._start = max(told) + 1 if told else self._start
+
+    def _told_before_question(self) -> FrozenSet[int]:
+        """Return the words of a person before an indirect question: "tell *the man at the door* what day it is"."""
+        words = self._tree.words[self._start - 1 : self._end - 1]
+        question = next((word.index for word in words if word.form.lower() in _QUESTION_WORDS), 0)
+        before = [word for word in words if word.index < question]
+        person = next((word for word in before if is_person(word) and word.head == self._verb), None)
+        if (
+            person is None
+            or before[0].upos not in ("DET", "NOUN", "PROPN", "PRON")
+            or not self._has_verb(range(question, self._end))
+        ):
+            return frozenset()
+        self._moved[person.index] = (self._verb, "iobj")
+        return frozenset(word.index for word in before)
 
     def _between_marks(self) -> FrozenSet[int]:
         marks = [word.index for word in self._tree.words if word.form in _MARKS and word.index >= self._start]
@@ -260,9 +281,14 @@ class _Quotation:
         for index in sorted(inside):
             word = self._tree.word(index)
             cases = [child.index for child in self._tree.children(index) if child.deprel == "case"]
+            name = self._name_taken_for_a_verb(word)
+            if name:
+                self._moved[name] = (index, "case")
+                self._names.add(index)
+                cases = [name]
             phrase = frozenset(i for i in self._tree.subtree(index) if not cases or i >= cases[0])
-            is_end = self._case(index) == "to" and max(phrase & inside) == max(inside) and phrase < inside
-            is_somebody = word.upos == "PROPN" or word.form.lower() in _PERSONS_TOLD or is_person(word)
+            is_end = (name or self._case(index) == "to") and max(phrase & inside) == max(inside) and phrase < inside
+            is_somebody = name or word.upos == "PROPN" or word.form.lower() in _PERSONS_TOLD or is_person(word)
             has_subject = any(
                 self._tree.word(i).deprel.startswith("nsubj") and self._tree.word(i).head != index
                 for i in inside - phrase
@@ -278,6 +304,14 @@ class _Quotation:
                 if not find_times(self._tree) and inside:
                     self._moved[place.index] = (person.index, "nmod")
         return inside
+
+    def _name_taken_for_a_verb(self, word: Word) -> int:
+        """Return the position of "to" before an unknown name that the parser takes for a verb: "what day it is to
+        *Hayden*"; 0 for other words."""
+        children = self._tree.children(word.index)
+        to = next((child.index for child in children if child.deprel == "mark" and child.form.lower() == "to"), 0)
+        is_predicate = any(child.deprel == "cop" and child.index < to for child in children)
+        return to if to == word.index - 1 and word.form[:1].isupper() and is_predicate else 0
 
     def _has_verb(self, positions: Iterable[int]) -> bool:
         return any(self._tree.word(index).upos in ("VERB", "AUX") for index in positions)
