@@ -9,7 +9,7 @@ import re
 from dataclasses import dataclass, replace
 from typing import Dict, FrozenSet, List, Optional, Sequence, Tuple
 
-from phrase_meanings.arguments import of_same_kind, on_other_side
+from phrase_meanings.arguments import ONES, of_same_kind, on_other_side
 from semantic_framer.dialogue import Context, LastCommand
 from semantic_framer.fragments import Fragment, FragmentKind, fragment_of
 from semantic_framer.framed_lexicon import FramedLexicon
@@ -45,7 +45,6 @@ from word_classes import word_class, word_list
 _ALIKE = (("Sentient",), ("Location",), ("Physical_object", "Substance"), ("Information",))
 _HEARERS = word_class("hearers")
 _PERSONS = word_class("pronouns_of_persons")
-_ONES = frozenset(["one", "ones"])
 _PAIRS = word_list("opposite_sides")
 #: The other side of each side.
 _OPPOSITES: Dict[str, str] = {
@@ -125,7 +124,7 @@ class _Amending:
             return _unsaid(self._reading) if self._measured() else None
         if kind is FragmentKind.BIT:
             return self._with_open_amount()
-        is_one = self._tree.word(self._fragment.positions[-1]).form.lower() in _ONES
+        is_one = self._tree.word(self._fragment.positions[-1]).form.lower() in ONES
         if kind is FragmentKind.OPPOSITE or is_one:
             found = self._of_a_side() or self._replaced()
         else:
@@ -198,7 +197,7 @@ class _Amending:
         head = self._head()
         if not head:
             return ()
-        is_one = self._tree.word(head).form.lower() in _ONES
+        is_one = self._tree.word(head).form.lower() in ONES
         slots = [
             (argument, element)
             for argument in self._reading.arguments
@@ -242,7 +241,7 @@ class _Amending:
         is_amount = any(
             amount.unit or len(spoken) == len(amount.positions) for amount in find_amounts(self._tree, spoken)
         )
-        return 0 if is_in_phrase or (is_amount and self._tree.word(tops[0]).form.lower() not in _ONES) else tops[0]
+        return 0 if is_in_phrase or (is_amount and self._tree.word(tops[0]).form.lower() not in ONES) else tops[0]
 
     def _left_out(self) -> FrozenSet[int]:
         return frozenset(word.index for word in self._tree.words) - frozenset(self._fragment.positions)
@@ -312,7 +311,7 @@ class _Amending:
 
     def _resolved(self, argument: TypedArgument) -> TypedArgument:
         before = self._reading.argument(argument.name)
-        return argument if before is None or argument.head.lower() not in _ONES else of_same_kind(argument, before)
+        return argument if before is None or argument.head.lower() not in ONES else of_same_kind(argument, before)
 
     def _has_unlisted(self, sentence: Sentence, reading: Reading) -> bool:
         """Whether an argument has more words than the unit lists for its element: "slowly and the cat"."""

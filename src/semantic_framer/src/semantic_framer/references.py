@@ -3,7 +3,7 @@
 from dataclasses import replace
 from typing import Mapping, Union
 
-from phrase_meanings.arguments import resolved
+from phrase_meanings.arguments import ONES, of_same_kind, resolved
 from semantic_framer.dialogue import DEMONSTRATIVES, PLACE_PRONOUNS, PRONOUNS, Context
 from semantic_framer.frame_roles import NO_THINGS, PLACES
 from semantic_framer.reading import Reading
@@ -34,6 +34,27 @@ def resolve(reading: Reading, context: Context) -> Union[Reading, TypedArgument]
     return replace(reading, arguments=tuple(values))
 
 
+def resolve_in_parallel(reading: Reading, before: Reading, frames: Mapping[str, SemanticFrame]) -> Reading:
+    """Resolve words that refer to the same element of the clause before: "take the red cup and the blue *one*", and, if
+    both clauses share one verb, places: "put the cup on the table and the bowl on *it*".
+    """
+    frame = frames[reading.unit.frame_name]
+    values = []
+    for value in reading.arguments:
+        element, other = frame.element(value.name), before.argument(value.name)
+        if other is None or not value.positions:
+            values.append(value)
+            continue
+        is_place = element is not None and element.framenet in PLACES
+        shares_verb = reading.verb_positions == before.verb_positions
+        if value.head.lower() in ONES and value.text.lower() not in PRONOUNS:
+            value = of_same_kind(value, other)
+        elif shares_verb and is_place and value.text.lower() in PRONOUNS - DEMONSTRATIVES:
+            value = resolved(value, other.text)
+        values.append(value)
+    return replace(reading, arguments=tuple(values))
+
+
 def remember(reading: Reading, frames: Mapping[str, SemanticFrame], context: Context) -> Context:
     """Remember the thing and the place that a reading mentions."""
     frame = frames[reading.unit.frame_name]
@@ -41,6 +62,8 @@ def remember(reading: Reading, frames: Mapping[str, SemanticFrame], context: Con
         element = frame.element(value.name)
         if element is None or not value.positions or element.quantity is not None:
             continue
+        if element.framenet == "Category" and not value.quantifier:
+            continue  # "The floor is dirty, clean it": dirty is no thing.
         if element.framenet in PLACES:
             context = replace(context, place=value.text)
         elif element.framenet not in NO_THINGS and value.text.lower() not in _PARTICIPANTS:

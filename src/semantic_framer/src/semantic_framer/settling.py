@@ -22,7 +22,7 @@ from semantic_framer.outcome import (
     left_over_refusal,
 )
 from semantic_framer.reading import Reading
-from semantic_framer.references import remember, resolve
+from semantic_framer.references import remember, resolve, resolve_in_parallel
 from semantic_framer.sentence import Sentence
 from semantic_framer.world_references import refer, spoken_of
 from semantic_frames.semantic_type import SEMANTIC_TYPES
@@ -99,6 +99,8 @@ def resolve_and_confirm(
     ignored = [sentence.word(index).form for readings in clauses for index in readings[0].left_over]
     done: List[Tuple[Reading, ...]] = []
     for readings in clauses:
+        if done:
+            readings = _beside(readings, done[-1][0], now)
         question = _resolved(readings, context, now)
         if isinstance(question, _Open):
             waiting = without_positions(tuple(done) + (question.readings,) + clauses[len(done) + 1 :])
@@ -122,6 +124,14 @@ def resolve_and_confirm(
         return asked, replace(context, pending=pending)
     warning = f"ignored: {' '.join(ignored)}" if ignored and policy.left_over_words is LeftOverWords.WARN else ""
     return Understood(tuple(done), warning=warning), context
+
+
+def _beside(readings: Tuple[Reading, ...], before: Reading, now: Now) -> Tuple[Reading, ...]:
+    """Return the readings of a clause with the words resolved that refer to the clause before it."""
+    found = tuple(resolve_in_parallel(reading, before, now.known.frames) for reading in readings)
+    if found[0] != readings[0]:
+        now.write("references", str(readings[0]), str(found[0]))
+    return found
 
 
 @dataclass(frozen=True)

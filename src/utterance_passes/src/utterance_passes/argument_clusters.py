@@ -82,10 +82,14 @@ def expand_argument_clusters(tree: DependencyTree, vocabulary: Vocabulary) -> De
 
 
 def _expand(tree: DependencyTree, clause: Clause, edit: TreeEdit) -> List[Tuple[int, FrozenSet[int]]]:
+    for index in _particles_behind_and(tree, clause):
+        # No unit takes it, so that "turn on the light and off the radio" does not turn both off.
+        edit.rehang(index, clause.verb, "dep")
+        return []
     pieces = _groups(tree, clause)
     if pieces is None or len(pieces) < 2:
         return []
-    groups = _with_lists_as_one(pieces)
+    groups = _with_names_apart(pieces) or _with_lists_as_one(pieces)
     first, others = groups[0], groups[1:]
     length = len(others[0]) if others else 0
     if length < 2 or len(first) < length:
@@ -102,6 +106,19 @@ def _expand(tree: DependencyTree, clause: Clause, edit: TreeEdit) -> List[Tuple[
     for group in others:
         _hang(tree, clause, model, group, edit)
     return [(clause.verb, frozenset(phrase.head for phrase in group)) for group in (model, *others)]
+
+
+def _particles_behind_and(tree: DependencyTree, clause: Clause) -> List[int]:
+    """Return the particles that begin another group with an object of its own."""
+    return [
+        index
+        for index in sorted(clause.positions)
+        if tree.word(index).deprel == "compound:prt"
+        and index > clause.verb + 1
+        and tree.word(index - 1).form.lower() == "and"
+        and index + 1 in clause.positions
+        and tree.word(index + 1).upos in (*_BEFORE_NOUNS, *_NOUNS)
+    ]
 
 
 def _ends_alike(model: _Group, group: _Group) -> bool:
@@ -141,6 +158,17 @@ def _hang(tree: DependencyTree, clause: Clause, model: _Group, group: _Group, ed
 
 def _is_measure(tree: DependencyTree, phrase: _Phrase) -> bool:
     return tree.word(phrase.head).deprel == "obl:unmarked"
+
+
+def _with_names_apart(groups: Sequence[_Group]) -> Optional[List[_Group]]:
+    """Divide groups of a name and a bare noun, as in "Anna coffee and Ben tea"; None unless all groups are so."""
+    found: List[_Group] = []
+    for group in groups:
+        words = group[0].words
+        if len(group) != 1 or [word.upos for word in words] != ["PROPN", "NOUN"]:
+            return None
+        found.append((_Phrase(_Kind.NOUN, words[:1]), _Phrase(_Kind.NOUN, words[1:])))
+    return found
 
 
 def _with_lists_as_one(groups: Sequence[_Group]) -> List[_Group]:

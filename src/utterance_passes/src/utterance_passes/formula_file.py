@@ -28,6 +28,7 @@ KINDS = (
     "editing_terms",
     "withdrawals",
     "fillers",
+    "phrases_of_hesitation",
     "contractions",
 )
 _KEYS = ("pattern", "example", "becomes")

@@ -7,7 +7,8 @@ from functools import partial
 from typing import Callable, List, Tuple, Union
 
 from spoken_quantities import number_words
-from utterance_passes.formula_file import WRITTEN_OUT, shipped_formulas
+from utterance_passes.formula_file import WRITTEN_OUT, any_of, shipped_formulas
+from word_classes import word_class, word_list
 
 #: Words that can begin a number.
 _NUMBER = f"(?:{'|'.join(number_words())})"
@@ -100,3 +101,65 @@ def stripped(spelling: Spelling) -> Spelling:
     lead = len(spelling.text) - len(spelling.text.lstrip())
     text = spelling.text.strip()
     return Spelling(text, spelling.origins[lead : lead + len(text)] + (spelling.origins[lead + len(text)],))
+
+
+#: A word that was broken off: "the ki- ...", but not "two- or three-metre".
+_BROKEN_OFF = re.compile(rf"(?<![\w-])(?!{_NUMBER}-)[^\W\d_]+-,?(?=\s+(?!(?:or|and|to)\b)\S)", re.IGNORECASE)
+_SAID = re.compile(r"[\w']+")
+_PHRASE = any_of(shipped_formulas()["phrases_of_hesitation"]).pattern
+_SET_OFF = f"{_PHRASE}|{any_of(shipped_formulas()['fillers']).pattern}|like"
+_BETWEEN_COMMAS = re.compile(rf",\s*(?:{_SET_OFF})\s*,", re.IGNORECASE)
+_OBJECT = "|".join(word_list("objects_of_knowing"))
+_HESITATION = re.compile(rf"(?<![\w'-])(?:{_PHRASE})(?![\w'-])(?!\s*(?:{_OBJECT})\b)", re.IGNORECASE)
+_BEFORE_KNOWING = re.compile(rf"(?:{'|'.join(word_list('before_knowing'))})\s*$", re.IGNORECASE)
+_SAYING = word_class("saying_verbs")
+_UNFINISHED = word_class("only_before_nouns") | word_class("to_prepositions") | word_class("placing_prepositions")
+
+
+def without_false_starts(spelling: Spelling) -> Spelling:
+    """Remove words that the speaker broke off, and what they say again: "go to the ki- go to the kitchen"."""
+    while True:
+        match = _BROKEN_OFF.search(spelling.text)
+        if match is None:
+            return spelling
+        before = list(_SAID.finditer(spelling.text, 0, match.start()))
+        behind = _SAID.search(spelling.text, match.end())
+        again = behind.group().lower() if behind else ""
+        start = next((word.start() for word in reversed(before) if word.group().lower() == again), match.start())
+        end = behind.start() if behind else match.end()
+        spelling = Spelling(
+            spelling.text[:start] + spelling.text[end:], spelling.origins[:start] + spelling.origins[end:]
+        )
+
+
+def without_repeated_starts(spelling: Spelling) -> Spelling:
+    """Remove the beginning of a phrase that the speaker begins again: "go to the go to the office"."""
+    words = list(_SAID.finditer(spelling.text))
+    forms = [word.group().lower() for word in words]
+    for length in range(len(forms) // 2, 1, -1):
+        for first in range(len(forms) - 2 * length):
+            second = first + length
+            if forms[first:second] == forms[second : second + length] and forms[second - 1] in _UNFINISHED:
+                start, end = words[first].start(), words[second].start()
+                return without_repeated_starts(
+                    Spelling(
+                        spelling.text[:start] + spelling.text[end:], spelling.origins[:start] + spelling.origins[end:]
+                    )
+                )
+    return spelling
+
+
+def without_hesitation(spelling: Spelling) -> Spelling:
+    """Remove phrases that people say while they think, unless somebody is to say them: "the, you know, kitchen"."""
+    if _SAYING & {word.group().lower() for word in _SAID.finditer(spelling.text)}:
+        return spelling  # They may be part of the message.
+    spelling = replaced(spelling, _BETWEEN_COMMAS, "")
+    found = _HESITATION.finditer(spelling.text)
+    match = next((one for one in found if not _BEFORE_KNOWING.search(spelling.text[: one.start()])), None)
+    if match is None or not spelling.text[match.end() :].strip(" .!?,"):
+        return spelling
+    made = Spelling(
+        spelling.text[: match.start()] + spelling.text[match.end() :],
+        spelling.origins[: match.start()] + spelling.origins[match.end() :],
+    )
+    return without_hesitation(made)

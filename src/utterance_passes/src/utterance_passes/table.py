@@ -88,6 +88,27 @@ TEXT_PASSES: Tuple[TextPass, ...] = (
     ),
     _text("ratios", "Separate the two numbers of a ratio.", "3/4", "3 / 4", spelling.RATIO, " / "),
     TextPass(
+        "false_starts",
+        "Remove words that are broken off, and the words that are said again after them.",
+        Example("go to the ki- go to the kitchen", ("go to the kitchen",)),
+        Stage.PARSER,
+        spelling.without_false_starts,
+    ),
+    TextPass(
+        "repeated_starts",
+        "Remove the beginning of a phrase that is begun again.",
+        Example("go to the go to the office", ("go to the office",)),
+        Stage.PARSER,
+        spelling.without_repeated_starts,
+    ),
+    TextPass(
+        "hesitation",
+        "Remove phrases that people say while they think.",
+        Example("go to the, you know, kitchen", ("go to the kitchen",)),
+        Stage.PARSER,
+        spelling.without_hesitation,
+    ),
+    TextPass(
         "contractions",
         "Write contracted words in full.",
         Example("didja move, I'm gonna go", ("did you move, I'm going to go",)),

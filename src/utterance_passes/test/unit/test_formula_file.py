@@ -11,7 +11,7 @@ from utterance_passes.corrections import without_corrected
 from utterance_passes.formula_file import KINDS, Formula, load_formulas, shipped_formulas
 from utterance_passes.formulas import without_formulas
 from utterance_passes.objections import without_objection
-from utterance_passes.spelling import as_said, written_out
+from utterance_passes.spelling import as_said, without_hesitation, written_out
 from utterance_passes.surroundings import surroundings
 from utterance_passes.tree import DependencyTree, Word
 from utterance_passes.vocabulary import Verbs
@@ -52,6 +52,8 @@ def left_of(kind: str, text: str) -> str:
     """What the pass of a kind leaves of a sentence."""
     if kind == "contractions":
         return written_out(as_said(text)).text
+    if kind == "phrases_of_hesitation":
+        return " ".join(without_hesitation(as_said(text)).text.split())
     if kind in _AROUND:
         around = surroundings(as_said(text), _VERBS)
         return around.command.text.lower() if around is not None else text

@@ -6,7 +6,13 @@ import pytest
 
 from utterance_passes.conllu import from_conllu
 from utterance_passes.running import run_text_passes
-from utterance_passes.spelling import Spelling
+from utterance_passes.spelling import (
+    Spelling,
+    as_said,
+    without_false_starts,
+    without_hesitation,
+    without_repeated_starts,
+)
 from utterance_passes.table import TEXT_PASSES
 from utterance_passes.tagging import command_verb_position, numbered_noun_position, rerooted
 from utterance_passes.vocabulary import Verbs
@@ -105,3 +111,48 @@ def test_rerooted_leaves_a_right_tree_alone() -> None:
 def test_numbered_noun(text: str, tags: str, position: Optional[int]) -> None:
     verbs = Verbs(frozenset({"compute", "go", "fetch", "drive"}))
     assert numbered_noun_position(text.split(), tags.split(), verbs) == position
+
+
+@pytest.mark.parametrize(
+    "said, written",
+    [
+        ("go to the off- the kitchen", "go to the kitchen"),
+        ("turn le- right", "turn right"),
+        ("go to the ki- go to the kitchen", "go to the kitchen"),
+        ("take the two- or three-legged chair", "take the two- or three-legged chair"),
+        ("move ten- twenty metres", "move ten- twenty metres"),
+        ("pick-up the cup", "pick-up the cup"),
+    ],
+)
+def test_false_starts(said: str, written: str) -> None:
+    made = without_false_starts(as_said(said))
+    assert made.text == written
+    assert len(made.origins) == len(made.text) + 1
+    assert [said[made.origins[place]] for place in range(len(made.text))] == list(made.text)
+
+
+@pytest.mark.parametrize(
+    "said, written",
+    [
+        ("take the take the red cup", "take the red cup"),
+        ("turn left turn left", "turn left turn left"),
+        ("bye bye", "bye bye"),
+    ],
+)
+def test_repeated_starts(said: str, written: str) -> None:
+    assert without_repeated_starts(as_said(said)).text == written
+
+
+@pytest.mark.parametrize(
+    "said, written",
+    [
+        ("could you you know close the door", "could you close the door"),
+        ("take the, like, small cup", "take the small cup"),
+        ("do you know the way", "do you know the way"),
+        ("you know where it is", "you know where it is"),
+        ("say you know, no", "say you know, no"),
+        ("you know", "you know"),
+    ],
+)
+def test_hesitation(said: str, written: str) -> None:
+    assert " ".join(without_hesitation(as_said(said)).text.split()) == written

@@ -21,7 +21,7 @@ from utterance_passes.utterance_pass import CutPass, Pass, Stage, SurroundingsPa
 
 ORDER = (
     "transcribers_marks apostrophes quotation_marks dashes fraction_signs fraction_slash degree_sign units "
-    "minus_sign negative_sign ratios contractions blanks ends "
+    "minus_sign negative_sign ratios false_starts repeated_starts hesitation contractions blanks ends "
     "surroundings run_ons "
     "command_verb numbered_noun "
     "one_object particle_predicates verb_compounds infinitive_conjuncts reroot "
