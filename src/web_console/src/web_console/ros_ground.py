@@ -15,12 +15,14 @@ from web_console.views import GroundView, LandmarkView, MapView
 _MOST_LANDMARKS = 300
 #: The pose and the twist of an Odometry, each with its covariance: the end of the message.
 _POSE_AND_TWIST_BYTES = (7 + 36 + 6 + 36) * 8
+#: The pose of a PoseStamped: its end.
+_POSE_BYTES = 7 * 8
 
 
 class GroundTap:
     """Subscribers of poses, maps, paths and places; each is shown when its topic is there.
 
-    Subscribes: ``odom`` (while a page is open), ``amcl_pose``, ``map``, ``locations``, ``world``, ``person/pose``,
+    Subscribes: ``odom`` and ``person/pose`` (while a page is open), ``amcl_pose``, ``map``, ``locations``, ``world``,
     ``move_base/current_goal``, and the topics of paths.
     """
 
@@ -52,14 +54,15 @@ class GroundTap:
         self._on_names = on_names
         self._localization = Localization()
         self._last_odometry: Optional[rospy.AnyMsg] = None
-        self._seen = b""
+        self._last_person: Optional[rospy.AnyMsg] = None
+        self._seen = self._seen_person = b""
         self._ground = GroundView()
         self._maps = 0
         self._places: Tuple[LandmarkView, ...] = ()
         self._known: Tuple[LandmarkView, ...] = ()
         self._others: Dict[str, LandmarkView] = {}
         self._subscribers: List[rospy.Subscriber] = []
-        self._odometry: Optional[rospy.Subscriber] = None
+        self._frequent: List[rospy.Subscriber] = []
 
     def start(self) -> None:
         """Subscribe to all that is seldom published."""
@@ -67,7 +70,6 @@ class GroundTap:
         self._hear("map", OccupancyGrid, self._on_map)
         self._hear("locations", Locations, self._on_locations)
         self._hear("world", World, self._on_world)
-        self._hear("person/pose", PoseStamped, lambda message: self._on_other("person", message))
         self._hear("move_base/current_goal", PoseStamped, lambda message: self._on_other("goal", message))
         for topic in self._path_topics:
             self._hear(topic, Path, self._on_path)
@@ -86,19 +88,30 @@ class GroundTap:
             rospy.logwarn("a %s cannot be shown: %s: %s", type(message).__name__, type(error).__name__, error)
 
     def watch(self, is_watched: bool) -> None:
-        """Follow the odometry, or leave it alone while nobody looks: it is frequent. May wait for the master."""
-        if is_watched and self._odometry is None:
+        """Follow what is frequent, or leave it alone while nobody looks. May wait for the master."""
+        if is_watched and not self._frequent:
             # Most messages are never read.
-            self._odometry = rospy.Subscriber("odom", rospy.AnyMsg, self._on_odometry, queue_size=1)
-        elif not is_watched and self._odometry is not None:
-            self._odometry.unregister()
-            self._odometry = None
+            self._frequent = [
+                rospy.Subscriber("odom", rospy.AnyMsg, self._on_odometry, queue_size=1),
+                rospy.Subscriber("person/pose", rospy.AnyMsg, self._on_person, queue_size=1),
+            ]
+        elif not is_watched and self._frequent:
+            for subscriber in self._frequent:
+                subscriber.unregister()
+            self._frequent = []
 
     def _on_odometry(self, message: rospy.AnyMsg) -> None:
         self._last_odometry = message
 
+    def _on_person(self, message: rospy.AnyMsg) -> None:
+        self._last_person = message
+
     def look(self) -> None:
-        """Show where the robot is now."""
+        """Show where the robot and the person are now."""
+        person, self._last_person = self._last_person, None
+        if person is not None and person._buff[-_POSE_BYTES:] != self._seen_person:
+            self._seen_person = person._buff[-_POSE_BYTES:]
+            self._on_other("person", PoseStamped().deserialize(person._buff))
         message, self._last_odometry = self._last_odometry, None
         # A robot that stands says the same again and again.
         if message is not None and message._buff[-_POSE_AND_TWIST_BYTES:] != self._seen:
