@@ -1,0 +1,205 @@
+#!/usr/bin/env python3
+"""Compares "until ..." with a bare subscriber: from the moment when the condition holds to the cancel of the goal.
+
+The source stamps its message; a bare subscriber in another process answers the same message. The condition goes through
+a `ConditionServer` and the executor, which cancels the goal of the running clause. Both are measured in each turn.
+"""
+
+import os
+import socket
+import statistics
+import subprocess
+import sys
+import threading
+import time
+from contextlib import ExitStack
+from typing import Dict, List, Sequence, Tuple
+
+START_TIMEOUT_S = 60.0
+ANSWER_TIMEOUT_S = 20.0
+SETTLE_S = 0.1
+COUNT, WARM_UP = 100, 5
+#: What "until" may take at most, 99 times of 100; milliseconds.
+ALLOWED_MS = 300.0
+
+
+def relay() -> None:
+    """The bare subscriber: answer each message of the source."""
+    import rospy
+    from std_msgs.msg import Header
+
+    rospy.init_node("bare_subscriber")
+    back = rospy.Publisher("bare_back", Header, queue_size=10)
+    rospy.Subscriber("source", Header, back.publish)
+    rospy.spin()
+
+
+def watcher() -> None:
+    """The server of the condition: it holds when the source has said so since the goal began."""
+    import rospy
+    from std_msgs.msg import Header
+
+    from rfnserver import ConditionServer, Observed
+
+    rospy.init_node("watcher")
+    last: List[Header] = []
+    server = ConditionServer(
+        "watching",
+        lambda frame: (
+            Observed(True, last[-1].stamp)
+            if last and last[-1].frame_id == frame["goal"].text
+            else Observed(False, rospy.Time.now())
+        ),
+    )
+
+    def hear(message: Header) -> None:
+        last[:] = [message]
+        server.changed()
+
+    rospy.Subscriber("source", Header, hear, tcp_nodelay=True)
+    server.start()
+    rospy.spin()
+
+
+class Measurement:
+    """The source, and the server whose goal is cancelled."""
+
+    def __init__(self) -> None:
+        """Connect to everything; returns when all of it is up."""
+        import actionlib
+        import rospy
+        from roboframenet_msgs.msg import CommandPlan, FilledSemanticFrameAction, StageEvent
+        from std_msgs.msg import Header
+
+        rospy.init_node("measuring")
+        self._seen: Dict[str, float] = {}
+        self._arrived = threading.Condition()
+        self._source = rospy.Publisher("source", Header, queue_size=10, tcp_nodelay=True)
+        self._plans = rospy.Publisher("command_plan", CommandPlan, queue_size=10)
+        self._server = actionlib.ActionServer(
+            "driving", FilledSemanticFrameAction, self._begin, self._cancel, auto_start=False
+        )
+        self._server.start()
+        self._subscribers = [
+            rospy.Subscriber("bare_back", Header, lambda message: self._note("bare subscriber")),
+            rospy.Subscriber("stage_events", StageEvent, lambda event: event.is_final and self._note("reply")),
+        ]
+        end_s = time.monotonic() + START_TIMEOUT_S
+        while self._source.get_num_connections() < 2 or not all(
+            one.get_num_connections() for one in (self._plans, *self._subscribers)
+        ):
+            if time.monotonic() > end_s:
+                raise SystemExit("the executor, the watcher or the bare subscriber does not come up")
+            time.sleep(0.05)
+
+    def _begin(self, handle: object) -> None:
+        handle.set_accepted()  # type: ignore[attr-defined]
+        self._note("begun")
+
+    def _cancel(self, handle: object) -> None:
+        self._note("until")
+        handle.set_canceled()  # type: ignore[attr-defined]
+
+    def _note(self, what: str) -> None:
+        now_s = time.monotonic()
+        with self._arrived:
+            self._seen.setdefault(what, now_s)
+            self._arrived.notify_all()
+
+    def _wait_for(self, *what: str) -> None:
+        with self._arrived:
+            if not self._arrived.wait_for(lambda: self._seen.keys() >= set(what), ANSWER_TIMEOUT_S):
+                raise SystemExit(f"of {what} came only {list(self._seen)}")
+
+    def turn(self, number: int) -> Dict[str, float]:
+        """Milliseconds from the message of the source to the cancel, and to the answer of the bare subscriber."""
+        import rospy
+        from roboframenet_msgs import msg
+        from std_msgs.msg import Header
+
+        def candidate(frame: str, server: str) -> msg.PlanCandidate:
+            goal = msg.FilledFrameElement(name="goal", argument=str(number))
+            filled = msg.FilledSemanticFrame(name=frame, action_server_topics=[server], frame_elements=[goal])
+            return msg.PlanCandidate(frames=[filled], coverage=1.0)
+
+        nodes = [
+            msg.PlanNode(kind=msg.PlanNode.UNTIL, label="drive until it is so", children=[1, 2]),
+            msg.PlanNode(kind=msg.PlanNode.CONDITION, label="it is so", candidates=[candidate("being", "watching")]),
+            msg.PlanNode(kind=msg.PlanNode.DO, label="drive", candidates=[candidate("driving", "driving")]),
+        ]
+        self._seen = {}
+        command = msg.Command(id=f"until_{number}", text="drive until it is so", stamp=rospy.Time.now())
+        self._plans.publish(msg.CommandPlan(command=command, plan=msg.Plan(nodes=nodes)))
+        self._wait_for("begun")
+        time.sleep(SETTLE_S)
+        start_s = time.monotonic()
+        self._source.publish(Header(stamp=rospy.Time.now(), frame_id=str(number)))
+        self._wait_for("until", "bare subscriber", "reply")
+        return {what: 1000.0 * (self._seen[what] - start_s) for what in ("until", "bare subscriber")}
+
+
+def quantiles(values: Sequence[float]) -> Tuple[float, float]:
+    """Median, and the value that 99 of 100 do not exceed."""
+    ordered = sorted(values)
+    return statistics.median(ordered), ordered[min(len(ordered) - 1, int(0.99 * len(ordered)))]
+
+
+def measure(count: int) -> int:
+    """Print the table."""
+    import rospy
+
+    try:
+        measurement = Measurement()
+        turns = [measurement.turn(number) for number in range(WARM_UP + count)][WARM_UP:]
+        print(f"{'condition true to':24}{'p50 ms':>10}{'p99 ms':>10}   of {count}")
+        for what, name in (("bare subscriber", "bare subscriber"), ("until", "cancel of the goal")):
+            p50, p99 = quantiles([turn[what] for turn in turns])
+            print(f"{name:24}{p50:10.2f}{p99:10.2f}")
+        is_late = p99 > ALLOWED_MS
+        print(f"{'allowed':24}{'':10}{ALLOWED_MS:10.2f}   {'exceeded' if is_late else 'kept'}")
+        return int(is_late)
+    finally:
+        # A thread of actionlib would keep the process alive.
+        rospy.signal_shutdown("done")
+
+
+def free_port() -> int:
+    with socket.socket() as probe:
+        probe.bind(("127.0.0.1", 0))
+        return int(probe.getsockname()[1])
+
+
+def end(process: subprocess.Popen) -> None:
+    process.terminate()
+    try:
+        process.wait(30.0)
+    except subprocess.TimeoutExpired:
+        process.kill()
+
+
+def main(count: int) -> int:
+    """Start the executor, the source's other listeners and the measurement."""
+    with ExitStack() as stack:
+        port = free_port()
+        environment = dict(os.environ, ROS_MASTER_URI=f"http://127.0.0.1:{port}")
+        quiet = {"env": environment, "stdout": subprocess.DEVNULL, "stderr": subprocess.DEVNULL}
+        own = [sys.executable, os.path.abspath(__file__)]
+        for command in (
+            ["roscore", "-p", str(port)],
+            ["rosrun", "executor", "executor"],
+            [*own, "relay"],
+            [*own, "watcher"],
+        ):
+            stack.callback(end, subprocess.Popen(command, **quiet))
+            time.sleep(2.0 if command[0] == "roscore" else 0.0)
+        return subprocess.run([*own, "measure", str(count)], env=environment, check=False).returncode
+
+
+if __name__ == "__main__":
+    roles = {"relay": relay, "watcher": watcher}
+    if sys.argv[1:2] == ["measure"]:
+        sys.exit(measure(int(sys.argv[2])))
+    elif sys.argv[1:2] and sys.argv[1] in roles:
+        roles[sys.argv[1]]()
+    else:
+        sys.exit(main(int(sys.argv[1]) if len(sys.argv) > 1 else COUNT))
