@@ -51,7 +51,7 @@ NO_SPEECH: Dict[str, Tuple[str, str]] = {
     "roboframenet_sim/room.py": ("keys of a file", "bounds, walls, boxes"),
     "roboframenet_tools/cli.py": (
         "commands of rfn",
-        ("bind, check, completion, doctor, explain, graph, learn, list, new, passes, port, record, replay, say, score"),
+        ("bind, check, completion, doctor, explain, graph, learn, list, new, passes, port, record, replay, say, score, voice"),
     ),
     "roboframenet_tools/listing.py": (
         "headings and kinds",
