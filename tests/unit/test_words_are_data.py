@@ -9,6 +9,7 @@ import pytest
 from word_lists import WordList, word_lists
 
 from semantic_frames.relation_names import STANFORD, UNIVERSAL
+from typed_arguments.relation_names import RELATIONS as RELATIONS_OF_ARGUMENTS
 from word_classes import word_classes
 
 SOURCES = Path(__file__).resolve().parents[2] / "src"
@@ -33,6 +34,7 @@ NO_SPEECH: Dict[str, Tuple[str, str]] = {
     "arbitrator/state_machine.py": ("outcomes of SMACH", "succeeded, aborted, preempted"),
     "executor/ros_driver_settings.py": ("keys of a record", "node, name, former"),
     "executor/driver_settings.py": ("keys of a record", "node, name, former"),
+    "frame_learning/corpus_mapping.py": ("keys of a file", "frames, descriptions, arguments"),
     "frame_bindings/binding_file.py": (
         "keys of a file",
         "frame, name, action, service, topic, type, fields",
@@ -43,6 +45,11 @@ NO_SPEECH: Dict[str, Tuple[str, str]] = {
         "text, tokens, frames, reply, outcome, code, sentence, name, argument, typed",
     ),
     "pr2_props/node.py": ("names of props", "hug, hugging, pound, pounding"),
+    "referring_expressions/fitting.py": ("values of WorldRelation", "of, to, in, on"),
+    "referring_expressions/resolving.py": (
+        "values of Phrase.quantifier",
+        "a, any, some, another, several, many, few, most, all, every, each, both",
+    ),
     "rfnserver/goal_binding.py": ("keys of a declaration", "element, unit, default, value, values"),
     "rfnserver/goal_types.py": ("types of ROS", "bool, string, duration"),
     "roboframenet_demo/node.py": ("headings", "sentence, domain, frame and elements, verdict"),
@@ -115,6 +122,10 @@ NO_SPEECH: Dict[str, Tuple[str, str]] = {
     ),
     "semantic_frames/lexical_unit_file.py": ("keys of a file", "name, relation, argument, words, required"),
     "semantic_frames/marked_yaml.py": ("values of YAML", "true, yes, false, no"),
+    "semantic_frames/server_statement.py": (
+        "keys of a statement",
+        "purpose, heeds, unheeded, occupies, settings, robot, relations, values, most, node, name, value",
+    ),
     "semantic_types/wordnet.py": (
         "endings of plurals",
         "ies, y, men, man, shes, sh, ches, ch, xes, x, zes, z, ses, s",
@@ -132,6 +143,10 @@ NO_SPEECH: Dict[str, Tuple[str, str]] = {
         ),
     ),
     "turtlebot_follower/centroid.py": ("keys of numpy", "names, formats, offsets, itemsize"),
+    "typed_arguments/relation_names.py": (
+        "names of relations, not the prepositions that are said for them",
+        ", ".join(name for name in RELATIONS_OF_ARGUMENTS if "_" not in name),
+    ),
     "utter/speech.py": ("what the robot can tell, a sentence for each", "time, date, day, name"),
     "utterance_passes/places_told.py": ("pronouns, a subject for each object", "him, her, them, it"),
     "utterance_passes/formula_file.py": (
@@ -141,6 +156,22 @@ NO_SPEECH: Dict[str, Tuple[str, str]] = {
             "pattern, example, becomes"
         ),
     ),
+    "world_model/knowledge.py": ("values of WorldObject", "ajar, closed, lying, open, sitting, standing, walking"),
+    "world_model/world.py": (
+        "values of WorldRelation",
+        (
+            "above, around, at, below, beneath, beside, by, in, inside, into, near, on, onto, over, under, underneath, "
+            "within"
+        ),
+    ),
+    "world_model/world_file.py": (
+        "keys of a file",
+        (
+            "places, doors, things, devices, persons, robots, name, names, category, attributes, states, size, x, y, "
+            "z, heading, on, in, under, above, behind, beside, near, of, to"
+        ),
+    ),
+    "world_model/world_object.py": ("fields of WorldObject", "attributes, states, relations"),
     "word_classes/word_file.py": ("keys of a file", "for, includes, words"),
 }
 

@@ -48,7 +48,6 @@ from robot_stop.ros_brake import Brake, Braked
 from robot_stop.sentences import may_still_move, sentence_of
 from robot_stop.settings import BrakeSettings
 
-_SAVE_TIMEOUT_S = 0.5
 _LONGEST_WAIT_S = 0.2
 _JOIN_TIMEOUT_S = 5.0
 # A longer turn of the worker means that the process was suspended.
@@ -83,7 +82,6 @@ class CommandServerNode:
         self._withdrawals = Withdrawals(timeout_s=settings.cancel_timeout_s)
         self._store = OpenCommandStore()
         self._saved: Tuple[CommandText, ...] = ()
-        self._is_saving_late = False
         self._unsent: Deque[CommandText] = deque()
         self._run_tag = uuid.uuid4().hex[:8]
         self._text_count = 0
@@ -127,7 +125,7 @@ class CommandServerNode:
         self._worker.join(_JOIN_TIMEOUT_S)
         self._brake.close(timeout_s=1.0)
         self._action.shutdown()
-        self._store.close(timeout_s=1.0)
+        self._store.close()
 
     def _work(self) -> None:
         while True:
@@ -408,11 +406,7 @@ class CommandServerNode:
     def _save(self) -> None:
         commands = self._left_over.commands + tuple(entry.command for entry in self._commands.open_commands)
         if commands != self._saved:
-            # While the master hangs, the worker waits for it only once.
-            is_saved = self._store.save(commands, timeout_s=0.0 if self._is_saving_late else _SAVE_TIMEOUT_S)
-            self._is_saving_late = not is_saved
-            if not is_saved:
-                rospy.logwarn_throttle(10.0, "saving the open commands to the parameter server timed out")
+            self._store.save(commands)
         self._saved = commands
 
     def _send(self) -> None:

@@ -7,6 +7,7 @@ from typing import Callable, Dict, List, Sequence, Set, Tuple, TypeVar
 import rospy
 from dynamic_reconfigure.msg import BoolParameter, Config, DoubleParameter, IntParameter, StrParameter
 from dynamic_reconfigure.srv import Reconfigure
+from rospy.impl.paramserver import get_param_server_cache
 
 from executor.driver_settings import (
     HeldSetting,
@@ -22,11 +23,10 @@ from executor.driver_settings import (
     unknown_setting,
 )
 from roboframenet_ros.deadline import NoAnswer, within
-from roboframenet_ros.ros_persistent_parameter import PersistentParameter
+from roboframenet_ros.ros_kept_value import KeptValue
 
 _RETRY_S = 1.0
 _LONGEST_RETRY_S = 16.0
-_SAVE_TIMEOUT_S = 0.5
 Answer = TypeVar("Answer")
 
 
@@ -67,7 +67,7 @@ class DriverSettings:
     """Applies the settings that servers need, and restores the former values.
 
     The parameter ``<server>/required_settings`` holds what a server needs (`read_needs`). The former values are kept in
-    a private parameter, so that an executor that was killed restores them when it is restarted. The values of a node
+    a file, so that an executor that was killed restores them when it is restarted. The values of a node
     that is not running are restored when it is back.
     """
 
@@ -76,12 +76,13 @@ class DriverSettings:
 
         Args:
             timeout_s: how long a node, or the master, may take to answer
-            parameter: where the former values are kept
+            parameter: holds the name of the file
         """
         self._timeout_s = timeout_s
-        self._record = PersistentParameter(parameter)
+        self._record = KeptValue(parameter)
         self._lock = threading.Lock()
         self._held: Dict[Tuple[str, str], HeldSetting] = {}
+        self._asked: Set[str] = set()
         self._left_over: List[Setting] = []
         self._is_closing = threading.Event()
         self._thread = threading.Thread(target=self._restore_left_over, name="driver_settings", daemon=True)
@@ -96,10 +97,10 @@ class DriverSettings:
         self._thread.start()
 
     def close(self, *, timeout_s: float) -> None:
-        """End the threads."""
+        """End the thread, and remove an empty record."""
         self._is_closing.set()
         self._thread.join(timeout_s)
-        self._record.close(timeout_s=timeout_s)
+        self._record.close()
 
     def apply(self, server: str, *, owner: str) -> None:
         """Apply what a server needs.
@@ -111,11 +112,9 @@ class DriverSettings:
         Raises:
             SettingsError: not possible; nothing stays applied
         """
-        found = _ask_within(
-            self._timeout_s, lambda: rospy.get_param(f"{server}/required_settings", None), f"settings of {server}"
-        )
         needs = [
-            replace(setting, node=rospy.resolve_name(setting.node)) for setting in read_needs(found, server=server)
+            replace(setting, node=rospy.resolve_name(setting.node))
+            for setting in read_needs(self._find_needs(server), server=server)
         ]
         if not needs:
             return
@@ -127,6 +126,21 @@ class DriverSettings:
             except SettingsError:
                 self._restore(owner)
                 raise
+
+    def _find_needs(self, server: str) -> object:
+        """Return what the parameter of a server holds, None for nothing.
+
+        The master is asked once; from then on it tells this node of changes.
+        """
+        name = rospy.resolve_name(f"{server}/required_settings")
+        if name not in self._asked:
+            _ask_within(self._timeout_s, lambda: rospy.get_param_cached(name, None), f"settings of {server}")
+            self._asked.add(name)
+        try:
+            # get_param_cached() would ask the master again about a parameter that it does not have.
+            return get_param_server_cache().get(name)
+        except KeyError:
+            return None
 
     def restore(self, *, owner: str) -> None:
         """Restore the former values of settings that no step needs any more; never raises."""
@@ -200,8 +214,7 @@ class DriverSettings:
         record = to_record(self._held) + [
             {"node": setting.node, "name": setting.name, "former": setting.value} for setting in self._left_over
         ]
-        if not self._record.save(record, timeout_s=_SAVE_TIMEOUT_S):
-            rospy.logwarn("saving the driver settings to the parameter server timed out")
+        self._record.save(record)
 
     def _reconfigure(self, node: str, values: Dict[str, Value]) -> Dict[str, Value]:
         """Change settings of a node, none for empty values; returns all of its settings."""

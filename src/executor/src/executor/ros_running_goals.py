@@ -7,17 +7,16 @@ from typing import Optional, Sequence, Tuple
 import rospy
 from actionlib_msgs.msg import GoalID
 
-from roboframenet_ros.ros_persistent_parameter import PersistentParameter
+from roboframenet_ros.ros_kept_value import KeptValue
 
-_SAVE_TIMEOUT_S = 0.2
 _CONNECT_TIMEOUT_S = 5.0
 
 
 class RunningGoals:
-    """Keeps the running goal in a private parameter; an executor that was killed cancels it when it is restarted."""
+    """Keeps the running goal in a file; an executor that was killed cancels it when it is restarted."""
 
     def __init__(self, parameter: str = "~running_goals") -> None:
-        self._record = PersistentParameter(parameter)
+        self._record = KeptValue(parameter)
         self._thread: Optional[threading.Thread] = None
 
     def start(self) -> None:
@@ -35,17 +34,17 @@ class RunningGoals:
 
     def note(self, server: str, goal_id: str) -> None:
         """A goal was sent."""
-        self._record.save([{"server": server, "goal_id": goal_id}], timeout_s=_SAVE_TIMEOUT_S)
+        self._record.save([{"server": server, "goal_id": goal_id}])
 
     def clear(self) -> None:
         """No goal runs any more."""
-        self._record.save([], timeout_s=_SAVE_TIMEOUT_S)
+        self._record.save([])
 
     def close(self, *, timeout_s: float) -> None:
-        """End the threads."""
+        """End the thread, and remove an empty record."""
         if self._thread is not None:
             self._thread.join(timeout_s)
-        self._record.close(timeout_s=timeout_s)
+        self._record.close()
 
     def _cancel(self, left_over: Sequence[Tuple[str, str]]) -> None:
         publishers = [

@@ -7,8 +7,9 @@ from typing import Any, Dict, List, Mapping, Optional, Tuple
 import yaml
 
 from rfnserver.goal_binding import SOURCE_KEYS
-from semantic_frames.marked_yaml import Reader, describe
+from semantic_frames.marked_yaml import Reader, describe, is_empty
 from semantic_frames.problem import FileRefused
+from semantic_frames.server_statement import STATEMENT_KEYS, ProfileError, stated_profile
 
 
 class Kind(Enum):
@@ -33,6 +34,7 @@ BINDING_KEYS = (
     "goal_timeout_s",
     "server_timeout_s",
     "preempt_timeout_s",
+    *STATEMENT_KEYS,
 )
 
 
@@ -53,6 +55,7 @@ class Binding:
         server_timeout_s: how long to wait for the server, the service or a subscriber
         goal_timeout_s: how long an action or a service call may take
         preempt_timeout_s: how long an action may take to end after a cancel
+        statement: what the server states about itself, see :mod:`semantic_frames.server_statement`
         line: line of the file
     """
 
@@ -68,6 +71,7 @@ class Binding:
     server_timeout_s: float = 5.0
     goal_timeout_s: float = 300.0
     preempt_timeout_s: float = 5.0
+    statement: Mapping[str, Any] = field(default_factory=dict)
     line: int = 0
 
 
@@ -124,6 +128,7 @@ def _binding(reader: Reader, node: yaml.Node, key: str) -> Optional[Binding]:
         ignored_elements=reader.texts(entries.get("ignored_elements"), f"{key}.ignored_elements"),
         success_field=reader.text(entries.get("success_field"), f"{key}.success_field"),
         text_field=reader.text(entries.get("text_field"), f"{key}.text_field"),
+        statement=_statement(reader, node, key, entries),
         line=node.start_mark.line + 1,
         **{
             name: reader.seconds(entries[name], f"{key}.{name}", 1.0)
@@ -131,6 +136,25 @@ def _binding(reader: Reader, node: yaml.Node, key: str) -> Optional[Binding]:
             if name in entries
         },
     )
+
+
+def _statement(reader: Reader, node: yaml.Node, key: str, entries: Mapping[str, yaml.Node]) -> Dict[str, Any]:
+    statement = {name: _plain(entries[name]) for name in STATEMENT_KEYS if name in entries}
+    try:
+        stated_profile(statement)
+    except ProfileError as error:
+        for problem in error.problems:
+            reader.report("STATEMENT", node, key, problem, f"what a server may state: {', '.join(STATEMENT_KEYS)}")
+    return statement
+
+
+def _plain(node: yaml.Node) -> Any:
+    """Return a node as mappings, lists and texts."""
+    if isinstance(node, yaml.MappingNode):
+        return {str(name.value): _plain(value) for name, value in node.value}
+    if isinstance(node, yaml.SequenceNode):
+        return [_plain(item) for item in node.value]
+    return None if is_empty(node) else str(node.value)
 
 
 def _fields(reader: Reader, node: Optional[yaml.Node], key: str) -> Dict[str, Any]:

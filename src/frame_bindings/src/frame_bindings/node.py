@@ -1,6 +1,6 @@
 """The node ``frame_bindings``: serves all frames of the binding files."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any, List, Sequence, Tuple
 
 import rosgraph
@@ -11,6 +11,7 @@ from frame_bindings.binding_file import Binding, load_bindings
 from frame_bindings.ros_targets import TARGET_OF_KIND, UnknownType
 from rfnserver import RFNServer
 from rfnserver.arguments import ArgumentError
+from rfnserver.registration import FrameFit
 from rfnserver.ros_frame_adapter import GoalMaker, check_frame, conclude
 from roboframenet_ros.parameters import Parameters, parameter
 from roboframenet_ros.ros_node import StartError, read_parameters, run_node
@@ -49,7 +50,7 @@ class BoundServer:
         self._maker = GoalMaker(
             self._target.message_type, mapping=binding.fields, ignored_elements=binding.ignored_elements
         )
-        self._server = RFNServer(binding.name, callback=self._on_frame, check=self._check)
+        self._server = RFNServer(binding.name, callback=self._on_frame, check=self._check, **binding.statement)
         self._server.start()
 
     def register(self) -> None:
@@ -67,9 +68,9 @@ class BoundServer:
             return ""
         return f"{self._binding.kind.value} {self._binding.target} is of type {live}, not {self._binding.type_name}"
 
-    def _check(self, frame_name: str) -> Tuple[bool, str]:
-        is_known, fault = check_frame(frame_name, self._maker)
-        return is_known, fault or self._type_fault()
+    def _check(self, frame_name: str) -> FrameFit:
+        fit = check_frame(frame_name, self._maker)
+        return replace(fit, fault=fit.fault or self._type_fault())
 
     def _on_frame(self, frame: FilledSemanticFrame) -> None:
         fault = self._type_fault()

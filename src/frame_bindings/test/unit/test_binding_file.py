@@ -6,6 +6,8 @@ import pytest
 
 from frame_bindings.binding_file import Kind, load_bindings
 from semantic_frames.problem import FileRefused
+from semantic_frames.server_profile import HeededElement
+from semantic_frames.server_statement import stated_profile
 
 GOOD = """bindings:
   - frame: navigating_to_location
@@ -44,6 +46,15 @@ def test_bindings_of_each_kind() -> None:
     assert (topic.kind, topic.target, topic.ignored_elements) == (Kind.TOPIC, "speech", ("manner",))
 
 
+def test_statement_of_the_server() -> None:
+    stated = "heeds: {Manner: [slow], goal: {relations: [on], most: 1}}\n    occupies: base\n    longest_goal_s: 60"
+    (action, *_) = load_bindings(GOOD.replace("goal_timeout_s: 60", stated), "bindings.yaml")
+    profile = stated_profile(action.statement)
+    goal = HeededElement("goal", relations=("on",), most=1)
+    assert profile.heeds == (HeededElement("Manner", values=("slow",)), goal)
+    assert (profile.occupies, profile.longest_goal_s) == (("base",), 60.0)
+
+
 def test_table_of_words() -> None:
     table = "{element: side, values: {left: true, right: false}}"
     (action, *_) = load_bindings(GOOD.replace("target_pose: goal", f"left_arm: {table}"), "bindings.yaml")
@@ -65,6 +76,8 @@ def test_table_of_words() -> None:
         ("name: navigation", "name: speaking", ("DUPLICATE_NAME", 16)),
         ("topic: speech", "topik: speech", ("UNKNOWN_KEY", 17)),
         ("      target_pose: goal", "      speed: goal", ("DUPLICATE_KEY", 8)),
+        ("success_field: success", "purpose: looks", ("STATEMENT", 10)),
+        ("success_field: success", "heeds: {Manner: {value: slow}}", ("STATEMENT", 10)),
         ("fields: {data: state}", "fields: data", ("WRONG_TYPE", 13)),
         ("fields: {data: state}", "fields: {data: {element: state, values: on}}", ("WRONG_TYPE", 13)),
     ],

@@ -5,6 +5,7 @@ import time
 from typing import Dict, FrozenSet, Iterable, List, Tuple
 
 from frame_learning.annotated_commands import AnnotatedCommand, AnnotatedElement, AnnotatedFrame, positions_at
+from frame_learning.argument_answers import arguments_of
 from frame_learning.behaviour_2012 import understand_2012
 from frame_learning.corpus_mapping import CorpusMapping
 from frame_learning.metrics import Answer
@@ -30,7 +31,10 @@ def answer(pipeline: Pipeline, mapping: CorpusMapping, command: AnnotatedCommand
             elements = [(value.name, value.positions, value.head_position) for value in reading.arguments]
             known = pipeline.knowledge.frames[reading.unit.frame_name]
             frames.append(_annotated(tree, command, mapping, known, reading.verb_positions[0], elements))
-    return Answer(tuple(frames), understanding.reply.code == "DONE", milliseconds)
+    arguments = None
+    if mapping.arguments is not None:
+        arguments = arguments_of(understanding, command, mapping, pipeline.knowledge)
+    return Answer(tuple(frames), understanding.reply.code == "DONE", milliseconds, arguments)
 
 
 def answer_2012(pipeline: Pipeline, mapping: CorpusMapping, command: AnnotatedCommand) -> Answer:

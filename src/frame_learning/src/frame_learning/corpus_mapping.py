@@ -7,6 +7,7 @@ from typing import Dict, FrozenSet, Mapping, Optional
 
 import yaml
 
+from frame_learning.argument_convention import ArgumentConvention, read_convention
 from offline_pipeline.knowledge import shipped_domains
 from semantic_frames.frame import SemanticFrame
 from semantic_frames.marked_yaml import Reader
@@ -28,6 +29,7 @@ class CorpusMapping:
             the door is the head of "the front of the door"
         is_head_span: whether a span of the corpus ends with its head ("the mug" of "the mug on the table")
         has_descriptions: whether relative clauses are annotated ("the tv that is on the table" is located)
+        arguments: how the corpus writes arguments; None if it is not scored in its own convention
     """
 
     frames: Mapping[str, str]
@@ -36,6 +38,7 @@ class CorpusMapping:
     transparent_nouns: FrozenSet[str] = frozenset()
     is_head_span: bool = False
     has_descriptions: bool = True
+    arguments: Optional[ArgumentConvention] = None
 
     def frame_name(self, frame: SemanticFrame) -> str:
         """Return the name of a frame in the corpus."""
@@ -63,7 +66,17 @@ def load_mapping(path: str) -> CorpusMapping:
     reader = Reader(path)
     root = reader.compose(read_text(path), "a mapping with frames and frame_elements")
     entries = reader.mapping(
-        root, "", ("frames", "frame_elements", "words_left_out", "transparent_nouns", "head_spans", "descriptions")
+        root,
+        "",
+        (
+            "frames",
+            "frame_elements",
+            "words_left_out",
+            "transparent_nouns",
+            "head_spans",
+            "descriptions",
+            "arguments",
+        ),
     )
     elements = {
         name: _names(reader, node, f"frame_elements.{name}")
@@ -76,6 +89,7 @@ def load_mapping(path: str) -> CorpusMapping:
         transparent_nouns=frozenset(reader.texts(entries.get("transparent_nouns"), "transparent_nouns")),
         is_head_span=reader.boolean(entries.get("head_spans"), "head_spans"),
         has_descriptions=reader.boolean(entries.get("descriptions"), "descriptions", default=True),
+        arguments=read_convention(reader, entries.get("arguments"), "arguments"),
     )
     reader.refuse_if_wrong()
     return mapping

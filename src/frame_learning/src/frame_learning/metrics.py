@@ -6,6 +6,7 @@ from typing import Counter as CounterType
 from typing import Dict, FrozenSet, Iterable, List, Mapping, Optional, Sequence, Tuple, TypeVar
 
 from frame_learning.annotated_commands import AnnotatedCommand, AnnotatedFrame
+from frame_learning.argument_convention import Argument, annotated_arguments
 
 #: Stands for a missing frame in a row or column of the confusion.
 NOTHING = "(none)"
@@ -19,11 +20,13 @@ class Answer:
         frames: recognised frames, even if the reply refuses or asks
         is_answered: whether the command would be carried out
         milliseconds: time to understand the command
+        arguments: as the corpus writes them; None if the mapping does not say how it does
     """
 
     frames: Tuple[AnnotatedFrame, ...]
     is_answered: bool
     milliseconds: float
+    arguments: Optional[Tuple[Argument, ...]] = None
 
 
 @dataclass(frozen=True)
@@ -57,7 +60,7 @@ class FrameRow:
 
 @dataclass(frozen=True)
 class Score:
-    """Figures over the commands of a corpus; all but the first and the last two are percentages.
+    """Figures over the commands of a corpus; all but the first and the last three are percentages.
 
     Attributes:
         commands: number of commands
@@ -72,6 +75,8 @@ class Score:
         right_answered_heads: share of the answered commands with all frames and all head words right and no others
         ms_per_command: mean time to parse and understand a command
         per_frame: figures of each frame, by its name in the corpus
+        arguments: arguments in the convention of the corpus; right when task, trigger text, type and text are equal;
+            None if the mapping does not say how the corpus writes them
     """
 
     commands: int
@@ -85,6 +90,7 @@ class Score:
     right_answered_heads: float
     ms_per_command: float
     per_frame: Mapping[str, FrameRow]
+    arguments: Optional[Count] = None
 
 
 Element = Tuple[str, str, object]
@@ -97,7 +103,8 @@ def score(pairs: Iterable[Tuple[AnnotatedCommand, Answer]]) -> Score:
     A frame or element that occurs twice in a command counts twice. If an element has no annotated head, the head of the
     answer is right when it is one of its words.
     """
-    frame_count = exact_count = head_count = answered_count = Count()
+    frame_count = exact_count = head_count = answered_count = argument_count = Count()
+    are_arguments_written = False
     commands = exact_commands = answered = answered_frames = answered_heads = 0
     milliseconds = 0.0
     rows: Dict[str, FrameRow] = {}
@@ -112,6 +119,10 @@ def score(pairs: Iterable[Tuple[AnnotatedCommand, Answer]]) -> Score:
         exact_count = exact_count.plus(*exact)
         head_count = head_count.plus(*heads)
         exact_commands += _is_all(frames) and _is_all(exact)
+        if answer.arguments is not None:
+            are_arguments_written = True
+            written = _compare(Counter(annotated_arguments(command)), Counter(answer.arguments))
+            argument_count = argument_count.plus(*written)
         answered += answer.is_answered
         answered_count = answered_count.plus(*frames) if answer.is_answered else answered_count
         answered_frames += answer.is_answered and _is_all(frames)
@@ -129,6 +140,7 @@ def score(pairs: Iterable[Tuple[AnnotatedCommand, Answer]]) -> Score:
         right_answered_heads=_percent(answered_heads, answered),
         ms_per_command=milliseconds / commands if commands else 0.0,
         per_frame=dict(sorted(rows.items())),
+        arguments=argument_count if are_arguments_written else None,
     )
 
 

@@ -16,7 +16,7 @@ from frame_learning.gpsr_command import NAME as GPSR
 from frame_learning.gpsr_command import TITLE as GPSR_TITLE
 from frame_learning.gpsr_command import add_gpsr_arguments, run_gpsr
 from frame_learning.learn_command import learned_knowledge, lexicon_files
-from frame_learning.metrics import Answer, Score, is_exact, score
+from frame_learning.metrics import Answer, Count, Score, is_exact, score
 from frame_learning.tables import aligned
 from offline_pipeline.knowledge import load_knowledge, pretend_servers, shipped_domains
 from offline_pipeline.pipeline import Pipeline
@@ -155,6 +155,7 @@ def to_json(found: Score) -> Dict[str, object]:
         "coverage": round(found.coverage, 2),
         "precision_answered": round(found.precision_answered, 2),
         "ms_per_command": round(found.ms_per_command, 2),
+        **({"arguments": arguments_to_json(found.arguments)} if found.arguments is not None else {}),
         "per_frame": {
             name: {
                 "annotated": row.frame.annotated,
@@ -167,6 +168,16 @@ def to_json(found: Score) -> Dict[str, object]:
             }
             for name, row in found.per_frame.items()
         },
+    }
+
+
+def arguments_to_json(count: Count) -> Dict[str, float]:
+    """Return the figures of arguments in the convention of the corpus."""
+    return {
+        "micro_f1": round(count.f1, 2),
+        "right": count.right,
+        "predicted": count.predicted,
+        "annotated": count.annotated,
     }
 
 
@@ -188,7 +199,14 @@ def table(rows: Sequence[Tuple[str, Score]], published: Sequence[PublishedFigure
         frames.append(
             (name, str(row.frame.annotated), f"{row.frame.f1:.1f}", f"{row.exact.f1:.1f}", f"{row.head.f1:.1f}", taken)
         )
-    return f"{rows[0][1].commands} commands\n\n{aligned(lines)}\n\n{aligned(frames)}"
+    arguments = [
+        f"{name}: arguments in the convention of the corpus: micro-F1 {count.f1:.1f}, {count.right} right, "
+        f"{count.predicted} found, {count.annotated} annotated"
+        for name, count in ((name, found.arguments) for name, found in rows)
+        if count is not None
+    ]
+    head = "\n".join([f"{rows[0][1].commands} commands", *arguments])
+    return f"{head}\n\n{aligned(lines)}\n\n{aligned(frames)}"
 
 
 def _wrong(command: AnnotatedCommand, given: Answer) -> str:

@@ -2,9 +2,10 @@
 
 import operator
 from dataclasses import replace
-from typing import Dict, Mapping, Optional, Tuple
+from typing import Dict, Iterable, Mapping, Optional, Tuple
 
 import word_classes
+from semantic_frames.extra_thematic import extra_thematic_of_arguments
 from semantic_frames.frame import (
     ConstantArgument,
     ElementMapping,
@@ -40,9 +41,9 @@ def fill(frame: SemanticFrame, arguments: Mapping[str, TypedArgument]) -> Filled
 
     Args:
         frame: the frame to fill
-        arguments: by element name; names that the frame does not have are ignored
+        arguments: by name of an element or of an extra-thematic element; other names are ignored
     Returns:
-        the filled frame; an element with a quantity has its measure
+        the filled frame; an element with a quantity has its measure, and extra-thematic arguments come last
     Raises:
         Unfillable: a value that is not allowed, an amount beyond its limit, a core element without argument
     """
@@ -78,7 +79,20 @@ def fill(frame: SemanticFrame, arguments: Mapping[str, TypedArgument]) -> Filled
             )
         if element.quantity is not None:
             found[element.name] = _measured(frame, element, element.quantity, found)
-    return FilledFrame(name=frame.name, arguments=tuple(found.values()))
+    extra = extra_thematic_arguments(frame, arguments.values())
+    return FilledFrame(name=frame.name, arguments=(*found.values(), *extra))
+
+
+def extra_thematic_arguments(
+    frame: Optional[SemanticFrame], arguments: Iterable[TypedArgument]
+) -> Tuple[TypedArgument, ...]:
+    """Return the arguments of extra-thematic elements, which every frame inherits; its own elements hide them."""
+    names = extra_thematic_of_arguments()
+    return tuple(
+        argument
+        for argument in arguments
+        if argument.name in names and argument.text and (frame is None or frame.element(argument.name) is None)
+    )
 
 
 def _measured(

@@ -7,6 +7,7 @@ import networkx
 from semantic_frames.frame import ConstantArgument, ElementMapping, RelatedFrame, SemanticFrame
 from semantic_frames.marked_yaml import NAME_EXPECTED, did_you_mean, is_name
 from semantic_frames.problem import FileRefused, Problem
+from semantic_frames.server_profile import AS_IN_2012, Purpose, ServerProfile, profile_problems
 
 #: Registrations come from the wire, and none is ever withdrawn.
 MOST_REGISTRATIONS = 5000
@@ -22,7 +23,8 @@ class FrameGraph:
 
     def __init__(self) -> None:
         self._frames: Dict[str, SemanticFrame] = {}
-        self._servers: Dict[str, List[str]] = {}
+        #: Of each frame: the profile of each server, in the order of registration.
+        self._servers: Dict[str, Dict[str, ServerProfile]] = {}
         self._dead: Set[str] = set()
         self._graph = networkx.DiGraph()
 
@@ -104,12 +106,13 @@ class FrameGraph:
                     problems += _relation_problems(parent, child, frame, frame.path, frame.line)
         return problems
 
-    def register(self, frame_name: str, server: str) -> Tuple[str, ...]:
-        """Register an action server for a frame; a second registration changes nothing.
+    def register(self, frame_name: str, server: str, profile: ServerProfile = AS_IN_2012) -> Tuple[str, ...]:
+        """Register an action server for a frame; a second registration replaces the profile of the first.
 
         Args:
             frame_name: a frame, also one whose file is not added yet
             server: name of the action server
+            profile: what the server states about itself
         Returns:
             why it is refused; empty when it is registered
         """
@@ -118,12 +121,13 @@ class FrameGraph:
         for name in (frame_name, server):
             if not is_name(name):
                 return (f"expected {NAME_EXPECTED}, found {len(name)} characters: {name[:40]!r}",)
-        servers = self._servers.get(frame_name, [])
-        if server not in servers and len(self.registrations()) >= MOST_REGISTRATIONS and not self._forget_dead():
+        problems = profile_problems(profile, self._frames.get(frame_name))
+        if problems:
+            return problems
+        is_new = server not in self._servers.get(frame_name, ())
+        if is_new and len(self.registrations()) >= MOST_REGISTRATIONS and not self._forget_dead():
             return (f"there are {MOST_REGISTRATIONS} registrations already",)
-        servers = self._servers.setdefault(frame_name, [])
-        if server not in servers:
-            servers.append(server)
+        self._servers.setdefault(frame_name, {})[server] = profile
         self._dead.discard(server)
         return ()
 
@@ -131,16 +135,21 @@ class FrameGraph:
         """Remove the registrations of dead servers to make room; a server that comes back registers again."""
         count = len(self.registrations())
         for frame_name, servers in list(self._servers.items()):
-            self._servers[frame_name] = [server for server in servers if server not in self._dead]
+            self._servers[frame_name] = {
+                server: profile for server, profile in servers.items() if server not in self._dead
+            }
             if not self._servers[frame_name]:
                 del self._servers[frame_name]
         self._dead.clear()
         return len(self.registrations()) < count
 
-    def remark(self, frame_name: str) -> str:
+    def remark(self, frame_name: str, server: str) -> str:
         """Return what is odd about a registration that was accepted; empty for nothing."""
-        if frame_name in self._frames:
-            return ""
+        frame = self._frames.get(frame_name)
+        if frame is not None:
+            # Its file may have been added or replaced after the registration.
+            profile = self._servers.get(frame_name, {}).get(server)
+            return "; ".join(profile_problems(profile, frame)) if profile is not None else ""
         hint = did_you_mean(frame_name, tuple(self._frames))
         return f"no file describes the frame '{frame_name}' yet" + (f"; {hint}" if hint else "")
 
@@ -163,9 +172,21 @@ class FrameGraph:
         """Whether a server may be used: no check found it dead."""
         return server not in self._dead
 
-    def servers(self, frame_name: str) -> Tuple[str, ...]:
-        """Return the live action servers of a frame, in the order of registration."""
-        return tuple(server for server in self._servers.get(frame_name, ()) if server not in self._dead)
+    def servers(self, frame_name: str, purpose: Purpose = Purpose.ACTS) -> Tuple[str, ...]:
+        """Return the live action servers of a frame that act, or those that watch, in the order of registration."""
+        return tuple(
+            server
+            for server, profile in self._servers.get(frame_name, {}).items()
+            if server not in self._dead and profile.purpose is purpose
+        )
+
+    def profile(self, frame_name: str, server: str) -> ServerProfile:
+        """Return what a server stated about itself when it registered for a frame.
+
+        Raises:
+            KeyError: it is not registered
+        """
+        return self._servers[frame_name][server]
 
     def descendants(self, frame_name: str) -> Tuple[str, ...]:
         """Sorted names of the frames below a frame, including those without a file."""

@@ -3,7 +3,7 @@
 import threading
 import uuid
 from dataclasses import dataclass
-from typing import Dict, FrozenSet, List, Tuple
+from typing import Dict, FrozenSet, List, Sequence, Tuple
 
 import rosgraph
 import rospy
@@ -27,6 +27,9 @@ from roboframenet_msgs.srv import (
     GetEmptyFrame,
     GetEmptyFrameRequest,
     GetEmptyFrameResponse,
+    RegisterServer,
+    RegisterServerRequest,
+    RegisterServerResponse,
     RegisterWithFrame,
     RegisterWithFrameRequest,
     RegisterWithFrameResponse,
@@ -41,6 +44,8 @@ from roboframenet_ros.ros_node import read_parameters, run_node
 from roboframenet_ros.ros_stage import Stage
 from semantic_frames import FileRefused, Problem, load_frame
 from semantic_frames.frame import SemanticFrame
+from semantic_frames.ros_server_profile import profile_from_message, profile_to_message
+from semantic_frames.server_profile import AS_IN_2012, ServerProfile
 from semantic_frames.source_files import FRAMES_FOLDER, read_text, replace_problems, yaml_files
 
 #: Written by the node, for its own restarts: files that were added while it ran.
@@ -73,7 +78,7 @@ class FrameRegistrar:
         command_semantic_frames (CommandSemanticFrames), filled_semantic_frames (FilledSemanticFrameListList),
         frame_catalogue (FrameCatalogue, latched), file_problems (FileProblems, latched), stage_events (StageEvent)
     Services:
-        add_frame, get_empty_frame, register_with_frame
+        add_frame, get_empty_frame, register_with_frame, register_server
     Parameters: see :class:`Settings`.
     """
 
@@ -98,6 +103,8 @@ class FrameRegistrar:
         self._services = [
             rospy.Service("add_frame", AddFrame, self._on_add_frame),
             rospy.Service("get_empty_frame", GetEmptyFrame, self._on_get_empty_frame),
+            # Before the service of 2012: a server that finds only that one registers as in 2012.
+            rospy.Service("register_server", RegisterServer, self._on_register_server),
             rospy.Service("register_with_frame", RegisterWithFrame, self._on_register),
         ]
         self._publish_catalogue()
@@ -162,23 +169,35 @@ class FrameRegistrar:
         return GetEmptyFrameResponse(frame=to_empty_frame(frame) if frame else EmptySemanticFrame())
 
     def _on_register(self, request: RegisterWithFrameRequest) -> RegisterWithFrameResponse:
-        frame_name, server = request.frame_name, request.callback_topic
+        errors, remark = self._register(request.frame_name, request.callback_topic, AS_IN_2012)
+        return RegisterWithFrameResponse(success=not errors, error=_told(errors, remark))
+
+    def _on_register_server(self, request: RegisterServerRequest) -> RegisterServerResponse:
+        try:
+            profile = profile_from_message(request.profile)
+        except ValueError as error:
+            return RegisterServerResponse(success=False, error=[f"purpose: {error}"])
+        errors, remark = self._register(request.frame_name, request.server, profile)
+        return RegisterServerResponse(success=not errors, error=_told(errors, remark))
+
+    def _register(self, frame_name: str, server: str, profile: ServerProfile) -> Tuple[Tuple[str, ...], str]:
+        """Register a server; return why that is refused, and what is odd about it."""
         if server.strip() and not _is_server_name(server):
             errors: Tuple[str, ...] = (
                 f"{server[:40]!r} is not the name of an action server: expected a graph name without '~'",
             )
         else:
             with self._lock:
-                errors = self._graph.register(frame_name, server)
+                errors = self._graph.register(frame_name, server, profile)
         for error in errors:
             rospy.logerr("registration refused: %s", error)
         if errors:
-            return RegisterWithFrameResponse(success=False, error=list(errors))
+            return errors, ""
         self._publish_catalogue()
-        remark = self._graph.remark(frame_name)
+        remark = self._graph.remark(frame_name, server)
         if remark:
             rospy.logwarn("'%s' registered for a frame: %s", server, remark)
-        return RegisterWithFrameResponse(success=True, error=[remark] if remark else [])
+        return (), remark
 
     def _registered_servers(self) -> FrozenSet[str]:
         with self._lock:
@@ -199,7 +218,12 @@ class FrameRegistrar:
                     registrar_id=self._id,
                     files=[SourceFile(path=path, text=text) for path, text in self._texts.items()],
                     callbacks=[
-                        FrameCallback(frame_name=frame, callback_topic=server, is_alive=self._graph.is_alive(server))
+                        FrameCallback(
+                            frame_name=frame,
+                            callback_topic=server,
+                            is_alive=self._graph.is_alive(server),
+                            profile=profile_to_message(self._graph.profile(frame, server)),
+                        )
                         for frame, server in self._graph.registrations()
                     ],
                 )
@@ -233,6 +257,10 @@ class FrameRegistrar:
         self._stage.passes_on(message.command, describe(plan))
         self._candidates_2012.publish(to_frame_lists(combinations(outcome, self._settings.max_candidates)))
         self._candidates.publish(CommandSemanticFrames(command=message.command, plan=plan))
+
+
+def _told(errors: Sequence[str], remark: str) -> List[str]:
+    return list(errors) if errors or not remark else [remark]
 
 
 def _is_server_name(name: str) -> bool:

@@ -6,12 +6,14 @@ from typing import Dict, Iterator, List, Optional, Sequence, Tuple
 from frame_registrar.filling import (
     Unfillable,
     child_arguments,
+    extra_thematic_arguments,
     fill,
     join_with_or,
     spoken_name,
     unmet_condition,
 )
 from frame_registrar.graph import FrameGraph
+from frame_registrar.heeding import lost_arguments, sentence_about, unheeded_arguments
 from semantic_frames.frame import RelatedFrame
 from typed_arguments import FilledFrame
 
@@ -62,12 +64,14 @@ class _Expansion:
 
     Attributes:
         sequences: those that can be filled
+        losses: for each sequence, whether none of its members gets some words that were said
         refusals: why children that have servers cannot be filled
         missing: children without a file
         unmet: values that children demand, when no child is meant for those that were said
     """
 
     sequences: Tuple[Frames, ...]
+    losses: Tuple[bool, ...]
     refusals: Tuple[Refusal, ...]
     missing: Tuple[str, ...]
     unmet: Tuple[Refusal, ...]
@@ -151,7 +155,7 @@ class SequenceFinder:
             if frame not in self._expansions:
                 if len(self._expansions) >= MOST_FRAMES:
                     self.is_truncated = True
-                    self._known[frame] = _Options(servers=self.graph.servers(frame.name), missing=(frame.name,))
+                    self._known[frame] = _Options(servers=self._servers(frame)[0], missing=(frame.name,))
                     continue
                 self._expansions[frame] = self._expand(frame)
             expansion = self._expansions[frame]
@@ -164,18 +168,20 @@ class SequenceFinder:
 
     def _options_of(self, filled: FilledFrame, expansion: "_Expansion") -> _Options:
         """Choose among the sequences of a frame, when the options of their members are known."""
-        servers = self.graph.servers(filled.name)
-        refusals, missing = list(expansion.refusals), [filled.name, *expansion.missing]
-        sequences = []
-        for children in expansion.sequences:
+        servers, unheeding = self._servers(filled)
+        refusals, missing = [*unheeding, *expansion.refusals], [filled.name, *expansion.missing]
+        sequences: List[Frames] = []
+        lossy: List[Frames] = []
+        for children, is_lossy in zip(expansion.sequences, expansion.losses):
             stuck = [self._known[child] for child in children if not self._known[child]]
             if not stuck:
-                sequences.append(children)
+                (lossy if is_lossy else sequences).append(children)
             for options in stuck:
                 refusals += options.refusals
                 missing += options.missing
-        if servers or sequences:
-            return _Options(servers=servers, sequences=tuple(sequences))
+        if servers or sequences or lossy:
+            # Nobody is to lose words while others heed them.
+            return _Options(servers=servers, sequences=tuple(sequences or (() if servers else lossy)))
         refusals += expansion.unmet
         # A reply names a handful; each level of the graph must not add its own.
         return _Options(
@@ -183,12 +189,25 @@ class SequenceFinder:
             missing=tuple(dict.fromkeys(missing))[:_MOST_REASONS],
         )
 
+    def _servers(self, filled: FilledFrame) -> Tuple[Tuple[str, ...], List[Refusal]]:
+        """Return the servers of a frame that heed everything that was said, or why there are none."""
+        servers = self.graph.servers(filled.name)
+        frame = self.graph.frame(filled.name)
+        if frame is None or not servers:
+            return servers, []
+        profiles = {server: self.graph.profile(filled.name, server) for server in servers}
+        unheeded = {server: unheeded_arguments(profile, filled, frame) for server, profile in profiles.items()}
+        heeding = tuple(server for server in servers if not unheeded[server])
+        lost = dict.fromkeys(arguments[0] for arguments in unheeded.values() if arguments)
+        sentences = [sentence_about(argument, frame, tuple(profiles.values())) for argument in lost]
+        return heeding, [] if heeding else [Refusal("VALUE_NOT_ALLOWED", sentence) for sentence in sentences]
+
     def _expand(self, filled: FilledFrame) -> "_Expansion":
         frame = self.graph.frame(filled.name)
         refusals: List[Refusal] = []
         unmet: Dict[str, List[str]] = {}
         missing: List[str] = []
-        sequences = []
+        sequences, losses = [], []
         is_meant = False
         for sequence in frame.children if frame is not None else ():
             conditions = [
@@ -202,8 +221,10 @@ class SequenceFinder:
             children = self._fill_children(filled, sequence, refusals, missing)
             if children is not None:
                 sequences.append(children)
+                losses.append(frame is not None and bool(lost_arguments(sequence, filled, frame)))
         return _Expansion(
             sequences=tuple(sequences),
+            losses=tuple(losses),
             refusals=tuple(refusals),
             missing=tuple(missing),
             unmet=() if is_meant else tuple(_not_among(filled, *one) for one in unmet.items()),
@@ -214,13 +235,17 @@ class SequenceFinder:
     ) -> Optional[Frames]:
         """Fill the members of a sequence; None when one cannot be filled, with the reason in refusals or missing."""
         children = []
+        extra = {
+            argument.name: argument
+            for argument in extra_thematic_arguments(self.graph.frame(parent.name), parent.arguments)
+        }
         for child in sequence:
             child_frame = self.graph.frame(child.name)
             if child_frame is None:
                 missing.append(child.name)
                 return None
             try:
-                children.append(fill(child_frame, child_arguments(parent, child) or {}))
+                children.append(fill(child_frame, {**extra, **(child_arguments(parent, child) or {})}))
             except Unfillable as error:
                 if self._is_offered(sequence):
                     refusals.append(Refusal(error.code, str(error)))

@@ -30,9 +30,15 @@ from roboframenet_msgs.msg import (
     Reply,
     StageEvent,
 )
-from roboframenet_msgs.srv import AddFrame, GetEmptyFrame, RegisterWithFrame
+from roboframenet_msgs.msg import (
+    ServerProfile as ServerProfileMessage,
+)
+from roboframenet_msgs.srv import AddFrame, GetEmptyFrame, RegisterServer, RegisterWithFrame
 
 from roboframenet_testing import wait_until
+from semantic_frames.ros_server_profile import profile_from_message, profile_to_message
+from semantic_frames.server_profile import AS_IN_2012, ServerProfile
+from semantic_frames.server_statement import stated_profile
 
 
 class FrameRegistrarTest(unittest.TestCase):
@@ -211,6 +217,30 @@ class FrameRegistrarTest(unittest.TestCase):
             self.assertFalse(answer.success)
             self.assertTrue(answer.error and answer.error[0])
             self.assertLess(len(answer.error[0]), 300)
+
+    def test_profile_is_in_the_catalogue_and_a_wrong_one_is_refused(self) -> None:
+        self.assertTrue(
+            self.add_frame("putting.yaml", "name: putting\nframe_elements: [{name: goal, is_core: true}]\n")
+        )
+        stated = stated_profile({"heeds": {"Manner": ["slow"], "goal": {"relations": ["on"]}}, "occupies": ["arms"]})
+        answer = self.call("register_server", RegisterServer, "putting", "steady", profile_to_message(stated))
+        self.assertEqual((answer.success, list(answer.error)), (True, []))
+
+        def profiles() -> List[ServerProfile]:
+            callbacks = [each for each in self.catalogue.callbacks if each.frame_name == "putting"]
+            return [profile_from_message(callback.profile) for callback in callbacks]
+
+        wait_until(lambda: profiles() == [stated], message=profiles)
+        wrong = [stated_profile({"heeds": ["Maner"]}), stated_profile({"heeds": {"goal": {"relations": ["nextto"]}}})]
+        for profile, hint in zip(wrong, ("did you mean 'Manner'?", "did you mean 'next_to'?")):
+            answer = self.call("register_server", RegisterServer, "putting", "steady", profile_to_message(profile))
+            self.assertFalse(answer.success)
+            self.assertIn(hint, answer.error[0])
+        answer = self.call("register_server", RegisterServer, "putting", "steady", ServerProfileMessage(purpose=7))
+        self.assertIn("purpose", answer.error[0])
+        self.assertEqual(profiles(), [stated])
+        self.register("putting", "steady")
+        wait_until(lambda: profiles() == [AS_IN_2012], message=profiles)
 
     def test_registration_for_a_frame_that_no_file_describes_is_remarked(self) -> None:
         answer = self.call("register_with_frame", RegisterWithFrame, "movign", "steady")

@@ -4,13 +4,14 @@ import math
 import os
 import threading
 from dataclasses import dataclass
-from typing import Dict, Optional
+from typing import Dict, Optional, Tuple
 
 import rospy
 from geometry_msgs.msg import PoseStamped, PoseWithCovarianceStamped
-from roboframenet_msgs.msg import FilledSemanticFrame, Locations
+from roboframenet_msgs.msg import FilledSemanticFrame, Locations, World, WorldObject, WorldUpdate
 
 from location_memorizer.locations import Location, LocationFileError, read_locations, set_aside, write_locations
+from location_memorizer.ros_world import place_of, places_of
 from location_memorizer.srv import GetLocation, GetLocationRequest, GetLocationResponse
 from rfnserver import RFNServer
 from rfnserver.places import location_name
@@ -55,8 +56,10 @@ class LocationMemorizer:
         get_location (location_memorizer/GetLocation)
     Subscribes:
         amcl_pose (geometry_msgs/PoseWithCovarianceStamped): where the robot is
+        world (roboframenet_msgs/World): places that world_model knows
     Publishes:
         locations (roboframenet_msgs/Locations, latched)
+        world_updates (roboframenet_msgs/WorldUpdate): places that were remembered
     Parameters: see :class:`Settings`.
     """
 
@@ -79,9 +82,13 @@ class LocationMemorizer:
         if remembered is None:
             self._set_memory_aside()
         self._remembered = remembered or {}
+        self._of_world: Dict[str, Location] = {}
+        self._world: Tuple[WorldObject, ...] = ()
+        self._updates = rospy.Publisher("world_updates", WorldUpdate, queue_size=10)
         self._publisher = rospy.Publisher("locations", Locations, queue_size=1, latch=True)
         self._publish()
         self._subscriber = rospy.Subscriber("amcl_pose", PoseWithCovarianceStamped, self._on_pose, queue_size=1)
+        self._world_subscriber = rospy.Subscriber("world", World, self._on_world, queue_size=1)
         self._service = rospy.Service("get_location", GetLocation, self._on_get_location)
         self._server = RFNServer("location_memorizer", self._on_frame)
         self._server.register_with_frame("naming_location")
@@ -104,7 +111,16 @@ class LocationMemorizer:
             rospy.logerr("the memory that cannot be read will be overwritten: %s", error)
 
     def _known(self) -> Dict[str, Location]:
-        return {**self._places, **self._remembered}
+        return {**self._of_world, **self._places, **self._remembered}
+
+    def _on_world(self, message: World) -> None:
+        """Offer the places of the world under their names too."""
+        with self._lock:
+            self._world = tuple(one for one in message.objects if one.sort == WorldObject.PLACE)
+            of_world = places_of(self._world)
+            is_new, self._of_world = of_world != self._of_world, of_world
+        if is_new:
+            self._publish()
 
     def _publish(self) -> None:
         known = self._known()
@@ -146,7 +162,9 @@ class LocationMemorizer:
                 return
             self._remembered[name] = self._here
             remembered = dict(self._remembered)
+            place = place_of(name, to_pose(self._here), self._world)
         self._publish()
+        self._updates.publish(WorldUpdate(objects=[place]))
         try:
             write_locations(remembered, self._memory_file)
         except OSError as error:

@@ -131,7 +131,10 @@ class Pipeline:
         self._without = without
         self._is_traced = is_traced
         graph = knowledge.graph
-        served = {frame for frame, server in graph.registrations() if graph.is_alive(server)}
+        served = {
+            frame: [graph.profile(frame, server) for server in graph.servers(frame)]
+            for frame, _ in graph.registrations()
+        }
         heeded = heeded_elements(knowledge.frames, served)
         self._known = FramedLexicon(knowledge.lexicon, knowledge.frames, knowledge.types, heeded)
         self._verbs = frozenset(verb.split()[0] for verb in knowledge.lexicon.verbs)

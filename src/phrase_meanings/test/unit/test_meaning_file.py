@@ -4,6 +4,7 @@ import pytest
 
 from phrase_meanings.meaning_file import load_meanings, shipped_meanings
 from semantic_frames.problem import FileRefused
+from typed_arguments.relation_names import RELATIONS
 
 
 def test_shipped_spellings_lead_to_one_meaning() -> None:
@@ -11,6 +12,10 @@ def test_shipped_spellings_lead_to_one_meaning() -> None:
     assert meanings.relation("Next to") == "next_to"
     assert meanings.relation("concerning") == "concerning"
     assert meanings.quantifiers["an"] == "a"
+
+
+def test_every_relation_may_be_declared() -> None:
+    assert frozenset(shipped_meanings().relations.values()) <= RELATIONS
 
 
 def test_a_spelling_with_two_meanings_is_refused() -> None:

@@ -10,16 +10,21 @@ A goal's fields are filled from the frame elements of the same name, or as a map
     planner: {value: navfn}                             # always these words
     shape: {element: shape, values: {square: 1, triangle: 2}}   # a table of words; others are refused
 
+An extra-thematic element, which every frame inherits, may be mapped too: a server that maps "manner" heeds it, as far
+as its table goes.
+
 A mapping that does not fit is refused when the server registers, with the field, and not at the first command.
 """
 
 import dataclasses
 import difflib
 from dataclasses import dataclass, replace
-from typing import Any, Callable, Dict, Iterable, List, Mapping, Optional, Sequence, Tuple, Union
+from typing import Any, Callable, Container, Dict, Iterable, List, Mapping, Optional, Sequence, Tuple, Union
 
 from rfnserver.arguments import ArgumentError
 from rfnserver.goal_types import Filling, GoalField
+from semantic_frames.extra_thematic import extra_thematic_of_arguments
+from semantic_frames.server_profile import HeededElement, spellings
 from spoken_quantities import QuantityError, find_unit, parse_measure
 from typed_arguments import TypedArgument
 from typed_arguments.parts import PARTS
@@ -126,7 +131,7 @@ def plan_goal(
         if source is None:
             continue
         for name in filter(None, (source.element, source.unit_element)):
-            if name not in known:
+            if name not in known and name not in extra_thematic_of_arguments():
                 problems.append(f"{path}: the frame has no element '{name}'{_offer(name, known)}")
         sources.append(source)
     used = {name for source in sources for name in (source.element, source.unit_element)}
@@ -163,6 +168,21 @@ def plan_goal(
     return GoalPlan(sources=tuple(sources), unfilled=unfilled, unheeded=unheeded)
 
 
+def heeded_by(plan: GoalPlan, own: Container[str]) -> Tuple[HeededElement, ...]:
+    """Return the extra-thematic elements that fill fields, with the words of their table.
+
+    Args:
+        plan: see :func:`plan_goal`
+        own: names of the elements of the frame
+    """
+    names = extra_thematic_of_arguments()
+    return tuple(
+        HeededElement(names[source.element], values=() if source.part else tuple(source.values))
+        for source in plan.sources
+        if source.element in names and source.element not in own
+    )
+
+
 def refuse_unheeded(plan: GoalPlan, arguments: Mapping[str, TypedArgument], *, defaults: Mapping[str, str]) -> None:
     """Check that every word that was said reaches the goal.
 
@@ -174,11 +194,11 @@ def refuse_unheeded(plan: GoalPlan, arguments: Mapping[str, TypedArgument], *, d
         ArgumentError: words would be dropped; the message is for the person who said them
     """
     heeded = [arguments[source.element] for source in plan.sources if source.element in arguments]
-    # A measure knows its unit, which may also be an element of its own.
-    units = {argument.measure.unit for argument in heeded if argument.measure is not None}
+    # A measure knows its unit, which may also be an element of its own, in the words of the person: "degrees".
+    units = {find_unit(argument.measure.unit) for argument in heeded if argument.measure is not None} - {None}
     for name in plan.unheeded:
         words = arguments[name].text if name in arguments else ""
-        if words and words != defaults.get(name, "") and words not in units:
+        if words and words != defaults.get(name, "") and find_unit(words) not in units:
             raise ArgumentError(f'I cannot heed the {name.replace("_", " ")} "{words}" when I do that.')
 
 
@@ -333,7 +353,7 @@ def _looked_up(source: FieldSource, words: str) -> str:
     """Return what the table of a field has for the words of a person; without a table, the words."""
     if not source.values:
         return words
-    found = source.values.get(_key(words))
+    found = next((source.values[form] for form in sorted(spellings(_key(words))) if form in source.values), None)
     if found is None:
         raise ArgumentError(f'"{words}" is none of {", ".join(source.values)}.')
     return found

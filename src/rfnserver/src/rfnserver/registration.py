@@ -2,9 +2,11 @@
 
 import os
 import sys
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from enum import Enum
 from typing import Dict, FrozenSet, Iterable, Optional, Tuple
+
+from semantic_frames.server_profile import HeededElement, ServerProfile
 
 #: Time of change and size of a file; None for one that does not exist.
 FileState = Optional[Tuple[int, int]]
@@ -29,6 +31,33 @@ class RegistrationRequest:
 
     kind: RequestKind
     subject: str
+
+
+@dataclass(frozen=True)
+class FrameFit:
+    """How a frame fits a server.
+
+    Attributes:
+        is_known: whether the registrar knows the frame
+        fault: why the server cannot carry it out; empty when it can
+        heeds: what the server heeds beside what the frame declares
+        unheeded: elements of the frame that it does not heed
+    """
+
+    is_known: bool
+    fault: str = ""
+    heeds: Tuple[HeededElement, ...] = ()
+    unheeded: Tuple[str, ...] = ()
+
+    def added_to(self, profile: ServerProfile) -> ServerProfile:
+        """Return a profile with what follows from the frame; what the server states itself counts first."""
+        stated = {heeded.name for heeded in profile.heeds}
+        return replace(
+            profile,
+            heeds=profile.heeds + tuple(heeded for heeded in self.heeds if heeded.name not in stated),
+            unheeded=profile.unheeded
+            + tuple(name for name in self.unheeded if name not in stated and name not in profile.unheeded),
+        )
 
 
 @dataclass(frozen=True)

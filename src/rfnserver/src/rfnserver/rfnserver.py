@@ -11,6 +11,7 @@ from rfnserver.ros_goal_messages import is_action_type
 from rfnserver.ros_quiet_action_server import QuietActionServer, QuietSimpleActionServer
 from rfnserver.ros_registration import FrameCheck, Registration
 from rfnserver.ros_typed_frame import TypedFrame, typed_frame
+from semantic_frames.server_statement import stated_profile
 
 FrameCallback = Callable[[TypedFrame], Any]
 
@@ -34,20 +35,25 @@ class _Registering:
         *,
         goal_mapping: Optional[Mapping[str, Declaration]] = None,
         ignored_elements: Iterable[str] = (),
+        **statement: Any,
     ) -> bool:
-        """Carry out a frame from now on.
+        """Carry out a frame from now on, or watch it.
 
         Args:
             frame_name: of a frame, also one whose file is added later
             goal_mapping: for a server with an action type: which element of this frame fills which field; None for
                 the mapping (or the function) that the server was made with
             ignored_elements: core elements of this frame that need not fill a field; only with ``goal_mapping``
+            **statement: what the server states for this frame, instead of what it was made with
         Returns:
             True when the registrar accepted; False when it refused or is not running, or when no goal can be made of
             that frame: this is logged, and tried again later
         Raises:
             TypeError: a mapping for a server without an action type
+            ProfileError: the statement is wrong
         """
+        if statement:
+            self._registration.state(frame_name, stated_profile(statement))
         if goal_mapping is not None:
             if self._adapter is None:
                 raise TypeError(f"frame {frame_name}: goal_mapping needs a server with the class of an action")
@@ -110,6 +116,7 @@ class RFNServer(_Registering, QuietSimpleActionServer):
         frame_callback: Optional[FrameToGoal] = None,
         goal_mapping: Optional[Mapping[str, Declaration]] = None,
         ignored_elements: Iterable[str] = (),
+        **statement: Any,
     ) -> None:
         """
         Args:
@@ -118,14 +125,18 @@ class RFNServer(_Registering, QuietSimpleActionServer):
             execute_cb: called with each goal, in a thread of its own; without it, ``register_goal_callback`` is used
             auto_start: start at once, as SimpleActionServer does by default; a server for frames alone never does
             callback: the form of 2012 by keyword
-            check: for frames alone: returns whether a frame is known, and why it cannot be carried out
+            check: for frames alone: returns how a frame fits the server
             frame_callback: with an action type: gets the filled frame and returns a goal, or None when it has carried
                 the frame out itself
             goal_mapping: with an action type: which element fills which field, where their names differ
             ignored_elements: with an action type: elements that need not fill a field
+            **statement: what the server states about itself: ``heeds={"Manner": ["slow", "quick"]}``,
+                ``occupies=["base"]``, ``purpose="watches"``; see :mod:`semantic_frames.server_statement`
         Raises:
             TypeError: neither an action type nor a callback
+            ProfileError: the statement is wrong
         """
+        profile = stated_profile(statement)
         if is_action_type(ActionSpec):
             self._adapter = FrameAdapter(
                 name,
@@ -133,6 +144,7 @@ class RFNServer(_Registering, QuietSimpleActionServer):
                 frame_callback=frame_callback,
                 mapping=goal_mapping,
                 ignored_elements=ignored_elements,
+                profile=profile,
             )
             self._registration = self._adapter.registration
             super().__init__(name, ActionSpec, execute_cb=execute_cb, auto_start=auto_start)
@@ -147,7 +159,7 @@ class RFNServer(_Registering, QuietSimpleActionServer):
             raise TypeError(
                 f"RFNServer {name}: execute_cb, frame_callback and goal_mapping need the class of an action"
             )
-        self._registration = Registration(name, check=check)
+        self._registration = Registration(name, check=check, profile=profile)
         super().__init__(name, FilledSemanticFrameAction, execute_cb=self._execute_frame, auto_start=False)
 
     def start(self) -> None:
@@ -180,6 +192,7 @@ class RFNActionServer(_Registering, QuietActionServer):
         frame_callback: Optional[FrameToGoal] = None,
         goal_mapping: Optional[Mapping[str, Declaration]] = None,
         ignored_elements: Iterable[str] = (),
+        **statement: Any,
     ) -> None:
         """
         Args:
@@ -191,9 +204,15 @@ class RFNActionServer(_Registering, QuietActionServer):
             frame_callback: see :class:`RFNServer`
             goal_mapping: see :class:`RFNServer`
             ignored_elements: see :class:`RFNServer`
+            **statement: see :class:`RFNServer`
         """
         self._adapter = FrameAdapter(
-            ns, ActionSpec, frame_callback=frame_callback, mapping=goal_mapping, ignored_elements=ignored_elements
+            ns,
+            ActionSpec,
+            frame_callback=frame_callback,
+            mapping=goal_mapping,
+            ignored_elements=ignored_elements,
+            profile=stated_profile(statement),
         )
         self._registration = self._adapter.registration
         optional = {} if cancel_cb is None else {"cancel_cb": cancel_cb}

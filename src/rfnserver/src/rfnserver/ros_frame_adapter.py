@@ -1,7 +1,7 @@
 """Lets an action server of any type take filled frames."""
 
 import threading
-from typing import Any, Callable, Dict, Iterable, Mapping, Optional, Tuple
+from typing import Any, Callable, Dict, Iterable, Mapping, Optional
 
 import rospy
 from actionlib_msgs.msg import GoalStatus
@@ -20,12 +20,13 @@ from rfnserver.goal_binding import (
     Declaration,
     GoalPlan,
     goal_values,
+    heeded_by,
     mapped_elements,
     plan_goal,
     refuse_unheeded,
 )
 from rfnserver.goal_types import Filling
-from rfnserver.registration import RequestKind
+from rfnserver.registration import FrameFit, RequestKind
 from rfnserver.ros_goal_forwarding import ForwardedEnd, GoalForwarder
 from rfnserver.ros_goal_messages import fields_of, fill, goal_type_of
 from rfnserver.ros_places import Places, UnknownPlace
@@ -33,6 +34,7 @@ from rfnserver.ros_quiet_action_server import QuietSimpleActionServer
 from rfnserver.ros_registration import Registration, public_name
 from rfnserver.ros_typed_frame import TypedFrame, typed_frame
 from roboframenet_ros.ros_service import ServiceError, call_service
+from semantic_frames.server_profile import AS_IN_2012, ServerProfile
 
 #: A server takes frames under its name and this suffix.
 FRAME_SUFFIX = "/frame"
@@ -100,28 +102,25 @@ def _nowhere(words: str) -> Any:
     raise ArgumentError(f'no field of the goal is a place: "{words}".')
 
 
-def check_frame(frame_name: str, maker: GoalMaker) -> Tuple[bool, str]:
-    """Ask the registrar for a frame, and find out whether goals can be made of it.
-
-    Returns:
-        whether the frame is known, and what is wrong; empty for nothing
-    """
+def check_frame(frame_name: str, maker: GoalMaker) -> FrameFit:
+    """Ask the registrar for a frame, and find out whether goals can be made of it."""
     try:
         frame = call_service(
             "get_empty_frame", GetEmptyFrame, timeout_s=CATALOGUE_TIMEOUT_S, frame_name=frame_name
         ).frame
     except ServiceError:
-        return False, ""
+        return FrameFit(is_known=False)
     if not frame.name:
-        return False, ""
+        return FrameFit(is_known=False)
     try:
         plan = maker.plan(BoundElement(element.name, element.is_core) for element in frame.frame_elements)
     except BindingError as error:
-        return True, str(error)
+        return FrameFit(is_known=True, fault=str(error))
     maker.note_defaults(frame.name, {element.name: element.default for element in frame.frame_elements})
     log = rospy.logwarn if plan.unheeded else rospy.loginfo
     log("frame %s: %s", frame_name, plan)
-    return True, ""
+    own = [element.name for element in frame.frame_elements]
+    return FrameFit(is_known=True, heeds=heeded_by(plan, own), unheeded=plan.unheeded)
 
 
 class FrameAdapter:
@@ -140,6 +139,7 @@ class FrameAdapter:
         frame_callback: Optional[FrameToGoal] = None,
         mapping: Optional[Mapping[str, Declaration]] = None,
         ignored_elements: Iterable[str] = (),
+        profile: ServerProfile = AS_IN_2012,
     ) -> None:
         """
         Args:
@@ -149,6 +149,7 @@ class FrameAdapter:
                 the frame out itself; without one the goal is made by name and ``mapping``
             mapping: see :mod:`rfnserver.goal_binding`
             ignored_elements: elements that need not fill a field
+            profile: what the server states about itself
         """
         name = self._name = public_name(name)
         self._action_type = action_type
@@ -165,7 +166,7 @@ class FrameAdapter:
             self._callback = self._maker.make
         #: Of the frames that have a mapping of their own.
         self._makers: Dict[str, GoalMaker] = {}
-        self.registration = Registration(name + FRAME_SUFFIX, check=self._check)
+        self.registration = Registration(name + FRAME_SUFFIX, check=self._check, profile=profile)
 
     def start(self) -> None:
         """Take frames from now on, or from the first registration on."""
@@ -191,9 +192,9 @@ class FrameAdapter:
                     self._server.start()
         return self.registration.request(kind, subject)
 
-    def _check(self, frame_name: str) -> Tuple[bool, str]:
+    def _check(self, frame_name: str) -> FrameFit:
         maker = self._makers.get(frame_name, self._maker)
-        return check_frame(frame_name, maker) if maker else (True, "")
+        return check_frame(frame_name, maker) if maker else FrameFit(is_known=True)
 
     def _execute(self, _goal: FilledSemanticFrameGoal) -> None:
         try:

@@ -10,6 +10,7 @@ import rospy
 from actionlib_msgs.msg import GoalID
 
 from roboframenet_ros.ros_log import log_from_threads
+from roboframenet_ros.ros_publishing import is_shutting_down
 
 #: The waiting thread wakes up at this period without a notification, seconds; it is only a safeguard.
 WAKE_UP_S = 5.0
@@ -84,7 +85,7 @@ class QuietActionServer(actionlib.ActionServer):
     def _publish_status_now(self) -> None:
         with self.lock:
             # Publishing to a topic that rospy has closed would print a useless traceback.
-            if rospy.is_shutdown() or self.status_pub is None:
+            if is_shutting_down() or self.status_pub is None:
                 return
             self._published_s = time.monotonic()
             super().publish_status()

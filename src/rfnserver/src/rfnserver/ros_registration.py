@@ -2,14 +2,15 @@
 
 import threading
 import time
-from typing import Any, Callable, Dict, List, Optional, Set, Tuple
+from typing import Any, Callable, Dict, List, Optional, Sequence, Set, Tuple
 
 import rospy
 from roboframenet_msgs.msg import FrameCatalogue, Lexicon
-from roboframenet_msgs.srv import AddFrame, AddLexicalUnit, RegisterWithFrame
+from roboframenet_msgs.srv import AddFrame, AddLexicalUnit, RegisterServer, RegisterWithFrame
 
 from rfnserver.registration import (
     Circumstances,
+    FrameFit,
     KnownState,
     Refusals,
     RegistrationRequest,
@@ -18,14 +19,16 @@ from rfnserver.registration import (
     file_state,
     missing_requests,
 )
-from roboframenet_ros.ros_service import ServiceError, call_service
+from roboframenet_ros.ros_service import ServiceError, call_service, is_offered
+from semantic_frames.ros_server_profile import profile_to_message
+from semantic_frames.server_profile import AS_IN_2012, Purpose, ServerProfile
 
 #: Deadline of a call for its service to exist, and again for the answer, seconds.
 SERVICE_TIMEOUT_S = 5.0
 #: A request that was not answered, or a registration that was refused, is repeated after this time; seconds.
 RETRY_S = 10.0
 
-FrameCheck = Callable[[str], Tuple[bool, str]]
+FrameCheck = Callable[[str], FrameFit]
 
 
 def public_name(name: str) -> str:
@@ -39,17 +42,24 @@ class Registration:
     Subscribes:
         frame_catalogue, lexicon (latched): what registrar and framer know, and when they restarted
     Services:
-        add_frame, add_lexical_unit, register_with_frame: called
+        add_frame, add_lexical_unit, register_with_frame, register_server: called
     """
 
-    def __init__(self, server_name: str, *, check: Optional[FrameCheck] = None) -> None:
+    def __init__(
+        self, server_name: str, *, check: Optional[FrameCheck] = None, profile: ServerProfile = AS_IN_2012
+    ) -> None:
         """
         Args:
             server_name: name of the action server
-            check: returns whether a frame is known, and why this server cannot carry it out; empty when it can
+            check: returns how a frame fits the server
+            profile: what the server states about itself
         """
         self._server_name = public_name(server_name)
         self._check = check
+        self._profile = profile
+        #: Profiles of frames that have one of their own; what was registered for each frame.
+        self._profiles: Dict[str, ServerProfile] = {}
+        self._registered: Dict[str, ServerProfile] = {}
         #: Frames that were registered before their file was added: they are checked afterwards.
         self._unchecked: Set[str] = set()
         self._condition = threading.Condition()
@@ -83,6 +93,10 @@ class Registration:
             if request not in self._requests:
                 self._requests.append(request)
         return self._ask(request)
+
+    def state(self, frame_name: str, profile: ServerProfile) -> None:
+        """Register for one frame with another profile."""
+        self._profiles[frame_name] = profile
 
     def close(self) -> None:
         """Repeat requests no more; return when the thread has ended."""
@@ -158,7 +172,7 @@ class Registration:
                     rospy.loginfo("%s: %s %s%s", self._server_name, request.kind.value, request.subject, again)
             self._tell_remarks()
             for frame_name in unchecked:
-                self._report(RegistrationRequest(RequestKind.REGISTRATION, frame_name), self._find_fault(frame_name))
+                self._check_late(frame_name)
 
     def _circumstances(self, request: RegistrationRequest) -> Circumstances:
         """Return what the answer to a request depends on. Called with the lock."""
@@ -199,19 +213,13 @@ class Registration:
     def _call(self, request: RegistrationRequest) -> str:
         """Make the call; return why it was refused, empty when it was granted."""
         if request.kind is RequestKind.REGISTRATION:
-            fault = self._find_fault(request.subject)
-            if fault:
-                return fault
-            response = call_service(
-                "register_with_frame",
-                RegisterWithFrame,
-                timeout_s=SERVICE_TIMEOUT_S,
-                frame_name=request.subject,
-                callback_topic=self._server_name,
-            )
+            fit = self._fit(request.subject)
+            if fit.fault:
+                return fit.fault
+            is_granted, reasons = self._register(request.subject, self._profile_for(request.subject, fit))
             with self._condition:
-                self._remark(request.subject, "; ".join(response.error) if response.success else "")
-            return "" if response.success else "; ".join(response.error) or "refused"
+                self._remark(request.subject, "; ".join(reasons) if is_granted else "")
+            return "" if is_granted else "; ".join(reasons) or "refused"
         if file_state(request.subject) is None:
             return "no such file"
         service: Any = AddFrame if request.kind is RequestKind.FRAME_FILE else AddLexicalUnit
@@ -234,28 +242,72 @@ class Registration:
             self._told.update(old)
         for frame_name in old:
             try:
-                response = call_service(
-                    "register_with_frame",
-                    RegisterWithFrame,
-                    timeout_s=SERVICE_TIMEOUT_S,
-                    frame_name=frame_name,
-                    callback_topic=self._server_name,
-                )
+                _, reasons = self._register(frame_name, self._profile_for(frame_name, self._fit(frame_name)))
             except ServiceError:
                 continue
             with self._condition:
                 self._remarks.pop(frame_name, None)
-            if response.error:
-                rospy.logwarn("%s: registered, but %s", self._server_name, "; ".join(response.error))
+            if reasons:
+                rospy.logwarn("%s: registered, but %s", self._server_name, "; ".join(reasons))
 
-    def _find_fault(self, frame_name: str) -> str:
-        """Return why this server cannot carry out a frame; an unknown frame is checked when its file is added."""
+    def _register(self, frame_name: str, profile: ServerProfile) -> Tuple[bool, Sequence[str]]:
+        """Register for a frame, by the call of 2012 if the server states nothing.
+
+        Returns:
+            whether that was granted, and the reasons or remarks of the registrar
+        Raises:
+            ServiceError: the registrar is not running or does not answer
+        """
+        if profile != AS_IN_2012:
+            if is_offered("register_server", beside="register_with_frame", timeout_s=SERVICE_TIMEOUT_S):
+                response = call_service(
+                    "register_server",
+                    RegisterServer,
+                    timeout_s=SERVICE_TIMEOUT_S,
+                    frame_name=frame_name,
+                    server=self._server_name,
+                    profile=profile_to_message(profile),
+                )
+                self._registered[frame_name] = profile
+                return response.success, response.error
+            if profile.purpose is Purpose.WATCHES:
+                return False, ["the registrar knows only servers that act: it has no service register_server"]
+            rospy.logwarn(
+                "%s: registered for %s as in 2012, without what the server states: the registrar has no service "
+                "register_server",
+                self._server_name,
+                frame_name,
+            )
+        response = call_service(
+            "register_with_frame",
+            RegisterWithFrame,
+            timeout_s=SERVICE_TIMEOUT_S,
+            frame_name=frame_name,
+            callback_topic=self._server_name,
+        )
+        self._registered[frame_name] = profile
+        return response.success, response.error
+
+    def _profile_for(self, frame_name: str, fit: FrameFit) -> ServerProfile:
+        return fit.added_to(self._profiles.get(frame_name, self._profile))
+
+    def _check_late(self, frame_name: str) -> None:
+        """Check a frame whose file was added after the registration, and register again if it says more now."""
+        fit = self._fit(frame_name)
+        request = RegistrationRequest(RequestKind.REGISTRATION, frame_name)
+        if fit.is_known and not fit.fault and self._profile_for(frame_name, fit) != self._registered.get(frame_name):
+            self._ask(request)
+        else:
+            self._report(request, fit.fault)
+
+    def _fit(self, frame_name: str) -> FrameFit:
+        """Return how a frame fits this server; an unknown frame is checked when its file is added."""
         if self._check is None:
-            return ""
-        is_known, fault = self._check(frame_name)
+            return FrameFit(is_known=True)
+        fit = self._check(frame_name)
         with self._condition:
-            if is_known:
+            if fit.is_known:
                 self._unchecked.discard(frame_name)
             else:
                 self._unchecked.add(frame_name)
-        return fault
+        return fit

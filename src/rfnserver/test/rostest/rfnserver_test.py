@@ -25,15 +25,20 @@ from roboframenet_msgs.srv import (
     AddLexicalUnit,
     AddLexicalUnitRequest,
     AddLexicalUnitResponse,
+    RegisterServer,
+    RegisterServerRequest,
+    RegisterServerResponse,
     RegisterWithFrame,
     RegisterWithFrameRequest,
     RegisterWithFrameResponse,
 )
 
 from rfnserver import RFNServer, ros_quiet_action_server, ros_registration
-from rfnserver.registration import RequestKind
+from rfnserver.registration import FrameFit, RequestKind
 from rfnserver.ros_registration import Registration
 from roboframenet_testing import wait_until
+from semantic_frames.ros_server_profile import profile_from_message
+from semantic_frames.server_statement import stated_profile
 
 
 class Goal:
@@ -219,6 +224,42 @@ class RFNServerTest(unittest.TestCase):
         self.registrar.restart("second")
         wait_until(lambda: frames() == {"coming_back"})
 
+    def test_registrar_of_2012_gets_the_call_of_2012(self) -> None:
+        warnings: List[str] = []
+        with mock.patch.object(ros_registration.rospy, "logwarn", lambda text, *about: warnings.append(text % about)):
+            server = RFNServer("gliding", lambda _frame: None, heeds={"Manner": ["slow"]})
+            self.assertTrue(server.register_with_frame("gliding"), server.last_error)
+        requests = [request for request in self.registrar.requests if request.callback_topic == "gliding"]
+        self.assertEqual({request.frame_name for request in requests}, {"gliding"})
+        self.assertTrue(any("as in 2012" in warning for warning in warnings), warnings)
+        watcher = RFNServer("looking", lambda _frame: None, purpose="watches")
+        self.assertFalse(watcher.register_with_frame("looking"))
+        self.assertIn("only servers that act", watcher.last_error)
+
+    def test_what_a_server_states_goes_to_a_registrar_that_takes_it(self) -> None:
+        taken: List[RegisterServerRequest] = []
+
+        def take(request: RegisterServerRequest) -> RegisterServerResponse:
+            taken.append(request)
+            return RegisterServerResponse(success=request.frame_name != "sailing", error=["no such element"])
+
+        service = rospy.Service("register_server", RegisterServer, take)
+        try:
+            server = RFNServer("sliding", lambda _frame: None, heeds={"Manner": ["slow"]}, occupies="base")
+            self.assertTrue(server.register_with_frame("sliding"), server.last_error)
+            self.assertTrue(server.register_with_frame("skating", purpose="watches"), server.last_error)
+            self.assertFalse(server.register_with_frame("sailing"))
+            self.assertEqual(server.last_error, "no such element")
+            plain = RFNServer("plain", lambda _frame: None)
+            self.assertTrue(plain.register_with_frame("sliding"), plain.last_error)
+        finally:
+            service.shutdown()
+        profiles = {request.frame_name: profile_from_message(request.profile) for request in taken}
+        self.assertEqual(profiles["sliding"], stated_profile({"heeds": {"Manner": ["slow"]}, "occupies": "base"}))
+        self.assertEqual(profiles["skating"], stated_profile({"purpose": "watches"}))
+        self.assertEqual({request.server for request in taken}, {"sliding"})
+        wait_until(lambda: any(request.callback_topic == "plain" for request in self.registrar.requests))
+
     def test_private_name_is_registered_as_the_one_that_others_use(self) -> None:
         frames = RFNServer("~gripping", lambda _frame: None)
         ported = RFNServer(
@@ -310,7 +351,7 @@ class RFNServerTest(unittest.TestCase):
     def test_shutdown_during_the_first_registration_ends_it(self) -> None:
         # Once it shuts down, rospy calls a hook as soon as it is added.
         with mock.patch.object(rospy, "on_shutdown", lambda hook: hook()):
-            registration = Registration("shut_down", check=lambda frame_name: (True, "not that one"))
+            registration = Registration("shut_down", check=lambda _name: FrameFit(is_known=True, fault="not that one"))
             self.assertFalse(registration.request(RequestKind.REGISTRATION, "turning"))
         self.assertEqual(registration.last_error, "not that one")
         self.assertNotIn("registration of shut_down", [thread.name for thread in threading.enumerate()])

@@ -8,6 +8,8 @@ from roboframenet_ros.deadline import NoAnswer, within
 
 # The wait for a service ends this long after its own time-out, unless the master hangs; seconds.
 _SLACK_S = 1.0
+# A service that its node offered before another one is there at once; the master may take this long to say so.
+_BESIDE_S = 0.5
 
 
 class ServiceError(RuntimeError):
@@ -38,11 +40,7 @@ def call_service(
         ServiceError: no service, no answer, or an error of the service
     """
     answer_timeout_s = timeout_s if answer_timeout_s is None else answer_timeout_s
-    try:
-        # The wait itself calls the master, which may hang.
-        within(timeout_s + _SLACK_S, lambda: rospy.wait_for_service(name, timeout=timeout_s), name=f"wait for {name}")
-    except (rospy.ROSException, NoAnswer) as error:
-        raise ServiceError(f"the service {name} is not available (waited {timeout_s:g} s)") from error
+    _wait_for(name, timeout_s)
 
     def call() -> Any:
         proxy = rospy.ServiceProxy(name, service_type)
@@ -54,3 +52,30 @@ def call_service(
         raise ServiceError(f"the service {name} did not answer within {answer_timeout_s:g} s") from None
     except Exception as error:  # boundary: the service, its node and the request may be at fault in many ways
         raise ServiceError(f"the service {name} failed: {error}") from error
+
+
+def is_offered(name: str, *, beside: str, timeout_s: float) -> bool:
+    """Return whether a node offers a service beside another one, which it offers later.
+
+    Args:
+        name: of the service
+        beside: service that is waited for
+        timeout_s: how long to wait for it
+    Raises:
+        ServiceError: that one is not available
+    """
+    _wait_for(beside, timeout_s)
+    try:
+        _wait_for(name, _BESIDE_S)
+    except ServiceError:
+        return False
+    return True
+
+
+def _wait_for(name: str, timeout_s: float) -> None:
+    """Raises ServiceError if the service does not exist after a time in seconds."""
+    try:
+        # The wait itself calls the master, which may hang.
+        within(timeout_s + _SLACK_S, lambda: rospy.wait_for_service(name, timeout=timeout_s), name=f"wait for {name}")
+    except (rospy.ROSException, NoAnswer) as error:
+        raise ServiceError(f"the service {name} is not available (waited {timeout_s:g} s)") from error

@@ -12,9 +12,9 @@ import rostest
 from std_msgs.msg import String
 from std_srvs.srv import Trigger, TriggerResponse
 
+from roboframenet_ros.ros_kept_value import KeptValue
 from roboframenet_ros.ros_log import log_from_threads
 from roboframenet_ros.ros_master import MasterError, TimedMaster
-from roboframenet_ros.ros_persistent_parameter import PersistentParameter
 from roboframenet_ros.ros_publishing import publish
 from roboframenet_ros.ros_service import ServiceError, call_service
 from roboframenet_testing import wait_until
@@ -85,13 +85,25 @@ class NodeTest(unittest.TestCase):
 
     def test_value_outlives_its_node(self) -> None:
         value = [{"id": "a", "stamp_ns": 1_700_000_000_000_000_000, "text": "say \x07 it"}]
-        first = PersistentParameter("~kept")
+        first = KeptValue("~kept")
         self.assertIsNone(first.load())
-        self.assertTrue(first.save(value, timeout_s=60.0))
-        first.close(timeout_s=60.0)
-        second = PersistentParameter("~kept")
+        first.save(value)
+        first.close()
+        second = KeptValue("~kept")
         self.assertEqual(value, second.load())
-        second.close(timeout_s=60.0)
+        second.save([])
+        second.close()
+        self.assertIsNone(KeptValue("~kept").load())
+
+    def test_value_under_another_master_is_not_found(self) -> None:
+        KeptValue("~kept_here").save([1])
+        rospy.delete_param("~kept_here")
+        self.assertIsNone(KeptValue("~kept_here").load())
+
+    def test_name_of_a_file_that_the_master_gives_is_no_path(self) -> None:
+        rospy.set_param("~kept_there", "../../etc/passwd")
+        self.assertIsNone(KeptValue("~kept_there").load())
+        self.assertRegex(rospy.get_param("~kept_there"), "^[0-9a-f]{32}$")
 
     def test_log_asks_the_master_for_its_parameter_once(self) -> None:
         name = "/rosout_disable_topics_generation"

@@ -1,9 +1,10 @@
 """Lexical units and the frames that they evoke: the knowledge of the framer, and the vocabulary of the passes."""
 
 from dataclasses import dataclass, field
-from typing import FrozenSet, Mapping, Optional, Sequence, Tuple
+from typing import Mapping, Optional, Sequence, Tuple
 
 from semantic_framer.frame_roles import ADDRESSEE, MESSAGE
+from semantic_framer.heeding import FrameHeeding
 from semantic_framer.lexicon import Lexicon
 from semantic_frames.frame import SemanticFrame
 from semantic_types import WordTypes, shipped_types
@@ -25,7 +26,7 @@ class FramedLexicon:
     lexicon: Lexicon
     frames: Mapping[str, SemanticFrame]
     types: WordTypes = field(default_factory=shipped_types)
-    heeded: Mapping[str, FrozenSet[str]] = field(default_factory=dict)
+    heeded: Mapping[str, FrameHeeding] = field(default_factory=dict)
 
     def verbs_beginning_with(self, word: str) -> Tuple[str, ...]:
         """Return the verbs whose first word is this one, those with more words first."""

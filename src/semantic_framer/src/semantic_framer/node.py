@@ -4,7 +4,7 @@ import threading
 import time
 import uuid
 from dataclasses import replace
-from typing import Dict, FrozenSet, List, Mapping, Tuple
+from typing import Dict, List, Mapping, Tuple
 
 import rospy
 from roboframenet_msgs.msg import (
@@ -33,12 +33,12 @@ from semantic_framer.behaviour_2012 import with_habits
 from semantic_framer.dialogue import Context
 from semantic_framer.framed_lexicon import FramedLexicon
 from semantic_framer.framer import Outcome, hear
-from semantic_framer.heeding import heeded_elements
+from semantic_framer.heeding import FrameHeeding, heeded_elements
 from semantic_framer.known_names import KnownNames
 from semantic_framer.lexicon import Lexicon
 from semantic_framer.lexicon_files import LexiconFiles, LexiconState
 from semantic_framer.outcome import Refusal, Understood, reply_outcome
-from semantic_framer.ros_messages import to_clauses, to_filled_units
+from semantic_framer.ros_messages import acting_servers, to_clauses, to_filled_units
 from semantic_framer.settings import Settings
 from semantic_frames import FileRefused, load_frame
 from semantic_frames.frame import SemanticFrame
@@ -73,7 +73,7 @@ class SemanticFramer:
         self._lock = threading.Condition()
         self._lexicon = Lexicon()
         self._frames: Dict[str, SemanticFrame] = {}
-        self._heeded: Mapping[str, FrozenSet[str]] = {}
+        self._heeded: Mapping[str, FrameHeeding] = {}
         self._frame_of_file: Dict[Tuple[str, str], SemanticFrame] = {}
         self._context = Context()
         self._context_stamp = self._stop_stamp = rospy.Time()
@@ -160,7 +160,7 @@ class SemanticFramer:
                 rospy.logwarn("the catalogue holds a frame that cannot be read: %s", refused)
         self._frame_of_file = of_file
         frames = {frame.name: frame for frame in of_file.values()}
-        heeded = heeded_elements(frames, {one.frame_name for one in message.callbacks if one.is_alive})
+        heeded = heeded_elements(frames, acting_servers(message))
         with self._lock:
             self._frames, self._heeded = frames, heeded
             self._lock.notify_all()

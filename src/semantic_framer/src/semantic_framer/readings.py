@@ -5,12 +5,12 @@ from typing import FrozenSet, Optional, Tuple, Union
 
 from semantic_framer.extra_phrases import extra_arguments
 from semantic_framer.frame_roles import NAME
-from semantic_framer.heeding import without_unheeded
 from semantic_framer.matching import read_clause
 from semantic_framer.outcome import CAREFUL, Refusal
 from semantic_framer.reading import Reading, rank, without_duplicates
 from semantic_framer.sentence import Sentence
 from semantic_framer.things import is_indefinite
+from semantic_framer.unheeded import with_heeded_extras, without_unheeded
 from semantic_framer.verdicts import (
     CLAUSE_VERDICTS,
     DOMINATED,
@@ -120,12 +120,7 @@ def plausible_readings(case: ClauseCase, trace: Optional[Trace] = None) -> Tuple
     listed = frozenset().union(*(reading.listed for reading in plausible))
     text = _clause_text(case.sentence.tree, case.clause)
     judged = (
-        replace(
-            reading,
-            unlikely=_unlikely(case, reading, listed),
-            clause_text=text,
-            extra=extra_arguments(case.sentence, case.clause, reading.left_over),
-        )
+        _with_extras(case, replace(reading, unlikely=_unlikely(case, reading, listed), clause_text=text), trace)
         for reading in drop(DOMINATED, case, plausible, plausible, trace)
     )
     return tuple(sorted(judged, key=rank))
@@ -138,6 +133,19 @@ def _with_what_is_heeded(case: ClauseCase, reading: Reading, trace: Optional[Tra
     if words and trace is not None:
         trace.add("unheeded", str(kept), "", f"left over: {case.sentence.text(words)}", words)
     return kept
+
+
+def _with_extras(case: ClauseCase, reading: Reading, trace: Optional[Trace]) -> Reading:
+    """Name the extra-thematic phrases among the left-over words; those that a server heeds become arguments."""
+    found = replace(reading, extra=extra_arguments(case.sentence, case.clause, reading.left_over))
+    heeded = case.of.known.heeded.get(reading.unit.frame_name)
+    if not found.extra or heeded is None:
+        return found
+    heard = with_heeded_extras(case.sentence, found, heeded)
+    if heard is not found and trace is not None:
+        words = sorted(set(found.left_over) - set(heard.left_over))
+        trace.add("heeded", str(heard), "", f"a server heeds: {case.sentence.text(words)}", words)
+    return heard
 
 
 def _clause_text(tree: DependencyTree, clause: Clause) -> str:

@@ -1,18 +1,30 @@
 """Converts readings to messages."""
 
-from typing import Sequence, Tuple
+from typing import Dict, List, Mapping, Sequence, Tuple
 
 from roboframenet_msgs.msg import (
     Clause,
     FilledFrameElement,
     FilledLexicalUnit,
     FilledLexicalUnitList,
+    FrameCatalogue,
     LexicalUnitReading,
 )
 
 from semantic_framer.reading import Reading
+from semantic_frames.ros_server_profile import profile_from_message
+from semantic_frames.server_profile import Purpose, ServerProfile
 from typed_arguments.ros_messages import to_message
 from utterance_passes.tree import DependencyTree
+
+
+def acting_servers(catalogue: FrameCatalogue) -> Mapping[str, Sequence[ServerProfile]]:
+    """Return the profiles of the live servers that act, for each frame that has one."""
+    found: Dict[str, List[ServerProfile]] = {}
+    for callback in catalogue.callbacks:
+        if callback.is_alive and callback.profile.purpose == Purpose.ACTS:
+            found.setdefault(callback.frame_name, []).append(profile_from_message(callback.profile))
+    return found
 
 
 def to_clauses(clauses: Sequence[Tuple[Reading, ...]], tree: DependencyTree) -> Sequence[Clause]:

@@ -6,9 +6,12 @@ import pytest
 
 from semantic_framer.framed_lexicon import FramedLexicon
 from semantic_framer.framer import LeftOverWords, Policy, Question, Refusal, Understood, hear
-from semantic_framer.heeding import heeded_elements
+from semantic_framer.heeding import EVERYTHING, heeded_elements
 from semantic_frames import load_frame
 from semantic_frames.frame import SemanticFrame
+from semantic_frames.server_profile import AS_IN_2012
+from semantic_frames.server_statement import stated_profile
+from typed_arguments import TypedArgument
 
 PARENT = """
 name: moving
@@ -41,7 +44,8 @@ def frames() -> Dict[str, SemanticFrame]:
     ],
 )
 def test_elements_reach_a_server_directly_or_by_relations(served: Any, expected: Any) -> None:
-    assert heeded_elements(frames(), served) == {name: frozenset(elements) for name, elements in expected.items()}
+    found = heeded_elements(frames(), dict.fromkeys(served, (AS_IN_2012,)))
+    assert {name: set(elements) for name, elements in found.items()} == expected
 
 
 def outcome_of(text: str, parser: Any, known: FramedLexicon, policy: Policy = Policy()) -> Any:
@@ -50,7 +54,7 @@ def outcome_of(text: str, parser: Any, known: FramedLexicon, policy: Policy = Po
 
 
 def test_what_no_server_gets_is_asked_about(parser: Any, lexicon: Any, frames: Any) -> None:
-    known = FramedLexicon(lexicon, frames, heeded={"navigating_to_location": frozenset(["goal"])})
+    known = FramedLexicon(lexicon, frames, heeded={"navigating_to_location": {"goal": EVERYTHING}})
     text = "Go to the kitchen quickly."
     asked = outcome_of(text, parser, known)
     assert isinstance(asked, Question) and '"quickly"' in asked.sentence
@@ -58,5 +62,63 @@ def test_what_no_server_gets_is_asked_about(parser: Any, lexicon: Any, frames: A
     refused = outcome_of(text, parser, known, Policy(left_over_words=LeftOverWords.STRICT))
     assert isinstance(refused, Refusal) and refused.left_over == ("quickly",)
     assert isinstance(outcome_of(text, parser, known, Policy(left_over_words=LeftOverWords.IGNORE)), Understood)
-    everything = FramedLexicon(lexicon, frames, heeded=heeded_elements(frames, frames))
+    everything = FramedLexicon(lexicon, frames, heeded=heeded_elements(frames, dict.fromkeys(frames, (AS_IN_2012,))))
     assert isinstance(outcome_of(text, parser, everything), Understood)
+
+
+def profiled(known: Any, frames: Any, frame: str, **statement: Any) -> FramedLexicon:
+    return FramedLexicon(known, frames, heeded=heeded_elements(frames, {frame: [stated_profile(statement)]}))
+
+
+def test_extra_thematic_elements_are_asked_about_unless_the_server_heeds_them(
+    parser: Any, lexicon: Any, frames: Any
+) -> None:
+    text = "Follow me silently."
+    asked = outcome_of(text, parser, profiled(lexicon, frames, "following"))
+    assert isinstance(asked, Question) and '"silently"' in asked.sentence
+    asked = outcome_of(text, parser, profiled(lexicon, frames, "following", heeds={"Manner": ["quick"]}))
+    assert isinstance(asked, Question) and '"silently"' in asked.sentence
+    heard = outcome_of(text, parser, profiled(lexicon, frames, "following", heeds={"Manner": ["silent"]}))
+    assert isinstance(heard, Understood)
+    manner = heard.clauses[0][0].argument("manner")
+    assert manner is not None and (manner.text, manner.lemma) == ("silently", "silently")
+    assert heard.clauses[0][0].left_over == () and heard.clauses[0][0].extra == ()
+
+
+def test_an_element_that_the_server_does_not_heed_is_asked_about(parser: Any, lexicon: Any, frames: Any) -> None:
+    text = "Go to the kitchen quickly."
+    known = profiled(lexicon, frames, "navigating_to_location", unheeded=["manner"])
+    assert isinstance(outcome_of(text, parser, known), Question)
+
+
+def test_members_of_a_sequence_heed_together() -> None:
+    parent = """
+    name: fetching
+    frame_elements: [{name: theme}]
+    children:
+      - - {name: forward, frame_element_relations: [{parent_name: theme, child_name: distance}]}
+        - {name: turning}
+    """
+    known = {**frames(), "fetching": load_frame(parent, "x.yaml")}
+    quick, any_manner = (stated_profile({"heeds": {"Manner": values}}) for values in (["quick"], None))
+    nothing = AS_IN_2012
+    for turning, is_heeded in ((any_manner, True), (quick, True), (nothing, False)):
+        found = heeded_elements(known, {"forward": [quick], "turning": [turning]})["fetching"]
+        assert ("Manner" in found) is is_heeded
+        if is_heeded:
+            assert found["Manner"].fits(TypedArgument("Manner", "quickly"))
+            assert not found["Manner"].fits(TypedArgument("Manner", "slowly"))
+
+
+def test_a_mapping_with_a_relation_replaces_the_one_that_was_said() -> None:
+    parent = """
+    name: putting
+    frame_elements: [{name: goal}]
+    children:
+      - {name: forward, frame_element_relations: [{parent_name: goal, child_name: distance, relation: to}]}
+    """
+    known = {**frames(), "putting": load_frame(parent, "x.yaml")}
+    under = TypedArgument("goal", "the table", relation="under")
+    for relation, is_heeded in (("to", True), ("on", False)):
+        profile = stated_profile({"heeds": {"distance": {"relations": [relation]}}})
+        assert heeded_elements(known, {"forward": [profile]})["putting"]["goal"].fits(under) is is_heeded

@@ -3,7 +3,8 @@
 from dataclasses import dataclass
 from functools import lru_cache
 from pathlib import Path
-from typing import FrozenSet, List, Tuple
+from types import MappingProxyType
+from typing import FrozenSet, List, Mapping, Tuple
 
 from semantic_frames.marked_yaml import Reader
 from semantic_frames.source_files import read_text
@@ -76,3 +77,9 @@ def extra_thematic_elements() -> Tuple[ExtraThematicElement, ...]:
 def extra_thematic_names() -> FrozenSet[str]:
     """Return the names of the elements that every frame inherits."""
     return frozenset(element.name for element in extra_thematic_elements())
+
+
+@lru_cache(maxsize=None)
+def extra_thematic_of_arguments() -> Mapping[str, str]:
+    """Return FrameNet's name of each extra-thematic element, by the name of its arguments: "Manner" by "manner"."""
+    return MappingProxyType({name.lower(): name for name in sorted(extra_thematic_names())})

@@ -2,7 +2,7 @@
 
 from functools import lru_cache
 from pathlib import Path
-from typing import Dict, Tuple
+from typing import Dict, FrozenSet, Set, Tuple
 
 from semantic_frames.semantic_type import with_parents
 from semantic_frames.source_files import read_text
@@ -27,6 +27,8 @@ class Nouns:
         self._wordnet = wordnet
         self._file = file
         self.types = lru_cache(maxsize=MOST_WORDS)(self._types)
+        self.kinds = lru_cache(maxsize=MOST_WORDS)(self._kinds)
+        self.synsets = lru_cache(maxsize=MOST_WORDS)(self._synsets)
         self._of_synset = lru_cache(maxsize=MOST_SYNSETS)(self._find_of_synset)
 
     def _types(self, noun: str, is_name: bool = False) -> Likelihoods:
@@ -51,6 +53,31 @@ class Nouns:
                 weights[name] = weights.get(name, 0.0) + weight
                 total += weight
         return of_weights(weights) if total else UNTYPED
+
+    def _synsets(self, noun: str, is_person: bool = False) -> FrozenSet[int]:
+        """Return the senses of a noun that can be seen and touched; none for an unknown noun.
+
+        Args:
+            noun: as for ``types``
+            is_person: whether senses of persons count instead of those of things: a "chair" may lead a meeting
+        """
+        return frozenset(
+            sense.synset
+            for sense in self._wordnet.senses(noun)
+            for types in [frozenset().union(*map(with_parents, self._of_synset(sense.synset)))]
+            if "Physical_entity" in types and ("Sentient" in types) == is_person
+        )
+
+    def _kinds(self, noun: str, is_person: bool = False) -> FrozenSet[int]:
+        """Return what a noun is a kind of: the senses of ``synsets`` and every more general synset."""
+        found: Set[int] = set()
+        left = list(self.synsets(noun, is_person=is_person))
+        while left:
+            synset = left.pop()
+            if synset not in found:
+                found.add(synset)
+                left += self._wordnet.hypernyms(synset)
+        return frozenset(found)
 
     def _weights(self, sense: Sense, place: int) -> Dict[str, float]:
         """Return the weight of each type of a sense; a sense that was never counted weighs by its place."""

@@ -1,0 +1,105 @@
+"""Describes objects so that a person can tell them apart: "the red one in the kitchen"."""
+
+from typing import Dict, List, Sequence, Tuple
+
+from world_model import Sort, World, WorldObject
+from world_model.world import category_of
+from world_model.world_object import LEADS_TO
+
+#: A question names this many objects; more are counted.
+MOST_NAMED = 4
+#: How a person says a relation.
+_SPOKEN = {
+    "in_front_of": "in front of",
+    "left_of": "left of",
+    "right_of": "right of",
+    "next_to": "next to",
+    "near": "near",
+}
+
+
+def noun_of(one: WorldObject) -> str:
+    """Return the noun for an object: its category, or what it is at least."""
+    return category_of(one) or one.name or one.sort.value
+
+
+def name_of(one: WorldObject) -> str:
+    """Return how a person calls an object: "Anna", "the kitchen", "the mug"."""
+    if one.sort is Sort.PERSON and one.name:
+        return one.name
+    name = one.name or noun_of(one)
+    return name if name[:1].isupper() else f"the {name}"
+
+
+def place_of(one: WorldObject, world: World, *, is_whole: bool = True) -> str:
+    """Return where an object is, in words: "on the table in the kitchen"; empty when unknown.
+
+    Args:
+        one: the object
+        world: what the robot knows
+        is_whole: whether to add the room of what it is on
+    """
+    place = next((place for place in one.places if world.get(place.reference) is not None), None)
+    room = world.room_of(one) if one.sort is not Sort.PLACE else None
+    if place is None:
+        return f"in {name_of(room)}" if room is not None else ""
+    other = world.by_id[place.reference]
+    if place.relation == "held_by":
+        near = f"held by {name_of(other)}" if other.sort is not Sort.ROBOT else "in my hand"
+    else:
+        near = f"{_SPOKEN.get(place.relation, place.relation.replace('_', ' '))} {name_of(other)}"
+    is_elsewhere = room is not None and room.id != other.id
+    return f"{near} in {name_of(room)}" if is_whole and is_elsewhere and room is not None else near
+
+
+def describe(one: WorldObject, world: World) -> str:
+    """Return a phrase for an object among others of its kind: "the red one in the kitchen"."""
+    return _phrase(one, world, one.attributes, _room(one, world) or place_of(one, world))
+
+
+def _room(one: WorldObject, world: World) -> str:
+    room = world.room_of(one)
+    return f"in {name_of(room)}" if room is not None else ""
+
+
+def _with_state(one: WorldObject, world: World) -> str:
+    return _phrase(one, world, one.attributes + one.states, _room(one, world) or place_of(one, world))
+
+
+def _in_full(one: WorldObject, world: World) -> str:
+    return _phrase(one, world, one.attributes + one.states, place_of(one, world))
+
+
+def _phrase(one: WorldObject, world: World, properties: Sequence[str], place: str) -> str:
+    if one.name:
+        return name_of(one)
+    owners = " and ".join(name_of(owner) for owner in world.owners(one))
+    owned = f"of {owners}" if owners else ""
+    beyond = " and ".join(name_of(other) for name in one.related(LEADS_TO) for other in [world.get(name)] if other)
+    leads = f"to {beyond}" if beyond else ""
+    return " ".join(filter(None, ["the", *properties, "one", owned, leads, place]))
+
+
+def group_alike(objects: Sequence[WorldObject], world: World) -> Tuple[Tuple[WorldObject, ...], ...]:
+    """Group objects that no description tells apart."""
+    groups: Dict[str, List[WorldObject]] = {}
+    for one in objects:
+        groups.setdefault(_in_full(one, world), []).append(one)
+    return tuple(map(tuple, groups.values()))
+
+
+def descriptions(objects: Sequence[WorldObject], world: World) -> Tuple[str, ...]:
+    """Return a phrase for each object, no longer than needed to tell them apart."""
+    for phrase_of in (describe, _with_state):
+        found = tuple(phrase_of(one, world) for one in objects)
+        if len(set(found)) == len(found):
+            return found
+    return tuple(_in_full(one, world) for one in objects)
+
+
+def question_of(noun: str, objects: Sequence[WorldObject], world: World) -> str:
+    """Return the question which of several objects is meant."""
+    if len(objects) > MOST_NAMED:
+        return f"Which {noun}? I know of {len(objects)}."
+    options = descriptions(objects, world)
+    return f"Which {noun}, {', '.join(options[:-1])} or {options[-1]}?"

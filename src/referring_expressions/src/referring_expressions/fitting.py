@@ -1,0 +1,242 @@
+"""Finds the objects of the world that fit a phrase: its head, its modifiers, whose they are and where they are."""
+
+import math
+from dataclasses import dataclass, replace
+from typing import Callable, Dict, Iterable, Optional, Set, Tuple
+
+from semantic_types import spoken
+from typed_arguments import EmbeddedFrame, Modifier, TypedArgument
+from word_classes import without_determiner, word_class
+from world_model import Sort, World, WorldObject
+
+Objects = Tuple[WorldObject, ...]
+
+_BIG = word_class("big_superlatives")
+_DETERMINERS = word_class("determiners_and_possessives")
+_FAR = word_class("far_superlatives")
+_GENERAL_THINGS = word_class("general_thing_nouns")
+_HEARERS = word_class("hearers") | word_class("robot_names")
+_HIGH = word_class("high_superlatives")
+_NEAR = word_class("near_superlatives")
+_PERSON_NOUNS = word_class("general_person_nouns")
+_PLACE_NOUNS = word_class("general_place_nouns")
+_PRONOUNS = word_class("pronouns")
+_PRONOUNS_OF_PLACES = word_class("here_and_there")
+_SMALL = word_class("small_superlatives")
+_SPEAKER = word_class("speaker_possessors")
+_STANDINS = word_class("noun_standins")
+#: What a description with "of" may mean: "the door of the kitchen" leads there, "the mug of Anna" is hers.
+_OF = ("of", "to", "in", "on")
+
+
+@dataclass(frozen=True)
+class Situation:
+    """What is known when somebody speaks.
+
+    Attributes:
+        world: what the robot knows
+        spoken_of: ids of what was spoken of, the last one first
+        offered: ids that the robot has just asked about: "the red one" is one of them
+        speaker: id of the person who speaks; empty when unknown
+    """
+
+    world: World
+    spoken_of: Tuple[str, ...] = ()
+    offered: Tuple[str, ...] = ()
+    speaker: str = ""
+
+    def objects(self, ids: Iterable[str]) -> Objects:
+        """Return the objects of some ids, without those that are no longer known."""
+        return tuple(one for name in ids for one in [self.world.get(name)] if one is not None)
+
+    @property
+    def here(self) -> Optional[WorldObject]:
+        """The place that the robot is in; None when unknown."""
+        robot = self.world.robot
+        return self.world.room_of(robot) if robot is not None else None
+
+
+def fitting(argument: TypedArgument, situation: Situation, *, is_wide: bool = False) -> Objects:
+    """Return the objects that a phrase may refer to, whatever its quantifier; none if nothing known fits.
+
+    Args:
+        argument: the phrase
+        situation: what is known
+        is_wide: whether an armchair counts as a chair even if there are chairs: "how many chairs"
+    """
+    found = _by_head(argument, situation, is_wide)
+    if argument.quantifier in ("other", "another") and situation.spoken_of:
+        found = tuple(one for one in found if one.id != situation.spoken_of[0])
+    if argument.possessor is not None and not _is_name(found, argument):
+        owners = _owners(argument.possessor, situation)
+        found = tuple(one for one in found if owners & set(one.related("of")))
+    if argument.complement is not None and not _is_name(found, argument):
+        found = _of(found, argument.complement, situation)
+    for description in argument.frames:
+        found = described(found, description, situation)
+    for exception in argument.exceptions:
+        left_out = fitting(exception, situation)
+        found = tuple(one for one in found if one not in left_out)
+    for modifier in argument.modifiers:
+        if _is_superlative(modifier):
+            found = _most(found, modifier, situation)
+        elif modifier.kind == "ordinal" and situation.offered:
+            place = modifier.number - 1 if modifier.number > 0 else modifier.number
+            found = found[place : place + 1 or None] if -1 <= place < len(found) else ()
+        elif modifier.kind == "ordinal":
+            found = found if len(found) == 1 else ()
+    return found
+
+
+def _is_name(found: Objects, argument: TypedArgument) -> bool:
+    """Whether the whole phrase is the name of what was found: "Anna's room", "the Bank of England"."""
+    name = spoken(without_determiner(argument.text, _DETERMINERS))
+    return bool(found) and all(name in map(spoken, one.names) for one in found)
+
+
+def _by_head(argument: TypedArgument, situation: Situation, is_wide: bool) -> Objects:
+    """Return what has the name, or is of the kind, and has the adjectives of a phrase."""
+    world = situation.world
+    head, lemma = argument.head.lower(), argument.lemma.lower()
+    said = without_determiner(argument.text, _DETERMINERS)
+    named = world.named(said) or world.named(argument.text)
+    if named and len(said.split()) > 1:
+        return named
+    compounds = [modifier for modifier in argument.modifiers if modifier.kind in ("compound", "name")]
+    others = [
+        modifier
+        for modifier in argument.modifiers
+        if modifier.kind in ("adjective", "comparative") and not _is_superlative(modifier)
+    ]
+    if head in _STANDINS and situation.offered:
+        return _with(situation.objects(situation.offered), [*compounds, *others])
+    if situation.offered and not named and not world.kinds_of(lemma):
+        # "Red." or "the red" in answer to "Which mug?"
+        return _with(situation.objects(situation.offered), [Modifier("adjective", head, lemma), *compounds, *others])
+    if head in _PRONOUNS and argument.quantifier == "":
+        return situation.objects(situation.spoken_of[:1])
+    if head in _PRONOUNS_OF_PLACES:
+        return (situation.here,) if head == "here" and situation.here is not None else ()
+    if head in _HEARERS:
+        return situation.objects(["robot"])
+    whole = " ".join([modifier.word for modifier in compounds if modifier.position < argument.head_position] + [lemma])
+    exact = named or world.named(whole) or world.named(head) or world.exactly(whole)
+    if exact and not is_wide:
+        fits = _with(exact, others if whole != lemma else [*compounds, *others])
+        if fits:
+            return fits
+    general = _general(head, lemma, world)
+    kinds = general if general is not None else world.kinds_of(lemma)
+    found = _with(kinds, compounds) if whole != lemma else kinds
+    if exact or whole != lemma:
+        every = (*exact, *(world.kinds_of(whole) if whole != lemma else ()), *found)
+        found = tuple({one.id: one for one in every}.values())
+    mine = tuple(one for one in found if one.id in situation.offered) if situation.offered else found
+    return _with(mine, others)
+
+
+def _general(head: str, lemma: str, world: World) -> Optional[Objects]:
+    """Return the objects of a noun that names a whole sort: "thing", "person", "room"; None for another noun."""
+    if {head, lemma} & _GENERAL_THINGS or head in _STANDINS:
+        return tuple(one for one in world.objects if one.sort in (Sort.THING, Sort.DEVICE))
+    if {head, lemma} & _PERSON_NOUNS:
+        return tuple(one for one in world.objects if one.sort is Sort.PERSON)
+    if {head, lemma} & _PLACE_NOUNS:
+        return tuple(one for one in world.objects if one.sort is Sort.PLACE)
+    return None
+
+
+def _with(objects: Iterable[WorldObject], modifiers: Iterable[Modifier]) -> Objects:
+    """Return the objects that are known to have all of some properties."""
+    found = tuple(objects)
+    for modifier in modifiers:
+        words = {modifier.word.lower(), modifier.lemma.lower()} - {""}
+        found = tuple(one for one in found if words & one.properties)
+    return found
+
+
+def _owners(possessor: TypedArgument, situation: Situation) -> Set[str]:
+    if possessor.head.lower() in _SPEAKER:
+        return {situation.speaker} - {""}
+    return {one.id for one in fitting(possessor, replace(situation, offered=()))}
+
+
+def _of(objects: Objects, complement: TypedArgument, situation: Situation) -> Objects:
+    wholes = fitting(complement, replace(situation, offered=()))
+    ids = {one.id for one in wholes}
+    inside = situation.world.at("in", wholes)
+    return tuple(
+        one
+        for one in objects
+        if one.id in inside or any(relation.relation in _OF and relation.reference in ids for relation in one.relations)
+    )
+
+
+def described(objects: Objects, description: EmbeddedFrame, situation: Situation) -> Objects:
+    """Return the objects that a description is true of: "on the table", "that is in the kitchen"."""
+    place = next((element for element in description.frame_elements if element.relation or element.direction), None)
+    if place is None:
+        words = set(description.words.lower().split())
+        return tuple(one for one in objects if words & set(map(str.lower, one.states)))
+    fits = at_place(objects, place, situation)
+    if description.is_negated:
+        return tuple(one for one in objects if one not in fits)
+    return fits
+
+
+def at_place(objects: Objects, place: TypedArgument, situation: Situation) -> Objects:
+    """Return the objects that are at a place: "on the table", "on the left", "in front of the sofa"."""
+    if place.direction in ("left", "right"):
+        return _outermost(objects, place.direction, situation)
+    there = situation.world.at(place.relation, fitting(place, replace(situation, offered=())))
+    return tuple(one for one in objects if one.id in there)
+
+
+def _outermost(objects: Objects, side: str, situation: Situation) -> Objects:
+    """Return the leftmost or the rightmost of some objects, as the robot sees them."""
+    robot = situation.world.robot
+    if robot is None or robot.pose is None or not all(one.pose for one in objects):
+        return ()
+    viewer = robot.pose
+    cosine, sine = math.cos(viewer.heading_rad), math.sin(viewer.heading_rad)
+
+    def to_the_left(one: WorldObject) -> float:
+        return one.pose.y_m * cosine - one.pose.x_m * sine if one.pose is not None else 0.0
+
+    if not objects:
+        return ()
+    return ((max if side == "left" else min)(objects, key=to_the_left),)
+
+
+def _is_superlative(modifier: Modifier) -> bool:
+    """Whether a modifier asks for the most of something; the parser takes "nearest" for an adjective."""
+    return modifier.kind == "superlative" or modifier.word.lower() in _NEAR | _FAR
+
+
+def _most(objects: Objects, modifier: Modifier, situation: Situation) -> Objects:
+    """Return the object with the most of a property; none when it is not known of any."""
+    robot = situation.world.robot
+
+    def distance(one: WorldObject) -> float:
+        return robot.pose.distance_m(one.pose) if robot and robot.pose and one.pose else math.inf
+
+    def volume(one: WorldObject) -> float:
+        return one.size_m[0] * one.size_m[1] * one.size_m[2] or math.inf
+
+    def height(one: WorldObject) -> float:
+        return one.size_m[2] or math.inf
+
+    measures: Dict[str, Tuple[Callable[[WorldObject], float], bool]] = {
+        **dict.fromkeys(_BIG, (volume, True)),
+        **dict.fromkeys(_SMALL, (volume, False)),
+        **dict.fromkeys(_HIGH, (height, True)),
+        **dict.fromkeys(_NEAR, (distance, False)),
+        **dict.fromkeys(_FAR, (distance, True)),
+    }
+    if modifier.word.lower() not in measures:
+        return ()
+    measure, is_most = measures[modifier.word.lower()]
+    known = [one for one in objects if math.isfinite(measure(one))]
+    if not known:
+        return ()
+    return ((max if is_most else min)(known, key=measure),)

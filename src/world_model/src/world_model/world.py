@@ -1,0 +1,294 @@
+"""A snapshot of what the robot knows, and the queries on it."""
+
+import math
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Dict, FrozenSet, Iterable, Iterator, List, Mapping, Optional, Set, Tuple
+
+from semantic_types import shipped_nouns, spoken
+from world_model.world_object import ROBOT_ID, Pose, Sort, WorldObject
+
+#: Objects of a snapshot.
+MOST_OBJECTS = 5000
+#: What fits less into a full snapshot comes later in this order, and then by age.
+_FIRST = (Sort.ROBOT, Sort.PLACE, Sort.PERSON, Sort.DOOR, Sort.DEVICE, Sort.THING)
+#: What is beside another thing is at most so far from it.
+NEAR_M = 1.5
+#: Objects on or in each other; a longer chain is a mistake of whoever perceived it.
+_MOST_LEVELS = 16
+
+#: Relations that say the same of a place.
+_ALIKE: Tuple[FrozenSet[str], ...] = (
+    frozenset(["on", "onto", "on_top_of", "over", "above"]),
+    frozenset(["in", "into", "inside", "within"]),
+    frozenset(["near", "beside", "next_to", "by", "at", "close_to", "around"]),
+    frozenset(["under", "below", "underneath", "beneath"]),
+    frozenset(["held_by", "with"]),
+)
+_IN, _ON, _NEAR, _UNDER, _HELD = "in", "on", "near", "under", "held_by"
+#: Whoever is carried by one of these goes where the other one goes.
+_CARRYING = frozenset([_IN, _ON, _HELD, _UNDER])
+#: Under the mug is what the mug stands on.
+_OPPOSITE = {_UNDER: _ON, "left_of": "right_of", "right_of": "left_of"}
+_STANDARD: Mapping[str, str] = {
+    word: standard for words, standard in zip(_ALIKE, (_ON, _IN, _NEAR, _UNDER, _HELD)) for word in words
+}
+
+
+def standard_relation(relation: str) -> str:
+    """Return the common name of a relation of place: "near" for "beside"; the relation itself for others."""
+    return _STANDARD.get(relation, relation)
+
+
+@dataclass(frozen=True, eq=False)
+class World:
+    """What the robot knows at a time. No object means that it knows of nothing.
+
+    Attributes:
+        version: another one for each change; empty when nothing was heard
+        objects: ascending by id
+        left_out: objects that are known and did not fit
+    """
+
+    version: str = ""
+    objects: Tuple[WorldObject, ...] = ()
+    left_out: int = 0
+
+    @cached_property
+    def by_id(self) -> Mapping[str, WorldObject]:
+        """The objects by id."""
+        return {one.id: one for one in self.objects}
+
+    def get(self, name: str) -> Optional[WorldObject]:
+        """Return the object of an id; None if there is none."""
+        return self.by_id.get(name)
+
+    @property
+    def robot(self) -> Optional[WorldObject]:
+        """The robot itself."""
+        return self.get(ROBOT_ID)
+
+    @cached_property
+    def _by_name(self) -> Mapping[str, Tuple[WorldObject, ...]]:
+        found: Dict[str, List[WorldObject]] = {}
+        for one in self.objects:
+            for name in dict.fromkeys(spoken(name) for name in one.names):
+                found.setdefault(name, []).append(one)
+        return {name: tuple(objects) for name, objects in found.items()}
+
+    @cached_property
+    def _by_category(self) -> Mapping[str, Tuple[WorldObject, ...]]:
+        found: Dict[str, List[WorldObject]] = {}
+        for one in self.objects:
+            found.setdefault(category_of(one), []).append(one)
+        return {category: tuple(objects) for category, objects in found.items()}
+
+    @cached_property
+    def _categories_below(self) -> Mapping[object, Tuple[str, ...]]:
+        """The categories below each synset of WordNet, and those that end with a word."""
+        found: Dict[object, List[str]] = {}
+        for category, objects in self._by_category.items():
+            is_person = objects[0].sort is Sort.PERSON
+            last = category.split()[-1] if category else ""
+            above = shipped_nouns().kinds(category, is_person=is_person)
+            if not above and last != category:
+                above = shipped_nouns().kinds(last, is_person=is_person)
+            for key in (last, *above):
+                found.setdefault(key, []).append(category)
+        return {key: tuple(categories) for key, categories in found.items()}
+
+    def named(self, name: str) -> Tuple[WorldObject, ...]:
+        """Return the objects with a name; upper and lower case mean the same."""
+        return self._by_name.get(spoken(name), ())
+
+    def exactly(self, noun: str) -> Tuple[WorldObject, ...]:
+        """Return the objects of a category, without those of more special categories."""
+        return self._by_category.get(spoken(noun), ())
+
+    def kinds_of(self, noun: str) -> Tuple[WorldObject, ...]:
+        """Return the objects that a noun may stand for: those of its category and of more special categories."""
+        key = spoken(noun)
+        categories = [key, *self._categories_below.get(key, ())]
+        for synset in shipped_nouns().synsets(key):
+            categories += self._categories_below.get(synset, ())
+        return tuple(one for category in dict.fromkeys(categories) for one in self._by_category.get(category, ()))
+
+    def above(self, one: WorldObject) -> Iterator[Tuple[str, WorldObject]]:
+        """Yield what carries or contains an object, the nearest first, each with the relation of what it carries."""
+        seen = {one.id}
+        for _ in range(_MOST_LEVELS):
+            step = next(
+                (
+                    (standard_relation(place.relation), other)
+                    for place in one.places
+                    for other in [self.get(place.reference)]
+                    if other is not None and other.id not in seen and standard_relation(place.relation) in _CARRYING
+                ),
+                None,
+            )
+            if step is None:
+                return
+            yield step
+            one = step[1]
+            seen.add(one.id)
+
+    @cached_property
+    def _rooms(self) -> Tuple[WorldObject, ...]:
+        """Places that have a pose and a size, the smallest first."""
+        rooms = [one for one in self.objects if one.sort is Sort.PLACE and one.pose and one.size_m[0] and one.size_m[1]]
+        return tuple(sorted(rooms, key=lambda one: one.size_m[0] * one.size_m[1]))
+
+    def room_of(self, one: WorldObject) -> Optional[WorldObject]:
+        """Return the place that an object is in, by what contains it or by its pose; None when unknown."""
+        if one.sort is Sort.PLACE:
+            return one
+        if self.get(one.id) is not one:
+            return self._find_room(one)
+        if one.id not in self._room_of:
+            self._room_of[one.id] = self._find_room(one)
+        return self._room_of[one.id]
+
+    @cached_property
+    def _room_of(self) -> Dict[str, Optional[WorldObject]]:
+        """The rooms that were found so far."""
+        return {}
+
+    def _find_room(self, one: WorldObject) -> Optional[WorldObject]:
+        room = self._room_carried(one)
+        if room is not None or one.pose is not None:
+            return room
+        # What is beside something is in its room.
+        near = next((other for place in one.places for other in [self.get(place.reference)] if other is not None), None)
+        if near is None:
+            return None
+        return near if near.sort is Sort.PLACE else self._room_carried(near)
+
+    def _room_carried(self, one: WorldObject) -> Optional[WorldObject]:
+        """Return the place that contains an object, or what carries it, or the pose of one of them."""
+        pose = one.pose
+        for _, other in self.above(one):
+            if other.sort is Sort.PLACE:
+                return other
+            pose = pose or other.pose
+        return next((room for room in self._rooms if pose is not None and _holds(room, pose)), None)
+
+    @cached_property
+    def _inside(self) -> Mapping[str, FrozenSet[str]]:
+        """The ids of the objects in each place."""
+        found: Dict[str, Set[str]] = {}
+        for one in self.objects:
+            room = self.room_of(one) if one.sort is not Sort.PLACE else None
+            for place in [one, room] if room is not None else [one]:
+                chain = [place, *(other for _, other in self.above(place))]
+                for other in chain if place is room else chain[1:]:
+                    if other.sort is Sort.PLACE:
+                        found.setdefault(other.id, set()).add(one.id)
+        return {name: frozenset(ids) for name, ids in found.items()}
+
+    @cached_property
+    def _related(self) -> Mapping[str, Tuple[Tuple[str, str], ...]]:
+        """For each object, the relations of others to it: the common name of the relation, and the id of the other."""
+        found: Dict[str, List[Tuple[str, str]]] = {}
+        for one in self.objects:
+            for place in one.places:
+                found.setdefault(place.reference, []).append((standard_relation(place.relation), one.id))
+        return {name: tuple(related) for name, related in found.items()}
+
+    @cached_property
+    def _cells(self) -> Mapping[Tuple[str, int, int], Tuple[WorldObject, ...]]:
+        """The objects with a pose, by squares as wide as things beside each other may be apart."""
+        found: Dict[Tuple[str, int, int], List[WorldObject]] = {}
+        for one in self.objects:
+            if one.pose is not None:
+                found.setdefault(_cell(one.pose), []).append(one)
+        return {cell: tuple(objects) for cell, objects in found.items()}
+
+    def stands(self, one: WorldObject, relation: str, other: WorldObject) -> bool:
+        """Whether an object has a relation of place to another one, as far as is known."""
+        return one.id in self.at(relation, [other])
+
+    def at(self, relation: str, references: Iterable[WorldObject]) -> FrozenSet[str]:
+        """Return the ids of the objects that have a relation of place to any of some objects, as far as is known."""
+        wanted = standard_relation(relation)
+        opposite = _NEAR if wanted == _NEAR else _OPPOSITE.get(wanted, "")
+        found: Set[str] = set()
+        for reference in references:
+            is_place = reference.sort is Sort.PLACE
+            if is_place and wanted in (_IN, _ON, _NEAR):
+                found |= self._inside.get(reference.id, frozenset())
+            related = self._related.get(reference.id, ())
+            if related:
+                direct = [name for other, name in related if other == wanted]
+                found.update(direct)
+                if wanted in (_IN, _ON, _HELD):
+                    found |= self._carried_by(direct, frozenset([_ON]) if wanted == _ON else _CARRYING)
+            if opposite:
+                found.update(one.reference for one in reference.places if standard_relation(one.relation) == opposite)
+            if wanted == _NEAR and reference.pose is not None and not is_place:
+                found |= self._near_of.get(reference.id) or self._find_near(reference.id, reference.pose)
+        return frozenset(found)
+
+    def _carried_by(self, names: Iterable[str], relations: FrozenSet[str]) -> Set[str]:
+        """Return the ids of what some objects carry, of what that carries, and so on."""
+        found: Set[str] = set()
+        left = list(names)
+        while left:
+            for related, name in self._related.get(left.pop(), ()):
+                if related in relations and name not in found:
+                    found.add(name)
+                    left.append(name)
+        return found
+
+    @cached_property
+    def _near_of(self) -> Dict[str, FrozenSet[str]]:
+        """What is near each object, as far as anybody asked."""
+        return {}
+
+    def _find_near(self, name: str, pose: Pose) -> FrozenSet[str]:
+        frame_id, x, y = _cell(pose)
+        self._near_of[name] = frozenset(
+            one.id
+            for dx in (-1, 0, 1)
+            for dy in (-1, 0, 1)
+            for one in self._cells.get((frame_id, x + dx, y + dy), ())
+            if one.id != name and one.sort is not Sort.PLACE and one.pose and one.pose.distance_m(pose) <= NEAR_M
+        )
+        return self._near_of[name]
+
+    def prepare(self) -> "World":
+        """Look up now what queries need of the whole world, so that the first one is as fast as the others."""
+        for index in ("_by_name", "_categories_below", "_inside", "_related", "_cells"):
+            getattr(self, index)
+        return self
+
+    def owners(self, one: WorldObject) -> Tuple[WorldObject, ...]:
+        """Return the known persons that an object belongs to."""
+        return tuple(owner for name in one.related("of") for owner in [self.get(name)] if owner is not None)
+
+
+def category_of(one: WorldObject) -> str:
+    """Return the category of an object as it is compared; persons and robots without one have that of their sort."""
+    if one.category:
+        return spoken(one.category)
+    return one.sort.value if one.sort in (Sort.PERSON, Sort.ROBOT, Sort.DOOR) else ""
+
+
+def _cell(pose: Pose) -> Tuple[str, int, int]:
+    return (pose.frame_id, math.floor(pose.x_m / NEAR_M), math.floor(pose.y_m / NEAR_M))
+
+
+def _holds(room: WorldObject, pose: Pose) -> bool:
+    """Whether a pose is inside the box of a place."""
+    if room.pose is None or room.pose.frame_id != pose.frame_id:
+        return False
+    ahead, left = pose.seen_from(room.pose)
+    return abs(ahead) <= room.size_m[0] / 2.0 and abs(left) <= room.size_m[1] / 2.0
+
+
+def snapshot(version: str, known: Mapping[str, WorldObject]) -> World:
+    """Return what fits into a snapshot: places, persons, doors and robots first, then what was seen last."""
+    objects = list(known.values())
+    if len(objects) > MOST_OBJECTS:
+        objects.sort(key=lambda one: (_FIRST.index(one.sort), -one.stamp_s, one.id))
+    kept = sorted(objects[:MOST_OBJECTS], key=lambda one: one.id)
+    return World(version, tuple(kept), len(objects) - len(kept))
