@@ -97,10 +97,11 @@ class Deaf:
     """The robot itself speaks: hears only words that stop it; then comes ``behind``."""
 
     until: float
-    behind: Union[Waiting, Listening, Thinking, Confirming]
+    behind: "Awake"
 
 
-State = Union[Waiting, Listening, Thinking, Confirming, Deaf]
+Awake = Union[Waiting, Listening, Thinking, Confirming]
+State = Union[Awake, Deaf]
 
 # --- events
 
@@ -187,7 +188,7 @@ ALL_RIGHT = "All right, I do not do it."
 NOT_ANSWERED = "I heard no answer, so I do nothing."
 
 
-def begin(settings: DialogueSettings) -> State:
+def begin(settings: DialogueSettings) -> Union[Waiting, Listening]:
     """Return the first state, which is also the one between commands."""
     return Listening(NEVER_S) if settings.always_listening else Waiting()
 
@@ -217,6 +218,8 @@ def step(state: State, event: Event, now: float, settings: DialogueSettings) -> 
     if isinstance(event, Tick):
         return _expired(state, now, settings) if now >= state.until else (state, ())
     if isinstance(event, Pushed):
+        if isinstance(state, Deaf):
+            return replace(state, behind=_pushed(state.behind, now, settings)), ()
         return _pushed(state, now, settings), ()
     if isinstance(event, SpeechEnded):
         if isinstance(state, (Listening, Confirming)):
@@ -235,9 +238,9 @@ def step(state: State, event: Event, now: float, settings: DialogueSettings) -> 
 
 
 def _open_question(state: State) -> Union[Confirming, None]:
-    while isinstance(state, (Deaf, Thinking)):
-        state = state.behind
-    return state if isinstance(state, Confirming) else None
+    awake = state.behind if isinstance(state, Deaf) else state
+    behind = awake.behind if isinstance(awake, Thinking) else awake
+    return behind if isinstance(behind, Confirming) else None
 
 
 def _without_question(state: State, settings: DialogueSettings) -> State:
@@ -246,9 +249,7 @@ def _without_question(state: State, settings: DialogueSettings) -> State:
     return replace(state, behind=begin(settings)) if isinstance(state, Deaf) else begin(settings)
 
 
-def _pushed(state: State, now: float, settings: DialogueSettings) -> State:
-    if isinstance(state, Deaf):
-        return replace(state, behind=_pushed(state.behind, now, settings))
+def _pushed(state: Awake, now: float, settings: DialogueSettings) -> Awake:
     if isinstance(state, Waiting):
         return Listening(now + settings.listen_s)
     if isinstance(state, Listening) and state.until != NEVER_S:
@@ -263,7 +264,7 @@ def _speaking(state: State, event: RobotSpeaks, now: float, settings: DialogueSe
     return _hearing_again(state.behind, now, settings) if isinstance(state, Deaf) else state
 
 
-def _hearing_again(state: State, now: float, settings: DialogueSettings) -> State:
+def _hearing_again(state: Awake, now: float, settings: DialogueSettings) -> Awake:
     """Return a state whose time begins only when the robot has spoken."""
     if isinstance(state, Confirming):
         return replace(state, until=now + settings.answer_s)

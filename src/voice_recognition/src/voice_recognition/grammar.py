@@ -7,7 +7,7 @@ from voice_recognition.spoken_language import Slot, SpokenLanguage, Words
 from voice_recognition.voice_words import voice_words
 
 #: A trie of parts; the empty string marks the end of a command.
-_Trie = Dict[Union[str, Tuple[str]], "_Trie"]  # type: ignore[misc]
+_Trie = Dict[Union[str, Tuple[str]], "_Trie"]
 END = ""
 
 

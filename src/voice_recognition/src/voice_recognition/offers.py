@@ -3,7 +3,7 @@
 from dataclasses import dataclass
 from typing import Dict, Iterator, List, Mapping, Optional, Sequence, Tuple
 
-from voice_recognition.spoken_language import Filler, Slot, SpokenLanguage, Template, Words
+from voice_recognition.spoken_language import Filler, SpokenLanguage, Template, Words
 from voice_recognition.voice_words import voice_words
 
 
@@ -131,5 +131,3 @@ def without_politeness(words: Words) -> Words:
         if words[-len(phrase) :] == phrase and len(words) > len(phrase):
             return without_politeness(words[: -len(phrase)])
     return words
-
-

@@ -44,7 +44,7 @@ class Recogniser(Protocol):
 
 
 class PocketSphinx:
-    """A :class:`Recogniser` by pocketsphinx with the English model; it never changes, a new language makes a new one."""
+    """A :class:`Recogniser` by pocketsphinx with the English model. A new language makes a new one."""
 
     def __init__(
         self,

@@ -55,7 +55,7 @@ class Template:
     Attributes:
         frame: the frame that it evokes
         parts: words in lower case, and slots
-        fixed: arguments that its words give
+        fixed: arguments that its words give, without those that are the default
         begins_with_verb: whether it begins with the verb of its unit: "turn left", not "high five"
         text: the example that it was made from
     """
@@ -141,7 +141,7 @@ def make_language(
 
 
 def grounded_frames(frames: Mapping[str, SemanticFrame], served: FrozenSet[str]) -> FrozenSet[str]:
-    """Return the frames that can be carried out: those with a live server, and those with a sequence of such children."""
+    """Return the frames that can be carried out: those with a server, and those with a sequence of such children."""
     grounded = set(served & set(frames))
     while True:
         more = {
@@ -340,7 +340,9 @@ class _Maker:
             return None
         verbs = {verb.split()[0] for verb in unit.verbs}
         begins = isinstance(made[0], str) and made[0] in verbs
-        return Template(unit.frame_name, tuple(made), tuple(fixed), begins, example.text)
+        defaults = {(element.name, element.default) for element in declared.frame_elements}
+        said = tuple(pair for pair in fixed if pair not in defaults)
+        return Template(unit.frame_name, tuple(made), said, begins, example.text)
 
     def _fits(self, name: str, sought: Sequence[Token], elements: Sequence[str]) -> bool:
         """Whether the class has fillers for these elements: "2 feet" is a length, "half a foot" is not."""
@@ -358,7 +360,7 @@ def _word_before(text: str, value: str) -> str:
 
 
 def _coarse(semantic_type: str) -> str:
-    """Return the kind of a type that decides what may stand in the place of what: a being, a place, or another thing."""
+    """Return the kind of a type, which decides what may stand in the place of what."""
     parents = with_parents(semantic_type) if semantic_type else ()
     return next((kind for kind in ("Sentient", "Location") if kind in parents), "Physical_object")
 

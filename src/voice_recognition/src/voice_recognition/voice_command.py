@@ -3,7 +3,7 @@
 import argparse
 import json
 import sys
-from typing import Dict, List, Tuple
+from typing import Dict, FrozenSet, List, Tuple
 
 from offline_pipeline.knowledge import Knowledge, load_knowledge, shipped_domains, with_names
 from voice_recognition.agreement import Heard
@@ -58,7 +58,7 @@ def run(arguments: argparse.Namespace) -> int:
     return 0 if any(what.offers or what.is_stop for _, what in heard) else 1
 
 
-def ears_of(knowledge: Knowledge, served: "frozenset[str]") -> Ears:
+def ears_of(knowledge: Knowledge, served: FrozenSet[str]) -> Ears:
     """Make ears for files of frames and units.
 
     Args:
@@ -69,9 +69,7 @@ def ears_of(knowledge: Knowledge, served: "frozenset[str]") -> Ears:
     """
     grounded = grounded_frames(knowledge.frames, served)
     names = knowledge.types.names
-    return make_shipped_ears(
-        make_language(knowledge.frames, knowledge.lexicon.units, grounded, names, knowledge.types)
-    )
+    return make_shipped_ears(make_language(knowledge.frames, knowledge.lexicon.units, grounded, names, knowledge.types))
 
 
 def utterances_of(pcm: bytes) -> Tuple[Utterance, ...]:
@@ -82,15 +80,10 @@ def utterances_of(pcm: bytes) -> Tuple[Utterance, ...]:
     return endpointer.feed(pcm) + endpointer.finish()
 
 
-def report(
-    ears: Ears, seconds: float, heard: List[Tuple[Utterance, Heard]], settings: DialogueSettings
-) -> List[str]:
+def report(ears: Ears, seconds: float, heard: List[Tuple[Utterance, Heard]], settings: DialogueSettings) -> List[str]:
     """Return the lines about what was heard."""
     language = ears.language
-    lines = [
-        f"{seconds:.1f} s of sound; {len(language.templates)} commands of {len(language.defaults)} frames, "
-        f"{len(language.vocabulary())} words"
-    ]
+    lines = [f"{seconds:.1f} s of sound; {len(language.templates)} commands, {len(language.vocabulary())} words"]
     if ears.unpronounceable:
         lines.append(f"words that cannot be heard: {', '.join(sorted(ears.unpronounceable))}")
     if not heard:

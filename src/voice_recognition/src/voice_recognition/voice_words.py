@@ -51,7 +51,7 @@ def voice_words() -> VoiceWords:
     """Read ``voice.yaml`` once."""
     data = yaml.safe_load(FILE.read_text(encoding="utf-8"))
     measures: Dict[str, Dict[Tuple[str, str], Tuple[int, ...]]] = {
-        quantity: {_unit(name): tuple(int(number) for number in str(numbers).split()) for name, numbers in units.items()}
+        quantity: {_unit(name): tuple(map(int, str(numbers).split())) for name, numbers in units.items()}
         for quantity, units in data["measures"].items()
     }
     return VoiceWords(

@@ -17,7 +17,7 @@ from voice_recognition.spoken_language import grounded_frames, make_language
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
 
-from synthetic_speech import VOICES, silence, speech, with_silence  # noqa: E402
+from synthetic_speech import VOICES, silence, speech, with_silence
 
 pytestmark = pytest.mark.skipif(
     not importlib.util.find_spec("pocketsphinx") or not shutil.which("espeak-ng"),

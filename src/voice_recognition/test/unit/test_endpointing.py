@@ -7,6 +7,8 @@ from voice_recognition.endpointing import Endpointer, EndpointSettings
 from voice_recognition.recogniser import RATE
 from voice_recognition.sound import to_pcm
 
+DEFAULT = EndpointSettings()
+
 
 def noise(seconds: float, level: float, seed: int = 1) -> bytes:
     return to_pcm(np.random.default_rng(seed).normal(0.0, level, int(seconds * RATE)))
@@ -19,7 +21,7 @@ def voice(seconds: float, level: float, seed: int = 2) -> bytes:
     return to_pcm(samples * (0.6 + 0.4 * np.sin(2 * np.pi * 5 * times)))
 
 
-def utterances(pcm: bytes, chunk: int = 1600, settings: EndpointSettings = EndpointSettings()):
+def utterances(pcm: bytes, chunk: int = 1600, settings: EndpointSettings = DEFAULT):
     endpointer = Endpointer(settings)
     found = [one for at in range(0, len(pcm), chunk) for one in endpointer.feed(pcm[at : at + chunk])]
     return (*found, *endpointer.finish())

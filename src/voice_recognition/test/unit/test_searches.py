@@ -40,7 +40,7 @@ def _language() -> SpokenLanguage:
 
 def test_the_grammar_has_rules_for_slots_and_no_rule_calls_itself(language: SpokenLanguage) -> None:
     rules = dict(
-        line.rstrip(";").removeprefix("public ").split(" = ", 1)
+        line.rstrip(";").replace("public ", "", 1).split(" = ", 1)
         for line in write_grammar(language).splitlines()
         if " = " in line
     )
