@@ -6,6 +6,11 @@ FILTER ?=
 DATA ?=
 SMACH ?=
 
+# The browser that tests the page, unless the tests of another package are run.
+.PHONY: browser
+browser: setup
+	$(if $(filter-out web_console roboframenet_tests,$(FILTER)),,@scripts/setup browser)
+
 .PHONY: help setup build demo run test acceptance reliability record format lint bench docs install clean
 
 help: ## list the targets
@@ -24,7 +29,7 @@ demo: build ## start simulated robots, say the paper's sentences, show what each
 run: build ## keep the stack up for your own 'rostopic pub' (ROBOT=pr2 for the other robot)
 	@scripts/run robot:=$(ROBOT)
 
-test: build ## run the tests, at most ten minutes (FILTER=package runs one package's; SMACH=folder: also on that SMACH)
+test: build browser ## run the tests, at most ten minutes (FILTER=package runs one package's; SMACH=folder: also on that SMACH)
 	@SMACH="$(abspath $(SMACH))" scripts/test test $(if $(FILTER),-R $(FILTER))
 
 acceptance: build ## run full tables and corpora, at most 75 minutes (DATA=folder of corpora, FILTER=package)

@@ -8,8 +8,8 @@ from typing import Dict, List, Sequence, Tuple
 import pytest
 from roboframenet_msgs.msg import Clause
 
-from arbitrator.plan import as_procedure
 from arbitrator.policy import RandomPolicy, arbitrate
+from arbitrator.procedure import as_procedure
 from arbitrator.ros_messages import plan_from_message
 from frame_registrar.graph import FrameGraph
 from frame_registrar.ros_messages import to_clauses, to_plan

@@ -18,8 +18,8 @@ OTHER_NAMES: Dict[str, str] = {"message_generation": "ros-message-generation"}
 
 
 def debian_packages() -> Set[str]:
-    text = (REPOSITORY / "scripts" / "apt-packages.txt").read_text(encoding="utf-8")
-    return set(re.sub(r"#.*", "", text).split())
+    texts = [path.read_text(encoding="utf-8") for path in (REPOSITORY / "scripts").glob("apt-packages*.txt")]
+    return set(re.sub(r"#.*", "", "\n".join(texts)).split())
 
 
 def own_keys() -> Set[str]:

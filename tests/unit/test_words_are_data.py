@@ -31,7 +31,11 @@ EXEMPT = {
 }
 #: Exempt words: nobody says them to the robot, or each has its own treatment. Other lists of the module count.
 NO_SPEECH: Dict[str, Tuple[str, str]] = {
-    "arbitrator/state_machine.py": ("outcomes of SMACH", "succeeded, aborted, preempted"),
+    "arbitrator/node_runs.py": ("outcomes of SMACH", "succeeded, aborted, preempted"),
+    "arbitrator/plan.py": ("names of fields", "condition, child, otherwise"),
+    "arbitrator/plan_nodes.py": ("names of fields", "kind, label, children, candidates, after"),
+    "arbitrator/ros_messages.py": ("names of fields", "kind, label, count, most, trigger"),
+    "arbitrator/state_machine.py": ("labels of states", "together, monitor, next round"),
     "executor/ros_driver_settings.py": ("keys of a record", "node, name, former"),
     "executor/driver_settings.py": ("keys of a record", "node, name, former"),
     "frame_learning/corpus_mapping.py": ("keys of a file", "frames, descriptions, arguments"),
@@ -79,6 +83,24 @@ NO_SPEECH: Dict[str, Tuple[str, str]] = {
         "ch, ea, au, oo, ai, ou, r, us, ir, os, as, ut, in, at, iz, ag, ul, ar, id",
     ),
     "semantic_frames/problem.py": ("keys of a problem", "key, expected, hint, found, path"),
+    "web_console/arcs.py": ("attributes of SVG", "class, height, rx, label-ground"),
+    "web_console/arguments.py": (
+        "kinds of measures",
+        "length, angle, duration, speed, temperature, volume, mass",
+    ),
+    "web_console/health.py": (
+        "stages, topics and what the page says about nodes",
+        (
+            "arbitrator, carries plans out, does not answer, executor, fills frames, is missing, lexicon, "
+            "orders candidates, parses sentences, runs, stops the robot"
+        ),
+    ),
+    "web_console/picture.py": (
+        "elements and attributes of SVG",
+        "circle, path, rect, text, class, d, x, y, r, rx, cx, cy, width, height, text-anchor",
+    ),
+    "web_console/progress.py": ("outcomes of SMACH", "succeeded, aborted, preempted"),
+    "web_console/ros_speaker.py": ("beginnings of ids", "stop-, text-, unheard-"),
     "frame_learning/gpsr_commands.py": (
         "names of the generators' rules and slots",
         "ptask, polite, task, main, please, pmain, sub, pos, paj, posadj",

@@ -7,8 +7,8 @@ from typing import Optional
 import rospy
 from roboframenet_msgs.msg import CommandPlan, CommandSemanticFrames, Procedure, Reply
 
-from arbitrator.plan import describe
 from arbitrator.policy import Policy, PolicyError, arbitrate, load_policy
+from arbitrator.procedure import describe
 from arbitrator.ros_messages import plan_from_message, plan_to_message, procedure_to_message
 from roboframenet_ros.parameters import ParameterError, Parameters, parameter
 from roboframenet_ros.ros_node import read_parameters, run_node
@@ -69,7 +69,9 @@ class ArbitratorNode:
         # The event is published first, so that observers receive the events of the stages in order.
         self._stage.passes_on(message.command, sentence)
         self._command_plan.publish(CommandPlan(command=message.command, plan=plan_to_message(plan)))
-        self._procedure.publish(procedure_to_message(plan))
+        procedure = procedure_to_message(plan)
+        if procedure is not None:
+            self._procedure.publish(procedure)
 
     def _wait_for_executor(self) -> None:
         end_s = time.monotonic() + _LISTENER_TIMEOUT_S

@@ -1,10 +1,31 @@
 """Plans as they are sent: a list of nodes that name their children by position. Other graphs than trees are refused."""
 
 import enum
-from dataclasses import dataclass
-from typing import Dict, List, Sequence, Tuple
+from dataclasses import dataclass, fields, replace
+from typing import Any, Callable, Dict, FrozenSet, List, Sequence, Tuple
 
-from arbitrator.plan import Candidate, Do, InSequence, Plan
+from arbitrator.plan import (
+    CONDITIONS,
+    AllOf,
+    AnyOf,
+    Candidate,
+    Condition,
+    Do,
+    Fallback,
+    If,
+    InAnyOrder,
+    InParallel,
+    InSequence,
+    Limit,
+    Part,
+    Plan,
+    Repeat,
+    Trigger,
+    Until,
+    Wait,
+    While,
+    parts_of,
+)
 
 #: The most nodes of one plan; a sentence has a handful of clauses.
 MOST_NODES = 1000
@@ -34,10 +55,6 @@ class Kind(enum.IntEnum):
     ANY = 15
 
 
-#: Kinds that can be carried out. A plan with another kind is refused as a whole: a part of it would be another command.
-CARRIED_OUT = (Kind.DO, Kind.SEQUENCE)
-
-
 @dataclass(frozen=True)
 class Node:
     """A node as it is sent.
@@ -47,30 +64,153 @@ class Node:
         label: words of the clause
         children: positions of the children in the list of nodes
         candidates: candidates of a clause
+        after, count, most, duration_s, period_s, limit_s, is_limit_said, trigger, is_negated: as in the message; times
+            in seconds
     """
 
     kind: int
     label: str
     children: Tuple[int, ...] = ()
     candidates: Tuple[Candidate, ...] = ()
+    after: Tuple[int, ...] = ()
+    count: int = 0
+    most: int = 0
+    duration_s: float = 0.0
+    period_s: float = 0.0
+    limit_s: float = 0.0
+    is_limit_said: bool = False
+    trigger: int = Trigger.HOLDS
+    is_negated: bool = False
+
+    @property
+    def limit(self) -> Limit:
+        """The limit of its time."""
+        return Limit(self.limit_s, self.is_limit_said)
+
+
+_Children = Tuple[Any, ...]
+
+
+@dataclass(frozen=True)
+class _Reader:
+    """How the nodes of one kind become a value.
+
+    Attributes:
+        make: makes the value of a node and of the values of its children; raises ValueError
+        least, most: number of children
+        uses: the fields that the kind has a use for, besides label, children and candidates
+    """
+
+    make: Callable[[Node, _Children], Part]
+    least: int
+    most: int
+    uses: FrozenSet[str]
+
+
+_LIMIT = frozenset({"limit_s", "is_limit_said"})
+_TRUTH = frozenset({"trigger", "is_negated"})
+
+
+def _if(node: Node, children: _Children) -> If:
+    otherwise = children[2] if len(children) == 3 else None
+    return If(node.label, children[0], children[1], otherwise, node.limit)
+
+
+def _until(node: Node, children: _Children) -> Until:
+    condition = children[0] if len(children) == 2 else None
+    return Until(node.label, children[-1], condition, node.duration_s, node.limit)
+
+
+def _condition(kind: Callable[..., Part]) -> Callable[[Node, _Children], Part]:
+    return lambda node, children: kind(node.label, children, Trigger(node.trigger), node.is_negated)
+
+
+_READERS: Dict[Kind, _Reader] = {
+    Kind.DO: _Reader(lambda node, _: Do(node.label, node.candidates, node.limit), 0, 0, _LIMIT),
+    Kind.SEQUENCE: _Reader(lambda node, children: InSequence(node.label, children, node.limit), 0, MOST_NODES, _LIMIT),
+    Kind.PARALLEL: _Reader(
+        lambda node, children: InParallel(node.label, children, node.count, node.limit),
+        0,
+        MOST_NODES,
+        _LIMIT | {"count"},
+    ),
+    # `after` belongs to the children, which see `_order_of`.
+    Kind.ANY_ORDER: _Reader(
+        lambda node, children: InAnyOrder(node.label, children, limit=node.limit), 0, MOST_NODES, _LIMIT
+    ),
+    Kind.FALLBACK: _Reader(lambda node, children: Fallback(node.label, children, node.limit), 0, MOST_NODES, _LIMIT),
+    Kind.IF: _Reader(_if, 2, 3, _LIMIT),
+    Kind.UNTIL: _Reader(_until, 1, 2, _LIMIT | {"duration_s"}),
+    Kind.WHILE: _Reader(lambda node, children: While(node.label, children[0], children[1], node.limit), 2, 2, _LIMIT),
+    Kind.REPEAT: _Reader(
+        lambda node, children: Repeat(node.label, children[0], node.count, node.most, node.period_s, node.limit),
+        1,
+        1,
+        _LIMIT | {"count", "most", "period_s"},
+    ),
+    Kind.WAIT: _Reader(
+        lambda node, children: Wait(node.label, children[0] if children else None, node.duration_s, node.limit),
+        0,
+        1,
+        _LIMIT | {"duration_s"},
+    ),
+    Kind.CONDITION: _Reader(
+        lambda node, _: Condition(node.label, node.candidates, Trigger(node.trigger), node.is_negated), 0, 0, _TRUTH
+    ),
+    Kind.ALL: _Reader(_condition(AllOf), 0, MOST_NODES, _TRUTH),
+    Kind.ANY: _Reader(_condition(AnyOf), 0, MOST_NODES, _TRUTH),
+}
+#: Kinds that a machine can be made of. A plan with another kind is refused as a whole: a part of it would be another
+#: command.
+CARRIED_OUT = tuple(_READERS)
+
+_KIND_OF = {
+    Do: Kind.DO,
+    InSequence: Kind.SEQUENCE,
+    InParallel: Kind.PARALLEL,
+    InAnyOrder: Kind.ANY_ORDER,
+    Fallback: Kind.FALLBACK,
+    If: Kind.IF,
+    Until: Kind.UNTIL,
+    While: Kind.WHILE,
+    Repeat: Kind.REPEAT,
+    Wait: Kind.WAIT,
+    Condition: Kind.CONDITION,
+    AllOf: Kind.ALL,
+    AnyOf: Kind.ANY,
+}
+_WITH_CANDIDATES = (Kind.DO, Kind.CONDITION)
+
+
+def kind_of(part: Part) -> Kind:
+    """Return the kind of node that a part of a plan is sent as."""
+    return _KIND_OF[type(part)]
 
 
 def to_nodes(plan: Plan) -> Tuple[Node, ...]:
     """Return the nodes of a plan, the root first."""
     nodes: List[Node] = []
 
-    def add(part: Plan) -> int:
+    def add(part: Part) -> int:
         position = len(nodes)
-        if isinstance(part, Do):
-            nodes.append(Node(kind=Kind.DO, label=part.label, candidates=part.candidates))
-            return position
-        nodes.append(Node(kind=Kind.SEQUENCE, label=part.label))
-        children = tuple(add(child) for child in part.children)
-        nodes[position] = Node(kind=Kind.SEQUENCE, label=part.label, children=children)
+        nodes.append(_node_without_children(part))
+        children = tuple(add(child) for child in parts_of(part))
+        nodes[position] = replace(nodes[position], children=children)
+        if isinstance(part, InAnyOrder):
+            for child, after in zip(children, part.after):
+                nodes[child] = replace(nodes[child], after=tuple(children[before] for before in after))
         return position
 
     add(plan)
     return tuple(nodes)
+
+
+def _node_without_children(part: Part) -> Node:
+    values = {field.name: getattr(part, field.name) for field in fields(part)}
+    limit = values.pop("limit", Limit())
+    known = {field.name for field in fields(Node)} - {"children", "after"}
+    given = {name: value for name, value in values.items() if name in known}
+    return Node(kind=kind_of(part), limit_s=limit.seconds, is_limit_said=limit.is_said, **given)
 
 
 def from_nodes(nodes: Sequence[Node]) -> Plan:
@@ -80,18 +220,32 @@ def from_nodes(nodes: Sequence[Node]) -> Plan:
         ValueError: the nodes are not a plan; the text says which node is wrong, and why
     """
     levels = _levels(nodes)
-    plans: Dict[int, Plan] = {}
+    parts: Dict[int, Any] = {}
     # Deepest first: children are built before their parent.
     for position in sorted(levels, key=lambda position: -levels[position]):
         node = nodes[position]
         try:
-            if node.kind == Kind.DO:
-                plans[position] = Do(label=node.label, candidates=node.candidates)
-            else:
-                plans[position] = InSequence(label=node.label, children=tuple(plans[child] for child in node.children))
+            part = _READERS[Kind(node.kind)].make(node, tuple(parts[child] for child in node.children))
+            if isinstance(part, InAnyOrder):
+                part = replace(part, after=_orders(nodes, node.children))
         except ValueError as error:
             raise ValueError(f"node {position} of the plan is wrong: {error}") from error
-    return plans[0]
+        parts[position] = part
+    if isinstance(parts[0], CONDITIONS):
+        raise ValueError("node 0 of the plan is a condition, and nothing is to be done")
+    plan: Plan = parts[0]
+    return plan
+
+
+def _orders(nodes: Sequence[Node], children: Sequence[int]) -> Tuple[Tuple[int, ...], ...]:
+    """Return for each child which of its siblings come before it, by their place among them."""
+    places = {child: place for place, child in enumerate(children)}
+    for child in children:
+        strangers = [before for before in nodes[child].after if before not in places or before == child]
+        if strangers:
+            raise ValueError(f"node {child} is to come after node {strangers[0]}, which is none of its siblings")
+    orders = tuple(tuple(places[before] for before in nodes[child].after) for child in children)
+    return orders if any(orders) else ()
 
 
 def _levels(nodes: Sequence[Node]) -> Dict[int, int]:
@@ -131,17 +285,38 @@ def _levels(nodes: Sequence[Node]) -> Dict[int, int]:
         raise ValueError(
             f"nodes {', '.join(lost[:10])} of the plan are not reached from its root: no parent, or a cycle"
         )
+    for position, node in enumerate(nodes):
+        if node.after and (position == 0 or nodes[parents[position]].kind != Kind.ANY_ORDER):
+            raise ValueError(f"node {position} of the plan sets after; only a child of an ANY_ORDER has a use for it")
     return levels
 
 
 def _check_kind(position: int, node: Node) -> None:
     if node.kind not in CARRIED_OUT:
-        kind = f"{node.kind} ({Kind(node.kind).name})" if node.kind in list(Kind) else f"{node.kind}"
-        known = ", ".join(f"{kind.value} ({kind.name})" for kind in CARRIED_OUT)
+        said = f"{node.kind} ({Kind(node.kind).name})" if node.kind in list(Kind) else f"{node.kind}"
+        known = ", ".join(f"{one.value} ({one.name})" for one in CARRIED_OUT)
         raise ValueError(
-            f"node {position} of the plan is of the kind {kind}; nothing carries out other kinds than {known}"
+            f"node {position} of the plan is of the kind {said}; nothing carries out other kinds than {known}"
         )
-    if node.kind == Kind.DO and node.children:
+    kind = Kind(node.kind)
+    reader = _READERS[kind]
+    if kind in _WITH_CANDIDATES and node.children:
         raise ValueError(f"node {position} of the plan carries out a clause, and cannot have children")
-    if node.kind != Kind.DO and node.candidates:
+    if kind not in _WITH_CANDIDATES and node.candidates:
         raise ValueError(f"node {position} of the plan joins clauses, and cannot have candidates")
+    if not reader.least <= len(node.children) <= reader.most:
+        raise ValueError(
+            f"node {position} of the plan has {len(node.children)} children; a {kind.name} has {reader.least} to "
+            f"{reader.most}"
+        )
+    unused = [name for name in _CHOSEN if name not in reader.uses and getattr(node, name) != getattr(_PLAIN, name)]
+    if unused:
+        names = ", ".join(name.replace("_s", "") if name.endswith("_s") else name for name in unused)
+        raise ValueError(f"node {position} of the plan sets {names}; a {kind.name} has no use for it")
+
+
+_PLAIN = Node(kind=Kind.DO, label="")
+#: Fields that only some kinds have a use for.
+_CHOSEN = tuple(
+    field.name for field in fields(Node) if field.name not in ("kind", "label", "children", "candidates", "after")
+)

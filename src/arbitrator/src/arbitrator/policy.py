@@ -9,10 +9,9 @@ import abc
 import importlib
 import itertools
 import random
-from dataclasses import replace
 from typing import Callable, Dict, List, Optional, Sequence, Tuple
 
-from arbitrator.plan import Candidate, Do, Plan
+from arbitrator.plan import Candidate, Plan, with_candidates
 
 
 class Policy(abc.ABC):
@@ -118,9 +117,8 @@ def _same_candidates(one: Sequence[Candidate], other: Sequence[Candidate]) -> bo
 
 def arbitrate(plan: Plan, policy: Policy) -> Plan:
     """Order the candidates of each clause of a plan by :func:`order`; raises PolicyError like it."""
-    if isinstance(plan, Do):
-        return replace(plan, candidates=order(plan.candidates, policy))
-    return replace(plan, children=tuple(arbitrate(child, policy) for child in plan.children))
+    arbitrated: Plan = with_candidates(plan, lambda candidates: order(candidates, policy))
+    return arbitrated
 
 
 def order(candidates: Sequence[Candidate], policy: Policy) -> Tuple[Candidate, ...]:

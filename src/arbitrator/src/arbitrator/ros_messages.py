@@ -1,17 +1,22 @@
 """Converts plans between messages and values."""
 
-from dataclasses import fields
-from typing import Sequence
+from typing import Dict, Optional, Sequence
 
+import rospy
 from roboframenet_msgs import msg
 
-from arbitrator.plan import Candidate, Plan, as_procedure
-from arbitrator.plan_nodes import CARRIED_OUT, Kind, Node, from_nodes, to_nodes
+from arbitrator.plan import Candidate, Plan
+from arbitrator.plan_nodes import Node, from_nodes, to_nodes
+from arbitrator.procedure import as_procedure
 from typed_arguments import TypedArgument
 from typed_arguments.ros_messages import SharedArguments, frame_to_message, frames_from_messages, from_message
 
-#: Fields of a node that this module reads.
-_READ = {field.name for field in fields(Node)} | {"arguments"}
+#: Fields of a node that are the same in its message.
+_SAME = ("kind", "label", "count", "most", "is_limit_said", "trigger", "is_negated")
+#: Fields of a node in seconds, and the durations of its message.
+_TIMES = {"duration_s": "duration", "period_s": "period", "limit_s": "limit"}
+#: Fields of the message that nothing reads yet.
+_UNREAD = ("when", "robot")
 _NOTHING_SET = msg.PlanNode()
 
 
@@ -35,18 +40,16 @@ def _node_from_message(position: int, message: msg.PlanNode) -> Node:
         candidates = tuple(candidate_from_message(candidate, shared) for candidate in message.candidates)
     except ValueError as error:
         raise ValueError(f"node {position} of the plan is wrong: {error}") from error
-    unread = [name for name in message.__slots__ if name not in _READ and _is_set(message, name)]
-    if message.kind in CARRIED_OUT and unread:
-        raise ValueError(
-            f"node {position} of the plan sets {', '.join(unread)}; a {Kind(message.kind).name} has no use for it"
-        )
-    return Node(kind=message.kind, label=message.label, children=tuple(message.children), candidates=candidates)
-
-
-def _is_set(message: msg.PlanNode, name: str) -> bool:
-    value, nothing = getattr(message, name), getattr(_NOTHING_SET, name)
-    # rospy delivers an array of numbers as a tuple.
-    return bool(value != nothing and not (nothing == [] and len(value) == 0))
+    unread = [name for name in _UNREAD if getattr(message, name) != getattr(_NOTHING_SET, name)]
+    if unread:
+        raise ValueError(f"node {position} of the plan sets {', '.join(unread)}; nothing reads that yet")
+    return Node(
+        children=tuple(message.children),
+        candidates=candidates,
+        after=tuple(message.after),
+        **{name: getattr(message, name) for name in _SAME},
+        **{name: getattr(message, of_message).to_sec() for name, of_message in _TIMES.items()},
+    )
 
 
 def candidate_from_message(message: msg.PlanCandidate, shared: Sequence[TypedArgument] = ()) -> Candidate:
@@ -73,12 +76,14 @@ def plan_to_message(plan: Plan) -> msg.Plan:
 def _node_to_message(node: Node) -> msg.PlanNode:
     shared = SharedArguments()
     candidates = [candidate_to_message(candidate, shared) for candidate in node.candidates]
+    same: Dict[str, object] = {name: getattr(node, name) for name in _SAME}
     return msg.PlanNode(
-        kind=node.kind,
-        label=node.label,
         children=list(node.children),
         candidates=candidates,
         arguments=shared.messages,
+        after=list(node.after),
+        **same,
+        **{of_message: rospy.Duration.from_sec(getattr(node, name)) for name, of_message in _TIMES.items()},
     )
 
 
@@ -92,11 +97,13 @@ def candidate_to_message(candidate: Candidate, shared: SharedArguments) -> msg.P
     )
 
 
-def procedure_to_message(plan: Plan) -> msg.Procedure:
-    """Return the procedure of 2012 of a plan."""
+def procedure_to_message(plan: Plan) -> Optional[msg.Procedure]:
+    """Return the procedure of 2012 of a plan; None for a plan that it cannot say."""
+    sequences = as_procedure(plan)
+    if sequences is None:
+        return None
     return msg.Procedure(
         frame_lists=[
-            msg.FilledSemanticFrameList(frames=[frame_to_message(frame) for frame in frames])
-            for frames in as_procedure(plan)
+            msg.FilledSemanticFrameList(frames=[frame_to_message(frame) for frame in frames]) for frames in sequences
         ]
     )

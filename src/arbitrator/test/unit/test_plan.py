@@ -7,14 +7,26 @@ import rospy
 from roboframenet_msgs import msg
 
 from arbitrator.plan import (
-    MOST_COMBINATIONS,
+    AllOf,
+    AnyOf,
     Candidate,
+    Condition,
     Do,
+    Fallback,
+    If,
+    InAnyOrder,
+    InParallel,
     InSequence,
-    as_procedure,
-    describe,
+    Limit,
+    Repeat,
+    Trigger,
+    Until,
+    Wait,
+    While,
+    walk,
 )
 from arbitrator.plan_nodes import MOST_FRAMES, MOST_LEVELS, MOST_NODES, Kind, Node, from_nodes, to_nodes
+from arbitrator.procedure import MOST_COMBINATIONS, as_procedure, describe
 from arbitrator.ros_messages import plan_from_message, plan_to_message, procedure_to_message
 from typed_arguments import FilledFrame, TypedArgument
 
@@ -32,8 +44,76 @@ def way(*names, preference=0):
 PING = Do("Ping", (way("pinging"),))
 WAVE = Do("wave at Alice", (way("waving"), way("bowing", "waving", preference=1)))
 TURN = Do("turn left", (way("turning"),))
-PLANS = [PING, InSequence("Ping and wave", (PING, WAVE)), InSequence("a", (InSequence("b", (PING, WAVE)), TURN, PING))]
-SEQUENCE, DO = Kind.SEQUENCE, Kind.DO
+SEES = Condition("you see a wall", (way("perceiving"),), Trigger.BEGINS)
+CLOSED = Condition("the door is closed", (way("being_in_state"), way("perceiving")), is_negated=True)
+BOTH = AllOf("both", (CLOSED, AnyOf("one", (CLOSED, CLOSED), is_negated=True)), Trigger.BEGINS, is_negated=True)
+PLANS = [
+    PING,
+    InSequence("Ping and wave", (PING, WAVE)),
+    InSequence("a", (InSequence("b", (PING, WAVE)), TURN, PING)),
+    Do("Ping", (way("pinging"),), Limit(3600.0, is_said=True)),
+    Fallback("x", (PING, WAVE), Limit(1.5)),
+    InParallel("x", (PING, WAVE), 1, Limit(1.5)),
+    InAnyOrder("x", (PING, WAVE, TURN), ((), (0, 2), ())),
+    InAnyOrder("x", (PING, WAVE)),
+    If("x", CLOSED, PING),
+    If("x", CLOSED, PING, InSequence("b", (PING, WAVE)), Limit(2.0)),
+    Until("x", PING, SEES),
+    Until("x", PING, duration_s=600.0),
+    Until("x", PING, BOTH, limit=Limit(60.0)),
+    While("x", CLOSED, PING),
+    Repeat("x", PING, 3, 3),
+    Repeat("x", Repeat("y", WAVE, 0, 0, 600.0), 2, 0),
+    Wait("x", SEES, limit=Limit(3600.0, is_said=True)),
+    Wait("x", duration_s=2.5),
+]
+SEQUENCE, DO, CONDITION = Kind.SEQUENCE, Kind.DO, Kind.CONDITION
+
+
+@pytest.mark.parametrize(
+    "make,part",
+    [
+        (lambda: InSequence("x", (PING, CLOSED)), "a sequence has the condition 'the door is closed' in the place of"),
+        (lambda: If("x", PING, PING), "an if has a clause in the place of a condition"),
+        (lambda: If("x", SEES, PING), "asks whether 'you see a wall' holds, and not when it begins to"),
+        (lambda: While("x", SEES, PING), "asks whether 'you see a wall' holds, and not when it begins to"),
+        (lambda: AllOf("x", (SEES,)), "asks whether 'you see a wall' holds, and not when it begins to"),
+        (lambda: If("x", CLOSED, CLOSED), "an if has the condition"),
+        (lambda: If("x", CLOSED, PING, CLOSED), "an if has the condition"),
+        (lambda: AnyOf("x", ()), "an any has no children"),
+        (lambda: AnyOf("x", (PING,)), "an any has a clause in the place of a condition"),
+        (lambda: Condition("x", ()), "a condition has no candidates"),
+        (lambda: Condition("x", (way("a", "b"),)), "a candidate of it has several"),
+        (lambda: Until("x", PING), "an until ends with a condition or after a time: it needs one of both"),
+        (lambda: Until("x", PING, SEES, 3.0), "it needs one of both"),
+        (lambda: Until("x", PING, PING), "an until has a clause in the place of a condition"),
+        (lambda: Wait("x"), "a wait ends with a condition or after a time: it needs one of both"),
+        (lambda: Wait("x", duration_s=-1.0), "finite and 0 s or more, got -1 s"),
+        (lambda: Wait("x", duration_s=float("nan")), "finite"),
+        (lambda: Repeat("x", PING, 3, 2), "3 to 2 is no number of times"),
+        (lambda: Repeat("x", PING, -1), "-1 to 0 is no number of times"),
+        (lambda: Repeat("x", PING, 1, 1, float("inf")), "finite"),
+        (lambda: Repeat("x", CLOSED), "a repetition has the condition"),
+        (lambda: InParallel("x", (PING, WAVE), 3), "3 of 2 children cannot succeed"),
+        (lambda: InAnyOrder("x", (PING, WAVE), ((1,), (0,))), "no order fits"),
+        (lambda: InAnyOrder("x", (PING, WAVE), ((),)), "1 orders for 2 children"),
+        (lambda: Limit(-1.0), "finite and 0 s or more"),
+    ],
+)
+def test_what_means_nothing_is_refused(make, part):
+    with pytest.raises(ValueError) as raised:
+        make()
+    assert part in str(raised.value)
+
+
+def test_order_is_that_of_the_words_where_it_fits():
+    assert InAnyOrder("x", (PING, WAVE, TURN)).order() == (0, 1, 2)
+    assert InAnyOrder("x", (PING, WAVE, TURN), ((2,), (), ())).order() == (1, 2, 0)
+
+
+def test_parts_are_counted_as_they_are_sent():
+    for plan in PLANS:
+        assert [part.label for part in walk(plan)] == [node.label for node in to_nodes(plan)]
 
 
 @pytest.mark.parametrize("plan", PLANS)
@@ -81,16 +161,26 @@ def join(*children, **changes):
         ([join(1), do(candidates=())], "node 1 of the plan is wrong: a clause has no candidates"),
         ([join(1), do(children=(2,)), do()], "node 1 of the plan carries out a clause, and cannot have children"),
         ([join(1, candidates=(way("turning"),)), do()], "node 0 of the plan joins clauses, and cannot have candidates"),
-        ([do(kind=0)], "is of the kind 0; nothing carries out other kinds than 1 (DO), 2 (SEQUENCE)"),
+        ([do(kind=0)], "is of the kind 0; nothing carries out other kinds than 1 (DO), 2 (SEQUENCE), 3 (PARALLEL)"),
         ([join(1, kind=77), do()], "is of the kind 77; nothing"),
         *[
             (
                 [join(1), join(2, kind=kind), do()],
                 f"node 1 of the plan is of the kind {kind.value} ({kind.name}); nothing",
             )
-            for kind in Kind
-            if kind not in (DO, SEQUENCE)
+            for kind in (Kind.AT, Kind.WHENEVER)
         ],
+        ([join(1, kind=Kind.IF), do()], "node 0 of the plan has 1 children; a IF has 2 to 3"),
+        ([join(1, 2, kind=Kind.IF), do(), do()], "node 0 of the plan is wrong: an if has a clause in the place of"),
+        ([join(1, 2, kind=Kind.REPEAT), do(), do()], "node 0 of the plan has 2 children; a REPEAT has 1 to 1"),
+        ([join(1), do(kind=CONDITION)], "node 0 of the plan is wrong: a sequence has the condition 'x'"),
+        ([do(kind=CONDITION)], "node 0 of the plan is a condition, and nothing is to be done"),
+        ([do(kind=CONDITION, trigger=7)], "node 0 of the plan is wrong: 7 is not a valid Trigger"),
+        ([join(1), do(after=(0,))], "node 1 of the plan sets after; only a child of an ANY_ORDER has a use for it"),
+        ([do(after=(0,))], "node 0 of the plan sets after"),
+        ([join(1, 2, kind=Kind.ANY_ORDER), do(after=(1,)), do()], "node 1 is to come after node 1, which is none of"),
+        ([join(1, 2, kind=Kind.ANY_ORDER), do(after=(9,)), do()], "node 1 is to come after node 9, which is none of"),
+        ([join(1, 2, kind=Kind.ANY_ORDER), do(after=(2,)), do(after=(1,))], "node 0 of the plan is wrong: no order"),
         ([join(index + 1) for index in range(MOST_LEVELS)] + [do()], f"more than {MOST_LEVELS} levels"),
         ([join(index + 1) for index in range(MOST_NODES - 1)] + [do()], f"more than {MOST_LEVELS} levels"),
     ],
@@ -144,27 +234,25 @@ def test_malformed_message_is_refused_with_the_reason(message, part):
     assert part in str(raised.value)
 
 
-UNREAD = [
-    ("after", [1]),
-    ("count", 2),
-    ("most", 3),
-    ("duration", rospy.Duration(1)),
-    ("period", rospy.Duration(1)),
-    ("limit", rospy.Duration(60)),
-    ("is_limit_said", True),
-    ("when", msg.TimeExpression(kind="time", value="T08:00")),
-    ("trigger", msg.PlanNode.BEGINS),
-    ("is_negated", True),
-    ("robot", "beta"),
-]
+@pytest.mark.parametrize("name,value", [("when", msg.TimeExpression(kind="time", value="T08:00")), ("robot", "beta")])
+def test_field_that_nothing_reads_is_refused_and_not_ignored(name, value):
+    message = plan_to_message(PING)
+    setattr(message.nodes[0], name, value)
+    with pytest.raises(ValueError, match=f"node 0 of the plan sets {name}; nothing reads that yet"):
+        plan_from_message(message)
 
 
-def test_each_field_of_a_node_is_read_or_refused():
-    read = {"kind", "label", "children", "candidates", "arguments"}
-    assert set(msg.PlanNode.__slots__) == read | {name for name, _ in UNREAD}
-
-
-@pytest.mark.parametrize("name,value", UNREAD)
+@pytest.mark.parametrize(
+    "name,value",
+    [
+        ("count", 2),
+        ("most", 3),
+        ("duration", rospy.Duration(1)),
+        ("period", rospy.Duration(1)),
+        ("trigger", msg.PlanNode.BEGINS),
+        ("is_negated", True),
+    ],
+)
 def test_what_a_kind_has_no_use_for_is_refused_and_not_ignored(name, value):
     message = plan_to_message(InSequence("Ping and turn", (PING, TURN)))
     setattr(message.nodes[1], name, value)
@@ -201,6 +289,11 @@ def test_procedure_of_2012_holds_the_frames_of_all_clauses():
         ["pinging", "bowing", "waving", "turning"],
     ]
     assert procedure_to_message(PING).frame_lists[0].frames[0].action_server_topics == ["server"]
+
+
+@pytest.mark.parametrize("plan", [plan for plan in PLANS if not isinstance(plan, (Do, InSequence))])
+def test_procedure_of_2012_says_nothing_else(plan):
+    assert as_procedure(plan) is None and procedure_to_message(InSequence("x", (PING, plan))) is None
 
 
 def test_procedure_of_2012_is_bounded_where_clauses_multiply():

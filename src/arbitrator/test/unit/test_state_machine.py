@@ -3,8 +3,9 @@
 import pytest
 
 import smach
-from arbitrator.plan import Candidate, Do, InSequence
-from arbitrator.state_machine import OUTCOMES, build_state_machine, candidate_label, child_label, plan_label, step_label
+from arbitrator.node_runs import OUTCOMES
+from arbitrator.plan import Candidate, Do, InSequence, walk
+from arbitrator.state_machine import build_state_machine, candidate_label, child_label, plan_label, step_label
 from typed_arguments import FilledFrame
 
 
@@ -38,10 +39,13 @@ def run(plan, outcomes_by_frame):
     log, ends = [], []
     machine = build_state_machine(
         plan,
-        lambda frame, clause: Step(frame, clause, outcomes_by_frame, log),
-        on_clause_end=lambda clause, outcome: ends.append((clause, outcome)),
+        lambda frame, clause, scope: Step(frame, clause, outcomes_by_frame, log),
+        observe=lambda event: ends.append((event.number, event.outcome)) if event.outcome else None,
     )
-    return machine.execute(), "".join(log), ends
+    numbers = [number for number, part in enumerate(walk(plan)) if isinstance(part, Do)]
+    outcome = machine.execute()
+    # Clauses by their place among the clauses.
+    return outcome, "".join(log), [(numbers.index(number), how) for number, how in ends if number in numbers]
 
 
 @pytest.mark.parametrize(
@@ -148,7 +152,7 @@ class StepThatHears(Step):
 def test_machine_that_is_asked_to_end_ends_where_it_is(number):
     whole, log = "abdefg", []
 
-    def make_step(frame, clause):
+    def make_step(frame, clause, scope):
         step = StepThatHears(frame, clause, {"d": "aborted"}, log)
         if frame.name == whole[number]:
             execute = step.execute
@@ -163,17 +167,17 @@ def test_machine_that_is_asked_to_end_ends_where_it_is(number):
 def test_steps_are_told_the_number_of_their_clause():
     numbers = {}
 
-    def make_step(frame, clause):
+    def make_step(frame, clause, scope):
         numbers[frame.name] = clause
         return Step(frame, clause, {}, [])
 
     build_state_machine(PLAN, make_step)
-    assert numbers == {"a": 0, "b": 0, "c": 0, "d": 1, "e": 1, "f": 1, "g": 2}
+    assert numbers == {"a": 1, "b": 1, "c": 1, "d": 3, "e": 3, "f": 3, "g": 4}
 
 
 def test_labels_are_the_words_and_show_in_the_machine():
     plan = InSequence("Ping and wave at Alice.", (do("a"), Do("wave at Alice", do("b").candidates)))
-    machine = build_state_machine(plan, lambda frame, clause: Step(frame, clause, {}, []))
+    machine = build_state_machine(plan, lambda frame, clause, scope: Step(frame, clause, {}, []))
     assert list(machine.get_children()) == ["1 a", "2 wave at Alice"]
     assert list(machine["2 wave at Alice"].get_children()) == ["candidate_1"]
     assert list(machine["2 wave at Alice"]["candidate_1"].get_children()) == ["1_b_by_server"]

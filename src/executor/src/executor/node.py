@@ -26,6 +26,7 @@ from executor.ros_command_run import CommandRun, RunResult
 from executor.ros_driver_settings import DriverSettings
 from executor.ros_introspection import Introspection
 from executor.ros_running_goals import RunningGoals
+from executor.ros_server_profiles import ServerProfiles
 from roboframenet_ros.parameters import Parameters, parameter
 from roboframenet_ros.ros_node import read_parameters, run_node
 from roboframenet_ros.ros_stage import Stage
@@ -50,6 +51,8 @@ class Settings(Parameters):
         suspicion_s: silence after which the process of a server is asked whether it lives
         longest_goal_s: from the acceptance to the end of a goal
         longest_command_s: for a command
+        longest_wait_s: for a condition, if nothing else was said
+        condition_silence_s: between two observations of a condition, unless its server states another time
         longest_search_s: that a command may lose with servers that do not work
         quarantine_s: for which a server that did not end a goal is not used; 0 for none
         settings_timeout_s: for a node to be reconfigured
@@ -68,6 +71,8 @@ class Settings(Parameters):
     suspicion_s: float = parameter(1.0, least=0.05, most=600.0)
     longest_goal_s: float = parameter(3600.0, least=0.05, most=1e6)
     longest_command_s: float = parameter(7200.0, least=0.05, most=1e6)
+    longest_wait_s: float = parameter(3600.0, least=0.05, most=1e6)
+    condition_silence_s: float = parameter(3.0, least=0.05, most=600.0)
     longest_search_s: float = parameter(30.0, least=0.05, most=1e6)
     quarantine_s: float = parameter(60.0, least=0.0, most=1e6)
     settings_timeout_s: float = parameter(3.0, least=0.05, most=600.0)
@@ -118,7 +123,7 @@ _Event = Union[CommandPlan, StopReport, Command, _Note, _RunEnded, None]
 class ExecutorNode:
     """Carries out plans.
 
-    Subscribes: ``command_plan``, ``command_cancel``, ``stop_report``. Publishes: ``stage_events``.
+    Subscribes: ``command_plan``, ``command_cancel``, ``stop_report``, ``frame_catalogue``. Publishes: ``stage_events``.
     Calls the action servers that the plans name.
     """
 
@@ -127,6 +132,7 @@ class ExecutorNode:
         self._clients = ActionClients(max_kept=settings.max_clients)
         self._server_settings = DriverSettings(timeout_s=settings.settings_timeout_s)
         self._running_goals = RunningGoals()
+        self._profiles = ServerProfiles(default_silence_s=settings.condition_silence_s)
         self._quarantine = Quarantine(duration_s=settings.quarantine_s)
         self._introspection = Introspection(is_enabled=settings.introspection)
         self._suspension = SuspensionWatch(longest_turn_s=_LONGEST_TURN_S)
@@ -143,6 +149,7 @@ class ExecutorNode:
         self._running_goals.start()
         self._server_settings.start()
         self._worker.start()
+        self._profiles.start()
         self._subscribers = [
             rospy.Subscriber("stop_report", StopReport, self._inbox.put),
             rospy.Subscriber("command_cancel", Command, self._inbox.put),
@@ -202,7 +209,8 @@ class ExecutorNode:
             return
         order, cause = self._commands.running, self._commands.cause
         self._run = None
-        ending = ending_of_run(ended.result.outcome, ended.result.clauses, cause=cause, error=ended.result.error)
+        result = ended.result
+        ending = ending_of_run(result.outcome, order.job.plan, result.records, cause=cause, error=result.error)
         self._end(order.job.command, ending)
         self._follow(command_queue.finish(self._commands))
 
@@ -228,6 +236,8 @@ class ExecutorNode:
             deadlines=self._settings.deadlines,
             quarantine=self._quarantine,
             patience=Patience(command_s=self._settings.longest_command_s, search_s=self._settings.longest_search_s),
+            longest_silence_s=self._profiles.longest_silence_s,
+            longest_wait_s=self._settings.longest_wait_s,
             on_note=lambda sentence: self._inbox.put(_Note(run, sentence)),
             on_end=lambda ended, result: self._inbox.put(_RunEnded(ended, result)),
             introspection=self._introspection,

@@ -1,5 +1,6 @@
 """How long a command may go on."""
 
+import threading
 import time
 from dataclasses import replace
 from typing import Callable
@@ -8,7 +9,10 @@ from executor.goal_tracking import Goal, GoalDeadlines, GoalStatusCode, Outcome
 
 
 class Patience:
-    """The limits of one command: of its whole time, and of the time that it loses with servers that do not work."""
+    """The limits of one command: of its whole time, and of the time that it loses with servers that do not work.
+
+    Any thread may call.
+    """
 
     def __init__(self, *, command_s: float, search_s: float, now: Callable[[], float] = time.monotonic) -> None:
         """The command begins now.
@@ -23,6 +27,7 @@ class Patience:
         self._now = now
         self._end_s = now() + command_s
         self._lost_s = 0.0
+        self._lock = threading.Lock()
 
     def refusal(self) -> str:
         """Return why no further server is tried, a clause that follows its name; empty while the command goes on."""
@@ -46,4 +51,5 @@ class Patience:
         """
         is_futile = bool(goal.fault) or goal.status is GoalStatusCode.PENDING
         if goal.outcome is Outcome.FAILED and is_futile:
-            self._lost_s += duration_s
+            with self._lock:
+                self._lost_s += duration_s

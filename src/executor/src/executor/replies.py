@@ -2,10 +2,13 @@
 
 import enum
 from dataclasses import dataclass
-from typing import Iterable, Optional, Sequence, Tuple
+from typing import Iterable, List, Optional, Sequence, Tuple, Union
 
+from arbitrator.node_runs import ABORTED, SUCCEEDED, EndedBy
+from arbitrator.plan import CONDITIONS, AnyCondition, Do, If, Part, Plan, Repeat, Until, Wait, While, parts_of, walk
 from executor.command_queue import Cause
 from executor.goal_tracking import Goal, Outcome, describe_failures
+from executor.run_record import NodeRecord
 
 
 class ReplyOutcome(enum.IntEnum):
@@ -14,21 +17,6 @@ class ReplyOutcome(enum.IntEnum):
     DONE = 0
     FAILED = 1
     SUPERSEDED = 4
-
-
-@dataclass(frozen=True)
-class ClauseRun:
-    """How a clause ended.
-
-    Attributes:
-        label: the words of the clause
-        outcome: succeeded, aborted or preempted; empty when it did not start or did not end
-        goals: every goal that was tried, in order
-    """
-
-    label: str
-    outcome: str
-    goals: Tuple[Goal, ...] = ()
 
 
 @dataclass(frozen=True)
@@ -53,56 +41,163 @@ def ending_of_malformed(error: str) -> Ending:
     return Ending(ReplyOutcome.FAILED, "STAGE_ERROR", f"The plan cannot be carried out: {error}.")
 
 
-def ending_of_run(outcome: str, clauses: Sequence[ClauseRun], *, cause: Optional[Cause], error: str) -> Ending:
+def ending_of_run(
+    outcome: str, plan: Plan, records: Sequence[NodeRecord], *, cause: Optional[Cause], error: str
+) -> Ending:
     """Return the ending of a command that was started.
 
     Args:
         outcome: of the machine: succeeded, aborted or preempted; empty when it broke
-        clauses: of the plan, in order
+        plan: what was carried out
+        records: what became of each of its nodes
         cause: why it was preempted, None if it was not
         error: why the machine broke, empty if it did not
     """
-    goals = [goal for clause in clauses for goal in clause.goals]
-    failures = describe_failures(goals)
+    story = _Story(plan, records)
+    failures = describe_failures(story.goals)
     if error:
-        sentence = f"The state machine broke: {error}. {failures} {_done_before(clauses)}"
-        return Ending(ReplyOutcome.FAILED, "STAGE_ERROR", " ".join(sentence.split()))
-    if outcome == "succeeded":
+        return Ending(
+            ReplyOutcome.FAILED,
+            "STAGE_ERROR",
+            _text(f"The state machine broke: {error}.", failures, story.done_before()),
+        )
+    if outcome == SUCCEEDED:
         # Also when a preemption was requested: it succeeded first.
-        return Ending(ReplyOutcome.DONE, "DONE", f"Done, after {failures}" if failures else "Done.")
+        done = f"Done, after {failures}" if failures else "Done."
+        return Ending(ReplyOutcome.DONE, "DONE", _text(done, *story.turns()))
     # A server that ignored the cancel may still move the robot; the person must know which one.
     orphans = " ".join(
-        f"{goal.server} {goal.reason}." for goal in goals if goal.is_orphaned and goal.outcome is Outcome.PREEMPTED
+        f"{goal.server} {goal.reason}."
+        for goal in story.goals
+        if goal.is_orphaned and goal.outcome is Outcome.PREEMPTED
     )
     if cause is not None:
-        sentence = f"{_SENTENCE_OF[cause]} {orphans} {_done_before(clauses)}"
-        return Ending(ReplyOutcome.SUPERSEDED, cause.value, " ".join(sentence.split()))
+        return Ending(ReplyOutcome.SUPERSEDED, cause.value, _text(_SENTENCE_OF[cause], orphans, story.done_before()))
     if outcome == "preempted":
-        taken = " ".join(f"{goal.server} {goal.reason}." for goal in goals if goal.outcome is Outcome.TAKEN_AWAY)
-        sentence = f"Another client cancelled it: {taken} {_done_before(clauses)}"
-        return Ending(ReplyOutcome.SUPERSEDED, "STOPPED", " ".join(sentence.split()))
-    return Ending(ReplyOutcome.FAILED, "ALL_CANDIDATES_FAILED", _failure(clauses))
+        taken = " ".join(f"{goal.server} {goal.reason}." for goal in story.goals if goal.outcome is Outcome.TAKEN_AWAY)
+        return Ending(
+            ReplyOutcome.SUPERSEDED, "STOPPED", _text(f"Another client cancelled it: {taken}", story.done_before())
+        )
+    return Ending(ReplyOutcome.FAILED, *story.failure())
 
 
-def _failure(clauses: Sequence[ClauseRun]) -> str:
-    """Return what was done and what was not: 'I did "ping", but I could not do "wave at Alice": ...'."""
-    failed = next((clause for clause in clauses if clause.outcome == "aborted"), None)
-    if len(clauses) == 1 or failed is None:
-        failures = describe_failures([goal for clause in clauses for goal in clause.goals])
-        return f"Every way I tried failed: {failures}"
-    done = _labels(clause for clause in clauses if clause.outcome == "succeeded")
-    left = _labels(clause for clause in clauses if not clause.outcome)
-    subject = f"I did {done}, but I" if done else "I"
-    rest = f" I did not begin {left}." if left else ""
-    return f'{subject} could not do "{failed.label}": {describe_failures(failed.goals)}{rest}'
+class _Story:
+    """What happened, in words."""
+
+    def __init__(self, plan: Plan, records: Sequence[NodeRecord]) -> None:
+        # By number: the same clause may stand in a plan twice.
+        self._parts = list(zip(walk(plan), records))
+        self._clauses = [(part, record) for part, record in self._parts if isinstance(part, Do)]
+        self.goals: List[Goal] = [goal for _, record in self._clauses for goal in record.goals]
+
+    def turns(self) -> List[str]:
+        """Return a sentence for each node that went another way than doing everything that was said, once."""
+        return [sentence for number in range(len(self._parts)) for sentence in [self._turn(number)] if sentence]
+
+    def _children(self, number: int) -> List[NodeRecord]:
+        """What became of the children of a node that are no conditions."""
+        place, found = number + 1, []
+        for child in parts_of(self._parts[number][0]):
+            if not isinstance(child, CONDITIONS):
+                found.append(self._parts[place][1])
+            place += sum(1 for _ in walk(child))
+        return found
+
+    def _turn(self, number: int) -> str:
+        part, record = self._parts[number]
+        if record.outcome != SUCCEEDED:
+            return ""
+        children = self._children(number)
+        if isinstance(part, If) and record.ended_by is EndedBy.CONDITION:
+            return f'I did not do "{part.child.label}", because {_says(part.condition, holds=False)}.'
+        if isinstance(part, If) and part.otherwise is not None and children[1].begun:
+            what = f'"{part.otherwise.label}", and not "{part.child.label}"'
+            return f"I did {what}, because {_says(part.condition, holds=False)}."
+        if isinstance(part, (Until, While)):
+            return _end_of_work(part, record, children[0])
+        if isinstance(part, Repeat) and record.begun == 1 and children[0].done > 1:
+            return f'I did "{part.child.label}" {children[0].done} times.'
+        return ""
+
+    def failure(self) -> Tuple[str, str]:
+        """Return the code and the sentence for a plan that failed: what was done and what was not, and why.
+
+        Such as 'I did "ping", but I could not do "wave at Alice": ...'.
+        """
+        failed = [(part, record) for part, record in self._clauses if record.outcome == ABORTED]
+        reasons = [reason for reason in (_reason(part, record) for part, record in self._parts) if reason]
+        if len(self._parts) == 1 and not reasons:
+            return "ALL_CANDIDATES_FAILED", f"Every way I tried failed: {describe_failures(self.goals)}"
+        done = self._done()
+        left = _labels(part for part, record in self._clauses if not record.begun)
+        rest = f"I did not begin {left}." if left else ""
+        if not reasons:
+            what = " ".join(
+                f'could not do "{part.label}": {describe_failures(record.goals)}' for part, record in failed
+            )
+            return "ALL_CANDIDATES_FAILED", _text(f"I did {done}, but I {what}" if done else f"I {what}", rest)
+        ended = _labels(part for part, record in self._clauses if record.outcome and record.outcome != SUCCEEDED)
+        code = "CONDITION_UNKNOWN" if any(record.fault for _, record in self._parts) else "LIMIT_REACHED"
+        return code, _text(
+            *reasons, f"I ended {ended}." if ended else "", f"Before that, I did {done}." if done else "", rest
+        )
+
+    def done_before(self) -> str:
+        """Return a sentence that names the clauses that were done; empty for none, or for a single clause."""
+        done = self._done() if len(self._parts) > 1 else ""
+        return f"Before that, I did {done}." if done else ""
+
+    def _done(self) -> str:
+        done = [(part.label, record.done) for part, record in self._clauses if record.done]
+        return _joined(f'"{label}"' + (f" {times} times" if times > 1 else "") for label, times in done)
 
 
-def _done_before(clauses: Sequence[ClauseRun]) -> str:
-    """Return a sentence that names the clauses that were done; empty for none, or for a single clause."""
-    done = _labels(clause for clause in clauses if clause.outcome == "succeeded") if len(clauses) > 1 else ""
-    return f"Before that, I did {done}." if done else ""
+def _end_of_work(part: Union[Until, While], record: NodeRecord, child: NodeRecord) -> str:
+    label = f'"{part.child.label}"'
+    if part.condition is None:
+        is_time = record.ended_by is EndedBy.TIME and isinstance(part, Until)
+        return f"I ended {label} after {_seconds(part.duration_s)}." if is_time and isinstance(part, Until) else ""
+    if record.ended_by is EndedBy.CONDITION:
+        did = "ended" if child.begun else "did not begin"
+        return f"I {did} {label}, because {_says(part.condition, holds=isinstance(part, Until))}."
+    return f"{label} was over before {_says(part.condition, holds=True)}." if isinstance(part, Until) else ""
 
 
-def _labels(clauses: Iterable[ClauseRun]) -> str:
-    quoted = [f'"{clause.label}"' for clause in clauses]
-    return ", ".join(quoted[:-1]) + " and " + quoted[-1] if len(quoted) > 1 else "".join(quoted)
+def _reason(part: Part, record: NodeRecord) -> str:
+    """Why a node failed, if it was not for its clauses."""
+    condition: Optional[AnyCondition] = getattr(part, "condition", None)
+    if record.outcome != ABORTED or isinstance(part, CONDITIONS):
+        return ""
+    if record.ended_by is EndedBy.FAULT and condition is not None:
+        return f'I cannot tell whether "{condition.label}": {record.fault}.'
+    if record.ended_by is EndedBy.LIMIT:
+        within = f"within {_seconds(part.limit.seconds)}" if part.limit.seconds else "in time"
+        if isinstance(part, Wait) and condition is not None:
+            return f"I waited, but {within} {_says(condition, holds=False)}."
+        return f'"{part.label}" was not done {within}.'
+    return ""
+
+
+def _says(condition: AnyCondition, *, holds: bool) -> str:
+    """Return words that say that a condition holds, or does not: '"the door is closed" holds'."""
+    return f'"{condition.label}" held' if holds is not condition.is_negated else f'"{condition.label}" did not hold'
+
+
+def _seconds(seconds: float) -> str:
+    minutes = seconds / 60.0
+    if minutes >= 2.0 and minutes == round(minutes):
+        return f"{minutes:g} minutes"
+    return "1 second" if seconds == 1.0 else f"{seconds:g} seconds"
+
+
+def _text(*sentences: str) -> str:
+    return " ".join(" ".join(sentences).split())
+
+
+def _labels(clauses: Iterable[Do]) -> str:
+    return _joined(f'"{clause.label}"' for clause in clauses)
+
+
+def _joined(words: Iterable[str]) -> str:
+    parts = list(words)
+    return ", ".join(parts[:-1]) + " and " + parts[-1] if len(parts) > 1 else "".join(parts)

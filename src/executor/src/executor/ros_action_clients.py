@@ -1,7 +1,7 @@
 """Connections to action servers, kept for the next goal."""
 
 import threading
-from collections import OrderedDict
+from collections import Counter, OrderedDict
 from typing import List, Optional
 
 from roboframenet_msgs.msg import FilledSemanticFrameAction
@@ -22,9 +22,11 @@ class ActionClients:
         self._max_kept = max_kept
         self._lock = threading.Lock()
         self._connections: OrderedDict[str, ActionConnection] = OrderedDict()
+        # How many goals use each connection; those are not closed.
+        self._users: Counter[str] = Counter()
 
     def get(self, server: str, *, timeout_s: float) -> Optional[ActionConnection]:
-        """Return the connection to a server; connects if necessary.
+        """Return the connection to a server; connects if necessary. It stays open until `release`.
 
         Returns:
             None when the master did not answer in time
@@ -36,6 +38,7 @@ class ActionClients:
             known = self._connections.get(server)
             if known is not None:
                 self._connections.move_to_end(server)
+                self._users[server] += 1
                 return known
         try:
             made = within(
@@ -46,14 +49,32 @@ class ActionClients:
         except Exception as error:  # boundary: the master or the name may be at fault in many ways
             raise ValueError(str(error)) from error
         with self._lock:
-            self._connections[server] = made
-            dropped = []
-            while len(self._connections) > self._max_kept:
-                dropped.append(self._connections.popitem(last=False)[1])
+            # A branch of the plan that runs at the same time may have connected meanwhile.
+            used = self._connections.setdefault(server, made)
+            self._users[server] += 1
+            dropped = self._take_unused() + ([] if used is made else [made])
+        self._close_later(dropped)
+        return used
+
+    def release(self, server: str) -> None:
+        """A goal does not use the connection to a server any more."""
+        with self._lock:
+            self._users[server] -= 1
+            if self._users[server] <= 0:
+                del self._users[server]
+            dropped = self._take_unused()
+        self._close_later(dropped)
+
+    def _take_unused(self) -> List[ActionConnection]:
+        """With the lock held: take out the connections that were used longest ago, down to as many as are kept."""
+        unused = [server for server in self._connections if server not in self._users]
+        excess = max(0, len(self._connections) - self._max_kept)
+        return [self._connections.pop(server) for server in unused[:excess]]
+
+    def _close_later(self, dropped: List[ActionConnection]) -> None:
         if dropped:
             # To close asks the master, which may hang.
             threading.Thread(target=self._close_all, args=(dropped,), name="close_connections", daemon=True).start()
-        return made
 
     def close(self) -> None:
         """Close all connections."""

@@ -2,17 +2,17 @@
 
 import contextlib
 import queue
-import threading
 import time
 from dataclasses import dataclass
-from typing import Callable, Optional
+from typing import Callable
 
 import actionlib
 import rospy
 from roboframenet_msgs.msg import FilledSemanticFrameGoal
 
 import smach
-from arbitrator.state_machine import OUTCOMES
+from arbitrator.node_runs import OUTCOMES
+from arbitrator.scopes import Scope
 from executor import goal_tracking as tracking
 from executor.driver_settings import SettingsError
 from executor.goal_tracking import Goal, GoalDeadlines, Outcome
@@ -20,13 +20,14 @@ from executor.patience import Patience
 from executor.quarantine import Quarantine
 from executor.ros_action_clients import ActionClients
 from executor.ros_driver_settings import DriverSettings
+from executor.ros_goal_news import Death, Sign, WakeUp, apply, header_text, read_transition
 from executor.ros_running_goals import RunningGoals
 from roboframenet_ros.ros_action_connection import ActionConnection, SentGoal
 from roboframenet_ros.suspension import SuspensionWatch
-from typed_arguments import FilledFrame, to_goal_text
+from typed_arguments import FilledFrame
 from typed_arguments.ros_messages import frame_to_message
 
-# A preemption is noticed within this time.
+# The limits of the plan are looked at within this time.
 _LONGEST_WAIT_S = 0.1
 # After a suspension, messages that arrived meanwhile are read within this time.
 _WAKE_S = 0.5
@@ -49,42 +50,22 @@ class StepContext:
         settings: what the servers need of other nodes
         running_goals: what must be cancelled if this process is killed
         deadlines: of each goal
-        is_preempt_asked: set when the run must end
         quarantine: servers that are out of use
         patience: how long the command may go on
         suspension: whether this process has just been resumed
         on_begin: called with the frame of each step that starts
-        on_end: called with the frame, the number of the clause, and the goal that has ended
+        on_end: called with the frame, the number of its node in the plan, and the goal that has ended
     """
 
     clients: ActionClients
     settings: DriverSettings
     running_goals: RunningGoals
     deadlines: GoalDeadlines
-    is_preempt_asked: threading.Event
     quarantine: Quarantine
     patience: Patience
     suspension: SuspensionWatch
     on_begin: Callable[[FilledFrame], None]
     on_end: Callable[[FilledFrame, int, Goal], None]
-
-
-@dataclass(frozen=True)
-class _Transition:
-    """State of the goal handle when the goal changed."""
-
-    status: int
-    is_done: bool
-    success: Optional[bool]
-    text: str
-
-
-class _Sign:
-    """The server published its status or feedback."""
-
-
-class _Death:
-    """The process of the server has ended."""
 
 
 class ActionStep(smach.State):
@@ -93,10 +74,18 @@ class ActionStep(smach.State):
     Callbacks only enqueue; the thread that executes the state owns everything else and waits with deadlines.
     """
 
-    def __init__(self, frame: FilledFrame, clause: int, context: StepContext) -> None:
+    def __init__(self, frame: FilledFrame, number: int, scope: Scope, context: StepContext) -> None:
+        """
+        Args:
+            frame: the goal
+            number: of the clause in the plan
+            scope: the goal is cancelled with it
+            context: of the run
+        """
         super().__init__(outcomes=list(OUTCOMES))
         self._frame = frame
-        self._clause = clause
+        self._number = number
+        self._scope = scope
         self._context = context
 
     def execute(self, userdata: smach.UserData) -> str:
@@ -105,7 +94,7 @@ class ActionStep(smach.State):
         began_s = time.monotonic()
         goal = self._carry_out()
         self._context.patience.spend(goal, time.monotonic() - began_s)
-        self._context.on_end(self._frame, self._clause, goal)
+        self._context.on_end(self._frame, self._number, goal)
         outcome = SMACH_OUTCOME_OF[goal.outcome]
         if outcome == "preempted" and self.preempt_requested():
             self.service_preempt()
@@ -113,12 +102,17 @@ class ActionStep(smach.State):
 
     @property
     def _is_to_end(self) -> bool:
-        return self._context.is_preempt_asked.is_set() or self.preempt_requested()
+        self._scope.tick()
+        return self._scope.is_cancelled
+
+    def _pause(self, duration_s: float) -> None:
+        """Wait, unless the step is to end."""
+        self._scope.wait(self._number, lambda: False, time.monotonic() + duration_s)
 
     def _read_news(self) -> bool:
         """After a suspension, wait for messages that arrived meanwhile; returns whether the command was closed."""
         if self._context.suspension.is_just_awake(within_s=_WAKE_S):
-            self._context.is_preempt_asked.wait(_WAKE_S)
+            self._pause(_WAKE_S)
         return self._is_to_end
 
     def _carry_out(self) -> Goal:
@@ -138,6 +132,13 @@ class ActionStep(smach.State):
             return tracking.fail_unsent(
                 server, deadlines, "cannot be reached: the master does not answer", now_s=began_s
             )
+        try:
+            return self._carry_out_over(connection, began_s)
+        finally:
+            self._context.clients.release(server)
+
+    def _carry_out_over(self, connection: ActionConnection, began_s: float) -> Goal:
+        server, deadlines = self._frame.server, self._context.deadlines
         while not connection.is_ready():
             if self._is_to_end:
                 return tracking.preempt_unsent(server, deadlines, now_s=time.monotonic())
@@ -148,7 +149,7 @@ class ActionStep(smach.State):
                     f"is not running: no answer within {deadlines.acceptance_s:g} s",
                     now_s=time.monotonic(),
                 )
-            self._context.is_preempt_asked.wait(0.01)
+            self._pause(0.01)
         owner = f"{self._frame.name} by {server}"
         try:
             self._context.settings.apply(server, owner=owner)
@@ -165,14 +166,18 @@ class ActionStep(smach.State):
         inbox: queue.Queue[object] = queue.Queue()
 
         def on_sign() -> None:
-            inbox.put(_Sign())
+            inbox.put(Sign())
+
+        def on_cancel() -> None:
+            inbox.put(WakeUp())
 
         connection.listen(on_sign)
+        self._scope.listen(on_cancel)
         try:
             return self._follow(connection, inbox, on_sign)
         finally:
             connection.unlisten(on_sign)
-            self._context.running_goals.clear()
+            self._scope.unlisten(on_cancel)
 
     def _follow(self, connection: ActionConnection, inbox: "queue.Queue[object]", on_sign: Callable[[], None]) -> Goal:
         if self._read_news():
@@ -181,11 +186,19 @@ class ActionStep(smach.State):
         goal = tracking.send(self._frame.server, deadlines, now_s=time.monotonic())
         sent: SentGoal = connection.send(
             FilledSemanticFrameGoal(frame=frame_to_message(self._frame)),
-            header_text=_typed_arguments(self._frame),
+            header_text=header_text(self._frame),
             on_transition=lambda handle: self._hear(handle, inbox),
             on_feedback=lambda _: on_sign(),
         )
         self._context.running_goals.note(self._frame.server, sent.goal_id)
+        try:
+            return self._follow_sent(connection, sent, goal, inbox)
+        finally:
+            self._context.running_goals.forget(sent.goal_id)
+
+    def _follow_sent(
+        self, connection: ActionConnection, sent: SentGoal, goal: Goal, inbox: "queue.Queue[object]"
+    ) -> Goal:
         uri = ""
         while True:
             # A process that has ended takes its address along, and one that has just started may connect twice.
@@ -202,13 +215,13 @@ class ActionStep(smach.State):
                     self._quarantine(goal, sent)
                 return goal
             if step.is_question_due:
-                connection.ask_whether_gone(uri, lambda: inbox.put(_Death()))
+                connection.ask_whether_gone(uri, lambda: inbox.put(Death()))
             wait_s = min(_LONGEST_WAIT_S, max(0.001, tracking.next_deadline_s(goal) - time.monotonic()))
             with contextlib.suppress(queue.Empty):
-                goal = _apply(goal, inbox.get(timeout=wait_s))
+                goal = apply(goal, inbox.get(timeout=wait_s))
 
     def _hear(self, handle: actionlib.ClientGoalHandle, inbox: "queue.Queue[object]") -> None:
-        transition = _read_transition(handle)
+        transition = read_transition(handle)
         inbox.put(transition)
         if transition.is_done:
             # This may come long after the step has ended.
@@ -218,34 +231,3 @@ class ActionStep(smach.State):
         self._context.quarantine.put(goal.server, sent.goal_id, goal.reason, keep=sent)
         if sent.handle.get_comm_state() == actionlib.CommState.DONE:
             self._context.quarantine.hear_end(goal.server, sent.goal_id)
-
-
-def _typed_arguments(frame: FilledFrame) -> str:
-    """Return the text of the typed arguments for the header of a goal; empty when they are too long for it."""
-    try:
-        return to_goal_text(frame.arguments)
-    except ValueError as error:
-        rospy.logwarn("%s gets only the texts of its arguments: %s", frame.server, error)
-        return ""
-
-
-def _read_transition(handle: actionlib.ClientGoalHandle) -> _Transition:
-    is_done = handle.get_comm_state() == actionlib.CommState.DONE
-    result = handle.get_result() if is_done else None
-    return _Transition(
-        status=handle.get_goal_status(),
-        is_done=is_done,
-        text=handle.get_goal_status_text(),
-        success=None if result is None else bool(result.success),
-    )
-
-
-def _apply(goal: Goal, heard: object) -> Goal:
-    now_s = time.monotonic()
-    if isinstance(heard, _Death):
-        return tracking.hear_death(goal, now_s=now_s)
-    if not isinstance(heard, _Transition):
-        return tracking.hear_sign(goal, now_s=now_s)
-    if heard.is_done:
-        return tracking.hear_result(goal, heard.status, success=heard.success, text=heard.text, now_s=now_s)
-    return tracking.hear_status(goal, heard.status, now_s=now_s)

@@ -3,22 +3,25 @@
 import threading
 import time
 from dataclasses import dataclass
-from typing import Callable, Dict, List, Optional, Tuple
+from typing import Callable, Dict, Optional, Tuple
 
 import rospy
 
 import smach
-from arbitrator.plan import Plan, clauses
+from arbitrator.plan import Condition, Do, Plan, walk
+from arbitrator.scopes import Scope
 from arbitrator.state_machine import build_state_machine, plan_label
+from arbitrator.watching import Observation
 from executor.goal_tracking import Goal, GoalDeadlines, as_sentence
 from executor.patience import Patience
 from executor.quarantine import Quarantine
-from executor.replies import ClauseRun
 from executor.ros_action_clients import ActionClients
 from executor.ros_action_step import ActionStep, StepContext
+from executor.ros_condition_watch import ConditionWatch, WatchContext
 from executor.ros_driver_settings import DriverSettings
 from executor.ros_introspection import Introspection
 from executor.ros_running_goals import RunningGoals
+from executor.run_record import NodeRecord, RunRecord
 from roboframenet_ros.suspension import SuspensionWatch
 from typed_arguments import FilledFrame
 
@@ -32,12 +35,12 @@ class RunResult:
 
     Attributes:
         outcome: succeeded, aborted or preempted; empty when the machine broke
-        clauses: of the plan, in order
+        records: what became of each node of the plan
         error: why the machine broke, empty if it did not
     """
 
     outcome: str
-    clauses: Tuple[ClauseRun, ...]
+    records: Tuple[NodeRecord, ...]
     error: str = ""
 
 
@@ -54,6 +57,8 @@ class CommandRun:
         deadlines: GoalDeadlines,
         quarantine: Quarantine,
         patience: Patience,
+        longest_silence_s: Callable[[FilledFrame], float],
+        longest_wait_s: float,
         on_note: Callable[[str], None],
         on_end: Callable[["CommandRun", RunResult], None],
         introspection: Introspection,
@@ -69,6 +74,8 @@ class CommandRun:
             deadlines: of each goal
             quarantine: servers that are out of use
             patience: how long the command may go on
+            longest_silence_s: returns, for the frame of a condition, for how long its source may be silent
+            longest_wait_s: after which a wait for a condition fails, if it does not say a limit
             on_note: called from the thread of the run with a sentence for each step
             on_end: called with the result, last, from the thread of the run
             introspection: of the machine
@@ -76,14 +83,17 @@ class CommandRun:
         """
         self._plan = plan
         self._on_note = on_note
+        self._longest_wait_s = longest_wait_s
+        self._watches = WatchContext(clients, running_goals, deadlines, longest_silence_s, on_note)
         self._on_end = on_end
         self._introspection = introspection
-        self._goals: Dict[int, List[Goal]] = {}
-        self._outcomes: Dict[int, str] = {}
-        self._step = "about to start"
-        self._step_since_s = time.monotonic()
+        self._record = RunRecord(plan)
+        self._lock = threading.Lock()
+        # What runs now, and since when; several frames at a time in branches of the plan.
+        self._steps: Dict[FilledFrame, float] = {}
+        self._since_s = time.monotonic()
         self._is_preempt_asked = threading.Event()
-        self._machine: Optional[smach.StateMachine] = None
+        self._machine: Optional[smach.Container] = None
         self._context = StepContext(
             clients=clients,
             settings=settings,
@@ -91,7 +101,6 @@ class CommandRun:
             deadlines=deadlines,
             quarantine=quarantine,
             patience=patience,
-            is_preempt_asked=self._is_preempt_asked,
             suspension=suspension,
             on_begin=self._begin_step,
             on_end=self._end_step,
@@ -117,46 +126,56 @@ class CommandRun:
     def describe(self) -> str:
         """Return a sentence that says what runs now, and for how long."""
         verb = "Cancelling" if self._is_preempt_asked.is_set() else "Running"
-        return f"{verb}: {self._step} for {time.monotonic() - self._step_since_s:.0f} s."
+        with self._lock:
+            steps = dict(self._steps)
+        now_s = time.monotonic()
+        what = [f"{frame.name} by {frame.server} for {now_s - since_s:.0f} s" for frame, since_s in steps.items()]
+        return f"{verb}: {', '.join(what) or f'waiting for {now_s - self._since_s:.0f} s'}."
 
     def _begin_step(self, frame: FilledFrame) -> None:
-        self._step, self._step_since_s = f"{frame.name} by {frame.server}", time.monotonic()
+        with self._lock:
+            self._steps[frame] = time.monotonic()
         self._on_note(f"The server {frame.server} begins the frame {frame.name}.")
 
-    def _end_step(self, frame: FilledFrame, clause: int, goal: Goal) -> None:
-        self._goals.setdefault(clause, []).append(goal)
+    def _end_step(self, frame: FilledFrame, number: int, goal: Goal) -> None:
+        with self._lock:
+            self._steps.pop(frame, None)
+            self._since_s = time.monotonic()
+        self._record.hear_goal(number, goal)
         how = f"{frame.server} {goal.reason}" if goal.reason else f"{frame.server} has done {frame.name}"
         rospy.loginfo("%s -> %s: %s", frame.name, goal.outcome.value, how)
         self._on_note(as_sentence(f"The server {how}"))
+
+    def _make_step(self, frame: FilledFrame, number: int, scope: Scope) -> ActionStep:
+        return ActionStep(frame, number, scope, self._context)
+
+    def _watch(self, condition: Condition, on_observation: Callable[[Observation], None]) -> Callable[[], None]:
+        return ConditionWatch(condition, on_observation, self._watches).close
 
     def _run(self) -> None:
         outcome, error = "", ""
         try:
             self._machine = build_state_machine(
                 self._plan,
-                lambda frame, clause: ActionStep(frame, clause, self._context),
-                on_clause_end=self._outcomes.__setitem__,
+                self._make_step,
+                watch=self._watch,
+                observe=self._record.hear,
+                longest_wait_s=self._longest_wait_s,
             )
+            if self._is_preempt_asked.is_set():
+                self._machine.request_preempt()
             self._show(self._machine)
             outcome = self._machine.execute()
         except Exception as fault:  # boundary: the command must be answered, however the machine broke
             rospy.logerr("the machine broke: %s: %s", type(fault).__name__, fault)
             error = f"{type(fault).__name__}: {fault}"
         finally:
-            self._on_end(self, RunResult(outcome=outcome, clauses=self._clause_runs(), error=error))
+            self._on_end(self, RunResult(outcome=outcome, records=self._record.records(), error=error))
             self._introspection.hide()
 
-    def _clause_runs(self) -> Tuple[ClauseRun, ...]:
-        return tuple(
-            ClauseRun(
-                label=clause.label, outcome=self._outcomes.get(number, ""), goals=tuple(self._goals.get(number, ()))
-            )
-            for number, clause in enumerate(clauses(self._plan))
-        )
-
-    def _show(self, machine: smach.StateMachine) -> None:
-        parts = clauses(self._plan)
-        machines = 1 + len(parts) + sum(len(part.candidates) for part in parts)
+    def _show(self, machine: smach.Container) -> None:
+        parts = list(walk(self._plan))
+        machines = 1 + len(parts) + sum(len(part.candidates) for part in parts if isinstance(part, Do))
         if machines > _MOST_SHOWN:
             rospy.loginfo("introspection is off for a plan of %d machines", machines)
             return

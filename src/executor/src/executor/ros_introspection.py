@@ -22,7 +22,7 @@ _HEAD_START_S = 0.02
 class _View:
     """A machine that smach_viewer shows; None for none."""
 
-    machine: Optional[smach.StateMachine]
+    machine: Optional[smach.Container]
     label: str = ""
 
 
@@ -42,7 +42,7 @@ class Introspection:
             # A daemon: a master that hangs must not keep the process alive.
             threading.Thread(target=self._work, name="introspection", daemon=True).start()
 
-    def show(self, machine: smach.StateMachine, *, label: str) -> None:
+    def show(self, machine: smach.Container, *, label: str) -> None:
         """Show a machine under a label, unless it ends at once; returns at once."""
         self._request(_View(machine, label))
 

@@ -2,7 +2,7 @@
 
 import threading
 import time
-from typing import Optional, Sequence, Tuple
+from typing import Dict, Optional, Sequence, Tuple
 
 import rospy
 from actionlib_msgs.msg import GoalID
@@ -13,11 +13,16 @@ _CONNECT_TIMEOUT_S = 5.0
 
 
 class RunningGoals:
-    """Keeps the running goal in a file; an executor that was killed cancels it when it is restarted."""
+    """Keeps the running goals in a file; an executor that was killed cancels them when it is restarted.
+
+    Any thread may call.
+    """
 
     def __init__(self, parameter: str = "~running_goals") -> None:
         self._record = KeptValue(parameter)
         self._thread: Optional[threading.Thread] = None
+        self._lock = threading.Lock()
+        self._servers: Dict[str, str] = {}
 
     def start(self) -> None:
         """Cancel the goal of the previous run, in a thread of its own."""
@@ -34,11 +39,19 @@ class RunningGoals:
 
     def note(self, server: str, goal_id: str) -> None:
         """A goal was sent."""
-        self._record.save([{"server": server, "goal_id": goal_id}])
+        with self._lock:
+            self._servers[goal_id] = server
+            self._save()
 
-    def clear(self) -> None:
-        """No goal runs any more."""
-        self._record.save([])
+    def forget(self, goal_id: str) -> None:
+        """A goal has ended, or was given up."""
+        with self._lock:
+            if self._servers.pop(goal_id, None) is not None:
+                self._save()
+
+    def _save(self) -> None:
+        running = [{"server": server, "goal_id": goal_id} for goal_id, server in self._servers.items()]
+        self._record.save(running)
 
     def close(self, *, timeout_s: float) -> None:
         """End the thread, and remove an empty record."""

@@ -11,7 +11,12 @@ import time
 import actionlib
 import rospy
 from actionlib_msgs.msg import GoalStatus
-from roboframenet_msgs.msg import FilledSemanticFrameAction, FilledSemanticFrameFeedback, FilledSemanticFrameResult
+from roboframenet_msgs.msg import (
+    FilledSemanticFrameAction,
+    FilledSemanticFrameActionFeedback,
+    FilledSemanticFrameFeedback,
+    FilledSemanticFrameResult,
+)
 from std_msgs.msg import String
 
 
@@ -52,7 +57,8 @@ class MisbehavingServer:
                 handle.set_canceled(undone)
                 return
         handle.set_accepted()
-        handle.publish_feedback(FilledSemanticFrameFeedback(is_succeeding=True))
+        if frame.name != "watch":
+            handle.publish_feedback(FilledSemanticFrameFeedback(is_succeeding=True))
         if frame.name == "succeed" or frame.name == "accept_late":
             self._tell("ends", frame)
             handle.set_succeeded(done)
@@ -67,6 +73,9 @@ class MisbehavingServer:
                 pass
             self._tell("preempted", frame)
             handle.set_canceled(undone)
+        elif frame.name == "watch":
+            self._watch(handle, cancelled, elements)
+            self._tell("ends", frame)
         elif frame.name == "ignore_cancel":
             time.sleep(float(elements["seconds"]))
             self._tell("ends", frame)
@@ -91,6 +100,31 @@ class MisbehavingServer:
             # rospy sends from queues, which an exit drops: the acceptance is to arrive first.
             time.sleep(1.0)
             os._exit(1)
+
+    def _watch(self, handle, cancelled, elements):
+        """Says "not so" (or "so", if `before` is 1), and after some seconds does what `then` says."""
+        holds, begin_s = elements["before"] == "1", time.monotonic()
+        then, stamp, is_over = elements["then"], rospy.Time.now(), False
+        while not cancelled.wait(0.1):
+            seconds = time.monotonic() - begin_s
+            is_over = seconds >= float(elements["seconds"]) and seconds > 0.3
+            if is_over and then == "abort":
+                handle.set_aborted(FilledSemanticFrameResult(success=False), "aborted as asked for")
+                return
+            if is_over and then == "die":
+                os._exit(1)
+            if is_over and then == "silence":
+                continue
+            if then != "old" or not is_over:
+                stamp = rospy.Time.now()
+            # "toggle": the other way round after the time, and back again.
+            changes = {"so": 1, "toggle": 1 + (seconds >= 2.0 * float(elements["seconds"]))}.get(then, 0)
+            is_so = holds != bool(changes % 2) if is_over else holds
+            message = FilledSemanticFrameActionFeedback(status=handle.get_goal_status())
+            message.header.stamp = stamp
+            message.feedback.is_succeeding = is_so
+            self._server.feedback_pub.publish(message)
+        handle.set_canceled(FilledSemanticFrameResult(success=False))
 
 
 def main():

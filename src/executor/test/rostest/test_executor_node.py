@@ -307,6 +307,71 @@ class ExecutorNodeTest(unittest.TestCase):
                     ["one begins succeed"] * number + ["one begins run", "two begins succeed"], self.begun()
                 )
 
+    def test_repetition_waits_and_or_else(self):
+        nodes = [
+            join("all", 1, 3, 4),
+            PlanNode(kind=PlanNode.REPEAT, label="three times", children=[2], count=3, most=3),
+            clause("ping", [[frame("succeed", "one")]]),
+            PlanNode(kind=PlanNode.WAIT, label="wait", duration=rospy.Duration.from_sec(0.2)),
+            PlanNode(kind=PlanNode.FALLBACK, label="or else", children=[5, 6]),
+            clause("wave", [[frame("abort", "two")]]),
+            clause("bow", [[frame("succeed", "three")]]),
+        ]
+        self.assert_reply(
+            self.send_nodes(nodes), Reply.DONE, "DONE", "Done, after two aborted", 'I did "ping" 3 times.'
+        )
+        wait_until(lambda: len(self.begun()) == 5, message=lambda: self.log)
+        self.assertEqual(["one"] * 3 + ["two", "three"], [line.split()[0] for line in self.begun()])
+
+    def test_time_that_is_over_ends_a_clause(self):
+        nodes = [
+            PlanNode(kind=PlanNode.UNTIL, label="all", children=[1], duration=rospy.Duration.from_sec(0.5)),
+            clause("follow me", [[frame("run", "one")]]),
+        ]
+        self.assert_reply(self.send_nodes(nodes), Reply.DONE, "DONE", 'I ended "follow me" after 0.5 seconds.')
+        self.wait_for_log("one preempted run")
+
+    def test_limit_that_is_over_ends_a_clause(self):
+        nodes = [
+            join("all", 1, 2),
+            clause("follow me", [[frame("run", "one")]]),
+            clause("bow", [[frame("succeed", "two")]]),
+        ]
+        nodes[1].limit = rospy.Duration.from_sec(0.5)
+        self.assert_reply(
+            self.send_nodes(nodes),
+            Reply.FAILED,
+            "LIMIT_REACHED",
+            '"follow me" was not done within 0.5 seconds. I ended "follow me". I did not begin "bow".',
+        )
+        self.wait_for_log("one preempted run")
+        self.assertEqual(["one begins run"], self.begun())
+
+    def parallel(self, *behaviours, count=0):
+        servers = ("one", "two", "three")
+        leaves = [clause(behaviour, [[frame(behaviour, server)]]) for behaviour, server in zip(behaviours, servers)]
+        root = PlanNode(kind=PlanNode.PARALLEL, label="all", children=list(range(1, len(leaves) + 1)), count=count)
+        return self.send_nodes([root] + leaves)
+
+    def test_branches_run_at_the_same_time(self):
+        self.assert_reply(self.parallel("succeed", "run", "run", count=1), Reply.DONE, "DONE", "Done.")
+        for server in ("two", "three"):
+            if f"{server} begins run" in self.log:
+                self.wait_for_log(f"{server} preempted run")
+
+    def test_branch_that_fails_ends_the_others(self):
+        command = self.parallel("run", "abort")
+        self.assert_reply(command, Reply.FAILED, "ALL_CANDIDATES_FAILED", 'could not do "abort": two aborted')
+
+    def test_new_command_ends_all_branches(self):
+        first = self.parallel("run", "run", "run")
+        wait_until(lambda: len(self.begun()) == 3, message=lambda: self.log)
+        second = self.send([[frame("succeed", "one")]])
+        self.assert_reply(first, Reply.SUPERSEDED, "NEW_COMMAND")
+        self.assert_reply(second, Reply.DONE, "DONE")
+        for server in ("one", "two", "three"):
+            self.wait_for_log(f"{server} preempted run")
+
     def test_viewer_sees_the_words_of_the_clauses(self):
         seen = {}
         viewer = rospy.Subscriber(

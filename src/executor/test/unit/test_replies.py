@@ -2,10 +2,28 @@
 
 import pytest
 
+from arbitrator.node_runs import EndedBy, NodeEvent
+from arbitrator.plan import (
+    Candidate,
+    Condition,
+    Do,
+    Fallback,
+    If,
+    InParallel,
+    InSequence,
+    Limit,
+    Repeat,
+    Until,
+    Wait,
+    While,
+    walk,
+)
 from executor import goal_tracking as tracking
 from executor.command_queue import Cause
 from executor.goal_tracking import GoalDeadlines, GoalStatusCode
-from executor.replies import ClauseRun, ReplyOutcome, ending_of_malformed, ending_of_run, ending_of_unstarted
+from executor.replies import ReplyOutcome, ending_of_malformed, ending_of_run, ending_of_unstarted
+from executor.run_record import NodeRecord, RunRecord
+from typed_arguments import FilledFrame
 
 
 def goal(status, success=None, text="", is_asked=False, server="turn"):
@@ -24,6 +42,16 @@ ORPHAN = tracking.tick(
 ).goal
 
 
+def do(label):
+    return Do(label, (Candidate((FilledFrame(name="turning", server="turn"),)),))
+
+
+def clause(label, outcome, goals=()):
+    """A clause, and what became of it."""
+    record = NodeRecord(begun=bool(outcome), done=outcome == "succeeded", outcome=outcome, goals=tuple(goals))
+    return do(label), record
+
+
 @pytest.mark.parametrize(
     "outcome,goals,cause,error,expected,code,part",
     [
@@ -40,15 +68,16 @@ ORPHAN = tracking.tick(
     ],
 )
 def test_end_of_a_run(outcome, goals, cause, error, expected, code, part):
-    ending = ending_of_run(outcome, [ClauseRun("turn left", outcome, tuple(goals))], cause=cause, error=error)
+    plan, record = clause("turn left", outcome, goals)
+    ending = ending_of_run(outcome, plan, [record], cause=cause, error=error)
     assert (ending.outcome, ending.code) == (expected, code)
     assert part in ending.sentence
 
 
-PINGED = ClauseRun("Ping", "succeeded", (DONE,))
-LATE = ClauseRun("turn left", "succeeded", (ABORTED, DONE))
-FAILED = ClauseRun("wave at Alice", "aborted", (ABORTED, goal(GoalStatusCode.REJECTED, text="no arm", server="wave")))
-NOT_BEGUN = ClauseRun("go home", "")
+PINGED = clause("Ping", "succeeded", (DONE,))
+LATE = clause("turn left", "succeeded", (ABORTED, DONE))
+FAILED = clause("wave at Alice", "aborted", (ABORTED, goal(GoalStatusCode.REJECTED, text="no arm", server="wave")))
+NOT_BEGUN = clause("go home", "")
 
 
 @pytest.mark.parametrize(
@@ -92,7 +121,7 @@ NOT_BEGUN = ClauseRun("go home", "")
         ),
         (
             "preempted",
-            [PINGED, ClauseRun("turn left", "preempted", (PREEMPTED,))],
+            [PINGED, clause("turn left", "preempted", (PREEMPTED,))],
             Cause.NEW_COMMAND,
             "",
             "NEW_COMMAND",
@@ -100,7 +129,7 @@ NOT_BEGUN = ClauseRun("go home", "")
         ),
         (
             "preempted",
-            [ClauseRun("turn left", "preempted", (PREEMPTED,)), NOT_BEGUN],
+            [clause("turn left", "preempted", (PREEMPTED,)), NOT_BEGUN],
             Cause.STOPPED,
             "",
             "STOPPED",
@@ -108,7 +137,7 @@ NOT_BEGUN = ClauseRun("go home", "")
         ),
         (
             "preempted",
-            [PINGED, ClauseRun("turn left", "preempted", (TAKEN,))],
+            [PINGED, clause("turn left", "preempted", (TAKEN,))],
             None,
             "",
             "STOPPED",
@@ -125,8 +154,131 @@ NOT_BEGUN = ClauseRun("go home", "")
     ],
 )
 def test_what_was_done_of_several_clauses_is_said(outcome, clauses, cause, error, code, sentence):
-    ending = ending_of_run(outcome, clauses, cause=cause, error=error)
+    plan = InSequence("all", tuple(part for part, _ in clauses))
+    records = [NodeRecord(1, 0, outcome), *[record for _, record in clauses]]
+    ending = ending_of_run(outcome, plan, records, cause=cause, error=error)
     assert (ending.code, ending.sentence) == (code, sentence)
+
+
+WALL = Condition("you see a wall", do("x").candidates)
+NOT_OPEN = Condition("the door is open", do("x").candidates, is_negated=True)
+DRIVE, GREET, HIDE = do("drive"), do("greet her"), do("hide")
+
+
+def told(plan, *events, outcome="succeeded", goals=None, cause=None):
+    """What the person is told after these events: (number, outcome, what ended it, fault)."""
+    record = RunRecord(plan)
+    for number, how, *rest in events:
+        record.hear(NodeEvent(number))
+        if how:
+            record.hear(NodeEvent(number, how, *rest))
+    for number, ended in (goals or {}).items():
+        record.hear_goal(number, ended)
+    ending = ending_of_run(outcome, plan, record.records(), cause=cause, error="")
+    return ending.code, ending.sentence
+
+
+OK, BAD, CUT = "succeeded", "aborted", "preempted"
+UNTIL = Until("drive until you see a wall", DRIVE, WALL)
+FAULT = "/scan is silent"
+
+
+@pytest.mark.parametrize(
+    "plan,events,sentence",
+    [
+        (UNTIL, [(0, OK, EndedBy.CONDITION), (2, CUT)], 'Done. I ended "drive", because "you see a wall" held.'),
+        (UNTIL, [(0, OK, EndedBy.CONDITION)], 'Done. I did not begin "drive", because "you see a wall" held.'),
+        (UNTIL, [(0, OK), (2, OK)], 'Done. "drive" was over before "you see a wall" held.'),
+        (Until("x", DRIVE, None, 600.0), [(0, OK, EndedBy.TIME), (1, CUT)], 'Done. I ended "drive" after 10 minutes.'),
+        (Until("x", DRIVE, None, 1.0), [(0, OK, EndedBy.TIME), (1, CUT)], 'Done. I ended "drive" after 1 second.'),
+        (Until("x", DRIVE, None, 1.5), [(0, OK), (1, OK)], "Done."),
+        (
+            While("x", NOT_OPEN, DRIVE),
+            [(0, OK, EndedBy.CONDITION), (2, CUT)],
+            'Done. I ended "drive", because "the door is open" held.',
+        ),
+        (
+            If("x", WALL, DRIVE),
+            [(0, OK, EndedBy.CONDITION)],
+            'Done. I did not do "drive", because "you see a wall" did not hold.',
+        ),
+        (
+            If("x", NOT_OPEN, DRIVE),
+            [(0, OK, EndedBy.CONDITION)],
+            'Done. I did not do "drive", because "the door is open" held.',
+        ),
+        (
+            If("x", WALL, DRIVE, HIDE),
+            [(0, OK), (3, OK)],
+            'Done. I did "hide", and not "drive", because "you see a wall" did not hold.',
+        ),
+        (If("x", WALL, DRIVE, HIDE), [(0, OK), (2, OK)], "Done."),
+        (Repeat("x", DRIVE, 3, 3), [(0, OK), (1, OK), (1, OK), (1, OK)], 'Done. I did "drive" 3 times.'),
+        (Fallback("x", (DRIVE, HIDE)), [(0, OK), (1, BAD), (2, OK)], "Done."),
+    ],
+)
+def test_what_was_done_otherwise_than_said_is_told(plan, events, sentence):
+    assert told(plan, *events) == ("DONE", sentence)
+
+
+WAITING = InSequence("all", (Wait("when you see a wall", WALL, limit=Limit(30.0)), GREET))
+
+
+@pytest.mark.parametrize(
+    "plan,events,code,sentence",
+    [
+        (
+            UNTIL,
+            [(0, BAD, EndedBy.FAULT, FAULT), (2, CUT)],
+            "CONDITION_UNKNOWN",
+            'I cannot tell whether "you see a wall": /scan is silent. I ended "drive".',
+        ),
+        (
+            InSequence("all", (HIDE, UNTIL, GREET)),
+            [(0, BAD), (1, OK), (2, BAD, EndedBy.FAULT, FAULT), (4, CUT)],
+            "CONDITION_UNKNOWN",
+            (
+                'I cannot tell whether "you see a wall": /scan is silent. I ended "drive". Before that, I did "hide". '
+                'I did not begin "greet her".'
+            ),
+        ),
+        (
+            WAITING,
+            [(0, BAD), (1, BAD, EndedBy.LIMIT)],
+            "LIMIT_REACHED",
+            'I waited, but within 30 seconds "you see a wall" did not hold. I did not begin "greet her".',
+        ),
+        (
+            InParallel("drive and hide", (DRIVE, HIDE), limit=Limit(120.0)),
+            [(0, BAD, EndedBy.LIMIT), (1, OK), (2, CUT)],
+            "LIMIT_REACHED",
+            '"drive and hide" was not done within 2 minutes. I ended "hide". Before that, I did "drive".',
+        ),
+    ],
+)
+def test_what_failed_besides_a_clause_is_told(plan, events, code, sentence):
+    assert told(plan, *events, outcome="aborted") == (code, sentence)
+
+
+def test_clause_that_fails_in_its_second_round():
+    plan = InSequence("all", (Repeat("x", DRIVE, 3, 3), GREET))
+    events = [(0, BAD), (1, BAD), (2, OK), (2, BAD)]
+    assert told(plan, *events, outcome="aborted", goals={2: ABORTED}) == (
+        "ALL_CANDIDATES_FAILED",
+        'I did "drive", but I could not do "drive": walk aborted: no odometry. I did not begin "greet her".',
+    )
+
+
+def test_rounds_before_a_stop_are_told():
+    plan = Repeat("x", DRIVE, 0, 0)
+    assert told(plan, (0, CUT), (1, OK), (1, OK), (1, CUT), outcome="preempted", cause=Cause.STOPPED) == (
+        "STOPPED",
+        'Stopped. Before that, I did "drive" 2 times.',
+    )
+
+
+def test_each_node_has_a_record():
+    assert len(RunRecord(WAITING).records()) == len(list(walk(WAITING)))
 
 
 @pytest.mark.parametrize("cause", list(Cause))

@@ -22,6 +22,17 @@ class SentGoal:
         self.goal_id = goal_id
 
 
+class _StampingClient(actionlib.ActionClient):
+    """Keeps the stamp of the last feedback, which actionlib does not pass on."""
+
+    feedback_stamp = rospy.Time()
+
+    def _feedback_cb(self, msg: Any) -> None:
+        # rospy calls this from one thread for each topic, and actionlib calls the callbacks of goals from here.
+        self.feedback_stamp = msg.header.stamp
+        super()._feedback_cb(msg)
+
+
 class ActionConnection:
     """The client of one action server. Callbacks run in threads of rospy and must only enqueue."""
 
@@ -39,8 +50,9 @@ class ActionConnection:
             # rospy only warns of such a name, and then waits for a topic that cannot exist.
             raise ValueError("it is not a legal name")
         self.server = server
-        self._client = actionlib.ActionClient(server, action_type)
+        self._client = _StampingClient(server, action_type)
         self._listeners: List[Callable[[], None]] = []
+        self._sending = threading.Lock()
         self._status = rospy.Subscriber(
             rospy.remap_name(server) + "/status", GoalStatusArray, self._tell_listeners, queue_size=10
         )
@@ -49,6 +61,11 @@ class ActionConnection:
         """Disconnect."""
         self._status.unregister()
         self._client.stop()
+
+    @property
+    def feedback_stamp(self) -> rospy.Time:
+        """Stamp of the feedback; to be asked in the callback that gets the feedback."""
+        return self._client.feedback_stamp
 
     def is_ready(self) -> bool:
         """Whether the server has published its status and is connected both ways; returns at once."""
@@ -92,11 +109,13 @@ class ActionConnection:
 
     def listen(self, on_sign: Callable[[], None]) -> None:
         """Call `on_sign` for each status message from now on."""
-        self._listeners = self._listeners + [on_sign]
+        with self._sending:
+            self._listeners = self._listeners + [on_sign]
 
     def unlisten(self, on_sign: Callable[[], None]) -> None:
         """End `listen`."""
-        self._listeners = [listener for listener in self._listeners if listener is not on_sign]
+        with self._sending:
+            self._listeners = [listener for listener in self._listeners if listener is not on_sign]
 
     def _tell_listeners(self, _: GoalStatusArray) -> None:
         for listener in self._listeners:
@@ -123,10 +142,11 @@ class ActionConnection:
             on_feedback: called with each feedback
         """
         # actionlib makes the message around the goal anew for each goal, and this function publishes it.
-        self._client.manager.register_send_goal_fn(lambda message: self._publish(message, header_text))
-        handle = self._client.send_goal(
-            goal, transition_cb=on_transition, feedback_cb=lambda _handle, feedback: on_feedback(feedback)
-        )
+        with self._sending:
+            self._client.manager.register_send_goal_fn(lambda message: self._publish(message, header_text))
+            handle = self._client.send_goal(
+                goal, transition_cb=on_transition, feedback_cb=lambda _handle, feedback: on_feedback(feedback)
+            )
         return SentGoal(handle, handle.comm_state_machine.action_goal.goal_id.id)
 
     def _publish(self, message: Any, header_text: str) -> None:

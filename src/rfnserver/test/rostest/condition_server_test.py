@@ -1,0 +1,101 @@
+#!/usr/bin/python3
+"""A server that watches: what its feedback says, with which stamps, and when it gives up."""
+
+import unittest
+
+import actionlib
+import rospy
+import rostest
+from actionlib_msgs.msg import GoalStatus
+from roboframenet_msgs.msg import (
+    FilledFrameElement,
+    FilledSemanticFrame,
+    FilledSemanticFrameAction,
+    FilledSemanticFrameActionFeedback,
+    FilledSemanticFrameGoal,
+)
+
+from rfnserver import ConditionServer, ConditionUnknown, Observed
+from roboframenet_testing import wait_until
+
+
+class ConditionServerTest(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        rospy.init_node("condition_server_test")
+        cls.open_doors, cls.is_silent, cls.stamp = set(), False, rospy.Time(5)
+
+        def is_open(frame):
+            if cls.is_silent:
+                raise ConditionUnknown("/doors is silent")
+            if frame["theme"].text == "the attic":
+                return Observed(True, cls.stamp)
+            return frame["theme"].text in cls.open_doors
+
+        cls.server = ConditionServer("door_watch", is_open, longest_silence_s=2.0)
+        cls.server.start()
+        cls.client = actionlib.ActionClient("door_watch", FilledSemanticFrameAction)
+        cls.feedback = []
+        subscriber = rospy.Subscriber("door_watch/feedback", FilledSemanticFrameActionFeedback, cls.feedback.append)
+        assert cls.client.wait_for_server(rospy.Duration(10.0))
+        wait_until(lambda: subscriber.get_num_connections() == 1)
+
+    def setUp(self):
+        type(self).is_silent = False
+        self.open_doors.clear()
+        del self.feedback[:]
+
+    def watch(self, theme):
+        frame = FilledSemanticFrame(name="being_open", frame_elements=[FilledFrameElement("theme", theme)])
+        return self.client.send_goal(FilledSemanticFrameGoal(frame=frame))
+
+    def said(self, handle):
+        """What was said about a goal, without repetitions."""
+        goal_id = handle.comm_state_machine.action_goal.goal_id.id
+        said = [one.feedback.is_succeeding for one in list(self.feedback) if one.status.goal_id.id == goal_id]
+        return [one for place, one in enumerate(said) if place == 0 or said[place - 1] != one]
+
+    def end(self, *handles):
+        for handle in handles:
+            handle.cancel()
+        wait_until(lambda: all(handle.get_goal_status() == GoalStatus.PREEMPTED for handle in handles))
+
+    def test_says_so_at_once_and_at_each_change(self):
+        kitchen, hall = self.watch("the kitchen"), self.watch("the hall")
+        wait_until(lambda: self.said(kitchen) == [False] and self.said(hall) == [False])
+        self.open_doors.add("the hall")
+        wait_until(lambda: self.said(hall) == [False, True])
+        self.open_doors.clear()
+        wait_until(lambda: self.said(hall) == [False, True, False])
+        self.assertEqual([False], self.said(kitchen))
+        self.end(kitchen, hall)
+
+    def test_repeats_itself_while_nothing_changes(self):
+        handle = self.watch("the kitchen")
+        wait_until(lambda: len(self.feedback) >= 3)
+        self.assertEqual([False], self.said(handle))
+        self.end(handle)
+
+    def test_keeps_the_stamp_of_the_source(self):
+        handle = self.watch("the attic")
+        wait_until(lambda: bool(self.feedback))
+        self.assertEqual(self.stamp, self.feedback[0].header.stamp)
+        self.end(handle)
+
+    def test_gives_up_when_nobody_can_tell(self):
+        handle = self.watch("the kitchen")
+        wait_until(lambda: self.said(handle) == [False])
+        type(self).is_silent = True
+        wait_until(lambda: handle.get_goal_status() == GoalStatus.ABORTED)
+        self.assertEqual("/doors is silent", handle.get_goal_status_text())
+
+    def test_watches_again_after_a_pause(self):
+        self.end(self.watch("the kitchen"))
+        wait_until(lambda: not self.server._is_asking)
+        handle = self.watch("the kitchen")
+        wait_until(lambda: self.said(handle) == [False])
+        self.end(handle)
+
+
+if __name__ == "__main__":
+    rostest.rosrun("rfnserver", "condition_server", ConditionServerTest)

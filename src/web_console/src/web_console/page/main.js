@@ -1,0 +1,131 @@
+// The connection, and what belongs where.
+
+import { drawMind } from "./mind.js";
+import { Ground } from "./ground.js";
+import { drawAbilities, drawHealth, drawProblems } from "./side.js";
+import { Talk } from "./talk.js";
+
+const MOST_COMMANDS = 50;
+const KEEP_STOP_MS = 10000;
+const byId = (id) => document.getElementById(id);
+
+const commands = new Map();
+let selected = "";
+let socket = null;
+let wait = 200;
+let pendingStop = 0;
+let status = { sentence: "", active: [] };
+let stop = { number: 0, state: "", sentence: "" };
+
+const ground = new Ground(byId("ground"), byId("ground-text"), byId("ground-card"));
+const talk = new Talk({ say: (text) => ask({ verb: "say", text }), select: choose });
+
+function ask(request) {
+  if (socket && socket.readyState === WebSocket.OPEN) {
+    socket.send(JSON.stringify(request));
+    return true;
+  }
+  return false;
+}
+
+function choose(id) {
+  selected = id;
+  redraw();
+}
+
+function redraw() {
+  const ordered = [...commands.values()].sort((one, other) => one.stamp_s - other.stamp_s);
+  for (const old of ordered.splice(0, Math.max(0, ordered.length - MOST_COMMANDS))) commands.delete(old.id);
+  talk.draw(ordered, selected);
+  drawMind(byId("mind"), commands.get(selected), (id) => ask({ verb: "cancel", id }));
+}
+
+let frame = 0;
+function redrawSoon() {
+  // A hidden page draws nothing until it is seen again.
+  if (!frame) frame = requestAnimationFrame(() => { frame = 0; redraw(); });
+}
+
+function showState() {
+  const element = byId("state");
+  const isOpen = socket && socket.readyState === WebSocket.OPEN;
+  element.dataset.state = !isOpen ? "lost" : status.active.length ? "busy" : "ready";
+  byId("state-text").textContent = !isOpen ? "No connection" : status.active.length ? status.sentence || "Working ..." : "Ready";
+  byId("send").disabled = !isOpen;
+}
+
+function say(text, kind) {
+  const banner = byId("banner");
+  banner.textContent = text;
+  banner.dataset.kind = kind;
+  banner.hidden = !text;
+}
+
+function showStop(view) {
+  const isNew = view.number !== stop.number || view.state !== stop.state || view.sentence !== stop.sentence;
+  stop = view;
+  if (isNew && view.number) say(view.sentence, view.state === "stopped" ? "good" : view.state === "sent" ? "plain" : "bad");
+}
+
+const views = {
+  command(view) {
+    const isNew = !commands.has(view.id);
+    commands.set(view.id, view);
+    const newest = [...commands.values()].reduce((one, other) => (other.stamp_s >= one.stamp_s ? other : one));
+    if (!selected || (isNew && newest.id === view.id)) selected = view.id;
+    redrawSoon();
+  },
+  status(view) { status = view; showState(); },
+  abilities(view) { drawAbilities(view, (text) => talk.offer(text)); talk.know(view); },
+  problems: drawProblems,
+  health: drawHealth,
+  pose: (view) => ground.move(view),
+  ground: (view) => ground.surround(view),
+  stop: showStop,
+  notice: (view) => say(view.text, "bad"),
+  unheard(view) { if (view) say(`Nobody heard "${view}": command_server is not there. Is the pipeline up?`, "bad"); },
+};
+
+function connect() {
+  const address = new URL("live", location.href);
+  address.protocol = address.protocol === "https:" ? "wss:" : "ws:";
+  address.search = address.hash = "";
+  socket = new WebSocket(address);
+  socket.addEventListener("open", () => {
+    wait = 200;
+    // What was open when the connection was lost is told anew, or has been lost with the server.
+    for (const [id, view] of commands) if (!view.reply) commands.delete(id);
+    say("", "plain");
+    if (pendingStop && Date.now() - pendingStop < KEEP_STOP_MS) ask({ verb: "stop" });
+    pendingStop = 0;
+    showState();
+  });
+  socket.addEventListener("message", (event) => {
+    const message = JSON.parse(event.data);
+    if (Object.hasOwn(views, message.view)) views[message.view](message.value);
+  });
+  socket.addEventListener("close", () => {
+    showState();
+    say("No connection to the robot. Trying again ... Until then this page cannot stop it.", "bad");
+    setTimeout(connect, wait);
+    wait = Math.min(2000, wait * 1.6);
+  });
+}
+
+function stopRobot() {
+  if (ask({ verb: "stop" })) return;
+  pendingStop = Date.now();
+  say("Not sent: there is no connection. Use the emergency stop of the robot.", "bad");
+}
+
+byId("stop").addEventListener("click", stopRobot);
+document.addEventListener("keydown", (event) => {
+  if (event.key === "Escape") stopRobot();
+  else if (event.key === "/" && !/^(INPUT|TEXTAREA)$/.test(document.activeElement.tagName)) {
+    event.preventDefault();
+    byId("text").focus();
+  }
+});
+redraw();
+connect();
+showState();

@@ -1,0 +1,139 @@
+"""Hears where the robot is and what lies around it."""
+
+from typing import Any, Callable, Dict, List, Optional, Sequence, Tuple
+
+import rospy
+from geometry_msgs.msg import PoseStamped, PoseWithCovarianceStamped
+from nav_msgs.msg import OccupancyGrid, Odometry, Path
+from roboframenet_msgs.msg import Locations
+
+from web_console.board import Board
+from web_console.ground import Localization, thinned
+from web_console.ros_values import map_of, pose_value
+from web_console.views import GroundView, LandmarkView, MapView
+
+_MOST_LANDMARKS = 300
+
+
+class GroundTap:
+    """Subscribers of poses, maps, paths and places; each is shown when its topic is there.
+
+    Subscribes: ``odom`` (while a page is open), ``amcl_pose``, ``map``, ``locations``, ``person/pose``,
+    ``move_base/current_goal``, and the topics of paths.
+    """
+
+    def __init__(
+        self,
+        board: Board,
+        *,
+        path_topics: Sequence[str],
+        call_soon: Callable[..., None],
+        on_change: Callable[[], None],
+        on_picture: Callable[[str, bytes], None],
+        on_names: Callable[[Tuple[str, ...]], None],
+    ) -> None:
+        """Prepare; `start` subscribes.
+
+        Args:
+            board: receives the views
+            path_topics: of nav_msgs/Path
+            call_soon: calls a function in the thread of the event loop, from any thread
+            on_change: called in that thread after each change of the board
+            on_picture: called with the name and the data of the picture of the map
+            on_names: called with the names of the places
+        """
+        self._board = board
+        self._path_topics = path_topics
+        self._call_soon = call_soon
+        self._on_change = on_change
+        self._on_picture = on_picture
+        self._on_names = on_names
+        self._localization = Localization()
+        self._last_odometry: Optional[rospy.AnyMsg] = None
+        self._ground = GroundView()
+        self._maps = 0
+        self._places: Tuple[LandmarkView, ...] = ()
+        self._others: Dict[str, LandmarkView] = {}
+        self._subscribers: List[rospy.Subscriber] = []
+        self._odometry: Optional[rospy.Subscriber] = None
+
+    def start(self) -> None:
+        """Subscribe to all that is seldom published."""
+        self._hear("amcl_pose", PoseWithCovarianceStamped, self._on_pose)
+        self._hear("map", OccupancyGrid, self._on_map)
+        self._hear("locations", Locations, self._on_locations)
+        self._hear("person/pose", PoseStamped, lambda message: self._on_other("person", message))
+        self._hear("move_base/current_goal", PoseStamped, lambda message: self._on_other("goal", message))
+        for topic in self._path_topics:
+            self._hear(topic, Path, self._on_path)
+
+    def _hear(self, topic: str, kind: Any, callback: Callable[[Any], None]) -> None:
+        self._subscribers.append(
+            rospy.Subscriber(
+                topic, kind, lambda message: self._call_soon(self._handle, callback, message), queue_size=1
+            )
+        )
+
+    def _handle(self, callback: Callable[[Any], None], message: Any) -> None:
+        try:
+            callback(message)
+        except Exception as error:  # boundary: a message that cannot be shown must not hide those after it
+            rospy.logwarn("a %s cannot be shown: %s: %s", type(message).__name__, type(error).__name__, error)
+
+    def watch(self, is_watched: bool) -> None:
+        """Follow the odometry, or leave it alone while nobody looks: it is frequent. May wait for the master."""
+        if is_watched and self._odometry is None:
+            # Most messages are never read.
+            self._odometry = rospy.Subscriber("odom", rospy.AnyMsg, self._on_odometry, queue_size=1)
+        elif not is_watched and self._odometry is not None:
+            self._odometry.unregister()
+            self._odometry = None
+
+    def _on_odometry(self, message: rospy.AnyMsg) -> None:
+        self._last_odometry = message
+
+    def look(self) -> None:
+        """Show where the robot is now."""
+        message, self._last_odometry = self._last_odometry, None
+        if message is not None:
+            odometry = Odometry().deserialize(message._buff)
+            self._localization.moved(pose_value(odometry.pose.pose), odometry.header.frame_id or "odom")
+        news = self._localization.news()
+        if news is not None:
+            self._board.show("pose", news)
+            self._on_change()
+
+    def _on_pose(self, message: PoseWithCovarianceStamped) -> None:
+        self._localization.localized(pose_value(message.pose.pose), message.header.frame_id or "map")
+
+    def _on_map(self, message: OccupancyGrid) -> None:
+        self._maps += 1
+        name = f"map-{self._maps}.png"
+        view, picture = map_of(message, name)
+        self._on_picture(name, picture)
+        self._show(map_view=view)
+
+    def _on_path(self, message: Path) -> None:
+        points = thinned([(pose.pose.position.x, pose.pose.position.y) for pose in message.poses])
+        self._ground = GroundView(self._ground.map, points, self._ground.landmarks)
+        self._show()
+
+    def _on_locations(self, message: Locations) -> None:
+        self._places = tuple(
+            LandmarkView(name, "place", round(pose.pose.position.x, 3), round(pose.pose.position.y, 3))
+            for name, pose in zip(message.names, message.poses)
+        )[:_MOST_LANDMARKS]
+        self._on_names(tuple(message.names))
+        self._show()
+
+    def _on_other(self, kind: str, message: PoseStamped) -> None:
+        position = message.pose.position
+        self._others[kind] = LandmarkView(kind, kind, round(position.x, 2), round(position.y, 2))
+        self._show()
+
+    def _show(self, *, map_view: Optional[MapView] = None) -> None:
+        self._ground = GroundView(
+            map_view or self._ground.map, self._ground.path, (*self._places, *self._others.values())
+        )
+        if self._board.show("ground", self._ground):
+            self._on_change()

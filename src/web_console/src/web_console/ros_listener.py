@@ -1,0 +1,163 @@
+"""Hears the pipeline, and keeps the views of its commands."""
+
+from typing import Any, Callable, Iterable, List, Tuple
+
+import rospy
+from roboframenet_msgs.msg import (
+    Command,
+    CommandLexicalUnits,
+    CommandParse,
+    CommandSemanticFrames,
+    CommandStatus,
+    FileProblems,
+    Procedure,
+    Reply,
+    StageEvent,
+    StopReport,
+)
+from smach_msgs.msg import SmachContainerStatus
+
+from web_console.board import Board
+from web_console.history import History
+from web_console.ros_values import (
+    clause_views,
+    parsed_words,
+    plan_view,
+    problem_view,
+    reply_view,
+    seconds,
+    sequences_of,
+    stage_view,
+)
+from web_console.views import ProblemsView, ProblemView, StatusView
+
+
+class Listener:
+    """Subscribers of everything that is said about commands.
+
+    Subscribes: ``status``, ``stage_events``, ``command_parse``, ``command_lexical_units``,
+    ``command_semantic_frames``, ``procedure``, ``reply``, ``stop_report``, ``file_problems``,
+    ``executor/smach/container_status``. Not ``command_text`` and ``command_plan``: their publishers wait for the first
+    subscriber, which has to be the next stage.
+    """
+
+    def __init__(
+        self,
+        board: Board,
+        history: History,
+        *,
+        call_soon: Callable[..., None],
+        on_change: Callable[[], None],
+        on_stop_report: Callable[[StopReport], None],
+    ) -> None:
+        """Prepare; `start` subscribes.
+
+        Args:
+            board: receives the views
+            history: of the commands
+            call_soon: calls a function in the thread of the event loop, from any thread
+            on_change: called in that thread after each change of the board
+            on_stop_report: called in that thread
+        """
+        self._board = board
+        self._history = history
+        self._call_soon = call_soon
+        self._on_change = on_change
+        self._on_stop_report = on_stop_report
+        self._problems: dict[str, Tuple[ProblemView, ...]] = {}
+        self._subscribers: List[rospy.Subscriber] = []
+
+    def start(self) -> None:
+        """Subscribe."""
+        self._hear("stage_events", StageEvent, self._on_event)
+        self._hear("command_parse", CommandParse, self._on_parse)
+        self._hear("command_lexical_units", CommandLexicalUnits, self._on_units)
+        self._hear("command_semantic_frames", CommandSemanticFrames, self._on_plan)
+        self._hear("procedure", Procedure, self._on_procedure)
+        self._hear("reply", Reply, self._on_reply)
+        self._hear("status", CommandStatus, self._on_status)
+        self._hear("stop_report", StopReport, self._on_stop)
+        self._hear("executor/smach/container_status", SmachContainerStatus, self._on_container)
+        # Two nodes publish it, each its own problems.
+        self._subscribers.append(
+            rospy.Subscriber(
+                "file_problems",
+                FileProblems,
+                lambda message: self._call_soon(self._handle, self._on_problems, message),
+            )
+        )
+
+    def _hear(self, topic: str, kind: Any, callback: Callable[[Any], None]) -> None:
+        self._subscribers.append(
+            rospy.Subscriber(
+                topic, kind, lambda message: self._call_soon(self._handle, callback, message), queue_size=200
+            )
+        )
+
+    def _handle(self, callback: Callable[[Any], None], message: Any) -> None:
+        try:
+            callback(message)
+        except Exception as error:  # boundary: a message that cannot be shown must not hide those after it
+            rospy.logwarn("a %s cannot be shown: %s: %s", type(message).__name__, type(error).__name__, error)
+
+    def show(self, command_ids: Iterable[str]) -> None:
+        """Show commands that have changed."""
+        for command_id in command_ids:
+            self._board.show("command", self._history.view(command_id), which=command_id)
+        self._on_change()
+
+    def _heard(self, command: Command) -> str:
+        self._history.heard(command.id, command.text, seconds(command.stamp))
+        return str(command.id)
+
+    def _on_event(self, event: StageEvent) -> None:
+        command_id = self._heard(event.command)
+        self._history.reported(command_id, stage_view(event))
+        self.show([command_id])
+
+    def _on_parse(self, message: CommandParse) -> None:
+        command_id = self._heard(message.command)
+        self._history.parsed(command_id, parsed_words(message))
+        self.show([command_id])
+
+    def _on_units(self, message: CommandLexicalUnits) -> None:
+        command_id = self._heard(message.command)
+        self._history.understood(command_id, clause_views(message))
+        self.show([command_id])
+
+    def _on_plan(self, message: CommandSemanticFrames) -> None:
+        command_id = self._heard(message.command)
+        self._history.planned(command_id, plan_view(message.plan))
+        self.show([command_id])
+
+    def _on_procedure(self, message: Procedure) -> None:
+        arbitrated = self._history.arbitrated(sequences_of(message))
+        if arbitrated:
+            self.show([arbitrated])
+
+    def _on_container(self, status: SmachContainerStatus) -> None:
+        moved = self._history.moved(status.path, tuple(status.active_states), status.info)
+        if moved:
+            self.show([moved])
+
+    def _on_reply(self, reply: Reply) -> None:
+        self._heard(reply.command)
+        self.show(self._history.replied(reply.command.id, reply_view(reply)))
+
+    def _on_status(self, status: CommandStatus) -> None:
+        for command in status.active:
+            if not self._history.knows(command.id):
+                self.show((*self._history.close_questions(), self._heard(command)))
+        view = StatusView(status.sentence, tuple(command.id for command in status.active))
+        if self._board.show("status", view):
+            self._on_change()
+
+    def _on_stop(self, report: StopReport) -> None:
+        self._on_stop_report(report)
+
+    def _on_problems(self, message: FileProblems) -> None:
+        publisher = (message._connection_header or {}).get("callerid", "")
+        self._problems[publisher] = tuple(map(problem_view, message.problems))
+        everyone = [problem for problems in self._problems.values() for problem in problems]
+        if self._board.show("problems", ProblemsView(tuple(dict.fromkeys(everyone)))):
+            self._on_change()

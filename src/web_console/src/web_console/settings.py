@@ -1,0 +1,32 @@
+"""Parameters of the node."""
+
+from dataclasses import dataclass
+from typing import Tuple
+
+from roboframenet_ros.parameters import Parameters, parameter
+
+
+@dataclass(frozen=True)
+class Settings(Parameters):
+    """Private parameters, checked.
+
+    Attributes:
+        address: where the page is offered
+        port: its port; when it is taken, one of the next nine
+        token_file: file with a secret that a browser must know; empty for none
+        host_names: names by which other machines call this one
+        max_text_length: longest sentence, characters
+        path_topics: topics of nav_msgs/Path that are drawn
+
+    Raises:
+        ParameterError: a value out of its range
+    """
+
+    address: str = parameter("127.0.0.1", may_be_empty=False)
+    port: int = parameter(8080, least=0, most=65535)
+    token_file: str = parameter("")
+    host_names: Tuple[str, ...] = parameter((), may_be_single=True)
+    max_text_length: int = parameter(1000, least=1, most=4000)
+    path_topics: Tuple[str, ...] = parameter(
+        ("move_base/plan", "move_base/NavfnROS/plan", "move_base/GlobalPlanner/plan"), may_be_single=True
+    )

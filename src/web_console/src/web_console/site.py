@@ -1,0 +1,325 @@
+"""The web server: one page, its pictures and its websocket. Everything runs in the thread of the event loop."""
+
+import asyncio
+import hashlib
+import hmac
+import json
+import time
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Callable, Dict, Optional, Sequence, Set, Tuple, Union
+
+from tornado.httpserver import HTTPServer
+from tornado.web import Application, RequestHandler
+from tornado.websocket import WebSocketClosedError, WebSocketHandler
+
+from web_console.access import host_pattern, is_token
+from web_console.outbox import Outbox
+from web_console.rate_limit import Rate, RateLimit
+from web_console.requests import LONGEST_MESSAGE, BadRequest, Request, Stop, read_request
+
+#: Nothing from elsewhere, no script or style in the text, in no frame of another page.
+HEADERS = {
+    "Content-Security-Policy": (
+        "default-src 'self'; base-uri 'none'; form-action 'none'; frame-ancestors 'none'; object-src 'none'"
+    ),
+    "X-Content-Type-Options": "nosniff",
+    "X-Frame-Options": "DENY",
+    "Referrer-Policy": "no-referrer",
+    "Cross-Origin-Opener-Policy": "same-origin",
+    "Cross-Origin-Resource-Policy": "same-origin",
+    "Cache-Control": "no-cache",
+}
+FOLDER = Path(__file__).resolve().parent / "page"
+_TYPES = {
+    ".html": "text/html; charset=utf-8",
+    ".css": "text/css; charset=utf-8",
+    ".js": "text/javascript; charset=utf-8",
+    ".svg": "image/svg+xml",
+}
+_COOKIE = "web_console"
+_PING_S = 20.0
+#: Sentences, answers and cancels of one page, and of all.
+PAGE_RATE = Rate(per_s=2.0, burst=8.0)
+ALL_RATE = Rate(per_s=5.0, burst=20.0)
+#: Stops come more often, but a flood of them must not keep the node from anything else.
+STOP_RATE = Rate(per_s=10.0, burst=20.0)
+#: A page that sends this many bad or too many messages is closed.
+_TOKEN_RATE = Rate(per_s=0.5, burst=5.0)
+_MOST_FAULTS = 50
+MOST_PAGES = 32
+
+
+@dataclass(frozen=True)
+class SiteSettings:
+    """What the site offers, and to whom.
+
+    Attributes:
+        address: where it listens
+        token: what a browser must know; empty for none
+        names: names by which other machines call this one
+        longest_text: how many characters a sentence may have
+    """
+
+    address: str
+    token: str = ""
+    names: Tuple[str, ...] = ()
+    longest_text: int = 1000
+
+
+@dataclass(frozen=True)
+class Callbacks:
+    """Called in the thread of the event loop; none may block.
+
+    Attributes:
+        on_request: a page asks for something
+        on_pages: the number of pages has changed
+        snapshot: returns all keys and messages for a new page
+    """
+
+    on_request: Callable[[Request], None]
+    on_pages: Callable[[int], None]
+    snapshot: Callable[[], Sequence[Tuple[str, str]]]
+
+
+@dataclass
+class _Shared:
+    """What the handlers share."""
+
+    settings: SiteSettings
+    callbacks: Callbacks
+    files: Dict[str, Tuple[str, bytes]]
+    cookie: str
+    pages: "Set[PageSocket]" = field(default_factory=set)
+    pictures: Dict[str, bytes] = field(default_factory=dict)
+    limits: Dict[str, RateLimit] = field(default_factory=dict)
+
+    def may(self, what: str) -> bool:
+        return self.limits[what].take(time.monotonic())
+
+
+class Site:
+    """Offers the page and keeps its copies up to date."""
+
+    def __init__(self, settings: SiteSettings, callbacks: Callbacks) -> None:
+        """Read the files of the page.
+
+        Args:
+            settings: what is offered
+            callbacks: what happens when a page asks
+        """
+        files = {
+            path.name: (_TYPES[path.suffix], path.read_bytes()) for path in FOLDER.iterdir() if path.suffix in _TYPES
+        }
+        files[""] = files["index.html"]
+        cookie = hmac.new(settings.token.encode(), b"web_console", hashlib.sha256).hexdigest()
+        self._shared = _Shared(settings, callbacks, files, cookie)
+        now_s = time.monotonic()
+        for name, rate in (("request", ALL_RATE), ("stop", STOP_RATE), ("token", _TOKEN_RATE)):
+            self._shared.limits[name] = RateLimit(rate, now_s)
+        self._server: Optional[HTTPServer] = None
+
+    def application(self) -> Application:
+        """Make the application: it answers only requests for its own names."""
+        application = Application(
+            default_handler_class=_OtherHost,
+            log_function=lambda handler: None,
+            websocket_max_message_size=LONGEST_MESSAGE,
+            websocket_ping_interval=_PING_S,
+        )
+        shared = {"shared": self._shared}
+        application.add_handlers(
+            host_pattern(self._shared.settings.address, self._shared.settings.names),
+            [
+                (r"/live", PageSocket, shared),
+                (r"/(map-\d+\.png)", _Picture, shared),
+                (r"/([a-z_]*(?:\.[a-z]+)?)", _File, shared),
+            ],
+        )
+        return application
+
+    def listen(self, ports: Sequence[int]) -> int:
+        """Begin to answer; returns the port.
+
+        Args:
+            ports: the first that is free is taken; 0 is any
+
+        Raises:
+            OSError: none is free, or the address is none of this machine
+        """
+        server = HTTPServer(self.application(), max_body_size=LONGEST_MESSAGE, max_header_size=LONGEST_MESSAGE)
+        for port in ports:
+            try:
+                server.listen(port, address=self._shared.settings.address)
+            except OSError:
+                if port == ports[-1]:
+                    raise
+                continue
+            self._server = server
+            return next(iter(server._sockets.values())).getsockname()[1]  # type: ignore[no-any-return]
+        raise OSError("no port")
+
+    def close(self) -> None:
+        """End all pages."""
+        if self._server is not None:
+            self._server.stop()
+        for page in tuple(self._shared.pages):
+            page.close(1001, "The console ends.")
+
+    def send(self, changes: Sequence[Tuple[str, str]]) -> None:
+        """Send messages, each with its key, to all pages."""
+        for page in tuple(self._shared.pages):
+            page.put(changes)
+
+    def show_picture(self, name: str, data: bytes) -> None:
+        """Offer a picture, and no other of its kind."""
+        self._shared.pictures = {name: data}
+
+    @property
+    def page_count(self) -> int:
+        """How many pages are open."""
+        return len(self._shared.pages)
+
+
+class _OtherHost(RequestHandler):
+    """A request for a name that is not ours, or a path that does not exist: nothing is said about what is here."""
+
+    def prepare(self) -> None:
+        self.set_status(403)
+        self.finish("Call this page by the name of its machine, such as 127.0.0.1.\n")
+
+
+class _Guarded(RequestHandler):
+    """Sends the headers of the page, and asks for the token where there is one."""
+
+    def initialize(self, shared: _Shared) -> None:
+        self.shared = shared
+
+    def set_default_headers(self) -> None:
+        for name, value in HEADERS.items():
+            self.set_header(name, value)
+        self.clear_header("Server")
+
+    def prepare(self) -> None:
+        if _knows_token(self, self.shared):
+            return
+        said = self.get_query_argument("token", "")
+        if not self.shared.may("token"):
+            self.set_status(429)
+            self.finish("Too many attempts; wait a moment.\n")
+        elif self.request.path == "/" and said and is_token(said, self.shared.settings.token):
+            self.set_cookie(_COOKIE, self.shared.cookie, httponly=True, samesite="Strict")
+            self.redirect("/")
+        else:
+            self.set_status(401)
+            self.finish("Open this page as /?token=..., with the secret of the file that ~token_file names.\n")
+
+
+def _knows_token(handler: RequestHandler, shared: _Shared) -> bool:
+    return not shared.settings.token or is_token(handler.get_cookie(_COOKIE) or "", shared.cookie)
+
+
+class _File(_Guarded):
+    """The files of the page."""
+
+    def get(self, name: str) -> None:
+        kind, data = self.shared.files.get(name, ("", b""))
+        if not kind:
+            self.set_status(404)
+            self.finish("There is no such page.\n")
+            return
+        self.set_header("Content-Type", kind)
+        self.finish(data)
+
+
+class _Picture(_Guarded):
+    """The picture of the map."""
+
+    def get(self, name: str) -> None:
+        data = self.shared.pictures.get(name)
+        if data is None:
+            self.set_status(404)
+            self.finish("There is no such picture.\n")
+            return
+        self.set_header("Content-Type", "image/png")
+        self.finish(data)
+
+
+class PageSocket(WebSocketHandler):
+    """One open page. `check_origin` is Tornado's: only pages that came from here may connect."""
+
+    def initialize(self, shared: _Shared) -> None:
+        """Called by Tornado."""
+        self._shared = shared
+        self._outbox = Outbox()
+        self._wake = asyncio.Event()
+        self._limit = RateLimit(PAGE_RATE, time.monotonic())
+        self._faults = 0
+        self._number = 0
+        self._writer: Optional[asyncio.Task[None]] = None
+
+    def prepare(self) -> None:
+        """Refuse a page without the token."""
+        if not _knows_token(self, self._shared):
+            self.set_status(401)
+            self.finish()
+        elif len(self._shared.pages) >= MOST_PAGES:
+            self.set_status(503)
+            self.finish()
+
+    def open(self, *_args: str, **_kwargs: str) -> None:
+        """A page has come: it gets everything."""
+        self.set_nodelay(True)
+        self._shared.pages.add(self)
+        self.put(self._shared.callbacks.snapshot())
+        self._writer = asyncio.ensure_future(self._write())
+        self._shared.callbacks.on_pages(len(self._shared.pages))
+
+    def on_close(self) -> None:
+        """A page has gone."""
+        self._shared.pages.discard(self)
+        if self._writer is not None:
+            self._writer.cancel()
+        self._shared.callbacks.on_pages(len(self._shared.pages))
+
+    def put(self, messages: Sequence[Tuple[str, str]]) -> None:
+        """Let messages wait for their turn."""
+        for key, message in messages:
+            self._outbox.put(key, message)
+        self._wake.set()
+
+    async def _write(self) -> None:
+        try:
+            while True:
+                await self._wake.wait()
+                self._wake.clear()
+                message = self._outbox.take()
+                while message is not None:
+                    await self.write_message(message)
+                    message = self._outbox.take()
+        except WebSocketClosedError:
+            return
+
+    def on_message(self, message: Union[str, bytes]) -> None:
+        """The page asks for something."""
+        try:
+            request = read_request(message, longest_text=self._shared.settings.longest_text)
+        except BadRequest as error:
+            self._refuse(str(error))
+            return
+        if isinstance(request, Stop):
+            is_allowed = self._shared.may("stop")
+        else:
+            is_allowed = self._limit.take(time.monotonic()) and self._shared.may("request")
+        if is_allowed:
+            self._shared.callbacks.on_request(request)
+        else:
+            self._refuse("That was too fast. Please wait a second.")
+
+    def _refuse(self, reason: str) -> None:
+        self._faults += 1
+        if self._faults > _MOST_FAULTS:
+            self.close(1008, "Too many requests.")
+            return
+        self._number += 1
+        self.put([("notice", json.dumps({"view": "notice", "value": {"number": self._number, "text": reason}}))])

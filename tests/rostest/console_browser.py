@@ -1,0 +1,113 @@
+"""A browser without a window that shows the page. Debian's chromium, its driver, and Selenium."""
+
+import json
+import time
+from typing import Any, Dict, List, Optional
+
+from selenium import webdriver
+from selenium.webdriver.chrome.options import Options
+from selenium.webdriver.chrome.service import Service
+from selenium.webdriver.common.by import By
+from selenium.webdriver.remote.webelement import WebElement
+
+from roboframenet_testing import comes_true, wait_until
+
+CHROMIUM = "/usr/bin/chromium"
+DRIVER = "/usr/bin/chromedriver"
+#: Sizes of a window and of a telephone, pixels.
+WINDOW = (1440, 900)
+TELEPHONE = (390, 844)
+
+
+class ConsoleBrowser:
+    """One page in a browser. Close it when it is needed no more."""
+
+    def __init__(self, url: str) -> None:
+        """Open the page."""
+        options = Options()
+        for argument in ("--headless=new", "--no-sandbox", "--disable-dev-shm-usage", "--hide-scrollbars"):
+            options.add_argument(argument)
+        options.binary_location = CHROMIUM
+        options.set_capability("goog:loggingPrefs", {"browser": "ALL"})
+        self.driver = webdriver.Chrome(service=Service(DRIVER), options=options)
+        self.url = url
+        self.resize(*WINDOW)
+        self.driver.get(url)
+
+    def close(self) -> None:
+        """End the browser."""
+        self.driver.quit()
+
+    def resize(self, width: int, height: int, *, scale: float = 1.0, is_dark: bool = False) -> None:
+        """Set the size of the page in pixels, and the colours that the person likes."""
+        self.driver.execute_cdp_cmd(
+            "Emulation.setDeviceMetricsOverride",
+            {"width": width, "height": height, "deviceScaleFactor": scale, "mobile": width < 600},
+        )
+        scheme = "dark" if is_dark else "light"
+        features = [{"name": "prefers-color-scheme", "value": scheme}]
+        self.driver.execute_cdp_cmd("Emulation.setEmulatedMedia", {"features": features})
+
+    def complaints(self) -> List[str]:
+        """Return what the browser has complained about since the last call, such as violations of the policy."""
+        return [str(entry["message"]) for entry in self.driver.get_log("browser") if entry["level"] == "SEVERE"]
+
+    def run(self, script: str) -> Any:
+        """Return the value of a JavaScript expression."""
+        return self.driver.execute_script(f"return {script}")
+
+    def find(self, selector: str) -> List[WebElement]:
+        """Return the elements of a CSS selector."""
+        return list(self.driver.find_elements(By.CSS_SELECTOR, selector))
+
+    def texts(self, selector: str) -> List[str]:
+        """Return the texts of the elements of a CSS selector, as they are in the page, shown or not."""
+        return list(self.run(f"[...document.querySelectorAll({json.dumps(selector)})].map((one) => one.textContent)"))
+
+    def is_connected(self) -> bool:
+        """Whether the page hears the console."""
+        return bool(self.run("document.getElementById('state').dataset.state !== 'lost'"))
+
+    def say(self, text: str) -> None:
+        """Type a sentence and send it; returns when the page shows it."""
+        count = len(self.find("#log li"))
+        field = self.find("#text")[0]
+        field.clear()
+        field.send_keys(text + "\n")
+        wait_until(lambda: len(self.find("#log li")) > count, message=f"the page does not show {text!r}")
+
+    def click(self, selector: str, text: str) -> None:
+        """Click the button with this text."""
+
+        def button() -> Optional[WebElement]:
+            return next((one for one in self.find(selector) if one.text.strip() == text), None)
+
+        wait_until(button, message=lambda: self.texts(selector))
+        found = button()
+        assert found is not None
+        found.click()
+
+    def reply(self, timeout_s: float = 60.0) -> str:
+        """Wait for the reply to the newest command; returns its outcome."""
+        newest = "#log li:last-child .robot:not(.waiting)"
+        wait_until(lambda: self.find(newest), timeout_s, lambda: self.texts("#log li"))
+        return str(self.run(f"document.querySelector('{newest}').className")).split()[-1]
+
+    def pose(self) -> Dict[str, float]:
+        """Return where the canvas shows the robot: metres, degrees."""
+        data = self.run("({...document.getElementById('ground').dataset})")
+        return {name: float(value) for name, value in data.items()}
+
+    def settles(self, timeout_s: float = 10.0) -> bool:
+        """Wait until the robot stands still on the canvas for half a second; returns whether it does."""
+
+        def stands() -> bool:
+            before = self.pose()
+            time.sleep(0.5)
+            return before == self.pose()
+
+        return comes_true(stands, timeout_s)
+
+    def screenshot(self, path: str) -> None:
+        """Write the page as PNG."""
+        assert self.driver.save_screenshot(path)

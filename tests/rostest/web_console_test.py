@@ -1,0 +1,169 @@
+#!/usr/bin/python3
+"""A person uses the page in a real browser; the whole graph and a simulated robot are behind it."""
+
+import contextlib
+import os
+import shutil
+import signal
+import unittest
+from typing import Iterator, List, Optional
+from xmlrpc.client import ServerProxy
+
+import rosgraph
+import rospy
+from nav_msgs.msg import Odometry
+
+from console_browser import CHROMIUM, TELEPHONE, WINDOW, ConsoleBrowser
+from roboframenet_rostest import wait_for_pipeline
+from roboframenet_testing import wait_until
+
+MARKUP = "<img src=x onerror=alert(1)> turn <b>left</b> 10 degrees"
+
+
+def process_of(node: str) -> int:
+    return int(ServerProxy(rosgraph.Master("/test").lookupNode(node)).getPid("/test")[2])
+
+
+def alive(node: str) -> Optional[int]:
+    try:
+        return process_of(node)
+    except (OSError, rosgraph.MasterError):
+        return None
+
+
+@contextlib.contextmanager
+def suspended(processes: List[int]) -> Iterator[None]:
+    """Suspend processes for the time of a block."""
+    for process in processes:
+        os.kill(process, signal.SIGSTOP)
+    try:
+        yield
+    finally:
+        for process in processes:
+            os.kill(process, signal.SIGCONT)
+
+
+@unittest.skipUnless(shutil.which(CHROMIUM), "no chromium: scripts/setup browser")
+class WebConsoleTest(unittest.TestCase):
+    """One page and one conversation; the methods run in the order of their names."""
+
+    @classmethod
+    def setUpClass(cls) -> None:
+        cls.speed = 0.0
+        cls.subscriber = rospy.Subscriber("odom", Odometry, cls.on_odometry, queue_size=1)
+        wait_until(lambda: rospy.has_param("web_console/url"), message="the page is not there")
+        # The browser starts while the parser loads its models.
+        cls.page = ConsoleBrowser(rospy.get_param("web_console/url"))
+        wait_for_pipeline(("turning", "moving_forward"))
+        wait_until(cls.page.is_connected)
+
+    @classmethod
+    def tearDownClass(cls) -> None:
+        cls.page.close()
+
+    @classmethod
+    def on_odometry(cls, message: Odometry) -> None:
+        cls.speed = max(abs(message.twist.twist.linear.x), abs(message.twist.twist.angular.z))
+
+    def steps(self) -> List[str]:
+        """Frame and state of each box of the plan."""
+        return [
+            f"{one.get_attribute('data-frame')} {one.get_attribute('data-state')}" for one in self.page.find(".box")
+        ]
+
+    def test_1_command_is_shown_from_its_parse_to_its_reply(self) -> None:
+        heading = self.page.pose()["heading"]
+        self.page.say("Turn left 120 degrees.")
+        wait_until(lambda: self.steps() == ["turning active"], message=self.steps)
+        self.assertIn("Turn", self.page.texts("svg .word"))
+        self.assertIn("nummod", self.page.texts("svg .label"))
+        self.assertEqual(self.page.texts(".clause .frame"), ["turning"])
+        self.assertEqual(self.page.texts("dt"), ["direction", "angle", "angle_unit"])
+        self.assertIn("measure 120 degrees = 2.094 rad", self.page.texts("dd .chip"))
+        self.assertEqual(self.page.reply(), "DONE")
+        wait_until(lambda: self.steps() == ["turning done"], message=self.steps)
+        self.assertTrue(self.page.settles())
+        self.assertAlmostEqual((self.page.pose()["heading"] - heading) % 360, 120, delta=3)
+        self.assertIn("semantic_framer", " ".join(self.page.texts(".trace summary")))
+
+    def test_2_question_is_answered_by_its_button(self) -> None:
+        self.page.say("Turn left 30 degrees with a smile.")
+        self.assertEqual(self.page.reply(), "NEEDS_INFORMATION")
+        self.assertEqual(self.page.texts("#answers button"), ["Yes", "No"])
+        self.page.click("#answers button", "Yes")
+        wait_until(lambda: self.page.texts("#log li:last-child .person") == ["Yes"])
+        self.assertEqual(self.page.reply(), "DONE")
+        wait_until(lambda: not self.page.texts("#answers button"))
+
+    def test_3_abilities_are_sentences_to_click(self) -> None:
+        wait_until(lambda: "turning" in self.page.texts("#abilities .frame"))
+        self.page.run("document.querySelector('#abilities details').setAttribute('open', '')")
+        sentence = self.page.find("#abilities .examples button")[0]
+        text = sentence.text
+        sentence.click()
+        self.assertEqual(self.page.run("document.getElementById('text').value"), text)
+        self.page.find("#text")[0].clear()
+        self.page.find("#text")[0].send_keys("Turn le")
+        wait_until(
+            lambda: "Turn left" in self.page.texts("#suggestions button"),
+            message=lambda: self.page.texts("#suggestions"),
+        )
+
+    def test_4_stop_button_stops(self) -> None:
+        self.page.say("Move forward 10 metres.")
+        wait_until(lambda: self.speed > 0.1, message="the robot does not move")
+        self.page.find("#stop")[0].click()
+        wait_until(lambda: self.speed < 0.01, message="the robot does not stop")
+        wait_until(lambda: "Stopped" in " ".join(self.page.texts("#banner")))
+        wait_until(lambda: "SUPERSEDED" in self.page.run("document.getElementById('log').innerHTML"))
+
+    def test_5_stop_button_stops_when_the_pipeline_hangs(self) -> None:
+        self.page.say("Move forward 10 metres.")
+        wait_until(lambda: self.speed > 0.1, message="the robot does not move")
+        hanging = [process_of(node) for node in ("/stop_server", "/command_server", "/executor", "/semantic_framer")]
+        with suspended(hanging):
+            self.page.find("#stop")[0].click()
+            wait_until(lambda: self.speed < 0.01, message="the robot does not stop")
+            wait_until(
+                lambda: "this page did it itself" in " ".join(self.page.texts("#banner")),
+                message=lambda: self.page.texts("#banner"),
+            )
+        wait_until(lambda: not self.page.find("#log .waiting"), message=lambda: self.page.texts("#log li"))
+        self.assertTrue(self.page.settles())
+
+    def test_6_markup_stays_text(self) -> None:
+        self.page.say(MARKUP)
+        self.page.reply()
+        self.assertEqual(self.page.texts("#log li:last-child .person"), [MARKUP])
+        self.assertEqual(self.page.find("#log img, #mind img, #mind b b, svg *:not(path):not(text):not(rect)"), [])
+
+    def test_7_page_fits_on_a_telephone(self) -> None:
+        self.page.resize(*TELEPHONE)
+        width = TELEPHONE[0]
+        self.assertLessEqual(self.page.run("document.documentElement.scrollWidth"), width)
+        self.page.run("window.scrollTo(0, 2000)")
+        button = self.page.find("#stop")[0].rect
+        self.assertLessEqual(button["x"] + button["width"], width)
+        self.assertTrue(self.page.run("document.elementFromPoint(innerWidth - 40, 30).closest('#stop') !== null"))
+        self.page.resize(*WINDOW)
+
+    def test_8_page_finds_a_console_that_was_killed(self) -> None:
+        before = process_of("/web_console")
+        os.kill(before, signal.SIGKILL)
+        wait_until(lambda: not self.page.is_connected(), message="the page does not tell that the console is gone")
+        self.assertIn("cannot stop it", " ".join(self.page.texts("#banner")))
+        wait_until(lambda: alive("/web_console") not in (None, before), message="the node was not started again")
+        wait_until(self.page.is_connected, message="the page does not come back")
+        # The complaints about the lost connection are right; others are not.
+        self.assertEqual([text for text in self.page.complaints() if "WebSocket connection" not in text], [])
+        # The new console has to find the others first.
+        wait_until(lambda: "All" in " ".join(self.page.texts("#health")), message=lambda: self.page.texts("#health"))
+        self.page.say("Ping.")
+        self.assertEqual(self.page.reply(), "DONE")
+
+
+if __name__ == "__main__":
+    import rostest
+
+    rospy.init_node("web_console_test", disable_signals=True)
+    rostest.rosrun("roboframenet_tests", "web_console_page", WebConsoleTest)
