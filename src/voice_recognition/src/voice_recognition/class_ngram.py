@@ -26,6 +26,7 @@ def write_ngram(
     *,
     phrases: Iterable[Words] = (),
     without: FrozenSet[str] = frozenset(),
+    other_share: float = OTHER_SHARE,
 ) -> str:
     """Return the model.
 
@@ -35,6 +36,7 @@ def write_ngram(
         other_words: words of talk
         phrases: what can be said besides, such as "stop"
         without: words that nobody can pronounce
+        other_share: share of the words of talk among single words
     """
     counts: List[DefaultDict[Words, float]] = [defaultdict(float) for _ in range(3)]
     by_template: DefaultDict[int, List[Words]] = defaultdict(list)
@@ -47,11 +49,11 @@ def write_ngram(
             for order in range(3):
                 for at in range(len(marked) - order):
                     counts[order][marked[at : at + order + 1]] += 1.0 / len(ways)
-    return _arpa([dict(one) for one in counts], sorted(set(other_words) - without))
+    return _arpa([dict(one) for one in counts], sorted(set(other_words) - without), other_share)
 
 
-def _arpa(counts: List[Counts], others: List[str]) -> str:
-    unigrams = _unigrams(counts[0], others)
+def _arpa(counts: List[Counts], others: List[str], other_share: float) -> str:
+    unigrams = _unigrams(counts[0], others, other_share)
     bigrams = _mixed(counts[1], unigrams, FROM_UNIGRAM)
     trigrams = _mixed(counts[2], bigrams, FROM_BIGRAM)
     begins = {gram[:-1] for gram in bigrams}
@@ -72,11 +74,11 @@ def _line(probability: float, gram: Words, backoff: float) -> str:
     return f"{math.log10(probability):.4f} {' '.join(gram)} {math.log10(backoff):.4f}"
 
 
-def _unigrams(counts: Counts, others: List[str]) -> Counts:
+def _unigrams(counts: Counts, others: List[str], other_share: float) -> Counts:
     total = sum(count for gram, count in counts.items() if gram != (BEGIN,))
-    found = {gram: (1 - OTHER_SHARE) * count / total for gram, count in counts.items() if gram != (BEGIN,)}
+    found = {gram: (1 - other_share) * count / total for gram, count in counts.items() if gram != (BEGIN,)}
     for word in [*others, END]:
-        found[word,] = found.get((word,), 0.0) + OTHER_SHARE / (len(others) + 1)
+        found[word,] = found.get((word,), 0.0) + other_share / (len(others) + 1)
     return found
 
 

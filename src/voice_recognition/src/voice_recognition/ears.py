@@ -4,6 +4,7 @@ from typing import FrozenSet, Mapping, Tuple
 
 from voice_recognition.agreement import Heard, Verdict, compare, compare_answers
 from voice_recognition.class_ngram import write_ngram
+from voice_recognition.denoising import without_noise
 from voice_recognition.grammar import write_grammar, write_phrases
 from voice_recognition.offers import OfferFinder
 from voice_recognition.pronunciation import Dictionary, pronounce
@@ -36,6 +37,9 @@ class Ears:
 
     def hear(self, pcm: bytes) -> Heard:
         """Hear a command."""
+        return self._hear(without_noise(pcm))
+
+    def _hear(self, pcm: bytes) -> Heard:
         by_grammar = self._recogniser.hear(COMMANDS, pcm).words
         if not by_grammar:
             return Heard(Verdict.NOTHING)
@@ -43,11 +47,12 @@ class Ears:
 
     def hear_answer(self, pcm: bytes) -> Heard:
         """Hear an answer, or a command in its place."""
+        pcm = without_noise(pcm)
         by_ngram = self._recogniser.hear(FREE_ANSWERS, pcm).words
         answer = compare_answers(self._recogniser.hear(ANSWERS, pcm).words, by_ngram, answers())
         if answer.answer or answer.is_stop:
             return answer
-        command = self.hear(pcm)
+        command = self._hear(pcm)
         return command if command.verdict is Verdict.SURE or command.is_stop else answer
 
 

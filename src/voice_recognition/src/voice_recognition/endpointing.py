@@ -36,7 +36,7 @@ class EndpointSettings:
     begin_db: float = 7.0
     end_db: float = 4.5
     end_s: float = 0.4
-    before_s: float = 0.3
+    before_s: float = 0.5
     shortest_s: float = 0.15
     longest_s: float = 12.0
     noise_s: float = 6.0

@@ -11,8 +11,6 @@ from voice_recognition.pronunciation import Dictionary, read_dictionary
 
 #: Samples a second of the acoustic model.
 RATE = 16_000
-#: Name of the search for phrases in a stream.
-KEYPHRASES = "keyphrases"
 #: The share of the model that distributions install.
 _SYSTEM_MODEL = Path("/usr/share/pocketsphinx/model")
 
@@ -52,7 +50,6 @@ class PocketSphinx:
         *,
         grammars: Mapping[str, str] = MappingProxyType({}),
         ngrams: Mapping[str, str] = MappingProxyType({}),
-        keyphrases: Mapping[str, float] = MappingProxyType({}),
         settings: Mapping[str, Union[bool, int, float, str]] = MappingProxyType({}),
     ) -> None:
         """
@@ -60,9 +57,7 @@ class PocketSphinx:
             dictionary: the words of all searches with their sounds; a small one makes it quick
             grammars: JSGF by the name of its search
             ngrams: ARPA by the name of its search
-            keyphrases: thresholds by phrase, of the search ``KEYPHRASES``; a smaller one finds it more often, and also
-                where it was not said
-            settings: further parameters of the decoder, such as ``kws_plp``
+            settings: further parameters of the decoder
         Raises:
             NoRecogniser: it is not installed
         """
@@ -83,9 +78,6 @@ class PocketSphinx:
                 self._call("jsgf_string", name, grammar)
             for name, arpa in ngrams.items():
                 self._call("lm_file", name, _written(folder, "words.lm", arpa))
-            if keyphrases:
-                lines = "".join(f"{phrase} /{threshold:g}/\n" for phrase, threshold in keyphrases.items())
-                self._call("kws", KEYPHRASES, _written(folder, "phrases.kws", lines))
 
     def _call(self, kind: str, name: str, content: str) -> None:
         getattr(self._decoder, f"{'add' if self._is_new else 'set'}_{kind}")(name, content)
@@ -105,26 +97,6 @@ class PocketSphinx:
             return Hypothesis((), 0, decoder.n_frames())
         words = tuple(word for word in found.hypstr.split() if not word.startswith(("<", "[", "+")))
         return Hypothesis(tuple(word.split("(")[0] for word in words), found.best_score, decoder.n_frames())
-
-    def begin_stream(self) -> None:
-        """Begin to listen to a stream for the phrases."""
-        self._choose(KEYPHRASES)
-        self._decoder.start_utt()
-
-    def stream(self, pcm: bytes) -> str:
-        """Listen to the next part of the stream; return the phrase found in it, and begin again; empty for none."""
-        self._decoder.process_raw(pcm, False, False)
-        found = self._decoder.hyp()
-        if found is None or not found.hypstr:
-            return ""
-        phrase: str = found.hypstr.strip()
-        self._decoder.end_utt()
-        self._decoder.start_utt()
-        return phrase
-
-    def end_stream(self) -> None:
-        """End the stream."""
-        self._decoder.end_utt()
 
 
 def _set(config: Any, name: str, value: object) -> None:
