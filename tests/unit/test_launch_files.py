@@ -40,7 +40,7 @@ def behaviour(name: str) -> Dict[str, str]:
     """Return the parameters that ``behaviour:=NAME`` sets, as ``node/parameter``."""
     text = (BRINGUP / "config" / "behaviours" / f"{name}.yaml").read_text(encoding="utf-8")
     return {
-        f"{node}/{parameter}": value
+        f"{node}/{parameter}": str(value)
         for node, parameters in yaml.safe_load(text).items()
         for parameter, value in parameters.items()
     }
@@ -50,7 +50,7 @@ def default_of(parameter: str) -> str:
     """Return the default of ``node/parameter`` in the README of the node's package."""
     package, name = parameter.split("/")
     text = (REPOSITORY / "src" / package / "README.md").read_text(encoding="utf-8")
-    found = re.search(rf"^\| `~{name}` \| \w+ \| `?(\w+)`? \|", text, re.MULTILINE)
+    found = re.search(rf"^\| `~{name}` \| \w+ \| `?([\w.]+)`? \|", text, re.MULTILINE)
     assert found, f"{package}/README.md does not list ~{name}"
     return found.group(1)
 
@@ -93,7 +93,7 @@ def test_behaviour_now_equals_the_defaults_of_the_nodes() -> None:
 
 def test_readme_and_files_of_the_behaviours_agree() -> None:
     text = (BRINGUP / "README.md").read_text(encoding="utf-8")
-    rows = re.findall(r"^\| `(\w+/\w+)` \| (\w+) \| (\w+) \|", text, re.MULTILINE)
+    rows = re.findall(r"^\| `(\w+/\w+)` \| ([\w.]+) \| ([\w.]+) \|", text, re.MULTILINE)
     assert {parameter: value for parameter, value, _ in rows} == behaviour("now")
     assert {parameter: value for parameter, _, value in rows} == behaviour("2012")
 

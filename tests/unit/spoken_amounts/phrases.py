@@ -86,18 +86,18 @@ _NOUN_TURN: Tuple[Tuple[str, int], ...] = (
     ("could you make {a} turn to the right", -1),
     ("turn left {a} turn", 1),
 )
-#: A direction that the robot does not understand; it must not take another one.
+#: A direction in which a base cannot move; it must not take another one.
 _ASTRAY = (
-    "drive east {a}",
-    "move north {a}",
-    "go {a} to the west",
     "walk to your left {a}",
     "move {a} to the right",
     "go sideways {a}",
     "drive up {a}",
     "go {a} diagonally",
+    "drive sideways {a}",
+    "move {a} to your left",
+    "walk {a} upwards",
+    "go to the left {a}",
     "move left {a}",
-    "head {a} south",
 )
 
 

@@ -1,6 +1,6 @@
 """Runs the stages from text to candidates, one after the other, and records their decisions."""
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from typing import Dict, FrozenSet, Mapping, Optional, Tuple, Union
 
 from command_server.command_behind import command_behind
@@ -66,7 +66,7 @@ class Parameters:
 BEHAVIOURS: Mapping[str, Parameters] = {
     "now": Parameters(),
     "2012": Parameters(
-        policy=Policy(left_over_words=LeftOverWords.IGNORE),
+        policy=Policy(left_over_words=LeftOverWords.IGNORE, fragment_timeout_s=0.0),
         arguments=Arguments.SINGLE_WORDS,
         questions=Questions.REFUSE,
     ),
@@ -190,7 +190,7 @@ class Pipeline:
         """
         # If the text is too long, the rest is not a command.
         command = command_behind(rest) if len(text) <= self._parameters.max_text_length else ""
-        context = replace(context, pending=None)
+        context = context.stopped()
         behind = self.understand(command, context) if command else None
         what = "stops at once, and goes no further" if not command else f'stops at once; then a command: "{command}"'
         return Understanding(
@@ -290,7 +290,7 @@ def to_json(understanding: Understanding) -> Dict[str, object]:
 def _frame_to_json(reading: Reading, *, is_description: bool) -> Dict[str, object]:
     return {
         "name": reading.unit.frame_name,
-        "verb_token": reading.verb_positions[0],
+        "verb_token": reading.verb_positions[0] if reading.verb_positions else 0,
         "frame_elements": [
             {
                 "name": value.name,

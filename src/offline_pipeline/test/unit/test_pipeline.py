@@ -161,6 +161,7 @@ def test_behaviours_are_those_of_the_launch_files(name: str) -> None:
         "alternatives": parameters.policy.alternatives.value,
         "arguments": parameters.arguments.value,
         "questions": parameters.questions.value,
+        "fragment_timeout_s": parameters.policy.fragment_timeout_s,
     }
 
 

@@ -1,6 +1,7 @@
 """Makes typed arguments of amounts and defaults, and resolves those of pronouns; ``phrases`` makes those of phrases."""
 
 import math
+import re
 from dataclasses import replace
 from typing import Optional, Sequence
 
@@ -8,6 +9,7 @@ from phrase_meanings.head_words import is_plural
 from phrase_meanings.meaning_file import shipped_meanings
 from spoken_quantities import find_unit
 from typed_arguments import Measure, Source, TypedArgument
+from typed_arguments.positions import without_any_position
 from utterance_passes.measures import Amount
 from utterance_passes.tree import DependencyTree
 from word_classes import word_class
@@ -90,3 +92,48 @@ def resolved(argument: TypedArgument, text: str) -> TypedArgument:
 def with_words(tree: DependencyTree, argument: TypedArgument, positions: Sequence[int]) -> TypedArgument:
     """Return an argument with other words; its text stays."""
     return replace(argument, words=tree.text_of(positions), positions=tuple(sorted(positions)))
+
+
+def on_other_side(
+    tree: DependencyTree, argument: TypedArgument, side: str, other: str, positions: Sequence[int]
+) -> TypedArgument:
+    """Return an earlier argument on the opposite side: "the other one" after "the left door" is the right door.
+
+    Args:
+        tree: the sentence
+        argument: of an earlier sentence
+        side: the word for the side in the argument
+        other: the word for the opposite side
+        positions: of the words in this sentence
+    """
+    before = without_any_position(argument)
+    return replace(
+        before,
+        text=re.sub(rf"\b{side}\b", other, before.text, flags=re.IGNORECASE),
+        source=Source.SAID,
+        words=tree.text_of(positions),
+        positions=tuple(sorted(positions)),
+        head=other if before.head.lower() == side else before.head,
+        lemma=other if before.lemma == side else before.lemma,
+        direction=other if before.direction else "",
+        modifiers=tuple(
+            replace(one, word=other, lemma=other) if one.word.lower() == side else one for one in before.modifiers
+        ),
+    )
+
+
+def of_same_kind(argument: TypedArgument, before: TypedArgument) -> TypedArgument:
+    """Return an argument with the head "one" as a thing of the kind of an earlier one: "the red one" after "the blue
+    mug" is the red mug.
+    """
+    compounds = tuple(replace(one, position=0) for one in before.modifiers if one.kind == "compound")
+    noun = " ".join([*(one.word for one in compounds), before.head])
+    return replace(
+        argument,
+        text=re.sub(r"\bones?\b", lambda match: noun, argument.text, count=1, flags=re.IGNORECASE),
+        head=before.head,
+        lemma=before.lemma,
+        is_plural=before.is_plural,
+        semantic_type=before.semantic_type,
+        modifiers=compounds + argument.modifiers,
+    )

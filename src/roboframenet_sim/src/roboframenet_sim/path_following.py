@@ -70,6 +70,11 @@ class PathFollower:
             return None
         return Velocity(angular_rad_per_s=self._turn_rate(error))
 
+    @property
+    def corners_ahead(self) -> Tuple[Tuple[float, float], ...]:
+        """The corners that the robot has not passed, the goal last."""
+        return tuple(self._ahead)
+
     def _turn_rate(self, error_rad: float) -> float:
         rate = clamp(self._limits.turn_gain_per_s * error_rad, limit=self._limits.angular_rad_per_s)
         return rate if abs(rate) >= self.CREEP_RAD_PER_S else math.copysign(self.CREEP_RAD_PER_S, error_rad)

@@ -2,7 +2,7 @@
 
 import math
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Callable, Dict, List, Sequence, Tuple, TypeVar
+from typing import TYPE_CHECKING, Callable, Dict, List, Sequence, Tuple, Type, TypeVar, cast
 
 import numpy as np
 import yaml
@@ -56,15 +56,32 @@ class Room:
         return np.array(sides, dtype=float)
 
 
-class _Reader:
-    """Reads YAML nodes, and says which one is wrong."""
+class YamlReader:
+    """Reads YAML nodes, and says which one is wrong.
 
-    def __init__(self, path: str) -> None:
+    Args:
+        path: of the file, for messages
+        error_class: what is raised
+    """
+
+    def __init__(self, path: str, *, error_class: Type["RoomError"] = RoomError) -> None:
         self._path = path
+        self._error_class = error_class
 
     def error(self, node: yaml.Node, key: str, message: str) -> RoomError:
         """Return an error that names the place of a node."""
-        return RoomError(path=self._path, line=node.start_mark.line + 1, key=key, message=message)
+        return self._error_class(path=self._path, line=node.start_mark.line + 1, key=key, message=message)
+
+    def root(self, text: str) -> yaml.Node:
+        """Read the whole file."""
+        try:
+            root = yaml.compose(text, Loader=yaml.SafeLoader)
+        except yaml.MarkedYAMLError as error:
+            line = error.problem_mark.line + 1 if error.problem_mark else 1
+            raise self._error_class(path=self._path, line=line, key="-", message=f"no YAML: {error.problem}") from error
+        if root is None:
+            raise self._error_class(path=self._path, line=1, key="-", message="empty file")
+        return cast("yaml.Node", root)
 
     def mapping(self, node: yaml.Node, key: str, *, keys: Sequence[str] = ()) -> Dict[str, yaml.Node]:
         """Read a mapping, with exactly the given keys if there are any."""
@@ -129,14 +146,8 @@ def load_room(text: str, *, path: str) -> Room:
     Raises:
         RoomError: the file is wrong; the message names the first mistake
     """
-    reader = _Reader(path)
-    try:
-        root = yaml.compose(text, Loader=yaml.SafeLoader)
-    except yaml.MarkedYAMLError as error:
-        line = error.problem_mark.line + 1 if error.problem_mark else 1
-        raise RoomError(path=path, line=line, key="-", message=f"no YAML: {error.problem}") from error
-    if root is None:
-        raise RoomError(path=path, line=1, key="-", message="empty file")
+    reader = YamlReader(path)
+    root = reader.root(text)
     top = reader.mapping(root, "room", keys=("resolution_m", "wall_thickness_m", "bounds", "walls", "boxes"))
     bounds = reader.mapping(top["bounds"], "bounds", keys=("x_m", "y_m"))
     x_m, y_m = reader.span(bounds["x_m"], "bounds/x_m"), reader.span(bounds["y_m"], "bounds/y_m")

@@ -10,6 +10,7 @@ from offline_pipeline.knowledge import load_knowledge, pretend_servers, shipped_
 from offline_pipeline.pipeline import BEHAVIOURS, Pipeline, Understanding, to_json
 from roboframenet_tools.drawing import draw_arcs, svg_arcs
 from roboframenet_tools.folders import folders_of
+from semantic_framer.dialogue import Context
 from stanford_parser_ros.inference import ModelError
 from stanford_parser_ros.stanford_dependencies import collapsed
 from utterance_passes.table import PASSES
@@ -22,6 +23,7 @@ EXAMPLES = """examples:
   rfn explain --without quotations "Tell her lunch is ready."
   rfn explain --with my_robot "Wave at Alice."
   rfn explain --behaviour 2012 "Go to Roger's office."
+  rfn explain --after "Move forward." "Ten feet."
   rfn explain --live "Go to the office."
   rfn explain --live
   rfn explain --batch sentences.txt --json > understood.jsonl
@@ -68,6 +70,13 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         help="use what the running graph knows and its parameters; without a sentence, explain what the graph hears",
     )
     parser.add_argument(
+        "--after",
+        action="append",
+        default=[],
+        metavar="SENTENCE",
+        help="a sentence that was said before; a fragment such as 'again' changes or repeats its command",
+    )
+    parser.add_argument(
         "--without", action="append", default=[], metavar="PASS", help="switch a pass off ('rfn passes' lists them)"
     )
     parser.add_argument(
@@ -108,8 +117,11 @@ def run(arguments: argparse.Namespace) -> int:
         return 2
     for problem in pipeline.knowledge.problems:
         print(problem, file=sys.stderr)
+    context = Context()
+    for said in arguments.after:
+        context = pipeline.understand_safely(said, context).context
     for line in lines:
-        understanding = pipeline.understand_safely(line)
+        understanding = pipeline.understand_safely(line, context)
         print(
             json.dumps(to_json(understanding), ensure_ascii=False) if arguments.json else describe(understanding),
             flush=True,

@@ -163,3 +163,10 @@ def test_the_behaviour_of_2012_is_explained(capsys):
 def test_live_has_the_behaviour_of_the_graph(capsys):
     assert main(["explain", "--live", "--behaviour", "2012", "Go to the office."]) == 2
     assert "omit --behaviour" in capsys.readouterr().err
+
+
+def test_what_was_said_before(capsys):
+    assert main(["explain", "--after", "Move forward two metres.", "ten feet"]) == 0
+    shown = capsys.readouterr().out
+    assert "fragment" in shown
+    assert "moving(direction=forward, distance=10, distance_unit=feet)" in shown

@@ -41,7 +41,10 @@ def is_postmodifier_of(tree: DependencyTree, index: int, head: int, is_described
     if word.deprel == "advmod":
         return word.form.lower() in _PLACE_ADVERBS
     prepositions = [child.form.lower() for child in tree.children(index) if child.deprel == "case"]
-    if word.upos == "ADV" or not prepositions or min(tree.subtree(index)) != _first_case(tree, index):
+    if not prepositions or not _is_prepositional(tree, index):
+        return False
+    # "The door on the left", with the tag of the adverb.
+    if word.upos == "ADV" and word.form.lower() not in _LEFT_AND_RIGHT:
         return False
     if prepositions[0] == "to" and word.form.lower() in _LEFT_AND_RIGHT:
         return True  # "the door to your left"
@@ -49,8 +52,11 @@ def is_postmodifier_of(tree: DependencyTree, index: int, head: int, is_described
     return prepositions[0] in _PLACE_PREPOSITIONS or (is_described and is_thing and prepositions[0] in _OF_A_THING)
 
 
-def _first_case(tree: DependencyTree, index: int) -> int:
-    return min(child.index for child in tree.children(index) if child.deprel == "case")
+def _is_prepositional(tree: DependencyTree, index: int) -> bool:
+    """Whether a phrase begins with its preposition, or with adverbs that make it more precise: "directly in front"."""
+    first = min(child.index for child in tree.children(index) if child.deprel == "case")
+    before = [tree.word(position) for position in tree.subtree(index) if position < first]
+    return all(word.form.lower() in _ADVERBS_BEFORE_PREPOSITIONS for word in before)
 
 
 def has_postmodifiers(tree: DependencyTree, index: int) -> bool:

@@ -40,16 +40,31 @@ class Pending:
 
 
 @dataclass(frozen=True)
+class LastCommand:
+    """The last command that the framer passed on; a fragment ("ten feet", "again") changes or repeats it.
+
+    Attributes:
+        clauses: its readings, best first, with pronouns resolved
+        stamp_s: when it was said, seconds; the stamp of the command
+    """
+
+    clauses: Tuple[Tuple[Reading, ...], ...]
+    stamp_s: float
+
+
+@dataclass(frozen=True)
 class Context:
     """What the framer remembers.
 
     Attributes:
         pending: the open question; None if there is none
+        last: the last command; None if there is none, or if it may not be repeated
         thing: the last thing mentioned, "the mug"; empty if there is none
         place: the last place mentioned, "the kitchen"; empty if there is none
     """
 
     pending: Optional[Pending] = None
+    last: Optional[LastCommand] = None
     thing: str = ""
     place: str = ""
 
@@ -58,6 +73,23 @@ class Context:
         if self.pending is not None and now_s > self.pending.expires_s:
             return replace(self, pending=None)
         return self
+
+    def fresh(self, said_s: float, timeout_s: float) -> "Context":
+        """Return the context for an utterance: without a last command that was said too long before it.
+
+        Args:
+            said_s: when the utterance was said, seconds; the stamp of its command
+            timeout_s: how long a command may be repeated
+        """
+        if self.last is not None and not 0.0 <= said_s - self.last.stamp_s <= timeout_s:
+            return replace(self, last=None)
+        return self
+
+    def stopped(self) -> "Context":
+        """Return the context after a stop: nothing answers a question from before it, and nothing repeats a command
+        that it ended.
+        """
+        return replace(self, pending=None, last=None)
 
 
 def is_yes(text: str) -> bool:

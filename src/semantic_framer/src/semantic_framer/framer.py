@@ -3,9 +3,10 @@
 from dataclasses import dataclass, replace
 from typing import FrozenSet, Mapping, Optional, Sequence, Tuple, Union
 
+from semantic_framer.amending import Change, change_of, last_command
 from semantic_framer.answers import answer
 from semantic_framer.choices import choices_of_amounts, choices_of_clauses, chosen
-from semantic_framer.dialogue import Context, is_no
+from semantic_framer.dialogue import Context, Pending, is_no
 from semantic_framer.framed_lexicon import FramedLexicon
 from semantic_framer.lexicon import Lexicon
 from semantic_framer.mood_file import UtteranceKind
@@ -33,6 +34,7 @@ from semantic_framer.sentence_verdicts import (
     words_outside,
 )
 from semantic_framer.settling import Now, ask_which, resolve_and_confirm, without_positions
+from semantic_framer.small_talk import answer_small_talk, small_talk_of
 from semantic_framer.utterance_kind import KindVerdict
 from semantic_framer.verdicts import Case, case_of
 from semantic_frames.frame import SemanticFrame
@@ -68,12 +70,14 @@ class Heard:
         context: what to remember
         sentence: the sentence that was read; None if the person must first say what was meant
         clauses: the clauses of the sentence with their readings; empty if no clause was read
+        is_small_talk: whether it is small talk from end to end, which is against nothing that runs
     """
 
     outcome: Outcome
     context: Context
     sentence: Optional[Sentence] = None
     clauses: Tuple[ClauseReadings, ...] = ()
+    is_small_talk: bool = False
 
 
 def read(
@@ -97,6 +101,7 @@ def hear(
     context: Context = Context(),
     policy: Policy = Policy(),
     now_s: float = 0.0,
+    said_s: float = 0.0,
     without: FrozenSet[str] = frozenset(),
     trace: Optional[Trace] = None,
 ) -> Heard:
@@ -108,11 +113,14 @@ def hear(
         context: what the framer remembers of earlier utterances
         policy: how careful the framer is
         now_s: time on the caller's clock, seconds; it decides when questions expire
+        said_s: stamp of the command, seconds; it decides which commands a fragment ("again") may repeat
         without: names of passes to switch off, which shows what a pass does
         trace: receives a line from every rule that changes or settles something; None for no trace
     """
-    heard = _Hearing(Now(known, policy, now_s, trace), without).hear(tree, context.at(now_s))
-    outcome = against_what_runs(heard.outcome, tree)
+    context = context.at(now_s).fresh(said_s, policy.fragment_timeout_s)
+    heard = _Hearing(Now(known, policy, now_s, trace), without).hear(tree, context)
+    outcome = heard.outcome if heard.is_small_talk else against_what_runs(heard.outcome, tree)
+    heard = replace(heard, context=replace(heard.context, last=last_command(outcome, heard.context.last, said_s)))
     if trace is not None:
         if not isinstance(outcome, Understood) and outcome != heard.outcome:
             is_against = outcome.code in (PROHIBITION, CORRECTION)
@@ -194,7 +202,16 @@ class _Hearing:
         return restructured(tree, self._now.known, passes=passes, without=self._without, trace=self._trace)
 
     def _read(self, sentence: Sentence, context: Context) -> Heard:
-        """Understand a sentence that is not an answer."""
+        """Understand a sentence that is not an answer: small talk, a change of the last command, or a command."""
+        talk = small_talk_of(sentence.tree)
+        if talk is not None:
+            kind = KindVerdict(UtteranceKind.TALK, talk.name)
+            self._now.write("utterance_kind", sentence.tree.text, str(kind))
+            return Heard(answer_small_talk(talk), context, sentence, is_small_talk=True)
+        change = change_of(sentence, context, self._now.known) if self._now.policy.fragment_timeout_s else None
+        if change is not None:
+            self._now.write("fragment", sentence.tree.text, change.note)
+            return Heard(*self._changed(change, sentence, context), sentence)
         known, policy = self._now.known, self._now.policy
         case = case_of(sentence, self._clauses(sentence), known, policy)
         if self._trace is not None:
@@ -222,6 +239,17 @@ class _Hearing:
             ignored = " ".join(sentence.word(index).form for index in words)
             outcome = replace(outcome, warning=f"{outcome.warning or 'ignored:'} {ignored}")
         return Heard(outcome, context, sentence, clauses)
+
+    def _changed(self, change: Change, sentence: Sentence, context: Context) -> Tuple[Outcome, Context]:
+        """Carry out a changed command, or ask first."""
+        if change.outcome is not None:
+            return change.outcome, context
+        if not change.wants_yes:
+            return resolve_and_confirm(change.clauses, sentence, context, self._now)
+        act = change.clauses[0][0].clause_text
+        self._now.write("confirm", act, "asked. The amount would be done again.")
+        pending = Pending(change.clauses, 0, (), self._now.expires_s)
+        return Question("CONFIRM", f'Shall I do this: "{act}"? Say yes or no.'), replace(context, pending=pending)
 
     def _readings(self, case: Case) -> Tuple[ClauseReadings, ...]:
         """Read each clause except the clauses that only tell something."""

@@ -180,6 +180,9 @@ class _Filling:
                     continue
                 if is_later_item(self._sentence.tree, head, [*heads, *self._heads.values()]):
                     continue
+                # "Until you are at the door": the door is no place of the verb.
+                if path.steps[-1].startswith("prep_") and self._sentence.word(head).deprel == "advcl":
+                    continue
                 if not relation.words and is_unfinished(self._sentence.tree, head):
                     self._unread[relation.name] = ()
                     self._unfinished |= self._sentence.subtree(head)
@@ -367,6 +370,10 @@ class _Filling:
         for phrase in self._sentence.children(self._clause.verb):
             inner = [other for other in taken if other in self._sentence.subtree(phrase.index) - {phrase.index}]
             positions = self._sentence.subtree(phrase.index).difference(*map(self._sentence.subtree, inner))
+            # "The door *directly* in front of you": the parser attaches the adverb to the verb.
+            positions |= words_before(
+                self._sentence.tree, head, min(positions), self._clause.positions - left_out - taken
+            )
             if (
                 min(positions) == max(noun | found) + 1
                 and is_postmodifier_of(self._sentence.tree, phrase.index, head, element.framenet in DESCRIBED)

@@ -3,7 +3,6 @@
 import threading
 import time
 import uuid
-from dataclasses import replace
 from typing import Dict, List, Mapping, Tuple
 
 import rospy
@@ -166,11 +165,11 @@ class SemanticFramer:
             self._lock.notify_all()
 
     def _on_stop(self, report: StopReport) -> None:
-        """Forget the open question: after a stop, nothing answers a question from before it."""
+        """Forget the open question and the last command: after a stop, nothing answers or repeats them."""
         with self._lock:
             self._stop_stamp = report.stop_stamp
             if self._context_stamp <= report.stop_stamp:
-                self._context = replace(self._context, pending=None)
+                self._context = self._context.stopped()
 
     def _on_command(self, message: CommandParse) -> None:
         try:
@@ -204,6 +203,7 @@ class SemanticFramer:
                     context=self._context,
                     policy=self._settings.policy,
                     now_s=time.monotonic(),
+                    said_s=stamp.to_sec(),
                     trace=trace,
                 )
                 outcome = heard.outcome
@@ -223,7 +223,7 @@ class SemanticFramer:
                     )
                     # A stopped command asks nothing. A stop stamp in the future does not count: the clock was set back.
                     is_stopped = stamp <= self._stop_stamp <= rospy.Time.now() and not self._stop_stamp.is_zero()
-                    self._context = replace(context, pending=None) if is_stopped else context
+                    self._context = context.stopped() if is_stopped else context
                     self._context_stamp = stamp
                     return outcome, str(trace) if trace is not None else ""
 

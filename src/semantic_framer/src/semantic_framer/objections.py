@@ -60,6 +60,7 @@ _ASKING = any_of(shipped_objections()["asking"])
 _REPORTING = any_of(shipped_objections()["reporting"])
 _HEARERS = word_class("hearers") | {"robot"}
 _OBJECTIONS = word_class("objections")
+_BARE = (_OBJECTIONS | word_class("around_objections")) - {"wrong", "wait"}
 _NO_PRONOUNS = word_class("no_pronouns")
 _OF_OPINION = word_class("verbs_of_opinion")
 
@@ -69,6 +70,9 @@ def against_what_runs(outcome: Outcome, tree: DependencyTree) -> Outcome:
     if isinstance(outcome, Question):
         return replace(outcome, code=CORRECTION) if is_objection(tree) else outcome
     code = code_of(tree, outcome.code if isinstance(outcome, Refusal) else "")
+    if code == CORRECTION and _is_only_an_objection(tree):
+        # The command server replies if something runs.
+        return Refusal(CORRECTION, "All right, I do nothing.")
     if code == CORRECTION and isinstance(outcome, Refusal) and outcome.code in _SAYING_WHY:
         return replace(outcome, code=CORRECTION)
     if code == CORRECTION:
@@ -112,6 +116,12 @@ def is_objection(tree: DependencyTree) -> bool:
     """Whether a sentence begins with an objection: "no, turn", to which the framer replies with a question."""
     words = [plain(word) for word in tree.words if word.upos != "PUNCT" and not is_filler(word.form)]
     return bool(words) and words[0] in _OBJECTIONS
+
+
+def _is_only_an_objection(tree: DependencyTree) -> bool:
+    """Whether a sentence says no, and nothing else."""
+    words = [plain(word) for word in tree.words if word.upos != "PUNCT" and not is_filler(word.form)]
+    return all(word in _BARE for word in words)
 
 
 def _is_statement(tree: DependencyTree) -> bool:

@@ -47,11 +47,13 @@ class Policy:
         left_over_words: what to do with words that a reading does not account for
         alternatives: what to do with "or"
         question_timeout_s: how long a question may be answered
+        fragment_timeout_s: how long a fragment ("again") may change or repeat the last command; 0 for never
     """
 
     left_over_words: LeftOverWords = LeftOverWords.ASK
     alternatives: Alternatives = Alternatives.EITHER
     question_timeout_s: float = 30.0
+    fragment_timeout_s: float = 60.0
 
 
 @dataclass(frozen=True)

@@ -13,10 +13,13 @@ from typed_arguments import TypedArgument
 from utterance_passes.tree import DependencyTree, Word
 from word_classes import word_class
 
+_ADVERBS_BEFORE_PREPOSITIONS = word_class("adverbs_before_prepositions")
 _BEFORE_DETERMINERS = word_class("before_determiners")
 _DEGREES = word_class("degrees")
 _FORWARD_AND_BACKWARD = word_class("forward_and_backward")
+_HEARERS = word_class("hearers")
 _LEFT_AND_RIGHT = word_class("left_and_right")
+_PLACE_PREPOSITIONS = word_class("place_prepositions")
 _PLACING = word_class("placing_prepositions")
 _SIDES = word_class("sides")
 
@@ -123,6 +126,31 @@ def is_two_phrases(filled: Filled) -> bool:
 def _counts_an_apposition(tree: DependencyTree, word: Word) -> bool:
     """Whether a number modifies an apposition to the noun before it: "3" in "room 3 knock"."""
     return word.deprel == "nummod" and tree.word(word.head).deprel == "appos"
+
+
+def is_side_of_the_place_before(filled: Filled) -> bool:
+    """Whether a phrase that says where something is for the hearer is taken for a place to go to, directly behind
+    another place: "through the door on the left", "to the wall in front of you".
+    """
+    if not filled.roles & PLACES or filled.value.members:
+        return False
+    positions = filled.value.positions
+    words = [filled.tree.word(index) for index in positions]
+    prepositions = [word for word in words if word.deprel == "case" and word.head == filled.head.index]
+    if not prepositions or prepositions[0].form.lower() not in _PLACE_PREPOSITIONS:
+        return False
+    nouns = [word for word in words if word.upos in ("NOUN", "PROPN") and word.form.lower() not in _SIDES]
+    is_of_hearer = all(word.form.lower() in _HEARERS for word in words if word.upos == "PRON" and word.xpos == "PRP")
+    is_side = filled.head.form.lower() in _SIDES or filled.head.form.lower() in _HEARERS
+    start = positions[0]
+    while start > 1 and filled.tree.word(start - 1).form.lower() in _ADVERBS_BEFORE_PREPOSITIONS:
+        start -= 1
+    is_behind_place = any(
+        value.relation and value.measure is None and value.positions and value.positions[-1] == start - 1
+        for value in filled.reading.arguments
+        if value is not filled.value
+    )
+    return is_side and is_of_hearer and is_behind_place and not nouns
 
 
 def is_degree(filled: Filled) -> bool:

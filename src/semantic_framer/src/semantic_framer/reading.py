@@ -33,7 +33,7 @@ class Reading:
     Attributes:
         unit: the lexical unit
         verb: the verb as the unit spells it, "pick up"
-        verb_positions: positions of the verb in the sentence
+        verb_positions: positions of the verb in the sentence; none if a fragment left it out
         arguments: of the elements, in the order of the frame
         missing: core elements without an argument
         left_over: positions of content words that the reading does not account for

@@ -58,7 +58,7 @@ def _reading(reading: Reading, tree: DependencyTree, preference: int) -> Lexical
     return LexicalUnitReading(
         lexical_unit=_unit(reading),
         arguments=[to_message(argument) for argument in reading.arguments],
-        verb_position=reading.verb_positions[0],
+        verb_position=reading.verb_positions[0] if reading.verb_positions else 0,
         left_over=[tree.word(index).form for index in reading.left_over if index <= count],
         coverage=reading.coverage,
         preference=preference,

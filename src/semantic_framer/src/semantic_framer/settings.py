@@ -18,6 +18,7 @@ class Settings(Parameters):
         left_over_words: what to do with words that a reading does not account for
         alternatives: what to do with "or"
         question_timeout_s: how long a question may be answered, seconds
+        fragment_timeout_s: how long a fragment ("again") may change or repeat the last command, seconds; 0 for never
         trace: whether each stage event includes the trace of the rules
         arguments: which words become arguments
         questions: what to do if the framer needs to know something first
@@ -31,6 +32,7 @@ class Settings(Parameters):
     left_over_words: LeftOverWords = parameter(Policy.left_over_words)
     alternatives: Alternatives = parameter(Policy.alternatives)
     question_timeout_s: float = parameter(Policy.question_timeout_s, least=1.0, most=3600.0)
+    fragment_timeout_s: float = parameter(Policy.fragment_timeout_s, least=0.0, most=3600.0)
     trace: bool = parameter(True)
     arguments: Arguments = parameter(Arguments.PHRASES)
     questions: Questions = parameter(Questions.ASK)
@@ -42,4 +44,5 @@ class Settings(Parameters):
             left_over_words=self.left_over_words,
             alternatives=self.alternatives,
             question_timeout_s=self.question_timeout_s,
+            fragment_timeout_s=self.fragment_timeout_s,
         )

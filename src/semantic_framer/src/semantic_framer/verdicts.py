@@ -257,6 +257,11 @@ PLAUSIBILITY: Tuple[ReadingVerdict, ...] = (
         "side_is_no_thing", 'A side is taken for a thing: "take a right".', _of_any_value(plausibility.is_side)
     ),
     ReadingVerdict(
+        "side_of_the_place_before",
+        'A side behind a place is taken for another place to go to: "through the door on the left".',
+        _of_any_value(plausibility.is_side_of_the_place_before),
+    ),
+    ReadingVerdict(
         "deed_is_no_thing",
         'A deed, an event or a way is taken for a thing: "take a nap", "take the lift".',
         _of_any_value(plausibility.is_deed),

@@ -1,11 +1,14 @@
 """The values refuse what cannot be."""
 
 import math
+import re
 
 import pytest
+from generated_arguments import Maker
 
 from typed_arguments import EmbeddedFrame, Measure, Modifier, TimeExpression, TypedArgument
 from typed_arguments.argument import MOST_LEVELS, MOST_PHRASES
+from typed_arguments.positions import with_moved_positions, without_any_position
 
 
 def nested(levels):
@@ -76,3 +79,14 @@ def test_box_near_the_lamp_on_the_table():
     box = TypedArgument("theme", "the box near the lamp on the table", head="box", frames=(near_lamp,))
     assert (box.size, box.levels) == (3, 3)
     assert box.frames[0].frame_elements[0].frames[0].frame_elements[0].relation == "on"
+
+
+@pytest.mark.parametrize("seed", range(20))
+def test_positions_move_with_all_parts(seed: int) -> None:
+    argument = Maker(seed).argument(name="theme")
+    assert with_moved_positions(argument, lambda position: position) == argument
+    there = with_moved_positions(argument, lambda position: position + 3)
+    assert with_moved_positions(there, lambda position: position - 3) == argument
+    bare = without_any_position(argument)
+    assert bare == without_any_position(there)
+    assert "positions=()" in repr(bare) and not re.search(r"position(s=\([^)]|=[1-9])", repr(bare))

@@ -2,7 +2,7 @@
 
 from typing import Tuple
 
-from utterance_passes import correct_parse, names, objects_behind, participles, places_told
+from utterance_passes import compass, correct_parse, names, objects_behind, participles, places_ahead, places_told
 from utterance_passes.utterance_pass import Example, Stage, TreePass
 
 #: Attach words where they can belong in a command; the words stay the same.
@@ -26,6 +26,20 @@ PARSE_CORRECTING_PASSES: Tuple[TreePass, ...] = (
         ),
         Stage.FRAMER,
         correct_parse.with_particles_on_the_way,
+    ),
+    TreePass(
+        "ahead_of",
+        'Turn "ahead of" into one preposition.',
+        Example(
+            "open|VERB|0|root doors|NOUN|1|obj ahead|ADV|1|advmod of|ADP|5|case Bob|PROPN|3|obl",
+            (
+                "ahead: advmod(open) ADV/ahead -> case(Bob) ADP/ahead",
+                "of: case(Bob) -> fixed(ahead)",
+                "Bob: obl(ahead) -> obl(open)",
+            ),
+        ),
+        Stage.FRAMER,
+        places_ahead.with_ahead_as_preposition,
     ),
     TreePass(
         "places_of_devices",
@@ -70,6 +84,16 @@ PARSE_CORRECTING_PASSES: Tuple[TreePass, ...] = (
         ),
         Stage.FRAMER,
         correct_parse.with_sides_apart,
+    ),
+    TreePass(
+        "compass_apart",
+        "Attach a direction of the compass to the verb.",
+        Example(
+            "move|VERB|0|root north|ADJ|4|amod two|NUM|4|nummod metres|NOUN|1|obl:unmarked",
+            ("north: amod(metres) ADJ/north -> advmod(move) ADV/north",),
+        ),
+        Stage.FRAMER,
+        compass.with_compass_directions_apart,
     ),
     TreePass(
         "around_apart",

@@ -5,6 +5,7 @@ from typing import Callable, Match, Pattern, Tuple, Union
 
 from utterance_passes import (
     argument_clusters,
+    aspectual_verbs,
     comparisons,
     corrections,
     formulas,
@@ -242,6 +243,17 @@ REPHRASING_PASSES: Tuple[TreePass, ...] = (
     ()
     + PARSE_CORRECTING_PASSES
     + (
+        TreePass(
+            "aspectual_verbs",
+            'Replace "start moving", "continue to move" and the like by "move".',
+            Example(
+                "start|VERB|0|root turning|VERB|1|xcomp|turn|VBG",
+                ("start: root -> discourse:aside(turning)", "turning: xcomp(start) -> root"),
+                _TURN,
+            ),
+            Stage.FRAMER,
+            aspectual_verbs.without_aspectual_verbs,
+        ),
         TreePass(
             "light_verbs",
             'Replace light verbs by the verbs that they mean, if the lexicon has those: "can I have" means "I want".',

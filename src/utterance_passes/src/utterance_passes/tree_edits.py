@@ -3,7 +3,7 @@
 from dataclasses import dataclass, replace
 from typing import AbstractSet, Callable, FrozenSet, List, Sequence, Tuple, Union
 
-from utterance_passes.tree import DependencyTree, Word
+from utterance_passes.tree import ASIDE, DependencyTree, Word
 
 
 class NotATree(ValueError):
@@ -222,3 +222,60 @@ def joined(text: str, trees: Sequence[DependencyTree]) -> DependencyTree:
             words.append(replace(word, index=word.index + shift, head=head, deprel=deprel))
         first = first or next(word.index for word in words if word.head == 0)
     return DependencyTree(text=text, words=tuple(words))
+
+
+def behind_verb(
+    tree: DependencyTree, verb: Sequence[str], kept: AbstractSet[int], last_word: str = ""
+) -> DependencyTree:
+    """Put the words of a fragment behind a verb that was not said: "ten feet" becomes "move ten feet".
+
+    Args:
+        tree: the fragment
+        verb: words of the verb; they get the first positions
+        kept: positions of the words of the fragment that count; the others become asides
+        last_word: a noun that the fragment leaves out, after its last kept word; empty for none
+    """
+    shift = len(verb)
+    said = " ".join(verb)
+    words = [_unsaid(1, verb[0], "VERB", "VB", 0, "root", 0)]
+    for index, particle in enumerate(verb[1:], start=2):
+        words.append(_unsaid(index, particle, "ADP", "RP", 1, "compound:prt", said.index(particle)))
+    offset = len(said) + 1
+    for word in tree.words:
+        head = word.head
+        while head and head not in kept:
+            head = tree.word(head).head
+        is_top = word.index in kept and not head
+        deprel = word.deprel
+        if word.index not in kept:
+            head, deprel = 0, "punct" if word.upos == "PUNCT" else ASIDE
+        elif is_top:
+            deprel = _relation_of_top(tree, word, kept)
+        words.append(
+            replace(
+                word,
+                index=word.index + shift,
+                head=head + shift if head else 1,
+                deprel=deprel,
+                start_character=word.start_character + offset,
+                end_character=word.end_character + offset,
+            )
+        )
+    text = f"{said} {tree.text}"
+    if last_word:
+        end = tree.word(max(kept)).end_character + offset
+        text = f"{text[:end]} {last_word}"
+        words = [word for word in words if word.index <= max(kept) + shift]
+        words.append(_unsaid(len(words) + 1, last_word, "NOUN", "NNS", 1, "obj", end + 1))
+    return DependencyTree(text=text, words=tuple(words))
+
+
+def _relation_of_top(tree: DependencyTree, word: Word, kept: AbstractSet[int]) -> str:
+    children = [child for child in tree.children(word.index) if child.index in kept]
+    if any(child.deprel == "case" for child in children):
+        return "obl"
+    return "obj" if word.upos in ("NOUN", "PROPN", "PRON", "NUM", "SYM", "X") else "advmod"
+
+
+def _unsaid(index: int, form: str, upos: str, xpos: str, head: int, deprel: str, start: int) -> Word:
+    return Word(index, form, form, upos, xpos, "", head, deprel, start, start + len(form))

@@ -26,10 +26,9 @@ ORDER = (
     "command_verb numbered_noun "
     "one_object particle_predicates verb_compounds infinitive_conjuncts reroot "
     "objection restarts corrections "
-    "modals_as_nouns particles_on_the_way places_of_devices places_of_all measured_turns sides_apart around_apart "
-    "degrees objects_of_vocatives letters_as_names participles objects_behind places_told "
-    "light_verbs quotations comparisons formulas argument_clusters "
-    "shared_verbs times"
+    "modals_as_nouns particles_on_the_way ahead_of places_of_devices places_of_all measured_turns sides_apart "
+    "compass_apart around_apart degrees objects_of_vocatives letters_as_names participles objects_behind "
+    "places_told aspectual_verbs light_verbs quotations comparisons formulas argument_clusters shared_verbs times"
 ).split()
 PACKAGE = Path(__file__).resolve().parents[2] / "src" / "utterance_passes"
 

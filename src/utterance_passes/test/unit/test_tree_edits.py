@@ -1,13 +1,15 @@
 """Trees come of trees in one place, and what comes of an edit is a tree."""
 
 import ast
+from dataclasses import replace
 from pathlib import Path
 from typing import Iterator, List, Tuple
 
 import pytest
 
 from utterance_passes.conllu import from_short
-from utterance_passes.tree_edits import NotATree, TreeEdit, set_aside
+from utterance_passes.tree import DependencyTree
+from utterance_passes.tree_edits import NotATree, TreeEdit, behind_verb, set_aside
 
 SOURCES = Path(__file__).resolve().parents[3]
 TREE = from_short("take|VERB|0|root the|DET|3|det mug|NOUN|1|obj")
@@ -81,3 +83,36 @@ def test_the_check_itself_finds_an_edit_by_hand(tmp_path: Path) -> None:
     module = tmp_path / "pass_by_hand.py"
     module.write_text("def hang(word):\n    return replace(word, head=1)\n", encoding="utf-8")
     assert makes_trees(module)
+
+
+def test_a_fragment_stands_behind_a_verb() -> None:
+    words = from_short("and|CCONJ|4|cc now|ADV|4|advmod ten|NUM|4|nummod more|ADJ|0|root").words
+    starts = (0, 4, 8, 12)
+    placed = (replace(word, start_character=at, end_character=at + len(word.form)) for word, at in zip(words, starts))
+    fragment = DependencyTree("and now ten more", tuple(placed))
+    tree = behind_verb(fragment, ["pick", "up"], {3, 4}, "feet")
+    assert tree.text == "pick up and now ten more feet"
+    assert [tree.text[word.start_character : word.end_character] for word in tree.words] == tree.text.split()
+    assert [(word.head, word.deprel) for word in tree.words] == [
+        (0, "root"),
+        (1, "compound:prt"),
+        (1, "discourse:aside"),
+        (1, "discourse:aside"),
+        (6, "nummod"),
+        (1, "advmod"),
+        (1, "obj"),
+    ]
+
+
+@pytest.mark.parametrize(
+    "fragment, relation",
+    [
+        ("to|ADP|3|case the|DET|3|det left|NOUN|0|root", "obl"),
+        ("the|DET|2|det office|NOUN|0|root", "obj"),
+        ("faster|ADV|0|root", "advmod"),
+    ],
+)
+def test_the_form_of_a_fragment_decides_its_relation(fragment: str, relation: str) -> None:
+    tree = from_short(fragment)
+    behind = behind_verb(tree, ["go"], {word.index for word in tree.words})
+    assert [word.deprel for word in behind.children(1)] == [relation]

@@ -1,0 +1,411 @@
+"""Applies a fragment to the last command: the words of the fragment fill elements, and all others stay as they were.
+
+A fragment is read behind the verb of the last command ("ten feet" as "move ten feet"), by the lexical units of its
+frame. A noun phrase without a preposition replaces what was said for an element of its type: "the office" after "go to
+the kitchen".
+"""
+
+import re
+from dataclasses import dataclass, replace
+from typing import Dict, FrozenSet, List, Optional, Sequence, Tuple
+
+from phrase_meanings.arguments import of_same_kind, on_other_side
+from semantic_framer.dialogue import Context, LastCommand
+from semantic_framer.fragments import Fragment, FragmentKind, fragment_of
+from semantic_framer.framed_lexicon import FramedLexicon
+from semantic_framer.matching import read_clause
+from semantic_framer.outcome import (
+    CORRECTION,
+    DECLINED,
+    QUESTION,
+    REPORT,
+    TALK,
+    WISH,
+    Outcome,
+    Question,
+    Refusal,
+    Understood,
+    join_with_or,
+)
+from semantic_framer.reading import Reading
+from semantic_framer.sentence import Sentence
+from semantic_framer.type_fits import with_types
+from semantic_framer.unheeded import without_unheeded
+from semantic_frames.frame import FrameElement, SemanticFrame
+from semantic_frames.semantic_type import with_parents
+from semantic_types import Fit
+from typed_arguments import Source, TypedArgument
+from typed_arguments.positions import with_moved_positions, without_any_position
+from utterance_passes.clauses import find_clauses
+from utterance_passes.measures import find_amounts
+from utterance_passes.tree_edits import behind_verb
+from word_classes import word_class, word_list
+
+#: Types with much in common.
+_ALIKE = (("Sentient",), ("Location",), ("Physical_object", "Substance"), ("Information",))
+_HEARERS = word_class("hearers")
+_PERSONS = word_class("pronouns_of_persons")
+_ONES = frozenset(["one", "ones"])
+_PAIRS = word_list("opposite_sides")
+#: The other side of each side.
+_OPPOSITES: Dict[str, str] = {
+    **dict(zip(_PAIRS[::2], _PAIRS[1::2])),
+    **dict(zip(_PAIRS[1::2], _PAIRS[::2])),
+}
+
+Clauses = Tuple[Tuple[Reading, ...], ...]
+#: After these refusals, a fragment still means the command before: no other command was said.
+_NO_COMMANDS = frozenset([TALK, QUESTION, REPORT, WISH, DECLINED, CORRECTION, "NO_VERB"])
+#: Replies quote an utterance without these final marks.
+_MARKS = " .!?,"
+
+
+def amended(fragment: Fragment, sentence: Sentence, last: LastCommand, known: FramedLexicon) -> Tuple[Clauses, ...]:
+    """Return what a fragment may mean after a command.
+
+    Args:
+        fragment: the fragment
+        sentence: its utterance
+        last: the command
+        known: lexical units and frames
+    Returns:
+        the readings of the changed command, for each of its clauses that the fragment may change; empty if the
+        fragment fits none
+    """
+    if any(one.unit.frame_name not in known.frames for readings in last.clauses for one in readings):
+        return ()
+    if fragment.kind is FragmentKind.REPEAT:
+        return (tuple(tuple(map(_unsaid, readings)) for readings in last.clauses),)
+    found: List[Tuple[int, Clauses]] = []
+    for readings in reversed(last.clauses):
+        changes = [_Amending(fragment, sentence, reading, known).changed() for reading in readings]
+        fitting = tuple(reading for reading in changes if reading is not None)
+        # The best reading was what the person meant: if it does not fit, the fragment is about something else.
+        if fitting and changes[0] is not None:
+            names = {one.name for one in readings[0].arguments}
+            added = sum(1 for one in fitting[0].arguments if one.positions and one.name not in names)
+            found.append((added, (fitting,)))
+    least = min((added for added, _ in found), default=0)
+    return tuple(clauses for added, clauses in found if added == least)
+
+
+def _unsaid(reading: Reading) -> Reading:
+    """Return a reading of an earlier utterance as one of which nothing was said in this one."""
+    return replace(
+        reading,
+        verb_positions=(),
+        arguments=tuple(_inferred(argument) for argument in reading.arguments),
+        left_over=(),
+        extra=None,
+        listed=frozenset(),
+        unread=(),
+    )
+
+
+def _inferred(argument: TypedArgument) -> TypedArgument:
+    is_default = argument.source is Source.DEFAULT
+    return replace(without_any_position(argument), source=Source.DEFAULT if is_default else Source.INFERRED)
+
+
+class _Amending:
+    """Applies a fragment to one reading of a clause."""
+
+    def __init__(self, fragment: Fragment, sentence: Sentence, reading: Reading, known: FramedLexicon) -> None:
+        self._fragment = fragment
+        self._sentence = sentence
+        self._tree = sentence.tree
+        self._reading = reading
+        self._known = known
+        self._frame: SemanticFrame = known.frames[reading.unit.frame_name]
+
+    def changed(self) -> Optional[Reading]:
+        """Return the changed reading; None if the fragment does not fit it."""
+        kind = self._fragment.kind
+        if kind is FragmentKind.MORE:
+            return _unsaid(self._reading) if self._measured() else None
+        if kind is FragmentKind.BIT:
+            return self._with_open_amount()
+        is_one = self._tree.word(self._fragment.positions[-1]).form.lower() in _ONES
+        if kind is FragmentKind.OPPOSITE or is_one:
+            found = self._of_a_side() or self._replaced()
+        else:
+            found = self._replaced() or self._read_behind_verb()
+        if not found:
+            return None
+        changed = self._with(found)
+        _, lost = without_unheeded(self._sentence, changed, self._frame, self._known.heeded.get(self._frame.name))
+        return None if lost else changed
+
+    def _with(self, found: Sequence[TypedArgument]) -> Reading:
+        new = {argument.name: argument for argument in found}
+        before = _unsaid(self._reading)
+        kept = [one for one in before.arguments if one.name not in new]
+        order = {element.name: place for place, element in enumerate(self._frame.frame_elements)}
+        arguments = tuple(sorted([*kept, *found], key=lambda one: order.get(one.name, len(order))))
+        units = {element.unit_element for element in self._frame.frame_elements if element.quantity}
+        spoken = [one for one in arguments if one.source is not Source.DEFAULT and one.name not in units]
+        said = [one.words or one.text for one in spoken]
+        return replace(
+            before,
+            arguments=arguments,
+            missing=tuple(element for element in before.missing if element.name not in new),
+            clause_text=" ".join([before.verb, *(words for words in said if words.lower() not in _HEARERS)]),
+        )
+
+    def _measured(self) -> List[FrameElement]:
+        """Return the elements of the frame that have an amount."""
+        filled = {argument.name for argument in self._reading.arguments}
+        return [element for element in self._frame.frame_elements if element.quantity and element.name in filled]
+
+    def _with_open_amount(self) -> Optional[Reading]:
+        """Return the reading without its amount: the person must say how much a bit is."""
+        measured = self._measured()
+        if len(measured) != 1:
+            return None
+        names = {measured[0].name, measured[0].unit_element}
+        before = _unsaid(self._reading)
+        return replace(
+            before,
+            arguments=tuple(one for one in before.arguments if one.name not in names),
+            missing=tuple(element for element in self._frame.frame_elements if element.name in names),
+        )
+
+    def _of_a_side(self) -> Tuple[TypedArgument, ...]:
+        """Return the only argument with a side, on the other side, or on the side that the fragment names ("the right
+        one"); nothing if there is none.
+        """
+        named = [self._tree.word(index).form.lower() for index in self._fragment.positions]
+        sides = [form for form in named if form in _OPPOSITES]
+        found = []
+        for argument in self._reading.arguments:
+            words = re.findall(r"\w+", argument.text.lower()) + [one.word.lower() for one in argument.modifiers]
+            spoken = [word for word in dict.fromkeys(words) if word in _OPPOSITES]
+            if len(spoken) == 1 and argument.measure is None:
+                found.append((argument, spoken[0]))
+        is_about_sides = self._fragment.kind is FragmentKind.OPPOSITE or len(sides) == 1
+        if len(found) != 1 or not is_about_sides or (sides and sides[0] not in (found[0][1], _OPPOSITES[found[0][1]])):
+            return ()
+        argument, side = found[0]
+        other = sides[0] if sides else _OPPOSITES[side]
+        return (on_other_side(self._tree, argument, side, other, self._fragment.positions),)
+
+    # --- noun phrases
+
+    def _replaced(self) -> Tuple[TypedArgument, ...]:
+        """Return the noun phrase of the fragment, in the place of what was said for an element; nothing if the fragment
+        is none, or fits no element or several.
+        """
+        head = self._head()
+        if not head:
+            return ()
+        is_one = self._tree.word(head).form.lower() in _ONES
+        slots = [
+            (argument, element)
+            for argument in self._reading.arguments
+            for element in [self._frame.element(argument.name)]
+            if element is not None and self._is_noun_phrase(argument, element)
+        ]
+        if is_one:
+            # "The red one" is what had a colour, or another property, before.
+            slots = [slot for slot in slots if slot[0].text.lower() not in _PERSONS and slot[0].head]
+            fitting = [slot for slot in slots if slot[0].modifiers] if len(slots) > 1 else slots
+        else:
+            near = [(self._nearness(head, *slot), slot) for slot in slots]
+            best = max((nearness for nearness, _ in near), default=0)
+            fitting = [slot for nearness, slot in near if nearness == best and nearness > 0]
+        if len(fitting) != 1:
+            return ()
+        argument, _ = fitting[0]
+        made = self._sentence.phrases.argument(argument.name, head, left_out=self._left_out())
+        if is_one:
+            made = of_same_kind(made, argument)
+        elif len(made.positions) != len(self._fragment.positions):
+            return ()
+        made = replace(made, relation=argument.relation)
+        typed = with_types([made], self._frame, self._sentence.types)
+        return typed.arguments if is_one or not typed.wrong else ()
+
+    def _head(self) -> int:
+        """Return the head of a fragment that is one noun phrase without prepositions; 0 for others."""
+        kept = frozenset(self._fragment.positions)
+        tops = [index for index in self._fragment.positions if self._tree.word(index).head not in kept]
+        if len(tops) != 1 or self._tree.word(tops[0]).upos not in ("NOUN", "PROPN", "PRON", "NUM", "X"):
+            return 0
+        # "The plate to the office" and "Ben the cup" are two phrases each.
+        inside = [self._tree.word(index) for index in self._fragment.positions if index > tops[0]]
+        is_in_phrase = any(
+            word.deprel in ("case", "mark") or (word.deprel == "det" and self._tree.word(word.head).deprel != "conj")
+            for word in inside
+        )
+        is_in_phrase |= any(child.deprel == "case" for child in self._tree.children(tops[0]) if child.index in kept)
+        spoken = [index for index in self._fragment.positions if self._tree.word(index).upos != "PUNCT"]
+        is_amount = any(
+            amount.unit or len(spoken) == len(amount.positions) for amount in find_amounts(self._tree, spoken)
+        )
+        return 0 if is_in_phrase or (is_amount and self._tree.word(tops[0]).form.lower() not in _ONES) else tops[0]
+
+    def _left_out(self) -> FrozenSet[int]:
+        return frozenset(word.index for word in self._tree.words) - frozenset(self._fragment.positions)
+
+    def _is_noun_phrase(self, argument: TypedArgument, element: FrameElement) -> bool:
+        is_word_of_unit = any(
+            relation.name == argument.name and argument.text.lower() in relation.words
+            for relation in self._reading.unit.relations
+        )
+        is_unit = any(other.unit_element == element.name for other in self._frame.frame_elements)
+        return not (
+            argument.measure is not None
+            or argument.source is Source.DEFAULT
+            or argument.direction
+            or element.quantity
+            or element.values
+            or is_word_of_unit
+            or is_unit
+            or argument.text.lower() in _HEARERS
+        )
+
+    def _nearness(self, head: int, argument: TypedArgument, element: FrameElement) -> int:
+        """Return how near a noun phrase is to what was said for an element: 3 for the same type, 2 for types that have
+        much in common, 1 if it fits the element, 0 if it cannot replace it.
+        """
+        types = self._sentence.types
+        fit = types.fit(head, element.semantic_types) if element.semantic_types else Fit.UNKNOWN
+        if fit is Fit.WRONG:
+            return 0
+        if not types.of(head).types:
+            return 2
+        before = with_parents(argument.semantic_type) if argument.semantic_type else frozenset()
+        if argument.semantic_type and types.likeliest(head) == argument.semantic_type:
+            return 3
+        if any(types.fit(head, kinds) is Fit.LIKELY for kinds in _ALIKE if before & frozenset(kinds)):
+            return 2
+        return 1 if fit is Fit.LIKELY else 0
+
+    # --- other phrases
+
+    def _read_behind_verb(self) -> Tuple[TypedArgument, ...]:
+        """Return what the units of the frame make of the fragment behind their verb; nothing if words are left over."""
+        amounts = find_amounts(self._tree, list(self._fragment.positions))
+        unit = ""
+        if amounts and not any(amount.unit for amount in amounts):
+            unit = self._unit() if self._fragment.is_more else ""
+            if not unit:
+                return ()
+        verb = self._reading.verb.split()
+        tree = behind_verb(self._tree, verb, frozenset(self._fragment.positions), unit)
+        if not tree.is_connected:
+            return ()
+        sentence = Sentence(tree, self._known.types)
+        shift, count = len(verb), len(self._tree.words)
+
+        def moved(position: int) -> int:
+            return position - shift if shift < position <= shift + count else 0
+
+        for clause in find_clauses(tree, self._known)[:1]:
+            for reading in read_clause(sentence, clause, self._known):
+                if reading.unit.frame_name != self._frame.name or reading.left_over or reading.wrong_types:
+                    continue
+                said = [one for one in reading.arguments if any(position > shift for position in one.positions)]
+                if said and not reading.unread and not self._has_unlisted(sentence, reading):
+                    return tuple(self._resolved(with_moved_positions(one, moved)) for one in said)
+        return ()
+
+    def _resolved(self, argument: TypedArgument) -> TypedArgument:
+        before = self._reading.argument(argument.name)
+        return argument if before is None or argument.head.lower() not in _ONES else of_same_kind(argument, before)
+
+    def _has_unlisted(self, sentence: Sentence, reading: Reading) -> bool:
+        """Whether an argument has more words than the unit lists for its element: "slowly and the cat"."""
+        limited = {relation.name for relation in reading.unit.relations if relation.words}
+        said = {
+            index
+            for one in reading.arguments
+            if one.name in limited and one.head_position in reading.listed
+            for index in one.positions
+        }
+        return any(sentence.is_content(index) for index in said - reading.listed)
+
+    def _unit(self) -> str:
+        """Return the unit of the amount in the last command; empty if it has none, or several."""
+        measured = self._measured()
+        value = self._reading.argument(measured[0].unit_element) if len(measured) == 1 else None
+        return value.text if value is not None else ""
+
+
+def last_command(outcome: Outcome, before: Optional[LastCommand], said_s: float) -> Optional[LastCommand]:
+    """Return the command that the next fragment may change or repeat.
+
+    A command that was refused or asked about leaves none: the fragment could mean it, and not the command before.
+
+    Args:
+        outcome: of this utterance
+        before: the last command before it
+        said_s: stamp of this utterance, seconds
+    """
+    if isinstance(outcome, Understood):
+        return LastCommand(outcome.clauses, said_s)
+    return before if isinstance(outcome, Refusal) and outcome.code in _NO_COMMANDS else None
+
+
+@dataclass(frozen=True)
+class Change:
+    """What a fragment leads to.
+
+    Attributes:
+        note: says in the trace what was done
+        outcome: why nothing is done; None if the changed command is carried out
+        clauses: readings of the changed command; empty with an outcome
+        wants_yes: whether the person must first say yes
+    """
+
+    note: str
+    outcome: Optional[Outcome] = None
+    clauses: Clauses = ()
+    wants_yes: bool = False
+
+
+def change_of(sentence: Sentence, context: Context, known: FramedLexicon) -> Optional[Change]:
+    """Apply a fragment to the last command.
+
+    Args:
+        sentence: the utterance
+        context: what the framer remembers
+        known: lexical units and frames
+    Returns:
+        the change; None if the utterance is to be read as a command
+    """
+    fragment = fragment_of(sentence, known)
+    if fragment is None:
+        return None
+    said = sentence.tree.text.strip(_MARKS)
+    if context.last is None:
+        if not fragment.needs_command:
+            return None
+        question = Question("AMBIGUOUS", f'What do you mean by "{said}"? Say it in a whole sentence.')
+        return Change("asked. No command was said before it.", question)
+    before = "; ".join(str(readings[0]) for readings in context.last.clauses)
+    found = amended(fragment, sentence, context.last, known)
+    if len(found) > 1:
+        options = [f'"{clauses[0][0].clause_text}"' for clauses in found]
+        question = Question("AMBIGUOUS", f"Which do you mean: {join_with_or(options)}? Say it in a whole sentence.")
+        return Change(f"asked. Several clauses of {before} have such an element.", question)
+    if not found:
+        if not fragment.needs_command:
+            return None
+        refusal = Refusal("NO_VERB", f'I do not know what "{said}" means after my last command.')
+        return Change(f"refused. It says nothing about {before}.", refusal)
+    clauses = found[0]
+    after = "; ".join(str(readings[0]) for readings in clauses)
+    note = f"{fragment.kind.value}: {before} -> {after}"
+    return Change(note, clauses=clauses, wants_yes=_is_manner_of_amount(fragment, clauses, known))
+
+
+def _is_manner_of_amount(fragment: Fragment, clauses: Clauses, known: FramedLexicon) -> bool:
+    """Whether a fragment says only how to do something that has an amount: "faster" after "move forward two metres"."""
+    if fragment.kind is not FragmentKind.ELEMENTS:
+        return False
+    reading = clauses[0][0]
+    frame = known.frames[reading.unit.frame_name]
+    said = {argument.name for argument in reading.arguments if argument.positions}
+    core = {element.name for element in frame.frame_elements if element.is_core}
+    return not said & core and any(argument.measure is not None for argument in reading.arguments)

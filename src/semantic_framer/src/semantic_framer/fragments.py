@@ -1,0 +1,162 @@
+"""Recognises fragments: utterances without a verb of their own that change or repeat the last command.
+
+"Ten feet", "to the left", "and now the red one" name elements; "again", "more", "a bit more" and "the other way" say
+what to do with the whole command. The words are in ``fragments.yaml``.
+"""
+
+from dataclasses import dataclass
+from enum import Enum
+from functools import lru_cache
+from pathlib import Path
+from typing import Mapping, Optional, Pattern, Sequence, Tuple
+
+from semantic_framer.framed_lexicon import FramedLexicon
+from semantic_framer.mood_file import UtteranceKind
+from semantic_framer.sentence import Sentence
+from semantic_framer.utterance_kind import kind_without_clause
+from semantic_frames.source_files import read_text
+from utterance_passes.clauses import find_clauses
+from utterance_passes.formula_file import Formula, any_of, is_filler, load_formulas
+from utterance_passes.objections import plain
+from utterance_passes.tree import ABANDONED
+from utterance_passes.verb_matching import match_verbs
+from word_classes import word_class
+
+#: Next to this module in the source, devel and install space.
+FRAGMENTS_FILE = Path(__file__).resolve().parent / "fragments.yaml"
+KINDS = ("openings", "endings", "whole_command", "as_much_again", "a_bit_more", "other_side")
+#: The most words of an opening or an ending.
+_LONGEST = 6
+_AGREEMENTS = word_class("agreements")
+_LEFT_AND_RIGHT = word_class("left_and_right")
+_MORE = word_class("more_words")
+#: Alone, they name nothing that was not said already.
+_NOTHING_NEW = word_class("pronouns") | word_class("place_adverbs")
+_NO_FRAGMENT = word_class("negations") | word_class("conditions") | word_class("question_words")
+
+
+class FragmentKind(Enum):
+    """What a fragment does to the last command."""
+
+    REPEAT = "repeats it"
+    MORE = "does as much again"
+    BIT = "does a bit more"
+    OPPOSITE = "takes the other side"
+    ELEMENTS = "changes elements"
+
+
+@dataclass(frozen=True)
+class Fragment:
+    """An utterance that changes or repeats the last command.
+
+    Attributes:
+        kind: what it does
+        positions: of the words that count, ascending
+        is_more: whether its amount comes on top: "ten more"
+    """
+
+    kind: FragmentKind
+    positions: Tuple[int, ...]
+    is_more: bool = False
+
+    @property
+    def needs_command(self) -> bool:
+        """Whether the words mean nothing without an earlier command, so that the robot asks what is meant."""
+        return self.kind in (FragmentKind.REPEAT, FragmentKind.MORE, FragmentKind.BIT)
+
+
+@lru_cache(maxsize=None)
+def shipped_fragments() -> Mapping[str, Tuple[Formula, ...]]:
+    """Return the patterns of ``fragments.yaml``, read once.
+
+    Raises:
+        FileRefused: the file is wrong
+    """
+    return load_formulas(read_text(str(FRAGMENTS_FILE)), str(FRAGMENTS_FILE), KINDS, keys=("pattern", "example"))
+
+
+_OPENINGS, _ENDINGS = any_of(shipped_fragments()["openings"]), any_of(shipped_fragments()["endings"])
+_WHOLE: Tuple[Tuple[FragmentKind, Pattern[str]], ...] = tuple(
+    (kind, any_of(shipped_fragments()[name]))
+    for kind, name in (
+        (FragmentKind.REPEAT, "whole_command"),
+        (FragmentKind.MORE, "as_much_again"),
+        (FragmentKind.BIT, "a_bit_more"),
+        (FragmentKind.OPPOSITE, "other_side"),
+    )
+)
+
+
+def fragment_of(sentence: Sentence, known: FramedLexicon) -> Optional[Fragment]:
+    """Return an utterance as a fragment; None if it is none, or a command of its own.
+
+    Args:
+        sentence: the utterance
+        known: an utterance with a verb of the lexicon is a command
+    """
+    tree = sentence.tree
+    hidden = {word.index for word in tree.words if word.deprel == ABANDONED}
+    said = [word for word in tree.words if word.upos != "PUNCT" and not is_filler(word.form)]
+    said = [word for word in said if word.index not in hidden]
+    forms = [plain(word) for word in said]
+    first, last = _core(forms)
+    core = " ".join(forms[first:last])
+    positions = tuple(word.index for word in said[first:last])
+    # "Right" alone agrees; "now right" and "no, right" do not.
+    if not core or (core in _AGREEMENTS and last - first == len(forms)):
+        return None
+    kind = next((kind for kind, pattern in _WHOLE if pattern.fullmatch(core)), None)
+    if kind is not None:
+        return Fragment(kind, positions)
+    if core in _LEFT_AND_RIGHT:
+        # The parser takes "left" for a verb.
+        return Fragment(FragmentKind.ELEMENTS, positions)
+    clauses = find_clauses(tree, known)
+    if any(match_verbs(tree, clause, known) for clause in clauses) or frozenset(forms[first:last]) & _NO_FRAGMENT:
+        return None
+    if core in _NOTHING_NEW or tree.times or tree.quoted:
+        return None
+    if kind_without_clause(tree).kind is not UtteranceKind.ANSWER:
+        return None
+    is_more = bool(_MORE & frozenset(forms[first:last]))
+    if forms[last - 1] in _MORE and last - first > 1:
+        positions = positions[:-1]
+    return Fragment(FragmentKind.ELEMENTS, positions, is_more)
+
+
+def _core(forms: Sequence[str]) -> Tuple[int, int]:
+    """Return the bounds of the words between openings and endings."""
+    first, last = 0, len(forms)
+    if not any(pattern.fullmatch(" ".join(forms)) for _, pattern in _WHOLE):
+        first = _behind(forms, _OPENINGS)
+        while last > first:
+            length = next(
+                (
+                    length
+                    for length in range(min(_LONGEST, last - first), 0, -1)
+                    if _ENDINGS.fullmatch(" ".join(forms[last - length : last]))
+                ),
+                0,
+            )
+            if not length:
+                break
+            last -= length
+    return first, last
+
+
+def _behind(forms: Sequence[str], openings: Pattern[str]) -> int:
+    """Return the number of words that openings take."""
+    first = 0
+    while first < len(forms):
+        length = next(
+            (
+                length
+                for length in range(min(_LONGEST, len(forms) - first), 0, -1)
+                if openings.fullmatch(" ".join(forms[first : first + length]))
+            ),
+            0,
+        )
+        if not length:
+            break
+        first += length
+    return first

@@ -1,0 +1,147 @@
+"""Fragments and repeats change or repeat the last command while it is fresh."""
+
+from dataclasses import replace
+from typing import Dict, Tuple
+
+import pytest
+
+from semantic_framer.dialogue import Context, LastCommand
+from semantic_framer.fragments import shipped_fragments
+from semantic_framer.framed_lexicon import FramedLexicon
+from semantic_framer.framer import Policy, Question, Refusal, Understood, hear
+from semantic_framer.lexicon import Lexicon
+from semantic_frames.frame import SemanticFrame
+from stanford_parser_ros.model import Parser
+from typed_arguments import Source
+from utterance_passes.formula_file import Formula
+from utterance_passes.trace import Trace
+
+PATTERNS = [(kind, formula) for kind, formulas in shipped_fragments().items() for formula in formulas]
+
+
+class Talk:
+    """One person and one framer; each utterance has a stamp."""
+
+    def __init__(self, parser: Parser, known: FramedLexicon) -> None:
+        self._parser = parser
+        self._known = known
+        self._verbs = frozenset(verb.split()[0] for verb in known.lexicon.verbs)
+        self.context = Context()
+        self.trace = ""
+
+    def say(self, text: str, said_s: float = 100.0, policy: Policy = Policy()) -> object:
+        trace = Trace()
+        tree = self._parser.parse(text, self._verbs)
+        heard = hear(tree, self._known, context=self.context, policy=policy, said_s=said_s, trace=trace)
+        self.context, self.trace = heard.context, str(trace)
+        return heard.outcome
+
+    def frames(self, text: str, said_s: float = 100.0, policy: Policy = Policy()) -> Tuple[str, ...]:
+        outcome = self.say(text, said_s, policy)
+        assert isinstance(outcome, Understood), outcome
+        return tuple(str(readings[0]) for readings in outcome.clauses)
+
+
+@pytest.fixture
+def talk(parser: Parser, lexicon: Lexicon, frames: Dict[str, SemanticFrame]) -> Talk:
+    return Talk(parser, FramedLexicon(lexicon, frames))
+
+
+@pytest.mark.parametrize("kind, formula", PATTERNS, ids=lambda value: getattr(value, "example", value))
+def test_the_example_of_a_pattern_is_its_own(kind: str, formula: Formula) -> None:
+    of_kind = [other for of, other in PATTERNS if of == kind]
+    assert [other for other in of_kind if other.pattern.fullmatch(formula.example)] == [formula]
+
+
+def test_a_measure_replaces_the_amount(talk: Talk) -> None:
+    talk.say("Move forward two metres.")
+    outcome = talk.say("ten feet")
+    assert isinstance(outcome, Understood)
+    reading = outcome.clauses[0][0]
+    assert str(reading) == "moving(direction=forward, distance=10, distance_unit=feet)"
+    direction, distance = reading.argument("direction"), reading.argument("distance")
+    assert direction is not None and distance is not None
+    assert direction.source is Source.INFERRED and not direction.positions
+    assert distance.source is Source.SAID and distance.positions == (1, 2)
+    assert distance.si == pytest.approx(3.048)
+    assert "fragment: ten feet: changes elements" in talk.trace
+
+
+def test_a_repeat_says_nothing_new(talk: Talk) -> None:
+    first = talk.frames("Go to the kitchen and turn left.")
+    outcome = talk.say("again")
+    assert isinstance(outcome, Understood)
+    assert tuple(str(readings[0]) for readings in outcome.clauses) == first
+    values = [value for readings in outcome.clauses for value in readings[0].arguments]
+    assert {value.source for value in values} == {Source.INFERRED, Source.DEFAULT}
+    assert not any(value.positions or value.head_position for value in values)
+
+
+def test_a_fragment_can_be_changed_again(talk: Talk) -> None:
+    talk.say("Turn left 30 degrees.")
+    assert talk.frames("to the right") == ("turning(direction=right, angle=30, angle_unit=degrees)",)
+    assert talk.frames("ten more") == ("turning(direction=right, angle=10, angle_unit=degrees)",)
+    assert talk.frames("again") == ("turning(direction=right, angle=10, angle_unit=degrees)",)
+
+
+def test_a_bit_more_asks_how_much(talk: Talk) -> None:
+    talk.say("Move forward two metres.")
+    outcome = talk.say("a bit more")
+    assert isinstance(outcome, Question) and outcome.code == "MISSING_ELEMENT"
+    assert talk.frames("ten feet") == ("moving(direction=forward, distance=10, distance_unit=feet)",)
+
+
+def test_how_to_do_an_amount_again_wants_a_yes(talk: Talk) -> None:
+    talk.say("Turn left 30 degrees.")
+    outcome = talk.say("slowly")
+    assert isinstance(outcome, Question) and outcome.code == "CONFIRM"
+    assert talk.frames("yes") == ("turning(direction=left, angle=30, angle_unit=degrees, speed=slowly)",)
+
+
+@pytest.mark.parametrize("said_s, is_fresh", [(160.0, True), (161.0, False), (99.0, False)])
+def test_a_command_is_fresh_for_a_while(talk: Talk, said_s: float, is_fresh: bool) -> None:
+    talk.say("Turn left.")
+    outcome = talk.say("again", said_s=said_s)
+    assert isinstance(outcome, Understood if is_fresh else Question)
+
+
+def test_the_time_is_a_parameter(talk: Talk) -> None:
+    never = Policy(fragment_timeout_s=0.0)
+    talk.say("Turn left.", policy=never)
+    outcome = talk.say("again", policy=never)
+    assert isinstance(outcome, Refusal) and outcome.code == "NO_VERB"
+
+
+def test_without_a_command_the_robot_asks(talk: Talk) -> None:
+    outcome = talk.say("again")
+    assert outcome == Question("AMBIGUOUS", 'What do you mean by "again"? Say it in a whole sentence.')
+
+
+def test_a_stop_forgets_the_command(talk: Talk) -> None:
+    talk.say("Turn left.")
+    talk.context = talk.context.stopped()
+    assert isinstance(talk.say("again"), Question)
+
+
+@pytest.mark.parametrize("between, is_kept", [("hello", True), ("Wash the zyx.", True), ("Xyz the cup.", False)])
+def test_a_refused_command_leaves_nothing_to_repeat(talk: Talk, between: str, is_kept: bool) -> None:
+    talk.say("Turn left.")
+    talk.say(between)
+    assert isinstance(talk.say("again"), Understood if is_kept else Question)
+
+
+def test_a_frame_that_is_gone_is_not_repeated(talk: Talk) -> None:
+    talk.say("Turn left.")
+    last = talk.context.last
+    assert isinstance(last, LastCommand)
+    unit = replace(last.clauses[0][0].unit, frame_name="gone")
+    talk.context = replace(talk.context, last=replace(last, clauses=((replace(last.clauses[0][0], unit=unit),),)))
+    outcome = talk.say("again")
+    assert isinstance(outcome, Refusal) and outcome.code == "NO_VERB"
+
+
+def test_two_clauses_with_such_an_element_lead_to_a_question(talk: Talk) -> None:
+    talk.say("Take the cup and clean the plate.")
+    outcome = talk.say("and the mug too")
+    assert isinstance(outcome, Question)
+    assert outcome.sentence == 'Which do you mean: "clean the mug" or "take the mug"? Say it in a whole sentence.'

@@ -1,0 +1,54 @@
+"""Replaces verbs that only say that a deed begins or goes on by the deed: "start moving" means "move"."""
+
+from typing import Optional
+
+from utterance_passes.tree import ASIDE, DependencyTree, Word
+from utterance_passes.tree_edits import TreeEdit
+from utterance_passes.vocabulary import Vocabulary
+from word_classes import word_class
+
+_ASPECTUAL_VERBS = word_class("aspectual_verbs")
+_HEARERS = word_class("hearers")
+#: Words before the deed: "continue *to* go", "start *by* turning".
+_MARKS = frozenset(["to", "by"])
+_CLAUSES = frozenset(["xcomp", "advcl"])
+
+
+def without_aspectual_verbs(tree: DependencyTree, vocabulary: Vocabulary) -> DependencyTree:
+    """Set an aspectual verb of a command aside, and let its deed take its place.
+
+    "I started moving" and "the robot keeps moving" are no commands. A verb that the lexicon has with its deed ("keep
+    moving") stays.
+    """
+    edit = TreeEdit(tree)
+    for word in tree.words:
+        deed = _deed(tree, word, vocabulary)
+        if deed is None:
+            continue
+        edit.retag(deed.index, "VERB", "VB")
+        edit.rehang(deed.index, word.head, word.deprel)
+        for child in tree.children(word.index):
+            if child.index != deed.index:
+                edit.rehang(child.index, deed.index)
+        edit.rehang(word.index, deed.index, ASIDE)
+        for child in tree.children(deed.index):
+            if child.deprel == "mark":
+                edit.relabel(child.index, ASIDE)
+    return edit.tree()
+
+
+def _deed(tree: DependencyTree, word: Word, vocabulary: Vocabulary) -> Optional[Word]:
+    if word.lemma.lower() not in _ASPECTUAL_VERBS or word.upos != "VERB" or word.form.lower() != word.lemma.lower():
+        return None
+    children = tree.children(word.index)
+    subjects = [child for child in children if child.deprel.startswith("nsubj")]
+    if any(subject.form.lower() not in _HEARERS for subject in subjects):
+        return None
+    deed = next((child for child in children if child.index > word.index and child.deprel in _CLAUSES), None)
+    if deed is None or deed.upos != "VERB" or any(child.deprel in ("obj", "iobj") for child in children):
+        return None
+    marks = {child.form.lower() for child in tree.children(deed.index) if child.deprel == "mark"}
+    is_bare = not marks and deed.xpos == "VBG" and deed.deprel == "xcomp"
+    is_known = f"{word.lemma.lower()} {deed.form.lower()}" in vocabulary.verbs_beginning_with(word.lemma.lower())
+    is_deed = bool(vocabulary.verbs_beginning_with(deed.lemma.lower())) and not is_known
+    return deed if is_deed and (is_bare or (bool(marks) and marks <= _MARKS)) else None
