@@ -14,7 +14,7 @@ from voice_recognition.voice_words import voice_words, words_of_number
 Words = Tuple[str, ...]
 _WORD = re.compile(r"[A-Za-z]+(?:['’.-][A-Za-z]+)*|\d+")
 #: Words of the longest filler of a class; longer ones stay in their example.
-_LONGEST_FILLER = 4
+_LONGEST_FILLER = 3
 
 
 @dataclass(frozen=True)
@@ -299,7 +299,7 @@ class _Maker:
         return f"{unit.frame_name}:{element}:{_coarse(likeliest)}"
 
     def template(self, unit: LexicalUnit, example: Example) -> Optional[Template]:
-        """Make a template of an example; None when an argument is not found in its words."""
+        """Make a template of an example; None when it cannot be said as it is read."""
         tokens = _without_politeness(tokens_of(example.text))
         parts: List[Optional[Part]] = [None] * len(tokens)
         taken = [False] * len(tokens)
@@ -334,6 +334,8 @@ class _Maker:
         for token, part, is_taken in zip(tokens, parts, taken):
             if part is not None:
                 made.append(part)
+            elif not is_taken and token.text.isdigit():
+                return None  # as words, it may mean something else: "pull a 180"
             elif not is_taken:
                 made += token.ways[0]
         if not made:

@@ -85,6 +85,12 @@ def test_words_are_those_that_are_said(text: str, words: str) -> None:
     assert spoken_words(text) == tuple(words.split())
 
 
+def test_a_clause_is_no_filler_and_a_number_is_no_word(knowledge: Knowledge) -> None:
+    language = language_of(knowledge, frozenset(["telling", "turning"]))
+    assert offer(language, "notify my wife that the meeting") is None
+    assert offer(language, "pull a one hundred eighty") is None
+
+
 def test_every_sentence_of_the_language_is_read(knowledge: Knowledge) -> None:
     language = language_of(knowledge, frozenset(knowledge.frames))
     finder = OfferFinder(language)
