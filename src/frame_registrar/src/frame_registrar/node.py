@@ -231,10 +231,10 @@ class FrameRegistrar:
 
     def _on_command(self, message: CommandLexicalUnits) -> None:
         try:
-            if message.plan.nodes:
-                raise ValueError("the clauses of the command are joined in a way that is not supported yet.")
             with self._lock:
                 outcome = search(self._graph, to_clauses(message.clauses), max_candidates=self._settings.max_candidates)
+            if not isinstance(outcome, Refusal):
+                plan = to_plan(message.clauses, message.command.text, outcome, message.plan)
         except Exception as error:  # boundary: the command gets its reply, whatever fails
             rospy.logerr("cmd=%s failed: %s", message.command.id, error, exc_info=True)
             self._stage.ends(
@@ -253,9 +253,10 @@ class FrameRegistrar:
                 sentence=outcome.sentence,
             )
             return
-        plan = to_plan(message.clauses, message.command.text, outcome)
         self._stage.passes_on(message.command, describe(plan))
-        self._candidates_2012.publish(to_frame_lists(combinations(outcome, self._settings.max_candidates)))
+        if not message.plan.nodes:
+            # 2012 cannot say how often or for how long.
+            self._candidates_2012.publish(to_frame_lists(combinations(outcome, self._settings.max_candidates)))
         self._candidates.publish(CommandSemanticFrames(command=message.command, plan=plan))
 
 

@@ -1,6 +1,6 @@
 """Converts between messages and the values of the core."""
 
-from typing import Iterable, List, Sequence, Tuple
+from typing import Iterable, List, Optional, Sequence, Tuple
 
 from roboframenet_msgs.msg import (
     Clause,
@@ -42,15 +42,28 @@ def _to_reading(message: LexicalUnitReading) -> Reading:
     )
 
 
-def to_plan(clauses: Sequence[Clause], text: str, found: Sequence[Sequence[Candidate]]) -> Plan:
+def to_plan(
+    clauses: Sequence[Clause], text: str, found: Sequence[Sequence[Candidate]], joined: Optional[Plan] = None
+) -> Plan:
     """Return the plan of a command.
 
     Args:
         clauses: of the command
         text: of the whole command
         found: candidates of each clause
+        joined: how the clauses are joined; None or without nodes if they are done one after the other
+    Raises:
+        ValueError: the plan that joins them has another number of clauses
     """
     leaves = [_to_leaf(clause.words or text, candidates) for clause, candidates in zip(clauses, found)]
+    if joined is not None and joined.nodes:
+        places = [place for place, node in enumerate(joined.nodes) if node.kind == PlanNode.DO]
+        if len(places) != len(leaves):
+            raise ValueError(f"the plan joins {len(places)} clauses, and the command has {len(leaves)}")
+        nodes = list(joined.nodes)
+        for place, leaf in zip(places, leaves):
+            nodes[place] = leaf
+        return Plan(nodes=nodes, beginning=joined.beginning)
     if len(leaves) == 1:
         return Plan(nodes=leaves)
     root = PlanNode(kind=PlanNode.SEQUENCE, label=text, children=list(range(1, len(leaves) + 1)))

@@ -160,12 +160,23 @@ class FrameRegistrarTest(unittest.TestCase):
         wait_until(lambda: arguments_2012() == ["3 feet"], message=arguments_2012)
         wait_until(lambda: self.is_alive("second") is True)
 
-    def test_clauses_that_belong_together_in_a_way_of_their_own_are_refused(self) -> None:
-        plan = Plan(nodes=[PlanNode(kind=PlanNode.WHENEVER, children=[1, 2]), PlanNode(), PlanNode()])
-        event = self.send([self.clause("nodding", "the bell rings"), self.clause("humming", "hum")], plan)
+    def test_plan_with_another_number_of_clauses_is_refused(self) -> None:
+        self.assertTrue(self.add_frame("ringing.yaml", "name: ringing\n"))
+        self.register("ringing", "steady")
+        plan = Plan(nodes=[PlanNode(kind=PlanNode.REPEAT, children=[1], count=2, most=2), PlanNode(kind=PlanNode.DO)])
+        event = self.send([self.clause("ringing", "ring"), self.clause("ringing", "ring")], plan)
         self.assertIsInstance(event, StageEvent)
         self.assertEqual((event.reply.outcome, event.reply.code), (Reply.FAILED, "STAGE_ERROR"))
-        self.assertIn("not supported yet", event.reply.sentence)
+        self.assertIn("the plan joins 1 clauses, and the command has 2", event.reply.sentence)
+
+    def test_clauses_of_a_plan_get_their_candidates(self) -> None:
+        self.assertTrue(self.add_frame("ringing.yaml", "name: ringing\n"))
+        self.register("ringing", "steady")
+        plan = Plan(nodes=[PlanNode(kind=PlanNode.REPEAT, children=[1], count=2, most=2), PlanNode(kind=PlanNode.DO)])
+        message = self.send([self.clause("ringing", "ring")], plan)
+        repeat, do = message.plan.nodes
+        self.assertEqual((repeat.kind, repeat.count, list(repeat.children)), (PlanNode.REPEAT, 2, [1]))
+        self.assertEqual(do.candidates[0].frames[0].action_server_topics, ["steady"])
 
     def test_each_clause_of_a_command_has_its_own_candidates(self) -> None:
         for name in ("nodding", "humming"):

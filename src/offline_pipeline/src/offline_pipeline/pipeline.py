@@ -222,7 +222,11 @@ class Pipeline:
             if isinstance(found, registrar.Refusal):
                 reply = Reply(registrar.reply_outcome(found), found.code, found.sentence)
             else:
-                first = ", then ".join(f"{frame.name} on {frame.server}" for ways in found for frame in ways[0].frames)
+                first = ", then ".join(
+                    ", then ".join(f"{frame.name} on {frame.server}" for frame in ways[0].frames)
+                    + (f" ({reading.control.phrase})" if reading.control.is_said else "")
+                    for reading, ways in zip(readings, found)
+                )
                 reply = Reply("DONE", "DONE", f"I would do {first}.")
             if trace is not None:
                 trace.add("registrar", after=reply.sentence)

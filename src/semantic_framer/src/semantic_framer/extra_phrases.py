@@ -30,7 +30,7 @@ def extra_arguments(
         an argument for each phrase, in the order of the sentence, with FrameNet's name of its element; None if a word
         is in no such phrase, and so may change what is to be done
     """
-    groups = _groups(sentence, clause, left_over)
+    groups = left_over_groups(sentence, clause, left_over)
     found = []
     for root, words in sorted(groups.items()):
         element = _element_of(sentence, clause, root, words)
@@ -44,7 +44,7 @@ def extra_arguments(
     return tuple(found)
 
 
-def _groups(sentence: Sentence, clause: Clause, left_over: Tuple[int, ...]) -> Dict[int, FrozenSet[int]]:
+def left_over_groups(sentence: Sentence, clause: Clause, left_over: Tuple[int, ...]) -> Dict[int, FrozenSet[int]]:
     """Return the left-over words of each phrase, by the head of the phrase."""
     left = frozenset(left_over)
     groups: Dict[int, List[int]] = {}

@@ -37,7 +37,7 @@ from semantic_framer.known_names import KnownNames
 from semantic_framer.lexicon import Lexicon
 from semantic_framer.lexicon_files import LexiconFiles, LexiconState
 from semantic_framer.outcome import Refusal, Understood, reply_outcome
-from semantic_framer.ros_messages import acting_servers, to_clauses, to_filled_units
+from semantic_framer.ros_messages import acting_servers, to_clauses, to_filled_units, to_plan
 from semantic_framer.settings import Settings
 from semantic_frames import FileRefused, load_frame
 from semantic_frames.frame import SemanticFrame
@@ -235,7 +235,13 @@ class SemanticFramer:
             trace=trace,
         )
         self._units_2012.publish(to_filled_units(understood.clauses))
-        self._units.publish(CommandLexicalUnits(command=message.command, clauses=to_clauses(understood.clauses, tree)))
+        self._units.publish(
+            CommandLexicalUnits(
+                command=message.command,
+                clauses=to_clauses(understood.clauses, tree),
+                plan=to_plan(understood.clauses, message.command.text),
+            )
+        )
 
     def _end(self, command: Command, *, outcome: int, code: str, sentence: str, trace: str = "") -> None:
         rospy.loginfo("cmd=%s ends here: %s", command.id, sentence)

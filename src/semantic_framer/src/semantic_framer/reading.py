@@ -27,6 +27,26 @@ class WrongType:
 
 
 @dataclass(frozen=True)
+class Control:
+    """How often and for how long a clause is to be carried out.
+
+    Attributes:
+        count: number of times; 0 if none was said
+        duration_s: seconds; 0 if no time was said
+        phrase: the words that say so
+    """
+
+    count: int = 0
+    duration_s: float = 0.0
+    phrase: str = ""
+
+    @property
+    def is_said(self) -> bool:
+        """Whether anything but "once" was said."""
+        return self.count > 1 or self.duration_s > 0.0
+
+
+@dataclass(frozen=True)
 class Reading:
     """One way to understand a clause.
 
@@ -45,6 +65,7 @@ class Reading:
         unread: amounts that elements ask for but that must not be acted on: "two or three metres"
         wrong_types: values of another semantic type than their frame element: "carry Anna"
         doubtful_types: number of values whose words have the type that the unit asks for in a rare sense, or no type
+        control: how often and for how long
     """
 
     unit: LexicalUnit
@@ -61,6 +82,7 @@ class Reading:
     unread: Tuple[Amount, ...] = ()
     wrong_types: Tuple[WrongType, ...] = ()
     doubtful_types: int = 0
+    control: Control = Control()
 
     @property
     def said(self) -> FrozenSet[Tuple[str, str]]:

@@ -3,8 +3,10 @@
 from dataclasses import dataclass, replace
 from typing import FrozenSet, Optional, Tuple, Union
 
+from semantic_framer.control import ITERATION, with_duration, with_times
 from semantic_framer.extra_phrases import extra_arguments
 from semantic_framer.frame_roles import NAME
+from semantic_framer.heeding import FrameHeeding
 from semantic_framer.matching import read_clause
 from semantic_framer.outcome import CAREFUL, Refusal
 from semantic_framer.reading import Reading, rank, without_duplicates
@@ -137,10 +139,30 @@ def _with_what_is_heeded(case: ClauseCase, reading: Reading, trace: Optional[Tra
 
 def _with_extras(case: ClauseCase, reading: Reading, trace: Optional[Trace]) -> Reading:
     """Name the extra-thematic phrases among the left-over words; those that a server heeds become arguments."""
+    name = reading.unit.frame_name
+    heeded = case.of.known.heeded.get(name)
+    how_often: FrozenSet[int] = frozenset()
+    is_careful = case.of.policy.left_over_words in CAREFUL
+    if is_careful and ITERATION not in (heeded or ()):
+        reading, how_often = with_times(case.sentence, case.clause, reading)
     found = replace(reading, extra=extra_arguments(case.sentence, case.clause, reading.left_over))
-    heeded = case.of.known.heeded.get(reading.unit.frame_name)
-    if not found.extra or heeded is None:
+    if found.extra and heeded is not None:
+        found = _with_heeded(case, found, heeded, trace)
+    how_long: FrozenSet[int] = frozenset()
+    if is_careful:
+        found, how_long = with_duration(case.sentence, case.clause, found, case.of.known.frames[name])
+    words = sorted(how_often | how_long)
+    if not words:
         return found
+    if trace is not None:
+        trace.add("control", str(found), "", f"how often or how long: {case.sentence.text(words)}", words)
+    around = replace(case.clause, positions=case.clause.positions.difference(words))
+    control = replace(found.control, phrase=case.sentence.text(words))
+    return replace(found, control=control, clause_text=_clause_text(case.sentence.tree, around))
+
+
+def _with_heeded(case: ClauseCase, found: Reading, heeded: FrameHeeding, trace: Optional[Trace]) -> Reading:
+    """Give a reading the extra-thematic phrases that a server heeds."""
     heard = with_heeded_extras(case.sentence, found, heeded)
     if heard is not found and trace is not None:
         words = sorted(set(found.left_over) - set(heard.left_over))

@@ -2,6 +2,7 @@
 
 from typing import Dict, List, Mapping, Sequence, Tuple
 
+import rospy
 from roboframenet_msgs.msg import (
     Clause,
     FilledFrameElement,
@@ -9,8 +10,11 @@ from roboframenet_msgs.msg import (
     FilledLexicalUnitList,
     FrameCatalogue,
     LexicalUnitReading,
+    Plan,
+    PlanNode,
 )
 
+from semantic_framer.clause_plan import nodes_of, plan_of
 from semantic_framer.reading import Reading
 from semantic_frames.ros_server_profile import profile_from_message
 from semantic_frames.server_profile import Purpose, ServerProfile
@@ -36,6 +40,26 @@ def to_clauses(clauses: Sequence[Tuple[Reading, ...]], tree: DependencyTree) -> 
         )
         for readings in clauses
     ]
+
+
+def to_plan(clauses: Sequence[Tuple[Reading, ...]], text: str) -> Plan:
+    """Return how the clauses of a command are joined; without nodes when they are done one after the other."""
+    part = plan_of(clauses, text)
+    if part is None:
+        return Plan()
+    return Plan(
+        nodes=[
+            PlanNode(
+                kind=getattr(PlanNode, node.kind),
+                label=node.label,
+                children=children,
+                count=node.count,
+                most=node.most,
+                duration=rospy.Duration.from_sec(node.duration_s),
+            )
+            for node, children in nodes_of(part)
+        ]
+    )
 
 
 def to_filled_units(clauses: Sequence[Tuple[Reading, ...]]) -> FilledLexicalUnitList:

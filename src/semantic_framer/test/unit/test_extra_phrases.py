@@ -12,7 +12,7 @@ from semantic_frames.problem import FileRefused
 @pytest.mark.parametrize(
     "text, name, words",
     [
-        ("Follow me for ten seconds.", "Duration", "for ten seconds"),
+        ("Close the door for ten seconds.", "Duration", "for ten seconds"),
         ("Say hello from the kitchen.", "Source", "from the kitchen"),
         ("Say hello in the kitchen.", "Place", "in the kitchen"),
         ("Follow me silently.", "Manner", "silently"),
@@ -30,7 +30,7 @@ def test_phrase_is_asked_about_and_left_out_after_a_yes(understand: Any, text: s
 
 
 def test_no_ends_it_and_a_new_command_is_no_answer(understand: Any) -> None:
-    _, context = understand("Follow me for ten seconds.")
+    _, context = understand("Close the door for ten seconds.")
     declined, after = understand("No.", context)
     assert isinstance(declined, Refusal) and declined.code == "DECLINED"
     assert after.pending is None
@@ -40,7 +40,7 @@ def test_no_ends_it_and_a_new_command_is_no_answer(understand: Any) -> None:
 
 def test_the_question_expires(understand: Any) -> None:
     policy = Policy(question_timeout_s=30.0)
-    _, context = understand("Follow me for ten seconds.", policy=policy, now_s=100.0)
+    _, context = understand("Close the door for ten seconds.", policy=policy, now_s=100.0)
     late, _ = understand("Yes.", context, policy=policy, now_s=131.0)
     assert isinstance(late, Refusal)
 

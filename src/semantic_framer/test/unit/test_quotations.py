@@ -79,7 +79,7 @@ def test_command_behind_a_quotation_is_done(understand: Any, text: str) -> None:
         ("say hello in five minutes", "CONDITION"),
         ("tomorrow say hello", "CONDITION"),
         ("tell me when dinner is ready", "CONDITION"),
-        ("say hello three times", "LEFT_OVER_WORDS"),
+        ("say hello a few times", "LEFT_OVER_WORDS"),
     ],
 )
 def test_what_stands_around_a_quotation_counts(understand: Any, text: str, code: str) -> None:

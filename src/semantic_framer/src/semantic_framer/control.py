@@ -1,0 +1,133 @@
+"""How often, or for how long, a clause is to be carried out: "twice", "three times", "for two minutes"."""
+
+from dataclasses import replace
+from typing import FrozenSet, Optional, Tuple
+
+from semantic_framer.extra_phrases import left_over_groups
+from semantic_framer.reading import Reading, with_argument
+from semantic_framer.sentence import Sentence
+from semantic_frames.frame import Quantity, SemanticFrame
+from spoken_quantities import QuantityError, parse_number
+from typed_arguments import Measure, Source, TypedArgument
+from utterance_passes.clauses import Clause
+from utterance_passes.measures import amounts_of
+from word_classes import word_class, word_list
+
+#: A larger number of times is rather a word that was heard wrongly.
+MOST_TIMES = 100
+#: A clause goes on for a day at most, seconds.
+LONGEST_S = 86_400.0
+#: FrameNet's names of what goes on until somebody ends it. Other things are over when they are done: nobody opens a
+#: door for two minutes.
+_GOING_ON = frozenset(
+    ["Change_direction", "Cotheme", "Gesture", "Make_noise", "Motion_directional", "Patrolling", "Self_motion"]
+)
+#: Units of what is filled in without being said.
+_UNITS = {Quantity.LENGTH: "metres", Quantity.ANGLE: "radians"}
+_ADVERBS = word_list("iteration_adverbs")
+_NOUNS = word_class("iteration_nouns")
+_EXACT = word_class("exact_adverbs")
+#: Extra-thematic elements; a server that heeds one of them gets it as an argument.
+_DURATION, ITERATION = "Duration", "Iteration"
+
+
+def with_times(sentence: Sentence, clause: Clause, reading: Reading) -> Tuple[Reading, FrozenSet[int]]:
+    """Take a number of times out of the left-over words of a reading.
+
+    Args:
+        sentence: the sentence
+        clause: the clause of the reading
+        reading: the reading
+    Returns:
+        the reading, and the positions of the words that say how often
+    """
+    found = []
+    for root in left_over_groups(sentence, clause, reading.left_over):
+        words = sentence.subtree(root) & clause.positions
+        times = _times(sentence, root, words)
+        if times:
+            found.append((times, words))
+    if len(found) != 1 or reading.control.count:
+        return reading, frozenset()
+    times, words = found[0]
+    left_over = tuple(index for index in reading.left_over if index not in words)
+    return replace(reading, left_over=left_over, control=replace(reading.control, count=times)), words
+
+
+def _times(sentence: Sentence, root: int, words: FrozenSet[int]) -> int:
+    """Return how often some words say; 0 if they say something else."""
+    forms = [sentence.word(index).form.lower() for index in sorted(words) if sentence.word(index).upos != "PUNCT"]
+    forms = [form for form in forms if form not in _EXACT]
+    if len(forms) == 1 and forms[0] in _ADVERBS:
+        return _ADVERBS.index(forms[0]) + 1
+    if len(forms) != 2 or forms[1] not in _NOUNS or sentence.word(root).form.lower() != forms[1]:
+        return 0
+    try:
+        number = parse_number(forms[0])
+    except QuantityError:
+        return 0
+    is_count = number is not None and number == int(number) and 1 <= number <= MOST_TIMES
+    return int(number) if is_count and number is not None else 0
+
+
+def with_duration(
+    sentence: Sentence, clause: Clause, reading: Reading, frame: SemanticFrame
+) -> Tuple[Reading, FrozenSet[int]]:
+    """Take a duration out of the extra-thematic phrases of a reading that no server heeds.
+
+    Args:
+        sentence: the sentence
+        clause: the clause of the reading
+        reading: the reading, with its extra-thematic phrases
+        frame: its frame
+    Returns:
+        the reading, and the positions of the words that say how long; the same reading if its frame is over when it is
+        done, or if something else says how far it goes
+    """
+    said = [extra for extra in reading.extra or () if extra.name == _DURATION]
+    open_ended = _without_end(reading, frame) if len(said) == 1 else None
+    if open_ended is None:
+        return reading, frozenset()
+    words = frozenset(said[0].positions) | sentence.subtree(said[0].head_position)
+    seconds = [
+        amount.si_amount
+        for amount in amounts_of(sentence.tree, clause.positions, clause.verb)
+        if amount.quantity == "duration" and not amount.is_doubtful and words.issuperset(amount.positions)
+    ]
+    if len(seconds) != 1 or not 0.0 < seconds[0] <= LONGEST_S:
+        return reading, frozenset()
+    return (
+        replace(
+            open_ended,
+            left_over=tuple(index for index in reading.left_over if index not in words),
+            extra=tuple(extra for extra in reading.extra or () if extra is not said[0]),
+            control=replace(reading.control, duration_s=seconds[0]),
+        ),
+        words,
+    )
+
+
+def _without_end(reading: Reading, frame: SemanticFrame) -> Optional[Reading]:
+    """Return a reading of something that goes on until it is ended: how far is as far as the frame allows.
+
+    Returns:
+        None if it is over when it is done, if something says how far it goes, or if nothing limits that
+    """
+    if frame.framenet not in _GOING_ON:
+        return None
+    for element in frame.frame_elements:
+        if element.quantity not in _UNITS:
+            continue
+        argument = reading.argument(element.name)
+        if argument is not None and argument.positions:
+            return None
+        if element in reading.missing:
+            if element.maximum is None or not element.unit_element:
+                return None
+            unit = _UNITS[element.quantity]
+            text = f"{element.maximum:g}"
+            measure = Measure(element.quantity.value, f"{text} {unit}", element.maximum, unit, element.maximum)
+            farthest = TypedArgument(element.name, text, Source.INFERRED, measure=measure)
+            reading = with_argument(reading, farthest)
+            reading = with_argument(reading, TypedArgument(element.unit_element, unit, Source.INFERRED))
+    return reading
