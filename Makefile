@@ -12,7 +12,7 @@ VOICE ?=
 browser: setup
 	$(if $(filter-out web_console roboframenet_tests,$(FILTER)),,@scripts/setup browser)
 
-.PHONY: help setup build demo run test acceptance reliability record format lint bench docs install clean
+.PHONY: help setup build demo run test acceptance reliability record format lint bench screenshots docs install clean
 
 help: ## list the targets
 	@grep -hE '^[a-z]+:.*## ' $(MAKEFILE_LIST) | sed -E 's/^([a-z]+):.*## /  make \1|/' | column -t -s '|'
@@ -50,6 +50,9 @@ lint: build ## check format, rules, types, packages and launch files; change not
 
 bench: build ## compare with stock Stanza and stock actionlib (EWT=folder: score the parser on the treebank)
 	@EWT="$(abspath $(EWT))" HURIC="$(abspath $(HURIC))" scripts/bench
+
+screenshots: build browser ## make the pictures of the page in docs/pictures again, with a browser and simulated robots
+	@scripts/screenshots
 
 docs: build ## make the reference of modules and messages into build/docs/html (needs Debian's python3-sphinx)
 	@scripts/docs

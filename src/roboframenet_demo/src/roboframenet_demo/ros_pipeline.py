@@ -34,8 +34,12 @@ def is_pipeline_complete() -> bool:
         return False
     speakers, listeners = state.publishers, state.subscribers
     stages = {rospy.get_name()}
+    # Observers listen too; only stages report events. The command server hears the texts, and reports none.
+    reporting = speakers.get(rospy.resolve_name("stage_events"), frozenset())
     for topic in map(rospy.resolve_name, STAGE_TOPICS):
         found = {node for node in listeners.get(topic, ()) if node != rospy.get_name() and graph.is_alive(node)}
+        if topic != rospy.resolve_name("text"):
+            found &= reporting
         if not found:
             return False
         stages |= found

@@ -1,23 +1,17 @@
 """Draws a dependency tree as arcs: in a terminal and as SVG."""
 
-from typing import List, Tuple
-from xml.sax.saxutils import escape
+from typing import List
 
-from utterance_passes.tree import DependencyTree, Word
+from utterance_passes.tree import DependencyTree
+from web_console.arcs import ParsedWord, levels
+from web_console.arcs import draw_arcs as draw_arcs_of
+from web_console.picture import as_svg
 
-
-def _levels(tree: DependencyTree) -> List[Tuple[Word, int]]:
-    """Return the words with a head and the level of the arc of each, from 1; short arcs lie below long ones."""
-    placed: List[Tuple[int, int, int]] = []
-    found = []
-    for word in sorted(
-        (word for word in tree.words if word.head), key=lambda word: (abs(word.head - word.index), word.index)
-    ):
-        left, right = sorted((word.index, word.head))
-        level = 1 + max((height for low, high, height in placed if low < right and left < high), default=0)
-        placed.append((left, right, level))
-        found.append((word, level))
-    return found
+#: The colours of the page.
+_STYLE = (
+    "text { font: 16px sans-serif } .label { font-size: 11.5px } .tag { font-size: 10.5px; fill: #777 } "
+    ".root { font-weight: bold } .arc { fill: none; stroke: #456; stroke-width: 1.5 } .label-ground { fill: white }"
+)
 
 
 def draw_arcs(tree: DependencyTree) -> str:
@@ -28,17 +22,17 @@ def draw_arcs(tree: DependencyTree) -> str:
     for width, word in zip(widths, tree.words):
         centres.append(at + len(word.form) // 2)
         at += width
-    levels = _levels(tree)
-    height = max((level for _, level in levels), default=0)
+    arcs = levels(_words(tree))
+    height = max((level for _, level in arcs), default=0)
     rows = [[" "] * at for _ in range(height + 1)]
-    for word, level in sorted(levels, key=lambda pair: -pair[1]):
+    for arc, level in sorted(arcs, key=lambda pair: -pair[1]):
         row = rows[height - level]
-        start, end = centres[word.index - 1], centres[word.head - 1]
+        start, end = centres[arc.index - 1], centres[arc.head - 1]
         left, right = sorted((start, end))
         for column in range(left + 1, right):
             row[column] = "─"
         row[left], row[right] = "╭" if row[left] == " " else "┬", "╮" if row[right] == " " else "┬"
-        label = word.deprel[: max(0, right - left - 1)]
+        label = arc.relation[: max(0, right - left - 1)]
         begin = left + 1 + (right - left - 1 - len(label)) // 2
         row[begin : begin + len(label)] = list(label)
         for below in rows[height - level + 1 :]:
@@ -55,36 +49,9 @@ def draw_arcs(tree: DependencyTree) -> str:
 
 
 def svg_arcs(tree: DependencyTree) -> str:
-    """Return the tree as an SVG document."""
-    pitch, step = 110, 34
-    levels = _levels(tree)
-    base = 40 + step * max((level for _, level in levels), default=1)
-    width, height = pitch * len(tree.words), base + 60
-    parts = [
-        f'<svg xmlns="http://www.w3.org/2000/svg" width="{width}" height="{height}" font-family="sans-serif">',
-        (
-            '<defs><marker id="tip" markerWidth="8" markerHeight="8" refX="4" refY="4" orient="auto">'
-            '<path d="M0,0 L8,4 L0,8 z"/></marker></defs>'
-        ),
-    ]
-    for word, level in levels:
-        start, end = (pitch * index - pitch // 2 for index in (word.head, word.index))
-        top = base - step * level
-        parts.append(
-            f'<path d="M{start},{base} L{start},{top} L{end},{top} L{end},{base - 4}"'
-            ' fill="none" stroke="#456" marker-end="url(#tip)"/>'
-        )
-        parts.append(
-            f'<text x="{(start + end) // 2}" y="{top - 4}" font-size="12" text-anchor="middle">'
-            f"{escape(word.deprel)}</text>"
-        )
-    for word in tree.words:
-        x = pitch * word.index - pitch // 2
-        weight = ' font-weight="bold"' if word.head == 0 else ""
-        parts.append(
-            f'<text x="{x}" y="{base + 22}" font-size="16" text-anchor="middle"{weight}>{escape(word.form)}</text>'
-        )
-        parts.append(
-            f'<text x="{x}" y="{base + 40}" font-size="11" fill="#777" text-anchor="middle">{escape(word.upos)}</text>'
-        )
-    return "\n".join(parts + ["</svg>"]) + "\n"
+    """Return the tree as an SVG document, drawn as on the page of ``web_console``."""
+    return as_svg(draw_arcs_of(_words(tree)), style=_STYLE)
+
+
+def _words(tree: DependencyTree) -> List[ParsedWord]:
+    return [ParsedWord(word.index, word.form, word.upos, word.head, word.deprel) for word in tree.words]

@@ -52,7 +52,7 @@ def draw_arcs(words: Sequence[ParsedWord]) -> Picture:
     known = {word.index for word in words}
     arcs = levels([word for word in words if word.head in known and word.relation != "punct"])
     centres, width = _centres(words)
-    base = _MARGIN_PX + 12 + _LEVEL_PX * max((level for _, level in arcs), default=1)
+    base = _MARGIN_PX + _LEVEL_PX * max((level for _, level in arcs), default=1)
     shapes: List[Shape] = []
     for word, level in sorted(arcs, key=lambda pair: -pair[1]):
         shapes += _arc(word, base - _LEVEL_PX * level, base, centres)
@@ -129,7 +129,7 @@ def _centres(words: Sequence[ParsedWord]) -> Tuple[Dict[int, float], int]:
             # The label of an arc between neighbours has to fit between their middles.
             left = words[position - 1]
             labels = [two.relation for two, one in ((word, left), (left, word)) if two.head == one.index]
-            middle = max([middle] + [centres[left.index] + _LABEL_PX * len(label) + 34 for label in labels])
+            middle = max([middle] + [centres[left.index] + _LABEL_PX * len(label) + 46 for label in labels])
         centres[word.index] = middle
         at = middle + half + _GAP_PX
     return centres, int(at - _GAP_PX + _MARGIN_PX)

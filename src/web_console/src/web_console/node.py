@@ -1,6 +1,7 @@
 """The node of the page: the event loop of the web server in the main thread, and the subscribers of rospy."""
 
 import functools
+import os
 from typing import Any, Callable, List, Tuple
 
 import rospy
@@ -25,6 +26,8 @@ from web_console.views import AbilitiesView, HealthView, StopView
 #: Changes are gathered for this long, so that a page is not drawn anew for each of several messages about one thing.
 _GATHER_S = 0.015
 _LOOK_MS = 100
+#: Two others can stop the robot before this node has to.
+_REFRESH_PERIOD_S = 5.0
 #: When the port is taken, the next ones are tried.
 _PORTS = 10
 
@@ -52,6 +55,7 @@ class WebConsole:
             self._board,
             self._history,
             call_soon=call_soon,
+            call_later=self._loop.call_later,
             on_change=self._flush_soon,
             on_stop_report=self._on_stop_report,
         )
@@ -149,6 +153,7 @@ class WebConsole:
 
 def _start() -> WebConsole:
     settings = read_parameters(Settings)
+    os.nice(settings.niceness)
     token = _read_token(settings.token_file)
     try:
         check_access(settings.address, token)
@@ -160,7 +165,11 @@ def _start() -> WebConsole:
         SiteSettings(
             address=settings.address, token=token, names=settings.host_names, longest_text=settings.max_text_length
         ),
-        BrakeSettings(velocity_topics=targets.velocity_topics, also_cancel=targets.also_cancel),
+        BrakeSettings(
+            velocity_topics=targets.velocity_topics,
+            also_cancel=targets.also_cancel,
+            refresh_period_s=_REFRESH_PERIOD_S,
+        ),
     )
     ports = [settings.port + more for more in range(_PORTS)] if 0 < settings.port <= 65536 - _PORTS else [settings.port]
     console.run(ports, settings.address)

@@ -43,7 +43,7 @@ class Picture:
 
 def as_svg(picture: Picture, *, style: str = "") -> str:
     """Write a picture as an SVG document."""
-    parts = [f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {picture.width} {picture.height}">']
+    parts = [f'<svg xmlns="http://www.w3.org/2000/svg" width="{picture.width}" height="{picture.height}">']
     if style:
         parts.append(f"<style>{escape(style)}</style>")
     for shape in picture.shapes:

@@ -60,7 +60,8 @@ class Progress:
 def place_of(path: str) -> Place:
     """Return the place of a container in the plan; that of the root is empty."""
     found: List[int] = []
-    for label in path.strip("/").split("/")[1:]:
+    root, *labels = path.strip("/").split("/")
+    for label in labels[1:] if labels[:1] == [root] else labels:
         found += _positions(label)
     return tuple(found)
 

@@ -5,20 +5,22 @@ from typing import Any, Callable, Dict, List, Optional, Sequence, Tuple
 import rospy
 from geometry_msgs.msg import PoseStamped, PoseWithCovarianceStamped
 from nav_msgs.msg import OccupancyGrid, Odometry, Path
-from roboframenet_msgs.msg import Locations
+from roboframenet_msgs.msg import Locations, World
 
 from web_console.board import Board
 from web_console.ground import Localization, thinned
-from web_console.ros_values import map_of, pose_value
+from web_console.ros_values import landmarks_of, map_of, pose_value, world_view
 from web_console.views import GroundView, LandmarkView, MapView
 
 _MOST_LANDMARKS = 300
+#: The pose and the twist of an Odometry, each with its covariance: the end of the message.
+_POSE_AND_TWIST_BYTES = (7 + 36 + 6 + 36) * 8
 
 
 class GroundTap:
     """Subscribers of poses, maps, paths and places; each is shown when its topic is there.
 
-    Subscribes: ``odom`` (while a page is open), ``amcl_pose``, ``map``, ``locations``, ``person/pose``,
+    Subscribes: ``odom`` (while a page is open), ``amcl_pose``, ``map``, ``locations``, ``world``, ``person/pose``,
     ``move_base/current_goal``, and the topics of paths.
     """
 
@@ -50,9 +52,11 @@ class GroundTap:
         self._on_names = on_names
         self._localization = Localization()
         self._last_odometry: Optional[rospy.AnyMsg] = None
+        self._seen = b""
         self._ground = GroundView()
         self._maps = 0
         self._places: Tuple[LandmarkView, ...] = ()
+        self._known: Tuple[LandmarkView, ...] = ()
         self._others: Dict[str, LandmarkView] = {}
         self._subscribers: List[rospy.Subscriber] = []
         self._odometry: Optional[rospy.Subscriber] = None
@@ -62,6 +66,7 @@ class GroundTap:
         self._hear("amcl_pose", PoseWithCovarianceStamped, self._on_pose)
         self._hear("map", OccupancyGrid, self._on_map)
         self._hear("locations", Locations, self._on_locations)
+        self._hear("world", World, self._on_world)
         self._hear("person/pose", PoseStamped, lambda message: self._on_other("person", message))
         self._hear("move_base/current_goal", PoseStamped, lambda message: self._on_other("goal", message))
         for topic in self._path_topics:
@@ -95,7 +100,9 @@ class GroundTap:
     def look(self) -> None:
         """Show where the robot is now."""
         message, self._last_odometry = self._last_odometry, None
-        if message is not None:
+        # A robot that stands says the same again and again.
+        if message is not None and message._buff[-_POSE_AND_TWIST_BYTES:] != self._seen:
+            self._seen = message._buff[-_POSE_AND_TWIST_BYTES:]
             odometry = Odometry().deserialize(message._buff)
             self._localization.moved(pose_value(odometry.pose.pose), odometry.header.frame_id or "odom")
         news = self._localization.news()
@@ -126,14 +133,22 @@ class GroundTap:
         self._on_names(tuple(message.names))
         self._show()
 
+    def _on_world(self, message: World) -> None:
+        self._known = landmarks_of(message)[:_MOST_LANDMARKS]
+        self._board.show("world", world_view(message))
+        self._show()
+        self._on_change()
+
     def _on_other(self, kind: str, message: PoseStamped) -> None:
         position = message.pose.position
         self._others[kind] = LandmarkView(kind, kind, round(position.x, 2), round(position.y, 2))
         self._show()
 
     def _show(self, *, map_view: Optional[MapView] = None) -> None:
+        places = {place.name for place in self._places}
+        known = tuple(one for one in self._known if one.name not in places)
         self._ground = GroundView(
-            map_view or self._ground.map, self._ground.path, (*self._places, *self._others.values())
+            map_view or self._ground.map, self._ground.path, (*self._places, *known, *self._others.values())
         )
         if self._board.show("ground", self._ground):
             self._on_change()

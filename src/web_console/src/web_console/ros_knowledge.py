@@ -10,7 +10,7 @@ from roboframenet_msgs.msg import FrameCatalogue, Lexicon
 
 from roboframenet_ros.ros_master import NO_ANSWER, TimedMaster, TimedTransport
 from web_console.abilities import File, Knowledge
-from web_console.health import STAGES, health_of, nodes_to_ask
+from web_console.health import RUNS, STAGES, health_of, nodes_to_ask
 from web_console.ros_values import living_servers, servers_of
 from web_console.views import AbilitiesView, HealthView
 
@@ -18,7 +18,9 @@ _TURN_S = 0.5
 #: Files are read once they have been quiet for this long: at the start they come one by one.
 _QUIET_S = 0.7
 _LONGEST_QUIET_S = 3.0
+#: How often nodes are asked: seldom while all run.
 _ASK_S = 4.0
+_ASK_AGAIN_S = 15.0
 _ANSWER_S = 1.0
 
 
@@ -105,7 +107,7 @@ class KnowledgeTap:
 
     def _work(self) -> None:
         knowledge = Knowledge()
-        asked_s = 0.0
+        ask_at_s = 0.0
         while not self._is_closing.is_set():
             self._wake.wait(_TURN_S if self._is_watched or self._changed_s is not None else 4 * _TURN_S)
             self._wake.clear()
@@ -114,9 +116,8 @@ class KnowledgeTap:
                 # A page that nobody looks at needs no news; the next one gets them at once.
                 if self._is_watched and self._is_due():
                     self._tell_abilities(knowledge)
-                if self._is_watched and time.monotonic() - asked_s >= _ASK_S:
-                    self._tell_health()
-                    asked_s = time.monotonic()
+                if self._is_watched and time.monotonic() >= ask_at_s:
+                    ask_at_s = time.monotonic() + (_ASK_AGAIN_S if self._tell_health() else _ASK_S)
             except Exception as error:  # boundary: one failure must not end the thread
                 if not rospy.is_shutdown():
                     rospy.logwarn("the page may be out of date: %s: %s", type(error).__name__, error)
@@ -137,18 +138,21 @@ class KnowledgeTap:
         )
         self._call_soon(self._on_abilities, view)
 
-    def _tell_health(self) -> None:
+    def _tell_health(self) -> bool:
+        """Ask the nodes; returns whether all run."""
         try:
             state = self._master.system_state()
         except NO_ANSWER:
             self._call_soon(self._on_health, HealthView(is_master_up=False))
-            return
+            return False
         stages = nodes_to_ask(state.publishers, {stage: rospy.resolve_name(topic) for stage, topic, _ in STAGES})
         answering = self._answering({node for nodes in stages.values() for node in nodes})
         with self._lock:
             catalogue = self._catalogue
         servers = () if catalogue is None else servers_of(catalogue)
-        self._call_soon(self._on_health, health_of(stages, answering, servers))
+        health = health_of(stages, answering, servers)
+        self._call_soon(self._on_health, health)
+        return all(node.state == RUNS for node in health.nodes)
 
     def _answering(self, nodes: Iterable[str]) -> FrozenSet[str]:
         found: Set[str] = set()

@@ -1,5 +1,6 @@
 """Hears the pipeline, and keeps the views of its commands."""
 
+import threading
 from typing import Any, Callable, Iterable, List, Tuple
 
 import rospy
@@ -31,6 +32,9 @@ from web_console.ros_values import (
 )
 from web_console.views import ProblemsView, ProblemView, StatusView
 
+#: Messages are read when a command has passed most stages. A page may be late by less than a person sees.
+_PATIENCE_S = 0.03
+
 
 class Listener:
     """Subscribers of everything that is said about commands.
@@ -47,6 +51,7 @@ class Listener:
         history: History,
         *,
         call_soon: Callable[..., None],
+        call_later: Callable[..., object],
         on_change: Callable[[], None],
         on_stop_report: Callable[[StopReport], None],
     ) -> None:
@@ -56,14 +61,18 @@ class Listener:
             board: receives the views
             history: of the commands
             call_soon: calls a function in the thread of the event loop, from any thread
+            call_later: calls a function in that thread after some seconds
             on_change: called in that thread after each change of the board
             on_stop_report: called in that thread
         """
         self._board = board
         self._history = history
         self._call_soon = call_soon
+        self._call_later = call_later
         self._on_change = on_change
         self._on_stop_report = on_stop_report
+        self._lock = threading.Lock()
+        self._waiting: List[Tuple[Any, Callable[[Any], None], rospy.AnyMsg]] = []
         self._problems: dict[str, Tuple[ProblemView, ...]] = {}
         self._subscribers: List[rospy.Subscriber] = []
 
@@ -76,8 +85,12 @@ class Listener:
         self._hear("procedure", Procedure, self._on_procedure)
         self._hear("reply", Reply, self._on_reply)
         self._hear("status", CommandStatus, self._on_status)
-        self._hear("stop_report", StopReport, self._on_stop)
         self._hear("executor/smach/container_status", SmachContainerStatus, self._on_container)
+        self._subscribers.append(
+            rospy.Subscriber(
+                "stop_report", StopReport, lambda message: self._call_soon(self._handle, self._on_stop, message)
+            )
+        )
         # Two nodes publish it, each its own problems.
         self._subscribers.append(
             rospy.Subscriber(
@@ -88,11 +101,26 @@ class Listener:
         )
 
     def _hear(self, topic: str, kind: Any, callback: Callable[[Any], None]) -> None:
+        # Read later: the stages need the processor now.
         self._subscribers.append(
             rospy.Subscriber(
-                topic, kind, lambda message: self._call_soon(self._handle, callback, message), queue_size=200
+                topic, rospy.AnyMsg, lambda message: self._arrived(kind, callback, message), queue_size=200
             )
         )
+
+    def _arrived(self, kind: Any, callback: Callable[[Any], None], message: rospy.AnyMsg) -> None:
+        with self._lock:
+            self._waiting.append((kind, callback, message))
+            is_first = len(self._waiting) == 1
+        if is_first:
+            self._call_soon(self._call_later, _PATIENCE_S, self._read)
+
+    def _read(self) -> None:
+        """Read what has arrived, in its order."""
+        with self._lock:
+            waiting, self._waiting = self._waiting, []
+        for kind, callback, message in waiting:
+            self._handle(lambda raw, kind=kind, callback=callback: callback(kind().deserialize(raw._buff)), message)
 
     def _handle(self, callback: Callable[[Any], None], message: Any) -> None:
         try:

@@ -19,6 +19,8 @@ from roboframenet_msgs.msg import (
     Procedure,
     Reply,
     StageEvent,
+    World,
+    WorldObject,
 )
 from roboframenet_msgs.msg import TypedArgument as ArgumentMessage
 
@@ -31,6 +33,8 @@ from web_console.views import (
     ArgumentView,
     CandidateView,
     ClauseView,
+    KnownView,
+    LandmarkView,
     MapView,
     PlanView,
     ProblemView,
@@ -38,6 +42,7 @@ from web_console.views import (
     ReplyView,
     StageView,
     StepView,
+    WorldView,
 )
 
 #: Constants of a message by their value.
@@ -52,6 +57,7 @@ _MOST_CANDIDATES = 8
 _MOST_READINGS = 12
 _MOST_LEVELS = 32
 _MOST_NODES = 400
+_MOST_KNOWN = 200
 
 
 def seconds(stamp: rospy.Time) -> float:
@@ -219,6 +225,38 @@ def servers_of(catalogue: FrameCatalogue) -> Tuple[Tuple[str, str, bool], ...]:
         frames.setdefault(callback.callback_topic, []).append(callback.frame_name)
         alive[callback.callback_topic] = callback.is_alive
     return tuple((name, ", ".join(sorted(names)), alive[name]) for name, names in sorted(frames.items()))
+
+
+def landmarks_of(world: World) -> Tuple[LandmarkView, ...]:
+    """Return the objects whose pose is known, without the robot."""
+    return tuple(
+        LandmarkView(_name(one), one.sort, round(one.pose.pose.position.x, 3), round(one.pose.pose.position.y, 3))
+        for one in world.objects
+        if one.pose.header.frame_id and one.sort != WorldObject.ROBOT
+    )
+
+
+def world_view(world: World) -> WorldView:
+    """Return what the robot knows, in words."""
+    names = {one.id: _name(one) for one in world.objects}
+    known = [
+        KnownView(
+            name=_name(one),
+            sort=one.sort,
+            where=", ".join(
+                f"{relation.relation.replace('_', ' ')} {names.get(relation.reference, relation.reference)}"
+                for relation in one.relations
+            ),
+            attributes=(*one.attributes, *one.states),
+        )
+        for one in world.objects
+        if one.sort != WorldObject.ROBOT
+    ]
+    return WorldView(tuple(known[:_MOST_KNOWN]), max(0, len(known) - _MOST_KNOWN) + world.left_out)
+
+
+def _name(one: WorldObject) -> str:
+    return one.name or " ".join([*one.attributes, one.category or one.id])
 
 
 def pose_value(pose: PoseMessage) -> Pose:

@@ -16,6 +16,7 @@ class Settings(Parameters):
         token_file: file with a secret that a browser must know; empty for none
         host_names: names by which other machines call this one
         max_text_length: longest sentence, characters
+        niceness: how much less processor time than the stages the node gets when it is scarce, as of nice(1)
         path_topics: topics of nav_msgs/Path that are drawn
 
     Raises:
@@ -27,6 +28,7 @@ class Settings(Parameters):
     token_file: str = parameter("")
     host_names: Tuple[str, ...] = parameter((), may_be_single=True)
     max_text_length: int = parameter(1000, least=1, most=4000)
+    niceness: int = parameter(5, least=0, most=19)
     path_topics: Tuple[str, ...] = parameter(
         ("move_base/plan", "move_base/NavfnROS/plan", "move_base/GlobalPlanner/plan"), may_be_single=True
     )

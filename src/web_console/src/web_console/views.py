@@ -295,6 +295,24 @@ class GroundView:
     landmarks: Tuple[LandmarkView, ...] = ()
 
 
+@dataclass(frozen=True)
+class KnownView:
+    """An object of the world: what it is called, what it is, where it is in words, and what is known of it."""
+
+    name: str
+    sort: str
+    where: str
+    attributes: Tuple[str, ...] = ()
+
+
+@dataclass(frozen=True)
+class WorldView:
+    """What the robot knows; `more` objects are not shown."""
+
+    objects: Tuple[KnownView, ...] = ()
+    more: int = 0
+
+
 def as_json(kind: str, view: Any) -> str:
     """Write a message for the page: the name of the view, and the view."""
     return json.dumps({"view": kind, "value": view}, default=vars, separators=(",", ":"), allow_nan=False)

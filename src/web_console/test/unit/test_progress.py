@@ -42,6 +42,7 @@ def states(plan):
         ("/Ping and wave/2 wave/candidate_1", (1, 0)),
         ("/20 metres/1 go/candidate_12", (0, 11)),
         ("/x/loop/1 a", (0,)),
+        ("/2 steps/2 steps/1 a", (0,)),
         ("", ()),
     ],
 )

@@ -2,7 +2,7 @@
 
 import { drawMind } from "./mind.js";
 import { Ground } from "./ground.js";
-import { drawAbilities, drawHealth, drawProblems } from "./side.js";
+import { drawAbilities, drawHealth, drawProblems, drawWorld } from "./side.js";
 import { Talk } from "./talk.js";
 
 const MOST_COMMANDS = 50;
@@ -79,6 +79,7 @@ const views = {
   abilities(view) { drawAbilities(view, (text) => talk.offer(text)); talk.know(view); },
   problems: drawProblems,
   health: drawHealth,
+  world: drawWorld,
   pose: (view) => ground.move(view),
   ground: (view) => ground.surround(view),
   stop: showStop,

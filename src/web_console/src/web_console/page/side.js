@@ -37,6 +37,15 @@ export function drawProblems(view) {
     make("code", {}, one.place), make("p", {}, `found ${one.found}, expected ${one.expected}. ${one.hint}`))));
 }
 
+export function drawWorld(view) {
+  byId("world-card").hidden = !view.objects.length;
+  keep(byId("world"), view, () => [
+    make("ul", { class: "nodes" }, ...view.objects.map((one) => make("li", {}, make("b", {}, one.name),
+      make("span", { class: "quiet" }, [one.sort, one.where, ...one.attributes].filter((part) => part).join(", "))))),
+    view.more ? make("p", { class: "quiet" }, `and ${view.more} more`) : null,
+  ]);
+}
+
 export function drawHealth(view) {
   keep(byId("health"), view, () => {
     if (!view.is_master_up) return make("p", { class: "bad" }, "The ROS master does not answer.");

@@ -1,0 +1,280 @@
+#!/usr/bin/env python3
+"""Measures the page: first paint, event to page, ten pages, idle, and the pipeline with and without it, in one run.
+
+The pipeline is compared with itself: its way from a text to a goal, in turns with a page that is open, and without the
+node of the page. Programs that stand for pages are websocket clients in a process of their own.
+
+    benchmarks/console.py [SECONDS of the ten pages, 60]
+"""
+
+import os
+import statistics
+import subprocess
+import sys
+import threading
+import time
+from contextlib import ExitStack, contextmanager
+from pathlib import Path
+from typing import Any, Dict, Iterator, List, Sequence
+
+from stage_latency import Measurement, end, free_port
+
+PORT = 18090
+URL = f"http://127.0.0.1:{PORT}/"
+IDLE_S = 20.0
+TURNS, TEXTS = 5, 40
+EVENTS = 200
+LOADS = 5
+TICKS = os.sysconf("SC_CLK_TCK")
+PAGE = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "tests", "rostest")
+
+
+def pages(count: int, shall_tell: bool) -> None:
+    """Open pages that read everything; with `shall_tell`, print the time of each event that arrives."""
+    import asyncio
+    import json
+
+    from tornado.websocket import websocket_connect
+
+    async def read() -> None:
+        page = await websocket_connect(URL.replace("http", "ws") + "live")
+        print("open", flush=True)
+        while True:
+            message = await page.read_message()
+            if message is None:
+                return
+            if not shall_tell:
+                continue
+            now_s = time.monotonic()
+            said = json.loads(message)
+            if said["view"] == "command":
+                for stage in said["value"]["stages"]:
+                    print(stage["sentence"], now_s, flush=True)
+
+    async def read_all() -> None:
+        await asyncio.gather(*(read() for _ in range(count)))
+
+    asyncio.run(read_all())
+
+
+@contextmanager
+def open_pages(count: int, *, shall_tell: bool = False) -> "Iterator[subprocess.Popen[str]]":
+    """Pages in a process of their own; all are open when this returns."""
+    process = subprocess.Popen(
+        [sys.executable, os.path.abspath(__file__), "pages", str(count), "tell" if shall_tell else ""],
+        stdout=subprocess.PIPE,
+        text=True,
+    )
+    try:
+        assert process.stdout is not None
+        for _ in range(count):
+            while process.stdout.readline().strip() != "open":
+                if process.poll() is not None:
+                    raise SystemExit("the page cannot be opened")
+        yield process
+    finally:
+        process.kill()
+        process.wait()
+
+
+@contextmanager
+def console() -> "Iterator[subprocess.Popen[bytes]]":
+    """The node of the page, once it answers."""
+    import rospy
+    from tornado.httpclient import HTTPClient, HTTPClientError
+
+    if rospy.has_param("/web_console/url"):
+        rospy.delete_param("/web_console/url")
+    program = subprocess.run(
+        ["catkin_find", "--first-only", "web_console", "web_console"], capture_output=True, text=True, check=True
+    )
+    process = subprocess.Popen(
+        [program.stdout.strip(), f"_port:={PORT}"], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL
+    )
+    try:
+        end_s = time.monotonic() + 60.0
+        while not rospy.has_param("/web_console/url"):
+            if time.monotonic() > end_s:
+                raise SystemExit("the page is not there")
+            time.sleep(0.1)
+        client = HTTPClient()
+        try:
+            client.fetch(URL)
+        except (OSError, HTTPClientError) as error:
+            raise SystemExit(f"{URL}: {error}") from error
+        finally:
+            client.close()
+        time.sleep(3.0)
+        yield process
+    finally:
+        end(process)
+
+
+def cpu_s(pid: int) -> float:
+    """Processor time of a process so far, seconds."""
+    fields = Path(f"/proc/{pid}/stat").read_text(encoding="ascii").rpartition(")")[2].split()
+    return (int(fields[11]) + int(fields[12])) / TICKS
+
+
+def memory_mb(pid: int) -> float:
+    """Resident memory of a process."""
+    lines = Path(f"/proc/{pid}/status").read_text(encoding="ascii").splitlines()
+    return next(int(line.split()[1]) for line in lines if line.startswith("VmRSS:")) / 1024.0
+
+
+def share_of_core(pid: int, seconds: float) -> float:
+    """Percent of a core that a process takes in some time."""
+    before_s, start_s = cpu_s(pid), time.monotonic()
+    time.sleep(seconds)
+    return 100.0 * (cpu_s(pid) - before_s) / (time.monotonic() - start_s)
+
+
+def p(values: Sequence[float], share: float) -> float:
+    """The value that this share does not exceed."""
+    ordered = sorted(values)
+    return ordered[min(len(ordered) - 1, int(share * len(ordered)))]
+
+
+def say(what: str, value: str) -> None:
+    """Print a line of the table."""
+    print(f"{what:44}{value}", flush=True)
+
+
+def event_to_page(count: int) -> List[float]:
+    """Milliseconds from the publication of an event to its arrival at a page."""
+    import rospy
+    from roboframenet_msgs.msg import Command, StageEvent
+
+    events = rospy.Publisher("stage_events", StageEvent, queue_size=10)
+    sent: Dict[str, float] = {}
+    arrived: Dict[str, float] = {}
+
+    def read(stream: Any) -> None:
+        for line in stream:
+            sentence, _, when_s = line.rpartition(" ")
+            arrived.setdefault(sentence, float(when_s) if when_s.strip() != "open" else 0.0)
+
+    with open_pages(1, shall_tell=True) as process:
+        threading.Thread(target=read, args=(process.stdout,), daemon=True).start()
+        time.sleep(1.0)
+        for number in range(count):
+            command = Command(id=f"text-measured-{number // 20}", text="measured", stamp=rospy.Time.now())
+            sentence = f"event {number}"
+            event = StageEvent(command=command, stage=f"stage {number % 5}", stamp=rospy.Time.now(), sentence=sentence)
+            sent[sentence] = time.monotonic()
+            events.publish(event)
+            time.sleep(0.05)
+        time.sleep(1.0)
+    missing = set(sent) - set(arrived)
+    if missing:
+        raise SystemExit(f"{len(missing)} of {count} events did not arrive")
+    return [1000.0 * (arrived[sentence] - sent_s) for sentence, sent_s in sent.items()]
+
+
+def first_paint(loads: int) -> List[float]:
+    """Milliseconds from the request to the first content, in a new browser for the first load."""
+    sys.path.insert(0, PAGE)
+    from console_browser import ConsoleBrowser
+
+    times = []
+    browser = ConsoleBrowser(URL)
+    try:
+        for _ in range(loads):
+            browser.driver.get("about:blank")
+            browser.driver.get(URL)
+            time.sleep(1.0)
+            times.append(browser.run("performance.getEntriesByName('first-contentful-paint')[0].startTime"))
+    finally:
+        browser.close()
+    return times
+
+
+def compare(measurement: Measurement) -> None:
+    """Print the way from a text to a goal with an open page, and without the node."""
+    times: Dict[str, List[float]] = {"with a page": [], "without": []}
+
+    def take(what: str) -> None:
+        for number in range(TEXTS + 5):
+            ms = measurement.whole()["text to goal"]
+            if number >= 5:
+                times[what].append(ms)
+
+    for _ in range(TURNS):
+        with console(), open_pages(1):
+            take("with a page")
+        time.sleep(2.0)
+        take("without")
+    medians = {what: statistics.median(values) for what, values in times.items()}
+    for what, values in times.items():
+        say(f"text to goal {what}", f"p50 {medians[what]:.2f} ms, p95 {p(values, 0.95):.2f} ms, of {len(values)}")
+    say("ratio of the medians", f"{medians['with a page'] / medians['without']:.3f}   (at most 1.05)")
+
+
+def measure(seconds: float) -> None:
+    """Print the table."""
+    import rospy
+
+    try:
+        measurement = Measurement()
+        say("load of the machine at the start", " ".join(f"{value:.1f}" for value in os.getloadavg()))
+        with console() as node:
+            say("idle without a page", f"{share_of_core(node.pid, IDLE_S):.2f} % of a core   (at most 1)")
+            with open_pages(1):
+                # The first page makes the node read all files.
+                time.sleep(15.0)
+                say("idle with a page", f"{share_of_core(node.pid, IDLE_S):.2f} % of a core   (at most 1)")
+            times = event_to_page(EVENTS)
+            say("event to page", f"p50 {p(times, 0.5):.0f} ms, p95 {p(times, 0.95):.0f} ms   (p95 at most 100)")
+            try:
+                paints = first_paint(LOADS)
+                say("first paint", f"p50 {p(paints, 0.5):.0f} ms, worst {max(paints):.0f} ms   (at most 500)")
+            except ImportError as error:
+                say("first paint", f"not measured: {error}")
+            with open_pages(10):
+                # The first fifty commands fill the history.
+                for _ in range(60):
+                    measurement.whole()
+                before_mb, before_s, start_s = memory_mb(node.pid), cpu_s(node.pid), time.monotonic()
+                said = 0
+                while time.monotonic() < start_s + seconds:
+                    measurement.whole()
+                    said += 1
+                    time.sleep(0.5)
+                took_s = time.monotonic() - start_s
+                grown_mb = memory_mb(node.pid) - before_mb
+                share = 100.0 * (cpu_s(node.pid) - before_s) / took_s
+                say(
+                    f"ten pages, {took_s:.0f} s, {said} commands",
+                    f"{before_mb:.1f} MB {grown_mb:+.1f} MB, {share:.1f} % of a core",
+                )
+        compare(measurement)
+        say("load of the machine at the end", " ".join(f"{value:.1f}" for value in os.getloadavg()))
+    finally:
+        # A thread of actionlib would keep the process alive.
+        rospy.signal_shutdown("done")
+
+
+def main(seconds: float) -> int:
+    """Start the pipeline, a simulated robot and the measurement."""
+    with ExitStack() as stack:
+        port = free_port()
+        environment = dict(os.environ, ROS_MASTER_URI=f"http://127.0.0.1:{port}")
+        quiet = {"env": environment, "stdout": subprocess.DEVNULL, "stderr": subprocess.DEVNULL}
+        pipeline = ["roslaunch", "-p", str(port), "roboframenet_bringup", "pipeline.launch"]
+        stack.callback(end, subprocess.Popen(pipeline, **quiet))
+        # Its odometry goes to the page.
+        stack.callback(end, subprocess.Popen(["rosrun", "roboframenet_sim", "turtlebot_sim"], **quiet))
+        relay = os.path.join(os.path.dirname(os.path.abspath(__file__)), "stage_latency.py")
+        stack.callback(end, subprocess.Popen([sys.executable, relay, "relay"], **quiet))
+        return subprocess.run(
+            [sys.executable, os.path.abspath(__file__), "measure", str(seconds)], env=environment, check=False
+        ).returncode
+
+
+if __name__ == "__main__":
+    if sys.argv[1:2] == ["pages"]:
+        pages(int(sys.argv[2]), sys.argv[3] == "tell")
+    elif sys.argv[1:2] == ["measure"]:
+        measure(float(sys.argv[2]))
+    else:
+        sys.exit(main(float(sys.argv[1]) if len(sys.argv) > 1 else 60.0))
