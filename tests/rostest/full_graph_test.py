@@ -160,6 +160,7 @@ class FullGraphTest(unittest.TestCase):
                 self.waves.append({e.name: e.argument for e in frame.frame_elements}),
                 self.meant.append(frame["addressee"]),
             ),
+            heeds={"Manner": ["happy"]},
         )
         self.assertTrue(
             server.add_semantic_frame(
@@ -199,6 +200,13 @@ class FullGraphTest(unittest.TestCase):
         self.assertEqual([modifier.word for modifier in meant.modifiers], ["red"])
         (place,) = meant.frames[0].frame_elements
         self.assertEqual((meant.frames[0].frame_name, place.relation), ("being_located", "under"))
+        reply = self.say_and_wait("Wave at Alice happily.")
+        self.assertEqual(reply.outcome, Reply.DONE, reply.sentence)
+        self.assertEqual(self.waves[-1], {"addressee": "Alice", "manner": "happily"})
+        reply = self.say_and_wait("Wave at Alice slowly.")
+        self.assertEqual((reply.outcome, reply.code), (Reply.NEEDS_INFORMATION, "LEFT_OVER_WORDS"), reply.sentence)
+        self.assertIn('"slowly"', reply.sentence)
+        self.assertEqual(len(self.waves), 3)
 
     def test_07_second_server_of_a_frame_runs_when_the_first_fails(self) -> None:
         ran = self.bows

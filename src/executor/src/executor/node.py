@@ -236,7 +236,7 @@ class ExecutorNode:
             deadlines=self._settings.deadlines,
             quarantine=self._quarantine,
             patience=Patience(command_s=self._settings.longest_command_s, search_s=self._settings.longest_search_s),
-            longest_silence_s=self._profiles.longest_silence_s,
+            profiles=self._profiles,
             longest_wait_s=self._settings.longest_wait_s,
             on_note=lambda sentence: self._inbox.put(_Note(run, sentence)),
             on_end=lambda ended, result: self._inbox.put(_RunEnded(ended, result)),

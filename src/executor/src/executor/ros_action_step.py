@@ -3,7 +3,7 @@
 import contextlib
 import queue
 import time
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Callable
 
 import actionlib
@@ -22,6 +22,7 @@ from executor.ros_action_clients import ActionClients
 from executor.ros_driver_settings import DriverSettings
 from executor.ros_goal_news import Death, Sign, WakeUp, apply, header_text, read_transition
 from executor.ros_running_goals import RunningGoals
+from executor.ros_server_profiles import ServerProfiles
 from roboframenet_ros.ros_action_connection import ActionConnection, SentGoal
 from roboframenet_ros.suspension import SuspensionWatch
 from typed_arguments import FilledFrame
@@ -50,6 +51,7 @@ class StepContext:
         settings: what the servers need of other nodes
         running_goals: what must be cancelled if this process is killed
         deadlines: of each goal
+        profiles: what the servers stated when they registered
         quarantine: servers that are out of use
         patience: how long the command may go on
         suspension: whether this process has just been resumed
@@ -61,6 +63,7 @@ class StepContext:
     settings: DriverSettings
     running_goals: RunningGoals
     deadlines: GoalDeadlines
+    profiles: ServerProfiles
     quarantine: Quarantine
     patience: Patience
     suspension: SuspensionWatch
@@ -152,7 +155,7 @@ class ActionStep(smach.State):
             self._pause(0.01)
         owner = f"{self._frame.name} by {server}"
         try:
-            self._context.settings.apply(server, owner=owner)
+            self._context.settings.apply(server, owner=owner, stated=self._context.profiles.settings(self._frame))
         except SettingsError as error:
             return tracking.fail_unsent(
                 server, deadlines, f"cannot get its driver settings: {error}", now_s=time.monotonic()
@@ -182,7 +185,9 @@ class ActionStep(smach.State):
     def _follow(self, connection: ActionConnection, inbox: "queue.Queue[object]", on_sign: Callable[[], None]) -> Goal:
         if self._read_news():
             return tracking.preempt_unsent(self._frame.server, self._context.deadlines, now_s=time.monotonic())
-        deadlines = self._context.patience.deadlines(self._context.deadlines)
+        of_each = self._context.deadlines
+        longest_s = self._context.profiles.longest_goal_s(self._frame, of_each.execution_s)
+        deadlines = self._context.patience.deadlines(replace(of_each, execution_s=longest_s))
         goal = tracking.send(self._frame.server, deadlines, now_s=time.monotonic())
         sent: SentGoal = connection.send(
             FilledSemanticFrameGoal(frame=frame_to_message(self._frame)),

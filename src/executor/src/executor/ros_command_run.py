@@ -21,6 +21,7 @@ from executor.ros_condition_watch import ConditionWatch, WatchContext
 from executor.ros_driver_settings import DriverSettings
 from executor.ros_introspection import Introspection
 from executor.ros_running_goals import RunningGoals
+from executor.ros_server_profiles import ServerProfiles
 from executor.run_record import NodeRecord, RunRecord
 from roboframenet_ros.suspension import SuspensionWatch
 from typed_arguments import FilledFrame
@@ -57,7 +58,7 @@ class CommandRun:
         deadlines: GoalDeadlines,
         quarantine: Quarantine,
         patience: Patience,
-        longest_silence_s: Callable[[FilledFrame], float],
+        profiles: ServerProfiles,
         longest_wait_s: float,
         on_note: Callable[[str], None],
         on_end: Callable[["CommandRun", RunResult], None],
@@ -74,7 +75,7 @@ class CommandRun:
             deadlines: of each goal
             quarantine: servers that are out of use
             patience: how long the command may go on
-            longest_silence_s: returns, for the frame of a condition, for how long its source may be silent
+            profiles: what the servers stated when they registered
             longest_wait_s: after which a wait for a condition fails, if it does not say a limit
             on_note: called from the thread of the run with a sentence for each step
             on_end: called with the result, last, from the thread of the run
@@ -84,7 +85,7 @@ class CommandRun:
         self._plan = plan
         self._on_note = on_note
         self._longest_wait_s = longest_wait_s
-        self._watches = WatchContext(clients, running_goals, deadlines, longest_silence_s, on_note)
+        self._watches = WatchContext(clients, running_goals, deadlines, profiles.longest_silence_s, on_note)
         self._on_end = on_end
         self._introspection = introspection
         self._record = RunRecord(plan)
@@ -99,6 +100,7 @@ class CommandRun:
             settings=settings,
             running_goals=running_goals,
             deadlines=deadlines,
+            profiles=profiles,
             quarantine=quarantine,
             patience=patience,
             suspension=suspension,

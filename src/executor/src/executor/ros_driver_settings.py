@@ -102,19 +102,20 @@ class DriverSettings:
         self._thread.join(timeout_s)
         self._record.close()
 
-    def apply(self, server: str, *, owner: str) -> None:
+    def apply(self, server: str, *, owner: str, stated: Sequence[Setting] = ()) -> None:
         """Apply what a server needs.
 
         Args:
             server: its name
             owner: the step, for `restore`
+            stated: what the server stated when it registered, besides its parameter
 
         Raises:
             SettingsError: not possible; nothing stays applied
         """
         needs = [
             replace(setting, node=rospy.resolve_name(setting.node))
-            for setting in read_needs(self._find_needs(server), server=server)
+            for setting in (*stated, *read_needs(self._find_needs(server), server=server))
         ]
         if not needs:
             return

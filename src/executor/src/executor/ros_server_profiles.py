@@ -1,10 +1,12 @@
 """What servers stated about themselves when they registered."""
 
+import json
 from typing import Dict, Optional, Tuple
 
 import rospy
-from roboframenet_msgs.msg import FrameCatalogue
+from roboframenet_msgs.msg import FrameCatalogue, ServerProfile
 
+from executor.driver_settings import Setting, SettingsError, Value
 from typed_arguments import FilledFrame
 
 
@@ -17,7 +19,7 @@ class ServerProfiles:
             default_silence_s: for how long a condition may be silent whose server states nothing
         """
         self._default_silence_s = default_silence_s
-        self._silences: Dict[Tuple[str, str], float] = {}
+        self._profiles: Dict[Tuple[str, str], ServerProfile] = {}
         self._subscriber: Optional[rospy.Subscriber] = None
 
     def start(self) -> None:
@@ -26,10 +28,42 @@ class ServerProfiles:
 
     def longest_silence_s(self, frame: FilledFrame) -> float:
         """Return for how long the source of a condition may be silent."""
-        return self._silences.get((frame.name, frame.server)) or self._default_silence_s
+        return self._profile(frame).longest_silence.to_sec() or self._default_silence_s
+
+    def longest_goal_s(self, frame: FilledFrame, most_s: float) -> float:
+        """Return how long a goal may take.
+
+        Args:
+            frame: the goal
+            most_s: limit for every goal
+        """
+        return min(self._profile(frame).longest_goal.to_sec() or most_s, most_s)
+
+    def settings(self, frame: FilledFrame) -> Tuple[Setting, ...]:
+        """Return the settings of other nodes that a goal needs.
+
+        Raises:
+            SettingsError: a value is no JSON scalar
+        """
+        return tuple(
+            Setting(setting.node, setting.name, _value(setting.name, setting.value))
+            for setting in self._profile(frame).settings
+        )
+
+    def _profile(self, frame: FilledFrame) -> ServerProfile:
+        return self._profiles.get((frame.name, frame.server)) or ServerProfile()
 
     def _hear(self, catalogue: FrameCatalogue) -> None:
-        self._silences = {
-            (callback.frame_name, callback.callback_topic): callback.profile.longest_silence.to_sec()
-            for callback in catalogue.callbacks
+        self._profiles = {
+            (callback.frame_name, callback.callback_topic): callback.profile for callback in catalogue.callbacks
         }
+
+
+def _value(name: str, text: str) -> Value:
+    try:
+        value = json.loads(text)
+    except ValueError:
+        value = None
+    if not isinstance(value, (bool, int, float, str)):
+        raise SettingsError(f"{name}: expected a JSON scalar, found {text!r}")
+    return value

@@ -15,10 +15,14 @@ from roboframenet_msgs.msg import (
     Command,
     CommandPlan,
     FilledSemanticFrame,
+    FrameCallback,
+    FrameCatalogue,
     Plan,
     PlanCandidate,
     PlanNode,
     Reply,
+    ServerProfile,
+    ServerSetting,
     StageEvent,
 )
 from std_msgs.msg import String
@@ -116,6 +120,19 @@ class ServerSettingsTest(unittest.TestCase):
                 self.assertIn(part, reply.sentence)
                 self.assertNotIn(f"{server} begins succeed", self.log)
                 self.assert_cameras(BEFORE, BEFORE)
+
+    def test_what_a_server_stated_counts_like_its_parameter(self):
+        settings = [ServerSetting(node="/camera", name="exposure", value="42")]
+        profile = ServerProfile(settings=settings, longest_goal=rospy.Duration(1.0))
+        catalogue = FrameCatalogue(callbacks=[FrameCallback("run", "plain", True, profile)])
+        publisher = rospy.Publisher("frame_catalogue", FrameCatalogue, queue_size=1, latch=True)
+        publisher.publish(catalogue)
+        wait_until(lambda: publisher.get_num_connections() == 1)
+        command = self.send(("run", "plain"))
+        self.assert_cameras(dict(BEFORE, exposure=42), BEFORE)
+        self.assertIn("did not end within 1 s", self.wait_for_reply(command).sentence)
+        self.assert_cameras(BEFORE, BEFORE)
+        publisher.unregister()
 
     def test_restored_when_the_server_dies(self):
         reply = self.wait_for_reply(self.send(("die", "mortal"), ("succeed", "plain")))

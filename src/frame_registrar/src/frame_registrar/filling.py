@@ -68,19 +68,44 @@ def fill(frame: SemanticFrame, arguments: Mapping[str, TypedArgument]) -> Filled
                 "VALUE_NOT_ALLOWED",
                 f'The {spoken_name(element.name)} cannot be "{text}", only {join_with_or(element.values)}.',
             )
-        relation = found[element.name].relation
-        if element.relations and relation and relation not in element.relations:
-            said = found[element.name].words or f"{relation.replace('_', ' ')} {text}"
-            allowed = join_with_or(tuple(other.replace("_", " ") for other in element.relations))
-            raise Unfillable(
-                "VALUE_NOT_ALLOWED",
-                f'The {spoken_name(element.name)} of {spoken_name(frame.name)} cannot be "{said}", only {allowed} '
-                "something.",
-            )
+        check_expressible(frame, element, found[element.name])
         if element.quantity is not None:
             found[element.name] = _measured(frame, element, element.quantity, found)
     extra = extra_thematic_arguments(frame, arguments.values())
     return FilledFrame(name=frame.name, arguments=(*found.values(), *extra))
+
+
+def check_expressible(frame: SemanticFrame, element: FrameElement, argument: TypedArgument) -> None:
+    """Check that an element can express the relation, the count and the quantifier of its argument.
+
+    Raises:
+        Unfillable: it cannot
+    """
+    allowed = ""
+    relation = argument.relation
+    if element.relations and relation and relation not in element.relations:
+        allowed = f"{join_with_or(tuple(other.replace('_', ' ') for other in element.relations))} something"
+    elif element.counts and not _is_countable(argument, element.counts):
+        most = max(element.counts)
+        numbers = join_with_or(tuple(str(count) for count in element.counts))
+        allowed = f"{numbers} {'thing' if most == 1 else 'things'} at a time"
+    elif element.quantifiers and argument.quantifier and argument.quantifier not in element.quantifiers:
+        allowed = f"{join_with_or(tuple(other.replace('_', ' ') for other in element.quantifiers))} something"
+    if allowed:
+        said = argument.words or f"{relation.replace('_', ' ')} {argument.text}".strip()
+        raise Unfillable(
+            "VALUE_NOT_ALLOWED",
+            f'The {spoken_name(element.name)} of {spoken_name(frame.name)} cannot be "{said}", only {allowed}.',
+        )
+
+
+def _is_countable(argument: TypedArgument, counts: Tuple[int, ...]) -> bool:
+    """Whether an argument names one of these numbers of things; a plural without a number names several."""
+    if argument.members and argument.conjunction != "or":
+        return len(argument.members) in counts
+    if argument.count is not None:
+        return argument.count in counts
+    return max(counts) > 1 if argument.is_plural else 1 in counts
 
 
 def extra_thematic_arguments(

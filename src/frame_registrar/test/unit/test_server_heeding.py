@@ -121,3 +121,40 @@ def test_profile_is_checked_when_the_file_comes_later() -> None:
     assert graph.register("putting", "arm", stated_profile({"heeds": ["gaol"]})) == ()
     graph.add(load_frame(PUTTING, "x.yaml"))
     assert "gaol" in graph.remark("putting", "arm")
+
+
+TAKING = "name: taking\nframe_elements: [{name: theme, is_core: True, counts: [1], quantifiers: [the, a]}]"
+
+
+@pytest.mark.parametrize(
+    "argument, refused",
+    [
+        ({"text": "the cup", "quantifier": "the"}, ""),
+        ({"text": "cup"}, ""),
+        ({"text": "one cup", "count": 1}, ""),
+        ({"text": "two cups", "count": 2, "is_plural": True}, "1 thing at a time"),
+        ({"text": "the cups", "quantifier": "the", "is_plural": True}, "1 thing at a time"),
+        ({"text": "every cup", "quantifier": "every"}, "the or a something"),
+    ],
+)
+def test_what_a_frame_cannot_express_is_refused_by_name(argument: Dict[str, Any], refused: str) -> None:
+    graph = FrameGraph()
+    graph.add(load_frame(TAKING, "x.yaml"))
+    graph.register("taking", "arm")
+    said = TypedArgument("theme", words=argument["text"], **argument)
+    outcome = search(graph, [[Reading("taking", (said,))]], max_candidates=64)
+    if not refused:
+        assert servers_of(outcome) == [("arm",)]
+        return
+    sentence = f'The theme of taking cannot be "{said.text}", only {refused}.'
+    assert servers_of(outcome) == ("VALUE_NOT_ALLOWED", sentence)
+
+
+def test_list_that_is_repeated_is_one_thing_at_a_time() -> None:
+    graph = FrameGraph()
+    graph.add(load_frame(TAKING, "x.yaml"))
+    graph.register("taking", "arm")
+    members = (TypedArgument(text="the cup"), TypedArgument(text="the plate"))
+    both = TypedArgument("theme", "the cup and the plate", members=members, conjunction="and")
+    outcome = search(graph, [[Reading("taking", (both,))]], max_candidates=64)
+    assert servers_of(outcome) == [("arm", "arm")]

@@ -5,7 +5,7 @@ Forward and left are positive (REP 103). The module neither waits nor reads a cl
 
 import enum
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Optional
 
 
@@ -16,12 +16,21 @@ class MotionKind(enum.Enum):
     TURN = "turn"
 
 
+class Pace(enum.Enum):
+    """How fast to go, compared with the usual speed."""
+
+    SLOW = "slow"
+    USUAL = "usual"
+    QUICK = "quick"
+
+
 @dataclass(frozen=True)
 class MotionGoal:
-    """How far to go: metres for STRAIGHT, radians for TURN; forward and left are positive."""
+    """How far to go: metres for STRAIGHT, radians for TURN; forward and left are positive. And how fast."""
 
     kind: MotionKind
     amount: float
+    pace: Pace = Pace.USUAL
 
 
 @dataclass(frozen=True)
@@ -97,6 +106,10 @@ class MotionSettings:
     """A motion that ends farther from the goal than this share of the amount has failed."""
     odometry_timeout_s: float = 1.0
     stall_timeout_s: float = 3.0
+    slow_share: float = 0.5
+    """Share of the usual speed of a slow motion."""
+    quick_share: float = 1.5
+    """Share of the usual speed of a quick motion."""
 
     def __post_init__(self) -> None:
         if not 0.0 < self.aim_share <= self.accept_share < 1.0:
@@ -107,16 +120,23 @@ class MotionSettings:
             value = getattr(self, name)
             if not (isinstance(value, (int, float)) and math.isfinite(value) and 0.1 <= value <= 60.0):
                 raise ValueError(f"{name} must be 0.1 to 60 s, got {value!r}")
-        # Between two samples the base must turn by less than half a turn; otherwise the direction is ambiguous.
-        if self.turn.speed_per_s * self.odometry_timeout_s >= math.pi:
+        if not 0.0 < self.slow_share < 1.0 < self.quick_share < math.inf:
             raise ValueError(
-                f"turning with {self.turn.speed_per_s:g} rad/s for odometry_timeout_s {self.odometry_timeout_s:g} "
+                f"shares must be 0 < slow_share < 1 < quick_share, got {self.slow_share!r} and {self.quick_share!r}"
+            )
+        # Between two samples the base must turn by less than half a turn; otherwise the direction is ambiguous.
+        quickest = self.turn.speed_per_s * self.quick_share
+        if quickest * self.odometry_timeout_s >= math.pi:
+            raise ValueError(
+                f"turning with {quickest:g} rad/s for odometry_timeout_s {self.odometry_timeout_s:g} "
                 "is half a turn or more"
             )
 
-    def profile_of(self, kind: MotionKind) -> MotionProfile:
-        """Return the profile of a kind of motion."""
-        return {MotionKind.STRAIGHT: self.straight, MotionKind.TURN: self.turn}[kind]
+    def profile_of(self, kind: MotionKind, pace: Pace = Pace.USUAL) -> MotionProfile:
+        """Return the profile of a kind of motion at a pace; no motion is slower than creeping."""
+        usual = {MotionKind.STRAIGHT: self.straight, MotionKind.TURN: self.turn}[kind]
+        share = {Pace.SLOW: self.slow_share, Pace.USUAL: 1.0, Pace.QUICK: self.quick_share}[pace]
+        return replace(usual, speed_per_s=max(usual.creep_per_s, share * usual.speed_per_s))
 
 
 def describe_amount(goal: MotionGoal) -> str:
@@ -190,7 +210,7 @@ class Motion:
             raise ValueError(reason)
         self._goal = goal
         self._settings = settings
-        self._profile = settings.profile_of(goal.kind)
+        self._profile = settings.profile_of(goal.kind, goal.pace)
         self._aim = max(self._profile.tolerance, settings.aim_share * abs(goal.amount))
         self._accept = max(2.0 * self._profile.tolerance, settings.accept_share * abs(goal.amount))
         self._start = start

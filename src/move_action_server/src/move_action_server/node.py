@@ -5,7 +5,7 @@ import math
 import threading
 import time
 from dataclasses import dataclass
-from typing import Callable, Dict, Mapping, Optional, Tuple
+from typing import Callable, Dict, Mapping, Optional, Sequence, Tuple
 
 import rospy
 from geometry_msgs.msg import Twist
@@ -25,7 +25,7 @@ from move_action_server.motion import (
     check_goal,
     describe_amount,
 )
-from move_action_server.spoken_motion import NotUnderstood, backward_goal, forward_goal, turn_goal
+from move_action_server.spoken_motion import PACES, SPEEDS, NotUnderstood, backward_goal, forward_goal, turn_goal
 from rfnserver import RFNServer, TypedFrame
 from roboframenet_ros.parameters import ParameterError, Parameters, parameter
 from roboframenet_ros.pausable_clock import PausableClock
@@ -42,7 +42,10 @@ GOAL_OF_FRAME: Mapping[str, GoalOf] = {
     "turning": turn_goal,
 }
 """How to read the arguments of each frame."""
-
+HEEDED: Mapping[str, Sequence[str]] = {"Manner": PACES, "Speed": SPEEDS}
+"""What the servers heed beside the elements of their frames."""
+#: Elements that a server does not heed.
+UNHEEDED: Mapping[str, Sequence[str]] = {"moving_backward": ["degree"]}
 
 _STRAIGHT, _TURN = MotionSettings.straight, MotionSettings.turn
 
@@ -54,11 +57,11 @@ class Settings(Parameters):
     Attributes:
         max_distance_m: longest distance
         max_angle_rad: largest turn
-        linear_speed_m_per_s: top speed
+        linear_speed_m_per_s: usual speed
         linear_acceleration_m_per_s2: acceleration and deceleration
         linear_creep_m_per_s: slowest speed that still moves the base
         distance_tolerance_m: smallest tolerance, for short distances
-        angular_speed_rad_per_s: top turn rate
+        angular_speed_rad_per_s: usual turn rate
         angular_acceleration_rad_per_s2: acceleration and deceleration
         angular_creep_rad_per_s: slowest turn rate that still moves the base
         angle_tolerance_rad: smallest tolerance, for small turns
@@ -68,6 +71,8 @@ class Settings(Parameters):
         stall_timeout_s: after this time without motion the base is stuck
         claim_timeout_s: how long a newer goal waits for the older one to stop the base
         feedback_period_s: time between feedback messages
+        slow_share: share of the usual speed of a motion that is to be slow
+        quick_share: share of the usual speed of a motion that is to be quick
 
     Raises:
         ParameterError: a value out of its range, or values that contradict each other
@@ -89,6 +94,8 @@ class Settings(Parameters):
     stall_timeout_s: float = parameter(MotionSettings.stall_timeout_s, least=0.1, most=60.0)
     claim_timeout_s: float = parameter(2.0, least=0.05, most=60.0)
     feedback_period_s: float = parameter(0.5, least=0.05, most=60.0)
+    slow_share: float = parameter(MotionSettings.slow_share, above=0.0)
+    quick_share: float = parameter(MotionSettings.quick_share, above=1.0)
 
     def __post_init__(self) -> None:
         super().__post_init__()
@@ -118,6 +125,8 @@ class Settings(Parameters):
             accept_share=self.accept_share,
             odometry_timeout_s=self.odometry_timeout_s,
             stall_timeout_s=self.stall_timeout_s,
+            slow_share=self.slow_share,
+            quick_share=self.quick_share,
         )
 
 
@@ -226,7 +235,13 @@ class MoveActionServer:
         rospy.on_shutdown(self._shut_down)
         self._servers: Dict[str, RFNServer] = {}
         for frame_name, goal_of in GOAL_OF_FRAME.items():
-            server = RFNServer(frame_name, self._callback(frame_name, goal_of))
+            server = RFNServer(
+                frame_name,
+                self._callback(frame_name, goal_of),
+                heeds=HEEDED,
+                unheeded=UNHEEDED.get(frame_name, ()),
+                occupies=["base"],
+            )
             server.register_preempt_callback(self._odometry.wake)
             self._servers[frame_name] = server
 

@@ -3,7 +3,8 @@
 import math
 from typing import Mapping
 
-from move_action_server.motion import MotionGoal, MotionKind
+from move_action_server.motion import MotionGoal, MotionKind, Pace
+from semantic_frames.server_profile import spellings
 from spoken_quantities import QuantityError, parse_measure
 from typed_arguments import TypedArgument
 from word_classes import word_class
@@ -11,6 +12,11 @@ from word_classes import word_class
 LEFTWARD = word_class("leftward")
 RIGHTWARD = word_class("rightward")
 AROUND = "around"
+SLOW = word_class("slow_words")
+QUICK = word_class("quick_words")
+#: What the servers heed of the manner and the speed of a motion: "slowly", "at half speed".
+PACES = tuple(sorted(SLOW | QUICK))
+SPEEDS = PACES + tuple(f"{pace} {noun}" for pace in PACES for noun in sorted(word_class("speed_nouns")))
 
 
 class NotUnderstood(ValueError):
@@ -48,39 +54,39 @@ def _distance_m(arguments: Mapping[str, TypedArgument]) -> float:
 
 
 def forward_goal(arguments: Mapping[str, TypedArgument]) -> MotionGoal:
-    """Read moving_forward(distance, distance_unit). A negative distance moves back.
+    """Read moving_forward(distance, distance_unit, manner, speed). A negative distance moves back.
 
     Raises:
-        NotUnderstood: the number or the unit is missing, or it is not a length
+        NotUnderstood: the number or the unit is missing, it is not a length, or the manner says no pace
     """
-    return MotionGoal(kind=MotionKind.STRAIGHT, amount=_distance_m(arguments))
+    return MotionGoal(kind=MotionKind.STRAIGHT, amount=_distance_m(arguments), pace=_pace(arguments))
 
 
 def backward_goal(arguments: Mapping[str, TypedArgument]) -> MotionGoal:
-    """Read moving_backward(distance, distance_unit). A negative distance moves forward.
+    """Read moving_backward(distance, distance_unit, manner, speed). A negative distance moves forward.
 
     Raises:
-        NotUnderstood: the number or the unit is missing, or it is not a length
+        NotUnderstood: the number or the unit is missing, it is not a length, or the manner says no pace
     """
-    return MotionGoal(kind=MotionKind.STRAIGHT, amount=-_distance_m(arguments))
+    return MotionGoal(kind=MotionKind.STRAIGHT, amount=-_distance_m(arguments), pace=_pace(arguments))
 
 
 def turn_goal(arguments: Mapping[str, TypedArgument]) -> MotionGoal:
-    """Read turning(direction, angle, angle_unit). A negative angle turns the other way.
+    """Read turning(direction, angle, angle_unit, manner, speed). A negative angle turns the other way.
 
     "Around" turns left, by half a turn when no angle is given.
 
     Raises:
-        NotUnderstood: the number, the unit or the direction is missing, or it is not an angle
+        NotUnderstood: the number, the unit or the direction is missing, it is not an angle, or the manner says no pace
     """
     direction = _text(arguments, "direction").lower()
     if direction == AROUND:
         is_said = bool(_text(arguments, "angle"))
-        return MotionGoal(kind=MotionKind.TURN, amount=_angle_rad(arguments) if is_said else math.pi)
+        return MotionGoal(MotionKind.TURN, _angle_rad(arguments) if is_said else math.pi, _pace(arguments))
     if direction in LEFTWARD:
-        return MotionGoal(kind=MotionKind.TURN, amount=_angle_rad(arguments))
+        return MotionGoal(MotionKind.TURN, _angle_rad(arguments), _pace(arguments))
     if direction in RIGHTWARD:
-        return MotionGoal(kind=MotionKind.TURN, amount=-_angle_rad(arguments))
+        return MotionGoal(MotionKind.TURN, -_angle_rad(arguments), _pace(arguments))
     if direction:
         raise NotUnderstood(f'I cannot turn "{direction}", only left, right or around.')
     raise NotUnderstood("Should I turn left or right?")
@@ -88,3 +94,17 @@ def turn_goal(arguments: Mapping[str, TypedArgument]) -> MotionGoal:
 
 def _angle_rad(arguments: Mapping[str, TypedArgument]) -> float:
     return _amount(arguments, element="angle", quantity="angle", question="How far should I turn?")
+
+
+def _pace(arguments: Mapping[str, TypedArgument]) -> Pace:
+    """Return how fast to go: "slowly", "at half speed", "more carefully".
+
+    Raises:
+        NotUnderstood: words that say neither, or both
+    """
+    said = [text for text in (_text(arguments, name) for name in ("speed", "manner")) if text]
+    words = spellings(*" ".join(said).split())
+    is_slow, is_quick = bool(words & SLOW), bool(words & QUICK)
+    if said and is_slow == is_quick:
+        raise NotUnderstood(f'I cannot move "{" and ".join(said)}", only slowly or quickly.')
+    return Pace.SLOW if is_slow else Pace.QUICK if is_quick else Pace.USUAL

@@ -14,6 +14,7 @@ from move_action_server.motion import (
     MotionSettings,
     MotionState,
     OdometrySample,
+    Pace,
     check_goal,
 )
 from roboframenet_ros.pausable_clock import PausableClock
@@ -26,14 +27,23 @@ SETTINGS = MotionSettings()
 class Rig:
     """A motion that drives a simulated base; odometry arrives late by a number of periods."""
 
-    def __init__(self, kind, amount, *, settings=SETTINGS, limits=BaseLimits(), pose=Pose(yaw_rad=3.0), lag=1, seed=1):
+    def __init__(
+        self,
+        kind,
+        amount,
+        *,
+        pace=Pace.USUAL,
+        settings=SETTINGS,
+        limits=BaseLimits(),
+        pose=Pose(yaw_rad=3.0),
+        lag=1,
+        seed=1,
+    ):
         self.base = DifferentialBase(limits, pose=pose, seed=seed)
         self.start = pose
         self.now_s = 100.0
         self.queue = [self.sample()] * (lag + 1)
-        self.motion = Motion(
-            MotionGoal(kind=kind, amount=amount), settings=settings, start=self.sample(), now_s=self.now_s
-        )
+        self.motion = Motion(MotionGoal(kind, amount, pace), settings=settings, start=self.sample(), now_s=self.now_s)
         self.last = None
         self.fastest = 0.0
 
@@ -83,6 +93,15 @@ def test_straight_ends_within_one_percent_and_in_the_right_direction(amount_m):
     along = (rig.base.pose.x_m - rig.start.x_m) * math.cos(3.0) + (rig.base.pose.y_m - rig.start.y_m) * math.sin(3.0)
     assert along == pytest.approx(amount_m, rel=0.01, abs=0.003)
     assert rig.fastest <= SETTINGS.straight.speed_per_s
+
+
+@pytest.mark.parametrize("kind, amount", [(MotionKind.STRAIGHT, 2.0), (MotionKind.TURN, -2.0)])
+def test_slow_motion_is_slower_and_a_quick_one_faster_and_both_arrive(kind, amount):
+    rigs = {pace: Rig(kind, amount, pace=pace) for pace in Pace}
+    for pace, rig in rigs.items():
+        assert rig.run().state is MotionState.ARRIVED
+        assert rig.fastest == pytest.approx(SETTINGS.profile_of(kind, pace).speed_per_s)
+    assert rigs[Pace.SLOW].fastest < rigs[Pace.USUAL].fastest < rigs[Pace.QUICK].fastest
 
 
 @pytest.mark.parametrize("seed", range(5))
@@ -221,6 +240,8 @@ def test_goals_at_the_limits_pass(kind, amount):
         lambda: MotionSettings(aim_share=0.1),
         lambda: MotionSettings(odometry_timeout_s=4.0),
         lambda: MotionSettings(stall_timeout_s=math.nan),
+        lambda: MotionSettings(quick_share=3.5),
+        lambda: MotionSettings(slow_share=1.0),
         lambda: MotionProfile(max_amount=1.0, speed_per_s=0.1, acceleration_per_s2=1.0, creep_per_s=0.2, tolerance=0.1),
         lambda: MotionProfile(
             max_amount=1.0, speed_per_s="0.1", acceleration_per_s2=1.0, creep_per_s=0.2, tolerance=0.1

@@ -4,8 +4,9 @@ import math
 
 import pytest
 
-from move_action_server.motion import MotionKind
-from move_action_server.spoken_motion import NotUnderstood, backward_goal, forward_goal, turn_goal
+from move_action_server.motion import MotionKind, Pace
+from move_action_server.spoken_motion import PACES, SPEEDS, NotUnderstood, backward_goal, forward_goal, turn_goal
+from semantic_frames.server_statement import stated_profile
 from typed_arguments import Measure, TypedArgument
 
 
@@ -105,3 +106,42 @@ def test_a_measure_of_another_kind_is_not_used():
     arguments = {"distance": TypedArgument("distance", "3 degrees", measure=Measure("angle", si=0.05))}
     with pytest.raises(NotUnderstood, match="length"):
         forward_goal(arguments)
+
+
+@pytest.mark.parametrize(
+    "said, pace",
+    [
+        ({}, Pace.USUAL),
+        ({"speed": "quickly"}, Pace.QUICK),
+        ({"manner": "slowly"}, Pace.SLOW),
+        ({"manner": "more carefully"}, Pace.SLOW),
+        ({"manner": "gently"}, Pace.SLOW),
+        ({"speed": "half speed"}, Pace.SLOW),
+        ({"speed": "a slow pace"}, Pace.SLOW),
+        ({"speed": "top speed", "manner": "fast"}, Pace.QUICK),
+    ],
+)
+def test_manner_and_speed_change_the_pace(said, pace):
+    for goal_of in (forward_goal, backward_goal):
+        assert goal_of(texts(distance="1 metre", **said)).pace is pace
+    for direction in ("left", "right", "around"):
+        assert turn_goal(texts(direction=direction, angle="90 degrees", **said)).pace is pace
+
+
+@pytest.mark.parametrize("said", [{"manner": "happily"}, {"manner": "slowly", "speed": "quickly"}])
+def test_other_manners_are_refused(said):
+    with pytest.raises(NotUnderstood, match="only slowly or quickly"):
+        forward_goal(texts(distance="1 metre", **said))
+
+
+def test_everything_that_is_heeded_is_understood():
+    profile = stated_profile({"heeds": {"Manner": PACES, "Speed": SPEEDS}})
+    for heeded in profile.heeds:
+        for value in heeded.values:
+            said = TypedArgument(heeded.name.lower(), value)
+            assert forward_goal({**texts(distance="1 metre"), said.name: said}).pace is not Pace.USUAL
+    for text in ("slowly", "a slow pace", "half speed", "quickly"):
+        quantifier = "a" if text.startswith("a ") else ""
+        said = TypedArgument("speed", text, quantifier=quantifier)
+        assert profile.heeds_argument(said, None)
+    assert not profile.heeds_argument(TypedArgument("manner", "happily"), None)

@@ -4,7 +4,7 @@ import pytest
 
 from phrase_meanings.meaning_file import load_meanings, shipped_meanings
 from semantic_frames.problem import FileRefused
-from typed_arguments.relation_names import RELATIONS
+from typed_arguments.attribute_names import QUANTIFIERS, RELATIONS
 
 
 def test_shipped_spellings_lead_to_one_meaning() -> None:
@@ -14,8 +14,9 @@ def test_shipped_spellings_lead_to_one_meaning() -> None:
     assert meanings.quantifiers["an"] == "a"
 
 
-def test_every_relation_may_be_declared() -> None:
+def test_every_relation_and_quantifier_may_be_declared() -> None:
     assert frozenset(shipped_meanings().relations.values()) <= RELATIONS
+    assert frozenset(shipped_meanings().quantifiers.values()) <= QUANTIFIERS
 
 
 def test_a_spelling_with_two_meanings_is_refused() -> None:

@@ -2,16 +2,16 @@
 
 import threading
 from dataclasses import dataclass
-from typing import Callable, List, Tuple
+from typing import Any, Callable, List, Mapping, Tuple
 
 import rospkg
 import rospy
 import yaml
-from roboframenet_msgs.msg import FilledSemanticFrame
 
+from pr2_props.named_arms import ARM_NOUNS, UnknownArm, named_arms
 from pr2_props.props import PropError, read_limits, read_props
 from pr2_props.ros_arms import ArmError, Arms
-from rfnserver import RFNServer
+from rfnserver import RFNServer, TypedFrame
 from roboframenet_ros.parameters import Parameters, parameter
 from roboframenet_ros.ros_node import StartError, read_parameters, run_node
 
@@ -21,7 +21,21 @@ SERVERS: Tuple[Tuple[str, str], ...] = (
     ("low_five", "low_fiving"),
     ("pound", "pounding"),
     ("hug", "hugging"),
+    ("extend_arm", "extending_arm"),
 )
+#: The arms do not see whom they greet, so they greet the speaker.
+PARTNERS = ["me", "us"]
+#: What the server of each frame heeds: "with your left hand".
+_GREETING: Mapping[str, Any] = {"heeds": {"Instrument": ARM_NOUNS, "partner": PARTNERS}}
+STATEMENTS: Mapping[str, Mapping[str, Any]] = {
+    "high_fiving": _GREETING,
+    "low_fiving": _GREETING,
+    "pounding": _GREETING,
+    "hugging": {"heeds": {"partner": PARTNERS}},
+    "extending_arm": {"heeds": {"limb": {"values": ARM_NOUNS, "most": 2}}, "unheeded": ["goal"]},
+}
+#: Elements that name an arm; the extra-thematic one is in every frame.
+_NAMING = ("limb", "instrument")
 
 
 @dataclass(frozen=True)
@@ -46,7 +60,7 @@ class PropsServer:
     """One RFNServer for each prop, with one pair of arms for all.
 
     Actions:
-        high_five, low_five, pound, hug (roboframenet_msgs/FilledSemanticFrameAction)
+        high_five, low_five, pound, hug, extend_arm (roboframenet_msgs/FilledSemanticFrameAction)
     Parameters: see :class:`Settings`.
     """
 
@@ -70,19 +84,24 @@ class PropsServer:
         def is_wanted() -> bool:
             return not (server.is_preempt_requested() or rospy.is_shutdown())
 
-        def callback(_frame: FilledSemanticFrame) -> None:
+        def callback(frame: TypedFrame) -> None:
+            try:
+                arms = tuple(arm for name in _NAMING for arm in named_arms(frame[name]))
+            except UnknownArm as error:
+                server.set_aborted(None, str(error))
+                return
             if not self._take_arms(is_wanted):
                 server.set_preempted(None, "I was interrupted before I began.")
                 return
             try:
-                if not self._arms.perform(frame_name, is_wanted=is_wanted):
+                if not self._arms.perform(frame_name, arms, is_wanted=is_wanted):
                     server.set_preempted(None, "I was interrupted; the arms are back.")
             except ArmError as error:
                 server.set_aborted(None, f"My arms failed: {error}.")
             finally:
                 self._busy.release()
 
-        server = RFNServer(action, callback)
+        server = RFNServer(action, callback, occupies=["arms"], **STATEMENTS[frame_name])
         server.register_with_frame(frame_name)
         server.start()
         return server

@@ -71,11 +71,13 @@ class Props:
 
     Attributes:
         safe_rad: safe pose of each arm
-        trajectories: by frame name, then by arm; every trajectory ends in the safe pose
+        trajectories: by frame name, then by arm, for both arms; every trajectory ends in the safe pose
+        usual_arms: by frame name, the arms that move if nobody names one
     """
 
     safe_rad: Mapping[Arm, Tuple[float, ...]]
     trajectories: Mapping[str, Mapping[Arm, Tuple[Pose, ...]]]
+    usual_arms: Mapping[str, Tuple[Arm, ...]]
 
 
 def joint_names(arm: Arm) -> Tuple[str, ...]:
@@ -105,27 +107,38 @@ def read_limits(document: Mapping[str, Any]) -> Dict[str, JointLimit]:
 def read_props(document: Mapping[str, Any], limits: Mapping[str, JointLimit]) -> Props:
     """Make props from the content of a props file, and check each against the limits.
 
+    An arm that a prop does not list can do what the other one does, mirrored.
+
     Raises:
         PropError: a position or a speed is out of its limits, or a number is missing
     """
     safe = {arm: _positions("safe", arm, document["safe"][arm.value]) for arm in Arm}
     trajectories: Dict[str, Dict[Arm, Tuple[Pose, ...]]] = {}
+    usual: Dict[str, Tuple[Arm, ...]] = {}
     for name, arms in document.items():
         if name == "safe":
             continue
         trajectories[name] = {}
+        usual[name] = tuple(arm for arm in Arm if arm.value in arms)
         for arm in Arm:
-            if arm.value not in arms:
-                continue
+            listed = arm if arm in usual[name] else usual[name][0]
             poses = []
             at_s = 0.0
-            for entry in arms[arm.value]:
+            for entry in arms[listed.value]:
                 at_s += float(entry["after_s"])
-                poses.append(Pose(at_s=at_s, positions_rad=_positions(name, arm, entry["positions"])))
+                positions = _positions(name, listed, entry["positions"])
+                poses.append(Pose(at_s=at_s, positions_rad=positions if listed is arm else mirrored(positions)))
             poses.append(Pose(at_s=at_s + RETURN_S, positions_rad=safe[arm]))
             check(name, arm, safe[arm], poses, limits)
             trajectories[name][arm] = tuple(poses)
-    return Props(safe_rad=safe, trajectories=trajectories)
+    return Props(safe_rad=safe, trajectories=trajectories, usual_arms=usual)
+
+
+def mirrored(positions_rad: Sequence[float]) -> Tuple[float, ...]:
+    """Return what the other arm does at the other side of the body: joints that pan or roll turn the other way."""
+    return tuple(
+        -position if "pan" in joint or "roll" in joint else position for joint, position in zip(JOINTS, positions_rad)
+    )
 
 
 def _positions(name: str, arm: Arm, numbers: Sequence[Any]) -> Tuple[float, ...]:

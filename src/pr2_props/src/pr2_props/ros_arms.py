@@ -54,11 +54,12 @@ class Arms:
         with self._lock:
             self._positions.update(zip(message.name, message.position))
 
-    def perform(self, name: str, *, is_wanted: Callable[[], bool]) -> bool:
-        """Run the trajectories of a prop, both arms at once, and end in the safe pose.
+    def perform(self, name: str, arms: Sequence[Arm] = (), *, is_wanted: Callable[[], bool]) -> bool:
+        """Run the trajectories of a prop, all arms at once, and end in the safe pose.
 
         Args:
             name: of the prop
+            arms: that move; empty for the usual ones
             is_wanted: called repeatedly; False moves the arms back to the safe pose
         Returns:
             whether the prop was completed; False when it was no longer wanted
@@ -66,7 +67,9 @@ class Arms:
             ArmError: a controller or joint states are missing, a limit would be exceeded, or a controller gave up
         """
         try:
-            if self._run(name, self._props.trajectories[name], is_wanted=is_wanted):
+            moving = tuple(arms) or self._props.usual_arms[name]
+            poses = {arm: self._props.trajectories[name][arm] for arm in moving}
+            if self._run(name, poses, is_wanted=is_wanted):
                 return True
         except ArmError:
             self.return_to_safe_pose()

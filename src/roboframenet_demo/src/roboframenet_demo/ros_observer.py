@@ -1,8 +1,9 @@
 """Measures what a robot does, by its odometry and joints and by the texts that its servers publish."""
 
+import json
 import math
 import threading
-from typing import Dict, List, Optional, Tuple
+from typing import Any, Dict, List, Optional, Tuple
 
 import rospy
 from nav_msgs.msg import Odometry
@@ -10,6 +11,7 @@ from sensor_msgs.msg import JointState
 from std_msgs.msg import String
 
 from roboframenet_demo.script import Observation
+from roboframenet_sim.home_truth import describe_changes
 
 #: Below this speed the base stands still, in m/s and rad/s.
 STILL = 0.01
@@ -19,7 +21,7 @@ class RobotObserver:
     """Measures what a robot did since the last ``begin()``.
 
     Subscribes:
-        odom (nav_msgs/Odometry), joint_states (sensor_msgs/JointState), said (std_msgs/String)
+        odom (nav_msgs/Odometry), joint_states (sensor_msgs/JointState), said, home/truth (std_msgs/String)
     """
 
     def __init__(self) -> None:
@@ -34,9 +36,12 @@ class RobotObserver:
         self._start_joints: Dict[str, float] = {}
         self._arm_moved_rad = 0.0
         self._said: List[str] = []
+        self._truth: Dict[str, Any] = {}
+        self._start_truth: Dict[str, Any] = {}
         self._subscribers = [
             rospy.Subscriber("odom", Odometry, self._on_odometry, queue_size=200),
             rospy.Subscriber("joint_states", JointState, self._on_joints, queue_size=50),
+            rospy.Subscriber("home/truth", String, self._on_truth, queue_size=1),
             rospy.Subscriber("said", String, self._on_said, queue_size=50),
         ]
 
@@ -52,6 +57,7 @@ class RobotObserver:
             self._start_joints = dict(self._joints)
             self._turned_rad = self._driven_m = self._arm_moved_rad = 0.0
             self._said = []
+            self._start_truth = self._truth
 
     def is_moving(self) -> bool:
         """Whether the base moves now, or an arm has moved since ``begin()``."""
@@ -72,6 +78,8 @@ class RobotObserver:
                 arm_moved_rad=self._arm_moved_rad,
                 arm_offset_rad=self._arm_offset_rad(),
                 said=tuple(self._said),
+                truth=self._truth,
+                changed=describe_changes(self._start_truth, self._truth) if self._start_truth else "",
                 is_still=max(self._speed, self._joint_speed) <= STILL,
             )
 
@@ -101,6 +109,11 @@ class RobotObserver:
                 self._joints[name] = position
                 start = self._start_joints.setdefault(name, position)
                 self._arm_moved_rad = max(self._arm_moved_rad, abs(position - start))
+
+    def _on_truth(self, message: String) -> None:
+        truth = json.loads(message.data)["truth"]
+        with self._lock:
+            self._truth = truth
 
     def _on_said(self, message: String) -> None:
         with self._lock:

@@ -16,6 +16,7 @@ class Measured(Enum):
     ARM_MOVED_RAD = "arm_moved_rad"  # largest excursion of a joint; a lower bound
     ARM_OFFSET_RAD = "arm_offset_rad"  # distance of the joints from their first positions; an upper bound
     SAID = "said"  # a text that a server publishes, or part of it
+    TRUTH = "truth"  # names of the truth of a home, and their values
 
 
 @dataclass(frozen=True)
@@ -68,6 +69,8 @@ class Observation:
         arm_moved_rad: largest excursion of any arm joint
         arm_offset_rad: largest distance of an arm joint from its first position, at the end
         said: texts published by the servers
+        truth: what is true in the home; empty without one
+        changed: what changed in the home, in words
         is_still: whether base and joints stood still at the end
     """
 
@@ -78,6 +81,8 @@ class Observation:
     arm_moved_rad: float = 0.0
     arm_offset_rad: float = 0.0
     said: Tuple[str, ...] = ()
+    truth: Mapping[str, Any] = field(default_factory=dict)
+    changed: str = ""
     is_still: bool = True
 
     def describe(self) -> str:
@@ -91,6 +96,7 @@ class Observation:
             parts.append(f"drove {self.driven_m:.2f} m to ({self.position_m[0]:.2f}, {self.position_m[1]:.2f})")
         if self.arm_moved_rad > 0.01:
             parts.append(f"arm moved {self.arm_moved_rad:.2f} rad")
+        parts += [self.changed] if self.changed else []
         parts += [f'said "{text}"' for text in self.said]
         return ", ".join(parts) or "stood still"
 
@@ -125,6 +131,13 @@ def _deviation(measured: Measured, expected: Any, observation: Observation, tole
             if any(str(expected).lower() in text.lower() for text in observation.said)
             else f'did not say "{expected}"'
         )
+    if measured is Measured.TRUTH:
+        wrong = [
+            f"{name} is {observation.truth.get(name)}"
+            for name, value in expected.items()
+            if observation.truth.get(name) != value
+        ]
+        return ", ".join(wrong)
     if measured is Measured.REACHED:
         distance = math.hypot(observation.position_m[0] - expected[0], observation.position_m[1] - expected[1])
         return "" if distance <= 0.3 else f"{distance:.2f} m away from the place"

@@ -53,7 +53,7 @@ def changes(before: Mapping[str, object], after: Mapping[str, object]) -> List[T
     return [
         (name, before.get(name, ""), after[name])
         for name in after
-        if after[name] != before.get(name, "") and not name.endswith(left_out)
+        if after[name] != before.get(name, "") and (after[name] or name in before) and not name.endswith(left_out)
     ]
 
 

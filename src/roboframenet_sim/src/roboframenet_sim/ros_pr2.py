@@ -68,6 +68,37 @@ class ArmController:
         self._server.set_aborted(text=reason)
 
 
+class RosArms:
+    """Both arms of a PR2.
+
+    Publishes:
+        ``joint_states`` (sensor_msgs/JointState)
+    Actions:
+        ``r_arm_controller/joint_trajectory_action``, ``l_arm_controller/joint_trajectory_action``
+    """
+
+    def __init__(self) -> None:
+        self._joints = rospy.Publisher("joint_states", JointState, queue_size=10)
+        self._arms: Dict[str, Arm] = {
+            prefix: Arm(arm_limits(prefix), positions_rad=tucked_positions(prefix)) for prefix in ("r", "l")
+        }
+        self._controllers = [
+            ArmController(f"{prefix}_arm_controller/joint_trajectory_action", arm) for prefix, arm in self._arms.items()
+        ]
+
+    def step(self, duration_s: float, stamp: rospy.Time) -> None:
+        """Advance the time."""
+        message = JointState()
+        message.header.stamp = stamp
+        for controller in self._controllers:
+            controller.step(duration_s)
+        for arm in self._arms.values():
+            message.name += list(arm.positions_rad)
+            message.position += list(arm.positions_rad.values())
+            message.velocity += list(arm.velocities_rad_per_s.values())
+        publish(self._joints, message)
+
+
 class Pr2Sim:
     """A PR2.
 
@@ -88,26 +119,12 @@ class Pr2Sim:
         )
         base = DifferentialBase(settings.limits, pose=settings.start, seed=settings.seed, is_free=is_free)
         self._base = RosBase(settings, base=base, command_topic="base_controller/command")
-        self._joints = rospy.Publisher("joint_states", JointState, queue_size=10)
-        self._arms: Dict[str, Arm] = {
-            prefix: Arm(arm_limits(prefix), positions_rad=tucked_positions(prefix)) for prefix in ("r", "l")
-        }
-        self._controllers = [
-            ArmController(f"{prefix}_arm_controller/joint_trajectory_action", arm) for prefix, arm in self._arms.items()
-        ]
+        self._arms = RosArms()
 
     def step(self, duration_s: float, stamp: rospy.Time) -> None:
         """Advance the time."""
         self._base.step(duration_s, stamp)
-        message = JointState()
-        message.header.stamp = stamp
-        for controller in self._controllers:
-            controller.step(duration_s)
-        for arm in self._arms.values():
-            message.name += list(arm.positions_rad)
-            message.position += list(arm.positions_rad.values())
-            message.velocity += list(arm.velocities_rad_per_s.values())
-        publish(self._joints, message)
+        self._arms.step(duration_s, stamp)
 
 
 def _start() -> Stepper:

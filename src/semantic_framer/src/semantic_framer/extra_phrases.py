@@ -87,6 +87,8 @@ def _fits(
     marks: FrozenSet[str],
     kinds: FrozenSet[str],
 ) -> bool:
+    if element.heads and word.form.lower() not in element.heads:
+        return False
     if element.measure:
         return kinds == {element.measure} and (not prepositions or prepositions in element.prepositions)
     if kinds:

@@ -11,7 +11,7 @@ from semantic_frames.source_files import read_text
 
 #: Next to this module in the source, devel and install space.
 EXTRA_THEMATIC_FILE = Path(__file__).resolve().parent / "extra_thematic.yaml"
-_KEYS = ("name", "prepositions", "adverbs", "measure", "clauses")
+_KEYS = ("name", "prepositions", "adverbs", "heads", "measure", "clauses")
 
 
 @dataclass(frozen=True)
@@ -23,6 +23,7 @@ class ExtraThematicElement:
         prepositions: prepositions of its phrases
         adverbs: adverbs and adverbial phrases
         endings: endings of further adverbs: "ly"
+        heads: heads of its phrases; empty for any
         measure: kind of measure that its phrases must have; empty for any phrase
         clauses: words that begin its clauses
     """
@@ -31,6 +32,7 @@ class ExtraThematicElement:
     prepositions: FrozenSet[str] = frozenset()
     adverbs: FrozenSet[str] = frozenset()
     endings: Tuple[str, ...] = ()
+    heads: FrozenSet[str] = frozenset()
     measure: str = ""
     clauses: FrozenSet[str] = frozenset()
 
@@ -55,6 +57,7 @@ def load_extra_thematic(text: str, path: str) -> Tuple[ExtraThematicElement, ...
                 prepositions=frozenset(reader.texts(entries.get("prepositions"), f"{key}.prepositions")),
                 adverbs=frozenset(adverb for adverb in adverbs if not adverb.startswith("-")),
                 endings=tuple(adverb[1:] for adverb in adverbs if adverb.startswith("-")),
+                heads=frozenset(reader.texts(entries.get("heads"), f"{key}.heads")),
                 measure=reader.text(entries.get("measure"), f"{key}.measure"),
                 clauses=frozenset(reader.texts(entries.get("clauses"), f"{key}.clauses")),
             )

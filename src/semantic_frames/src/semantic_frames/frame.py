@@ -29,6 +29,8 @@ class FrameElement:
         maximum: largest amount allowed, in SI units; None for no limit
         values: the only arguments allowed; empty for any
         relations: the only relations of an argument that can be expressed ("on", "in"); empty for any
+        counts: the only numbers of things that can be expressed (1, 2); empty for any
+        quantifiers: the only quantifiers of an argument that can be expressed ("the", "all"); empty for any
         question: asks a person for the element ("How far should I move?"); empty for a question made of the name
         answer: an example of an answer ("three feet"); empty for none
         framenet: name of the frame element in FrameNet; empty when FrameNet has none
@@ -44,6 +46,8 @@ class FrameElement:
     maximum: Optional[float] = None
     values: Tuple[str, ...] = ()
     relations: Tuple[str, ...] = ()
+    counts: Tuple[int, ...] = ()
+    quantifiers: Tuple[str, ...] = ()
     question: str = ""
     answer: str = ""
     framenet: str = ""

@@ -19,6 +19,7 @@ from semantic_frames.frame import (
 from semantic_frames.marked_yaml import Reader, describe, did_you_mean, line_of
 from semantic_frames.semantic_type import read_semantic_types
 from spoken_quantities import QuantityError, parse_measure, parse_number
+from typed_arguments.attribute_names import QUANTIFIERS, RELATIONS
 
 FRAME_KEYS = ("name", "description", "frame_elements", "children", "framenet", "on_list", "confirm")
 ELEMENT_KEYS = (
@@ -31,6 +32,8 @@ ELEMENT_KEYS = (
     "maximum",
     "values",
     "relations",
+    "counts",
+    "quantifiers",
     "question",
     "answer",
     "framenet",
@@ -92,7 +95,9 @@ def _elements(reader: Reader, node: Optional[yaml.Node]) -> Tuple[FrameElement, 
             minimum=_limit(reader, entries, key, "minimum", quantity),
             maximum=_limit(reader, entries, key, "maximum", quantity),
             values=reader.texts(entries.get("values"), f"{key}.values"),
-            relations=reader.texts(entries.get("relations"), f"{key}.relations"),
+            relations=_names(reader, entries.get("relations"), f"{key}.relations", RELATIONS),
+            counts=_counts(reader, entries.get("counts"), f"{key}.counts"),
+            quantifiers=_names(reader, entries.get("quantifiers"), f"{key}.quantifiers", QUANTIFIERS),
             question=reader.text(entries.get("question"), f"{key}.question"),
             answer=reader.text(entries.get("answer"), f"{key}.answer"),
             framenet=reader.text(entries.get("framenet"), f"{key}.framenet"),
@@ -143,6 +148,24 @@ def _elements(reader: Reader, node: Optional[yaml.Node]) -> Tuple[FrameElement, 
                 did_you_mean(element.unit_element, names),
             )
     return tuple(elements)
+
+
+def _names(reader: Reader, node: Optional[yaml.Node], key: str, known: FrozenSet[str]) -> Tuple[str, ...]:
+    """Read names of relations or quantifiers; unknown ones are reported."""
+    names = reader.texts(node, key)
+    for name in names:
+        if node is not None and name not in known:
+            expected = f"one of {', '.join(sorted(known))}"
+            reader.report("UNKNOWN_VALUE", node, key, f"'{name}'", expected, did_you_mean(name, known))
+    return names
+
+
+def _counts(reader: Reader, node: Optional[yaml.Node], key: str) -> Tuple[int, ...]:
+    texts = reader.texts(node, key)
+    if node is not None and not all(text.isdecimal() and len(text) < 10 for text in texts):
+        reader.report("NOT_A_NUMBER", node, key, f"'{', '.join(texts)}'", "whole numbers of things, such as [1, 2]")
+        return ()
+    return tuple(int(text) for text in texts)
 
 
 def _limit(

@@ -11,7 +11,7 @@ from semantic_frames.frame import SemanticFrame
 from semantic_frames.marked_yaml import NAME_EXPECTED, did_you_mean, is_name
 from semantic_frames.semantic_type import SEMANTIC_TYPES, with_parents
 from typed_arguments import TypedArgument
-from typed_arguments.relation_names import RELATIONS
+from typed_arguments.attribute_names import RELATIONS
 
 #: The only type of goals that the executor sends.
 ACTION_TYPE = "roboframenet_msgs/FilledSemanticFrameAction"
@@ -35,7 +35,7 @@ class HeededElement:
     Attributes:
         name: of an extra-thematic element ("Manner") or of an element of the frame ("goal")
         relations: "on", "in"
-        values: lemmas of the head: "slow", "quick"
+        values: lemmas of the head ("slow", "quick"), or whole phrases without an article ("half speed")
         semantic_types: "Container"; a type below it is heeded too
         most: things at a time; 0 for any number
     """
@@ -54,14 +54,15 @@ class HeededElement:
             return all(self.fits(_as_member(member, argument)) for member in argument.members)
         if self.relations and argument.relation and argument.relation not in self.relations:
             return False
-        if self.values and spellings(argument.text, argument.head, argument.lemma).isdisjoint(
-            value.lower() for value in self.values
-        ):
+        # "A slow pace" is listed as "slow pace".
+        phrase = argument.text.partition(" ")[2] if argument.quantifier else ""
+        said = spellings(argument.text, phrase, argument.head, argument.lemma)
+        if self.values and said.isdisjoint(value.lower() for value in self.values):
             return False
-        said = argument.semantic_type
-        if not self.semantic_types or said not in SEMANTIC_TYPES:
+        kind = argument.semantic_type
+        if not self.semantic_types or kind not in SEMANTIC_TYPES:
             return True
-        return not with_parents(said).isdisjoint(self.semantic_types)
+        return not with_parents(kind).isdisjoint(self.semantic_types)
 
 
 def _as_member(member: TypedArgument, of: TypedArgument) -> TypedArgument:

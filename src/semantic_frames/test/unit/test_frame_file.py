@@ -182,3 +182,26 @@ def test_an_element_has_semantic_types() -> None:
 def test_an_unknown_semantic_type_gets_a_hint() -> None:
     with pytest.raises(FileRefused, match="did you mean 'Container'"):
         load_frame("name: a\nframe_elements:\n  - {name: x, semantic_type: Contaner}", "x.yaml")
+
+
+def test_element_says_what_it_can_express() -> None:
+    text = "name: a\nframe_elements: [{name: goal, relations: [on, next_to], counts: [1, 2], quantifiers: [the, all]}]"
+    (element,) = load_frame(text, "a.yaml").frame_elements
+    assert (element.relations, element.counts, element.quantifiers) == (("on", "next_to"), (1, 2), ("the", "all"))
+    (element,) = load_frame("name: a\nframe_elements: [{name: goal, counts: 1}]", "a.yaml").frame_elements
+    assert element.counts == (1,)
+
+
+@pytest.mark.parametrize(
+    "key, code, hint",
+    [
+        ("relations: [nextto]", "UNKNOWN_VALUE", "did you mean 'next_to'?"),
+        ("quantifiers: [alle]", "UNKNOWN_VALUE", "did you mean 'all'?"),
+        ("counts: [many]", "NOT_A_NUMBER", ""),
+        ("counts: -1", "NOT_A_NUMBER", ""),
+    ],
+)
+def test_what_cannot_be_expressed_at_all_is_refused(key: str, code: str, hint: str) -> None:
+    with pytest.raises(FileRefused) as refused:
+        load_frame(f"name: a\nframe_elements: [{{name: goal, {key}}}]", "a.yaml")
+    assert [(problem.code, problem.hint) for problem in refused.value.problems] == [(code, hint)]

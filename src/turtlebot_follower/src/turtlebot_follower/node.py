@@ -133,7 +133,14 @@ class TurtlebotFollower:
         self._idle.set()
         self._velocity = rospy.Publisher("cmd_vel", Twist, queue_size=1, tcp_nodelay=True)
         self._reconfigure = ReconfigureServer(FollowerConfig, self._take_tuning)
-        self._server = RFNServer(FRAME_NAME, self._follow)
+        # The camera shows that somebody is there, and not who, where from or where to.
+        self._server = RFNServer(
+            FRAME_NAME,
+            self._follow,
+            heeds={"cotheme": ["me"]},
+            unheeded=["goal", "source", "path", "manner", "area"],
+            occupies=["base"],
+        )
         self._server.register_preempt_callback(self._wake)
         rospy.on_shutdown(self._shut_down)
 

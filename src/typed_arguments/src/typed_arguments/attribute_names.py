@@ -1,4 +1,4 @@
-"""Names of the relations that an argument may have: what its preposition means, in one spelling."""
+"""Names of the relations and quantifiers that an argument may have, in one spelling."""
 
 from typing import FrozenSet
 
@@ -8,4 +8,9 @@ RELATIONS: FrozenSet[str] = frozenset(
     "to towards from on onto off in into out_of at under below over above behind in_front_of beside next_to near "
     "opposite left_of right_of between among around through across along past against up down with without for about "
     "of by as until per".split()
+)
+#: Values of :attr:`typed_arguments.TypedArgument.quantifier`.
+QUANTIFIERS: FrozenSet[str] = frozenset(
+    "the a this that these those all every each both some any no another other several many few most enough either "
+    "which what how_many how_much".split()
 )

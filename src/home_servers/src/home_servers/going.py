@@ -1,0 +1,160 @@
+"""Frames of driving, following, guiding, waiting and charging."""
+
+import math
+from typing import Optional
+
+from home_servers.memory import Known
+from home_servers.skills import HEARERS, HERE, SPEAKERS, CannotDo, Skills, argument, said
+from typed_arguments import FilledFrame, TypedArgument
+
+#: Whoever is followed or guided is so near.
+_NEAR_M = 1.3
+#: Nouns for the room where the robot is.
+ROOMS = ("room", "place", "here")
+#: A look for somebody who comes, seconds.
+_LOOK_S = 2.0
+_MOST_LOOKS = 60
+
+
+def goal_of(skills: Skills, frame: FilledFrame, element: str = "goal") -> Known:
+    """Return the place that an element means; the speaker for "here"."""
+    words = argument(frame, element)
+    if words.text.lower() in HERE or words.text.lower() in SPEAKERS:
+        return skills.speaker()
+    return skills.find(words)
+
+
+def navigate(skills: Skills, frame: FilledFrame) -> None:
+    """Drive to a place, a thing or a person."""
+    skills.go(goal_of(skills, frame).id)
+
+
+def depart(skills: Skills, frame: FilledFrame) -> None:
+    """Drive out of a room, through the door that was named or the nearest."""
+    words = argument(frame, "source")
+    here = skills.room_here()
+    is_here = here is not None and (words.lemma or words.text).lower() in ROOMS
+    source = here if is_here and here is not None else skills.find(words, "room")
+    if skills.body.room() != source.id:
+        raise CannotDo(f"I am not in {source.the_name}.")
+    others = [room for room in skills.memory.all("room") if room.id != source.id]
+    hall = [room for room in others if room.name == "hall"]
+    if not others:
+        raise CannotDo("I know no other room.")
+    point = skills.body.place()
+    others.sort(key=lambda room: math.hypot(room.x_m - point[0], room.y_m - point[1]))
+    skills.go((hall or others)[0].id)
+
+
+def move_along(skills: Skills, frame: FilledFrame) -> None:
+    """Drive through a door or a room, to what comes after it, or along a corridor to its end."""
+    path = skills.find(argument(frame, "path"), "room", "door", "furniture", "thing")
+    if path.sort != "door":
+        skills.go(path.id)
+        return
+    here = skills.body.room()
+    skills.go(path.id)
+    beyond = next((ident for ident in path.attributes if ident != here), "")
+    if not beyond:
+        raise CannotDo(f"{path.the_name.capitalize()} leads out of the home.")
+    if "closed" in (skills.memory.get(path.id) or path).states:
+        skills.attempt("open", theme=path.id)
+    skills.go(beyond)
+
+
+def face(skills: Skills, frame: FilledFrame) -> None:
+    """Turn until the robot faces something."""
+    skills.attempt("face", goal=skills.find(argument(frame, "goal")).id)
+
+
+def follow(skills: Skills, frame: FilledFrame) -> None:
+    """Stay behind somebody until the goal is reached, or until the goal is preempted."""
+    person = skills.find(argument(frame, "cotheme"), "person")
+    goal = goal_of(skills, frame) if said(frame, "goal") else None
+    while True:
+        skills.go(person.id, reach_m=_NEAR_M)
+        skills.attempt("look", theme=person.id)
+        person = skills.memory.get(person.id) or person
+        if goal is not None and _is_at(skills, goal):
+            return
+        skills.wait(_LOOK_S / 2.0)
+
+
+def _is_at(skills: Skills, goal: Known) -> bool:
+    if goal.sort == "room":
+        return skills.body.room() == goal.id
+    here = skills.body.place()
+    return math.hypot(goal.x_m - here[0], goal.y_m - here[1]) < 2.0
+
+
+def guide(skills: Skills, frame: FilledFrame) -> None:
+    """Fetch somebody, drive ahead, and wait when they stay behind."""
+    words = argument(frame, "cotheme")
+    person = skills.find(words, "person") if words.text else skills.speaker()
+    goal = goal_of(skills, frame)
+    skills.go(person.id, reach_m=_NEAR_M)
+    skills.say(f"{person.name}, please follow me.")
+    skills.go(goal.id)
+    for _ in range(_MOST_LOOKS):
+        skills.attempt("look")
+        now = skills.memory.get(person.id) or person
+        here = skills.body.place()
+        if math.hypot(now.x_m - here[0], now.y_m - here[1]) <= 2.5:
+            skills.say(f"{person.name}, we are there.")
+            return
+        skills.wait(_LOOK_S)
+    raise CannotDo(f"I have lost {person.name}.")
+
+
+def await_(skills: Skills, frame: FilledFrame) -> None:
+    """Wait until somebody comes."""
+    if said(frame, "place"):
+        skills.go(skills.find(argument(frame, "place")).id)
+    words = argument(frame, "expected")
+    for _ in range(_MOST_LOOKS):
+        skills.attempt("look")
+        person = _seen_now(skills, words)
+        if person is not None:
+            skills.say(f"Hello, {person.name}.")
+            return
+        skills.wait(_LOOK_S)
+    raise CannotDo(f"{words.text.capitalize()} did not come.")
+
+
+def _seen_now(skills: Skills, words: TypedArgument) -> Optional[Known]:
+    is_speaker = words.text.lower() in SPEAKERS
+    people = [skills.speaker()] if is_speaker else skills.memory.find(words, "person")
+    now_s = skills.body.now_s()
+    return next((one for one in people if now_s - one.stamp_s < 6.0), None)
+
+
+def wait(skills: Skills, frame: FilledFrame) -> None:
+    """Stay for a while: as long as was said, or ten seconds."""
+    duration = argument(frame, "duration")
+    skills.wait(duration.si if duration.si is not None else 10.0)
+
+
+def patrol(skills: Skills, frame: FilledFrame) -> None:
+    """Drive around an area three times, and look."""
+    area = skills.find(argument(frame, "ground"), "room", "furniture", "door")
+    for _ in range(3):
+        skills.go(area.id)
+        skills.attempt("look")
+
+
+def dock(skills: Skills, _frame: FilledFrame) -> None:
+    """Drive to the charging station, and connect."""
+    station = skills.find(TypedArgument(text="charging station"), "furniture")
+    skills.go(station.id)
+    skills.attempt("dock", theme=station.id)
+
+
+def charge(skills: Skills, frame: FilledFrame) -> None:
+    """Charge the robot, or plug in a device."""
+    device = argument(frame, "device")
+    words = set(device.text.lower().split())
+    if not device.text or words & ({"your", "battery", "batteries"} | HEARERS):
+        dock(skills, frame)
+        return
+    one = skills.find(device, "thing", "furniture")
+    skills.attempt("attach", theme=one.id)

@@ -1,0 +1,349 @@
+"""Frames of taking, putting, giving, opening, switching and moving things."""
+
+import math
+from typing import Dict, List
+
+from home_servers.memory import Known
+from home_servers.skills import HERE, CannotDo, Skill, Skills, argument, said
+from typed_arguments import FilledFrame, TypedArgument
+
+#: Words for directions of pushing, pulling and sliding.
+_AWAY = ("left", "right", "forward", "back", "backward")
+#: Furniture on which things are put when no place is named.
+TABLES = ("table", "counter", "desk")
+#: An angle when none is said.
+_HALF_TURN_RAD = math.pi / 2.0
+
+
+def things(skills: Skills, frame: FilledFrame, element: str = "theme", source: str = "source") -> List[Known]:
+    """Return the things that an element means, wherever they are."""
+    near = argument(frame, source) if said(frame, source) else None
+    return skills.find_all(argument(frame, element), "thing", near=near)
+
+
+def take(skills: Skills, frame: FilledFrame) -> None:
+    """Take one or more things."""
+    for thing in things(skills, frame):
+        skills.take(thing)
+
+
+def grasp(skills: Skills, frame: FilledFrame) -> None:
+    """Grasp a thing."""
+    for thing in things(skills, frame, "entity"):
+        skills.take(thing)
+
+
+def goal_of(skills: Skills, goal: TypedArgument) -> Known:
+    """Return the place or person that a goal means."""
+    if goal.text.lower() in HERE:
+        return skills.speaker()
+    return skills.find(goal)
+
+
+def put(skills: Skills, frame: FilledFrame) -> None:
+    """Put things somewhere."""
+    goal = argument(frame, "goal")
+    for thing in things(skills, frame):
+        skills.take(thing)
+        skills.put(thing.id, goal_of(skills, goal), goal.relation)
+
+
+def bring(skills: Skills, frame: FilledFrame) -> None:
+    """Bring things to a place or a person; to whoever speaks when nobody else is named."""
+    goal, whom = argument(frame, "goal"), argument(frame, "beneficiary")
+    for thing in things(skills, frame):
+        skills.take(thing)
+        if goal.text:
+            skills.put(thing.id, goal_of(skills, goal), goal.relation)
+        else:
+            skills.put(thing.id, skills.find(whom, "person") if whom.text else skills.speaker(), "to")
+
+
+def let_go(skills: Skills, frame: FilledFrame) -> None:
+    """Let go of what is held, where the robot is or at a goal."""
+    held = list(skills.body.held())
+    theme, goal = argument(frame, "theme"), argument(frame, "goal")
+    if theme.text:
+        meant = [one.id for one in skills.memory.find(theme, "thing")]
+        held = [thing for thing in held if thing in meant]
+    if not held:
+        raise CannotDo(f"I do not hold {theme.text or 'anything'}.")
+    for thing in held[:1]:
+        if goal.text:
+            skills.put(thing, goal_of(skills, goal), goal.relation)
+        else:
+            skills.put_down(thing)
+
+
+def give(skills: Skills, frame: FilledFrame) -> None:
+    """Hand things to somebody."""
+    for thing in things(skills, frame):
+        skills.take(thing)
+        skills.put(thing.id, skills.find(argument(frame, "recipient"), "person"), "to")
+
+
+def give_drink(skills: Skills, frame: FilledFrame) -> None:
+    """Pour a drink into a glass, and bring it."""
+    drink = skills.find(argument(frame, "drink"), "thing")
+    skills.take(drink)
+    cup = skills.find(TypedArgument(text="glass"), "thing")
+    skills.attempt("pour", theme=drink.id, goal=cup.id)
+    skills.take(cup)
+    skills.put(cup.id, skills.find(argument(frame, "recipient"), "person"), "to")
+
+
+def serve(skills: Skills, frame: FilledFrame) -> None:
+    """Bring food or drinks to people; to whoever speaks when nobody is named."""
+    whom = argument(frame, "recipient")
+    for thing in things(skills, frame):
+        skills.take(thing)
+        skills.put(thing.id, skills.find(whom, "person") if whom.text else skills.speaker(), "to")
+
+
+def offer(skills: Skills, frame: FilledFrame) -> None:
+    """Hold something out to somebody, who takes it."""
+    thing = things(skills, frame)[0]
+    skills.take(thing)
+    person = skills.person(argument(frame, "recipient"))
+    skills.say(f"{person.name}, would you like {thing.the_name}?")
+    skills.put(thing.id, person, "to")
+
+
+def discard(skills: Skills, frame: FilledFrame) -> None:
+    """Put things into the bin."""
+    for thing in things(skills, frame):
+        skills.take(thing)
+        skills.put(thing.id, skills.find(TypedArgument(text="bin"), "furniture"), "into")
+
+
+def throw(skills: Skills, frame: FilledFrame) -> None:
+    """Throw a thing, to somebody or away from the robot."""
+    thing = things(skills, frame)[0]
+    whom = argument(frame, "recipient") if said(frame, "recipient") else argument(frame, "goal")
+    skills.take(thing)
+    target = skills.find(whom).id if whom.text else ""
+    if target:
+        skills.go(target, reach_m=2.5)
+    skills.attempt("throw", theme=thing.id, goal=target)
+
+
+def stack(skills: Skills, frame: FilledFrame) -> None:
+    """Put things on top of each other, at the goal or where the first one is."""
+    near = argument(frame, "source") if said(frame, "source") else None
+    least = 1 if said(frame, "goal") else 2
+    found = skills.find_all(argument(frame, "theme"), "thing", near=near, least=least)
+    if said(frame, "goal"):
+        goal = argument(frame, "goal")
+        skills.take(found[0])
+        skills.put(found[0].id, goal_of(skills, goal), "on")
+    for below, thing in zip(found, found[1:]):
+        skills.take(thing)
+        skills.put(thing.id, below, "on")
+
+
+def portal(element: str, kind: str) -> Skill:
+    """Return the skill that opens, closes, locks or unlocks what an element names."""
+
+    def act(skills: Skills, frame: FilledFrame) -> None:
+        for one in skills.find_all(argument(frame, element), "door", "furniture", "thing"):
+            skills.attempt(kind, theme=one.id)
+
+    return act
+
+
+def switch(skills: Skills, frame: FilledFrame) -> None:
+    """Switch a device on or off, or to a level or a setting."""
+    device, wanted = argument(frame, "device"), argument(frame, "operational_state")
+    one = skills.find(device, "furniture", "thing")
+    words = wanted.text.lower()
+    if words in ("on", "off"):
+        skills.attempt("switch", theme=one.id, value=words)
+    elif words in ("up", "down", "higher", "lower"):
+        _change_level(skills, one, 20.0 if words in ("up", "higher") else -20.0)
+    elif wanted.si is not None or wanted.count is not None or words.replace(".", "", 1).isdigit():
+        amount = wanted.count if wanted.count is not None else wanted.si
+        skills.attempt("switch", theme=one.id, amount=float(words if amount is None else amount))
+    elif words:
+        skills.attempt("switch", theme=one.id, value=words)
+    else:
+        raise CannotDo(f"Should I switch {one.the_name} on or off?")
+
+
+def _change_level(skills: Skills, one: Known, change: float) -> None:
+    level = next((float(state.split("=")[1]) for state in one.states if state.startswith("level=")), 50.0)
+    skills.attempt("switch", theme=one.id, amount=max(0.0, min(100.0, level + change)))
+
+
+def level(change: float, names: "Dict[str, str]", element: str = "item") -> Skill:
+    """Return the skill that changes the level of a device.
+
+    Args:
+        change: per cent when no amount is said
+        names: devices of settings: the volume is that of the radio
+        element: that names the device or the setting
+    """
+
+    def act(skills: Skills, frame: FilledFrame) -> None:
+        item, value = argument(frame, element), argument(frame, "value")
+        wanted = names.get((item.lemma or item.text).lower())
+        one = skills.find(TypedArgument(text=wanted) if wanted else item, "furniture", "thing")
+        skills.go(one.id)
+        skills.attempt("look", theme=one.id)
+        one = skills.memory.get(one.id) or one
+        if value.text and any(word in value.text for word in ("minimum", "maximum")):
+            skills.attempt("switch", theme=one.id, amount=0.0 if "minimum" in value.text else 100.0)
+        else:
+            _change_level(skills, one, change)
+
+    return act
+
+
+def press(skills: Skills, frame: FilledFrame) -> None:
+    """Press a button."""
+    near = argument(frame, "place") if said(frame, "place") else None
+    skills.attempt("press", theme=skills.find(argument(frame, "entity"), "furniture", "thing", near=near).id)
+
+
+def restart(skills: Skills, frame: FilledFrame) -> None:
+    """Switch a device off and on."""
+    if not said(frame, "device"):
+        raise CannotDo("I cannot restart myself.")
+    one = skills.find(argument(frame, "device"), "furniture", "thing")
+    skills.attempt("switch", theme=one.id, value="off")
+    skills.wait(2.0)
+    skills.attempt("switch", theme=one.id, value="on")
+
+
+def cancel(skills: Skills, frame: FilledFrame) -> None:
+    """Switch an alarm off."""
+    one = skills.find(argument(frame, "activity"), "furniture", "thing")
+    skills.attempt("switch", theme=one.id, value="off")
+
+
+def rotate(skills: Skills, frame: FilledFrame) -> None:
+    """Turn a thing around its axis; a quarter turn when no angle is said."""
+    angle = argument(frame, "angle")
+    amount = angle.si if angle.si is not None else _HALF_TURN_RAD
+    if angle.si is None and angle.text:
+        amount = math.radians(float(angle.text))
+    direction = argument(frame, "direction")
+    sign = -1.0 if (direction.direction or direction.text) in ("right", "clockwise") else 1.0
+    skills.attempt("rotate", theme=skills.find(argument(frame, "theme")).id, amount=sign * amount)
+
+
+def push(way: str) -> Skill:
+    """Return the skill that pushes ("forward"), pulls ("nearer") or slides a thing."""
+
+    def act(skills: Skills, frame: FilledFrame) -> None:
+        thing = things(skills, frame)[0]
+        goal, direction = argument(frame, "goal"), argument(frame, "direction")
+        word = direction.direction or goal.direction or direction.text or goal.text
+        if goal.text and word not in _AWAY:
+            place = goal_of(skills, goal)
+            skills.go(thing.id)
+            relation = goal.relation if goal.relation in ("under", "behind", "in_front_of") else "beside"
+            _move_to(skills, thing, place, relation)
+            return
+        skills.attempt("push", theme=thing.id, value=word if word in _AWAY else way)
+
+    return act
+
+
+def _move_to(skills: Skills, thing: Known, place: Known, relation: str) -> None:
+    """Take along what a hand holds; push what is too heavy."""
+    try:
+        skills.take(thing)
+    except CannotDo:
+        skills.attempt("tow", theme=thing.id, goal=place.id, relation=relation)
+        return
+    if place.sort in ("person", "room"):
+        skills.go(place.id)
+        skills.put_down(thing.id)
+    else:
+        skills.put(thing.id, place, relation)
+
+
+def detach(skills: Skills, frame: FilledFrame) -> None:
+    """Unplug or detach something."""
+    skills.attempt("detach", theme=skills.find(argument(frame, "item")).id)
+
+
+def attach(skills: Skills, frame: FilledFrame) -> None:
+    """Plug something in, or attach it to something."""
+    item = skills.find(argument(frame, "item"))
+    goal = argument(frame, "goal")
+    if not goal.text:
+        skills.attempt("attach", theme=item.id)
+        return
+    place = skills.find(goal)
+    skills.take(item)
+    skills.go(place.id)
+    skills.attempt("attach", theme=item.id, goal=place.id)
+
+
+def raise_thing(way: str) -> Skill:
+    """Return the skill that raises or lowers something."""
+
+    def act(skills: Skills, frame: FilledFrame) -> None:
+        skills.attempt("raise", theme=skills.find(argument(frame, "theme")).id, value=way)
+
+    return act
+
+
+def arm(way: str) -> Skill:
+    """Return the skill that extends or tucks the arm."""
+
+    def act(skills: Skills, _frame: FilledFrame) -> None:
+        skills.attempt("arm", value=way)
+
+    return act
+
+
+def fetch(skills: Skills, frame: FilledFrame) -> None:
+    """Bring a thing from a place."""
+    bring(skills, frame)
+
+
+def empty(skills: Skills, frame: FilledFrame) -> None:
+    """Take everything out of something, one by one, to the nearest table or to the goal."""
+    place = skills.find(argument(frame, "object"), "furniture", "thing", "room")
+    skills.look_in(place) if place.sort == "furniture" else skills.go(place.id)
+    inside = [one for one in skills.memory.all("thing") if one.holder == place.id and one.relation in ("in", "on")]
+    if not inside:
+        skills.say(f"{place.the_name.capitalize()} is empty.".replace("The the", "The"))
+        return
+    goal = argument(frame, "goal")
+    target = goal_of(skills, goal) if goal.text else _table(skills, place)
+    for thing in inside:
+        skills.take(thing)
+        skills.put(thing.id, target, goal.relation or "to")
+
+
+def _table(skills: Skills, place: Known) -> Known:
+    tables = [one for one in skills.memory.all("furniture") if one.category in TABLES and one.id != place.id]
+    if not tables:
+        raise CannotDo("I know no table.")
+    return min(
+        tables,
+        key=lambda one: (one.room != place.room, math.hypot(one.x_m - place.x_m, one.y_m - place.y_m)),
+    )
+
+
+def load(skills: Skills, frame: FilledFrame) -> None:
+    """Put things into a machine; dirty ones when none are named."""
+    machine = skills.find(argument(frame, "goal"), "furniture", "thing")
+    if said(frame, "theme"):
+        found = things(skills, frame)
+    else:
+        category = "clothes" if "wash" in machine.name and "dish" not in machine.name else "dish"
+        found = [one for one in skills.memory.all("thing") if one.is_a(category) and "dirty" in one.states]
+        if not found:
+            for room in skills.memory.all("furniture"):
+                if room.name in ("laundry basket", "kitchen table"):
+                    skills.look_in(room)
+            found = [one for one in skills.memory.all("thing") if one.is_a(category) and "dirty" in one.states]
+    if not found:
+        raise CannotDo(f"I have seen nothing to put into {machine.the_name}.")
+    for thing in found[:3]:
+        skills.take(thing)
+        skills.put(thing.id, machine, "into")

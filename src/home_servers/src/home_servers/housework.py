@@ -1,0 +1,216 @@
+"""Frames of cooking, cleaning and washing: a thing, a tool in the hand, a station."""
+
+from typing import Dict, List, Optional, Tuple
+
+from home_servers.handling import goal_of
+from home_servers.memory import Known
+from home_servers.skills import CannotDo, Skill, Skills, argument, said
+from typed_arguments import FilledFrame, TypedArgument
+
+#: What a robot knows of tools and stations: the names of tools for each treatment, the best first.
+TOOLS: Dict[str, Tuple[str, ...]] = {
+    "wipe": ("cloth", "sponge"),
+    "scrub": ("sponge", "cloth"),
+    "dry": ("towel", "cloth"),
+    "sweep": ("broom",),
+    "cut": ("knife",),
+    "chop": ("knife",),
+    "slice": ("knife",),
+    "peel": ("knife",),
+    "mix": ("spoon", "fork"),
+    "iron": ("iron",),
+}
+#: Where a treatment is done, and the relation of the thing to it.
+STATIONS: Dict[str, Tuple[str, str]] = {
+    "rinse": ("sink", "into"),
+    "wash_dish": ("sink", "into"),
+    "boil": ("stove", "on"),
+    "fry": ("stove", "on"),
+    "bake": ("oven", "into"),
+    "wash_cloth": ("washing machine", "into"),
+    "iron": ("ironing board", "on"),
+}
+#: What is switched on for a treatment and off after it.
+HEATED = ("boil", "fry", "bake", "wash_cloth")
+#: Things that are meant by a word for many.
+KINDS: Dict[str, Tuple[str, str]] = {
+    "dish": ("category", "dish"),
+    "dishes": ("category", "dish"),
+    "laundry": ("category", "clothes"),
+    "clothes": ("category", "clothes"),
+    "washing": ("category", "clothes"),
+}
+
+
+def treat(treatment: str, element: str, tool_element: str = "instrument") -> Skill:
+    """Return the skill that treats what an element names: all of them when it is plural."""
+
+    def act(skills: Skills, frame: FilledFrame) -> None:
+        targets = targets_of(skills, argument(frame, element), treatment)
+        tool = fetch_tool(skills, treatment, argument(frame, tool_element))
+        for target in targets:
+            treat_one(skills, treatment, target, container=argument(frame, "container"))
+        if tool is not None and treatment == "sweep":
+            skills.put_down(tool.id)
+
+    return act
+
+
+def targets_of(skills: Skills, words: TypedArgument, treatment: str) -> List[Known]:
+    """Return what is treated: members of a list one by one."""
+    if words.members:
+        return [one for member in words.members for one in targets_of(skills, member, treatment)]
+    kind = KINDS.get((words.lemma or words.text).lower()) or KINDS.get(words.head.lower())
+    if kind is not None:
+        found = _of_kind(skills, kind[1])
+        if found:
+            return found
+    if treatment == "sweep":
+        return [_floor(skills, words)]
+    return skills.find_all(words, "thing", "furniture")
+
+
+def _of_kind(skills: Skills, category: str) -> List[Known]:
+    def seen() -> List[Known]:
+        return [
+            one
+            for one in skills.memory.all("thing")
+            if one.is_a(category) and one.relation not in ("", "held") and "dirty" in one.states
+        ]
+
+    if not seen():
+        for place in ("laundry basket",) if category == "clothes" else ("kitchen table", "counter"):
+            for one in skills.memory.find(TypedArgument(text=place), "furniture")[:1]:
+                skills.look_in(one)
+    return seen()
+
+
+def _floor(skills: Skills, words: TypedArgument) -> Known:
+    rooms = skills.memory.find(words, "room")
+    if rooms:
+        return rooms[0]
+    here = skills.room_here()
+    if here is None:
+        raise CannotDo("I do not know where I am.")
+    return here
+
+
+def fetch_tool(skills: Skills, treatment: str, named: TypedArgument) -> Optional[Known]:
+    """Hold the tool that was named, or one that is good for it; None for bare hands."""
+    if named.text:
+        tool = skills.find(named, "thing")
+        skills.take(tool)
+        return tool
+    names = TOOLS.get(treatment, ())
+    held = skills.body.held()
+    known = [one for name in names for one in skills.memory.find(TypedArgument(text=name), "thing") if one.relation]
+    for one in known:
+        if one.id in held:
+            return one
+    if not names:
+        return None
+    skills.free_hand()
+    tool = known[0] if known else _search_tool(skills, names)
+    skills.take(tool)
+    return tool
+
+
+#: Where tools are kept, as everybody knows.
+_KEPT: Dict[str, str] = {"knife": "drawer", "cloth": "counter", "sponge": "counter", "spoon": "kitchen table"}
+
+
+def _search_tool(skills: Skills, names: Tuple[str, ...]) -> Known:
+    for name in names:
+        for place in skills.memory.find(TypedArgument(text=_KEPT.get(name, "")), "furniture")[:1]:
+            skills.look_in(place)
+            found = [one for one in skills.memory.find(TypedArgument(text=name), "thing") if one.relation]
+            if found:
+                return found[0]
+    return skills.find(TypedArgument(text=names[0]), "thing")
+
+
+def treat_one(skills: Skills, treatment: str, target: Known, *, container: Optional[TypedArgument] = None) -> None:
+    """Treat one thing, at its station when it has one."""
+    station_name, relation = STATIONS.get(treatment, ("", ""))
+    if not station_name:
+        skills.go(target.id)
+        skills.attempt("treat", theme=target.id, value=treatment)
+        return
+    station = skills.find(TypedArgument(text=station_name), "furniture")
+    if target.sort == "thing" and not skills.is_at(skills.memory.get(target.id) or target, station):
+        vessel = _vessel(skills, station, container)
+        skills.take(target)
+        skills.put(target.id, vessel or station, "into" if vessel else relation)
+    if treatment in HEATED:
+        skills.attempt("switch", theme=station.id, value="on")
+    skills.go(target.id if target.sort == "thing" else station.id)
+    try:
+        skills.attempt("treat", theme=target.id, value=treatment)
+    finally:
+        if treatment in HEATED:
+            skills.attempt("switch", theme=station.id, value="off")
+
+
+def _vessel(skills: Skills, station: Known, container: Optional[TypedArgument]) -> Optional[Known]:
+    """Return the pot or pan that was named, on the station."""
+    if container is None or not container.text:
+        return None
+    found = [one for one in skills.find_all(container, "thing", "furniture") if one.id != station.id]
+    if not found or found[0].sort != "thing":
+        return None
+    if not skills.is_at(found[0], station):
+        skills.take(found[0])
+        skills.put(found[0].id, station, "on")
+    return found[0]
+
+
+def cook(skills: Skills, frame: FilledFrame) -> None:
+    """Cook food as its container says; boil it when nothing is said."""
+    words = f"{frame.text('container')} {frame.text('heating_instrument')}"
+    how = "bake" if "oven" in words else "fry" if any(one in words for one in ("pan", "wok", "skillet")) else "boil"
+    for target in targets_of(skills, argument(frame, "food"), how):
+        treat_one(skills, how, target, container=argument(frame, "container"))
+
+
+def clean(skills: Skills, frame: FilledFrame) -> None:
+    """Make something clean: a floor is swept, dishes are washed, the rest is wiped or scrubbed."""
+    words = argument(frame, "object")
+    found = skills.memory.find(words, "room", "furniture", "thing")
+    target = found[0] if found else skills.find(words)
+    if target.sort == "room":
+        treat("sweep", "object")(skills, frame)
+    elif target.is_a("dish") or target.is_a("cup"):
+        treat("wash_dish", "object")(skills, frame)
+    elif target.is_a("clothes"):
+        treat("wash_cloth", "object")(skills, frame)
+    elif target.sort == "furniture":
+        fetch_tool(skills, "wipe", argument(frame, "instrument"))
+        treat_one(skills, "wipe", target)
+    else:
+        raise CannotDo(f"I cannot clean {target.the_name}.")
+
+
+def pour(skills: Skills, frame: FilledFrame) -> None:
+    """Pour a liquid from its bottle into something."""
+    fluid = skills.find(argument(frame, "fluid"), "thing")
+    skills.take(fluid)
+    vessel = skills.find(argument(frame, "goal"), "thing", "furniture")
+    skills.attempt("pour", theme=fluid.id, goal=vessel.id)
+
+
+def hang(skills: Skills, frame: FilledFrame) -> None:
+    """Hang clothes up, on the line when no place is named."""
+    for one in targets_of(skills, argument(frame, "clothes"), "hang"):
+        place = (
+            goal_of(skills, argument(frame, "goal"))
+            if said(frame, "goal")
+            else skills.find(TypedArgument(text="clothes line"), "furniture")
+        )
+        skills.take(one)
+        skills.put(one.id, place, argument(frame, "goal").relation or "on")
+
+
+def sort_laundry(skills: Skills, frame: FilledFrame) -> None:
+    """Take each piece out, and sort it."""
+    for one in targets_of(skills, argument(frame, "clothes"), "sort"):
+        skills.attempt("treat", theme=one.id, value="sort")

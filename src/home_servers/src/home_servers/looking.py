@@ -1,0 +1,250 @@
+"""Frames of looking, finding, counting and comparing: the robot says what it has seen."""
+
+from typing import List, Optional, Tuple
+
+from home_servers.handling import bring
+from home_servers.memory import Known
+from home_servers.skills import CannotDo, Skills, argument, said
+from typed_arguments import FilledFrame, TypedArgument
+
+#: What states are called; others are called by themselves.
+_STATES = ("open", "closed", "locked", "on", "off", "dirty", "clean", "wet", "full", "empty")
+_OPPOSITES = {
+    "open": "closed",
+    "closed": "open",
+    "on": "off",
+    "off": "on",
+    "dirty": "clean",
+    "clean": "dirty",
+    "locked": "unlocked",
+    "shut": "open",
+}
+
+
+def described(skills: Skills, one: Known) -> str:
+    """Return where something is and how it is, in words."""
+    parts: List[str] = []
+    holder = skills.memory.get(one.holder)
+    room = skills.memory.get(one.room)
+    if one.relation == "held" and holder is not None:
+        parts.append(f"{holder.name} has it")
+    elif holder is not None and holder.sort != "room":
+        parts.append(f"{one.relation.replace('_', ' ')} {holder.the_name}")
+    if room is not None and room.id != one.id:
+        parts.append(f"in {room.the_name}")
+    states = [state for state in one.states if state in _STATES]
+    words = " ".join(parts) or "here"
+    return f"{one.the_name} is {words}" + (f", {' and '.join(states)}" if states else "")
+
+
+def sentence(words: str) -> str:
+    """Return words as a sentence."""
+    return words[0].upper() + words[1:] + "."
+
+
+def locate(skills: Skills, frame: FilledFrame) -> None:
+    """Look for something, go there and say where it is; bring it when it is for somebody."""
+    near = argument(frame, "ground") if said(frame, "ground") else None
+    one = skills.find(argument(frame, "sought_entity"), near=near)
+    skills.go(one.id)
+    skills.attempt("look", theme=one.id)
+    skills.say(sentence(described(skills, skills.memory.get(one.id) or one)))
+
+
+def perceive(skills: Skills, frame: FilledFrame) -> None:
+    """Go to something and look at it, or listen to it."""
+    one = skills.find(argument(frame, "phenomenon"))
+    skills.go(one.id)
+    skills.attempt("look", theme=one.id)
+
+
+def inspect(skills: Skills, frame: FilledFrame) -> None:
+    """Go to something, look at it, and say how it is."""
+    one = skills.find(argument(frame, "ground"))
+    skills.go(one.id)
+    if one.sort == "room":
+        skills.attempt("look")
+        _say_list(skills, [thing for thing in skills.memory.all("thing") if thing.room == one.id], f"In {one.the_name}")
+        return
+    skills.attempt("look", theme=one.id)
+    now = skills.memory.get(one.id) or one
+    wanted = argument(frame, "desired_state")
+    if wanted.text:
+        is_so = _has_state(now, wanted.text)
+        skills.say(
+            "I cannot see that." if is_so is None else f"Yes, {wanted.text}." if is_so else f"No, not {wanted.text}."
+        )
+        return
+    skills.say(sentence(described(skills, now)))
+
+
+def _has_state(one: Known, word: str) -> Optional[bool]:
+    word = word.lower().split()[-1]
+    word = "closed" if word == "shut" else word
+    if word in one.states:
+        return True
+    return False if _OPPOSITES.get(word) in one.states else None
+
+
+def verify(skills: Skills, frame: FilledFrame) -> None:
+    """Make sure that something is open, closed, on or off: change it when it is not."""
+    words = argument(frame, "content")
+    about, wanted = _content(words)
+    one = skills.find(about, "door", "furniture", "thing")
+    skills.go(one.id)
+    skills.attempt("look", theme=one.id)
+    now = skills.memory.get(one.id) or one
+    if _has_state(now, wanted):
+        skills.say(f"It is {wanted}.")
+        return
+    actions = {
+        "closed": ("close", ""),
+        "shut": ("close", ""),
+        "open": ("open", ""),
+        "off": ("switch", "off"),
+        "on": ("switch", "on"),
+        "locked": ("lock", ""),
+        "unlocked": ("unlock", ""),
+    }
+    if wanted not in actions:
+        raise CannotDo(f"I cannot see whether {one.the_name} is {wanted}.")
+    kind, value = actions[wanted]
+    skills.attempt(kind, theme=one.id, value=value)
+
+
+def _content(words: TypedArgument) -> Tuple[TypedArgument, str]:
+    """Return what a clause is about, and its last word: "the door is closed"."""
+    text = " ".join(words.text.lower().replace("that ", "", 1).split())
+    before, _, after = text.partition(" is ") if " is " in text else text.partition(" are ")
+    if not after:
+        raise CannotDo(f'I do not know how to check "{words.text}".')
+    return TypedArgument(text=before.strip()), after.split()[-1]
+
+
+def count(skills: Skills, frame: FilledFrame) -> None:
+    """Go there, look, and say how many there are."""
+    words = argument(frame, "entity")
+    place = skills.find(argument(frame, "ground")) if said(frame, "ground") else None
+    if place is not None:
+        skills.look_in(place)
+    else:
+        skills.attempt("look")
+    noun = (words.lemma or words.head or words.text).lower()
+    if noun in ("person", "people", "guest", "visitor"):
+        found = skills.memory.all("person")
+    else:
+        found = skills.memory.find(words, "thing", "furniture")
+    here = skills.body.room()
+    found = [one for one in found if (skills.is_at(one, place) if place is not None else one.room == here)]
+    skills.say(f"I see {len(found)} {words.text if said(frame, 'entity') else 'things'}.".replace(" the ", " "))
+
+
+def list_things(skills: Skills, frame: FilledFrame) -> None:
+    """Look, and name things one by one."""
+    words = argument(frame, "items")
+    if said(frame, "place"):
+        place = skills.find(argument(frame, "place"))
+        skills.look_in(place)
+        found = [one for one in skills.memory.all() if skills.is_at(one, place)]
+    else:
+        place = None
+        skills.attempt("look")
+        found = skills.memory.find(words)
+    meant = {one.id for one in skills.memory.find(words)}
+    named = [one for one in found if one.id in meant] or (found if place is not None else [])
+    if not named:
+        raise CannotDo(f"I have not seen any {words.text}.")
+    _say_list(skills, named, "I know" if place is None else f"At {place.the_name}")
+
+
+def _say_list(skills: Skills, found: List[Known], begin: str) -> None:
+    names = sorted({one.the_name for one in found})
+    skills.say(f"{begin}: {', '.join(names) if names else 'nothing'}.")
+
+
+def identify(skills: Skills, frame: FilledFrame) -> None:
+    """Look at somebody or something, and say who or what it is."""
+    words = argument(frame, "entity")
+    if said(frame, "place"):
+        skills.look_in(skills.find(argument(frame, "place")))
+    one = skills.find(words)
+    skills.attempt("look", theme=one.id)
+    skills.say(f"This is {one.name}." if one.sort == "person" else f"This is a {one.name}: {', '.join(one.names)}.")
+
+
+def compare(skills: Skills, frame: FilledFrame) -> None:
+    """Look at two things, and say in what they differ."""
+    item, standard = argument(frame, "item"), argument(frame, "standard")
+    if standard.text:
+        first = skills.find(item, "thing", "furniture")
+        others = [one for one in skills.memory.find(standard, "thing", "furniture") if one.id != first.id]
+        others = others or [
+            one for one in skills.find_all(standard, "thing", "furniture", least=2) if one.id != first.id
+        ]
+        found = [first, *others]
+    elif item.members:
+        found = [skills.find(member, "thing", "furniture") for member in item.members]
+    else:
+        found = skills.find_all(item, "thing", "furniture", least=2)
+    for one in found[:2]:
+        skills.go(one.id)
+        skills.attempt("look", theme=one.id)
+    words = [f"{one.the_name} is {' and '.join(one.attributes) or 'plain'}" for one in found[:2]]
+    skills.say(sentence(" and ".join(words)))
+
+
+def find_out(skills: Skills, frame: FilledFrame) -> None:
+    """Look for what is asked: where something is."""
+    words = argument(frame, "content")
+    names = [one for one in skills.memory.all("thing", "furniture", "person") if _is_named(one, words.text)]
+    if not names:
+        for room in skills.memory.all("room"):
+            try:
+                skills.look_in(room)
+            except CannotDo:
+                continue
+            names = [one for one in skills.memory.all("thing", "person") if _is_named(one, words.text)]
+            if names:
+                break
+    if not names:
+        raise CannotDo(f"I could not find out {words.text}.")
+    skills.say(sentence(described(skills, names[0])))
+
+
+def _is_named(one: Known, text: str) -> bool:
+    words = f" {text.lower()} "
+    return any(f" {name.lower()} " in words for name in one.names)
+
+
+def scour(skills: Skills, frame: FilledFrame) -> None:
+    """Search an area, and say what is there."""
+    area = skills.find(argument(frame, "ground"), "room", "furniture")
+    skills.look_in(area)
+    _say_list(skills, [one for one in skills.memory.all("thing", "person") if skills.is_at(one, area)], "I have found")
+
+
+def photograph(skills: Skills, frame: FilledFrame) -> None:
+    """Take a picture: of what is ahead, or of what was named."""
+    words = argument(frame, "represented")
+    if words.text and words.quantifier in ("every", "all", "each") and words.lemma == "room":
+        for room in skills.memory.all("room"):
+            skills.go(room.id)
+            skills.attempt("photograph", theme=room.id)
+        return
+    target = skills.find(words).id if words.text else ""
+    if target:
+        skills.go(target)
+        skills.attempt("look", theme=target)
+    skills.attempt("photograph", theme=target)
+
+
+def be_located(skills: Skills, frame: FilledFrame) -> None:
+    """Remember where something is said to be."""
+    theme, place = argument(frame, "theme"), skills.find(argument(frame, "location"))
+    for name in {theme.head.lower(), theme.lemma.lower(), theme.text.lower()} - {""}:
+        skills.memory.tell(name, place.id)
+
+
+def find_and_bring(skills: Skills, frame: FilledFrame) -> None:
+    """Find something for somebody."""
+    bring(skills, frame)

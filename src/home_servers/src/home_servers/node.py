@@ -1,0 +1,87 @@
+"""The node home_servers: RFNServers for a robot in a home, one for each domain."""
+
+from dataclasses import dataclass
+from typing import List, Mapping
+
+import rospy
+from roboframenet_msgs.msg import FilledSemanticFrameResult
+
+from home_servers.frames import DOMAINS, WITHOUT_HANDS
+from home_servers.ros_body import RosBody
+from home_servers.skills import CannotDo, Interrupted, Skill, Skills
+from rfnserver import RFNServer
+from roboframenet_ros.parameters import Parameters, parameter
+from roboframenet_ros.ros_node import read_parameters, run_node
+from typed_arguments import FilledFrame
+
+
+@dataclass(frozen=True)
+class Settings(Parameters):
+    """Private parameters, checked.
+
+    Attributes:
+        speaker: id of the person who speaks to the robot ("me"); empty: whom it has seen nearest
+        has_hands: whether the robot has grippers; without them, frames that need them have no server
+        left_out: frames that other servers of this robot carry out
+
+    Raises:
+        ParameterError: a value of another type
+    """
+
+    speaker: str = parameter("")
+    has_hands: bool = parameter(True)
+    left_out: str = parameter("")
+
+
+class HomeServers:
+    """One RFNServer for each domain, with one body for all.
+
+    Actions:
+        home_DOMAIN (roboframenet_msgs/FilledSemanticFrameAction), such as home_navigation
+    Parameters: see :class:`Settings`.
+    """
+
+    def __init__(self) -> None:
+        """
+        Raises:
+            ParameterError: a parameter is wrong
+        """
+        self._settings = read_parameters(Settings)
+        self._body = RosBody()
+        left_out = set(self._settings.left_out.split())
+        self._servers: List[RFNServer] = []
+        for domain, skills in DOMAINS.items():
+            mine = {
+                frame: skill
+                for frame, skill in skills.items()
+                if frame not in left_out and (self._settings.has_hands or frame in WITHOUT_HANDS)
+            }
+            if mine:
+                self._servers.append(self._serve(f"home_{domain}", mine))
+
+    def _serve(self, name: str, skills: Mapping[str, Skill]) -> RFNServer:
+        def is_wanted() -> bool:
+            return not (server.is_preempt_requested() or rospy.is_shutdown())
+
+        def callback(frame: FilledFrame) -> None:
+            mind = Skills(self._body, speaker=self._settings.speaker)
+            self._body.begin(is_wanted)
+            filled = FilledFrame(frame.name, tuple(frame.arguments))
+            try:
+                skills[frame.name](mind, filled)
+                mind.tidy()
+            except CannotDo as reason:
+                server.set_aborted(FilledSemanticFrameResult(success=False), str(reason))
+            except Interrupted:
+                server.set_preempted(FilledSemanticFrameResult(success=False), "I was interrupted.")
+
+        server = RFNServer(name, callback)
+        for frame in skills:
+            server.register_with_frame(frame)
+        server.start()
+        return server
+
+
+def main() -> None:
+    """Run the node until ROS shuts down."""
+    run_node("home_servers", HomeServers)

@@ -1,0 +1,403 @@
+"""What a robot in a home can do with things, persons and places that were named in words."""
+
+import math
+from typing import Callable, Dict, List, Optional, Protocol, Sequence, Tuple
+
+from home_servers.memory import Known, Memory
+from roboframenet_sim.home_actions import Action, Failure
+from typed_arguments import FilledFrame, TypedArgument
+
+#: How often an action is tried again after a failure of one kind was put right.
+_MOST_TRIES = 3
+#: To put an action right, others are done, and others to put these right; so deep at most.
+_DEEPEST = 8
+#: A blocked door may be free after this time.
+_BLOCKED_S = 25.0
+#: Words for whoever speaks, and for the robot.
+SPEAKERS = frozenset("me us i we myself".split())
+HEARERS = frozenset("you yourself robot".split())
+HERE = frozenset("here over here".split()) | {"over here", "down here"}
+#: Hand height above which the lift is raised.
+_LIFT_UP_M = 0.3
+
+
+class CannotDo(Exception):
+    """The frame cannot be carried out; the message is a sentence for the person."""
+
+
+class Interrupted(Exception):
+    """The goal was preempted."""
+
+
+class Body(Protocol):
+    """What a robot in a home does and perceives; what it perceives goes to the memory."""
+
+    memory: Memory
+
+    def do(self, action: Action) -> Optional[Failure]:
+        """Carry out an action to its end; return why it was not done.
+
+        Raises:
+            Interrupted: the goal was preempted
+        """
+
+    def say(self, text: str) -> List[Tuple[str, str]]:
+        """Say something; return what persons answer: name and text."""
+
+    def now_s(self) -> float:
+        """The time, in seconds."""
+
+    def held(self) -> Sequence[str]:
+        """Ids of what the robot holds."""
+
+    def place(self) -> Tuple[float, float]:
+        """Where the robot is, in metres."""
+
+    def room(self) -> str:
+        """Id of the room where the robot is; empty outside."""
+
+
+class Skills:
+    """Skills over a body. Each ends well, or raises :class:`CannotDo` with the reason.
+
+    Args:
+        body: what acts
+        speaker: id of the person who speaks; empty: whom the robot saw last nearby
+    """
+
+    def __init__(self, body: Body, *, speaker: str = "") -> None:
+        self.body = body
+        self.memory = body.memory
+        self._speaker = speaker
+        self._opens_doors = True
+        self._opened: List[str] = []
+        self._depth = 0
+
+    # Actions, with what puts their failures right.
+
+    def attempt(self, kind: str, **values: object) -> None:
+        """Do an action; go nearer, open, lift, switch on and try again as its failures ask for.
+
+        Raises:
+            CannotDo: with the sentence of the failure that remains
+        """
+        if self._depth > _DEEPEST:
+            raise CannotDo("I do not get any further.")
+        self._depth += 1
+        try:
+            self._attempt(Action(kind, **values))  # type: ignore[arg-type]
+        finally:
+            self._depth -= 1
+
+    def _attempt(self, action: Action) -> None:
+        seen: Dict[str, int] = {}
+        while True:
+            failure = self.body.do(action)
+            if failure is None:
+                return
+            seen[failure.code] = seen.get(failure.code, 0) + 1
+            if seen[failure.code] > _MOST_TRIES or not self._put_right(action, failure):
+                raise CannotDo(failure.sentence)
+
+    def _put_right(self, action: Action, failure: Failure) -> bool:
+        if failure.code == "too_far" and failure.entity and action.kind != "go":
+            self.go(failure.entity)
+        elif failure.code == "closed" and failure.entity and failure.entity != action.theme:
+            return self._open_way(failure.entity)
+        elif failure.code == "too_high":
+            if action.kind == "lift":
+                return False
+            self.attempt("lift", amount=_LIFT_UP_M)
+        elif failure.code == "too_low":
+            self.attempt("lift", amount=0.0)
+        elif failure.code == "slipped":
+            if action.kind != "grasp":
+                self.attempt("grasp", theme=action.theme)
+        elif failure.code == "blocked":
+            self.attempt("wait", amount=_BLOCKED_S)
+        elif failure.code == "off" and failure.entity:
+            self.attempt("switch", theme=failure.entity, value="on")
+        else:
+            return False
+        return True
+
+    def _open_way(self, ident: str) -> bool:
+        known = self.memory.get(ident)
+        is_door = known is not None and known.sort == "door"
+        if is_door and not self._opens_doors:
+            return False
+        self.attempt("open", theme=ident)
+        if not is_door:
+            self._opened.append(ident)
+        return True
+
+    def tidy(self) -> None:
+        """Close the furniture that was opened on the way; where that is not possible, it stays open."""
+        while self._opened:
+            try:
+                self.attempt("close", theme=self._opened.pop())
+            except CannotDo:
+                continue
+
+    def go(self, target: str, *, reach_m: float = math.nan) -> None:
+        """Drive to an entity; open doors on the way."""
+        self.attempt("go", goal=target, amount=reach_m)
+
+    def wait(self, seconds: float) -> None:
+        """Stay."""
+        self.attempt("wait", amount=seconds)
+
+    def say(self, text: str) -> List[Tuple[str, str]]:
+        """Say something, and return the answers."""
+        return self.body.say(text)
+
+    # Finding what words mean.
+
+    def find(self, argument: TypedArgument, *sorts: str, near: Optional[TypedArgument] = None) -> Known:
+        """Return what an argument means; look for it when it has not been seen.
+
+        Args:
+            argument: words and their meaning
+            sorts: thing, person, room, furniture, door; all when none is given
+            near: where it is said to be
+        Raises:
+            CannotDo: it is not known and was not found
+        """
+        found = self.find_all(argument, *sorts, near=near)
+        return found[0]
+
+    def find_all(
+        self, argument: TypedArgument, *sorts: str, near: Optional[TypedArgument] = None, least: int = 1
+    ) -> List[Known]:
+        """Return all that an argument means, as many as it counts; see :meth:`find`."""
+        if argument.text.lower() in SPEAKERS or argument.head.lower() in SPEAKERS:
+            return [self.speaker()]
+        place = self._place_of(near) if near is not None and near.text else None
+        found = self._matching(argument, sorts, place)
+        need = max(least, argument.count or 1)
+        wants_all = argument.is_plural and argument.count is None
+        if len(found) < need:
+            self._seek(argument, sorts, place, need)
+            found = self._matching(argument, sorts, place)
+        if not found:
+            raise CannotDo(self._unseen(argument, place))
+        if len(found) < need:
+            raise CannotDo(f"I have seen only {len(found)} of {argument.text}.")
+        return found if wants_all else found[:need]
+
+    def _matching(self, argument: TypedArgument, sorts: Sequence[str], place: Optional[Known]) -> List[Known]:
+        here = self.body.place()
+        found = [one for one in self.memory.find(argument, *sorts, here=here) if one.sort != "thing" or one.relation]
+        inner = self._inner_place(argument)
+        for limit in (place, inner):
+            if limit is not None:
+                found = [one for one in found if self.is_at(one, limit)]
+        held = self.body.held()
+        # What the robot holds comes first, then what was named most exactly; of equals the nearest.
+        found.sort(key=lambda one: one.id not in held)
+        return found
+
+    def _inner_place(self, argument: TypedArgument) -> Optional[Known]:
+        """Return the place inside a phrase: "the mug on the table"."""
+        for frame in argument.frames:
+            for element in frame.frame_elements:
+                if (
+                    element.relation in ("on", "in", "at", "near", "under", "beside", "next_to", "behind")
+                    and element.text
+                ):
+                    found = self.memory.find(element, "furniture", "room", "thing", "door", here=self.body.place())
+                    if found:
+                        return found[0]
+        return None
+
+    def _place_of(self, argument: TypedArgument) -> Optional[Known]:
+        found = self.memory.find(argument, "room", "furniture", "door", "thing", here=self.body.place())
+        return found[0] if found else None
+
+    def is_at(self, one: Known, place: Known) -> bool:
+        """Whether something is in a room, or on, in, ... something."""
+        if place.sort == "room":
+            return one.room == place.id
+        holder: Optional[Known] = one
+        for _ in range(6):
+            if holder is None:
+                return False
+            if holder.holder == place.id:
+                return True
+            holder = self.memory.get(holder.holder)
+        return False
+
+    def _seek(self, argument: TypedArgument, sorts: Sequence[str], place: Optional[Known], need: int) -> None:
+        """Look where the thing is said to be, or else in every room, until it is seen."""
+        if sorts and not {"thing", "person"}.intersection(sorts):
+            return
+        told = self.memory.get(self.memory.told_place(argument))
+        inner = self._inner_place(argument)
+        targets = [one for one in (place, inner, told) if one is not None]
+
+        def is_seen() -> bool:
+            return len(self._matching(argument, sorts, place)) >= need
+
+        if targets:
+            self._look_in_each(targets, is_seen)
+            return
+        # First where no door must be opened, then behind doors, then in furniture.
+        self._opens_doors = False
+        try:
+            shut = self._look_in_each(self._by_distance(self.memory.all("room")), is_seen)
+        finally:
+            self._opens_doors = True
+        if is_seen() or (self._look_in_each(shut, is_seen) is not None and is_seen()):
+            return
+        if "thing" in sorts or not sorts:
+            holding = [one for one in self.memory.all("furniture") if one.category in HOLDING]
+            self._look_in_each(self._by_distance(holding), is_seen)
+
+    def _by_distance(self, places: Sequence[Known]) -> List[Known]:
+        here = self.body.place()
+        return sorted(places, key=lambda one: math.hypot(one.x_m - here[0], one.y_m - here[1]))
+
+    def _look_in_each(self, places: Sequence[Known], is_seen: Callable[[], bool]) -> List[Known]:
+        """Look in places until something is seen; return the places that it did not get into."""
+        left: List[Known] = []
+        for place in places:
+            try:
+                self.look_in(place)
+            except CannotDo:
+                left.append(place)
+                continue
+            if is_seen():
+                break
+            self.tidy()
+        return left
+
+    def look_in(self, place: Known) -> None:
+        """Go to a room or furniture, open what is closed, and look."""
+        self.go(place.id)
+        if place.sort == "furniture" and "closed" in (self.memory.get(place.id) or place).states:
+            self._open_way(place.id)
+        if place.sort == "furniture":
+            self.attempt("look", theme=place.id)
+        self.attempt("look")
+
+    def _unseen(self, argument: TypedArgument, place: Optional[Known]) -> str:
+        words = argument.text or argument.head
+        where = f" at {place.the_name}" if place is not None else ""
+        person = argument.semantic_type in ("Human", "Sentient") or words[:1].isupper()
+        return f"I have not seen {'' if person or ' ' in words else 'any '}{words}{where}."
+
+    def speaker(self) -> Known:
+        """Return the person who speaks.
+
+        Raises:
+            CannotDo: nobody was seen
+        """
+        known = self.memory.get(self._speaker) if self._speaker else None
+        if known is not None:
+            return known
+        people = self.memory.all("person")
+        if not people:
+            self.attempt("look")
+            people = self.memory.all("person")
+        if not people:
+            raise CannotDo("I do not see you.")
+        here = self.body.place()
+        return min(people, key=lambda one: math.hypot(one.x_m - here[0], one.y_m - here[1]))
+
+    def person(self, argument: TypedArgument, *, near: Optional[TypedArgument] = None) -> Known:
+        """Return the person whom an argument means, and go there."""
+        found = self.find(argument, "person", near=near)
+        self.go(found.id)
+        self.attempt("look", theme=found.id)
+        return self.memory.get(found.id) or found
+
+    # Handling things.
+
+    def take(self, thing: Known) -> None:
+        """Hold a thing."""
+        if thing.id in self.body.held():
+            return
+        if thing.sort != "thing":
+            raise CannotDo(f"I cannot take {thing.the_name}.")
+        if thing.relation == "held" and thing.holder:
+            self.go(thing.holder)
+            self.attempt("receive", theme=thing.id)
+            return
+        try:
+            self.attempt("grasp", theme=thing.id)
+        except CannotDo:
+            self.memory.forget_place(thing.id)
+            self.attempt("look")
+            again = self.memory.get(thing.id)
+            if again is None or not again.relation or again.relation == "held":
+                raise
+            self.attempt("grasp", theme=thing.id)
+        self.attempt("lift", amount=0.0)
+
+    def free_hand(self) -> None:
+        """Put down one thing when both hands are full."""
+        held = list(self.body.held())
+        if len(held) >= 2:
+            self.put_down(held[0])
+
+    def put(self, thing: str, place: Known, relation: str) -> None:
+        """Put a held thing on, in, under, beside a place; "to" and "at" are on or in, whatever goes."""
+        if place.sort == "person":
+            self.go(place.id)
+            self.attempt("give", theme=thing, goal=place.id)
+            return
+        if place.sort == "room":
+            self.go(place.id)
+            self.attempt("put", theme=thing, goal=place.id, relation="on")
+            return
+        relations = PUT_RELATIONS.get(relation, ("on", "in"))
+        for index, one in enumerate(relations):
+            try:
+                self.go(place.id)
+                self.attempt("put", theme=thing, goal=place.id, relation=one)
+                return
+            except CannotDo:
+                if index == len(relations) - 1:
+                    raise
+
+    def put_down(self, thing: str) -> None:
+        """Put a held thing on the floor."""
+        here = self.room_here()
+        if here is None:
+            raise CannotDo("I do not know where I am.")
+        self.attempt("put", theme=thing, goal=here.id, relation="on")
+
+    def room_here(self) -> Optional[Known]:
+        """Return the room where the robot is."""
+        return self.memory.get(self.body.room())
+
+
+#: Furniture in which things are kept, by its category.
+HOLDING = frozenset("basket cupboard drawer fridge wardrobe box machine sink oven dishwasher".split())
+#: The relations that are tried for each relation that was said.
+PUT_RELATIONS: Dict[str, Tuple[str, ...]] = {
+    "on": ("on",),
+    "onto": ("on",),
+    "in": ("in", "on"),
+    "into": ("in",),
+    "under": ("under",),
+    "below": ("under",),
+    "behind": ("behind",),
+    "in_front_of": ("in_front_of",),
+    "beside": ("beside",),
+    "next_to": ("beside",),
+    "near": ("beside",),
+    "by": ("beside",),
+}
+
+Skill = Callable[[Skills, FilledFrame], None]
+
+
+def argument(frame: FilledFrame, element: str) -> TypedArgument:
+    """Return the argument of an element; an empty one when there is none."""
+    return frame.find(element) or TypedArgument(name=element)
+
+
+def said(frame: FilledFrame, element: str) -> bool:
+    """Whether an element has an argument."""
+    return bool(frame.text(element))

@@ -1,0 +1,177 @@
+"""Frames of speaking with people and of gestures."""
+
+from typing import Dict
+
+from home_servers.looking import described, sentence
+from home_servers.memory import Known
+from home_servers.skills import CannotDo, Skill, Skills, argument, said
+from typed_arguments import FilledFrame, TypedArgument
+
+
+def greet(skills: Skills, frame: FilledFrame) -> None:
+    """Go to somebody and greet them."""
+    near = argument(frame, "place") if said(frame, "place") else None
+    person = skills.person(argument(frame, "addressee"), near=near)
+    skills.say(f"Hello, {person.name}.")
+
+
+def part(skills: Skills, frame: FilledFrame) -> None:
+    """Go to somebody, wave and say goodbye."""
+    words = argument(frame, "addressee")
+    person = skills.person(words) if words.text else skills.speaker()
+    skills.attempt("gesture", value="wave", goal=person.id)
+    skills.say(f"Goodbye, {person.name}.")
+
+
+def meet(skills: Skills, frame: FilledFrame) -> None:
+    """Go to somebody and introduce oneself."""
+    near = argument(frame, "place") if said(frame, "place") else None
+    person = skills.person(argument(frame, "person"), near=near)
+    skills.say(f"Hello, {person.name}. I am the robot of this home.")
+
+
+def introduce(skills: Skills, frame: FilledFrame) -> None:
+    """Introduce oneself, or somebody to somebody."""
+    who, whom = argument(frame, "individual"), argument(frame, "addressee")
+    if who.text.lower() in ("yourself", "you"):
+        if whom.text:
+            skills.person(whom)
+        skills.say("I am the robot of this home. I bring things, and do what I am told.")
+        return
+    first = skills.find(who, "person")
+    second = skills.person(whom) if whom.text else skills.speaker()
+    skills.say(f"{second.name}, this is {first.name}.")
+
+
+def tell(skills: Skills, frame: FilledFrame) -> None:
+    """Go to somebody and tell them something."""
+    whom, message = argument(frame, "addressee"), argument(frame, "message")
+    person = skills.person(whom) if whom.text else skills.speaker()
+    skills.say(f"{person.name}, {_said(skills, message)}")
+
+
+def _said(skills: Skills, message: TypedArgument) -> str:
+    """Return what is told: what the robot knows of it, or the words themselves."""
+    text = message.text.lower()
+    if "your name" in text:
+        return "I am the robot of this home."
+    if text in ("the time", "the date", "the day"):
+        return f"the {text.split()[-1]} of this home is {skills.body.now_s():.0f} seconds."
+    known = [one for one in skills.memory.find(message, "thing", "furniture") if one.room]
+    if known:
+        return sentence(described(skills, known[0]))
+    return f"{message.text}."
+
+
+def remind(skills: Skills, frame: FilledFrame) -> None:
+    """Go to somebody and remind them."""
+    person = skills.person(argument(frame, "addressee"))
+    skills.say(f"{person.name}, do not forget {argument(frame, 'topic').text}.")
+
+
+def ask(skills: Skills, frame: FilledFrame) -> None:
+    """Ask somebody, and say what they answer to whoever speaks."""
+    person = skills.person(argument(frame, "addressee"))
+    message = argument(frame, "message")
+    replies = skills.say(f"{person.name}, {_question(message.text)}?")
+    if replies:
+        skills.say(f"{replies[0][0]} says: {replies[0][1]}.")
+
+
+def _question(text: str) -> str:
+    words = text.lower()
+    for pronoun in ("her ", "his ", "their "):
+        if words.startswith(pronoun):
+            return f"what is your {text[len(pronoun) :]}"
+    return f"what about {text}"
+
+
+def request(skills: Skills, frame: FilledFrame) -> None:
+    """Ask somebody to do something."""
+    person = skills.person(argument(frame, "addressee"))
+    words = argument(frame, "message").text
+    words = words[3:] if words.lower().startswith("to ") else words
+    skills.say(f"{person.name}, please {words}.")
+
+
+def describe(skills: Skills, frame: FilledFrame) -> None:
+    """Look at something, and say how it looks."""
+    item, whom = argument(frame, "item"), argument(frame, "addressee")
+    one = _thing_or_room(skills, item)
+    skills.go(one.id)
+    skills.attempt("look")
+    now = skills.memory.get(one.id) or one
+    if one.sort == "room":
+        names = sorted({thing.the_name for thing in skills.memory.all() if thing.room == one.id})
+        words = f"In {one.the_name} I see {', '.join(names)}."
+    else:
+        words = sentence(f"{described(skills, now)}; it is {' and '.join(now.attributes) or now.category}")
+    if whom.text:
+        skills.person(whom)
+    skills.say(words)
+
+
+def _thing_or_room(skills: Skills, item: TypedArgument) -> Known:
+    if item.text.lower() in ("the room", "the view", "this room"):
+        here = skills.room_here()
+        if here is not None:
+            return here
+    return skills.find(item)
+
+
+def report(skills: Skills, frame: FilledFrame) -> None:
+    """Say what the robot has seen."""
+    whom, topic = argument(frame, "addressee"), argument(frame, "topic")
+    person = skills.person(whom) if whom.text else skills.speaker()
+    if topic.text:
+        skills.say(f"{person.name}, {_said(skills, topic)}")
+        return
+    seen = len([one for one in skills.memory.all("thing") if one.relation])
+    skills.say(f"{person.name}, I am well, and know where {seen} things are.")
+
+
+def answer(skills: Skills, frame: FilledFrame) -> None:
+    """Answer: the robot turns to who speaks, and listens; the phone is picked up."""
+    words = argument(frame, "trigger")
+    found = skills.memory.find(words, "furniture", "thing")
+    if found:
+        skills.attempt("press", theme=found[0].id)
+        skills.say("Hello, this is the robot of this home.")
+        return
+    person = skills.speaker()
+    skills.go(person.id)
+    skills.say(f"{person.name}, please ask.")
+
+
+def gesture(value: str, target: str = "") -> Skill:
+    """Return the skill of a gesture, towards what an element names."""
+
+    def act(skills: Skills, frame: FilledFrame) -> None:
+        goal = ""
+        if target and said(frame, target):
+            one = skills.find(argument(frame, target))
+            goal = one.id
+            if one.sort == "person":
+                skills.go(goal, reach_m=1.0)
+            skills.attempt("face", goal=goal)
+        skills.attempt("gesture", value=value, goal=goal)
+
+    return act
+
+
+def play(skills: Skills, frame: FilledFrame) -> None:
+    """Play music on the radio; games and instruments are not for this robot."""
+    words = argument(frame, "performance")
+    noun = (words.lemma or words.text).lower()
+    if not any(word in noun for word in ("song", "music", "radio")) or said(frame, "instrument"):
+        raise CannotDo(f"I cannot play {words.text}.")
+    skills.attempt("switch", theme=skills.find(TypedArgument(text="radio"), "furniture").id, value="on")
+
+
+#: Frames of greetings with the arms, as gestures.
+PROPS: Dict[str, Skill] = {
+    "high_fiving": gesture("high five", "partner"),
+    "low_fiving": gesture("low five", "partner"),
+    "pounding": gesture("fist bump", "partner"),
+    "hugging": gesture("hug", "partner"),
+}

@@ -1,0 +1,96 @@
+"""Each frame is carried out in the home by a sentence: from the text to what is true afterwards."""
+
+import os
+import random
+import sys
+
+import pytest
+import yaml
+from direct_body import DirectBody
+
+from home_servers.frames import DOMAINS, FRAMES
+from home_servers.skills import CannotDo, Interrupted, Skills
+from offline_pipeline.knowledge import load_knowledge, shipped_domains
+from offline_pipeline.pipeline import Pipeline
+from roboframenet_sim.home_engine import Home
+from roboframenet_sim.home_file import load_home_file
+from roboframenet_sim.home_truth import truth_of
+
+HERE = os.path.dirname(os.path.realpath(__file__))
+HOME_FILE = os.path.join(HERE, "..", "..", "..", "roboframenet_sim", "config", "home.yaml")
+with open(os.path.join(HERE, "..", "sentences.yaml"), encoding="utf-8") as file:
+    SENTENCES = yaml.safe_load(file)
+#: Some of them, another domain each; all of them take minutes.
+SAMPLE = random.Random(11).sample(SENTENCES, 18)
+
+
+def ids(entry):
+    return entry["say"]
+
+
+@pytest.fixture(scope="module")
+def pipeline():
+    knowledge = load_knowledge([shipped_domains()])
+    for frame in FRAMES:
+        knowledge.graph.register(frame, "home")
+    return Pipeline(knowledge)
+
+
+def carry_out(pipeline, skills, text):
+    """Say a sentence; return the frames of its first candidates, and what came of it: ok, or the reason."""
+    understanding = pipeline.understand(text)
+    assert understanding.reply.outcome == "DONE", understanding.reply
+    frames = [frame for candidates in understanding.candidates for frame in candidates[0].frames]
+    try:
+        for frame in frames:
+            FRAMES[frame.name](skills, frame)
+            skills.tidy()
+    except CannotDo as reason:
+        return frames, str(reason)
+    except Interrupted:
+        return frames, "interrupted"
+    return frames, "ok"
+
+
+def check(pipeline, entry):
+    plan, state = load_home_file(HOME_FILE)
+    home = Home(plan, state)
+    home.change(reason="test", **entry.get("before", {}))
+    if "person" in entry:
+        assert home.tell_person(*entry["person"].split()) is None
+    body = DirectBody(home, most_s=entry.get("most_s", 900.0))
+    skills = Skills(body, speaker="alice")
+    if "first" in entry:
+        assert carry_out(pipeline, skills, entry["first"])[1] == "ok"
+    frames, outcome = carry_out(pipeline, skills, entry["say"])
+    assert entry["frame"] in [frame.name for frame in frames]
+    assert outcome == entry.get("outcome", "ok")
+    truth = truth_of(plan, home.state)
+    expected = entry.get("truth", {})
+    assert {name: truth.get(name) for name in expected} == expected
+    if "said" in entry:
+        assert any(entry["said"].lower() in text.lower() for text in body.said), body.said
+    if entry.get("event"):
+        assert any(entry["event"] in event.what for event in home.state.events), home.state.events
+
+
+@pytest.mark.parametrize("entry", SAMPLE, ids=ids)
+def test_sentence_of_the_sample(pipeline, entry):
+    check(pipeline, entry)
+
+
+@pytest.mark.acceptance
+@pytest.mark.parametrize("entry", SENTENCES, ids=ids)
+def test_sentence(pipeline, entry):
+    check(pipeline, entry)
+
+
+def test_every_frame_has_a_sentence():
+    assert {entry["frame"] for entry in SENTENCES} == set(FRAMES)
+
+
+def test_every_frame_is_one_of_the_domains():
+    knowledge = load_knowledge([shipped_domains()])
+    assert set(FRAMES) <= set(knowledge.frames)
+    assert sum(map(len, DOMAINS.values())) == len(FRAMES)
+    assert "home_servers.node" not in sys.modules

@@ -1,0 +1,118 @@
+"""Finding what words mean, looking for it, and putting right what fails."""
+
+import os
+
+import pytest
+from direct_body import DirectBody
+
+from home_servers.memory import Known, Memory
+from home_servers.skills import CannotDo, Interrupted, Skills
+from roboframenet_sim.home_engine import Home
+from roboframenet_sim.home_file import load_home_file
+from roboframenet_sim.home_state import NO_FAULTS, PR2, ROBOT, TURTLEBOT, Faults
+from typed_arguments import Modifier, TypedArgument
+
+HOME_FILE = os.path.join(os.path.dirname(__file__), "..", "..", "..", "roboframenet_sim", "config", "home.yaml")
+
+
+def make(*, robot=PR2, faults=NO_FAULTS, seed=0, most_s=900.0):
+    plan, state = load_home_file(HOME_FILE, robot=robot)
+    home = Home(plan, state, seed=seed, faults=faults)
+    body = DirectBody(home, most_s=most_s)
+    return home, body, Skills(body, speaker="alice")
+
+
+def phrase(text, *, head="", **values):
+    head = head or text.split()[-1]
+    return TypedArgument(text=text, head=head, lemma=head, **values)
+
+
+def test_memory_keeps_what_is_newer():
+    memory = Memory()
+    memory.update([Known("mug", "thing", ("mug",), relation="on", holder="table", stamp_s=2.0)])
+    memory.update([Known("mug", "thing", ("mug",), relation="on", holder="desk", stamp_s=1.0)])
+    assert memory.get("mug").holder == "table"
+    memory.forget_place("mug")
+    assert memory.get("mug").relation == ""
+
+
+def test_modifiers_tell_things_apart():
+    memory = Memory()
+    memory.update(
+        [
+            Known("mug_1", "thing", ("mug",), attributes=("red",), relation="on"),
+            Known("mug_2", "thing", ("mug",), attributes=("blue",), relation="on"),
+        ]
+    )
+    blue = phrase("the blue mug", modifiers=(Modifier("adjective", "blue", "blue"),))
+    green = phrase("the green mug", modifiers=(Modifier("adjective", "green", "green"),))
+    assert [one.id for one in memory.find(blue)] == ["mug_2"]
+    assert memory.find(green) == []
+    assert [one.id for one in memory.find(phrase("the mug", referents=("mug_2",)))] == ["mug_2"]
+
+
+def test_robot_knows_only_the_map_and_what_it_saw():
+    home, body, _ = make()
+    known = {one.id for one in body.memory.all("thing")}
+    assert known == {one for one in home.floor.visible(home.state) if home.plan.entities[one].kind == "thing"}
+    assert body.memory.get("fridge").states == ()
+    assert len(body.memory.all("room")) == 8
+
+
+def test_it_goes_looking():
+    home, body, skills = make()
+    assert body.memory.find(phrase("the teddy")) == []
+    assert skills.find(phrase("the teddy"), "thing").id == "teddy"
+    assert home.plan.room_at(body.place()) == "bedroom"
+
+
+def test_what_is_not_there_is_not_found():
+    _, _, skills = make()
+    with pytest.raises(CannotDo, match=r"^I have not seen the trumpet\.$"):
+        skills.find(phrase("the trumpet"), "thing")
+
+
+def test_what_was_told_is_looked_at_first():
+    home, body, skills = make()
+    body.memory.tell("pen", "desk_drawer")
+    assert skills.find(phrase("the pen"), "thing").holder == "desk_drawer"
+    assert home.state.time_s < 60.0
+    skills.tidy()
+    assert not home.state.is_("desk_drawer", "is_open")
+
+
+def test_a_thing_that_was_taken_is_noticed():
+    home, body, skills = make()
+    newspaper = skills.find(phrase("the newspaper"), "thing")
+    home.tell_person("anna", "walk", "newspaper")
+    home.step(30.0)
+    home.tell_person("anna", "take", "newspaper")
+    home.tell_person("anna", "walk", "garage")
+    home.step(60.0)
+    with pytest.raises(CannotDo, match="Anna has the newspaper"):
+        skills.take(newspaper)
+    assert body.held() == ()
+
+
+@pytest.mark.parametrize("seed", range(3))
+def test_slips_and_blocked_doors_are_overcome_or_told(seed):
+    home, _, skills = make(faults=Faults(slip=0.2, blocked_door=0.2), seed=seed)
+    try:
+        skills.take(skills.find(phrase("the newspaper"), "thing"))
+        assert home.state.held_by(ROBOT) == ("newspaper",)
+    except CannotDo as reason:
+        assert str(reason).endswith(".")
+        assert "newspaper" not in home.state.held_by(ROBOT)
+
+
+def test_a_robot_without_hands_says_so():
+    _, _, skills = make(robot=TURTLEBOT)
+    with pytest.raises(CannotDo, match="I have no hand"):
+        skills.take(skills.find(phrase("the letter"), "thing"))
+
+
+def test_interruption_ends_the_action():
+    home, _, skills = make(most_s=5.0)
+    with pytest.raises(Interrupted):
+        skills.go("bedroom")
+    assert not home.is_busy
