@@ -51,6 +51,10 @@ NO_SPEECH: Dict[str, Tuple[str, str]] = {
     ),
     "pr2_props/named_arms.py": ("names of quantifiers", "each, every, all, both"),
     "pr2_props/node.py": ("names of props", "hug, hugging, pound, pounding"),
+    "question_answering/answers.py": (
+        "words of the answers: days, nouns with an article, determiners in the view of the robot",
+        "today, tomorrow, yesterday, my, your, our, any, some, no, other, uni, use, eu, one, s, x, ch, sh, a",
+    ),
     "referring_expressions/fitting.py": ("values of WorldRelation", "of, to, in, on"),
     "referring_expressions/resolving.py": (
         "values of Phrase.quantifier",
@@ -241,6 +245,7 @@ NO_SPEECH: Dict[str, Tuple[str, str]] = {
         "keys of a file",
         "spellings, parts, acting, telling, name, kind, pattern, example",
     ),
+    "semantic_framer/questions.py": ("endings of contracted verbs", "'s, 're, 'm"),
     "semantic_framer/objections.py": (
         "keys of a file",
         "corrections, contrasts, forbidding, asking, reporting",
@@ -253,7 +258,10 @@ NO_SPEECH: Dict[str, Tuple[str, str]] = {
             "counts, quantifiers, question, answer"
         ),
     ),
-    "semantic_frames/lexical_unit_file.py": ("keys of a file", "name, relation, argument, words, required"),
+    "semantic_frames/lexical_unit_file.py": (
+        "keys of a file",
+        "name, relation, argument, words, required, verb, question, examples",
+    ),
     "semantic_frames/marked_yaml.py": ("values of YAML", "true, yes, false, no"),
     "semantic_frames/server_statement.py": (
         "keys of a statement",

@@ -36,7 +36,7 @@ class Verdict:
     @property
     def acted(self) -> bool:
         """Whether the robot would act."""
-        return self.outcome == "DONE"
+        return self.outcome == "DONE" and bool(self.meaning)
 
     @property
     def is_right(self) -> bool:
@@ -85,8 +85,11 @@ class Judge:
 
 
 def _meaning(understood: Understanding) -> Meaning:
-    """Return what would be done, without the performer, which only a request names: "could *you* ..."."""
-    if understood.reply.outcome != "DONE":
+    """Return what would be done, without the performer, which only a request names: "could *you* ...".
+
+    A question that is answered does nothing.
+    """
+    if understood.reply.outcome != "DONE" or all(reading.unit.questions for reading in understood.readings):
         return ()
     return tuple(
         (

@@ -36,6 +36,7 @@ from roboframenet_msgs.srv import (
 )
 
 from frame_registrar.graph import FrameGraph
+from frame_registrar.ros_candidate_topics import CandidateTopics
 from frame_registrar.ros_liveness import LivenessWatch
 from frame_registrar.ros_messages import to_clauses, to_empty_frame, to_file_problems, to_frame_lists, to_plan
 from frame_registrar.search import Refusal, combinations, reply_outcome, search
@@ -93,7 +94,7 @@ class FrameRegistrar:
         self._id = uuid.uuid4().hex
         self._catalogue = rospy.Publisher("frame_catalogue", FrameCatalogue, queue_size=1, latch=True)
         self._file_problems = rospy.Publisher("file_problems", FileProblems, queue_size=5, latch=True)
-        self._candidates = rospy.Publisher("command_semantic_frames", CommandSemanticFrames, queue_size=100)
+        self._candidates = CandidateTopics(self._is_question)
         self._candidates_2012 = rospy.Publisher("filled_semantic_frames", FilledSemanticFrameListList, queue_size=100)
         self._stage = Stage("frame_registrar")
         self._load_files()
@@ -228,6 +229,12 @@ class FrameRegistrar:
                     ],
                 )
             )
+
+    def _is_question(self, name: str) -> bool:
+        """Whether a frame is a question."""
+        with self._lock:
+            frame = self._graph.frame(name)
+        return frame is not None and frame.is_question
 
     def _on_command(self, message: CommandLexicalUnits) -> None:
         try:

@@ -3,6 +3,7 @@
 from typing import Dict, List, Optional, Sequence, Tuple
 
 from phrase_meanings.arguments import amount_argument, unit_argument
+from semantic_framer.chosen_things import chosen
 from semantic_framer.dialogue import Pending, is_yes
 from semantic_framer.frame_roles import MESSAGE
 from semantic_framer.framed_lexicon import FramedLexicon
@@ -60,6 +61,10 @@ def answer(
         frame = known.frames[reading.unit.frame_name]
         values = _values(sentence, pending, frame, name, is_strict)
         element = frame.element(name)
+        asked = reading.argument(name)
+        if pending.offered and values and asked is not None:
+            value = chosen(asked, values[0], pending.offered, known.world)
+            values = [] if value is None else [value]
         for value in values:
             reading = with_argument(reading, value)
         if values and element is not None:

@@ -27,6 +27,7 @@ class Pending:
         choices: the only allowed answers, as they were offered; empty if any answer is allowed
         expires_s: time on the caller's clock, seconds; the question is forgotten afterwards
         readings: the readings of the sentence that the person chooses from; ``clauses`` is empty then
+        offered: ids of the things that the person chooses from: "which mug"; empty for another question
         is_about_words: whether a yes only agrees to go on without some words; a frame may want another yes
     """
 
@@ -36,6 +37,7 @@ class Pending:
     expires_s: float
     choices: Tuple[str, ...] = ()
     readings: Tuple[Choice, ...] = ()
+    offered: Tuple[str, ...] = ()
     is_about_words: bool = False
 
 
@@ -61,12 +63,14 @@ class Context:
         last: the last command; None if there is none, or if it may not be repeated
         thing: the last thing mentioned, "the mug"; empty if there is none
         place: the last place mentioned, "the kitchen"; empty if there is none
+        spoken_of: ids of the things that were mentioned, the last one first
     """
 
     pending: Optional[Pending] = None
     last: Optional[LastCommand] = None
     thing: str = ""
     place: str = ""
+    spoken_of: Tuple[str, ...] = ()
 
     def at(self, now_s: float) -> "Context":
         """Return the context at a time: without a question that has expired."""

@@ -9,6 +9,7 @@ from semantic_framer.lexicon import Lexicon
 from semantic_frames.frame import SemanticFrame
 from semantic_types import WordTypes, shipped_types
 from utterance_passes.vocabulary import Speech
+from world_model import World
 
 
 @dataclass(frozen=True)
@@ -21,12 +22,14 @@ class FramedLexicon:
         types: semantic types of words
         heeded: elements of each frame that reach a server; a frame that is missing cannot be carried out, which the
             registrar says
+        world: what the robot knows of things, persons and places
     """
 
     lexicon: Lexicon
     frames: Mapping[str, SemanticFrame]
     types: WordTypes = field(default_factory=shipped_types)
     heeded: Mapping[str, FrameHeeding] = field(default_factory=dict)
+    world: World = field(default_factory=World)
 
     def verbs_beginning_with(self, word: str) -> Tuple[str, ...]:
         """Return the verbs whose first word is this one, those with more words first."""

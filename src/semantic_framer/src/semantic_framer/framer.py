@@ -25,6 +25,7 @@ from semantic_framer.outcome import (
     Refusal,
     Understood,
 )
+from semantic_framer.questions import question_readings
 from semantic_framer.readings import ClauseReadings, readings_of_clause
 from semantic_framer.sentence import Sentence
 from semantic_framer.sentence_verdicts import (
@@ -217,6 +218,10 @@ class _Hearing:
         if self._trace is not None:
             for clause, kind in zip(case.clauses, case.kinds):
                 self._trace.add("utterance_kind", case.text_of(clause), after=str(kind), positions=clause.positions)
+        asked = question_readings(case)
+        if asked:
+            self._now.write("question", str(asked[0]), f'answered, by "{asked[0].verb}"')
+            return Heard(*resolve_and_confirm((asked,), sentence, context, self._now), sentence)
         refusal = self._refusal(SENTENCE_VERDICTS, case)
         if refusal is not None:
             return Heard(refusal, context, sentence)

@@ -15,6 +15,7 @@ class Lexicon:
         self._files: Dict[str, Tuple[str, Tuple[LexicalUnit, ...]]] = {}
         self._by_verb: Dict[str, List[LexicalUnit]] = defaultdict(list)
         self._by_first_word: Dict[str, List[str]] = defaultdict(list)
+        self._questions: Dict[str, List[LexicalUnit]] = defaultdict(list)
         self._by_spelling: Dict[str, Set[str]] = defaultdict(set)
 
     @property
@@ -57,11 +58,14 @@ class Lexicon:
                 if not self._by_verb[verb]:
                     del self._by_verb[verb]
                     self._by_first_word[verb.split()[0]].remove(verb)
+        self._questions.pop(path, None)
         self._files[path] = (text, units)
         self._index(units)
 
     def _index(self, units: Iterable[LexicalUnit]) -> None:
         for unit in units:
+            if unit.questions:
+                self._questions[unit.path].append(unit)
             for verb in dict.fromkeys(unit.verbs):
                 if verb not in self._by_verb:
                     first = verb.split()[0]
@@ -73,6 +77,11 @@ class Lexicon:
     def units_of(self, verb: str) -> Tuple[LexicalUnit, ...]:
         """Return the units of a verb; the particle is part of the verb."""
         return tuple(self._by_verb.get(verb, ()))
+
+    @property
+    def question_units(self) -> Tuple[LexicalUnit, ...]:
+        """The units that have questions in place of verbs, in the order of the files."""
+        return tuple(unit for units in self._questions.values() for unit in units)
 
     def lists_of(self, verb: str) -> Tuple[Tuple[str, ...], ...]:
         """Return the words that units of a verb list for an element, one entry for each such element."""

@@ -24,6 +24,9 @@ from roboframenet_msgs.msg import (
 from roboframenet_msgs.msg import (
     Lexicon as LexiconMessage,
 )
+from roboframenet_msgs.msg import (
+    World as WorldMessage,
+)
 from roboframenet_msgs.srv import AddLexicalUnit, AddLexicalUnitRequest, AddLexicalUnitResponse
 
 from roboframenet_ros.ros_node import StartError, read_parameters, run_node
@@ -46,6 +49,8 @@ from semantic_types import NoWordNet
 from stanford_parser_ros.ros_messages import to_tree
 from utterance_passes.trace import Trace
 from utterance_passes.tree import DependencyTree
+from world_model import World
+from world_model.ros_messages import world_from_message
 
 #: The node keeps the files that were added while it ran in this private parameter.
 ADDED_LEXICAL_UNITS = "~_added_lexical_units"
@@ -58,7 +63,7 @@ class SemanticFramer:
 
     Subscribes:
         command_parse (CommandParse), frame_catalogue (FrameCatalogue, latched), stop_report (StopReport),
-        known_names (KnownNames, latched)
+        known_names (KnownNames, latched), world (World, latched)
     Publishes:
         command_lexical_units (CommandLexicalUnits), filled_lexical_units (FilledLexicalUnitList),
         lexicon (Lexicon, latched), file_problems (FileProblems, latched), stage_events (StageEvent)
@@ -85,6 +90,7 @@ class SemanticFramer:
         self._configured = tuple(yaml_files(settings.lexical_unit_paths, LEXICAL_UNITS_FOLDER))
         self._added: List[str] = rospy.get_param(ADDED_LEXICAL_UNITS, [])
         self._is_announced = False
+        self._world = World()
         self._names = KnownNames(settings.names_file)
         for problem in self._names.problems:
             rospy.logerr("refused: %s", problem)
@@ -95,6 +101,7 @@ class SemanticFramer:
             rospy.Subscriber("command_parse", CommandParse, self._on_command, queue_size=100),
             rospy.Subscriber("stop_report", StopReport, self._on_stop, queue_size=100),
             rospy.Subscriber("known_names", KnownNamesMessage, self._on_names, queue_size=1),
+            rospy.Subscriber("world", WorldMessage, self._on_world, queue_size=1),
         ]
         self._service = rospy.Service("add_lexical_unit", AddLexicalUnit, self._on_add_lexical_unit)
         rospy.loginfo(
@@ -148,6 +155,12 @@ class SemanticFramer:
         if problems:
             rospy.logerr("the names are refused, the names before stay: %s", problems[0])
 
+    def _on_world(self, message: WorldMessage) -> None:
+        # The categories of the objects are looked up here, and not while a command waits.
+        world = world_from_message(message).prepare()
+        with self._lock:
+            self._world = world
+
     def _on_catalogue(self, message: FrameCatalogue) -> None:
         known = self._frame_of_file
         of_file = {}
@@ -199,7 +212,7 @@ class SemanticFramer:
                 trace = Trace() if self._settings.trace else None
                 heard = hear(
                     tree,
-                    FramedLexicon(self._lexicon, frames, self._names.types, self._heeded),
+                    FramedLexicon(self._lexicon, frames, self._names.types, self._heeded, self._world),
                     context=self._context,
                     policy=self._settings.policy,
                     now_s=time.monotonic(),

@@ -24,6 +24,7 @@ from semantic_framer.outcome import (
 from semantic_framer.reading import Reading
 from semantic_framer.references import remember, resolve
 from semantic_framer.sentence import Sentence
+from semantic_framer.world_references import refer, spoken_of
 from semantic_frames.semantic_type import SEMANTIC_TYPES
 from typed_arguments import TypedArgument
 from utterance_passes.trace import Trace
@@ -101,9 +102,11 @@ def resolve_and_confirm(
         question = _resolved(readings, context, now)
         if isinstance(question, _Open):
             waiting = without_positions(tuple(done) + (question.readings,) + clauses[len(done) + 1 :])
-            pending = Pending(waiting, len(done), question.elements, now.expires_s, question.choices)
+            pending = Pending(
+                waiting, len(done), question.elements, now.expires_s, question.choices, offered=question.offered
+            )
             return question.question, replace(context, pending=pending)
-        context = remember(question[0], now.known.frames, context)
+        context = spoken_of(question[0], now.known, remember(question[0], now.known.frames, context))
         done.append(question)
     confirm = [readings[0] for readings in done if now.known.frames[readings[0].unit.frame_name].is_confirmed]
     wrong = [reason for readings in done for reason in _wrong_types(readings[0])]
@@ -129,6 +132,7 @@ class _Open:
     readings: Tuple[Reading, ...]
     elements: Tuple[str, ...]
     choices: Tuple[str, ...] = ()
+    offered: Tuple[str, ...] = ()
 
 
 def _resolved(readings: Tuple[Reading, ...], context: Context, now: Now) -> Union[Tuple[Reading, ...], _Open]:
@@ -159,7 +163,15 @@ def _resolved(readings: Tuple[Reading, ...], context: Context, now: Now) -> Unio
         choices = tuple(member.text for member in alternative.members)
         question = Question("AMBIGUOUS", f"Which one: {join_with_or(choices)}?")
         return _Open(question, (best,), (alternative.name,), choices)
-    return tuple(resolved)
+    referring = [refer(reading, now.known, context) for reading in resolved]
+    best, unclear = referring[0]
+    if unclear is not None:
+        now.write("referents", str(best), f"asked. {unclear.element} may be {', '.join(unclear.ids)}.")
+        return _Open(Question("AMBIGUOUS", unclear.question), (best,), (unclear.element,), offered=unclear.ids)
+    for argument in best.arguments:
+        if argument.referents:
+            now.write("referents", argument.text, f"{', '.join(argument.referents)} ({argument.referent_count})")
+    return tuple(reading for reading, others in referring if others is None)
 
 
 def _wrong_types(reading: Reading) -> List[str]:

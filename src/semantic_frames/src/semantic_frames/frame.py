@@ -124,6 +124,7 @@ class SemanticFrame:
         framenet: name of the frame in FrameNet 1.7; empty when FrameNet has none
         on_list: what a list in an element means
         is_confirmed: whether a person must say yes before the frame is carried out
+        is_question: whether the frame is a question, which is answered and changes nothing
         path: the file it came from
         line: where it begins, from 1
     """
@@ -135,6 +136,7 @@ class SemanticFrame:
     framenet: str = ""
     on_list: ListPolicy = ListPolicy.REPEAT
     is_confirmed: bool = False
+    is_question: bool = False
     path: str = ""
     line: int = 0
 

@@ -21,7 +21,7 @@ from semantic_frames.semantic_type import read_semantic_types
 from spoken_quantities import QuantityError, parse_measure, parse_number
 from typed_arguments.attribute_names import QUANTIFIERS, RELATIONS
 
-FRAME_KEYS = ("name", "description", "frame_elements", "children", "framenet", "on_list", "confirm")
+FRAME_KEYS = ("name", "description", "frame_elements", "children", "framenet", "on_list", "confirm", "is_question")
 ELEMENT_KEYS = (
     "name",
     "is_core",
@@ -70,6 +70,7 @@ def load_frame(text: str, path: str) -> SemanticFrame:
             )
         ),
         is_confirmed=reader.boolean(entries.get("confirm"), "confirm"),
+        is_question=reader.boolean(entries.get("is_question"), "is_question"),
         path=path,
         line=line_of(root),
     )

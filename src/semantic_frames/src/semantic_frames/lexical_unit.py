@@ -1,8 +1,9 @@
 """Lexical units as values: a verb, the frame it evokes, and which grammatical relation fills which element."""
 
+import re
 from dataclasses import dataclass, field
 from enum import Enum
-from typing import Mapping, Tuple
+from typing import Mapping, Pattern, Tuple
 
 from semantic_frames.semantic_type import with_parents
 
@@ -82,15 +83,55 @@ class Example:
     line: int = 0
 
 
+#: What may fill an element in a pattern of a question: any words; a place, which begins with a preposition; one word.
+SLOT_KINDS = ("", "place", "word")
+_SLOT = re.compile(r"<(\w+)(?::(\w+))?>")
+
+
+@dataclass(frozen=True)
+class QuestionPattern:
+    """The words of a question.
+
+    Attributes:
+        text: as the file has it: "where (is|are) <theme>", "(is|are) <theme> <location:place>"
+        line: line of the file, from 1
+    """
+
+    text: str
+    line: int = 0
+
+    @property
+    def slots(self) -> Tuple[Tuple[str, str], ...]:
+        """The elements that words of the question fill, each with the kind of the words."""
+        return tuple((match[1], match[2] or "") for match in _SLOT.finditer(self.text))
+
+    @property
+    def elements(self) -> Tuple[str, ...]:
+        """The names of these elements."""
+        return tuple(name for name, _ in self.slots)
+
+    def compile(self, words: Mapping[str, str]) -> Pattern[str]:
+        """Return a pattern that matches the whole question: its words in lower case, with single blanks between them.
+
+        Args:
+            words: a regular expression for each kind of `SLOT_KINDS`
+        Raises:
+            re.error: it is no regular expression
+            KeyError: the kind of an element is unknown
+        """
+        return re.compile(_SLOT.sub(lambda match: f"(?P<{match[1]}>{words[match[2] or '']})", self.text))
+
+
 @dataclass(frozen=True)
 class LexicalUnit:
-    """Verbs that evoke a frame in the same way.
+    """Verbs, or words of questions, that evoke a frame in the same way.
 
     Attributes:
         frame_name: the frame that is evoked
-        verbs: lemmas, a particle included ("pick up"), lower case
+        verbs: lemmas, a particle included ("pick up"), lower case; empty when it has questions
         relations: how the elements are filled
         examples: utterances that the unit understands
+        questions: patterns of whole questions, which are tried in this order
         path: the file that it came from
         line: where it begins, from 1
     """
@@ -99,5 +140,6 @@ class LexicalUnit:
     verbs: Tuple[str, ...]
     relations: Tuple[ElementRelation, ...] = ()
     examples: Tuple[Example, ...] = ()
+    questions: Tuple[QuestionPattern, ...] = ()
     path: str = ""
     line: int = 0

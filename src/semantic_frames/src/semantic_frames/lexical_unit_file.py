@@ -1,17 +1,26 @@
 """Lexical unit files: one unit or a list of units, as in 2012, with additions."""
 
-from typing import Dict, List, Mapping, Tuple
+import re
+from typing import Dict, FrozenSet, List, Mapping, Optional, Tuple
 
 import yaml
 
 from semantic_frames.frame import SemanticFrame
-from semantic_frames.lexical_unit import ArgumentForm, ElementRelation, Example, LexicalUnit, RelationPath
+from semantic_frames.lexical_unit import (
+    SLOT_KINDS,
+    ArgumentForm,
+    ElementRelation,
+    Example,
+    LexicalUnit,
+    QuestionPattern,
+    RelationPath,
+)
 from semantic_frames.marked_yaml import Reader, did_you_mean, is_empty, line_of
 from semantic_frames.problem import Problem
 from semantic_frames.relation_names import MEASURE, STANFORD, UNIVERSAL, is_relation_name
 from semantic_frames.semantic_type import read_semantic_types
 
-UNIT_KEYS = ("frame_name", "verb", "frame_element_grammatical_relations", "examples")
+UNIT_KEYS = ("frame_name", "verb", "question", "frame_element_grammatical_relations", "examples")
 RELATION_KEYS = ("name", "relation", "argument", "words", "semantic_type", "required", "after_place")
 EXAMPLE_KEYS = ("text", "frame_elements")
 
@@ -39,7 +48,9 @@ def load_lexical_units(text: str, path: str) -> Tuple[LexicalUnit, ...]:
 
 def _unit(reader: Reader, node: yaml.Node, key: str) -> LexicalUnit:
     prefix = f"{key}." if key else ""
-    entries = reader.mapping(node, key, UNIT_KEYS, required=("frame_name", "verb"))
+    entries = reader.mapping(
+        node, key, UNIT_KEYS, required=("frame_name",) if "question" in _keys(node) else ("frame_name", "verb")
+    )
     verbs = tuple(" ".join(verb.lower().split()) for verb in reader.texts(entries.get("verb"), f"{prefix}verb"))
     if "verb" in entries and not any(verbs):
         reader.report("EMPTY", entries["verb"], f"{prefix}verb", "no verb", "a verb or a list of verbs")
@@ -56,9 +67,34 @@ def _unit(reader: Reader, node: yaml.Node, key: str) -> LexicalUnit:
             _example(reader, item, item_key)
             for item_key, item in reader.sequence(entries.get("examples"), f"{prefix}examples")
         ),
+        questions=_questions(reader, entries.get("question"), f"{prefix}question"),
         path=reader.path,
         line=line_of(node),
     )
+
+
+def _keys(node: yaml.Node) -> FrozenSet[str]:
+    return frozenset(str(key.value) for key, _ in node.value) if isinstance(node, yaml.MappingNode) else frozenset()
+
+
+def _questions(reader: Reader, node: Optional[yaml.Node], key: str) -> Tuple[QuestionPattern, ...]:
+    """Read the patterns of a question, such as "where (is|are) <theme>"."""
+    items = reader.sequence(node, key) if isinstance(node, yaml.SequenceNode) else [(key, node)] if node else []
+    found = []
+    for item_key, item in items:
+        text = " ".join(reader.name(item, item_key).lower().split())
+        question = QuestionPattern(text, line_of(item))
+        try:
+            question.compile(dict.fromkeys(SLOT_KINDS, ".+?"))
+        except (re.error, KeyError) as error:
+            kinds = ", ".join(f"<element:{kind}>" for kind in SLOT_KINDS if kind)
+            expected = f"words, (a|b), (a )?, <element>, {kinds}"
+            reader.report("NOT_A_PATTERN", item, item_key, f"'{text}' ({error})", expected)
+            continue
+        found.append(question)
+    if node is not None and not items:
+        reader.report("EMPTY", node, key, "no question", "a question, or a list of questions")
+    return tuple(found)
 
 
 def _relation(reader: Reader, node: yaml.Node, key: str) -> ElementRelation:
@@ -146,6 +182,7 @@ def check_lexical_unit(unit: LexicalUnit, frames: Mapping[str, SemanticFrame]) -
         ]
     names = [element.name for element in frame.frame_elements]
     named = [(relation.line, "frame_element_grammatical_relations", relation.name) for relation in unit.relations]
+    named += [(question.line, "question", name) for question in unit.questions for name in question.elements]
     named += [(example.line, "examples", name) for example in unit.examples for name in example.frame_elements]
     problems = [
         Problem(
@@ -161,6 +198,19 @@ def check_lexical_unit(unit: LexicalUnit, frames: Mapping[str, SemanticFrame]) -
         if name not in names
     ]
     filled = {relation.name for relation in unit.relations}
+    if unit.questions:
+        filled |= frozenset.intersection(*(frozenset(question.elements) for question in unit.questions))
+        if not frame.is_question:
+            problems.append(
+                Problem(
+                    "NOT_A_QUESTION",
+                    unit.path,
+                    unit.line,
+                    "question",
+                    f"the frame {frame.name}, which acts",
+                    "a frame with 'is_question: True': a question never acts",
+                )
+            )
     problems += [
         Problem(
             "CORE_NOT_FILLED",

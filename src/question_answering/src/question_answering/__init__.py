@@ -1,0 +1,1 @@
+"""Answers questions about the robot and about what it knows."""

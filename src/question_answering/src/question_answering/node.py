@@ -1,0 +1,146 @@
+"""Answers questions: the stage that asks servers, and the server that knows the robot and its world."""
+
+import threading
+from collections import deque
+from dataclasses import dataclass
+from datetime import datetime
+from typing import Deque, Dict, FrozenSet, Tuple
+
+import rospy
+from roboframenet_msgs.msg import (
+    Command,
+    CommandStatus,
+    FilledSemanticFrameResult,
+    FrameCatalogue,
+)
+from roboframenet_msgs.msg import (
+    Lexicon as LexiconMessage,
+)
+from roboframenet_msgs.msg import (
+    World as WorldMessage,
+)
+
+from question_answering.answers import ANSWERS, answer
+from question_answering.robot_knowledge import RobotKnowledge, examples_of, served_frames
+from question_answering.ros_asking import Asking
+from rfnserver import RFNServer, TypedFrame
+from roboframenet_ros.parameters import Parameters, parameter
+from roboframenet_ros.ros_node import read_parameters, run_node
+from semantic_frames import FileRefused, load_frame, load_lexical_units
+from semantic_frames.frame import SemanticFrame
+from semantic_frames.lexical_unit import LexicalUnit
+from world_model import World
+from world_model.ros_messages import world_from_message
+
+
+@dataclass(frozen=True)
+class Settings(Parameters):
+    """The private parameters, after validation.
+
+    Attributes:
+        name: of the robot
+        timeout_s: for a server to answer a question
+
+    Raises:
+        ParameterError: a value is not allowed
+    """
+
+    name: str = parameter("Robo", may_be_empty=False)
+    timeout_s: float = parameter(5.0, least=0.1, most=60.0)
+
+
+class QuestionAnswering:
+    """Knows the robot, and answers questions.
+
+    Actions:
+        question_answering (roboframenet_msgs/FilledSemanticFrameAction): every frame of :data:`answers.ANSWERS`
+    Subscribes:
+        world (World), frame_catalogue (FrameCatalogue), lexicon (Lexicon), status (CommandStatus),
+        command_text (Command), command_question (CommandPlan)
+    Publishes:
+        stage_events (StageEvent)
+    Parameters: see :class:`Settings`.
+    """
+
+    def __init__(self, settings: Settings) -> None:
+        self._settings = settings
+        self._lock = threading.Lock()
+        self._world_message = WorldMessage()
+        self._world = World()
+        self._frames: Dict[str, SemanticFrame] = {}
+        self._units: Tuple[LexicalUnit, ...] = ()
+        self._served: FrozenSet[str] = frozenset()
+        self._status = CommandStatus()
+        self._said: Deque[Command] = deque(maxlen=2)
+        self._subscribers = [
+            rospy.Subscriber("world", WorldMessage, self._on_world, queue_size=1),
+            rospy.Subscriber("frame_catalogue", FrameCatalogue, self._on_catalogue, queue_size=1),
+            rospy.Subscriber("lexicon", LexiconMessage, self._on_lexicon, queue_size=1),
+            rospy.Subscriber("status", CommandStatus, self._on_status, queue_size=1),
+            rospy.Subscriber("command_text", Command, self._on_text, queue_size=10),
+        ]
+        self._server = RFNServer("question_answering", self._on_question)
+        for name in ANSWERS:
+            self._server.register_with_frame(name)
+        self._server.start()
+        self._asking = Asking(timeout_s=settings.timeout_s)
+
+    def _on_world(self, message: WorldMessage) -> None:
+        with self._lock:
+            self._world_message = message
+
+    def _on_catalogue(self, message: FrameCatalogue) -> None:
+        frames = {}
+        for file in message.files:
+            try:
+                frame = load_frame(file.text, file.path)
+            except FileRefused:
+                continue  # the registrar has said so
+            frames[frame.name] = frame
+        alive = frozenset(one.frame_name for one in message.callbacks if one.is_alive)
+        with self._lock:
+            self._frames, self._served = frames, served_frames(frames, alive)
+
+    def _on_lexicon(self, message: LexiconMessage) -> None:
+        units = []
+        for file in message.files:
+            try:
+                units += load_lexical_units(file.text, file.path)
+            except FileRefused:
+                continue  # the framer has said so
+        with self._lock:
+            self._units = tuple(units)
+
+    def _on_status(self, message: CommandStatus) -> None:
+        with self._lock:
+            self._status = message
+
+    def _on_text(self, message: Command) -> None:
+        with self._lock:
+            self._said.append(message)
+
+    def _on_question(self, frame: TypedFrame) -> None:
+        sentence = answer(frame.name, frame.arguments, self._known())
+        self._server.set_succeeded(FilledSemanticFrameResult(success=True), sentence)
+
+    def _known(self) -> RobotKnowledge:
+        with self._lock:
+            if self._world.version != self._world_message.version:
+                self._world = world_from_message(self._world_message)
+            question = self._said[-1].id if self._said else ""
+            doing = [command.text for command in self._status.active if command.id != question]
+            acting = [name for name in self._served if not self._frames[name].is_question]
+            return RobotKnowledge(
+                world=self._world,
+                name=self._settings.name,
+                abilities=examples_of(self._frames, self._units, self._served),
+                ability_count=len(acting),
+                doing=doing[0] if doing else "",
+                last_words=self._said[0].text if len(self._said) > 1 else "",
+                now=datetime.now(),
+            )
+
+
+def main() -> None:
+    """Run the node until ROS shuts down; exits with a sentence when a parameter is wrong."""
+    run_node("question_answering", lambda: QuestionAnswering(read_parameters(Settings)))

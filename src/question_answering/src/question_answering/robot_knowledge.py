@@ -1,0 +1,80 @@
+"""What the robot knows of itself: its abilities, what it does, and what was said to it."""
+
+from dataclasses import dataclass, field
+from datetime import datetime
+from pathlib import Path
+from typing import Dict, FrozenSet, List, Mapping, Sequence, Tuple
+
+from semantic_frames.frame import SemanticFrame
+from semantic_frames.lexical_unit import LexicalUnit
+from world_model import World
+
+
+@dataclass(frozen=True)
+class RobotKnowledge:
+    """What answers need to know.
+
+    Attributes:
+        world: what the robot knows of things, persons and places
+        name: of the robot
+        abilities: sentences that it can carry out now, of different domains first
+        ability_count: number of frames that it can carry out now
+        doing: the command that runs; empty for none
+        last_words: what was said before; empty for nothing
+        now: local time
+    """
+
+    world: World = field(default_factory=World)
+    name: str = "Robo"
+    abilities: Tuple[str, ...] = ()
+    ability_count: int = 0
+    doing: str = ""
+    last_words: str = ""
+    now: datetime = datetime.min
+
+
+def served_frames(frames: Mapping[str, SemanticFrame], served: FrozenSet[str]) -> FrozenSet[str]:
+    """Return the frames that can be carried out now: by a server of their own, or by those of a sequence of others.
+
+    Args:
+        frames: by name
+        served: frames with a server that is alive
+    """
+    found = {name for name in served if name in frames}
+    is_growing = True
+    while is_growing:
+        new = {
+            frame.name
+            for frame in frames.values()
+            if frame.name not in found
+            and any(sequence and all(child.name in found for child in sequence) for sequence in frame.children)
+        }
+        found |= new
+        is_growing = bool(new)
+    return frozenset(found)
+
+
+def examples_of(
+    frames: Mapping[str, SemanticFrame], units: Sequence[LexicalUnit], served: FrozenSet[str]
+) -> Tuple[str, ...]:
+    """Return an example sentence for each frame that acts and can be carried out: one of each domain, then others.
+
+    Args:
+        frames: by name
+        units: with their examples
+        served: frames that can be carried out
+    """
+    of_domain: Dict[str, List[str]] = {}
+    seen = set()
+    for unit in units:
+        frame = frames.get(unit.frame_name)
+        if frame is None or frame.is_question or frame.name not in served or frame.name in seen or not unit.examples:
+            continue
+        seen.add(frame.name)
+        domain = Path(frame.path).parents[1].name if len(Path(frame.path).parents) > 1 else ""
+        text = unit.examples[0].text
+        of_domain.setdefault(domain, []).append(text[:1].upper() + text[1:])
+    found: List[str] = []
+    while any(of_domain.values()):
+        found += [examples.pop(0) for examples in of_domain.values() if examples]
+    return tuple(found)

@@ -1,0 +1,171 @@
+"""Questions about a small home and about the robot, from the sentence to the answer."""
+
+from dataclasses import replace
+from datetime import datetime
+from typing import Optional
+
+import pytest
+
+from offline_pipeline.knowledge import load_knowledge, pretend_servers, shipped_domains
+from offline_pipeline.pipeline import Pipeline
+from question_answering.answers import ANSWERS, answer
+from question_answering.robot_knowledge import RobotKnowledge, examples_of, served_frames
+from world_model.world import World, snapshot
+from world_model.world_file import load_world_file
+
+HOME = """
+places:
+  kitchen: {x: 0, y: 0, size: [6, 6]}
+  hall:
+  office:
+doors:
+  kitchen_door: {to: kitchen, states: [closed]}
+things:
+  table_1: {in: kitchen}
+  shelf_1: {in: hall}
+  mug_1: {on: table_1, attributes: [red], of: anna}
+  bottle_1: {on: table_1, states: [empty]}
+  bottle_2: {on: shelf_1, states: [empty]}
+  chair_1: {in: hall}
+  chair_2: {in: hall}
+  key_1: {}
+devices:
+  lamp_1: {in: hall}
+persons:
+  anna: {in: kitchen}
+  ben: {in: hall}
+robots:
+  robot: {x: 1, y: 1}
+"""
+
+
+@pytest.fixture(scope="module")
+def pipeline() -> Pipeline:
+    knowledge = load_knowledge([shipped_domains()])
+    pretend_servers(knowledge.graph)
+    return Pipeline(knowledge)
+
+
+@pytest.fixture(scope="module")
+def home() -> World:
+    return snapshot("1", {one.id: one for one in load_world_file(HOME, "home.yaml")})
+
+
+def answered(text: str, pipeline: Pipeline, known: RobotKnowledge) -> Optional[str]:
+    """Return the answer to a question; None when it is not understood as one."""
+    readings = pipeline.understand(text).readings
+    if len(readings) != 1 or readings[0].unit.frame_name not in ANSWERS:
+        return None
+    return answer(readings[0].unit.frame_name, readings[0].arguments, known)
+
+
+@pytest.mark.parametrize(
+    ("text", "expected"),
+    [
+        ("Where is the mug?", "The mug is on the table in the kitchen."),
+        ("Where is Anna?", "Anna is in the kitchen."),
+        ("Where are you?", "I am in the kitchen."),
+        ("Where is the key?", "I do not know where the key is."),
+        ("Where is the unicorn?", "I have not seen a unicorn."),
+        ("Where is Clara?", "I do not know Clara."),
+        ("Have you seen the red mug?", "The red mug is on the table in the kitchen."),
+        (
+            "Where are the bottles?",
+            "I know of 2 bottles: one is on the table in the kitchen and one is on the shelf in the hall.",
+        ),
+        ("Which things are on the table?", "On the table there are a bottle and a red mug."),
+        ("What is on the shelf?", "On the shelf there is a bottle."),
+        ("What is in the office?", "I know of nothing in the office."),
+        ("What is on the piano?", 'I do not know of any place "the piano".'),
+        ("How many chairs are in the hall?", "As far as I know, there are 2 chairs in the hall."),
+        ("How many chairs are in the kitchen?", "I know of no chairs in the kitchen."),
+        ("How many people are in the kitchen?", "As far as I know, there is 1 person in the kitchen."),
+        ("How many mugs are there?", "As far as I know, there is 1 mug."),
+        ("Is the door open?", "No, the door is closed."),
+        ("Is the door closed?", "Yes, the door is closed."),
+        ("Are the bottles empty?", "Yes, the bottles are empty."),
+        ("Is the lamp on?", "I do not know whether the lamp is on."),
+        ("Who is in the kitchen?", "Anna is in the kitchen."),
+        ("Who is in the office?", "I know of nobody in the office."),
+        ("Is Anna in the kitchen?", "Yes, Anna is in the kitchen."),
+        ("Is Anna in the hall?", "No, Anna is in the kitchen."),
+        ("Is there a mug on the table?", "Yes, a red mug is on the table."),
+        ("Do you know Anna?", "Yes. Anna is a person and is in the kitchen."),
+        ("Do you know Clara?", "No, I do not know Clara."),
+    ],
+)
+def test_question_about_the_home(text: str, expected: str, pipeline: Pipeline, home: World) -> None:
+    assert answered(text, pipeline, RobotKnowledge(home)) == expected
+
+
+KNOWN = RobotKnowledge(
+    abilities=("Turn left.", "Say hello."),
+    ability_count=2,
+    doing="Go to the kitchen.",
+    last_words="Turn left.",
+    now=datetime(2026, 11, 22, 14, 5),
+)
+
+
+@pytest.mark.parametrize(
+    ("text", "expected"),
+    [
+        ("What can you do?", 'You can say, for example: "Turn left." and "Say hello.".'),
+        ("Hey robot, what can you do?", 'You can say, for example: "Turn left." and "Say hello.".'),
+        ("Who are you?", "I am Robo, a robot that understands English. Ask me what I can do."),
+        ("What are you doing?", 'I am carrying out "Go to the kitchen.".'),
+        ("What did I say?", 'You said "Turn left.".'),
+        ("What time is it?", "It is 14:05."),
+        ("What's the time?", "It is 14:05."),
+        ("What day is it?", "It is Sunday, 22 November 2026."),
+        ("What day is tomorrow?", "Tomorrow is Monday, 23 November 2026."),
+        ("Where are you?", "I do not know where I am."),
+        ("Where is the mug?", "I have not seen a mug."),
+        ("Who is in the kitchen?", 'I do not know of any place "the kitchen".'),
+    ],
+)
+def test_question_about_the_robot_that_knows_of_nothing(text: str, expected: str, pipeline: Pipeline) -> None:
+    assert answered(text, pipeline, KNOWN) == expected
+
+
+def test_robot_that_can_and_does_nothing_says_so(pipeline: Pipeline) -> None:
+    assert "cannot do anything" in answered("What can you do?", pipeline, RobotKnowledge())
+    assert answered("What are you doing?", pipeline, RobotKnowledge()) == "I am doing nothing at the moment."
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "Did you turn left?",
+        "Why did you turn left?",
+        "Is it safe to go to the kitchen?",
+        "Should I open the door?",
+        "Where is it?",
+    ],
+)
+def test_other_questions_do_nothing(text: str, pipeline: Pipeline) -> None:
+    found = pipeline.understand(text)
+    assert found.reply.outcome != "DONE" or found.readings[0].unit.questions
+
+
+@pytest.mark.parametrize(
+    "text", ["Turn left and what time is it?", "Could you go to the kitchen?", "Can you say hello?"]
+)
+def test_commands_stay_commands(text: str, pipeline: Pipeline) -> None:
+    assert not any(reading.unit.questions for reading in pipeline.understand(text).readings)
+
+
+def test_examples_are_those_of_frames_that_can_be_carried_out(pipeline: Pipeline) -> None:
+    knowledge = pipeline.knowledge
+    served = served_frames(knowledge.frames, frozenset(["turning", "saying", "question_of_time"]))
+    found = examples_of(knowledge.frames, knowledge.lexicon.units, served)
+    assert len(found) == len(served - {"question_of_time"})
+    frames = {pipeline.understand(text).readings[0].unit.frame_name for text in found}
+    assert frames == served - {"question_of_time"}
+
+
+def test_every_question_of_the_domain_has_an_answer(pipeline: Pipeline, home: World) -> None:
+    assert {frame.name for frame in pipeline.knowledge.frames.values() if frame.is_question} == set(ANSWERS)
+    for unit in pipeline.knowledge.lexicon.question_units:
+        for example in unit.examples:
+            assert answered(example.text, pipeline, replace(KNOWN, world=home)), example.text

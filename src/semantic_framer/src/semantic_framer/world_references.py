@@ -1,0 +1,91 @@
+"""Finds what the arguments of a reading refer to, and asks which of several things is meant."""
+
+from dataclasses import dataclass, replace
+from typing import List, Optional, Tuple
+
+from referring_expressions import Referents, Situation, question_of, resolve, with_referents
+from referring_expressions.describing import noun_of
+from semantic_framer.dialogue import Context
+from semantic_framer.frame_roles import MESSAGE, NAME, NO_THINGS, PLACES
+from semantic_framer.framed_lexicon import FramedLexicon
+from semantic_framer.reading import Reading
+from semantic_frames.frame import FrameElement
+from typed_arguments import TypedArgument
+from word_classes import word_class
+
+#: Things that are remembered as spoken of.
+MOST_SPOKEN_OF = 8
+#: Elements that hold no thing, although persons may be in some of them.
+_NO_REFERENTS = (NO_THINGS | {MESSAGE, NAME, "Time", "State", "Topic", "Category"}) - {
+    "Recipient",
+    "Beneficiary",
+    "Addressee",
+    "Agent",
+}
+#: Stands for something that was spoken of and is not known: "it" does not refer to what was spoken of before.
+_UNKNOWN = ""
+_STANDINS = word_class("noun_standins")
+
+
+@dataclass(frozen=True)
+class Unclear:
+    """An argument that may refer to several things.
+
+    Attributes:
+        element: its frame element
+        ids: of the things
+        question: which of them is meant
+    """
+
+    element: str
+    ids: Tuple[str, ...]
+    question: str
+
+
+def refer(reading: Reading, known: FramedLexicon, context: Context) -> Tuple[Reading, Optional[Unclear]]:
+    """Return a reading whose arguments have referents, and what a person must be asked first; None for nothing."""
+    if not known.world.objects:
+        return reading, None
+    frame = known.frames[reading.unit.frame_name]
+    situation = Situation(known.world, context.spoken_of)
+    arguments: List[TypedArgument] = []
+    unclear: Optional[Unclear] = None
+    for argument in reading.arguments:
+        if argument.referents or not _may_refer(frame.element(argument.name), argument):
+            arguments.append(argument)
+            continue
+        found = resolve(argument, situation)
+        if found is not None and found.is_ambiguous and not frame.is_question:
+            unclear = unclear or _unclear(argument, found, situation)
+        is_open = found is not None and found.is_ambiguous
+        arguments.append(argument if is_open else with_referents(argument, situation))
+    return replace(reading, arguments=tuple(arguments)), unclear
+
+
+def _may_refer(element: Optional[FrameElement], argument: TypedArgument) -> bool:
+    if element is None or element.quantity is not None or element.values or not argument.positions:
+        return False
+    return element.framenet not in _NO_REFERENTS and not any(frame.role == "says" for frame in argument.frames)
+
+
+def _unclear(argument: TypedArgument, found: Referents, situation: Situation) -> Unclear:
+    noun = noun_of(found.objects[0]) if argument.lemma in _STANDINS else argument.head
+    return Unclear(argument.name, found.ids, question_of(noun, found.objects, situation.world))
+
+
+def spoken_of(reading: Reading, known: FramedLexicon, context: Context) -> Context:
+    """Return a context that remembers what a reading refers to, things before places."""
+    if not known.world.objects:
+        return context
+    frame = known.frames[reading.unit.frame_name]
+    things: List[str] = []
+    places: List[str] = []
+    for argument in reading.arguments:
+        element = frame.element(argument.name)
+        if not _may_refer(element, argument) or element is None:
+            continue
+        is_one = len(argument.referents) == 1 and argument.referent_count == 1
+        (places if element.framenet in PLACES else things).append(argument.referents[0] if is_one else _UNKNOWN)
+    names = [*things, *(name for name in places if name != _UNKNOWN)]
+    rest = [name for name in context.spoken_of if name not in names]
+    return replace(context, spoken_of=tuple([*names, *rest][:MOST_SPOKEN_OF]))

@@ -1,0 +1,67 @@
+#!/usr/bin/python3
+"""Questions in the whole pipeline: the reply is the answer, and a question stops nothing that runs."""
+
+import threading
+import unittest
+from typing import List
+
+import rospy
+from roboframenet_msgs.msg import FilledSemanticFrame, FilledSemanticFrameResult, Reply
+
+from rfnserver import RFNServer
+from roboframenet_rostest import say, wait_for_pipeline
+from roboframenet_testing import wait_until
+
+
+class QuestionAnsweringTest(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls) -> None:
+        cls.is_dancing, cls.may_end = threading.Event(), threading.Event()
+        cls.server = RFNServer("dancing", cls.dance)
+        cls.server.register_with_frame("dancing")
+        cls.server.start()
+        wait_for_pipeline(["pinging", "dancing", "question_of_abilities", "question_of_place"])
+
+    @classmethod
+    def dance(cls, _: FilledSemanticFrame) -> None:
+        cls.is_dancing.set()
+        cls.may_end.wait(60.0)
+        if cls.server.is_preempt_requested():
+            cls.server.set_preempted(FilledSemanticFrameResult(success=False))
+
+    def assert_says(self, text: str, *parts: str) -> None:
+        reply = say(text)
+        self.assertEqual((reply.outcome, reply.code), (Reply.DONE, "DONE"), reply.sentence)
+        for part in parts:
+            self.assertIn(part, reply.sentence)
+
+    def test_1_abilities_are_those_of_the_servers_that_run(self) -> None:
+        wait_until(lambda: "Dance" in say("What can you do?").sentence or "Ping" in say("What can you do?").sentence)
+        self.assertNotIn("Turn", say("What can you do?").sentence)
+
+    def test_2_what_is_known_is_answered_and_what_is_not_is_said(self) -> None:
+        wait_until(lambda: "table" in say("Where is the mug?").sentence)
+        self.assert_says("Where is the mug?", "on the table in the kitchen")
+        self.assert_says("Where is the spoon?", "I have not seen a spoon.")
+        self.assert_says("What did I say?", "Where is the spoon?")
+
+    def test_3_other_questions_are_refused_as_questions(self) -> None:
+        self.assertEqual(say("Did you turn left?").code, "QUESTION")
+
+    def test_4_question_preempts_nothing(self) -> None:
+        replies: List[Reply] = []
+        dancing = threading.Thread(target=lambda: replies.append(say("Dance.")))
+        dancing.start()
+        self.assertTrue(self.is_dancing.wait(60.0))
+        wait_until(lambda: "Dance." in say("What are you doing?").sentence)
+        self.assertFalse(replies)
+        self.may_end.set()
+        dancing.join(60.0)
+        self.assertEqual(replies[0].outcome, Reply.DONE, replies[0].sentence)
+
+
+if __name__ == "__main__":
+    import rostest
+
+    rospy.init_node("questions_test")
+    rostest.rosrun("roboframenet_tests", "questions_test", QuestionAnsweringTest)
