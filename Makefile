@@ -5,6 +5,7 @@ ROBOT ?= turtlebot
 FILTER ?=
 DATA ?=
 SMACH ?=
+VOICE ?=
 
 # The browser that tests the page, unless the tests of another package are run.
 .PHONY: browser
@@ -26,8 +27,8 @@ build: setup ## build the workspace into devel/
 demo: build ## start simulated robots, say the paper's sentences, show what each robot did
 	@scripts/demo
 
-run: build ## keep the stack up for your own 'rostopic pub' (ROBOT=pr2 for the other robot)
-	@scripts/run robot:=$(ROBOT)
+run: build ## keep the stack up for your own 'rostopic pub' (ROBOT=pr2 for the other robot, VOICE=1 to talk to it)
+	@scripts/run robot:=$(ROBOT) $(if $(filter-out 0,$(VOICE)),voice:=true)
 
 test: build browser ## run the tests, at most ten minutes (FILTER=package runs one package's; SMACH=folder: also on that SMACH)
 	@SMACH="$(abspath $(SMACH))" scripts/test test $(if $(FILTER),-R $(FILTER))

@@ -178,7 +178,10 @@ NO_SPEECH: Dict[str, Tuple[str, str]] = {
     "roboframenet_sim/room.py": ("keys of a file", "bounds, walls, boxes"),
     "roboframenet_tools/cli.py": (
         "commands of rfn",
-        ("bind, check, completion, doctor, explain, graph, learn, list, new, passes, port, record, replay, say, score"),
+        (
+            "bind, check, completion, doctor, explain, graph, learn, list, new, passes, port, record, replay, say, "
+            "score, voice"
+        ),
     ),
     "roboframenet_tools/listing.py": (
         "headings and kinds",
@@ -312,6 +315,11 @@ NO_SPEECH: Dict[str, Tuple[str, str]] = {
         ),
     ),
     "world_model/world_object.py": ("fields of WorldObject", "attributes, states, relations"),
+    "voice_recognition/ears.py": ("names of searches", "commands, answers, free"),
+    "voice_recognition/voice_command.py": (
+        "keys of JSON",
+        "begin, end, verdict, offers, frame, elements, text, question",
+    ),
     "word_classes/word_file.py": ("keys of a file", "for, includes, words"),
 }
 

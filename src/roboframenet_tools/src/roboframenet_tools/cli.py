@@ -30,6 +30,7 @@ COMMANDS = (
     ("bind", "roboframenet_tools.ros_bind", "write a binding for a live action server, service or topic"),
     ("record", "roboframenet_tools.ros_record", "record what is said to the robot, and what comes of it"),
     ("replay", "roboframenet_tools.replay", "read recorded sentences with this version, and show the differences"),
+    ("voice", "voice_recognition.voice_command", "show what is heard in a sound file, and why"),
     ("doctor", "roboframenet_tools.doctor", "find out why the system does not work"),
     ("learn", "frame_learning.learn_command", "learn lexical units from annotated sentences"),
     ("score", "frame_learning.score_command", "score the understanding of a public corpus"),

@@ -3,7 +3,7 @@
 from typing import Callable, List, Optional
 
 import rospy
-from std_msgs.msg import String
+from std_msgs.msg import Bool, String
 
 from utter.sound_process import run_bounded, speech_command
 
@@ -13,6 +13,7 @@ class Voice:
 
     Publishes:
         said (std_msgs/String, latched): the last text
+        speaking (std_msgs/Bool): True when a sound begins, False when it has ended
     """
 
     def __init__(self, *, is_aloud: bool, timeout_s: float) -> None:
@@ -24,6 +25,7 @@ class Voice:
         self._is_aloud = is_aloud
         self._timeout_s = timeout_s
         self._said = rospy.Publisher("said", String, queue_size=10, latch=True)
+        self._speaking = rospy.Publisher("speaking", Bool, queue_size=10)
 
     def say(self, text: str, *, is_wanted: Callable[[], bool]) -> None:
         """Say a text; return when it is said or no longer wanted."""
@@ -40,5 +42,11 @@ class Voice:
             return
         if command is None:
             rospy.loginfo_once("no program for sound is installed (espeak-ng, aplay): texts go to the topic only")
-        elif not run_bounded(command, timeout_s=self._timeout_s, is_wanted=is_wanted) and is_wanted():
+            return
+        self._speaking.publish(Bool(data=True))
+        try:
+            has_sounded = run_bounded(command, timeout_s=self._timeout_s, is_wanted=is_wanted)
+        finally:
+            self._speaking.publish(Bool(data=False))
+        if not has_sounded and is_wanted():
             rospy.logwarn_once("%s made no sound: is there a sound card?", command[0])

@@ -1,0 +1,355 @@
+"""The node: hears commands, asks, and passes them to the pipeline."""
+
+import queue
+import threading
+import time
+from dataclasses import replace
+from typing import Callable, Dict, Optional, Tuple
+
+import rospy
+from roboframenet_msgs.msg import FrameCatalogue, KnownNames, Lexicon, Reply
+from std_msgs.msg import Bool, Empty, String
+from std_srvs.srv import Trigger, TriggerRequest, TriggerResponse
+
+from command_server.stop_words import is_stop
+from roboframenet_ros.ros_node import read_parameters, run_node
+from semantic_types import NoWordNet
+from utter.ros_voice import Voice
+from voice_recognition import dialogue
+from voice_recognition.agreement import Heard, Verdict, answer_of
+from voice_recognition.dialogue import (
+    Answered,
+    Command,
+    Confirming,
+    Event,
+    OtherCommand,
+    Pushed,
+    RobotSpeaks,
+    Say,
+    SpeechEnded,
+    Stop,
+    Stopped,
+    Thinking,
+    Tick,
+    Understood,
+)
+from voice_recognition.ears import Ears, answers, make_shipped_ears
+from voice_recognition.endpointing import Endpointer, Utterance
+from voice_recognition.live_language import Knowledge, LanguageMaker
+from voice_recognition.microphone import Microphone, arecord_command
+from voice_recognition.offers import Offer
+from voice_recognition.recogniser import NoRecogniser, model_dictionary
+from voice_recognition.ros_live_speech import LiveSpeechTopics
+from voice_recognition.ros_speaker import Speaker
+from voice_recognition.settings import Settings
+from voice_recognition.spoken_language import spoken_words
+from voice_recognition.spotting import LONGEST_S, StopSpotter, says_stop
+
+#: Seconds between two looks at the expiry of a state.
+TICK_S = 0.2
+#: Seconds of quiet on the topics before the searches are made again: servers register one after the other.
+SETTLE_S = 1.0
+#: Seconds before the microphone is tried again.
+RETRY_S = 10.0
+#: Seconds of one sound of another node that keep this node deaf, at most.
+LONGEST_SOUND_S = 60.0
+STOP_TEXT = "Stop."
+
+
+class VoiceRecognition:
+    """Hears commands.
+
+    Subscribes:
+        lexicon (Lexicon), frame_catalogue (FrameCatalogue), known_names (KnownNames): what can be said;
+        speaking (std_msgs/Bool), said (std_msgs/String): the robot's own voice; reply (Reply); text, voice_answer
+        (std_msgs/String): answers by another way; push_to_talk (std_msgs/Empty); LiveSpeech of other voices
+    Publishes:
+        text (std_msgs/String), voice_question (std_msgs/String, latched), voice_state (std_msgs/String, latched),
+        voice_heard (std_msgs/String), said, speaking, LiveSpeech
+    Services:
+        listen (std_srvs/Trigger)
+    Parameters: see :class:`voice_recognition.settings.Settings`.
+    """
+
+    def __init__(self, settings: Settings) -> None:
+        self._settings = settings
+        self._rules = settings.dialogue
+        self._lock = threading.RLock()
+        self._state: dialogue.State = dialogue.begin(self._rules)
+        self._speakers: Dict[str, float] = {}
+        self._said = ""
+        self._ears: Optional[Ears] = None
+        self._knowledge = Knowledge()
+        self._changed_at: Optional[float] = None
+        self._maker = LanguageMaker()
+        self._work: queue.Queue[Callable[[], None]] = queue.Queue(20)
+        self._question = rospy.Publisher("voice_question", String, queue_size=1, latch=True)
+        self._state_publisher = rospy.Publisher("voice_state", String, queue_size=1, latch=True)
+        self._heard = rospy.Publisher("voice_heard", String, queue_size=10)
+        self._text = rospy.Publisher("text", String, queue_size=10)
+        self._shown: Tuple[str, str] = ("", "")
+        self._speaker = Speaker(Voice(is_aloud=settings.aloud, timeout_s=self._rules.deaf_s), self._on_own_speech)
+        self._live = LiveSpeechTopics(settings.voice_id, self._on_live_speech)
+        self._show()
+        self._subscribers = [
+            rospy.Subscriber("lexicon", Lexicon, self._on_lexicon, queue_size=1),
+            rospy.Subscriber("frame_catalogue", FrameCatalogue, self._on_catalogue, queue_size=1),
+            rospy.Subscriber("known_names", KnownNames, self._on_names, queue_size=1),
+            rospy.Subscriber("speaking", Bool, self._on_speaking, queue_size=10),
+            rospy.Subscriber("said", String, self._on_said, queue_size=10),
+            rospy.Subscriber("reply", Reply, self._on_reply, queue_size=10),
+            rospy.Subscriber("text", String, self._on_text, queue_size=10),
+            rospy.Subscriber("voice_answer", String, self._on_answer, queue_size=10),
+            rospy.Subscriber("push_to_talk", Empty, lambda _: self._happened(Pushed()), queue_size=10),
+        ]
+        self._service = rospy.Service("listen", Trigger, self._on_listen)
+        for run in (self._run_work, self._run_clock, self._run_microphone):
+            threading.Thread(target=run, daemon=True).start()
+        rospy.loginfo("ready: %s", settings)
+
+    # --- what can be said
+
+    def _on_lexicon(self, message: Lexicon) -> None:
+        self._know(unit_files=tuple((file.path, file.text) for file in message.files))
+
+    def _on_catalogue(self, message: FrameCatalogue) -> None:
+        self._know(
+            frame_files=tuple((file.path, file.text) for file in message.files),
+            served=frozenset(one.frame_name for one in message.callbacks if one.is_alive),
+        )
+
+    def _on_names(self, message: KnownNames) -> None:
+        self._know(names=tuple((known.name, tuple(known.semantic_types)) for known in message.names))
+
+    def _know(self, **changes: object) -> None:
+        with self._lock:
+            knowledge = replace(self._knowledge, **changes)
+            if knowledge != self._knowledge:
+                self._knowledge = knowledge
+                self._changed_at = time.monotonic()
+
+    def _make_ears(self) -> None:
+        with self._lock:
+            knowledge = self._knowledge
+        began = time.monotonic()
+        try:
+            language = self._maker.make(knowledge)
+            ears = make_shipped_ears(language)
+        except (NoRecogniser, NoWordNet) as reason:
+            rospy.logerr("no command can be heard: %s", reason)
+            return
+        with self._lock:
+            self._ears = ears
+        rospy.loginfo(
+            "can hear %d commands, %d words (%.1f s)",
+            len(language.templates),
+            len(language.vocabulary()),
+            time.monotonic() - began,
+        )
+
+    # --- events
+
+    def _happened(self, event: Event) -> None:
+        with self._lock:
+            self._state, actions = dialogue.step(self._state, event, time.monotonic(), self._rules)
+            for action in actions:
+                self._do(action)
+            self._show()
+
+    def _do(self, action: dialogue.Action) -> None:
+        if isinstance(action, Say):
+            self._speaker.say(action.sentence)
+        elif isinstance(action, Stop):
+            self._text.publish(String(data=STOP_TEXT))
+            self._speaker.be_silent()
+            rospy.loginfo("heard a stop")
+        elif isinstance(action, Command):
+            rospy.loginfo("passes on: %s (%s)", action.text, "confirmed" if action.is_confirmed else "not asked")
+            self._text.publish(String(data=action.text))
+
+    def _show(self) -> None:
+        """Publish the state and the open question, if they have changed."""
+        state = self._state.behind if isinstance(self._state, dialogue.Deaf) else self._state
+        state = state.behind if isinstance(state, Thinking) else state
+        question = state.offers[0].question if isinstance(state, Confirming) else ""
+        if isinstance(state, Confirming) and len(state.offers) > 1:
+            question = " / ".join(offer.question for offer in state.offers)
+        shown = (type(self._state).__name__.lower(), question)
+        if shown[0] != self._shown[0]:
+            self._state_publisher.publish(String(data=shown[0]))
+        if shown[1] != self._shown[1] or not self._shown[0]:
+            self._question.publish(String(data=shown[1]))
+        self._shown = shown
+
+    def _on_listen(self, _: TriggerRequest) -> TriggerResponse:
+        self._happened(Pushed())
+        is_ready = self._ears is not None
+        return TriggerResponse(success=is_ready, message="" if is_ready else "nothing can be heard yet")
+
+    def _on_answer(self, message: String) -> None:
+        name = answer_of(spoken_words(message.data), answers())
+        if name:
+            self._happened(Answered(name))
+
+    def _on_text(self, message: String) -> None:
+        if message._connection_header.get("callerid") == rospy.get_name():
+            return
+        name = answer_of(spoken_words(message.data), answers())
+        self._happened(Answered(name) if name else OtherCommand())
+
+    def _on_reply(self, message: Reply) -> None:
+        if self._settings.speak_replies and message.sentence:
+            self._speaker.say(message.sentence)
+        if message.outcome == Reply.NEEDS_INFORMATION:
+            self._happened(Pushed())
+
+    # --- the robot's own voice
+
+    def _on_own_speech(self, is_speaking: bool) -> None:
+        self._is_speaking(rospy.get_name(), is_speaking)
+
+    def _on_speaking(self, message: Bool) -> None:
+        caller = message._connection_header.get("callerid", "")
+        if caller != rospy.get_name():
+            self._is_speaking(caller, message.data)
+
+    def _is_speaking(self, who: str, is_speaking: bool) -> None:
+        now = time.monotonic()
+        with self._lock:
+            if is_speaking:
+                self._speakers[who] = now + LONGEST_SOUND_S
+            else:
+                self._speakers.pop(who, None)
+            self._speakers = {name: until for name, until in self._speakers.items() if until > now}
+            self._happened(RobotSpeaks(bool(self._speakers)))
+
+    def _on_said(self, message: String) -> None:
+        self._said = message.data
+
+    # --- sound
+
+    def _run_clock(self) -> None:
+        while not rospy.is_shutdown():
+            time.sleep(TICK_S)
+            with self._lock:
+                is_due = self._changed_at is not None and time.monotonic() - self._changed_at >= SETTLE_S
+                if is_due:
+                    self._changed_at = None
+            if is_due:
+                self._later(self._make_ears)
+            self._happened(Tick())
+
+    def _later(self, job: Callable[[], None]) -> None:
+        try:
+            self._work.put_nowait(job)
+        except queue.Full:
+            rospy.logwarn("too much to hear: something is dropped")
+
+    def _run_work(self) -> None:
+        while not rospy.is_shutdown():
+            try:
+                job = self._work.get(timeout=0.5)
+            except queue.Empty:
+                continue
+            try:
+                job()
+            except Exception:  # boundary: what goes wrong with one sound must not end the thread
+                rospy.logerr("a sound could not be heard", exc_info=True)
+
+    def _run_microphone(self) -> None:
+        is_said = False
+        while not rospy.is_shutdown():
+            command = self._settings.microphone or arecord_command(self._settings.device)
+            if command is not None and self._listen_to(command):
+                is_said = False
+            elif not is_said:
+                is_said = True
+                rospy.loginfo("no sound comes from a microphone: is there a sound card? Everything else runs")
+            time.sleep(RETRY_S)
+
+    def _listen_to(self, command: Tuple[str, ...]) -> bool:
+        """Listen to a microphone until it ends; return whether it made any sound."""
+        try:
+            spotter = StopSpotter(model_dictionary())
+            microphone = Microphone(command)
+        except (NoRecogniser, OSError) as reason:
+            rospy.logwarn("%s", reason)
+            return False
+        endpointer = Endpointer()
+        has_sound = False
+        try:
+            for part in microphone.parts():
+                if rospy.is_shutdown():
+                    return True
+                if not has_sound:
+                    has_sound = True
+                    rospy.loginfo("listens to %s", command[0])
+                if self._speakers and not says_stop(self._said):
+                    self._later(lambda part=part: self._look_for_stop(spotter, part))
+                for utterance in endpointer.feed(part):
+                    self._on_utterance(spotter, utterance)
+        finally:
+            microphone.close()
+        return has_sound
+
+    def _look_for_stop(self, spotter: StopSpotter, part: bytes) -> None:
+        """Look for a stop in the stream while the robot speaks."""
+        if not self._speakers:
+            spotter.forget_stream()
+        elif spotter.hears_stop_in_stream(part):
+            spotter.forget_stream()
+            self._happened(Stopped())
+
+    def _on_utterance(self, spotter: StopSpotter, utterance: Utterance) -> None:
+        is_own = bool(self._speakers) and says_stop(self._said)
+        if utterance.end_s - utterance.begin_s <= LONGEST_S and not is_own:
+            self._later(lambda: self._check_for_stop(spotter, utterance))
+        with self._lock:
+            ears, state = self._ears, self._state
+            if ears is None or not dialogue.hears(state):
+                return
+            is_answer = isinstance(state, Confirming)
+            self._happened(SpeechEnded())
+        self._later(lambda: self._understand(ears, utterance, is_answer=is_answer))
+
+    def _check_for_stop(self, spotter: StopSpotter, utterance: Utterance) -> None:
+        if spotter.is_stop(utterance.pcm):
+            self._happened(Stopped())
+
+    def _understand(self, ears: Ears, utterance: Utterance, *, is_answer: bool) -> None:
+        began = time.monotonic()
+        heard = ears.hear_answer(utterance.pcm) if is_answer else ears.hear(utterance.pcm)
+        self._tell(heard, time.monotonic() - began)
+        self._happened(Understood(heard))
+
+    def _tell(self, heard: Heard, seconds: float) -> None:
+        words = " ".join(heard.by_grammar)
+        text = f"{heard.verdict.value}: {words or '(nothing)'} | {' '.join(heard.by_ngram) or '(nothing)'}"
+        self._heard.publish(String(data=text))
+        rospy.loginfo("heard in %.2f s: %s", seconds, text)
+        if heard.offers or heard.answer:
+            self._live.heard(heard.offers[0].text if heard.offers else words, float(heard.verdict is Verdict.SURE))
+
+    def _on_live_speech(self, sentence: str) -> None:
+        """Take what another recogniser heard, as if the two searches had agreed on it."""
+        if is_stop(sentence):
+            self._happened(Stopped())
+            return
+        words = spoken_words(sentence)
+        with self._lock:
+            ears, state = self._ears, self._state
+            if not dialogue.hears(state):
+                return
+            answer = answer_of(words, answers()) if isinstance(state, Confirming) else ""
+            offer = ears.finder.find(words) if ears is not None else None
+            if offer is not None:
+                heard = Heard(Verdict.SURE, (offer,), words, answer=answer)
+            else:
+                # Not in the language: the pipeline may read it, so the words are offered in place of a frame.
+                heard = Heard(Verdict.LIKELY, (Offer("", (), sentence),), words, answer=answer)
+            self._happened(Understood(heard))
+
+
+def main() -> None:
+    """Run the node until ROS shuts down; exits with a sentence when a parameter is wrong."""
+    run_node("voice_recognition", lambda: VoiceRecognition(read_parameters(Settings)))

@@ -1,0 +1,66 @@
+"""Hears words that stop the robot: in every short utterance, and also while the robot itself speaks."""
+
+import re
+from collections import deque
+from typing import Deque
+
+from command_server.stop_words import is_stop
+from voice_recognition.class_ngram import write_ngram
+from voice_recognition.denoising import without_noise
+from voice_recognition.pronunciation import Dictionary, pronounce
+from voice_recognition.recogniser import RATE, PocketSphinx
+from voice_recognition.voice_words import voice_words
+
+#: Seconds of the longest utterance that can be nothing but a stop.
+LONGEST_S = 2.0
+#: Share of the words of talk in the search.
+OTHER_SHARE = 0.02
+#: While the robot speaks, so many seconds of the stream are looked at, each time that so many have passed.
+WINDOW_S, PERIOD_S = 1.5, 0.5
+_SEARCH = "stop"
+
+
+class StopSpotter:
+    """Searches for the phrases ``stop`` of ``voice.yaml`` among words of talk.
+
+    The keyphrase search of pocketsphinx is not used: of short words it finds too few in noise, and too many in talk.
+    """
+
+    def __init__(self, known: Dictionary) -> None:
+        """
+        Args:
+            known: sounds of words
+        Raises:
+            NoRecogniser: it is not installed
+        """
+        words = voice_words()
+        dictionary, unknown = pronounce([*words.other_words, *(word for way in words.stop for word in way)], known)
+        ngram = write_ngram(None, words.other_words, phrases=words.stop, without=unknown, other_share=OTHER_SHARE)
+        self._recogniser = PocketSphinx(dictionary, ngrams={_SEARCH: ngram})
+        self._stream: Deque[bytes] = deque()
+        self._since_look = 0
+
+    def is_stop(self, pcm: bytes) -> bool:
+        """Whether an utterance stops the robot; one that is longer than ``LONGEST_S`` of speech does not."""
+        return is_stop(" ".join(self._recogniser.hear(_SEARCH, without_noise(pcm)).words))
+
+    def hears_stop_in_stream(self, part: bytes) -> bool:
+        """Take the next part of the stream while the robot speaks; return whether its last seconds are a stop."""
+        self._stream.append(part)
+        self._since_look += len(part)
+        while sum(map(len, self._stream)) > WINDOW_S * RATE * 2:
+            self._stream.popleft()
+        if self._since_look < PERIOD_S * RATE * 2:
+            return False
+        self._since_look = 0
+        return self.is_stop(b"".join(self._stream))
+
+    def forget_stream(self) -> None:
+        """Forget the stream: the robot is silent."""
+        self._stream.clear()
+
+
+def says_stop(text: str) -> bool:
+    """Whether a text has a word that stops the robot: what the robot itself says must not stop it."""
+    said = frozenset(re.findall(r"[a-z']+", text.lower()))
+    return any(is_stop(word) for word in said)

@@ -1,0 +1,199 @@
+"""The dialogue: states with an expiry."""
+
+import random
+from typing import List, Tuple
+
+import pytest
+
+from voice_recognition import dialogue
+from voice_recognition.agreement import Heard, Verdict
+from voice_recognition.dialogue import (
+    Answered,
+    Command,
+    Confirm,
+    Confirming,
+    Deaf,
+    DialogueSettings,
+    Listening,
+    OtherCommand,
+    Pushed,
+    RobotSpeaks,
+    Say,
+    SpeechEnded,
+    Stop,
+    Stopped,
+    Thinking,
+    Tick,
+    Understood,
+    Waiting,
+    begin,
+    step,
+)
+from voice_recognition.offers import Offer
+
+SETTINGS = DialogueSettings()
+TURN = Offer("turning", (("direction", "left"),), "turn left", "turn left")
+RIGHT = Offer("turning", (("direction", "right"),), "turn right", "turn right")
+TIME = Offer("telling", (("message", "the time"),), "tell me the time", "tell you the time")
+SURE = Heard(Verdict.SURE, (TURN,))
+
+
+def run(events, settings: DialogueSettings = SETTINGS, state=None) -> Tuple[object, List[object]]:
+    """Run events, each a second after the other."""
+    state = begin(settings) if state is None else state
+    done: List[object] = []
+    for now, event in enumerate(events):
+        state, actions = step(state, event, float(now), settings)
+        done += actions
+    return state, done
+
+
+def spoken(heard: Heard):
+    return [SpeechEnded(), Understood(heard)]
+
+
+def test_a_motion_is_asked_about_and_begins_with_a_yes() -> None:
+    state, done = run([Pushed(), *spoken(SURE), *spoken(Heard(Verdict.SURE, answer="yes"))])
+    assert done == [Say("Shall I turn left?", is_question=True), Command("turn left", "turning", is_confirmed=True)]
+    assert state == Waiting()
+
+
+def test_no_ends_the_question() -> None:
+    state, done = run([Pushed(), *spoken(SURE), *spoken(Heard(Verdict.SURE, answer="no"))])
+    assert done[1:] == [Say(dialogue.ALL_RIGHT)] and state == Waiting()
+
+
+def test_what_moves_nothing_is_not_asked_about() -> None:
+    _, done = run([Pushed(), *spoken(Heard(Verdict.SURE, (TIME,)))])
+    assert done == [Command("tell me the time", "telling", is_confirmed=False)]
+    _, done = run([Pushed(), *spoken(Heard(Verdict.LIKELY, (TIME,)))])
+    assert done == [Say("Shall I tell you the time?", is_question=True)]
+
+
+@pytest.mark.parametrize(
+    "confirm, frames, asks",
+    [
+        (Confirm.ALWAYS, {}, (True, True)),
+        (Confirm.MOTION, {}, (True, False)),
+        (Confirm.NEVER, {}, (False, False)),
+        (Confirm.MOTION, {"telling": Confirm.ALWAYS, "turning": Confirm.NEVER}, (False, True)),
+        (Confirm.NEVER, {"turning": Confirm.MOTION}, (True, False)),
+    ],
+)
+def test_the_policy_counts_for_each_frame(confirm, frames, asks) -> None:
+    settings = DialogueSettings(confirm=confirm, confirm_frames=frames)
+    assert (settings.asks(TURN, Verdict.SURE), settings.asks(TIME, Verdict.SURE)) == asks
+    assert settings.asks(TURN, Verdict.LIKELY) and settings.asks(TIME, Verdict.CHOICE)
+
+
+def test_nothing_is_heard_without_a_push() -> None:
+    assert run(spoken(SURE)) == (Waiting(), [])
+    state, _ = run([Pushed(), *[Tick()] * 20, *spoken(SURE)])
+    assert state == Waiting()
+
+
+def test_it_listens_always_when_it_shall() -> None:
+    settings = DialogueSettings(always_listening=True)
+    state, done = run([*spoken(Heard(Verdict.NOTHING)), *spoken(Heard(Verdict.AGAIN)), *spoken(SURE)], settings)
+    assert done == [Say("Shall I turn left?", is_question=True)]
+    assert isinstance(state, Confirming)
+
+
+def test_a_choice_is_offered() -> None:
+    events = [Pushed(), *spoken(Heard(Verdict.CHOICE, (TURN, RIGHT)))]
+    _, done = run([*events, *spoken(Heard(Verdict.SURE, answer="second"))])
+    assert done[0] == Say("Shall I first, turn left, or second, turn right?", is_question=True)
+    assert done[1] == Command("turn right", "turning", is_confirmed=True)
+    _, done = run([*events, *spoken(Heard(Verdict.SURE, answer="yes"))])
+    assert not [one for one in done if isinstance(one, Command)]
+
+
+def test_it_asks_again_and_gives_up() -> None:
+    again = spoken(Heard(Verdict.AGAIN))
+    state, done = run([Pushed(), *again, *again, *again])
+    assert done == [Say(dialogue.AGAIN)] * 3 and state == Waiting()
+    state, done = run([Pushed(), *spoken(SURE), *again, *again, *again])
+    assert done[1:] == [Say(dialogue.YES_OR_NO, is_question=True)] * 2 + [Say(dialogue.ALL_RIGHT)]
+
+
+def test_another_command_in_place_of_an_answer_is_offered() -> None:
+    _, done = run([Pushed(), *spoken(SURE), *spoken(Heard(Verdict.SURE, (RIGHT,)))])
+    assert done[-1] == Say("Shall I turn right?", is_question=True)
+
+
+def test_it_is_deaf_while_the_robot_speaks_and_time_begins_afterwards() -> None:
+    asking, _ = run([Pushed(), *spoken(SURE)])
+    deaf, _ = step(asking, RobotSpeaks(True), 3.0, SETTINGS)
+    assert isinstance(deaf, Deaf)
+    same, done = run([SpeechEnded(), Understood(Heard(Verdict.SURE, answer="yes"))], state=deaf)
+    assert (same, done) == (deaf, [])
+    heard, _ = step(deaf, RobotSpeaks(False), 25.0, SETTINGS)
+    assert heard == Confirming(25.0 + SETTINGS.answer_s, (TURN,))
+
+
+def test_it_hears_again_though_nobody_says_that_the_robot_is_silent() -> None:
+    asking, _ = run([Pushed(), *spoken(SURE)])
+    deaf, _ = step(asking, RobotSpeaks(True), 3.0, SETTINGS)
+    heard, _ = step(deaf, Tick(), 3.0 + SETTINGS.deaf_s, SETTINGS)
+    assert isinstance(heard, Confirming)
+
+
+@pytest.mark.parametrize("before", [[], [Pushed()], [Pushed(), *spoken(SURE)], [Pushed(), SpeechEnded()]])
+@pytest.mark.parametrize("is_deaf", [False, True])
+def test_a_stop_needs_no_question_in_any_state(before, is_deaf: bool) -> None:
+    state, done = run([*before, RobotSpeaks(is_deaf), Stopped()])
+    assert done[-1] == Stop()
+    state, done = run([RobotSpeaks(False), Answered("yes"), *spoken(Heard(Verdict.SURE, answer="yes"))], state=state)
+    assert not done and state == Waiting()
+
+
+def test_an_answer_by_another_way_counts_even_while_the_robot_speaks() -> None:
+    _, done = run([Pushed(), *spoken(SURE), RobotSpeaks(True), Answered("yes")])
+    assert done[-1] == Command("turn left", "turning", is_confirmed=True)
+
+
+def test_a_command_by_another_way_ends_the_question() -> None:
+    state, done = run([Pushed(), *spoken(SURE), OtherCommand(), Answered("yes")])
+    assert state == Waiting() and not [one for one in done if isinstance(one, Command)]
+
+
+def test_a_question_without_an_answer_ends() -> None:
+    asking, _ = run([Pushed(), *spoken(SURE)])
+    state, done = step(asking, Tick(), 100.0, SETTINGS)
+    assert state == Waiting() and done == (Say(dialogue.NOT_ANSWERED),)
+
+
+def test_searches_that_never_end_do_not_stop_the_dialogue() -> None:
+    thinking, _ = run([Pushed(), SpeechEnded()])
+    assert isinstance(thinking, Thinking)
+    state, _ = step(thinking, Tick(), 100.0, SETTINGS)
+    assert isinstance(state, Listening)
+
+
+@pytest.mark.parametrize("seed", range(200))
+def test_no_motion_begins_without_a_yes_after_its_question(seed: int) -> None:
+    """Whatever happens in whatever order: a motion is the one that was asked about last, and an answer followed."""
+    chance = random.Random(seed)
+    heard = [
+        Heard(verdict, offers, answer=answer)
+        for verdict in Verdict
+        for offers in ((), (TURN,), (RIGHT,), (TURN, RIGHT))
+        for answer in ("", "yes", "no", "first", "second")
+        if bool(offers) == (verdict in (Verdict.SURE, Verdict.LIKELY, Verdict.CHOICE)) or answer
+    ]
+    events = [Pushed(), SpeechEnded(), Answered("yes"), OtherCommand(), Stopped(), Tick(), RobotSpeaks(True)]
+    state = begin(SETTINGS)
+    asked, now = "", 0.0
+    for _ in range(300):
+        event = chance.choice([*events, RobotSpeaks(False), Understood(chance.choice(heard))])
+        now += chance.choice([0.1, 1.0, 6.0])
+        state, actions = step(state, event, now, SETTINGS)
+        for action in actions:
+            if isinstance(action, Command):
+                assert action.is_confirmed and action.text in asked
+                assert isinstance(event, Answered) or (isinstance(event, Understood) and event.heard.answer)
+        said = [action for action in actions if isinstance(action, Say) and "Shall I" in action.sentence]
+        if said:
+            asked = said[-1].sentence
+        if not isinstance(event, (Tick, RobotSpeaks)) and any(isinstance(one, (Stop, Command)) for one in actions):
+            asked = ""

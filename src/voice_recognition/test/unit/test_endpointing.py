@@ -1,0 +1,67 @@
+"""Where somebody speaks."""
+
+import numpy as np
+import pytest
+
+from voice_recognition.endpointing import Endpointer, EndpointSettings
+from voice_recognition.recogniser import RATE
+from voice_recognition.sound import to_pcm
+
+DEFAULT = EndpointSettings()
+
+
+def noise(seconds: float, level: float, seed: int = 1) -> bytes:
+    return to_pcm(np.random.default_rng(seed).normal(0.0, level, int(seconds * RATE)))
+
+
+def voice(seconds: float, level: float, seed: int = 2) -> bytes:
+    """Return a loud sound that goes up and down five times a second, as syllables do."""
+    times = np.arange(int(seconds * RATE)) / RATE
+    samples = np.random.default_rng(seed).normal(0.0, level, len(times))
+    return to_pcm(samples * (0.6 + 0.4 * np.sin(2 * np.pi * 5 * times)))
+
+
+def utterances(pcm: bytes, chunk: int = 1600, settings: EndpointSettings = DEFAULT):
+    endpointer = Endpointer(settings)
+    found = [one for at in range(0, len(pcm), chunk) for one in endpointer.feed(pcm[at : at + chunk])]
+    return (*found, *endpointer.finish())
+
+
+@pytest.mark.parametrize("level", [0.0, 10.0, 100.0, 500.0])
+@pytest.mark.parametrize("seed", [1, 2, 3])
+def test_one_utterance_is_found_in_any_room(level: float, seed: int) -> None:
+    (found,) = utterances(noise(1.5, level, seed) + voice(1.0, 3000.0, seed) + noise(1.0, level, seed + 9))
+    assert found.begin_s == pytest.approx(1.5, abs=0.1)
+    assert found.end_s == pytest.approx(2.5, abs=0.15)
+    assert not found.is_cut
+
+
+def test_a_pause_inside_does_not_end_it_and_a_longer_one_does() -> None:
+    words = [voice(0.5, 3000.0), voice(0.5, 3000.0, 5)]
+    assert len(utterances(noise(1, 20) + words[0] + noise(0.25, 20) + words[1] + noise(1, 20))) == 1
+    assert len(utterances(noise(1, 20) + words[0] + noise(0.8, 20) + words[1] + noise(1, 20))) == 2
+
+
+def test_a_click_is_no_utterance() -> None:
+    assert utterances(noise(1, 20) + voice(0.04, 9000.0) + noise(1, 20)) == ()
+
+
+@pytest.mark.parametrize("level", [0.0, 20.0, 300.0])
+def test_nobody_speaks_in_a_minute_of_noise(level: float) -> None:
+    assert utterances(noise(60, level)) == ()
+
+
+def test_the_room_gets_louder_and_is_quiet_again_soon() -> None:
+    found = utterances(noise(3, 10) + noise(30, 400, 3))
+    assert len(found) <= 2
+    assert all(one.end_s < 20 for one in found)
+
+
+def test_the_parts_of_the_stream_do_not_matter() -> None:
+    pcm = noise(1, 20) + voice(1, 3000.0) + noise(1, 20)
+    assert utterances(pcm, 1600) == utterances(pcm, 334) == utterances(pcm, len(pcm))
+
+
+def test_a_long_sound_is_cut_off() -> None:
+    found = utterances(noise(1, 20) + voice(5, 3000.0) + noise(1, 20), settings=EndpointSettings(longest_s=2.0))
+    assert found[0].is_cut and len(found[0].pcm) <= 2.1 * 2 * RATE

@@ -1,0 +1,55 @@
+"""Words that stop the robot are heard in noise, and not in talk."""
+
+import importlib.util
+import shutil
+import sys
+from pathlib import Path
+from typing import Tuple
+
+import pytest
+
+from voice_recognition.endpointing import Endpointer
+from voice_recognition.recogniser import model_dictionary
+from voice_recognition.spotting import StopSpotter, says_stop
+
+sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
+
+from synthetic_speech import VOICES, silence, speech, with_noise, with_silence
+
+pytestmark = pytest.mark.skipif(
+    not importlib.util.find_spec("pocketsphinx") or not shutil.which("espeak-ng"),
+    reason="pocketsphinx or espeak-ng is not installed",
+)
+
+
+@pytest.fixture(scope="module", name="spotter")
+def _spotter() -> StopSpotter:
+    return StopSpotter(model_dictionary())
+
+
+@pytest.mark.parametrize("text", ["stop", "stop now", "please stop", "halt"])
+@pytest.mark.parametrize("voice", VOICES[:3])
+def test_a_stop_is_heard_in_noise(spotter: StopSpotter, text: str, voice: Tuple[str, str]) -> None:
+    pcm = with_noise(with_silence(speech(text, voice), before_s=0.8), 10.0, seed=1)
+    endpointer = Endpointer()
+    found = endpointer.feed(pcm) + endpointer.finish()
+    assert any(spotter.is_stop(one.pcm) for one in found)
+
+
+@pytest.mark.parametrize("text", ["good morning", "what a lovely day", "turn left", "the kitchen", "yes please", "no"])
+def test_other_words_are_no_stop(spotter: StopSpotter, text: str) -> None:
+    assert not spotter.is_stop(with_silence(speech(text), before_s=0.5, after_s=0.4))
+
+
+def test_a_stop_is_heard_in_the_stream(spotter: StopSpotter) -> None:
+    pcm = silence(1.0) + speech("stop") + silence(1.5)
+    found = [spotter.hears_stop_in_stream(pcm[at : at + 3200]) for at in range(0, len(pcm), 3200)]
+    assert any(found)
+    spotter.forget_stream()
+    quiet = silence(3.0)
+    assert not any(spotter.hears_stop_in_stream(quiet[at : at + 3200]) for at in range(0, len(quiet), 3200))
+
+
+@pytest.mark.parametrize("text, stops", [("I have stopped.", False), ("I stop now.", True), ("Shall I turn?", False)])
+def test_what_the_robot_says_must_not_stop_it(text: str, stops: bool) -> None:
+    assert says_stop(text) is stops
