@@ -15,6 +15,7 @@ from utterance_passes.tree import Word
 from word_classes import word_class
 
 _PADDING = word_class("question_padding")
+_NEGATIONS = word_class("negations")
 _PREPOSITIONS = word_class("place_prepositions") | word_class("complex_prepositions")
 #: Spellings that patterns do not have, if the word is a verb.
 _VERBS_IN_FULL: Mapping[str, str] = {"'s": "is", "’s": "is", "'re": "are", "’re": "are", "'m": "am", "’m": "am"}
@@ -78,6 +79,8 @@ def _read(case: Case, unit: LexicalUnit, frame: SemanticFrame, question: Questio
         positions = [word.index for word in words[first : first + len(match.group(name).split())]]
         if not kind and len(_heads(case, positions)) > 1:
             return None  # "is the door heavy to open": these words are no phrase
+        if any(case.sentence.word(index).form.lower() in _NEGATIONS for index in positions):
+            return None  # "who is not in the kitchen" asks for the others
         inside += positions
         arguments.append(_argument(case, name, positions))
     filled = {argument.name for argument in arguments}
