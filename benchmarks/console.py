@@ -13,11 +13,12 @@ import subprocess
 import sys
 import threading
 import time
-from contextlib import ExitStack, contextmanager
+from contextlib import contextmanager
 from pathlib import Path
 from typing import Any, Dict, Iterator, List, Sequence
 
-from stage_latency import Measurement, end, free_port
+from own_graph import OwnGraph, end
+from stage_latency import Measurement
 
 PORT = 18090
 URL = f"http://127.0.0.1:{PORT}/"
@@ -256,19 +257,13 @@ def measure(seconds: float) -> None:
 
 def main(seconds: float) -> int:
     """Start the pipeline, a simulated robot and the measurement."""
-    with ExitStack() as stack:
-        port = free_port()
-        environment = dict(os.environ, ROS_MASTER_URI=f"http://127.0.0.1:{port}")
-        quiet = {"env": environment, "stdout": subprocess.DEVNULL, "stderr": subprocess.DEVNULL}
-        pipeline = ["roslaunch", "-p", str(port), "roboframenet_bringup", "pipeline.launch"]
-        stack.callback(end, subprocess.Popen(pipeline, **quiet))
+    with OwnGraph() as graph:
+        graph.start(["roslaunch", "-p", str(graph.port), "roboframenet_bringup", "pipeline.launch"])
         # Its odometry goes to the page.
-        stack.callback(end, subprocess.Popen(["rosrun", "roboframenet_sim", "turtlebot_sim"], **quiet))
+        graph.start(["rosrun", "roboframenet_sim", "turtlebot_sim"])
         relay = os.path.join(os.path.dirname(os.path.abspath(__file__)), "stage_latency.py")
-        stack.callback(end, subprocess.Popen([sys.executable, relay, "relay"], **quiet))
-        return subprocess.run(
-            [sys.executable, os.path.abspath(__file__), "measure", str(seconds)], env=environment, check=False
-        ).returncode
+        graph.start([sys.executable, relay, "relay"])
+        return graph.run([sys.executable, os.path.abspath(__file__), "measure", str(seconds)])
 
 
 if __name__ == "__main__":

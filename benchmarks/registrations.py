@@ -2,7 +2,6 @@
 """Compares the time from sentence to goal with 10 and with 1,000 registrations: two pipelines, addressed in turn."""
 
 import os
-import socket
 import statistics
 import subprocess
 import sys
@@ -11,6 +10,8 @@ import threading
 import time
 from contextlib import ExitStack
 from typing import Dict, List
+
+from own_graph import end, free_port
 
 COUNTS = (10, 1000)
 SENTENCES = 40
@@ -59,12 +60,6 @@ def write_frames(folder: str) -> None:
             file.write(f"name: frame_{number}\ndescription: One of many.\nframe_elements:\n  - {{name: theme}}\n")
 
 
-def free_port() -> int:
-    with socket.socket() as probe:
-        probe.bind(("127.0.0.1", 0))
-        return int(probe.getsockname()[1])
-
-
 def answer_of(process: "subprocess.Popen[str]") -> str:
     """Read the next answer, with a deadline; skip the log lines of rospy."""
     timer = threading.Timer(START_TIMEOUT_S, process.kill)
@@ -76,14 +71,6 @@ def answer_of(process: "subprocess.Popen[str]") -> str:
     finally:
         timer.cancel()
     raise SystemExit("a measuring process ended")
-
-
-def end(process: subprocess.Popen) -> None:
-    process.terminate()
-    try:
-        process.wait(30.0)
-    except subprocess.TimeoutExpired:
-        process.kill()
 
 
 def main() -> int:

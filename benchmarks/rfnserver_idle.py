@@ -6,7 +6,6 @@ is that of the kernel's account of each process; memory is the proportional set 
 """
 
 import os
-import socket
 import statistics
 import subprocess
 import sys
@@ -16,6 +15,8 @@ import time
 from contextlib import ExitStack
 from pathlib import Path
 from typing import Any, Dict, List, Sequence
+
+from own_graph import free_port
 
 IN_ONE_PROCESS = 200
 PROCESSES = 50
@@ -123,12 +124,6 @@ def started(stack: ExitStack, commands: Sequence[Sequence[str]]) -> List[Process
     for process in processes:
         process.wait_until_ready()
     return processes
-
-
-def free_port() -> int:
-    with socket.socket() as probe:
-        probe.bind(("127.0.0.1", 0))
-        return int(probe.getsockname()[1])
 
 
 def report(what: str, ours: float, theirs: float, unit: str, limit: str, is_held: bool) -> bool:

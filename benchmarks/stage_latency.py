@@ -8,14 +8,13 @@ without that. The text is always the same, so the parser has its parse already: 
 """
 
 import os
-import socket
 import statistics
-import subprocess
 import sys
 import threading
 import time
-from contextlib import ExitStack
 from typing import Dict, List, Sequence, Tuple
+
+from own_graph import OwnGraph
 
 START_TIMEOUT_S = 300.0
 ANSWER_TIMEOUT_S = 60.0
@@ -195,32 +194,12 @@ def print_table(measurement: Measurement, count: int) -> int:
     return 0
 
 
-def free_port() -> int:
-    with socket.socket() as probe:
-        probe.bind(("127.0.0.1", 0))
-        return int(probe.getsockname()[1])
-
-
-def end(process: subprocess.Popen) -> None:
-    process.terminate()
-    try:
-        process.wait(30.0)
-    except subprocess.TimeoutExpired:
-        process.kill()
-
-
 def main(count: int) -> int:
     """Start the pipeline, the relay and the measurement."""
-    with ExitStack() as stack:
-        port = free_port()
-        environment = dict(os.environ, ROS_MASTER_URI=f"http://127.0.0.1:{port}")
-        quiet = {"env": environment, "stdout": subprocess.DEVNULL, "stderr": subprocess.DEVNULL}
-        pipeline = ["roslaunch", "-p", str(port), "roboframenet_bringup", "pipeline.launch"]
-        stack.callback(end, subprocess.Popen(pipeline, **quiet))
-        stack.callback(end, subprocess.Popen([sys.executable, os.path.abspath(__file__), "relay"], **quiet))
-        return subprocess.run(
-            [sys.executable, os.path.abspath(__file__), "measure", str(count)], env=environment, check=False
-        ).returncode
+    with OwnGraph() as graph:
+        graph.start(["roslaunch", "-p", str(graph.port), "roboframenet_bringup", "pipeline.launch"])
+        graph.start([sys.executable, os.path.abspath(__file__), "relay"])
+        return graph.run([sys.executable, os.path.abspath(__file__), "measure", str(count)])
 
 
 if __name__ == "__main__":

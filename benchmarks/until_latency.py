@@ -6,14 +6,13 @@ a `ConditionServer` and the executor, which cancels the goal of the running clau
 """
 
 import os
-import socket
 import statistics
-import subprocess
 import sys
 import threading
 import time
-from contextlib import ExitStack
 from typing import Dict, List, Sequence, Tuple
+
+from own_graph import OwnGraph
 
 START_TIMEOUT_S = 60.0
 ANSWER_TIMEOUT_S = 20.0
@@ -163,36 +162,15 @@ def measure(count: int) -> int:
         rospy.signal_shutdown("done")
 
 
-def free_port() -> int:
-    with socket.socket() as probe:
-        probe.bind(("127.0.0.1", 0))
-        return int(probe.getsockname()[1])
-
-
-def end(process: subprocess.Popen) -> None:
-    process.terminate()
-    try:
-        process.wait(30.0)
-    except subprocess.TimeoutExpired:
-        process.kill()
-
-
 def main(count: int) -> int:
     """Start the executor, the source's other listeners and the measurement."""
-    with ExitStack() as stack:
-        port = free_port()
-        environment = dict(os.environ, ROS_MASTER_URI=f"http://127.0.0.1:{port}")
-        quiet = {"env": environment, "stdout": subprocess.DEVNULL, "stderr": subprocess.DEVNULL}
-        own = [sys.executable, os.path.abspath(__file__)]
-        for command in (
-            ["roscore", "-p", str(port)],
-            ["rosrun", "executor", "executor"],
-            [*own, "relay"],
-            [*own, "watcher"],
-        ):
-            stack.callback(end, subprocess.Popen(command, **quiet))
-            time.sleep(2.0 if command[0] == "roscore" else 0.0)
-        return subprocess.run([*own, "measure", str(count)], env=environment, check=False).returncode
+    own = [sys.executable, os.path.abspath(__file__)]
+    with OwnGraph() as graph:
+        graph.start(["roscore", "-p", str(graph.port)])
+        time.sleep(2.0)
+        for command in (["rosrun", "executor", "executor"], [*own, "relay"], [*own, "watcher"]):
+            graph.start(command)
+        return graph.run([*own, "measure", str(count)])
 
 
 if __name__ == "__main__":

@@ -98,20 +98,3 @@ def write_locations(locations: Mapping[str, Location], path: str) -> None:
         file.flush()
         os.fsync(file.fileno())
     os.replace(file.name, path)
-
-
-def set_aside(path: str) -> str:
-    """Rename a file that cannot be read, so that nothing overwrites what somebody may still mend.
-
-    Returns:
-        its new path
-    Raises:
-        OSError: it cannot be renamed
-    """
-    path = os.path.realpath(path)
-    number = 1
-    while os.path.lexists(f"{path}.unreadable.{number}"):
-        number += 1
-    aside = f"{path}.unreadable.{number}"
-    os.rename(path, aside)
-    return aside

@@ -10,13 +10,14 @@ import rospy
 from geometry_msgs.msg import PoseStamped, PoseWithCovarianceStamped
 from roboframenet_msgs.msg import FilledSemanticFrame, Locations, World, WorldObject, WorldUpdate
 
-from location_memorizer.locations import Location, LocationFileError, read_locations, set_aside, write_locations
+from location_memorizer.locations import Location, LocationFileError, read_locations, write_locations
 from location_memorizer.ros_world import place_of, places_of
 from location_memorizer.srv import GetLocation, GetLocationRequest, GetLocationResponse
 from rfnserver import RFNServer
 from rfnserver.places import location_name
 from roboframenet_ros.parameters import Parameters, parameter
 from roboframenet_ros.ros_node import read_parameters, run_node
+from roboframenet_ros.unreadable_file import set_aside
 
 
 @dataclass(frozen=True)

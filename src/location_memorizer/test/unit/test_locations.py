@@ -8,9 +8,9 @@ from location_memorizer.locations import (
     Location,
     LocationFileError,
     read_locations,
-    set_aside,
     write_locations,
 )
+from roboframenet_ros.unreadable_file import set_aside
 
 OFFICE = Location(frame_id="map", x_m=1.0, y_m=-2.5, heading_rad=math.pi / 2)
 

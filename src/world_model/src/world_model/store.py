@@ -7,6 +7,7 @@ import uuid
 from dataclasses import asdict
 from typing import Any, Dict, List, Mapping, Tuple
 
+from roboframenet_ros.unreadable_file import set_aside
 from world_model.knowledge import Change, Learned
 from world_model.world_object import Pose, Relation, Sort, WorldObject, mistakes
 
@@ -46,7 +47,7 @@ class Store:
                 # A locked or unreachable file is not corrupt.
                 raise
             except sqlite3.DatabaseError as error:
-                aside = _set_aside(path)
+                aside = set_aside(path, journals=("-wal", "-shm"))
                 self.problems += (f"{path} cannot be read ({error}): it is kept as {aside}, and a new one begins",)
                 self._open()
         except (OSError, sqlite3.Error) as error:
@@ -128,26 +129,6 @@ class Store:
     def close(self) -> None:
         """Close the file."""
         self._file.close()
-
-
-def _set_aside(path: str) -> str:
-    """Rename a file with its journal, so that nothing overwrites what somebody may still mend.
-
-    Returns:
-        its new path
-    Raises:
-        OSError: it cannot be renamed
-    """
-    path = os.path.realpath(path)
-    number = 1
-    while os.path.lexists(f"{path}.unreadable.{number}"):
-        number += 1
-    aside = f"{path}.unreadable.{number}"
-    os.rename(path, aside)
-    for journal in ("-wal", "-shm"):
-        if os.path.lexists(path + journal):
-            os.rename(path + journal, aside + journal)
-    return aside
 
 
 def _to_text(learned: Learned) -> str:

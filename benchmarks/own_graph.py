@@ -1,0 +1,47 @@
+"""Programs under a master of their own, for the benchmarks."""
+
+import os
+import socket
+import subprocess
+from contextlib import ExitStack
+from typing import Sequence
+
+_END_TIMEOUT_S = 30.0
+
+
+def free_port() -> int:
+    """Return a port that nobody listens to."""
+    with socket.socket() as probe:
+        probe.bind(("127.0.0.1", 0))
+        return int(probe.getsockname()[1])
+
+
+def end(process: subprocess.Popen) -> None:
+    """Ask a program to end, and kill it if it does not."""
+    process.terminate()
+    try:
+        process.wait(_END_TIMEOUT_S)
+    except subprocess.TimeoutExpired:
+        process.kill()
+
+
+class OwnGraph(ExitStack):
+    """A context whose programs find each other under a port of their own; at its end they are ended.
+
+    Attributes:
+        port: of the master, which one of the programs must be or start
+    """
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.port = free_port()
+        self._environment = dict(os.environ, ROS_MASTER_URI=f"http://127.0.0.1:{self.port}")
+
+    def start(self, command: Sequence[str]) -> None:
+        """Start a program that prints nothing."""
+        quiet = subprocess.DEVNULL
+        self.callback(end, subprocess.Popen(command, env=self._environment, stdout=quiet, stderr=quiet))
+
+    def run(self, command: Sequence[str]) -> int:
+        """Run a program to its end; returns its exit status."""
+        return subprocess.run(command, env=self._environment, check=False).returncode
