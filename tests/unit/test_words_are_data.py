@@ -111,7 +111,7 @@ NO_SPEECH: Dict[str, Tuple[str, str]] = {
         "names of the truth",
         ("robot.arm, robot.holds, robot.room"),
     ),
-    "roboframenet_sim/ros_world_objects.py": (
+    "roboframenet_sim/home_looks.py": (
         "parameters and fields of messages",
         ("clean, dirty, door, folded, full, furniture, off, on, person, room, wet"),
     ),

@@ -3,16 +3,8 @@
 from typing import Iterable, List
 
 from home_servers.memory import Known
+from roboframenet_sim.home_looks import states_of
 from roboframenet_sim.home_state import Entity, Plan, State
-
-#: Properties that are seen, as states: (property, when true, when false).
-SEEN = (
-    ("is_on", "on", "off"),
-    ("is_dirty", "dirty", "clean"),
-    ("is_wet", "wet", ""),
-    ("is_full", "full", ""),
-    ("is_folded", "folded", ""),
-)
 
 
 def known_of_map(plan: Plan) -> List[Known]:
@@ -56,22 +48,6 @@ def _known(
     )
 
 
-def states_of(state: State, entity: Entity) -> "tuple[str, ...]":
-    """Return how something looks."""
-    found: List[str] = []
-    if "closable" in entity.traits:
-        found.append("open" if state.is_(entity.id, "is_open") else "closed")
-    for name, yes, no in SEEN:
-        if name in state.properties.get(entity.id, {}) or (name == "is_on" and "switch" in entity.traits):
-            word = yes if state.is_(entity.id, name) else no
-            found += [word] if word else []
-    if "level" in state.properties.get(entity.id, {}):
-        found.append(f"level={state.number(entity.id, 'level'):g}")
-    if entity.id in state.people:
-        found.append(state.people[entity.id].posture)
-    return tuple(found)
-
-
 def known_of_sight(plan: Plan, state: State, seen: Iterable[str]) -> List[Known]:
     """Return what the robot knows of what it sees now, and of what it holds."""
     found: List[Known] = []
@@ -84,7 +60,7 @@ def known_of_sight(plan: Plan, state: State, seen: Iterable[str]) -> List[Known]
                 plan,
                 entity,
                 room=ident if entity.kind == "room" else entity.room or plan.room_at(point),
-                states=states_of(state, entity),
+                states=tuple(states_of(state, entity)),
                 stamp_s=state.time_s,
                 relation=place.relation if place else "",
                 holder=place.holder if place else "",

@@ -5,41 +5,17 @@ from typing import Any, Iterable, List
 import rospy
 from roboframenet_msgs.msg import WorldObject, WorldRelation
 
+from roboframenet_sim.home_looks import states_of
 from roboframenet_sim.home_state import ROBOT, Entity, Plan, State
 from roboframenet_sim.ros_base import quaternion_of_yaw
 
 SOURCE = "home_sim"
-#: Properties that are seen, as states: (property, when true, when false).
-SEEN = (
-    ("is_on", "on", "off"),
-    ("is_dirty", "dirty", "clean"),
-    ("is_wet", "wet", ""),
-    ("is_full", "full", ""),
-    ("is_folded", "folded", ""),
-)
-
-
-def states_of(state: State, entity: Entity) -> List[str]:
-    """Return how something looks."""
-    found: List[str] = []
-    if "closable" in entity.traits:
-        found.append("open" if state.is_(entity.id, "is_open") else "closed")
-    for name, yes, no in SEEN:
-        if name in state.properties.get(entity.id, {}) or (name == "is_on" and "switch" in entity.traits):
-            word = yes if state.is_(entity.id, name) else no
-            found += [word] if word else []
-    if "level" in state.properties.get(entity.id, {}):
-        found.append(f"level={state.number(entity.id, 'level'):g}")
-    if entity.id in state.people:
-        found.append(state.people[entity.id].posture)
-    return found
 
 
 def _object(entity: Entity, point: Any, yaw_rad: float = 0.0) -> WorldObject:
     one = WorldObject(id=entity.id, source=SOURCE, other_names=list(entity.names[1:]), category=entity.category)
-    # A string constant of a message would hold the comment on its line, too.
-    sorts = {"room": "place", "door": "door", "person": "person"}
-    one.sort = sorts.get(entity.kind, "device" if "switch" in entity.traits else "thing")
+    sorts = {"room": WorldObject.PLACE, "door": WorldObject.DOOR, "person": WorldObject.PERSON}
+    one.sort = sorts.get(entity.kind, WorldObject.DEVICE if "switch" in entity.traits else WorldObject.THING)
     if entity.kind == "thing":
         # One of many mugs has no name of its own.
         one.category = entity.name
