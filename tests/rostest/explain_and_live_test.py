@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import Dict, List
 
 import rospy
-from roboframenet_msgs.msg import CommandSemanticFrames, FrameCatalogue, PlanNode, Reply, StageEvent
+from roboframenet_msgs.msg import CommandPlan, CommandSemanticFrames, FrameCatalogue, PlanNode, Reply, StageEvent
 from std_msgs.msg import String
 
 from offline_pipeline.pipeline import Pipeline, Understanding
@@ -48,6 +48,7 @@ class Ears:
         self.subscribers = [
             rospy.Subscriber("reply", Reply, self.replies.append),
             rospy.Subscriber("command_semantic_frames", CommandSemanticFrames, self._on_candidates),
+            rospy.Subscriber("command_question", CommandPlan, self._on_candidates),
             rospy.Subscriber("stage_events", StageEvent, self._on_event),
         ]
 

@@ -111,10 +111,8 @@ NO_SPEECH: Dict[str, Tuple[str, str]] = {
         "names of the truth",
         ("robot.arm, robot.holds, robot.room"),
     ),
-    "roboframenet_sim/home_looks.py": (
-        "parameters and fields of messages",
-        ("clean, dirty, door, folded, full, furniture, off, on, person, room, wet"),
-    ),
+    "roboframenet_sim/home_looks.py": ("values of WorldObject", "clean, dirty, folded, full, off, on, wet"),
+    "roboframenet_sim/ros_world_objects.py": ("kinds of the home file", "door, furniture, person, room"),
     "home_servers/frames.py": (
         "names of frames; settings of devices: not yet in words.yaml",
         (

@@ -12,6 +12,7 @@ from roboframenet_msgs.msg import (
     CommandStatus,
     FilledSemanticFrameResult,
     FrameCatalogue,
+    StageEvent,
 )
 from roboframenet_msgs.msg import (
     Lexicon as LexiconMessage,
@@ -56,7 +57,7 @@ class QuestionAnswering:
         question_answering (roboframenet_msgs/FilledSemanticFrameAction): every frame of :data:`answers.ANSWERS`
     Subscribes:
         world (World), frame_catalogue (FrameCatalogue), lexicon (Lexicon), status (CommandStatus),
-        command_text (Command), command_question (CommandPlan)
+        stage_events (StageEvent), command_question (CommandPlan)
     Publishes:
         stage_events (StageEvent)
     Parameters: see :class:`Settings`.
@@ -77,7 +78,7 @@ class QuestionAnswering:
             rospy.Subscriber("frame_catalogue", FrameCatalogue, self._on_catalogue, queue_size=1),
             rospy.Subscriber("lexicon", LexiconMessage, self._on_lexicon, queue_size=1),
             rospy.Subscriber("status", CommandStatus, self._on_status, queue_size=1),
-            rospy.Subscriber("command_text", Command, self._on_text, queue_size=10),
+            rospy.Subscriber("stage_events", StageEvent, self._on_event, queue_size=100),
         ]
         self._server = RFNServer("question_answering", self._on_question)
         for name in ANSWERS:
@@ -115,9 +116,11 @@ class QuestionAnswering:
         with self._lock:
             self._status = message
 
-    def _on_text(self, message: Command) -> None:
+    def _on_event(self, event: StageEvent) -> None:
+        # Not command_text: command_server takes whoever listens to that for the parser.
         with self._lock:
-            self._said.append(message)
+            if not self._said or event.command.stamp > self._said[-1].stamp:
+                self._said.append(event.command)
 
     def _on_question(self, frame: TypedFrame) -> None:
         sentence = answer(frame.name, frame.arguments, self._known())
