@@ -179,7 +179,9 @@ class _Amending:
         for argument in self._reading.arguments:
             words = re.findall(r"\w+", argument.text.lower()) + [one.word.lower() for one in argument.modifiers]
             spoken = [word for word in dict.fromkeys(words) if word in _OPPOSITES]
-            if len(spoken) == 1 and argument.measure is None:
+            # "The other one" is a thing at a side, such as a door or an arm: a direction has no other one.
+            is_meant = argument.head.lower() not in _OPPOSITES or not any(form in ONES for form in named)
+            if len(spoken) == 1 and argument.measure is None and is_meant:
                 found.append((argument, spoken[0]))
         is_about_sides = self._fragment.kind is FragmentKind.OPPOSITE or len(sides) == 1
         if len(found) != 1 or not is_about_sides or (sides and sides[0] not in (found[0][1], _OPPOSITES[found[0][1]])):
