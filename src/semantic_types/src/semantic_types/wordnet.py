@@ -68,7 +68,7 @@ class WordNet:
         """
         try:
             self._files = {
-                name: _SortedFile(folder / name) for name in (INDEX_FILE, DATA_FILE, COUNT_FILE, EXCEPTION_FILE)
+                name: SortedFile(folder / name) for name in (INDEX_FILE, DATA_FILE, COUNT_FILE, EXCEPTION_FILE)
             }
         except OSError as error:
             reason = f"{folder} has no WordNet database ({error}): install the Debian package wordnet-base"
@@ -130,8 +130,12 @@ class WordNet:
         return self._files[name].line_of(key)
 
 
-class _SortedFile:
-    """A file whose lines are sorted by their bytes; it stays open as long as this object lives."""
+class SortedFile:
+    """A file whose lines are sorted by their bytes; it stays open as long as this object lives.
+
+    Raises:
+        OSError: the file cannot be read
+    """
 
     #: Bytes of one read; the lines of an index are shorter.
     _CHUNK = 2048

@@ -162,6 +162,13 @@ TAG_PASSES: Tuple[TagPass, ...] = (
         Stage.PARSER,
         tagging.numbered_noun,
     ),
+    TagPass(
+        "adverbs",
+        "Tag a word as an adverb that English knows neither as a noun nor as a verb.",
+        Example("take|VERB the|DET mug|NOUN angrily|NOUN", ("4 ADV RB",), Verbs(frozenset(["take"]))),
+        Stage.PARSER,
+        tagging.adverbs,
+    ),
 )
 
 #: Passes that the parser runs on its own tree before it publishes the tree.

@@ -3,6 +3,7 @@
 import re
 from typing import Optional, Sequence, Tuple
 
+from semantic_types.parts_of_speech import ADVERB, NOUN, VERB, parts_of_speech
 from utterance_passes.tree import DependencyTree
 from utterance_passes.tree_edits import TreeEdit
 from utterance_passes.utterance_pass import Retag
@@ -82,6 +83,19 @@ def numbered_noun_position(forms: Sequence[str], tags: Sequence[str], vocabulary
         ):
             return position + 1
     return None
+
+
+def adverbs(forms: Sequence[str], tags: Sequence[str], vocabulary: Vocabulary) -> Tuple[Retag, ...]:
+    """Tag a word as an adverb that the tagger took for a noun or a verb, though English knows it as neither: "bring me
+    the mug *angrily*"."""
+    return tuple(
+        Retag(position, "ADV", "RB")
+        for position, (form, tag) in enumerate(zip(forms, tags), start=1)
+        if tag in ("NOUN", "PROPN", "VERB") and form.islower() | (position == 1)
+        if not vocabulary.verbs_beginning_with(form.lower())
+        for parts in [parts_of_speech(form)]
+        if ADVERB in parts and not parts & {NOUN, VERB}
+    )
 
 
 def rerooted(tree: DependencyTree, vocabulary: Vocabulary) -> DependencyTree:

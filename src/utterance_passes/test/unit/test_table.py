@@ -23,7 +23,7 @@ ORDER = (
     "transcribers_marks apostrophes quotation_marks dashes fraction_signs fraction_slash degree_sign units "
     "minus_sign negative_sign ratios false_starts repeated_starts hesitation contractions blanks ends "
     "surroundings run_ons "
-    "command_verb numbered_noun "
+    "command_verb numbered_noun adverbs "
     "one_object particle_predicates verb_compounds infinitive_conjuncts reroot "
     "objection restarts corrections "
     "modals_as_nouns particles_on_the_way ahead_of places_of_devices places_of_all measured_turns sides_apart "
