@@ -91,6 +91,18 @@ def resolved(argument: TypedArgument, text: str) -> TypedArgument:
     return replace(argument, text=text, source=Source.INFERRED)
 
 
+def referring_to(argument: TypedArgument, before: TypedArgument) -> TypedArgument:
+    """Return the argument of a pronoun that stands for a whole earlier argument: "one" after "a coffee"."""
+    return replace(
+        before,
+        name=argument.name,
+        words=argument.words,
+        positions=argument.positions,
+        head_position=argument.head_position,
+        source=Source.INFERRED,
+    )
+
+
 def with_words(tree: DependencyTree, argument: TypedArgument, positions: Sequence[int]) -> TypedArgument:
     """Return an argument with other words; its text stays."""
     return replace(argument, words=tree.text_of(positions), positions=tuple(sorted(positions)))

@@ -26,7 +26,7 @@ from semantic_framer.outcome import (
     Understood,
 )
 from semantic_framer.questions import question_readings
-from semantic_framer.readings import ClauseReadings, readings_of_clause
+from semantic_framer.readings import ClauseReadings, as_wish, readings_of_clause
 from semantic_framer.sentence import Sentence
 from semantic_framer.sentence_verdicts import (
     REST_VERDICTS,
@@ -46,6 +46,9 @@ from utterance_passes.trace import Trace
 from utterance_passes.tree import DependencyTree
 from utterance_passes.utterance_pass import Choice, TreePass, Uncertain
 from utterance_passes.verb_matching import match_verbs
+from word_classes import word_class
+
+_WANTING = word_class("wanting_verbs")
 
 __all__ = [
     "Alternatives",
@@ -259,12 +262,13 @@ class _Hearing:
     def _readings(self, case: Case) -> Tuple[ClauseReadings, ...]:
         """Read each clause except the clauses that only tell something."""
         found = []
+        has_order = any(word.form.lower() == "then" for word in case.sentence.tree.words)
         for clause, kind in zip(case.clauses, case.kinds):
             is_read = kind.is_read or clause.is_negated
             read = readings_of_clause(case, clause, self._trace) if is_read else None
             is_told = read is None or (read.refusal is not None and read.refusal.code == REPORT)
             if read is not None and not (is_told and case.is_background(clause)):
-                found.append(read)
+                found.append(as_wish(read) if clause.lemma in _WANTING and not has_order else read)
             elif self._trace is not None:
                 self._trace.add("told", case.text_of(clause), after="no step", positions=clause.positions)
         return tuple(found)

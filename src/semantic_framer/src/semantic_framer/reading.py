@@ -66,6 +66,7 @@ class Reading:
         wrong_types: values of another semantic type than their frame element: "carry Anna"
         doubtful_types: number of values whose words have the type that the unit asks for in a rare sense, or no type
         control: how often and for how long
+        is_wish: whether the speaker wishes for a thing, without a command: "I would like some tea"
     """
 
     unit: LexicalUnit
@@ -83,6 +84,7 @@ class Reading:
     wrong_types: Tuple[WrongType, ...] = ()
     doubtful_types: int = 0
     control: Control = Control()
+    is_wish: bool = False
 
     @property
     def said(self) -> FrozenSet[Tuple[str, str]]:

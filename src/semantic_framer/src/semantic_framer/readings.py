@@ -58,6 +58,11 @@ class ClauseReadings:
     refusal: Optional[Refusal] = None
 
 
+def as_wish(read: ClauseReadings) -> ClauseReadings:
+    """Return readings of a clause that wishes for a thing."""
+    return replace(read, kept=tuple(replace(reading, is_wish=True) for reading in read.kept))
+
+
 def readings_of_clause(of: Case, clause: Clause, trace: Optional[Trace] = None) -> ClauseReadings:
     """Read one clause.
 

@@ -24,6 +24,7 @@ from semantic_framer.outcome import (
 from semantic_framer.reading import Reading
 from semantic_framer.references import remember, resolve, resolve_in_parallel
 from semantic_framer.sentence import Sentence
+from semantic_framer.wishes import without_granted_wishes
 from semantic_framer.world_references import refer, spoken_of
 from semantic_frames.semantic_type import SEMANTIC_TYPES
 from typed_arguments import TypedArgument
@@ -110,6 +111,10 @@ def resolve_and_confirm(
             return question.question, replace(context, pending=pending)
         context = spoken_of(question[0], now.known, remember(question[0], now.known.frames, context))
         done.append(question)
+    granted = without_granted_wishes(tuple(done), now.known.frames)
+    if len(granted) < len(done):
+        now.write("wishes", str(done[0][0]), "no step of its own. A later clause is a command for the same thing.")
+        done = list(granted)
     confirm = [readings[0] for readings in done if now.known.frames[readings[0].unit.frame_name].is_confirmed]
     wrong = [reason for readings in done for reason in _wrong_types(readings[0])]
     if (confirm or wrong) and not is_confirmed:

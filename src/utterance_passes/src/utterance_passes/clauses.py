@@ -11,6 +11,8 @@ _ADDRESSEES = word_class("addressees")
 _CONDITIONS = word_class("conditions")
 _REPORTING_AUXILIARIES = word_class("reporting_auxiliaries")
 _HEARERS = word_class("hearers")
+#: Words between "make sure" and the "not" of what the hearer shall not do.
+_BEFORE_NOT = word_class("hearers") | word_class("polite_modals") | word_class("modals") | {"that", "to", "do", "are"}
 _ASSURING = word_class("assuring_verbs")
 _CERTAIN = word_class("certain_adjectives")
 _LEADING_VERBS = word_class("leading_verbs")
@@ -152,7 +154,7 @@ def _collect(
     last = word.index + max(1, vocabulary.length_of_verb([word.lemma.lower()] + following)) - 1
     # "Go" in "let go of" and "face" in "turn to face" are words of the verb, not separate verbs.
     children = tuple(child for child in tree.children(word.index) if not word.index < child.index <= last)
-    is_negated = is_negated or _has_negation(tree, word)
+    is_negated = is_negated or _has_negation(tree, word) or _assures_not(tree, word)
     copula = next((child for child in children if child.deprel == "cop"), None)
     wrapped = next(
         (child for child in children if child.deprel in ("xcomp", "ccomp") and child.upos in ("VERB", "AUX")), None
@@ -209,6 +211,17 @@ def _assured(tree: DependencyTree, verb: Word) -> Optional[Word]:
         if child.upos in ("VERB", "AUX") and child.deprel in ("ccomp", "xcomp", "advcl") and "to" in marks:
             return child
     return None
+
+
+def _assures_not(tree: DependencyTree, verb: Word) -> bool:
+    """Whether somebody is to make sure not to do something, whatever the parser takes it for: "make sure *not to*
+    desist", "be sure that *you do not* move"."""
+    if verb.lemma.lower() not in _ASSURING:
+        return False
+    behind = [word.form.lower() for word in tree.words[verb.index :]]
+    if not behind or behind[0] not in _CERTAIN:
+        return False
+    return next((form for form in behind[1:] if form not in _BEFORE_NOT), "") in _NEGATIONS
 
 
 def _asks_somebody_else(vocabulary: Vocabulary, verb: Word, children: Tuple[Word, ...]) -> bool:

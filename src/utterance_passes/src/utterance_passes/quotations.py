@@ -10,6 +10,7 @@ from typing import Dict, FrozenSet, Iterable, Optional, Sequence, Set, Tuple
 
 from utterance_passes.clauses import Clause, find_clauses
 from utterance_passes.persons import is_person
+from utterance_passes.phrase_groups import tells_several
 from utterance_passes.times import find_times
 from utterance_passes.tree import QUOTED, DependencyTree, Word
 from utterance_passes.tree_edits import TreeEdit
@@ -20,11 +21,13 @@ from word_classes import word_class
 _MARKS = ('"', "“", "”", "«", "»", "``", "''")
 _AFTER_NO = word_class("after_no")
 _CONDITIONS = word_class("conditions")
+_NOUNS = frozenset(["NOUN", "PROPN"])
 _COURTESIES = word_class("courtesies")
 _HARMLESS = word_class("harmless")
 _NEGATIONS = word_class("negations")
 _NO_PRONOUNS = word_class("no_pronouns")
 _PERSONS_TOLD = word_class("persons_told")
+_SUBJECTS = word_class("subjects_told")
 _QUESTION_WORDS = word_class("question_words")
 _PLACE_PREPOSITIONS = word_class("place_prepositions")
 #: These conjunctions are not quoted: they delay the saying ("tell me when dinner is ready").
@@ -69,7 +72,8 @@ def with_quotations(tree: DependencyTree, vocabulary: Vocabulary) -> DependencyT
 def _saying(tree: DependencyTree, clause: Clause, vocabulary: Vocabulary) -> Optional[_Saying]:
     for match in match_verbs(tree, clause, vocabulary):
         speech = vocabulary.speech_of(match.verb)
-        if speech is not None:
+        # "Tell Anna the time and Ben the weather" tells two persons something each.
+        if speech is not None and not (speech is Speech.TOLD and tells_several(tree, clause)):
             return _Saying(clause, max(match.positions), speech is Speech.TOLD)
     return None
 
@@ -102,6 +106,8 @@ class _Quotation:
         self._moved: Dict[int, Tuple[int, str]] = {}
         #: Names that the parser takes for verbs.
         self._names: Set[int] = set()
+        #: Whether all words behind the addressee are the message.
+        self._is_all_behind = False
         self._end = self._next_command(clauses, vocabulary)
         #: Verb of what somebody is asked to do; it is no quotation.
         self._requested = self._infinitive() if saying.is_told else 0
@@ -131,7 +137,8 @@ class _Quotation:
         is_phrase = inside == self._tree.subtree(head.index) and head.deprel in ("obj", "ccomp")
         if is_phrase and not self._moved and not any(self._is_more_than_a_name(index) for index in inside):
             return tree
-        if first.form.lower() == "that" and first.deprel in ("mark", "det") and self._has_verb(inside):
+        is_mark = first.deprel in ("mark", "det") or self._is_all_behind
+        if first.form.lower() == "that" and is_mark and self._has_verb(inside):
             self._moved[first.index] = (head.index, "mark")
         for word in tree.words:
             if word.index in self._names:
@@ -222,7 +229,7 @@ class _Quotation:
         ):
             told = frozenset([owner.index])
             self._moved[owner.index] = (self._verb, "iobj")
-        told = told or self._told_before_question()
+        told = told or self._told_before_question() or self._told_before_clause() or self._told_before_noun_phrase()
         self._start = max(told) + 1 if told else self._start
 
     def _told_before_question(self) -> FrozenSet[int]:
@@ -240,6 +247,59 @@ class _Quotation:
         self._moved[person.index] = (self._verb, "iobj")
         return frozenset(word.index for word in before)
 
+    def _told_before_clause(self) -> FrozenSet[int]:
+        """Return a person whom the parser takes for a part of the subject behind: "tell *Anna* dinner is ready"."""
+        words = self._tree.words[self._start - 1 : self._end - 1]
+        place = next((place for place, word in enumerate(words) if word.upos == "PROPN" or is_person(word)), None)
+        following = [word.form.lower() for word in words[place + 1 : place + 2]] if place is not None else []
+        if place is not None and following == ["'s"]:
+            # "Bob's *mother*"
+            place = next((p for p, word in enumerate(words) if p > place + 1 and is_person(word)), None)
+        if place is None or not words[place].head:
+            return frozenset()
+        person, subject = words[place], self._tree.word(words[place].head)
+        is_inside = subject.deprel.startswith("nsubj") and person.index < subject.index < self._end
+        is_part = person.deprel.split(":")[0] in ("compound", "nmod", "flat")
+        is_named = any(child.deprel == "case" for child in self._tree.children(person.index))
+        if not is_inside or not is_part or subject.upos == "PROPN" or is_named:
+            return frozenset()
+        told = frozenset(range(self._start, person.index + 1))
+        self._hang_on_person(person, told)
+        return told
+
+    def _begins_message(self, word: Word) -> bool:
+        """Whether a word right behind a noun begins what is told: an article, a subject, or "that" before these."""
+        if word.form.lower() == "that":
+            following = self._tree.word(word.index + 1) if word.index + 1 < self._end else word
+            return following.upos == "DET" or following.form.lower() in _SUBJECTS
+        return word.upos == "DET" or word.form.lower() in _SUBJECTS
+
+    def _hang_on_person(self, person: Word, told: FrozenSet[int]) -> None:
+        self._moved[person.index] = (self._verb, "iobj")
+        for index in told - {person.index}:
+            word = self._tree.word(index)
+            if word.head not in told:
+                self._moved[index] = (person.index, "nmod" if word.upos in _NOUNS else word.deprel)
+
+    def _told_before_noun_phrase(self) -> FrozenSet[int]:
+        """Return the words of a described person before another noun phrase: "tell *the man waving in the hall* the
+        time"."""
+        words = self._tree.words[self._start - 1 : self._end - 1]
+        front = next((place for place, word in enumerate(words) if word.upos in ("NOUN", "PROPN")), None)
+        if front is None or not is_person(words[front]) or words[front].head != self._verb:
+            return frozenset()
+        if any(word.upos not in ("DET", "ADJ", "NUM") for word in words[:front]):
+            return frozenset()
+        person = words[front]
+        bounds = zip(words[front:], words[front + 1 :])
+        behind = next((word for before, word in bounds if before.upos in _NOUNS and self._begins_message(word)), None)
+        if behind is None:
+            return frozenset()
+        told = frozenset(word.index for word in words if word.index < behind.index)
+        self._hang_on_person(person, told)
+        self._is_all_behind = True
+        return told
+
     def _between_marks(self) -> FrozenSet[int]:
         marks = [word.index for word in self._tree.words if word.form in _MARKS and word.index >= self._start]
         return frozenset(range(marks[0] + 1, marks[1])) if len(marks) > 1 else frozenset()
@@ -247,6 +307,8 @@ class _Quotation:
     def _governed(self) -> FrozenSet[int]:
         """Return the words that the verb governs and that belong to the message."""
         inside: Set[int] = set()
+        if self._is_all_behind:
+            inside.update(range(self._start, self._end))
         for child in self._tree.children(self._verb):
             positions = {
                 index

@@ -1,11 +1,15 @@
 """Gives one verb to two phrases: "go to the office and then to the kitchen", "turn left then right"."""
 
-from typing import Set
+from typing import List, Set, Tuple
 
-from utterance_passes.clauses import find_clauses, has_case, shares_a_verb
-from utterance_passes.tree import DependencyTree
+from utterance_passes.clauses import Clause, find_clauses, has_case, shares_a_verb
+from utterance_passes.tree import DependencyTree, Word
 from utterance_passes.tree_edits import TreeEdit, mark_sharing_a_verb
 from utterance_passes.vocabulary import Vocabulary
+from word_classes import word_class
+
+_PAIRS = (word_class("states_of_devices"), word_class("ways_to_go"))
+_JOINING = frozenset(["and", "then"])
 
 
 def expand_shared_verbs(tree: DependencyTree, vocabulary: Vocabulary) -> DependencyTree:
@@ -15,8 +19,14 @@ def expand_shared_verbs(tree: DependencyTree, vocabulary: Vocabulary) -> Depende
     edit = TreeEdit(tree)
     sharing: Set[int] = set()
     for clause in find_clauses(tree, vocabulary):
+        for first, word in particle_pairs(tree, clause):
+            sharing.add(word.index)
+            edit.retag(word.index, first.upos)
+            edit.rehang(word.index, clause.verb, first.deprel)
+            for between in tree.words[first.index : word.index - 1]:
+                edit.rehang(between.index, word.index, "cc" if between.form.lower() == "and" else "advmod")
         for word in tree.children(clause.verb):
-            if shares_a_verb(tree, word):
+            if word.index not in sharing and shares_a_verb(tree, word):
                 sharing.add(word.index)
                 if has_case(tree, word):
                     edit.relabel(word.index, "obl")
@@ -24,3 +34,20 @@ def expand_shared_verbs(tree: DependencyTree, vocabulary: Vocabulary) -> Depende
                     edit.retag(word.index, "ADV")
                     edit.relabel(word.index, "advmod")
     return mark_sharing_a_verb(edit.tree(), frozenset(sharing))
+
+
+def particle_pairs(tree: DependencyTree, clause: Clause) -> List[Tuple[Word, Word]]:
+    """Return the pairs of particles that one verb has in turn: "turn the light *on* and *off*"."""
+    said = [word for word in tree.words if word.index in clause.positions and word.index > clause.verb]
+    found = []
+    for place, first in enumerate(said):
+        behind = [word for word in said[place + 1 :] if word.form.lower() not in _JOINING]
+        if not behind or behind[0] is said[place + 1]:
+            continue
+        second = behind[0]
+        is_pair = any({first.form.lower(), second.form.lower()} <= words for words in _PAIRS)
+        # "Turn on the light and off the radio" has two objects.
+        is_shared = first.index == clause.verb + 1 or behind[1:2] == [] or behind[1].upos in ("PUNCT", "ADV")
+        if is_pair and is_shared and first.head == clause.verb:
+            found.append((first, second))
+    return found
