@@ -25,10 +25,11 @@ from semantic_framer.outcome import (
     reply_outcome,
 )
 from semantic_framer.reading import Reading
-from stanford_parser_ros.model import Parser, UnparsableText, shipped_parser
+from stanford_parser_ros.model import KnownWords, Parser, UnparsableText, shipped_parser
 from typed_arguments.goal_text import to_plain
 from utterance_passes.trace import Trace, TraceLine
 from utterance_passes.tree import DependencyTree
+from utterance_passes.typos import spellings_of
 
 #: Refusals after which the pipeline reports no frame: the person said not to do it, or not now.
 _NOTHING_MEANT = frozenset([PROHIBITION, CORRECTION, DECLINED, "CONDITION"])
@@ -137,7 +138,11 @@ class Pipeline:
         }
         heeded = heeded_elements(knowledge.frames, served)
         self._known = FramedLexicon(knowledge.lexicon, knowledge.frames, knowledge.types, heeded)
-        self._verbs = frozenset(verb.split()[0] for verb in knowledge.lexicon.verbs)
+        self._words = KnownWords(
+            frozenset(verb.split()[0] for verb in knowledge.lexicon.verbs),
+            spellings_of(knowledge.lexicon.units),
+            frozenset(word for name in knowledge.types.names for word in name.lower().split()),
+        )
 
     @property
     def parser(self) -> Parser:
@@ -150,7 +155,7 @@ class Pipeline:
         Raises:
             UnparsableText: no words
         """
-        return self._parser.parse(text, self._verbs)
+        return self._parser.traced(text, self._words).tree
 
     def understand(self, text: str, context: Context = Context()) -> Understanding:
         """Understand one sentence; every sentence gets a reply.
@@ -166,7 +171,7 @@ class Pipeline:
         if refusal is not None:
             return Understanding(text, Reply("REFUSED", *refusal), context=context)
         try:
-            parse = self._parser.traced(text, self._verbs, without=self._without)
+            parse = self._parser.traced(text, self._words, without=self._without)
         except UnparsableText as reason:
             return Understanding(text, Reply("REFUSED", *reason.refusal), context=context)
         trace = Trace(parse.trace) if self._is_traced else None

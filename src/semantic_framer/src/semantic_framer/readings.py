@@ -28,6 +28,7 @@ from semantic_frames.lexical_unit import ArgumentForm
 from utterance_passes.clauses import Clause
 from utterance_passes.trace import Trace
 from utterance_passes.tree import DependencyTree
+from utterance_passes.typos import as_written
 from utterance_passes.verb_matching import match_verbs
 from word_classes import word_class
 
@@ -186,7 +187,10 @@ def _clause_text(tree: DependencyTree, clause: Clause) -> str:
     ]
     while said and said[0] != clause.verb and tree.word(said[0]).form.lower() in _SAID_AROUND | _JOINING:
         del said[0]
-    return tree.text_of(said)
+    written = [as_written(tree, tree.word(index)) for index in said]
+    # The person sees what a typo was taken for.
+    typos = f" (said: {', '.join(filter(None, written))})" if any(written) else ""
+    return tree.text_of(said) + typos
 
 
 def _unlikely(case: ClauseCase, reading: Reading, listed: FrozenSet[int]) -> int:

@@ -2,6 +2,16 @@
 
 from spoken_quantities.measure import Measure, parse_measure
 from spoken_quantities.numbers import QuantityError, number_words, parse_number
-from spoken_quantities.units import Unit, find_unit, units_of
+from spoken_quantities.units import Unit, find_unit, unit_words, units_of
 
-__all__ = ["Measure", "QuantityError", "Unit", "find_unit", "number_words", "parse_measure", "parse_number", "units_of"]
+__all__ = [
+    "Measure",
+    "QuantityError",
+    "Unit",
+    "find_unit",
+    "number_words",
+    "parse_measure",
+    "parse_number",
+    "unit_words",
+    "units_of",
+]

@@ -46,6 +46,11 @@ def find_unit(word: str) -> Optional[Unit]:
     return _UNITS.get(word.strip(" .").lower())
 
 
+def unit_words() -> Tuple[str, ...]:
+    """Return every spelling of every unit."""
+    return tuple(_UNITS)
+
+
 def units_of(quantity: str) -> Tuple[str, ...]:
     """Return the singular names of the units of a quantity."""
     return tuple(unit.name for unit, _ in _SPELLINGS if unit.quantity == quantity)

@@ -12,9 +12,17 @@ from utterance_passes.running import (
     run_tag_passes,
     run_text_passes,
     run_tree_passes,
+    run_word_passes,
 )
 from utterance_passes.spelling import Spelling, stripped
-from utterance_passes.table import CUT_PASSES, PARSER_TREE_PASSES, SURROUNDINGS_PASSES, TAG_PASSES, TEXT_PASSES
+from utterance_passes.table import (
+    CUT_PASSES,
+    PARSER_TREE_PASSES,
+    SURROUNDINGS_PASSES,
+    TAG_PASSES,
+    TEXT_PASSES,
+    WORD_PASSES,
+)
 from utterance_passes.trace import Trace, TraceLine, moved
 from utterance_passes.tree import DependencyTree
 from utterance_passes.tree_edits import TreeEdit, at_origins, joined, with_words_around
@@ -24,6 +32,24 @@ from utterance_passes.vocabulary import Verbs
 #: torch keeps the memory: with 500 of them, 1.4 GB. The longest utterance in the corpora has 80.
 MOST_WORDS = 100
 _WORD = re.compile(r"\w+|[^\w\s]")
+
+
+@dataclass(frozen=True)
+class KnownWords:
+    """Words that the robot knows, in lower case.
+
+    Attributes:
+        verbs: first words of the verbs of the lexicon, base forms
+        spellings: words of the lexicon, whose typos are corrected; none to correct nothing
+        names: words of the names that the robot knows
+    """
+
+    verbs: FrozenSet[str] = frozenset()
+    spellings: FrozenSet[str] = frozenset()
+    names: FrozenSet[str] = frozenset()
+
+
+NO_WORDS = KnownWords()
 
 
 class UnparsableText(ValueError):
@@ -66,7 +92,7 @@ class Parser:
             cache_size: number of parses that are kept; the oldest is dropped first
         """
         self._inference = inference
-        self._cache: OrderedDict[Tuple[str, FrozenSet[str], FrozenSet[str]], Parse] = OrderedDict()
+        self._cache: OrderedDict[Tuple[str, KnownWords, FrozenSet[str]], Parse] = OrderedDict()
         self._cache_size = cache_size
 
     def parse(self, text: str, verbs: FrozenSet[str] = frozenset()) -> DependencyTree:
@@ -80,22 +106,22 @@ class Parser:
         Raises:
             UnparsableText: the text has no words, or too many
         """
-        return self.traced(text, verbs).tree
+        return self.traced(text, KnownWords(verbs)).tree
 
-    def traced(self, text: str, verbs: FrozenSet[str] = frozenset(), *, without: FrozenSet[str] = frozenset()) -> Parse:
+    def traced(self, text: str, known: KnownWords = NO_WORDS, *, without: FrozenSet[str] = frozenset()) -> Parse:
         """Parse one utterance, and record what the passes of the parser changed.
 
         Args:
             text: the utterance
-            verbs: as for :meth:`parse`
+            known: words that the robot knows
             without: names of passes that are switched off
         Raises:
             UnparsableText: the text has no words, or too many
         """
-        key = (text, verbs, without)
+        key = (text, known, without)
         parse = self._cache.get(key)
         if parse is None:
-            parse = self._parse(text, verbs, without)
+            parse = self._parse(text, known, without)
             self._cache[key] = parse
             if len(self._cache) > self._cache_size:
                 self._cache.popitem(last=False)
@@ -103,15 +129,17 @@ class Parser:
             self._cache.move_to_end(key)
         return parse
 
-    def _parse(self, text: str, verbs: FrozenSet[str], without: FrozenSet[str]) -> Parse:
+    def _parse(self, text: str, known: KnownWords, without: FrozenSet[str]) -> Parse:
         trace = Trace()
+        vocabulary = Verbs(known.verbs, spellings=known.spellings, names=known.names)
         spelling = run_text_passes(text, TEXT_PASSES, without=without, trace=trace)
+        spelling = run_word_passes(spelling, vocabulary, WORD_PASSES, without=without, trace=trace)
         if not any(character.isalnum() for character in spelling.text):
             raise UnparsableText("there are no words in it", code="EMPTY_TEXT")
         count = len(_WORD.findall(spelling.text))
         if count > MOST_WORDS:
             raise UnparsableText(f"it has {count} words and signs; I accept at most {MOST_WORDS}", code="TEXT_TOO_LONG")
-        tree = self._tree(text, spelling, _Run(Verbs(verbs), without, trace))
+        tree = self._tree(text, spelling, _Run(vocabulary, without, trace))
         return Parse(tree, trace.lines)
 
     def _tree(self, text: str, spelling: Spelling, run: "_Run") -> DependencyTree:

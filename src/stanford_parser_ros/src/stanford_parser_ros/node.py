@@ -2,12 +2,12 @@
 
 import queue
 import threading
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
-from typing import Dict, FrozenSet, Union
+from typing import Dict, Union
 
 import rospy
-from roboframenet_msgs.msg import Command, CommandParse, Lexicon, Reply
+from roboframenet_msgs.msg import Command, CommandParse, KnownNames, Lexicon, Reply, SourceFile
 from stanford_parser_msgs.msg import Parse
 
 from roboframenet_ros.health import Health, Level
@@ -16,10 +16,11 @@ from roboframenet_ros.ros_node import read_parameters, run_node
 from roboframenet_ros.ros_stage import Stage
 from semantic_frames import FileRefused, load_lexical_units
 from stanford_parser_ros.inference import ModelError, StanzaInference, shipped_model_dir
-from stanford_parser_ros.model import Parser, UnparsableText
+from stanford_parser_ros.model import NO_WORDS, KnownWords, Parser, UnparsableText
 from stanford_parser_ros.ros_messages import to_command_parse
 from stanford_parser_ros.stanford_dependencies import collapsed
 from utterance_passes.tree import DependencyTree
+from utterance_passes.typos import spellings_of
 
 #: Period in which the worker checks whether to end, seconds.
 WAKE_UP_S = 1.0
@@ -53,7 +54,7 @@ class ParserNode:
     """Parses one command after the other, in its own thread.
 
     Subscribes:
-        command_text (Command), lexicon (Lexicon, latched)
+        command_text (Command), lexicon (Lexicon, latched), known_names (KnownNames, latched)
     Publishes:
         command_parse (CommandParse), parse (stanford_parser_msgs/Parse), stage_events (StageEvent)
     Parameters: see :class:`Settings`.
@@ -70,9 +71,10 @@ class ParserNode:
         self._parses_2012 = rospy.Publisher("parse", Parse, queue_size=100)
         self._stage = Stage("stanford_parser_ros")
         # The lexicon arrives while the models load, so that the first command is parsed with it.
-        self._verbs: FrozenSet[str] = frozenset()
-        self._verbs_of_file: Dict[str, FrozenSet[str]] = {}
+        self._known = NO_WORDS
+        self._words_of_file: Dict[str, KnownWords] = {}
         self._lexicon = rospy.Subscriber("lexicon", Lexicon, self._on_lexicon, queue_size=1)
+        self._names = rospy.Subscriber("known_names", KnownNames, self._on_names, queue_size=1)
         models = StanzaInference(
             model_dir=Path(settings.model_dir).expanduser() if settings.model_dir else shipped_model_dir(),
             package=settings.package or Settings.package,
@@ -98,23 +100,28 @@ class ParserNode:
 
     def health(self) -> Health:
         """How the node is."""
-        return Health(values={"waiting commands": self._commands.qsize(), "verbs of the lexicon": len(self._verbs)})
+        return Health(
+            values={"waiting commands": self._commands.qsize(), "verbs of the lexicon": len(self._known.verbs)}
+        )
 
     def _on_lexicon(self, message: Lexicon) -> None:
-        verbs_of_file: Dict[str, FrozenSet[str]] = {}
+        words_of_file: Dict[str, KnownWords] = {}
         for file in message.files:
             try:
                 # Adding one file must not make the node read all others again.
-                verbs_of_file[file.text] = self._verbs_of_file.get(file.text) or frozenset(
-                    # The base form precedes the particle: "pick" of "pick up".
-                    verb.split()[0]
-                    for unit in load_lexical_units(file.text, file.path)
-                    for verb in unit.verbs
-                )
+                words_of_file[file.text] = self._words_of_file.get(file.text) or _words_of(file)
             except FileRefused as refused:
                 rospy.logwarn("the lexicon holds a file that cannot be read: %s", refused)
-        self._verbs_of_file = verbs_of_file
-        self._verbs = frozenset().union(*verbs_of_file.values())
+        self._words_of_file = words_of_file
+        self._known = replace(
+            self._known,
+            verbs=frozenset().union(*(words.verbs for words in words_of_file.values())),
+            spellings=frozenset().union(*(words.spellings for words in words_of_file.values())),
+        )
+
+    def _on_names(self, message: KnownNames) -> None:
+        words = frozenset(word for known in message.names for word in known.name.lower().split())
+        self._known = replace(self._known, names=words)
 
     def _on_command(self, command: Command) -> None:
         try:
@@ -143,7 +150,7 @@ class ParserNode:
 
     def _parse(self, command: Command) -> None:
         try:
-            parse = self._parser.traced(command.text, self._verbs)
+            parse = self._parser.traced(command.text, self._known)
             message = to_command_parse(command, parse.tree)
         except UnparsableText as reason:
             code, sentence = reason.refusal
@@ -210,6 +217,17 @@ def _start() -> Union[ParserNode, ParserWithoutModels]:
     except ModelError as error:
         rospy.logfatal("%s; every command fails until this node is started again", error)
         return ParserWithoutModels(str(error))
+
+
+def _words_of(file: SourceFile) -> KnownWords:
+    """Return the words of a lexical unit file.
+
+    Raises:
+        FileRefused: it has mistakes
+    """
+    units = load_lexical_units(file.text, file.path)
+    # The base form precedes the particle: "pick" of "pick up".
+    return KnownWords(frozenset(verb.split()[0] for unit in units for verb in unit.verbs), spellings_of(units))
 
 
 def main() -> None:

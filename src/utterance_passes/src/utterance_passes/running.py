@@ -14,8 +14,9 @@ from utterance_passes.utterance_pass import (
     TagPass,
     TextPass,
     TreePass,
+    WordPass,
 )
-from utterance_passes.vocabulary import Vocabulary
+from utterance_passes.vocabulary import Verbs, Vocabulary
 
 NONE: FrozenSet[str] = frozenset()
 
@@ -35,6 +36,24 @@ def run_text_passes(
     for one in passes:
         if one.name not in without:
             made = one.run(spelling)
+            if trace is not None and made.text != spelling.text:
+                trace.add(one.name, before=repr(spelling.text), after=repr(made.text))
+            spelling = made
+    return spelling
+
+
+def run_word_passes(
+    spelling: Spelling,
+    vocabulary: Verbs,
+    passes: Sequence[WordPass],
+    *,
+    without: AbstractSet[str] = NONE,
+    trace: Optional[Trace] = None,
+) -> Spelling:
+    """Rewrite words by the words that the robot knows."""
+    for one in passes:
+        if one.name not in without:
+            made = one.run(spelling, vocabulary)
             if trace is not None and made.text != spelling.text:
                 trace.add(one.name, before=repr(spelling.text), after=repr(made.text))
             spelling = made

@@ -19,6 +19,7 @@ from utterance_passes import (
     surroundings,
     tagging,
     times,
+    typos,
 )
 from utterance_passes.correcting_table import PARSE_CORRECTING_PASSES
 from utterance_passes.utterance_pass import (
@@ -30,6 +31,7 @@ from utterance_passes.utterance_pass import (
     TagPass,
     TextPass,
     TreePass,
+    WordPass,
 )
 from utterance_passes.vocabulary import Speech, Verbs
 
@@ -117,6 +119,17 @@ TEXT_PASSES: Tuple[TextPass, ...] = (
     ),
     _text("blanks", "Write one blank between words.", "go \t on", "go on", spelling.BLANKS, " "),
     TextPass("ends", "Remove blanks at both ends.", Example(" go ", ("go",)), Stage.PARSER, spelling.stripped),
+)
+
+#: Rewrite words that the robot does not know.
+WORD_PASSES: Tuple[WordPass, ...] = (
+    WordPass(
+        "typos",
+        "Correct a word with one wrong letter if one word of the lexicon is meant.",
+        Example("trun left", ("turn left",), Verbs(frozenset(["turn"]), spellings=frozenset(["turn", "left"]))),
+        Stage.PARSER,
+        typos.without_typos,
+    ),
 )
 
 #: Find words that the parser leaves out, and adds to the tree of the command later.
@@ -376,5 +389,5 @@ REPHRASING_PASSES: Tuple[TreePass, ...] = (
 FRAMER_TREE_PASSES: Tuple[TreePass, ...] = CORRECTION_PASSES + REPHRASING_PASSES
 #: All passes in order, from the text to the tree that the framer reads.
 PASSES: Tuple[Pass, ...] = (
-    TEXT_PASSES + SURROUNDINGS_PASSES + CUT_PASSES + TAG_PASSES + PARSER_TREE_PASSES + FRAMER_TREE_PASSES
+    TEXT_PASSES + WORD_PASSES + SURROUNDINGS_PASSES + CUT_PASSES + TAG_PASSES + PARSER_TREE_PASSES + FRAMER_TREE_PASSES
 )

@@ -57,6 +57,13 @@ class TextPass(Pass):
 
 
 @dataclass(frozen=True)
+class WordPass(Pass):
+    """Rewrites words of the text by the words that the robot knows, and keeps the origin of each character."""
+
+    run: Callable[[Spelling, Verbs], Spelling]
+
+
+@dataclass(frozen=True)
 class Surroundings:
     """A command and the words around it.
 

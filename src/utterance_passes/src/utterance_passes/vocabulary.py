@@ -43,11 +43,15 @@ class Verbs:
         words: the verbs
         lists: words that units of a verb list
         speech: verbs of saying
+        spellings: words of the lexicon, whose typos are corrected; none to correct nothing
+        names: words of the names that the robot knows, in lower case
     """
 
     words: FrozenSet[str] = frozenset()
     lists: Mapping[str, Tuple[Tuple[str, ...], ...]] = field(default_factory=dict)
     speech: Mapping[str, Speech] = field(default_factory=dict)
+    spellings: FrozenSet[str] = frozenset()
+    names: FrozenSet[str] = frozenset()
 
     def verbs_beginning_with(self, word: str) -> Tuple[str, ...]:
         """Return the word itself if it is a verb."""

@@ -13,15 +13,25 @@ from utterance_passes.running import (
     run_tag_passes,
     run_text_passes,
     run_tree_passes,
+    run_word_passes,
 )
 from utterance_passes.spelling import as_said
 from utterance_passes.table import PASSES, TAG_PASSES, TEXT_PASSES
 from utterance_passes.trace import Trace
-from utterance_passes.utterance_pass import CutPass, Pass, Stage, SurroundingsPass, TagPass, TextPass, TreePass
+from utterance_passes.utterance_pass import (
+    CutPass,
+    Pass,
+    Stage,
+    SurroundingsPass,
+    TagPass,
+    TextPass,
+    TreePass,
+    WordPass,
+)
 
 ORDER = (
     "transcribers_marks apostrophes quotation_marks dashes fraction_signs fraction_slash degree_sign units "
-    "minus_sign negative_sign ratios false_starts repeated_starts hesitation contractions blanks ends "
+    "minus_sign negative_sign ratios false_starts repeated_starts hesitation contractions blanks ends typos "
     "surroundings run_ons "
     "command_verb numbered_noun adverbs "
     "one_object particle_predicates verb_compounds infinitive_conjuncts reroot "
@@ -60,6 +70,9 @@ def tagged(said: str) -> Tuple[List[str], List[str]]:
 def result(one: Pass, passes: Tuple[Pass, ...]) -> List[str]:
     """What passes make of the example of a pass."""
     example = one.example
+    if isinstance(one, WordPass):
+        spelling = as_said(example.said)
+        return [run_word_passes(spelling, example.vocabulary, [w for w in passes if isinstance(w, WordPass)]).text]
     if isinstance(one, TextPass):
         return [run_text_passes(example.said, [each for each in passes if isinstance(each, TextPass)]).text]
     if isinstance(one, SurroundingsPass):

@@ -1,0 +1,118 @@
+"""Corrects words with one wrong letter: "trun left", "go to the kichen".
+
+A word is corrected only if it is no English word and no name, and if exactly one word of the lexicon is one letter
+away: one letter more, one less, one other, or two changed places. The person is told what was assumed, because the
+words of a clause show what was written: ``as_written``.
+"""
+
+import re
+from functools import lru_cache
+from os.path import commonprefix
+from typing import FrozenSet, Iterable, Iterator, List, Optional, Sequence
+
+from semantic_frames.lexical_unit import LexicalUnit
+from semantic_types.parts_of_speech import ADJECTIVE, NOUN, parts_of_speech
+from spoken_quantities import find_unit, number_words, unit_words
+from utterance_passes.spelling import Spelling
+from utterance_passes.tree import DependencyTree, Word
+from utterance_passes.vocabulary import Verbs
+from word_classes import word_class
+from word_classes.shipped import word_classes
+
+#: Shorter words have too many neighbours.
+_SHORTEST = 4
+_WORD = re.compile(r"(?<![\w'-])[A-Za-z]{4,}(?![\w'-])")
+_LETTERS = "abcdefghijklmnopqrstuvwxyz"
+_SAYING = word_class("saying_verbs")
+_BEFORE_NOUNS = word_class("only_before_nouns")
+
+
+def spellings_of(units: Iterable[LexicalUnit]) -> FrozenSet[str]:
+    """Return the words that some units know: their verbs, the words that they list, and those of their examples."""
+    texts = (
+        text
+        for unit in units
+        for text in (
+            *unit.verbs,
+            *(word for relation in unit.relations for word in relation.words),
+            *(example.text for example in unit.examples),
+        )
+    )
+    return frozenset(word for text in texts for word in re.findall(r"[a-z]+", text) if len(word) >= _SHORTEST)
+
+
+def without_typos(spelling: Spelling, vocabulary: Verbs) -> Spelling:
+    """Replace each word that has one wrong letter. Words to be said stay as they are."""
+    text, position = "", 0
+    origins: List[int] = []
+    for match in _WORD.finditer(spelling.text) if vocabulary.spellings else ():
+        before = spelling.text[: match.start()]
+        if match.group().lower() in _SAYING or before.count('"') % 2:
+            break
+        meant = _meant(match.group(), re.findall(r"\w+", before.lower()), vocabulary)
+        if meant is None:
+            continue
+        text += spelling.text[position : match.start()] + meant
+        origins += [*spelling.origins[position : match.start()], *[spelling.origins[match.start()]] * len(meant)]
+        position = match.end()
+    if not position:
+        return spelling
+    return Spelling(text + spelling.text[position:], (*origins, *spelling.origins[position:]))
+
+
+def _meant(word: str, before: Sequence[str], vocabulary: Verbs) -> Optional[str]:
+    """Return the word that was meant; None if the word stands for itself, or if it is not certain what was meant.
+
+    Args:
+        word: the word
+        before: the words before it, in lower case
+        vocabulary: what the robot knows
+    """
+    said = word.lower()
+    known = vocabulary.spellings | _known_words()
+    if said in known or said in vocabulary.words or said in vocabulary.names or parts_of_speech(said):
+        return None
+    found = sorted({near for near in _near(said) if near in known or near in vocabulary.names})
+    if before[-1:] and before[-1] in _BEFORE_NOUNS:
+        found = [near for near in found if parts_of_speech(near) & {NOUN, ADJECTIVE}]
+    elif before[-1:] and (before[-1].isdigit() or before[-1] in number_words()):
+        found = [near for near in found if find_unit(near) is not None] or found
+    found = [near for near in found if sorted(near) == sorted(said)] or found
+    if len({_unit_name(near) for near in found}) != 1:
+        return None
+    meant = max(found, key=lambda near: (near[-1] == said[-1], len(commonprefix([near, said]))))
+    if word.islower():
+        return meant
+    # A capital may be that of a name: "Rosie, turn left".
+    return meant.capitalize() if not before and meant in vocabulary.words else None
+
+
+def _unit_name(word: str) -> str:
+    """Return the name of a unit, whatever its spelling; another word stands for itself."""
+    unit = find_unit(word)
+    return unit.name if unit is not None else word
+
+
+@lru_cache(maxsize=None)
+def _known_words() -> FrozenSet[str]:
+    """Return the words of closed classes and of numbers, which WordNet does not have."""
+    words = (word for known in word_classes().values() for phrase in known.words for word in phrase.split())
+    return frozenset(word for word in (*words, *number_words(), *unit_words()) if len(word) >= _SHORTEST)
+
+
+def _near(word: str) -> Iterator[str]:
+    """Return the spellings that are one letter away and not too short."""
+    parts = [(word[:place], word[place:]) for place in range(len(word) + 1)]
+    made = [front + back[1] + back[0] + back[2:] for front, back in parts if len(back) > 1]
+    made += [front + back[1:] for front, back in parts if back]
+    made += [front + letter + back[1:] for front, back in parts if back for letter in _LETTERS]
+    made += [front + letter + back for front, back in parts for letter in _LETTERS]
+    return (near for near in made if len(near) >= _SHORTEST and near != word)
+
+
+def as_written(tree: DependencyTree, word: Word) -> str:
+    """Return a word as the person wrote it if it had a wrong letter; empty for other words."""
+    written = tree.text[word.start_character : word.end_character]
+    form = word.form.lower()
+    is_typo = len(written) >= _SHORTEST and written.isalpha() and written.lower() != form and form.isalpha()
+    return written if is_typo and form in _near(written.lower()) and not parts_of_speech(written) else ""

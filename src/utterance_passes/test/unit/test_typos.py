@@ -1,0 +1,48 @@
+"""Words with one wrong letter."""
+
+from typing import Optional
+
+import pytest
+
+from utterance_passes.spelling import as_said
+from utterance_passes.typos import without_typos
+from utterance_passes.vocabulary import Verbs
+
+KNOWN = Verbs(
+    frozenset(["turn", "bring", "take", "move"]),
+    spellings=frozenset(["turn", "bring", "take", "move", "left", "right", "kitchen", "bottle", "table", "cable"]),
+    names=frozenset(["kuchen", "zora"]),
+)
+
+
+@pytest.mark.parametrize(
+    "said, written",
+    [
+        ("trun left", "turn left"),  # two changed places count before a letter less: "run"
+        ("Brng it", "Bring it"),
+        ("turn lefft", "turn left"),
+        ("take the bottel", "take the bottle"),
+        ("go to the kichen, please", "go to the kitchen, please"),
+        ("move two metrs", "move two metres"),
+        ("take the zable", None),  # table or cable
+        ("take the form", None),  # an English word
+        ("go to the kuchen", None),  # a name that the robot knows
+        ("go to zoora", "go to zora"),
+        ("Rigth", None),  # a name may begin with a capital
+        ("take it to Rigth", None),
+        ("say kichen", None),
+        ('write "kichen"', None),
+        ("trn left", None),  # too short
+        ("take the ftom", None),  # "from" is no thing
+        ("take it ftom me", "take it from me"),
+    ],
+)
+def test_typo(said: str, written: Optional[str]) -> None:
+    made = without_typos(as_said(said), KNOWN)
+    assert made.text == (written or said)
+    assert len(made.origins) == len(made.text) + 1
+    assert made.origins[-1] == len(said)
+
+
+def test_nothing_is_corrected_without_a_lexicon() -> None:
+    assert without_typos(as_said("trun left"), Verbs()).text == "trun left"
