@@ -53,9 +53,7 @@ def test_clause_is_done_and_condition_is_watched() -> None:
     assert [servers_of(one) for one in found] == [["scan", "more"], ["base"]]
 
 
-@pytest.mark.parametrize(
-    "words, said", [("you see a wall", 'whether "you see a wall"'), ("", "whether that is so")]
-)
+@pytest.mark.parametrize("words, said", [("you see a wall", 'whether "you see a wall"'), ("", "whether that is so")])
 def test_condition_that_nobody_watches_is_refused_by_name(words: str, said: str) -> None:
     graph = graph_of(SEEING, acting=(("seeing", "looking"),))
     refusal = search(graph, [[seeing()]], max_candidates=9, conditions={0: words})
