@@ -223,7 +223,7 @@ class Pipeline:
                 reply = Reply(registrar.reply_outcome(found), found.code, found.sentence)
             else:
                 first = ", then ".join(
-                    ", then ".join(f"{frame.name} on {frame.server}" for frame in registrar.candidates_of(ways)[0].frames)
+                    _described(registrar.candidates_of(ways)[0])
                     + (f" ({reading.control.phrase})" if reading.control.is_said else "")
                     for reading, ways in zip(readings, found)
                 )
@@ -260,6 +260,10 @@ class Pipeline:
             ],
             max_candidates=self._parameters.max_candidates,
         )
+
+
+def _described(candidate: registrar.Candidate) -> str:
+    return ", then ".join(f"{frame.name} on {frame.server}" for frame in candidate.frames)
 
 
 def _registrar_reading(reading: Reading, preference: int) -> registrar.Reading:
