@@ -12,8 +12,8 @@ from semantic_frames.lexical_unit import (
     ElementRelation,
     Example,
     LexicalUnit,
-    WordPattern,
     RelationPath,
+    WordPattern,
 )
 from semantic_frames.marked_yaml import Reader, did_you_mean, is_empty, line_of
 from semantic_frames.problem import Problem
@@ -59,9 +59,7 @@ def load_lexical_units(text: str, path: str) -> Tuple[LexicalUnit, ...]:
 def _unit(reader: Reader, node: yaml.Node, key: str) -> LexicalUnit:
     prefix = f"{key}." if key else ""
     has_patterns = any(pattern in _keys(node) for pattern in PATTERN_KEYS)
-    entries = reader.mapping(
-        node, key, UNIT_KEYS, required=("frame_name",) if has_patterns else ("frame_name", "verb")
-    )
+    entries = reader.mapping(node, key, UNIT_KEYS, required=("frame_name",) if has_patterns else ("frame_name", "verb"))
     verbs = tuple(" ".join(verb.lower().split()) for verb in reader.texts(entries.get("verb"), f"{prefix}verb"))
     if "verb" in entries and not any(verbs):
         reader.report("EMPTY", entries["verb"], f"{prefix}verb", "no verb", "a verb or a list of verbs")

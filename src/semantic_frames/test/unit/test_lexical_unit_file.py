@@ -156,7 +156,7 @@ def test_long_example_is_no_name() -> None:
 
 
 CLOSED = load_frame(
-    "name: closed\nis_condition: True\nframe_elements:\n  - {name: theme, is_core: True}\n  - {name: state, is_core: True}",
+    "name: closed\nis_condition: True\nframe_elements: [{name: theme, is_core: True}, {name: state, is_core: True}]",
     "closed.yaml",
 )
 
