@@ -49,6 +49,7 @@ NO_SPEECH: Dict[str, Tuple[str, str]] = {
         "frame, name, action, service, topic, type, fields",
     ),
     "location_memorizer/locations.py": ("keys of a file", "x, y, heading"),
+    "semantic_frames/lexical_unit_file.py": ("keys of a file", "verb, question, condition, values, examples"),
     "offline_pipeline/pipeline.py": (
         "keys of JSON",
         "text, tokens, frames, reply, outcome, code, sentence, name, argument, typed",
