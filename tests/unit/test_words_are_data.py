@@ -49,7 +49,6 @@ NO_SPEECH: Dict[str, Tuple[str, str]] = {
         "frame, name, action, service, topic, type, fields",
     ),
     "location_memorizer/locations.py": ("keys of a file", "x, y, heading"),
-    "semantic_frames/lexical_unit_file.py": ("keys of a file", "verb, question, condition, values, examples"),
     "offline_pipeline/pipeline.py": (
         "keys of JSON",
         "text, tokens, frames, reply, outcome, code, sentence, name, argument, typed",
@@ -260,7 +259,7 @@ NO_SPEECH: Dict[str, Tuple[str, str]] = {
     ),
     "semantic_frames/lexical_unit_file.py": (
         "keys of a file",
-        "name, relation, argument, words, required, verb, question, examples",
+        "name, relation, argument, words, required, verb, question, condition, values, examples",
     ),
     "semantic_frames/marked_yaml.py": ("values of YAML", "true, yes, false, no"),
     "semantic_frames/server_statement.py": (
