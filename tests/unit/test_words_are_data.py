@@ -259,7 +259,7 @@ NO_SPEECH: Dict[str, Tuple[str, str]] = {
     ),
     "semantic_frames/lexical_unit_file.py": (
         "keys of a file",
-        "name, relation, argument, words, required, verb, question, examples",
+        "name, relation, argument, words, required, verb, question, condition, values, examples",
     ),
     "semantic_frames/marked_yaml.py": ("values of YAML", "true, yes, false, no"),
     "semantic_frames/server_statement.py": (
