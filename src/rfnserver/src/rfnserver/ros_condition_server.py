@@ -90,6 +90,20 @@ class ConditionServer(_Registering, QuietActionServer):
         self._registration = Registration(name, profile=stated_profile({**statement, "purpose": "watches"}))
         super().__init__(name, FilledSemanticFrameAction, self._on_goal, self._on_cancel, False)
 
+    def register_with_frame(self, frame_name: str, **statement: Any) -> bool:  # type: ignore[override]
+        """Watch a frame from now on.
+
+        Args:
+            frame_name: of a frame, also one whose file is added later
+            **statement: what the server states for this frame, instead of what it was made with
+        Returns:
+            True when the registrar accepted; see :meth:`RFNServer.register_with_frame`
+        Raises:
+            ProfileError: the statement is wrong
+        """
+        purpose = {"purpose": "watches"} if statement else {}
+        return super().register_with_frame(frame_name, **statement, **purpose)
+
     def changed(self) -> None:
         """Ask the function now: its source has news."""
         with self._condition:
