@@ -177,10 +177,7 @@ class PlacesWatch:
             raise ConditionUnknown(str(reason).rstrip(".?")) from reason
         here = self._pose.pose.pose.position
         is_there = is_near((here.x, here.y), (place.x, place.y), HEREABOUTS_M)
-        # The pose is told only when it changes.
-        age_s = (rospy.Time.now() - self._pose.header.stamp).to_sec()
-        stamp = self._pose.header.stamp if 0.0 <= age_s < MOMENT_S else rospy.Time.now()
-        return Observed(is_there is not (frame.name == "condition_of_departing"), stamp)
+        return Observed.still(is_there is not (frame.name == "condition_of_departing"), self._pose.header.stamp)
 
 
 class SpeechWatch:
@@ -219,7 +216,7 @@ class SpeechWatch:
         found = self._sayings.match(frame["speaker"], frame["message"], now_s=time.monotonic())
         if found is None:
             return Observed(False, rospy.Time.now())
-        return Observed(True, rospy.Time.from_sec(found.stamp_s))
+        return Observed.still(True, rospy.Time.from_sec(found.stamp_s))
 
 
 class CommandsWatch:
@@ -245,7 +242,7 @@ class CommandsWatch:
             raise ConditionUnknown("nobody replies to commands")
         if self._ended is None or time.monotonic() - self._ended[0] > MOMENT_S:
             return Observed(False, rospy.Time.now())
-        return Observed(True, self._ended[1])
+        return Observed.still(True, self._ended[1])
 
 
 class ClockWatch:

@@ -19,8 +19,6 @@ from typed_arguments import FilledFrame
 
 #: The robot perceives so often at least, seconds; what it has perceived for longer may be over.
 _SIGHT_S = 4.0
-#: What is still so is said as of now from this age on, seconds.
-_FRESH_S = 1.0
 
 
 @dataclass(frozen=True)
@@ -80,7 +78,7 @@ class HomeServers:
             holds = Conditions(self._body.memory, sight, speaker=self._settings.speaker).holds(frame)
         except CannotTell as reason:
             raise ConditionUnknown(str(reason)) from reason
-        return Observed(holds, stamp if age_s < _FRESH_S else rospy.Time.now())
+        return Observed.still(holds, stamp)
 
     def _serve(self, name: str, skills: Mapping[str, Skill]) -> RFNServer:
         def is_wanted() -> bool:

@@ -21,6 +21,8 @@ from semantic_frames.server_statement import stated_profile
 
 #: What holds is said again after this time, seconds: silence means that the source is dead.
 REPETITION_S = 0.5
+#: A change is told with its own stamp for so long, ROS time.
+_FRESH = rospy.Duration(1)
 
 
 class ConditionUnknown(Exception):
@@ -33,6 +35,17 @@ class Observed:
 
     holds: bool
     stamp: rospy.Time
+
+    @classmethod
+    def still(cls, holds: bool, since: rospy.Time) -> "Observed":
+        """Return what was observed and has not changed: from an age of a second on, it is observed now.
+
+        Args:
+            holds: whether the condition holds
+            since: stamp of the message that said so; its source speaks only of changes, and is alive
+        """
+        now = rospy.Time.now()
+        return cls(holds, since if now - since < _FRESH else now)
 
 
 Holds = Callable[[TypedFrame], Union[bool, Observed, None]]
