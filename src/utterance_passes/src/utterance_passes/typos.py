@@ -7,7 +7,6 @@ words of a clause show what was written: ``as_written``.
 
 import re
 from functools import lru_cache
-from os.path import commonprefix
 from typing import FrozenSet, Iterable, Iterator, List, Optional, Sequence
 
 from semantic_frames.lexical_unit import LexicalUnit
@@ -80,11 +79,16 @@ def _meant(word: str, before: Sequence[str], vocabulary: Verbs) -> Optional[str]
     found = [near for near in found if sorted(near) == sorted(said)] or found
     if len({_unit_name(near) for near in found}) != 1:
         return None
-    meant = max(found, key=lambda near: (near[-1] == said[-1], len(commonprefix([near, said]))))
+    meant = max(found, key=lambda near: (near[-1] == said[-1], _beginning(near, said)))
     if word.islower():
         return meant
     # A capital may be that of a name: "Rosie, turn left".
     return meant.capitalize() if not before and meant in vocabulary.words else None
+
+
+def _beginning(one: str, other: str) -> int:
+    """Return the length of the beginning that two words share."""
+    return next((place for place, letters in enumerate(zip(one, other)) if len(set(letters)) > 1), len(one))
 
 
 def _unit_name(word: str) -> str:
