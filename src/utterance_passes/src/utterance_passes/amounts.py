@@ -29,6 +29,10 @@ _DIRECTIONS = word_class("all_directions")
 #: Units that can also be verbs: "turn left ninety turn right" has no unit.
 _TURNS = frozenset(["turn", "circle"])
 
+#: "Another metre" is one metre.
+ANOTHER = "another"
+_ONE = (["a"], ["an"], [ANOTHER])
+
 
 @dataclass(frozen=True)
 class Amount:
@@ -174,7 +178,7 @@ def unit_at(tree: DependencyTree, index: int) -> Optional[Unit]:
 
 def _may_be_inside(tree: DependencyTree, index: int) -> bool:
     form = tree.word(index).form.lower()
-    return form in _INSIDE | _SIGNS | _ORDINALS | {"couple", "few", "+"} or is_number(tree, index)
+    return form == ANOTHER or form in _INSIDE | _SIGNS | _ORDINALS | {"couple", "few", "+"} or is_number(tree, index)
 
 
 def _amount(tree: DependencyTree, window: Sequence[int]) -> Optional[Amount]:
@@ -186,7 +190,9 @@ def _amount(tree: DependencyTree, window: Sequence[int]) -> Optional[Amount]:
     numeral = window[:-1] if unit else window
     if any(unit_at(tree, index) and not is_number(tree, index) for index in numeral):
         return _sum(tree, window)
-    is_one = unit is not None and [form for form in forms[:-1] if form not in _SIGNS | _EMPHASIS] in (["a"], ["an"])
+    is_one = unit is not None and [form for form in forms[:-1] if form not in _SIGNS | _EMPHASIS] in _ONE
+    if ANOTHER in forms and not is_one:
+        return None
     if not is_one and not any(is_number(tree, index) for index in numeral):
         return None
     if forms[len(numeral) - 1] == "and" or (unit is None and forms[0] in _ARTICLES):
@@ -197,7 +203,8 @@ def _amount(tree: DependencyTree, window: Sequence[int]) -> Optional[Amount]:
             number = parse_number(spoken)
             is_of_noun = _is_of_noun(tree, window[-1])
             return Amount(tuple(window), number, "", "number", number, spoken, is_of_noun=is_of_noun)
-        measure = parse_measure(_said(tree, window))
+        said = _said(tree, window)
+        measure = parse_measure(f"a{said[len(ANOTHER) :]}" if forms[0] == ANOTHER else said)
     except QuantityError as error:
         if error.code != "NOT_FINITE":
             return None
@@ -210,7 +217,7 @@ def _amount(tree: DependencyTree, window: Sequence[int]) -> Optional[Amount]:
             numeral=spoken,
             unit_position=window[-1] if unit else 0,
         )
-    if spoken.lower() in ("half", "quarter", "a", "an") and forms[-1].endswith("s"):
+    if spoken.lower() in ("half", "quarter", "a", "an", ANOTHER) and forms[-1].endswith("s"):
         # "Quarter turns" and "a turns" do not say how many turns.
         return None
     turn = tree.word(window[-1])

@@ -17,6 +17,7 @@ _INDEFINITES = word_class("indefinites")
 _PARTICLES_ON_THE_WAY = word_class("particles_on_the_way")
 _PARTS_OF_A_TURN = word_class("parts_of_a_turn")
 _PLACE_PREPOSITIONS = word_class("place_prepositions")
+_HOW_OFTEN = word_class("iteration_adverbs")
 _LEFT_AND_RIGHT = word_class("left_and_right")
 _LIGHT = word_class("light_verbs")
 _TURNING = word_class("turning_verbs")
@@ -168,11 +169,16 @@ def _verb_before(tree: DependencyTree, phrase: Word, turn: Word) -> Word:
 
 def with_sides_apart(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
     """Attach a side and the measure after it separately to the verb: the parser makes one phrase of "to the right
-    fifteen degrees".
+    fifteen degrees", and of "right twice".
     """
     for side in tree.words:
         governor = tree.word(side.head) if side.head else side
         if side.form.lower() not in _LEFT_AND_RIGHT:
+            continue
+        if governor.form.lower() in _HOW_OFTEN and side.index == governor.index - 1 and governor.head:
+            edit = TreeEdit(tree)
+            edit.rehang(side.index, governor.head, "advmod")
+            tree = edit.tree()
             continue
         below = [child for child in tree.children(side.index) if child.index > side.index and _is_joined(tree, child)]
         if below and governor.upos == "VERB":

@@ -13,6 +13,9 @@ from word_classes import word_class
 _AUXILIARIES = word_class("forms_of_have") | word_class("forms_of_do")
 _FORMS_OF_BE = word_class("forms_of_be")
 _PERSONS = word_class("personal_subjects")
+_PREPOSITIONS = word_class("place_prepositions") | {"underneath", "beneath"}
+#: Endings of words that compare; behind a noun they are adjectives: "the door furthest to the left".
+_COMPARING = ("er", "est", "most")
 _LEAD_IN = word_class("lead_in")
 #: A name of one letter.
 _LETTER = re.compile("[A-Z][0-9]*")
@@ -92,7 +95,8 @@ def adverbs(forms: Sequence[str], tags: Sequence[str], vocabulary: Vocabulary) -
         Retag(position, "ADV", "RB")
         for position, (form, tag) in enumerate(zip(forms, tags), start=1)
         if tag in ("NOUN", "PROPN", "VERB") and form.islower() | (position == 1)
-        if not vocabulary.verbs_beginning_with(form.lower())
+        if not vocabulary.verbs_beginning_with(form.lower()) and form.lower() not in _PREPOSITIONS
+        if not form.lower().endswith(_COMPARING)
         for parts in [parts_of_speech(form)]
         if ADVERB in parts and not parts & {NOUN, VERB}
     )
