@@ -55,7 +55,7 @@ class MooServer:
         self._path = os.path.join(self._folder.name, "moo.wav")
         write_wave(moo(), self._path)
         self._voice = Voice(is_aloud=settings.aloud, timeout_s=settings.timeout_s)
-        self._server = RFNServer("mooing", self._on_frame)
+        self._server = RFNServer("mooing", self._on_frame, occupies=["voice"])
         self._server.register_with_frame("mooing")
         self._server.start()
 

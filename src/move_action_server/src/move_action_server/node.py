@@ -1,11 +1,12 @@
-"""The node move_action_server: three RFNServers that move and turn one base."""
+"""The node move_action_server: four RFNServers that move and turn one base."""
 
 import enum
 import math
 import threading
 import time
 from dataclasses import dataclass
-from typing import Callable, Dict, Mapping, Optional, Sequence, Tuple
+from functools import partial
+from typing import Callable, Dict, Mapping, Optional, Sequence, Tuple, Union
 
 import rospy
 from geometry_msgs.msg import Twist
@@ -25,7 +26,16 @@ from move_action_server.motion import (
     check_goal,
     describe_amount,
 )
-from move_action_server.spoken_motion import PACES, SPEEDS, NotUnderstood, backward_goal, forward_goal, turn_goal
+from move_action_server.spoken_motion import (
+    PACES,
+    SPEEDS,
+    CompassGoal,
+    NotUnderstood,
+    backward_goal,
+    compass_goal,
+    forward_goal,
+    turn_goal,
+)
 from rfnserver import RFNServer, TypedFrame
 from roboframenet_ros.health import Health, Level
 from roboframenet_ros.parameters import ParameterError, Parameters, parameter
@@ -35,7 +45,7 @@ from roboframenet_ros.ros_publishing import publish
 from typed_arguments import TypedArgument
 
 #: Makes a motion of the arguments of a frame.
-GoalOf = Callable[[Mapping[str, TypedArgument]], MotionGoal]
+GoalOf = Callable[[Mapping[str, TypedArgument]], Union[MotionGoal, CompassGoal]]
 
 GOAL_OF_FRAME: Mapping[str, GoalOf] = {
     "moving_forward": forward_goal,
@@ -74,6 +84,7 @@ class Settings(Parameters):
         feedback_period_s: time between feedback messages
         slow_share: share of the usual speed of a motion that is to be slow
         quick_share: share of the usual speed of a motion that is to be quick
+        north_rad: yaw of north in the frame of the odometry; by REP 103, x is east and y is north
 
     Raises:
         ParameterError: a value out of its range, or values that contradict each other
@@ -97,6 +108,7 @@ class Settings(Parameters):
     feedback_period_s: float = parameter(0.5, least=0.05, most=60.0)
     slow_share: float = parameter(MotionSettings.slow_share, above=0.0)
     quick_share: float = parameter(MotionSettings.quick_share, above=1.0)
+    north_rad: float = parameter(math.pi / 2.0, least=-math.pi, most=math.pi)
 
     def __post_init__(self) -> None:
         super().__post_init__()
@@ -219,9 +231,10 @@ class MoveActionServer:
     Publishes:
         ``cmd_vel`` (geometry_msgs/Twist), only while a goal is active, and zero at its end
     Actions:
-        ``moving_forward``, ``moving_backward``, ``turning`` (roboframenet_msgs/FilledSemanticFrameAction)
+        ``moving_forward``, ``moving_backward``, ``turning``, ``turning_to_direction``
+        (roboframenet_msgs/FilledSemanticFrameAction)
 
-    There is one base, so there is one motion at a time: a newer goal of any of the three servers preempts the older.
+    There is one base, so there is one motion at a time: a newer goal of any of the four servers preempts the older.
     """
 
     WAIT_S = 0.05
@@ -235,7 +248,11 @@ class MoveActionServer:
         self._velocity = rospy.Publisher("cmd_vel", Twist, queue_size=1, tcp_nodelay=True)
         rospy.on_shutdown(self._shut_down)
         self._servers: Dict[str, RFNServer] = {}
-        for frame_name, goal_of in GOAL_OF_FRAME.items():
+        goals: Dict[str, GoalOf] = {
+            **GOAL_OF_FRAME,
+            "turning_to_direction": partial(compass_goal, north_rad=settings.north_rad),
+        }
+        for frame_name, goal_of in goals.items():
             server = RFNServer(
                 frame_name,
                 self._callback(frame_name, goal_of),
@@ -247,7 +264,7 @@ class MoveActionServer:
             self._servers[frame_name] = server
 
     def start(self) -> None:
-        """Offer the three servers, and register them with their frames: without a registrar, that takes seconds."""
+        """Offer the four servers, and register them with their frames: without a registrar, that takes seconds."""
         for server in self._servers.values():
             server.start()
         for frame_name, server in self._servers.items():
@@ -290,19 +307,19 @@ class MoveActionServer:
     def _run(
         self,
         server: RFNServer,
-        goal_of: Callable[[Mapping[str, TypedArgument]], MotionGoal],
+        goal_of: GoalOf,
         arguments: Mapping[str, TypedArgument],
     ) -> Ending:
         try:
             goal = goal_of(arguments)
         except NotUnderstood as error:
             return Ending(Outcome.ABORTED, str(error))
-        reason = check_goal(goal, settings=self._motion)
+        reason = check_goal(goal if isinstance(goal, MotionGoal) else goal.motion(0.0), settings=self._motion)
         if reason:
             return Ending(Outcome.ABORTED, reason)
         return self._drive(server, goal)
 
-    def _drive(self, server: RFNServer, goal: MotionGoal) -> Ending:
+    def _drive(self, server: RFNServer, goal: Union[MotionGoal, CompassGoal]) -> Ending:
         """Take the base, move it, stop it, and give it back."""
         claim = self._claims.claim(timeout_s=self._settings.claim_timeout_s, is_cancelled=server.is_preempt_requested)
         if claim is None:
@@ -315,7 +332,7 @@ class MoveActionServer:
             self._publish(STANDING)
             claim.release()
 
-    def _follow(self, server: RFNServer, goal: MotionGoal, *, claim: BaseClaim) -> Ending:
+    def _follow(self, server: RFNServer, wanted: Union[MotionGoal, CompassGoal], *, claim: BaseClaim) -> Ending:
         """Move the base until the motion ends. The caller stops the base."""
         motion_settings = self._motion
         start, count = self._odometry.wait_newer(
@@ -325,6 +342,7 @@ class MoveActionServer:
             if server.is_preempt_requested():
                 return Ending(Outcome.PREEMPTED, "cancelled before the first odometry")
             return Ending(Outcome.ABORTED, f"no odometry on {self._odometry.topic}")
+        goal = wanted if isinstance(wanted, MotionGoal) else wanted.motion(start.yaw_rad)
         clock = PausableClock(
             ros_time_ns=lambda: rospy.Time.now().to_nsec(), is_simulated=not rospy.rostime.is_wallclock()
         )

@@ -1,17 +1,20 @@
 """Converts the arguments of a frame to a motion in metres or radians."""
 
 import math
-from typing import Mapping
+from dataclasses import dataclass
+from typing import Mapping, Optional
 
-from move_action_server.motion import MotionGoal, MotionKind, Pace
+from move_action_server.motion import MotionGoal, MotionKind, Pace, wrap
 from semantic_frames.server_profile import spellings
 from spoken_quantities import QuantityError, parse_measure
 from typed_arguments import TypedArgument
-from word_classes import word_class
+from word_classes import word_class, word_list
 
 LEFTWARD = word_class("leftward")
 RIGHTWARD = word_class("rightward")
 AROUND = "around"
+#: Directions of the compass from north, counterclockwise by an eighth of a turn each, as yaw counts in REP 103.
+COMPASS = word_list("compass_points")
 SLOW = word_class("slow_words")
 QUICK = word_class("quick_words")
 #: What the servers heed of the manner and the speed of a motion: "slowly", "at half speed".
@@ -90,6 +93,45 @@ def turn_goal(arguments: Mapping[str, TypedArgument]) -> MotionGoal:
     if direction:
         raise NotUnderstood(f'I cannot turn "{direction}", only left, right or around.')
     raise NotUnderstood("Should I turn left or right?")
+
+
+@dataclass(frozen=True)
+class CompassGoal:
+    """A turn towards a direction of the compass; how far depends on where the base faces when it starts.
+
+    Attributes:
+        heading_rad: yaw of the direction in the frame of the odometry
+        angle_rad: how far to turn towards it; None until the base faces it
+        pace: how fast
+    """
+
+    heading_rad: float
+    angle_rad: Optional[float] = None
+    pace: Pace = Pace.USUAL
+
+    def motion(self, yaw_rad: float) -> MotionGoal:
+        """Return the turn of a base that faces a yaw; the shorter way round."""
+        turn_rad = wrap(self.heading_rad - yaw_rad)
+        amount = turn_rad if self.angle_rad is None else math.copysign(self.angle_rad, turn_rad)
+        return MotionGoal(MotionKind.TURN, amount, self.pace)
+
+
+def compass_goal(arguments: Mapping[str, TypedArgument], *, north_rad: float) -> CompassGoal:
+    """Read turning_to_direction(direction, angle, angle_unit, manner, speed).
+
+    Args:
+        arguments: by element
+        north_rad: yaw of north in the frame of the odometry
+    Raises:
+        NotUnderstood: the direction is none of the compass, or the angle or the manner is not understood
+    """
+    said = _text(arguments, "direction").lower()
+    point = said.replace(" ", "").replace("-", "").replace("_", "").split("ward")[0]
+    if point not in COMPASS:
+        raise NotUnderstood(f'I cannot turn to "{said}", only to a direction of the compass.')
+    heading_rad = wrap(north_rad + COMPASS.index(point) * math.pi / 4.0)
+    is_said = bool(_text(arguments, "angle"))
+    return CompassGoal(heading_rad, _angle_rad(arguments) if is_said else None, _pace(arguments))
 
 
 def _angle_rad(arguments: Mapping[str, TypedArgument]) -> float:

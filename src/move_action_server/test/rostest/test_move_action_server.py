@@ -61,14 +61,14 @@ class TestMoveActionServer(unittest.TestCase):
 
     @classmethod
     def setUpClass(cls):
-        """Connect to the three servers and to the base."""
+        """Connect to the four servers and to the base."""
         cls.lock = threading.Lock()
         cls.turned_rad, cls.position, cls.speed, cls.yaw_rad = 0.0, (0.0, 0.0), 0.0, None
         cls.last_command = None
         cls.odometry = rospy.Subscriber("odom", Odometry, cls.on_odometry, queue_size=1)
         cls.commands = rospy.Subscriber("cmd_vel", Twist, cls.on_command, queue_size=100)
         cls.clients = {}
-        for name in ("moving_forward", "moving_backward", "turning"):
+        for name in ("moving_forward", "moving_backward", "turning", "turning_to_direction"):
             cls.clients[name] = actionlib.ActionClient(name, FilledSemanticFrameAction)
             assert cls.clients[name].wait_for_server(rospy.Duration(DEADLINE_S)), name
         wait_until(lambda: cls.yaw_rad is not None)
@@ -127,6 +127,14 @@ class TestMoveActionServer(unittest.TestCase):
     def test_turn_left_270_degrees_is_not_90_to_the_right(self):
         """More than half a turn."""
         self.assert_turns(math.radians(270), direction="left", angle="270", angle_unit="degrees")
+
+    def test_turn_north_and_then_west(self):
+        """By REP 103 the base faces along y, and then against x, whichever way it faced before."""
+        for direction, yaw_rad in (("north", math.pi / 2.0), ("west", math.pi)):
+            state, text = self.start("turning_to_direction", direction=direction).outcome()
+            self.assertEqual(GoalStatus.SUCCEEDED, state, text)
+            self.assert_stands()
+            self.assertLessEqual(abs(math.remainder(self.yaw_rad - yaw_rad, 2.0 * math.pi)), 0.04)
 
     def test_move_forward_3_feet(self):
         """The sentence of the paper."""

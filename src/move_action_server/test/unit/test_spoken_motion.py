@@ -5,7 +5,15 @@ import math
 import pytest
 
 from move_action_server.motion import MotionKind, Pace
-from move_action_server.spoken_motion import PACES, SPEEDS, NotUnderstood, backward_goal, forward_goal, turn_goal
+from move_action_server.spoken_motion import (
+    PACES,
+    SPEEDS,
+    NotUnderstood,
+    backward_goal,
+    compass_goal,
+    forward_goal,
+    turn_goal,
+)
 from semantic_frames.server_statement import stated_profile
 from typed_arguments import Measure, TypedArgument
 
@@ -145,3 +153,37 @@ def test_everything_that_is_heeded_is_understood():
         said = TypedArgument("speed", text, quantifier=quantifier)
         assert profile.heeds_argument(said, None)
     assert not profile.heeds_argument(TypedArgument("manner", "happily"), None)
+
+
+@pytest.mark.parametrize(
+    "direction, yaw_deg, turn_deg",
+    [
+        ("north", 0.0, 90.0),
+        ("east", 0.0, 0.0),
+        ("South", 0.0, -90.0),
+        ("west", 170.0, 10.0),
+        ("north east", 0.0, 45.0),
+        ("southwest", -90.0, -45.0),
+        ("northwards", 80.0, 10.0),
+        ("westward", -170.0, -10.0),
+    ],
+)
+def test_a_direction_of_the_compass_is_reached_the_shorter_way(direction, yaw_deg, turn_deg):
+    goal = compass_goal(texts(direction=direction), north_rad=math.pi / 2.0)
+    motion = goal.motion(math.radians(yaw_deg))
+    assert motion.kind is MotionKind.TURN
+    assert motion.amount == pytest.approx(math.radians(turn_deg))
+
+
+def test_north_may_be_elsewhere():
+    assert compass_goal(texts(direction="north"), north_rad=0.0).motion(0.0).amount == pytest.approx(0.0)
+
+
+def test_an_angle_towards_a_direction_of_the_compass():
+    goal = compass_goal(texts(direction="south", angle="10", angle_unit="degrees"), north_rad=math.pi / 2.0)
+    assert goal.motion(0.0).amount == pytest.approx(math.radians(-10.0))
+
+
+def test_what_is_no_direction_of_the_compass_is_refused():
+    with pytest.raises(NotUnderstood, match="upward"):
+        compass_goal(texts(direction="upward"), north_rad=0.0)

@@ -61,7 +61,10 @@ class UtterServer:
                 lambda frame: spoken_text(elements(frame).get("message", ""), elements(frame).get("addressee", "")),
             ),
             self._serve(
-                "telling", lambda frame: told_fact(elements(frame).get("message", ""), datetime.datetime.now())
+                "telling",
+                lambda frame: told_fact(
+                    elements(frame).get("message", ""), datetime.datetime.now(), elements(frame).get("addressee", "")
+                ),
             ),
         ]
 
@@ -76,7 +79,8 @@ class UtterServer:
             if server.is_preempt_requested():
                 server.set_preempted(None, "I was interrupted.")
 
-        server = RFNServer(name, callback)
+        # It heeds all elements of its frames, and no manner: it speaks as it speaks.
+        server = RFNServer(name, callback, occupies=["voice"])
         server.register_with_frame(name)
         server.start()
         return server

@@ -32,18 +32,21 @@ def spoken_text(message: str, addressee: str = "") -> str:
         raise NothingToSay("There is nothing to say.")
     if len(words) > LONGEST_TEXT:
         raise NothingToSay(f"That is too long to say: {len(words)} characters, at most {LONGEST_TEXT}.")
-    name = without_determiner(addressee, _DETERMINERS)
+    name = _name_of(addressee)
     end = "" if words[-1] in "!?" else "."
-    called = f", {name}" if name and name.lower() not in _PARTICIPANTS else ""
+    called = f", {name}" if name else ""
     return words[0].upper() + words[1:].rstrip("!?") + called + (end or words[-1])
 
 
-def told_fact(message: str, now: datetime.datetime) -> str:
+def told_fact(message: str, now: datetime.datetime, addressee: str = "") -> str:
     """Return a sentence about something that the robot itself knows.
 
     Args:
         message: what to tell, "the time"
         now: local time
+        addressee: whom to tell, "Anna"; empty or "me" for nobody by name
+    Returns:
+        "Anna, it is 12:00."
     Raises:
         NothingToSay: the robot does not know it
     """
@@ -57,4 +60,11 @@ def told_fact(message: str, now: datetime.datetime) -> str:
     fact: Optional[str] = facts.get(topic)
     if fact is None:
         raise NothingToSay(f"I do not know {message.strip()}; I can tell the {', the '.join(sorted(facts))}.")
-    return fact
+    name = _name_of(addressee)
+    return f"{name[0].upper()}{name[1:]}, {fact[0].lower()}{fact[1:]}" if name else fact
+
+
+def _name_of(addressee: str) -> str:
+    """Return how to call an addressee; empty for the one who speaks."""
+    name = without_determiner(addressee, _DETERMINERS)
+    return name if name.lower() not in _PARTICIPANTS else ""

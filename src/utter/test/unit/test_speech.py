@@ -35,6 +35,13 @@ def test_told_fact_reads_the_clock() -> None:
     assert told_fact("the time", NOON) == "It is 12:00."
 
 
+@pytest.mark.parametrize(
+    "addressee, said", [("Anna", "Anna, it is 12:00."), ("me", "It is 12:00."), ("the guests", "Guests, it is 12:00.")]
+)
+def test_told_fact_names_who_is_told(addressee: str, said: str) -> None:
+    assert told_fact("the time", NOON, addressee) == said
+
+
 def test_told_fact_says_what_it_does_not_know() -> None:
     with pytest.raises(NothingToSay, match="the weather"):
         told_fact("the weather", NOON)
