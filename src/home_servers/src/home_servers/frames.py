@@ -1,12 +1,17 @@
 """Which skill carries out which frame: one table for each domain."""
 
-from typing import Dict
+from typing import Dict, Sequence
 
 from home_servers import going, handling, housework, looking, talking
 from home_servers.skills import Skill
 
 #: Settings, and the devices that they are of.
 SETTINGS: Dict[str, str] = {"volume": "radio", "music": "radio", "temperature": "thermostat", "heat": "thermostat"}
+#: By frame, the elements that its skill does not heed; the robot asks before it leaves them out.
+UNHEEDED: Dict[str, Sequence[str]] = {
+    "moving_along_path": ("direction", "distance", "source", "manner"),
+    "photographing": ("direction", "place", "recipient"),
+}
 #: By domain and frame. A frame that the frame graph composes of others is here only where the graph drops an element.
 DOMAINS: Dict[str, Dict[str, Skill]] = {
     "aliveness": {"waiting": going.wait},

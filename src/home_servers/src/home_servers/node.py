@@ -8,7 +8,7 @@ from roboframenet_msgs.msg import FilledSemanticFrameResult
 
 from home_servers.conditions import FRAMES as CONDITIONS
 from home_servers.conditions import CannotTell, Conditions
-from home_servers.frames import DOMAINS, WITHOUT_HANDS
+from home_servers.frames import DOMAINS, UNHEEDED, WITHOUT_HANDS
 from home_servers.ros_body import RosBody
 from home_servers.skills import CannotDo, Interrupted, Skill, Skills
 from rfnserver import ConditionServer, ConditionUnknown, Observed, RFNServer
@@ -98,7 +98,7 @@ class HomeServers:
 
         server = RFNServer(name, callback)
         for frame in skills:
-            server.register_with_frame(frame)
+            server.register_with_frame(frame, **({"unheeded": UNHEEDED[frame]} if frame in UNHEEDED else {}))
         server.start()
         return server
 

@@ -8,13 +8,14 @@ import pytest
 import yaml
 from direct_body import DirectBody
 
-from home_servers.frames import DOMAINS, FRAMES
+from home_servers.frames import DOMAINS, FRAMES, UNHEEDED
 from home_servers.skills import CannotDo, Interrupted, Skills
 from offline_pipeline.knowledge import load_knowledge, shipped_domains
 from offline_pipeline.pipeline import Pipeline
 from roboframenet_sim.home_engine import Home
 from roboframenet_sim.home_file import load_home_file
 from roboframenet_sim.home_truth import truth_of
+from semantic_frames.server_statement import stated_profile
 
 HERE = os.path.dirname(os.path.realpath(__file__))
 HOME_FILE = os.path.join(HERE, "..", "..", "..", "roboframenet_sim", "config", "home.yaml")
@@ -32,7 +33,8 @@ def ids(entry):
 def pipeline():
     knowledge = load_knowledge([shipped_domains()])
     for frame in FRAMES:
-        knowledge.graph.register(frame, "home")
+        profile = stated_profile({"unheeded": UNHEEDED[frame]} if frame in UNHEEDED else {})
+        assert knowledge.graph.register(frame, "home", profile) == ()
     return Pipeline(knowledge)
 
 
@@ -94,3 +96,10 @@ def test_every_frame_is_one_of_the_domains():
     assert set(FRAMES) <= set(knowledge.frames)
     assert sum(map(len, DOMAINS.values())) == len(FRAMES)
     assert "home_servers.node" not in sys.modules
+
+
+@pytest.mark.parametrize(
+    "said", ["Drive two metres along the corridor.", "Take a picture to your left.", "Go backwards along the corridor."]
+)
+def test_what_no_skill_heeds_is_not_left_out_without_a_word(pipeline, said):
+    assert pipeline.understand(said).reply.outcome != "DONE"
