@@ -17,6 +17,7 @@ _LEFT_AND_RIGHT = word_class("left_and_right")
 _ONWARD = word_class("onward_adverbs")
 _PLACE_ADVERBS = word_class("place_adverbs")
 _PLACE_PREPOSITIONS = word_class("place_prepositions")
+_SPEAKERS = word_class("speaker_objects")
 _STRAIGHT = word_class("straight_adverbs")
 
 
@@ -88,6 +89,22 @@ def behind_description(tree: DependencyTree, verb: int, phrases: Sequence[int]) 
     return tuple(
         index for index in phrases if (is_purpose or index != min(described)) and max(tree.subtree(index)) == end
     )
+
+
+def persons_behind(tree: DependencyTree, verb: int, preposition: str) -> Tuple[int, ...]:
+    """Return a pronoun for a person at the end of a description that the parser attached to a noun in it: "describe the
+    man sitting at the table *to me*"; no table is to anybody.
+
+    Args:
+        tree: the sentence
+        verb: of the description
+        preposition: of the pronoun
+    """
+    last = max(tree.subtree(verb))
+    word = tree.word(last)
+    has_preposition = any(c.deprel == "case" and c.form.lower() == preposition for c in tree.children(last))
+    is_person = word.form.lower() in _SPEAKERS and bool(word.head) and tree.word(word.head).upos == "NOUN"
+    return (last,) if is_person and has_preposition else ()
 
 
 def is_later_item(tree: DependencyTree, index: int, phrases: Collection[int]) -> bool:

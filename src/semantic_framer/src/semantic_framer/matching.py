@@ -13,6 +13,7 @@ from semantic_framer.attachment import (
     is_of_one_direction,
     is_of_something,
     is_postmodifier_of,
+    persons_behind,
     places_before,
     preposition_of,
     words_before,
@@ -285,6 +286,7 @@ class _Filling:
                     if inner.deprel == "nmod" and inner.index > noun:
                         found += self._sentence.dependents(inner.index, f"prep_{preposition}")
                     if inner.deprel == "acl":
+                        found += persons_behind(self._sentence.tree, inner.index, preposition)
                         found += behind_description(
                             self._sentence.tree,
                             inner.index,

@@ -21,6 +21,7 @@ _HEARERS = word_class("hearers")
 _LEFT_AND_RIGHT = word_class("left_and_right")
 _PLACE_PREPOSITIONS = word_class("place_prepositions")
 _PLACING = word_class("placing_prepositions")
+_QUESTION_WORDS = word_class("question_words")
 _SIDES = word_class("sides")
 
 
@@ -151,6 +152,17 @@ def is_side_of_the_place_before(filled: Filled) -> bool:
         if value is not filled.value
     )
     return is_side and is_of_hearer and is_behind_place and not nouns
+
+
+def is_subject_of_a_question(filled: Filled) -> bool:
+    """Whether the subject of an indirect question is taken for what is looked at: "find out where *my keys* are" does
+    not look at the keys. "Whether the oven is hot" does.
+    """
+    head, form = filled.head, filled.head.form.lower()
+    if "Ground" not in filled.roles or not head.deprel.startswith("nsubj") or form in _QUESTION_WORDS:
+        return False
+    asked = (filled.tree.word(head.head), *filled.tree.children(head.head))
+    return any(word.form.lower() in _QUESTION_WORDS for word in asked)
 
 
 def is_degree(filled: Filled) -> bool:

@@ -251,6 +251,11 @@ PLAUSIBILITY: Tuple[ReadingVerdict, ...] = (
         _of_any_value(plausibility.is_two_phrases),
     ),
     ReadingVerdict(
+        "subject_of_a_question",
+        'The subject of an indirect question is taken for what is looked at: "find out where my keys are".',
+        _of_any_value(plausibility.is_subject_of_a_question),
+    ),
+    ReadingVerdict(
         "degree_is_no_thing", 'A degree is taken for a thing: "move a bit".', _of_any_value(plausibility.is_degree)
     ),
     ReadingVerdict(
