@@ -38,7 +38,14 @@ from roboframenet_msgs.srv import (
 from frame_registrar.graph import FrameGraph
 from frame_registrar.ros_candidate_topics import CandidateTopics
 from frame_registrar.ros_liveness import LivenessWatch
-from frame_registrar.ros_messages import to_clauses, to_empty_frame, to_file_problems, to_frame_lists, to_plan
+from frame_registrar.ros_messages import (
+    conditions_in,
+    to_clauses,
+    to_empty_frame,
+    to_file_problems,
+    to_frame_lists,
+    to_plan,
+)
 from frame_registrar.search import Refusal, combinations, reply_outcome, search
 from roboframenet_ros.health import Health, Level
 from roboframenet_ros.parameters import Parameters, parameter
@@ -252,7 +259,12 @@ class FrameRegistrar:
     def _on_command(self, message: CommandLexicalUnits) -> None:
         try:
             with self._lock:
-                outcome = search(self._graph, to_clauses(message.clauses), max_candidates=self._settings.max_candidates)
+                outcome = search(
+                    self._graph,
+                    to_clauses(message.clauses),
+                    max_candidates=self._settings.max_candidates,
+                    conditions=conditions_in(message.plan, message.clauses),
+                )
             if not isinstance(outcome, Refusal):
                 plan = to_plan(message.clauses, message.command.text, outcome, message.plan)
         except Exception as error:  # boundary: the command gets its reply, whatever fails
@@ -290,10 +302,12 @@ def _is_server_name(name: str) -> bool:
 
 def describe(plan: Plan) -> str:
     """Return the candidates of a plan in words: "2 candidates: turning @ turning; ..."."""
-    leaves = [node for node in plan.nodes if node.kind == PlanNode.DO]
+    leaves = [node for node in plan.nodes if node.candidates]
     if len(leaves) == 1:
         return _describe_candidates(leaves[0])
-    return "; then ".join(f'"{leaf.label}": {_describe_candidates(leaf)}' for leaf in leaves)
+    is_list = not any(leaf.kind == PlanNode.CONDITION for leaf in leaves)
+    told = [f'"{leaf.label}": {_describe_candidates(leaf)}' for leaf in leaves]
+    return ("; then " if is_list else "; ").join(told)
 
 
 def _describe_candidates(leaf: PlanNode) -> str:
@@ -301,8 +315,9 @@ def _describe_candidates(leaf: PlanNode) -> str:
         ", then ".join(f"{frame.name} @ {frame.action_server_topics[0]}" for frame in candidate.frames)
         for candidate in leaf.candidates[:3]
     )
-    count = len(leaf.candidates)
-    return f"{count} candidate{'s' if count > 1 else ''}: {shown}{'; ...' if count > 3 else ''}"
+    count, what = len(leaf.candidates), "watch" if leaf.kind == PlanNode.CONDITION else "candidate"
+    plural = "es" if what == "watch" else "s"
+    return f"{count} {what}{plural if count > 1 else ''}: {shown}{'; ...' if count > 3 else ''}"
 
 
 def main() -> None:

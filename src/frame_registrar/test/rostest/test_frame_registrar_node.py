@@ -39,6 +39,8 @@ from roboframenet_testing import wait_until
 from semantic_frames.ros_server_profile import profile_from_message, profile_to_message
 from semantic_frames.server_profile import AS_IN_2012, ServerProfile
 from semantic_frames.server_statement import stated_profile
+from typed_arguments import TypedArgument
+from typed_arguments.ros_messages import to_message
 
 
 class FrameRegistrarTest(unittest.TestCase):
@@ -177,6 +179,41 @@ class FrameRegistrarTest(unittest.TestCase):
         repeat, do = message.plan.nodes
         self.assertEqual((repeat.kind, repeat.count, list(repeat.children)), (PlanNode.REPEAT, 2, [1]))
         self.assertEqual(do.candidates[0].frames[0].action_server_topics, ["steady"])
+
+    def test_condition_gets_the_servers_that_watch_and_nothing_moves_without(self) -> None:
+        for name in ("rattling", "fleeing"):
+            self.assertTrue(self.add_frame(f"{name}.yaml", f"name: {name}\nframe_elements: [{{name: theme}}]\n"))
+            self.register(name, "steady")
+        plan = Plan(
+            nodes=[
+                PlanNode(kind=PlanNode.UNTIL, children=[1, 2]),
+                PlanNode(kind=PlanNode.CONDITION, trigger=PlanNode.BEGINS, is_negated=True),
+                PlanNode(kind=PlanNode.DO, limit=rospy.Duration(9)),
+            ]
+        )
+        clauses = [self.clause("rattling", "it rattles", theme="the lid"), self.clause("fleeing", "flee")]
+        event = self.send(clauses, plan)
+        self.assertEqual((event.reply.outcome, event.reply.code), (Reply.REFUSED, "NO_SERVER"))
+        self.assertIn('whether "it rattles": no server watches "rattling"', event.reply.sentence)
+
+        profile = ServerProfileMessage(purpose=ServerProfileMessage.WATCHES)
+        self.assertTrue(self.call("register_server", RegisterServer, "rattling", "second", profile).success)
+        until, condition, do = self.send(clauses, plan).plan.nodes
+        self.assertEqual((until.kind, list(until.children)), (PlanNode.UNTIL, [1, 2]))
+        self.assertEqual((condition.kind, condition.label), (PlanNode.CONDITION, "it rattles"))
+        self.assertEqual((condition.trigger, condition.is_negated), (PlanNode.BEGINS, True))
+        self.assertEqual((self.servers_of(condition), self.servers_of(do)), ([["second"]], [["steady"]]))
+        self.assertEqual(do.limit, rospy.Duration(9))
+
+        members = (TypedArgument(text="the lid"), TypedArgument(text="the pan"))
+        listed = TypedArgument("theme", "the lid or the pan", members=members, conjunction="or")
+        clauses[0].readings[0].arguments = [to_message(listed)]
+        clauses[0].readings[0].lexical_unit.frame_elements[0].argument = listed.text
+        nodes = self.send(clauses, plan).plan.nodes
+        self.assertEqual((nodes[1].kind, list(nodes[1].children)), (PlanNode.ANY, [3, 4]))
+        self.assertEqual((nodes[1].trigger, nodes[1].is_negated), (PlanNode.BEGINS, True))
+        texts = [node.candidates[0].frames[0].frame_elements[0].argument for node in nodes[3:]]
+        self.assertEqual(texts, ["the lid", "the pan"])
 
     def test_each_clause_of_a_command_has_its_own_candidates(self) -> None:
         for name in ("nodding", "humming"):

@@ -9,10 +9,10 @@ from roboframenet_msgs.msg import FrameCatalogue, Lexicon
 from roboframenet_msgs.srv import AddFrame, AddLexicalUnit, RegisterServer, RegisterWithFrame
 
 from rfnserver.registration import (
+    Answers,
     Circumstances,
     FrameFit,
     KnownState,
-    Refusals,
     RegistrationRequest,
     RequestKind,
     absolute_path,
@@ -25,7 +25,8 @@ from semantic_frames.server_profile import AS_IN_2012, Purpose, ServerProfile
 
 #: Deadline of a call for its service to exist, and again for the answer, seconds.
 SERVICE_TIMEOUT_S = 5.0
-#: A request that was not answered, or a registration that was refused, is repeated after this time; seconds.
+#: A request that was not answered, a registration that was refused, and what was granted and is still missing: all are
+#: repeated after this time; seconds.
 RETRY_S = 10.0
 
 FrameCheck = Callable[[str], FrameFit]
@@ -66,7 +67,7 @@ class Registration:
         self._requests: List[RegistrationRequest] = []
         self._registrar: Optional[KnownState] = None
         self._framer: Optional[KnownState] = None
-        self._refusals = Refusals(retry_s=RETRY_S)
+        self._answers = Answers(retry_s=RETRY_S)
         #: When the registrar first found a registration odd, by frame; and those that were told.
         self._remarks: Dict[str, float] = {}
         self._told: Set[str] = set()
@@ -161,12 +162,12 @@ class Registration:
                 self._is_stale = False
                 missing = missing_requests(self._requests, registrar=self._registrar, framer=self._framer)
                 unchecked = sorted(self._unchecked)
-                due = [
-                    request
-                    for request in missing
-                    if self._refusals.is_due(request, self._circumstances(request), now_s=time.monotonic())
-                ]
-            for request in due:
+            for request in missing:
+                with self._condition:
+                    # Looked up for each: another thread may have made the request meanwhile.
+                    is_due = self._answers.is_due(request, self._circumstances(request), now_s=time.monotonic())
+                if not is_due:
+                    continue
                 again = " again" if self._reported.get(request) == "" else ""
                 if self._ask(request):
                     rospy.loginfo("%s: %s %s%s", self._server_name, request.kind.value, request.subject, again)
@@ -197,9 +198,9 @@ class Registration:
             if error:
                 # Whether a registration is granted may also depend on a frame that is added later.
                 is_final = is_answered and request.kind is not RequestKind.REGISTRATION
-                self._refusals.note(request, circumstances, is_final=is_final, now_s=time.monotonic())
+                self._answers.refuse(request, circumstances, is_final=is_final, now_s=time.monotonic())
             else:
-                self._refusals.forget(request)
+                self._answers.grant(request, circumstances, now_s=time.monotonic())
         self._report(request, error)
         return not error
 
