@@ -15,6 +15,7 @@ from roboframenet_msgs.msg import (
     FilledSemanticFrameListList,
     FrameCallback,
     FrameCatalogue,
+    FrameServers,
     Plan,
     PlanNode,
     Reply,
@@ -85,7 +86,8 @@ class FrameRegistrar:
         command_lexical_units (CommandLexicalUnits)
     Publishes:
         command_semantic_frames (CommandSemanticFrames), filled_semantic_frames (FilledSemanticFrameListList),
-        frame_catalogue (FrameCatalogue, latched), file_problems (FileProblems, latched), stage_events (StageEvent)
+        frame_catalogue (FrameCatalogue, latched), frame_servers (FrameServers, latched),
+        file_problems (FileProblems, latched), stage_events (StageEvent)
     Services:
         add_frame, get_empty_frame, register_with_frame, register_server
     Parameters: see :class:`Settings`.
@@ -102,6 +104,7 @@ class FrameRegistrar:
         self._dead: FrozenSet[str] = frozenset()
         self._id = uuid.uuid4().hex
         self._catalogue = rospy.Publisher("frame_catalogue", FrameCatalogue, queue_size=1, latch=True)
+        self._servers = rospy.Publisher("frame_servers", FrameServers, queue_size=1, latch=True)
         self._file_problems = rospy.Publisher("file_problems", FileProblems, queue_size=5, latch=True)
         self._candidates = CandidateTopics(self._is_question)
         self._candidates_2012 = rospy.Publisher("filled_semantic_frames", FilledSemanticFrameListList, queue_size=100)
@@ -213,7 +216,7 @@ class FrameRegistrar:
             rospy.logerr("registration refused: %s", error)
         if errors:
             return errors, ""
-        self._publish_catalogue()
+        self._publish_servers()
         remark = self._graph.remark(frame_name, server)
         if remark:
             rospy.logwarn("'%s' registered for a frame: %s", server, remark)
@@ -229,26 +232,27 @@ class FrameRegistrar:
             self._dead = servers
         if is_changed:
             rospy.loginfo("action servers that are not running: %s", ", ".join(sorted(servers)) or "none")
-            self._publish_catalogue()
+            self._publish_servers()
 
     def _publish_catalogue(self) -> None:
         # Publish under the lock: the later of two changes must stay latched.
         with self._lock:
-            self._catalogue.publish(
-                FrameCatalogue(
-                    registrar_id=self._id,
-                    files=[SourceFile(path=path, text=text) for path, text in self._texts.items()],
-                    callbacks=[
-                        FrameCallback(
-                            frame_name=frame,
-                            callback_topic=server,
-                            is_alive=self._graph.is_alive(server),
-                            profile=profile_to_message(self._graph.profile(frame, server)),
-                        )
-                        for frame, server in self._graph.registrations()
-                    ],
+            files = [SourceFile(path=path, text=text) for path, text in self._texts.items()]
+            self._catalogue.publish(FrameCatalogue(registrar_id=self._id, files=files))
+        self._publish_servers()
+
+    def _publish_servers(self) -> None:
+        with self._lock:
+            callbacks = [
+                FrameCallback(
+                    frame_name=frame,
+                    callback_topic=server,
+                    is_alive=self._graph.is_alive(server),
+                    profile=profile_to_message(self._graph.profile(frame, server)),
                 )
-            )
+                for frame, server in self._graph.registrations()
+            ]
+            self._servers.publish(FrameServers(registrar_id=self._id, paths=list(self._texts), callbacks=callbacks))
 
     def _is_question(self, name: str) -> bool:
         """Whether a frame is a question."""
