@@ -29,7 +29,7 @@ _PREFIX = 4
 class Pairs:
     """Scores of pairs of words; there may be several at once."""
 
-    def __init__(self, weights: "Weights", names: Sequence[str]) -> None:
+    def __init__(self, weights: "Weights", *names: str) -> None:
         """
         Args:
             weights: tensors of the model
@@ -107,9 +107,12 @@ class DependencyParser:
         ):
             raise ValueError("a parser of another form")
         self._vectors = vectors
-        self._words, self._characters, self._lemmas, self._upos, self._xpos, self._relations = (
-            Vocabulary(vocabularies[name]) for name in ("word", "char", "lemma", "upos", "xpos", "deprel")
-        )
+        self._words = Vocabulary(vocabularies["word"])
+        self._characters = Vocabulary(vocabularies["char"])
+        self._lemmas = Vocabulary(vocabularies["lemma"])
+        self._upos = Vocabulary(vocabularies["upos"])
+        self._xpos = Vocabulary(vocabularies["xpos"])
+        self._relations = Vocabulary(vocabularies["deprel"])
         self._transform = Linear(weights, "trans_pretrained")
         # These two are large and sparsely read: they stay in the precision of the file.
         self._word_embedding = weights["word_emb.weight"]
@@ -118,7 +121,7 @@ class DependencyParser:
         self._xpos_embedding = floats(weights, "xpos_emb.weight")
         self._spelling = WordCharacters(weights, "charmodel", "trans_char")
         self._lstm = Highway(weights, "parserlstm", config["num_layers"])
-        self._arcs = Pairs(weights, ["unlabeled", "linearization", "distance"])
+        self._arcs = Pairs(weights, "unlabeled", "linearization", "distance")
         self._labels = Relations(weights, "deprel")
         self._kept: Kept[Tuple[str, str, str, str]] = Kept(MOST_KEPT)
         root = self._rows(vectors.root(), [ROOT], [ROOT], ([ROOT], [ROOT]), [[ROOT]])
