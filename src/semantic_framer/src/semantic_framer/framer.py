@@ -211,7 +211,10 @@ class _Hearing:
         trace = Trace() if self._trace is not None else None
         heard = _Hearing(replace(self._now, trace=trace), self._without)._read(attached.sentence, context)
         plain = _Hearing(replace(self._now, trace=None), self._without)._read(sentence, context)
-        if not is_better(attached, heard.clauses, plain.clauses, self._now.known):
+        best = [read.kept[0] for read in heard.clauses if read.kept]
+        before = [read.kept[0] for read in plain.clauses if read.kept]
+        is_whole = len(best) == len(heard.clauses)
+        if not is_whole or not is_better(attached, best, before, self._now.known):
             return self._read(sentence, context)
         self._now.write("attached_by_world", sentence.tree.text, attached.note)
         if trace is not None and self._trace is not None:
