@@ -12,6 +12,7 @@ from std_msgs.msg import Bool, Empty, String
 from std_srvs.srv import Trigger, TriggerRequest, TriggerResponse
 
 from command_server.stop_words import is_stop
+from roboframenet_ros.ros_live_parameters import LiveParameters
 from roboframenet_ros.ros_node import read_parameters, run_node
 from semantic_types import NoWordNet
 from utter.ros_voice import Voice
@@ -103,9 +104,18 @@ class VoiceRecognition:
             rospy.Subscriber("push_to_talk", Empty, lambda _: self._happened(Pushed()), queue_size=10),
         ]
         self._service = rospy.Service("listen", Trigger, self._on_listen)
+        self._tuned = LiveParameters(settings, self._tune)
         for run in (self._run_work, self._run_clock, self._run_microphone):
             threading.Thread(target=run, daemon=True).start()
         rospy.loginfo("ready: %s", settings)
+
+    def _tune(self, settings: Settings) -> None:
+        with self._lock:
+            is_between = self._state == dialogue.begin(self._rules)
+            self._settings, self._rules = settings, settings.dialogue
+            if is_between:
+                self._state = dialogue.begin(self._rules)
+                self._show()
 
     # --- what can be said
 
