@@ -48,6 +48,10 @@ NO_SPEECH: Dict[str, Tuple[str, str]] = {
         "keys of a file",
         "frame, name, action, service, topic, type, fields",
     ),
+    "frame_bindings/condition_file.py": (
+        "keys of a file",
+        "frame, name, topic, type, entries, where, field, comparison, value, element, default, values, factor",
+    ),
     "location_memorizer/locations.py": ("keys of a file", "x, y, heading"),
     "offline_pipeline/pipeline.py": (
         "keys of JSON",
@@ -259,7 +263,7 @@ NO_SPEECH: Dict[str, Tuple[str, str]] = {
     ),
     "semantic_frames/lexical_unit_file.py": (
         "keys of a file",
-        "name, relation, argument, words, required, verb, question, examples",
+        "name, relation, argument, words, required, verb, question, condition, values, examples",
     ),
     "semantic_frames/marked_yaml.py": ("values of YAML", "true, yes, false, no"),
     "semantic_frames/server_statement.py": (
