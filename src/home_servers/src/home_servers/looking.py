@@ -2,7 +2,6 @@
 
 from typing import List, Optional, Tuple
 
-from home_servers.handling import bring
 from home_servers.memory import Known
 from home_servers.skills import CannotDo, Skills, argument, said
 from typed_arguments import FilledFrame, TypedArgument
@@ -243,8 +242,3 @@ def be_located(skills: Skills, frame: FilledFrame) -> None:
     theme, place = argument(frame, "theme"), skills.find(argument(frame, "location"))
     for name in {theme.head.lower(), theme.lemma.lower(), theme.text.lower()} - {""}:
         skills.memory.tell(name, place.id)
-
-
-def find_and_bring(skills: Skills, frame: FilledFrame) -> None:
-    """Find something for somebody."""
-    bring(skills, frame)
