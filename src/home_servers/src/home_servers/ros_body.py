@@ -1,5 +1,6 @@
 """The body of a robot in a home, over ROS: the actions of the home, and what the robot perceives."""
 
+import datetime
 import json
 import math
 import threading
@@ -180,6 +181,10 @@ class RosBody:
         """ROS time, in seconds."""
         return float(rospy.get_time())
 
+    def clock(self) -> datetime.datetime:
+        """The local time of this machine."""
+        return datetime.datetime.now()
+
     def held(self) -> Sequence[str]:
         """Ids of what the robot holds."""
         with self._lock:
@@ -206,6 +211,8 @@ class RosBody:
             rooms, furniture = self._rooms, self._furniture
         known = [known_of(one, rooms, furniture) for one in message.objects if one.id != _ROBOT]
         self.memory.update(known)
+        for ident in message.missing:
+            self.memory.forget_place(ident)
         me = [one for one in message.objects if one.id == _ROBOT]
         if me:
             with self._lock:

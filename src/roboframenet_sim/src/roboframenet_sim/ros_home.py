@@ -17,6 +17,7 @@ from roboframenet_ros.ros_node import StartError, read_parameters, run_node
 from roboframenet_ros.ros_publishing import publish
 from roboframenet_sim.base import Velocity
 from roboframenet_sim.home_actions import Action, Failure
+from roboframenet_sim.home_arranging import arranged
 from roboframenet_sim.home_engine import Home
 from roboframenet_sim.home_file import load_home_file
 from roboframenet_sim.home_state import PR2, ROBOT, TURTLEBOT, Faults
@@ -43,6 +44,7 @@ class HomeSettings(Parameters):
         home_file: path of a home; empty for ``config/home.yaml`` of the package
         robot: pr2 or turtlebot
         slip, blocked_door: probabilities of faults
+        may_be_arranged: whether a test may start the home anew
 
     Raises:
         ParameterError: a value out of its range
@@ -52,6 +54,7 @@ class HomeSettings(Parameters):
     robot: str = parameter("pr2")
     slip: float = parameter(0.0, least=0.0, most=1.0)
     blocked_door: float = parameter(0.0, least=0.0, most=1.0)
+    may_be_arranged: bool = parameter(False)
 
 
 class _Base:
@@ -81,7 +84,9 @@ class HomeSim:
 
     Subscribes:
         ``cmd_vel`` (geometry_msgs/Twist), ``said`` (std_msgs/String): what the robot says;
-        ``home/person`` (std_msgs/String): "bob walk kitchen", "anna take newspaper", ...
+        ``home/person`` (std_msgs/String): "bob walk kitchen", "anna take newspaper", ...;
+        ``home/arrange`` (std_msgs/String): a JSON mapping as in :func:`arranged`; the home starts anew, and the robot
+        forgets where things and persons are
     Publishes:
         ``odom``, ``/tf``, ``amcl_pose``; with a PR2 ``joint_states``;
         ``world_updates`` (WorldUpdate): the map, and what the robot sees; ``home/map`` (WorldUpdate, latched);
@@ -124,6 +129,9 @@ class HomeSim:
         self._map.publish(WorldUpdate(objects=map_objects(plan)))
         self._said = rospy.Subscriber("said", String, self._on_said, queue_size=50)
         self._person = rospy.Subscriber("home/person", String, self._on_person, queue_size=50)
+        self._begin = state
+        if settings.may_be_arranged:
+            self._arrange = rospy.Subscriber("home/arrange", String, self._on_arrange, queue_size=5)
         self._server = actionlib.ActionServer(
             "home/act", FilledSemanticFrameAction, self._on_goal, self._on_cancel, auto_start=False
         )
@@ -199,6 +207,21 @@ class HomeSim:
             failure = self._home.tell_person(words[0], words[1], words[2])
         if failure is not None:
             rospy.logwarn("%s: %s", message.data, failure.sentence)
+
+    def _on_arrange(self, message: String) -> None:
+        plan, floor = self._home.plan, self._home.floor
+        try:
+            wishes: Dict[str, str] = json.loads(message.data)
+            state = arranged(plan, floor, self._begin, wishes)
+        except (ValueError, AttributeError) as error:
+            rospy.logerr("home/arrange: %s", error)
+            return
+        with self._lock:
+            self._home.start_anew(state)
+            self._heard_until_s = self._home.state.time_s
+            self._last.clear()
+        forgotten = [one.id for one in plan.entities.values() if one.kind in ("thing", "person")]
+        publish(self._updates, WorldUpdate(missing=forgotten))
 
     def _on_goal(self, handle: Any) -> None:
         with self._lock:

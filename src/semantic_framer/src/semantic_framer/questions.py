@@ -22,7 +22,7 @@ _VERBS_IN_FULL: Mapping[str, str] = {"'s": "is", "â€™s": "is", "'re": "are", "â€
 
 _OF_A_PLACE = "|".join(sorted(map(re.escape, _PREPOSITIONS), key=len, reverse=True))
 #: A regular expression for each kind of words that fills an element.
-_WORDS_OF_SLOTS: Mapping[str, str] = {
+WORDS_OF_SLOTS: Mapping[str, str] = {
     "": ".+?",
     "word": r"\S+",
     "place": rf"(?:(?:{_OF_A_PLACE}) .+?|here)",
@@ -101,7 +101,7 @@ def _read(case: Case, unit: LexicalUnit, frame: SemanticFrame, question: Questio
 
 @lru_cache(maxsize=1024)
 def _compiled(text: str) -> Pattern[str]:
-    return QuestionPattern(text).compile(_WORDS_OF_SLOTS)
+    return QuestionPattern(text).compile(WORDS_OF_SLOTS)
 
 
 def _spelling(word: Word) -> str:

@@ -24,6 +24,7 @@ from semantic_framer.outcome import (
 from semantic_framer.reading import Reading
 from semantic_framer.references import remember, resolve, resolve_in_parallel
 from semantic_framer.sentence import Sentence
+from semantic_framer.indirect_questions import with_indirect_questions
 from semantic_framer.world_references import refer, spoken_of
 from semantic_frames.semantic_type import SEMANTIC_TYPES
 from typed_arguments import TypedArgument
@@ -99,6 +100,7 @@ def resolve_and_confirm(
     ignored = [sentence.word(index).form for readings in clauses for index in readings[0].left_over]
     done: List[Tuple[Reading, ...]] = []
     for readings in clauses:
+        readings = tuple(with_indirect_questions(reading, sentence.tree, now.known) for reading in readings)
         if done:
             readings = _beside(readings, done[-1][0], now)
         question = _resolved(readings, context, now)
