@@ -12,8 +12,8 @@ sys.path.append(os.path.join(os.path.dirname(os.path.realpath(__file__)), "..", 
 from home_referee.annotated import read_annotated, slots_of
 from home_referee.commands import draw
 from home_referee.judging import Verdict, judge, table
-from home_runs import RosRuns
 
+from home_runs import RosRuns
 from roboframenet_rostest import wait_for_pipeline
 
 SPEAKER = "alice"

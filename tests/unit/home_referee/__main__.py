@@ -1,11 +1,11 @@
-"""Judges commands in the home: ``PYTHONPATH=tests/unit:$PYTHONPATH python -m home_referee GRAMMARS --count 200``."""
+"""Judges commands in the home: ``python -m home_referee GRAMMARS --count 200``, with ``tests/unit`` on the path."""
 
 import argparse
 
 from roboframenet_sim.home_state import Faults
 
-from .commands import draw
 from .annotated import slots_of
+from .commands import draw
 from .direct_run import DirectRun
 from .judging import Verdict, judge, table
 
@@ -22,20 +22,20 @@ def main() -> None:
     parser.add_argument("--slip", type=float, default=0.0, metavar="P", help="probability that a thing slips")
     parser.add_argument("--blocked-door", type=float, default=0.0, metavar="P", help="probability of a blocked door")
     parser.add_argument("--only", default="", metavar="WORDS", help="only commands with these words")
-    parser.add_argument("--left-out", action="store_true", help="list the kinds of commands that the home has nothing for")
+    parser.add_argument("--left-out", action="store_true", help="list what the home has nothing for")
     arguments = parser.parse_args()
     slots = slots_of(arguments.folder, speaker=SPEAKER)
     commands, left_out = draw(arguments.folder, slots, count=arguments.count, seed=arguments.seed)
-    runs = DirectRun(
-        speaker=SPEAKER, seed=arguments.seed, faults=Faults(arguments.slip, arguments.blocked_door)
-    )
+    runs = DirectRun(speaker=SPEAKER, seed=arguments.seed, faults=Faults(arguments.slip, arguments.blocked_door))
     judged = []
     for command in commands:
         if arguments.only.lower() in command.text.lower():
             judged.append(judge(runs.run(command), slots))
             last = judged[-1]
             if last.verdict is not Verdict.RIGHT:
-                print(f"{last.verdict.value}: {command.text}: {last.run.outcome}: {' | '.join(last.reasons)}", flush=True)
+                print(
+                    f"{last.verdict.value}: {command.text}: {last.run.outcome}: {' | '.join(last.reasons)}", flush=True
+                )
     print(table(judged, only=()))
     if arguments.left_out:
         print("\n".join(["not in this home:", *left_out]))

@@ -35,7 +35,11 @@ def read_annotated() -> Tuple[Command, ...]:
         entries = yaml.safe_load(file)
     return tuple(
         Command(
-            one["say"], read_form(one["form"]), "our own", one.get("arranged", {}), destination=one.get("destination", "")
+            one["say"],
+            read_form(one["form"]),
+            "our own",
+            one.get("arranged", {}),
+            destination=one.get("destination", ""),
         )
         for one in entries
     )

@@ -6,7 +6,17 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Dict, List, Mapping, Optional, Sequence, Tuple
 
-from frame_learning.gpsr_grammar import MAIN, Choice, Grammar, Node, Reference, Slot, Word, find_grammars, read_expression
+from frame_learning.gpsr_grammar import (
+    MAIN,
+    Choice,
+    Grammar,
+    Node,
+    Reference,
+    Slot,
+    Word,
+    find_grammars,
+    read_expression,
+)
 from frame_learning.gpsr_grammar import Sequence as InSequence
 
 from .home_slots import MOST_KG, HomeSlots, Value
@@ -49,7 +59,7 @@ class Production:
 
 
 def read_productions(folder: str) -> Tuple[Production, ...]:
-    """Read all kinds of commands below a folder that have a logical form (``X_semantics.txt`` beside ``X_grammar.txt``).
+    """Read the kinds of commands that have a logical form: those of ``X_semantics.txt`` beside ``X_grammar.txt``.
 
     Raises:
         CorpusError: the grammars cannot be read
@@ -200,7 +210,7 @@ class _Drawing:
         before = len(self._words)
         option = self._chance.choice(options)
         self.expand(option)
-        if isinstance(option, Slot) and node.rule in ("object",) and self._said:
+        if isinstance(option, Slot) and node.rule == "object" and self._said:
             self._values[f"${node.rule}"] = list(self._said.values())[-1]
         elif node.rule == "oprop":
             self._values[f"${node.rule}"] = Value(" ".join(self._words[before:]), self._words[before])

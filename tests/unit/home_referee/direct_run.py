@@ -1,14 +1,16 @@
 """Commands in a home without ROS: the pipeline from text to candidates, and the skills of the home's servers.
 
-It is quick, for work on the skills. What counts is the live graph: there the robot also resolves what words refer to, and asks.
+It is quick, for work on the skills. What counts is the live graph: there the robot also resolves what words refer to,
+and asks.
 """
 
 import os
 import sys
 from typing import Any, List, Tuple
 
+from home_servers.body import CannotDo, Interrupted
 from home_servers.frames import FRAMES
-from home_servers.skills import CannotDo, Interrupted, Skills
+from home_servers.skills import Skills
 from offline_pipeline.knowledge import load_knowledge, shipped_domains
 from offline_pipeline.pipeline import Pipeline
 from roboframenet_sim.home_arranging import arranged

@@ -96,7 +96,9 @@ def judge(run: Run, slots: HomeSlots) -> Judgement:
     is_done = run.outcome == "DONE" or run.was_stopped
     if form.predicate == "UNKNOWN" or "UNKNOWN" in form.arguments:
         # Nobody can know what is meant: whoever asks or says so is right.
-        return Judgement(run, Verdict.WRONG if is_done else Verdict.RIGHT, ("done, whatever it was",) if is_done else ())
+        return Judgement(
+            run, Verdict.WRONG if is_done else Verdict.RIGHT, ("done, whatever it was",) if is_done else ()
+        )
     if not missing:
         # What is done in part may be told as a failure of the rest; here all is done.
         verdict = Verdict.RIGHT if is_done else Verdict.UNTOLD
@@ -270,7 +272,7 @@ class _Referee:
         who = self._matching(form.persons[0]) if form.persons else [self._slots.speaker]
         goal = form.arguments[-1]
         places = tuple(f"held {one}" for one in who) if form.predicate == "bring" else (f"on {goal}", f"in {goal}")
-        return {thing: places for thing in self._matching(form.things[0])}
+        return dict.fromkeys(self._matching(form.things[0]), places)
 
     def _misplaced(self, thing: str, was: str, now: str, meant: Mapping[str, Tuple[str, ...]]) -> List[str]:
         is_done = self._run.outcome == "DONE"

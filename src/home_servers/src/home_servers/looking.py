@@ -2,8 +2,9 @@
 
 from typing import List, Optional, Tuple
 
+from home_servers.body import CannotDo
 from home_servers.memory import PERSONS, Known
-from home_servers.skills import CannotDo, Skills, argument, said
+from home_servers.skills import Skills, argument, said
 from typed_arguments import FilledFrame, TypedArgument
 
 #: What states are called; others are called by themselves.

@@ -6,9 +6,10 @@ from typing import List, Mapping
 import rospy
 from roboframenet_msgs.msg import FilledSemanticFrameResult
 
+from home_servers.body import CannotDo, Interrupted
 from home_servers.frames import DOMAINS, WITHOUT_HANDS
 from home_servers.ros_body import RosBody
-from home_servers.skills import CannotDo, Interrupted, Skill, Skills
+from home_servers.skills import Skill, Skills
 from rfnserver import RFNServer
 from roboframenet_ros.parameters import Parameters, parameter
 from roboframenet_ros.ros_node import read_parameters, run_node

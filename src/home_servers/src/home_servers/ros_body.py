@@ -22,8 +22,8 @@ from roboframenet_msgs.msg import (
 )
 from std_msgs.msg import String
 
+from home_servers.body import Interrupted
 from home_servers.memory import Known, Memory
-from home_servers.skills import Interrupted
 from roboframenet_sim.home_actions import Action, Failure
 
 #: The home answers an action at once when it is there; seconds of the monotonic clock.
@@ -109,7 +109,7 @@ class RosBody:
         self._wanted.check = is_wanted
 
     def do(self, action: Action) -> Optional[Failure]:
-        """Carry out an action to its end; see :class:`home_servers.skills.Body`."""
+        """Carry out an action to its end; see :class:`home_servers.body.Body`."""
         elements = [
             FilledFrameElement(field.name, str(getattr(action, field.name)))
             for field in fields(Action)

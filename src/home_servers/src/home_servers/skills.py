@@ -1,12 +1,13 @@
 """What a robot in a home can do with things, persons and places that were named in words."""
 
-import datetime
 import math
-from typing import Callable, Dict, List, Optional, Protocol, Sequence, Tuple
+from typing import Callable, Dict, List, Optional, Sequence, Tuple
 
-from home_servers.memory import Known, Memory
+from home_servers.body import Body, CannotDo
+from home_servers.memory import Known
 from roboframenet_sim.home_actions import Action, Failure
 from typed_arguments import FilledFrame, TypedArgument
+from word_classes import word_class
 
 #: How often an action is tried again after a failure of one kind was put right.
 _MOST_TRIES = 3
@@ -17,57 +18,18 @@ _BLOCKED_S = 25.0
 #: Words for whoever speaks, and for the robot.
 SPEAKERS = frozenset("me us i we myself".split())
 #: Pronouns for whom the robot has met last.
-_MET = frozenset("him her them he she they".split())
+_MET = word_class("persons_met")
 #: Whoever is so near is whom the robot is with, metres, for so long after they were met, seconds.
 _COMPANY_M = 2.5
 _COMPANY_S = 60.0
 #: How persons are, as a description says it.
-_POSTURES = frozenset("sitting standing walking".split())
+POSTURES = ("sitting", "standing", "walking")
 #: A person is at furniture whose middle is so near, metres.
 _AT_M = 2.0
 HEARERS = frozenset("you yourself robot".split())
 HERE = frozenset("here over here".split()) | {"over here", "down here"}
 #: Hand height above which the lift is raised.
 _LIFT_UP_M = 0.3
-
-
-class CannotDo(Exception):
-    """The frame cannot be carried out; the message is a sentence for the person."""
-
-
-class Interrupted(Exception):
-    """The goal was preempted."""
-
-
-class Body(Protocol):
-    """What a robot in a home does and perceives; what it perceives goes to the memory."""
-
-    memory: Memory
-
-    def do(self, action: Action) -> Optional[Failure]:
-        """Carry out an action to its end; return why it was not done.
-
-        Raises:
-            Interrupted: the goal was preempted
-        """
-
-    def say(self, text: str) -> List[Tuple[str, str]]:
-        """Say something; return what persons answer: name and text."""
-
-    def now_s(self) -> float:
-        """The time, in seconds."""
-
-    def clock(self) -> datetime.datetime:
-        """The local time of day, as people tell it."""
-
-    def held(self) -> Sequence[str]:
-        """Ids of what the robot holds."""
-
-    def place(self) -> Tuple[float, float]:
-        """Where the robot is, in metres."""
-
-    def room(self) -> str:
-        """Id of the room where the robot is; empty outside."""
 
 
 class Skills:
@@ -230,7 +192,9 @@ class Skills:
         for limit in (place, inner):
             if limit is not None:
                 found = [one for one in found if self.is_at(one, limit)]
-        postures = _POSTURES.intersection(word for frame in argument.frames for word in frame.words.lower().split())
+        postures = frozenset(POSTURES).intersection(
+            word for frame in argument.frames for word in frame.words.lower().split()
+        )
         if postures:
             found = [one for one in found if one.sort != "person" or postures.intersection(one.states)]
         held = self.body.held()

@@ -2,9 +2,10 @@
 
 from typing import Dict
 
+from home_servers.body import CannotDo
 from home_servers.looking import described, sentence
 from home_servers.memory import Known
-from home_servers.skills import SPEAKERS, CannotDo, Skill, Skills, argument, said
+from home_servers.skills import SPEAKERS, Skill, Skills, argument, said
 from home_servers.telling import told
 from typed_arguments import FilledFrame, TypedArgument
 

@@ -10,12 +10,10 @@ import yaml
 
 from home_servers.looking import counted, described
 from home_servers.memory import PERSONS
-from home_servers.skills import Skills
+from home_servers.skills import POSTURES, Skills
 from typed_arguments import EmbeddedFrame, TypedArgument
 
 _FACTS = os.path.join(os.path.dirname(os.path.realpath(__file__)), "facts.yaml")
-#: Postures, as they are seen.
-_POSTURES = ("sitting", "standing", "walking")
 
 
 @dataclass(frozen=True)
@@ -90,7 +88,7 @@ def _property_of_a_person(skills: Skills, message: TypedArgument) -> str:
     skills.go(one.id)
     skills.attempt("look", theme=one.id)
     now = skills.memory.get(one.id) or one
-    posture = next((state for state in now.states if state in _POSTURES), "")
+    posture = next((state for state in now.states if state in POSTURES), "")
     if message.lemma == "name":
         return f"it is {now.name}"
     return f"{now.name} is {posture}" if posture else described(skills, now)

@@ -4,8 +4,8 @@ import datetime
 
 from perception import known_of_map, known_of_sight
 
+from home_servers.body import Interrupted
 from home_servers.memory import Known, Memory
-from home_servers.skills import Interrupted
 from roboframenet_sim.home_state import ROBOT
 
 

@@ -261,7 +261,6 @@ class Phrases:
             frame_elements=(replace(part, name=_LOCATION if is_place else part.relation or preposition),),
         )
 
-
     def _place_of_a_posture(
         self, verb: Word, own: FrozenSet[int], left_out: FrozenSet[int]
     ) -> Tuple[TypedArgument, ...]:

@@ -97,12 +97,10 @@ class Home:
         self.base = self._base_at(state.robot.pose)
 
     def _base_at(self, pose: Pose) -> DifferentialBase:
-        return DifferentialBase(
-            pose=pose, is_free=lambda x, y: self.floor.is_free(self._state, x, y), seed=self._seed
-        )
+        return DifferentialBase(pose=pose, is_free=lambda x, y: self.floor.is_free(self._state, x, y), seed=self._seed)
 
     def start_anew(self, state: State) -> None:
-        """Everything is as a state says, at the time that it is now; what runs is preempted, and nobody walks by habit."""
+        """Everything is as a state says, at the time that it is now. What runs is preempted, and nobody has habits."""
         self.preempt()
         self._state = replace(state, time_s=self._state.time_s)
         self._blocked_until_s = {}

@@ -1,9 +1,10 @@
 """The node home_sim: a home with persons and a robot that acts, perceives and is driven."""
 
+import collections
 import json
 import threading
 from dataclasses import asdict, dataclass
-from typing import Any, Dict, List, Optional, Tuple
+from typing import Any, Deque, Dict, Optional, Tuple
 
 import actionlib
 import rospkg
@@ -18,7 +19,7 @@ from roboframenet_ros.ros_publishing import publish
 from roboframenet_sim.base import Velocity
 from roboframenet_sim.home_actions import Action, Failure
 from roboframenet_sim.home_arranging import arranged
-from roboframenet_sim.home_engine import Home
+from roboframenet_sim.home_engine import Home, Outcome
 from roboframenet_sim.home_file import load_home_file
 from roboframenet_sim.home_state import PR2, ROBOT, TURTLEBOT, Faults
 from roboframenet_sim.home_truth import truth_of
@@ -124,7 +125,8 @@ class HomeSim:
         self._heard_until_s = 0.0
         self._last: Dict[str, Any] = {}
         self._due_s: Dict[str, float] = {}
-        self._goals: List[Any] = []
+        self._goals: Deque[Any] = collections.deque()
+        self._cancels: Deque[Any] = collections.deque()
         self._running: Dict[int, Tuple[Action, Any]] = {}
         self._map.publish(WorldUpdate(objects=map_objects(plan)))
         self._said = rospy.Subscriber("said", String, self._on_said, queue_size=50)
@@ -149,9 +151,10 @@ class HomeSim:
         if self._arms is not None:
             self._arms.step(duration_s, stamp)
         with self._lock:
-            self._end_goals()
+            outcomes = self._home.outcomes()
             state = self._home.state
             plan, floor = self._home.plan, self._home.floor
+        self._end_goals(outcomes)
         # What is said from now on has the time of this state, and is told after the next step.
         begin_s, self._heard_until_s = self._heard_until_s, state.time_s
         for event in state.events:
@@ -223,38 +226,38 @@ class HomeSim:
         forgotten = [one.id for one in plan.entities.values() if one.kind in ("thing", "person")]
         publish(self._updates, WorldUpdate(missing=forgotten))
 
+    # The action server holds its own lock while it calls these, and takes it when a goal ends: they wait for nothing.
+
     def _on_goal(self, handle: Any) -> None:
-        with self._lock:
-            self._goals.append(handle)
+        self._goals.append(handle)
 
     def _on_cancel(self, handle: Any) -> None:
-        with self._lock:
-            if handle in self._goals:
-                self._goals.remove(handle)
-                handle.set_canceled(FilledSemanticFrameResult(success=False), "cancelled")
-                return
-            for action, running in list(self._running.values()):
-                if running == handle:
-                    self._home.preempt(action.kind)
+        self._cancels.append(handle)
 
     def _begin_goals(self) -> None:
-        with self._lock:
-            goals, self._goals = self._goals, []
-            for handle in goals:
-                handle.set_accepted()
-                try:
-                    action = action_of(handle.get_goal().frame)
-                except (TypeError, ValueError) as error:
-                    self._abort(handle, Failure("unknown", f"This is no action: {error}."))
-                    continue
+        while self._goals:
+            handle = self._goals.popleft()
+            handle.set_accepted()
+            try:
+                action = action_of(handle.get_goal().frame)
+            except (TypeError, ValueError) as error:
+                self._abort(handle, Failure("unknown", f"This is no action: {error}."))
+                continue
+            with self._lock:
                 failure = self._home.begin(action)
-                if failure is not None:
-                    self._abort(handle, failure)
-                else:
-                    self._running[id(action)] = (action, handle)
+            if failure is not None:
+                self._abort(handle, failure)
+            else:
+                self._running[id(action)] = (action, handle)
+        while self._cancels:
+            handle = self._cancels.popleft()
+            kinds = [action.kind for action, running in self._running.values() if running == handle]
+            with self._lock:
+                for kind in kinds:
+                    self._home.preempt(kind)
 
-    def _end_goals(self) -> None:
-        for outcome in self._home.outcomes():
+    def _end_goals(self, outcomes: Tuple[Outcome, ...]) -> None:
+        for outcome in outcomes:
             _, handle = self._running.pop(id(outcome.action), (None, None))
             if handle is None:
                 continue

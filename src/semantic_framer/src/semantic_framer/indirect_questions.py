@@ -1,19 +1,16 @@
-"""Reads the questions that somebody is to be told the answer of, "tell me how many cups are on the table", as frames."""
+"""Reads the questions that a message asks, "tell me how many cups are on the table", as frames."""
 
 from dataclasses import replace
-from functools import lru_cache
-from typing import List, Mapping, Optional, Pattern, Sequence, Tuple
+from typing import List, Mapping, Optional, Sequence, Tuple
 
 from phrase_meanings.meaning_file import shipped_meanings
 from semantic_framer.framed_lexicon import FramedLexicon
-from semantic_framer.questions import WORDS_OF_SLOTS
+from semantic_framer.question_words import PREPOSITIONS, compiled
 from semantic_framer.reading import Reading
-from semantic_frames.lexical_unit import QuestionPattern
 from typed_arguments import EmbeddedFrame, TypedArgument
 from utterance_passes.tree import DependencyTree
-from word_classes import without_determiner, word_class
+from word_classes import without_determiner
 
-_PREPOSITIONS = word_class("place_prepositions") | word_class("complex_prepositions")
 _QUESTION = "question"
 
 
@@ -42,7 +39,7 @@ def _read(said: EmbeddedFrame, tree: DependencyTree, known: FramedLexicon) -> Op
     lemmas = {word.form.lower(): word.lemma.lower() for word in tree.words}
     for unit in known.lexicon.question_units:
         for pattern in unit.questions:
-            match = _compiled(pattern.text).fullmatch(words.lower())
+            match = compiled(pattern.text).fullmatch(words.lower())
             if match is None:
                 continue
             elements = [
@@ -52,11 +49,6 @@ def _read(said: EmbeddedFrame, tree: DependencyTree, known: FramedLexicon) -> Op
             ]
             return replace(said, frame_name=unit.frame_name, frame_elements=tuple(elements))
     return None
-
-
-@lru_cache(maxsize=1024)
-def _compiled(text: str) -> Pattern[str]:
-    return QuestionPattern(text).compile(WORDS_OF_SLOTS)
 
 
 def _argument(name: str, words: str, lemmas: Mapping[str, str]) -> TypedArgument:
@@ -80,6 +72,6 @@ def _argument(name: str, words: str, lemmas: Mapping[str, str]) -> TypedArgument
 def _divided(words: Sequence[str]) -> Tuple[str, List[str]]:
     for count in range(min(4, len(words) - 1), 0, -1):
         spoken = " ".join(words[:count]).lower()
-        if spoken in _PREPOSITIONS:
+        if spoken in PREPOSITIONS:
             return spoken, list(words[count:])
     return "", list(words)

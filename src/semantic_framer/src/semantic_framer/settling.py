@@ -7,6 +7,7 @@ from semantic_framer.answers import question_of
 from semantic_framer.choices import question_of_choices
 from semantic_framer.dialogue import Context, Pending
 from semantic_framer.framed_lexicon import FramedLexicon
+from semantic_framer.indirect_questions import with_indirect_questions
 from semantic_framer.outcome import (
     CAREFUL,
     DECLINED,
@@ -24,7 +25,6 @@ from semantic_framer.outcome import (
 from semantic_framer.reading import Reading
 from semantic_framer.references import remember, resolve, resolve_in_parallel
 from semantic_framer.sentence import Sentence
-from semantic_framer.indirect_questions import with_indirect_questions
 from semantic_framer.world_references import refer, spoken_of
 from semantic_frames.semantic_type import SEMANTIC_TYPES
 from typed_arguments import TypedArgument
