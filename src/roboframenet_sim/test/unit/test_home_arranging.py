@@ -41,3 +41,13 @@ def test_a_home_starts_anew_while_something_runs():
     assert home.state.time_s == pytest.approx(5.0)
     home.step(1.0)
     assert home.state.places == begin.places
+
+
+def test_a_walk_ends_whatever_rounding_leaves_of_it():
+    home = make_home(seed=11)
+    home.start_anew(arranged(home.plan, home.floor, home.state, {"bob": "at counter", "anna": "at bedroom"}))
+    home.step(32.65)
+    assert home.tell_person("bob", "walk", "living_room") is None
+    for _ in range(600):
+        home.step(0.05)
+    assert home.plan.room_at(home.plan.position(home.state, "bob")) == "living_room"
