@@ -6,6 +6,6 @@ from catkin_pkg.python_setup import generate_distutils_setup
 
 setup(
     **generate_distutils_setup(
-        packages=["home_servers"], package_dir={"": "src"}, package_data={"home_servers": ["facts.yaml"]}
+        packages=["home_servers"], package_dir={"": "src"}, package_data={"home_servers": ["*.yaml"]}
     )
 )

@@ -48,6 +48,11 @@ NO_SPEECH: Dict[str, Tuple[str, str]] = {
         "keys of a file",
         "frame, name, action, service, topic, type, fields",
     ),
+    "condition_watchers/node.py": ("names of relations", "at, in, near"),
+    "frame_bindings/condition_file.py": (
+        "keys of a file",
+        "frame, name, topic, type, entries, where, field, comparison, value, element, default, values, factor",
+    ),
     "location_memorizer/locations.py": ("keys of a file", "x, y, heading"),
     "offline_pipeline/pipeline.py": (
         "keys of JSON",
@@ -143,6 +148,10 @@ NO_SPEECH: Dict[str, Tuple[str, str]] = {
             "rinse, scrub, skillet, slice, sponge, spoon, sweep, washing, wipe, wok"
         ),
     ),
+    "home_servers/conditions.py": (
+        "quantifiers, and states of the home",
+        "all, every, each, both, a, any, some, open, closed, on, off, dirty, clean",
+    ),
     "home_servers/looking.py": (
         "what a robot in a home knows: not yet in words.yaml",
         ("all, clean, closed, dirty, each, empty, every, full, locked, off, on, open, shut, unlocked, wet"),
@@ -150,9 +159,9 @@ NO_SPEECH: Dict[str, Tuple[str, str]] = {
     "home_servers/memory.py": (
         "what a robot in a home knows: not yet in words.yaml",
         (
-            "adjective, big, black, blue, brown, compound, everybody, everyone, green, guest, guests, item, "
-            "items, object, objects, people, person, persons, red, small, superlative, thing, things, visitor, "
-            "visitors, white, yellow"
+            "adjective, anybody, anyone, big, black, blue, brown, compound, everybody, everyone, green, guest, guests, "
+            "item, items, object, objects, people, person, persons, red, small, somebody, someone, superlative, thing, "
+            "things, visitor, visitors, white, yellow"
         ),
     ),
     "home_servers/ros_body.py": (
@@ -257,7 +266,7 @@ NO_SPEECH: Dict[str, Tuple[str, str]] = {
     ),
     "semantic_frames/lexical_unit_file.py": (
         "keys of a file",
-        "name, relation, argument, words, required, verb, question, examples",
+        "name, relation, argument, words, required, verb, question, condition, values, examples",
     ),
     "semantic_frames/marked_yaml.py": ("values of YAML", "true, yes, false, no"),
     "semantic_frames/server_statement.py": (

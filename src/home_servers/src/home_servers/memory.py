@@ -6,12 +6,12 @@ from dataclasses import dataclass, replace
 from typing import Dict, Iterable, List, Optional, Set, Tuple
 
 from typed_arguments import TypedArgument
-from word_classes import without_determiner, word_class
+from word_classes import without_determiner
 
 #: Nouns for any thing and for any person.
 THINGS = frozenset("thing things object objects item items".split())
-PERSONS = frozenset("person people persons visitor visitors guest guests everybody everyone".split()) | word_class(
-    "indefinite_persons"
+PERSONS = frozenset(
+    "person people persons visitor visitors guest guests everybody everyone somebody someone anybody anyone".split()
 )
 #: Kinds of modifiers that tell things of one name apart.
 _TELLING = ("adjective", "compound", "superlative")

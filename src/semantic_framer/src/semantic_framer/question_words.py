@@ -4,7 +4,7 @@ import re
 from functools import lru_cache
 from typing import Mapping, Pattern
 
-from semantic_frames.lexical_unit import QuestionPattern
+from semantic_frames.lexical_unit import WordPattern
 from word_classes import word_class
 
 #: Prepositions of places, "on", "next to".
@@ -21,4 +21,4 @@ _WORDS_OF_SLOTS: Mapping[str, str] = {
 @lru_cache(maxsize=1024)
 def compiled(text: str) -> Pattern[str]:
     """Return the regular expression of a pattern, for words in lower case."""
-    return QuestionPattern(text).compile(_WORDS_OF_SLOTS)
+    return WordPattern(text).compile(_WORDS_OF_SLOTS)
