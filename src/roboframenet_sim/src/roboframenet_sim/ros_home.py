@@ -4,7 +4,7 @@ import collections
 import json
 import threading
 from dataclasses import asdict, dataclass
-from typing import Any, Deque, Dict, Optional, Tuple
+from typing import Any, Deque, Dict, List, Optional, Tuple
 
 import actionlib
 import rospkg
