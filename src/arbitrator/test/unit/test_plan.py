@@ -242,11 +242,10 @@ def test_malformed_message_is_refused_with_the_reason(message, part):
     assert part in str(raised.value)
 
 
-@pytest.mark.parametrize("name,value", [("when", msg.TimeExpression(kind="time", value="T08:00")), ("robot", "beta")])
-def test_field_that_nothing_reads_is_refused_and_not_ignored(name, value):
+def test_field_that_nothing_reads_is_refused_and_not_ignored():
     message = plan_to_message(PING)
-    setattr(message.nodes[0], name, value)
-    with pytest.raises(ValueError, match=f"node 0 of the plan sets {name}; nothing reads that yet"):
+    message.nodes[0].robot = "beta"
+    with pytest.raises(ValueError, match="node 0 of the plan sets robot; nothing reads that yet"):
         plan_from_message(message)
 
 
