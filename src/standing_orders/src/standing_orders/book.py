@@ -1,12 +1,12 @@
 """The book of standing orders: which of them are due, in which order they are done, and which are missed.
 
 Every function returns what changes: the caller writes that first, and sends what is due after that. So what was sent once
-is not sent again after a crash.
+is not sent again after a crash, and an order is over when its command has ended.
 """
 
 from dataclasses import dataclass, replace
 from datetime import tzinfo
-from typing import Dict, Iterable, List, Mapping, Optional, Tuple
+from typing import Collection, Dict, Iterable, List, Mapping, Optional, Tuple
 
 from standing_orders.order import Firing, StandingOrder
 from standing_orders.schedule import is_once, moved, next_due_s
@@ -15,6 +15,7 @@ from standing_orders.schedule import is_once, moved, next_due_s
 JUMP_S = 2.0
 #: A clock that is set back by more than this was wrong before, seconds.
 _WRONG_CLOCK_S = 12 * 3600.0
+_UNKNOWN = "I was restarted when it began, and I do not know whether it was done"
 
 
 @dataclass(frozen=True)
@@ -152,6 +153,34 @@ class Book:
             begun_s = self._due[order_id].since_s if order_id in self._due else mono_s
             self._due[order_id] = _Due(begun_s, mono_s)
 
+    def ended(self, command_id: str) -> Change:
+        """The command that carried an order out has its reply."""
+        order = next((one for one in self._orders.values() if one.begun == command_id), None)
+        return Change() if order is None else self._finish(order)
+
+    def left_over(self, running: Collection[str]) -> Change:
+        """Find the orders whose command the previous run of the program sent, and whose reply it has not heard.
+
+        Args:
+            running: ids of the commands that still run; their orders are left alone
+        """
+        changes = []
+        for order in self.orders:
+            if order.begun and order.begun not in running:
+                told = Firing(self._command_id(order), order, _UNKNOWN)
+                changes.append(replace(self._finish(order), due=(told,)))
+        return Change(
+            tuple(one for change in changes for one in change.kept),
+            tuple(one for change in changes for one in change.dropped),
+            tuple(one for change in changes for one in change.due),
+        )
+
+    def _finish(self, order: StandingOrder) -> Change:
+        if order.schedule is not None and is_once(order.schedule):
+            return self.drop((order.order_id,))
+        self._orders[order.order_id] = replace(order, begun="")
+        return Change(kept=(self._orders[order.order_id],))
+
     def turn(
         self, now_s: float, mono_s: float, *, busy_with: Optional[str] = None, conditions: Mapping[str, Condition] = {}
     ) -> Change:
@@ -167,7 +196,7 @@ class Book:
         missed: List[Firing] = []
         self._watch_clock(now_s, mono_s, kept)
         for order in self.orders:
-            if order.next_s is not None and order.next_s <= now_s:
+            if order.next_s is not None and order.next_s <= now_s and not order.begun:
                 self._hear_time(order, now_s, mono_s, kept, missed)
         for order_id, due in list(self._due.items()):
             if mono_s - due.since_s > self._rules.longest_delay_s:
@@ -229,6 +258,8 @@ class Book:
         """Begin the order that has waited longest, if its condition holds at this moment."""
         for order_id, due in sorted(self._due.items(), key=lambda item: item[1].since_s):
             order = self._orders[order_id]
+            if order.begun:
+                continue
             if due.event_s is not None:
                 if mono_s - self._begun_s.get(order_id, -self._rules.pause_s) < self._rules.pause_s:
                     continue
@@ -240,9 +271,9 @@ class Book:
                     continue
                 self._begun_s[order_id] = mono_s
             del self._due[order_id]
-            begun = replace(order, count=order.count + 1)
-            self._advance(begun, now_s, kept)
-            return (Firing(self._command_id(order), begun),)
+            begun = replace(self._put_off(order, now_s), count=order.count + 1, begun=self._command_id(order))
+            self._keep(begun, kept)
+            return (Firing(begun.begun, begun),)
         return ()
 
     def _miss(self, order_id: str, why: str, now_s: float, kept: Dict[str, StandingOrder]) -> Firing:

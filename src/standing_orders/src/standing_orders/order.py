@@ -21,6 +21,7 @@ class StandingOrder:
         next_s: when it is due next, seconds since 1970; None if it waits for a condition
         is_suspended: by a stop
         count: how often it was begun
+        begun: id of the command that carries it out; empty while none does
     """
 
     order_id: str
@@ -33,6 +34,7 @@ class StandingOrder:
     next_s: Optional[float] = None
     is_suspended: bool = False
     count: int = 0
+    begun: str = ""
 
 
 @dataclass(frozen=True)

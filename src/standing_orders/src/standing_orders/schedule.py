@@ -191,7 +191,9 @@ def next_due_s(schedule: Schedule, after_s: float, zone: tzinfo) -> Optional[flo
         if schedule.next_s > after_s:
             return schedule.next_s
         passed = int((after_s - schedule.next_s) // schedule.period_s) + 1
-        return schedule.next_s + passed * schedule.period_s
+        due_s = schedule.next_s + passed * schedule.period_s
+        # The product is rounded.
+        return due_s if due_s > after_s else schedule.next_s + (passed + 1) * schedule.period_s
     day = datetime.fromtimestamp(after_s, zone).date()
     for count in range(9):
         one = datetime.combine(day + timedelta(days=count), schedule.at)

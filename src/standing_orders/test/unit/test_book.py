@@ -8,7 +8,7 @@ from hypothesis import settings
 from hypothesis import strategies as st
 from hypothesis.stateful import RuleBasedStateMachine, initialize, invariant, rule
 
-from standing_orders.book import Book, Condition, Rules
+from standing_orders.book import _UNKNOWN, Book, Condition, Rules
 from standing_orders.order import StandingOrder
 from standing_orders.schedule import After, Daily, Every, Once, next_due_s, utc_s, zone_of
 
@@ -31,6 +31,8 @@ class Clock:
         self.now_s, self.mono_s = NOW_S, 0.0
         self.kept = {one.order_id: one for one in orders}
         self.begun, self.missed = [], []
+        #: Whether each command has its reply at once.
+        self.is_quick = True
 
     def turn(self, *, later_s=0.0, set_by_s=0.0, busy_with=None, **conditions):
         self.mono_s += later_s
@@ -39,6 +41,9 @@ class Clock:
         self.store(change)
         for firing in change.due:
             (self.missed if firing.not_done else self.begun).append((firing.order.order_id, firing.not_done))
+        for firing in change.due:
+            if not firing.not_done and self.is_quick:
+                self.store(self.book.ended(firing.command_id))
         return change
 
     def store(self, change):
@@ -109,6 +114,36 @@ def test_short_restart_does_not_lose_an_order():
     clock.restart()
     clock.turn()
     assert clock.begun == [("a", "")]
+
+
+def test_order_is_over_when_its_command_has_ended_and_is_not_sent_again():
+    clock = Clock(order("a", After(NOW_S + 10.0)))
+    clock.is_quick = False
+    (sent,) = clock.turn(later_s=10.0).due
+    clock.turn(later_s=100.0)
+    assert (clock.begun, clock.missed) == ([("a", "")], [])
+    clock.restart()
+    clock.store(clock.book.left_over([sent.command_id]))
+    clock.turn(later_s=10.0)
+    assert set(clock.kept) == {"a"}
+    clock.restart()
+    told = clock.book.left_over([])
+    clock.store(told)
+    assert [firing.not_done for firing in told.due] == [_UNKNOWN]
+    assert clock.kept == {}
+    assert clock.book.left_over([]).is_empty
+    assert clock.book.ended(sent.command_id).is_empty
+
+
+def test_event_during_the_command_of_its_order_begins_it_again():
+    clock = Clock(order("a"))
+    clock.is_quick = False
+    clock.happened("a")
+    (sent,) = clock.turn(a=HOLDS).due
+    clock.happened("a")
+    assert not clock.turn(later_s=5.0, a=HOLDS).due
+    clock.store(clock.book.ended(sent.command_id))
+    assert len(clock.turn(later_s=5.0, a=HOLDS).due) == 1
 
 
 def test_clock_that_is_set_forward_makes_no_order_late():
