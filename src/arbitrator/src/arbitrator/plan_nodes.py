@@ -234,7 +234,7 @@ def from_nodes(nodes: Sequence[Node]) -> Plan:
     """
     plan = any_from_nodes(nodes)
     if isinstance(plan, STANDING):
-        raise ValueError(f"node 0 of the plan is a standing order ({kind_of(plan).name}), and nothing is to be done now")
+        raise ValueError(f"node 0 of the plan is a standing order ({kind_of(plan).name}): nothing is to be done now")
     return plan
 
 
@@ -313,7 +313,8 @@ def _levels(nodes: Sequence[Node]) -> Dict[int, int]:
     for position, node in enumerate(nodes):
         if position and node.kind in (Kind.AT, Kind.WHENEVER):
             raise ValueError(
-                f"node {position} of the plan is of the kind {Kind(node.kind).name}; a standing order is no part of a plan"
+                f"node {position} of the plan is of the kind {Kind(node.kind).name}; "
+                "a standing order is no part of a plan"
             )
         if node.after and (position == 0 or nodes[parents[position]].kind != Kind.ANY_ORDER):
             raise ValueError(f"node {position} of the plan sets after; only a child of an ANY_ORDER has a use for it")

@@ -1,7 +1,7 @@
 """Standing orders as values: what is to be done at a time, or whenever something happens.
 
-They are no plans: nothing carries them out now. The node ``standing_orders`` keeps them, and sends what is to be done as
-a plan each time.
+They are no plans: nothing carries them out now. The node ``standing_orders`` keeps them, and sends what is to be done
+as a plan each time.
 """
 
 from dataclasses import dataclass

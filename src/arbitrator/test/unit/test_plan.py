@@ -171,9 +171,18 @@ def join(*children, **changes):
         ([join(1, candidates=(way("turning"),)), do()], "node 0 of the plan joins clauses, and cannot have candidates"),
         ([do(kind=0)], "is of the kind 0; nothing carries out other kinds than 1 (DO), 2 (SEQUENCE), 3 (PARALLEL)"),
         ([join(1, kind=77), do()], "is of the kind 77; nothing"),
-        ([join(1), join(2, kind=Kind.AT, when=EIGHT), do()], "node 1 of the plan is of the kind AT; a standing order is"),
-        ([join(1), join(2, 3, kind=Kind.WHENEVER), do(kind=CONDITION), do()], "node 1 of the plan is of the kind WHENEV"),
-        ([join(1, kind=Kind.AT, when=EIGHT), do()], "node 0 of the plan is a standing order (AT), and nothing is to be"),
+        (
+            [join(1), join(2, kind=Kind.AT, when=EIGHT), do()],
+            "node 1 of the plan is of the kind AT; a standing order is",
+        ),
+        (
+            [join(1), join(2, 3, kind=Kind.WHENEVER), do(kind=CONDITION), do()],
+            "node 1 of the plan is of the kind WHENEV",
+        ),
+        (
+            [join(1, kind=Kind.AT, when=EIGHT), do()],
+            "node 0 of the plan is a standing order (AT): nothing is to be",
+        ),
         ([join(1, kind=Kind.AT), do()], "node 0 of the plan is wrong: an AT has no time"),
         ([join(1, kind=Kind.AT, when=EIGHT), do(kind=CONDITION)], "a standing order has the condition 'x'"),
         ([join(1, 2, kind=Kind.WHENEVER), do(), do()], "a whenever has something to do in the place of its condition"),

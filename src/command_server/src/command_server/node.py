@@ -71,9 +71,9 @@ _Event = Union[Said, GoalCancelled, StageEvent, StopReport, OrderDue, Braked, Fi
 class CommandServerNode:
     """Owns the commands.
 
-    Subscribes: ``text``, ``stage_events``, ``stop_report``, ``order_due``. Publishes: ``command_text``, ``command_plan``,
-    ``command_cancel``, ``reply``, ``status``, ``command_server_started`` (latched), ``text_taken``, and what a `Brake`
-    does. Actions: ``command``.
+    Subscribes: ``text``, ``stage_events``, ``stop_report``, ``order_due``. Publishes: ``command_text``, ``reply``,
+    ``command_cancel``, ``command_plan``, ``status``, ``command_server_started`` (latched), ``text_taken``, and what a
+    `Brake` does. Actions: ``command``.
     """
 
     def __init__(self, settings: Settings, brake_settings: BrakeSettings) -> None:

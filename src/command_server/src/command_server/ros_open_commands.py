@@ -29,10 +29,7 @@ class OpenCommandStore:
     def save(self, commands: Tuple[CommandText, ...]) -> None:
         """Save the commands."""
         self._record.save(
-            [
-                {"id": one.command_id, "stamp_ns": one.stamp_ns, "text": one.text, "order": one.order}
-                for one in commands
-            ]
+            [{"id": one.command_id, "stamp_ns": one.stamp_ns, "text": one.text, "order": one.order} for one in commands]
         )
 
     def close(self) -> None:

@@ -1,7 +1,7 @@
 """The book of standing orders: which of them are due, in which order they are done, and which are missed.
 
-Every function returns what changes: the caller writes that first, and sends what is due after that. So what was sent once
-is not sent again after a crash, and an order is over when its command has ended.
+Every function returns what changes: the caller writes that first, and sends what is due after that. So what was sent
+once is not sent again after a crash, and an order is over when its command has ended.
 """
 
 from dataclasses import dataclass, replace

@@ -130,9 +130,10 @@ class StandingOrdersNode:
                 ("command_standing_order", CommandPlan),
             )
         ]
+        # A registrar that is not there yet is waited for; the orders are not.
+        self._server.start()
         for name in (LISTING, FORGETTING, RESUMING):
             self._server.register_with_frame(name)
-        self._server.start()
         rospy.loginfo("ready: %d standing orders", len(self._book.orders))
 
     def health(self) -> Health:
@@ -224,7 +225,9 @@ class StandingOrdersNode:
     def _turn(self) -> None:
         self._watches.turn()
         now_s = time.monotonic()
-        self._sent = {name: sent_s for name, sent_s in self._sent.items() if now_s - sent_s < _SENT_S or self._runs(name)}
+        self._sent = {
+            name: sent_s for name, sent_s in self._sent.items() if now_s - sent_s < _SENT_S or self._runs(name)
+        }
         if self._status is not None and not self._is_resumed:
             self._is_resumed = True
             self._apply(self._book.left_over([command.id for command in self._status.active]))
@@ -333,7 +336,11 @@ class StandingOrdersNode:
                 return " ".join(["Which one?", *(order.sentence for order in found)])
             if not self._apply(self._book.drop(tuple(order.order_id for order in found))):
                 return "I cannot write that down, so I keep the standing order."
-            return f'I forget "{found[0].text.rstrip(" .!")}".' if len(found) == 1 else f"I forget all {len(found)} orders."
+            return (
+                f'I forget "{found[0].text.rstrip(" .!")}".'
+                if len(found) == 1
+                else f"I forget all {len(found)} orders."
+            )
         return listing(orders, time.time(), self._zone, blind=self._faults(), due_ids=self._book.due_ids)
 
 

@@ -3,6 +3,7 @@
 import io
 import time
 import uuid
+from dataclasses import replace
 from datetime import tzinfo
 from typing import Tuple
 
@@ -34,14 +35,14 @@ def order_from_message(message: CommandPlan, now_s: float, zone: tzinfo) -> Stan
     buffer = io.BytesIO()
     message.plan.serialize(buffer)
     text, deed = message.command.text.strip(), part.child.label
-    given = dict(order_id=f"order-{uuid.uuid4().hex[:8]}", text=text, deed=deed, plan=buffer.getvalue(), given_s=now_s)
+    given = StandingOrder(f"order-{uuid.uuid4().hex[:8]}", text, deed, "", buffer.getvalue(), now_s)
     if isinstance(part, At):
         schedule = schedule_of(part.when, now_s, zone)
         due_s = next_due_s(schedule, now_s, zone)
         sentence = sentence_of_time(deed, schedule, due_s or now_s, now_s, zone)
-        return StandingOrder(**given, sentence=sentence, schedule=schedule, next_s=due_s)
+        return replace(given, sentence=sentence, schedule=schedule, next_s=due_s)
     negated = part.condition.is_negated
-    return StandingOrder(**given, sentence=sentence_of_whenever(deed, part.condition.label, is_negated=negated))
+    return replace(given, sentence=sentence_of_whenever(deed, part.condition.label, is_negated=negated))
 
 
 def part_of(order: StandingOrder) -> AnyOrder:

@@ -2,7 +2,7 @@
 
 from dataclasses import dataclass, replace
 from datetime import date, datetime, time, timedelta, tzinfo
-from typing import Optional, Tuple, Union
+from typing import Optional, Sequence, Tuple, Union
 
 from dateutil import tz
 
@@ -101,7 +101,7 @@ def schedule_of(when: TimeExpression, now_s: float, zone: tzinfo) -> Schedule:
     raise NoSchedule(f'I do not understand the time "{when.words}".')
 
 
-def _once(when: TimeExpression, of_clock: "list[str]", now_s: float, zone: tzinfo) -> Once:
+def _once(when: TimeExpression, of_clock: Sequence[str], now_s: float, zone: tzinfo) -> Once:
     now = datetime.fromtimestamp(now_s, zone).replace(tzinfo=None)
     found = []
     for part in of_clock:
@@ -157,7 +157,7 @@ def zone_of(name: str) -> tzinfo:
     Raises:
         ValueError: no such zone
     """
-    zone = tz.gettz(name) if name else tz.gettz() or tz.UTC
+    zone: Optional[tzinfo] = tz.gettz(name) if name else tz.gettz() or tz.UTC
     if zone is None:
         raise ValueError(f"no time zone is called {name!r}")
     return zone
@@ -168,7 +168,8 @@ def utc_s(at: datetime, zone: tzinfo) -> float:
 
     A time that the clock jumps over in spring is as much later; of one that comes twice in autumn the first is meant.
     """
-    return tz.resolve_imaginary(at.replace(tzinfo=zone, fold=0)).timestamp()
+    shown: datetime = tz.resolve_imaginary(at.replace(tzinfo=zone, fold=0))
+    return shown.timestamp()
 
 
 def next_due_s(schedule: Schedule, after_s: float, zone: tzinfo) -> Optional[float]:

@@ -1,4 +1,4 @@
-"""The book of standing orders on a virtual clock: due once, never late, one at a time, and only if the condition holds."""
+"""The book of standing orders on a virtual clock: due once, never late, one at a time, only if the condition holds."""
 
 from dataclasses import replace
 from datetime import datetime, time
@@ -270,7 +270,7 @@ class AnyHistory(RuleBasedStateMachine):
     @rule(later_s=st.floats(0.0, 9000.0), set_by_s=st.sampled_from([0.0, 0.0, 3600.0, -3600.0]), is_busy=st.booleans())
     def turn(self, later_s, set_by_s, is_busy):
         before = {one.order_id: one for one in self.clock.book.orders}
-        holds = {name: HOLDS for name in before}
+        holds = dict.fromkeys(before, HOLDS)
         change = self.clock.turn(later_s=later_s, set_by_s=set_by_s, busy_with="x" if is_busy else None, **holds)
         begun = [firing for firing in change.due if not firing.not_done]
         assert len(begun) <= (0 if is_busy else 1)

@@ -7,7 +7,18 @@ from dateutil import tz
 from hypothesis import given
 from hypothesis import strategies as st
 
-from standing_orders.schedule import After, Daily, Every, NoSchedule, Once, moved, next_due_s, schedule_of, utc_s, zone_of
+from standing_orders.schedule import (
+    After,
+    Daily,
+    Every,
+    NoSchedule,
+    Once,
+    moved,
+    next_due_s,
+    schedule_of,
+    utc_s,
+    zone_of,
+)
 from typed_arguments import TimeExpression
 
 BERLIN = zone_of("Europe/Berlin")

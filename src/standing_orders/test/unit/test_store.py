@@ -10,7 +10,9 @@ from standing_orders.schedule import After, Daily, Every, Once
 from standing_orders.store import Store, StoreError
 
 ORDERS = [
-    StandingOrder(f"o{number}", "say it", "say it", "I will say it.", b"\x00\xff", float(number), schedule, 9.5, number > 2)
+    StandingOrder(
+        f"o{number}", "say it", "say it", "I will say it.", b"\x00\xff", float(number), schedule, 9.5, number > 2
+    )
     for number, schedule in enumerate(
         [None, Once(datetime(2026, 11, 22, 20)), After(10.5), Every(1.5, 2.5), Daily(time(7, 30), (0, 6))]
     )
@@ -29,7 +31,9 @@ def test_orders_come_back_as_they_were(tmp_path):
     assert again.problems == ()
 
 
-@pytest.mark.parametrize("entry", ["", "{}", "[]", '{"schedule": {"kind": "Never"}}', '{"schedule": null, "plan": "?"}'])
+@pytest.mark.parametrize(
+    "entry", ["", "{}", "[]", '{"schedule": {"kind": "Never"}}', '{"schedule": null, "plan": "?"}']
+)
 def test_entry_that_cannot_be_read_is_left_out(tmp_path, entry):
     path = str(tmp_path / "orders.sqlite")
     store = Store(path)
