@@ -37,7 +37,7 @@ NO_SPEECH: Dict[str, Tuple[str, str]] = {
     "arbitrator/plan_nodes.py": ("names of fields", "kind, label, children, candidates, after"),
     "arbitrator/ros_messages.py": ("names of fields", "kind, label, count, most, trigger"),
     "arbitrator/state_machine.py": ("labels of states", "together, monitor, next round"),
-    "command_server/ros_open_commands.py": ("keys of a record", "id, stamp_ns, text, order"),
+    "command_server/ros_open_commands.py": ("keys of a record", "id, text, order"),
     "executor/ros_driver_settings.py": ("keys of a record", "node, name, former"),
     "executor/driver_settings.py": ("keys of a record", "node, name, former"),
     "frame_learning/outcome_score.py": (
@@ -48,6 +48,10 @@ NO_SPEECH: Dict[str, Tuple[str, str]] = {
     "frame_bindings/binding_file.py": (
         "keys of a file",
         "frame, name, action, service, topic, type, fields",
+    ),
+    "frame_bindings/condition_file.py": (
+        "keys of a file",
+        "frame, name, topic, type, entries, where, field, comparison, value, element, default, values, factor",
     ),
     "location_memorizer/locations.py": ("keys of a file", "x, y, heading"),
     "offline_pipeline/pipeline.py": (
@@ -260,7 +264,7 @@ NO_SPEECH: Dict[str, Tuple[str, str]] = {
     ),
     "semantic_frames/lexical_unit_file.py": (
         "keys of a file",
-        "name, relation, argument, words, required, verb, question, examples",
+        "name, relation, argument, words, required, verb, question, condition, values, examples",
     ),
     "semantic_frames/marked_yaml.py": ("values of YAML", "true, yes, false, no"),
     "semantic_frames/server_statement.py": (

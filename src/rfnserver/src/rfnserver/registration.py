@@ -119,11 +119,18 @@ class _Refused:
     is_final: bool
 
 
-class Refusals:
-    """Requests that were refused, so that nobody asks for the same again and again.
+@dataclass(frozen=True)
+class _Granted:
+    node_id: str
+    answered_s: float
+
+
+class Answers:
+    """Answers to requests, so that nobody asks for the same again and again.
 
     A file that was refused is offered again when it has changed, or when the other side knows other files or was
-    restarted. Everything else, such as a service that did not answer, is also tried again after a time.
+    restarted. Everything else, such as a service that did not answer, is also tried again after a time. What was
+    granted may be missing from what the other side published before: it is asked for again after the same time.
     """
 
     def __init__(self, *, retry_s: float) -> None:
@@ -133,8 +140,11 @@ class Refusals:
         """
         self._retry_s = retry_s
         self._refused: Dict[RegistrationRequest, _Refused] = {}
+        self._granted: Dict[RegistrationRequest, _Granted] = {}
 
-    def note(self, request: RegistrationRequest, circumstances: Circumstances, *, is_final: bool, now_s: float) -> None:
+    def refuse(
+        self, request: RegistrationRequest, circumstances: Circumstances, *, is_final: bool, now_s: float
+    ) -> None:
         """A request was refused.
 
         Args:
@@ -143,14 +153,20 @@ class Refusals:
             is_final: the answer would be the same again; False when there was none
             now_s: monotonic seconds
         """
+        self._granted.pop(request, None)
         self._refused[request] = _Refused(circumstances, now_s, is_final)
 
-    def forget(self, request: RegistrationRequest) -> None:
-        """A request was granted."""
+    def grant(self, request: RegistrationRequest, circumstances: Circumstances, *, now_s: float) -> None:
+        """A request was granted; the arguments are those of :meth:`refuse`."""
         self._refused.pop(request, None)
+        self._granted[request] = _Granted(circumstances.node_id, now_s)
 
     def is_due(self, request: RegistrationRequest, circumstances: Circumstances, *, now_s: float) -> bool:
         """Whether a missing request is to be made now."""
+        granted = self._granted.get(request)
+        # Before the first word of the other side its id is not known.
+        if granted is not None and granted.node_id in ("", circumstances.node_id):
+            return now_s - granted.answered_s >= self._retry_s
         refused = self._refused.get(request)
         if refused is None or refused.circumstances != circumstances:
             return True

@@ -5,14 +5,14 @@ import time
 from typing import Any, Callable, Dict, List, Optional, Sequence, Set, Tuple
 
 import rospy
-from roboframenet_msgs.msg import FrameCatalogue, Lexicon
+from roboframenet_msgs.msg import FrameServers, Lexicon
 from roboframenet_msgs.srv import AddFrame, AddLexicalUnit, RegisterServer, RegisterWithFrame
 
 from rfnserver.registration import (
+    Answers,
     Circumstances,
     FrameFit,
     KnownState,
-    Refusals,
     RegistrationRequest,
     RequestKind,
     absolute_path,
@@ -25,7 +25,8 @@ from semantic_frames.server_profile import AS_IN_2012, Purpose, ServerProfile
 
 #: Deadline of a call for its service to exist, and again for the answer, seconds.
 SERVICE_TIMEOUT_S = 5.0
-#: A request that was not answered, or a registration that was refused, is repeated after this time; seconds.
+#: A request that was not answered, a registration that was refused, and what was granted and is still missing: all are
+#: repeated after this time; seconds.
 RETRY_S = 10.0
 
 FrameCheck = Callable[[str], FrameFit]
@@ -40,7 +41,7 @@ class Registration:
     """The registration requests of one server, and a thread that repeats them.
 
     Subscribes:
-        frame_catalogue, lexicon (latched): what registrar and framer know, and when they restarted
+        frame_servers, lexicon (latched): what registrar and framer know, and when they restarted
     Services:
         add_frame, add_lexical_unit, register_with_frame, register_server: called
     """
@@ -66,7 +67,7 @@ class Registration:
         self._requests: List[RegistrationRequest] = []
         self._registrar: Optional[KnownState] = None
         self._framer: Optional[KnownState] = None
-        self._refusals = Refusals(retry_s=RETRY_S)
+        self._answers = Answers(retry_s=RETRY_S)
         #: When the registrar first found a registration odd, by frame; and those that were told.
         self._remarks: Dict[str, float] = {}
         self._told: Set[str] = set()
@@ -123,7 +124,7 @@ class Registration:
             self._thread = threading.Thread(target=self._run, name=f"registration of {self._server_name}", daemon=True)
             self._thread.start()
         subscribers = (
-            rospy.Subscriber("frame_catalogue", FrameCatalogue, self._on_catalogue, queue_size=1),
+            rospy.Subscriber("frame_servers", FrameServers, self._on_servers, queue_size=1),
             rospy.Subscriber("lexicon", Lexicon, self._on_lexicon, queue_size=1),
         )
         with self._condition:
@@ -133,10 +134,10 @@ class Registration:
             self._unsubscribe()
         rospy.on_shutdown(self.close)
 
-    def _on_catalogue(self, message: FrameCatalogue) -> None:
+    def _on_servers(self, message: FrameServers) -> None:
         known = KnownState(
             id=message.registrar_id,
-            files=frozenset(file.path for file in message.files),
+            files=frozenset(message.paths),
             registrations=frozenset(
                 callback.frame_name for callback in message.callbacks if callback.callback_topic == self._server_name
             ),
@@ -161,12 +162,12 @@ class Registration:
                 self._is_stale = False
                 missing = missing_requests(self._requests, registrar=self._registrar, framer=self._framer)
                 unchecked = sorted(self._unchecked)
-                due = [
-                    request
-                    for request in missing
-                    if self._refusals.is_due(request, self._circumstances(request), now_s=time.monotonic())
-                ]
-            for request in due:
+            for request in missing:
+                with self._condition:
+                    # Looked up for each: another thread may have made the request meanwhile.
+                    is_due = self._answers.is_due(request, self._circumstances(request), now_s=time.monotonic())
+                if not is_due:
+                    continue
                 again = " again" if self._reported.get(request) == "" else ""
                 if self._ask(request):
                     rospy.loginfo("%s: %s %s%s", self._server_name, request.kind.value, request.subject, again)
@@ -197,9 +198,9 @@ class Registration:
             if error:
                 # Whether a registration is granted may also depend on a frame that is added later.
                 is_final = is_answered and request.kind is not RequestKind.REGISTRATION
-                self._refusals.note(request, circumstances, is_final=is_final, now_s=time.monotonic())
+                self._answers.refuse(request, circumstances, is_final=is_final, now_s=time.monotonic())
             else:
-                self._refusals.forget(request)
+                self._answers.grant(request, circumstances, now_s=time.monotonic())
         self._report(request, error)
         return not error
 

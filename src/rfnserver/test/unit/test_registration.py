@@ -5,9 +5,9 @@ from pathlib import Path
 import pytest
 
 from rfnserver.registration import (
+    Answers,
     Circumstances,
     KnownState,
-    Refusals,
     RegistrationRequest,
     RequestKind,
     absolute_path,
@@ -34,30 +34,43 @@ def test_what_is_known_is_not_asked_again() -> None:
     assert missing_requests(REQUESTS, registrar=registrar, framer=KnownState("2")) == (UNIT,)
 
 
-def refuse(refusals: Refusals, request: RegistrationRequest, circumstances: Circumstances, **how: bool) -> None:
-    refusals.note(request, circumstances, now_s=100.0, **how)
+def refuse(answers: Answers, request: RegistrationRequest, circumstances: Circumstances, **how: bool) -> None:
+    answers.refuse(request, circumstances, now_s=100.0, **how)
 
 
 def test_refused_file_is_offered_again_when_it_or_the_other_side_has_changed() -> None:
-    refusals = Refusals(retry_s=10.0)
+    answers = Answers(retry_s=10.0)
     asked = Circumstances("framer_1", (1, 20))
-    assert refusals.is_due(UNIT, asked, now_s=100.0)
-    refuse(refusals, UNIT, asked, is_final=True)
-    assert not refusals.is_due(UNIT, asked, now_s=1e9)
-    assert refusals.is_due(UNIT, Circumstances("framer_1", (2, 20)), now_s=100.0)
-    assert refusals.is_due(UNIT, Circumstances("framer_1"), now_s=100.0)
-    assert refusals.is_due(UNIT, Circumstances("framer_2", (1, 20)), now_s=100.0)
-    assert refusals.is_due(FRAME, asked, now_s=100.0)
+    assert answers.is_due(UNIT, asked, now_s=100.0)
+    refuse(answers, UNIT, asked, is_final=True)
+    assert not answers.is_due(UNIT, asked, now_s=1e9)
+    assert answers.is_due(UNIT, Circumstances("framer_1", (2, 20)), now_s=100.0)
+    assert answers.is_due(UNIT, Circumstances("framer_1"), now_s=100.0)
+    assert answers.is_due(UNIT, Circumstances("framer_2", (1, 20)), now_s=100.0)
+    assert answers.is_due(FRAME, asked, now_s=100.0)
 
 
 def test_request_without_an_answer_is_repeated_after_a_time() -> None:
-    refusals = Refusals(retry_s=10.0)
+    answers = Answers(retry_s=10.0)
     asked = Circumstances("registrar_1")
-    refuse(refusals, REGISTRATION, asked, is_final=False)
-    assert not refusals.is_due(REGISTRATION, asked, now_s=109.9)
-    assert refusals.is_due(REGISTRATION, asked, now_s=110.0)
-    refusals.forget(REGISTRATION)
-    assert refusals.is_due(REGISTRATION, asked, now_s=100.0)
+    refuse(answers, REGISTRATION, asked, is_final=False)
+    assert not answers.is_due(REGISTRATION, asked, now_s=109.9)
+    assert answers.is_due(REGISTRATION, asked, now_s=110.0)
+
+
+@pytest.mark.parametrize("known_id", ["registrar_1", ""])
+def test_what_was_granted_is_not_asked_again_because_an_older_state_lacks_it(known_id: str) -> None:
+    answers = Answers(retry_s=10.0)
+    answers.grant(REGISTRATION, Circumstances(known_id), now_s=100.0)
+    assert not answers.is_due(REGISTRATION, Circumstances("registrar_1"), now_s=109.9)
+    assert answers.is_due(REGISTRATION, Circumstances("registrar_1"), now_s=110.0)
+
+
+def test_a_restarted_registrar_is_asked_at_once_for_what_the_old_one_granted() -> None:
+    answers = Answers(retry_s=10.0)
+    refuse(answers, REGISTRATION, Circumstances("registrar_1"), is_final=False)
+    answers.grant(REGISTRATION, Circumstances("registrar_1"), now_s=105.0)
+    assert answers.is_due(REGISTRATION, Circumstances("registrar_2"), now_s=105.0)
 
 
 def test_state_of_a_file(tmp_path: Path) -> None:

@@ -2,14 +2,13 @@
 
 from typing import Any, Optional
 
+import rosgraph
 import rospy
 
 from roboframenet_ros.deadline import NoAnswer, within
 
 # The wait for a service ends this long after its own time-out, unless the master hangs; seconds.
 _SLACK_S = 1.0
-# A service that its node offered before another one is there at once; the master may take this long to say so.
-_BESIDE_S = 0.5
 
 
 class ServiceError(RuntimeError):
@@ -57,19 +56,28 @@ def call_service(
 def is_offered(name: str, *, beside: str, timeout_s: float) -> bool:
     """Return whether a node offers a service beside another one, which it offers later.
 
+    The master is asked: a busy node may answer too late, and would seem to lack what it offers.
+
     Args:
         name: of the service
         beside: service that is waited for
-        timeout_s: how long to wait for it
+        timeout_s: how long to wait for it, and for the master
     Raises:
-        ServiceError: that one is not available
+        ServiceError: that one is not available, or the master does not answer
     """
     _wait_for(beside, timeout_s)
+    master = rosgraph.Master(rospy.get_name())
+
+    def look_up() -> bool:
+        try:
+            return bool(master.lookupService(rospy.resolve_name(name)))
+        except rosgraph.MasterError:
+            return False
+
     try:
-        _wait_for(name, _BESIDE_S)
-    except ServiceError:
-        return False
-    return True
+        return within(timeout_s, look_up, name=f"look-up of {name}")
+    except (NoAnswer, OSError, rosgraph.MasterFailure) as error:
+        raise ServiceError(f"the master does not answer: {error}") from error
 
 
 def _wait_for(name: str, timeout_s: float) -> None:

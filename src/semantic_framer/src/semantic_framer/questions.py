@@ -9,7 +9,7 @@ from semantic_framer.reading import Reading, rank
 from semantic_framer.utterance_kind import kind_without_clause
 from semantic_framer.verdicts import Case
 from semantic_frames.frame import SemanticFrame
-from semantic_frames.lexical_unit import LexicalUnit, QuestionPattern
+from semantic_frames.lexical_unit import LexicalUnit, WordPattern
 from typed_arguments import TypedArgument
 from utterance_passes.tree import Word
 from word_classes import word_class
@@ -57,7 +57,7 @@ def _is_question(case: Case) -> bool:
     return any(kind.kind is UtteranceKind.QUESTION for kind in case.kinds)
 
 
-def _read(case: Case, unit: LexicalUnit, frame: SemanticFrame, question: QuestionPattern) -> Optional[Reading]:
+def _read(case: Case, unit: LexicalUnit, frame: SemanticFrame, question: WordPattern) -> Optional[Reading]:
     """Return the reading of a sentence whose words are all in a pattern; None for another sentence."""
     tree = case.sentence.tree
     hidden = tree.abandoned | tree.fillers
@@ -101,7 +101,7 @@ def _read(case: Case, unit: LexicalUnit, frame: SemanticFrame, question: Questio
 
 @lru_cache(maxsize=1024)
 def _compiled(text: str) -> Pattern[str]:
-    return QuestionPattern(text).compile(_WORDS_OF_SLOTS)
+    return WordPattern(text).compile(_WORDS_OF_SLOTS)
 
 
 def _spelling(word: Word) -> str:

@@ -125,6 +125,7 @@ class SemanticFrame:
         on_list: what a list in an element means
         is_confirmed: whether a person must say yes before the frame is carried out
         is_question: whether the frame is a question, which is answered and changes nothing
+        is_condition: whether the frame says how things are; it is watched, and never carried out
         path: the file it came from
         line: where it begins, from 1
     """
@@ -137,6 +138,7 @@ class SemanticFrame:
     on_list: ListPolicy = ListPolicy.REPEAT
     is_confirmed: bool = False
     is_question: bool = False
+    is_condition: bool = False
     path: str = ""
     line: int = 0
 

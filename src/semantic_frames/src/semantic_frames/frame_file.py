@@ -21,7 +21,17 @@ from semantic_frames.semantic_type import read_semantic_types
 from spoken_quantities import QuantityError, parse_measure, parse_number
 from typed_arguments.attribute_names import QUANTIFIERS, RELATIONS
 
-FRAME_KEYS = ("name", "description", "frame_elements", "children", "framenet", "on_list", "confirm", "is_question")
+FRAME_KEYS = (
+    "name",
+    "description",
+    "frame_elements",
+    "children",
+    "framenet",
+    "on_list",
+    "confirm",
+    "is_question",
+    "is_condition",
+)
 ELEMENT_KEYS = (
     "name",
     "is_core",
@@ -71,6 +81,7 @@ def load_frame(text: str, path: str) -> SemanticFrame:
         ),
         is_confirmed=reader.boolean(entries.get("confirm"), "confirm"),
         is_question=reader.boolean(entries.get("is_question"), "is_question"),
+        is_condition=reader.boolean(entries.get("is_condition"), "is_condition"),
         path=path,
         line=line_of(root),
     )

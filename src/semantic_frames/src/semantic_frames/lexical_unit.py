@@ -83,14 +83,14 @@ class Example:
     line: int = 0
 
 
-#: What may fill an element in a pattern of a question: any words; a place, which begins with a preposition; one word.
+#: What may fill an element in a pattern: any words; a place, which begins with a preposition; one word.
 SLOT_KINDS = ("", "place", "word")
 _SLOT = re.compile(r"<(\w+)(?::(\w+))?>")
 
 
 @dataclass(frozen=True)
-class QuestionPattern:
-    """The words of a question.
+class WordPattern:
+    """The words of a question, or of a condition.
 
     Attributes:
         text: as the file has it: "where (is|are) <theme>", "(is|are) <theme> <location:place>"
@@ -102,7 +102,7 @@ class QuestionPattern:
 
     @property
     def slots(self) -> Tuple[Tuple[str, str], ...]:
-        """The elements that words of the question fill, each with the kind of the words."""
+        """The elements that words of it fill, each with the kind of the words."""
         return tuple((match[1], match[2] or "") for match in _SLOT.finditer(self.text))
 
     @property
@@ -111,7 +111,7 @@ class QuestionPattern:
         return tuple(name for name, _ in self.slots)
 
     def compile(self, words: Mapping[str, str]) -> Pattern[str]:
-        """Return a pattern that matches the whole question: its words in lower case, with single blanks between them.
+        """Return a pattern that matches the whole: its words in lower case, with single blanks between them.
 
         Args:
             words: a regular expression for each kind of `SLOT_KINDS`
@@ -124,14 +124,16 @@ class QuestionPattern:
 
 @dataclass(frozen=True)
 class LexicalUnit:
-    """Verbs, or words of questions, that evoke a frame in the same way.
+    """Verbs, or words of questions or conditions, that evoke a frame in the same way.
 
     Attributes:
         frame_name: the frame that is evoked
-        verbs: lemmas, a particle included ("pick up"), lower case; empty when it has questions
+        verbs: lemmas, a particle included ("pick up"), lower case; empty when it has patterns
         relations: how the elements are filled
         examples: utterances that the unit understands
         questions: patterns of whole questions, which are tried in this order
+        conditions: patterns of whole clauses that say how things are, which are tried in this order
+        values: arguments that the words of a pattern stand for, by element: "open" for "the door opens"
         path: the file that it came from
         line: where it begins, from 1
     """
@@ -140,6 +142,8 @@ class LexicalUnit:
     verbs: Tuple[str, ...]
     relations: Tuple[ElementRelation, ...] = ()
     examples: Tuple[Example, ...] = ()
-    questions: Tuple[QuestionPattern, ...] = ()
+    questions: Tuple[WordPattern, ...] = ()
+    conditions: Tuple[WordPattern, ...] = ()
+    values: Mapping[str, str] = field(default_factory=dict)
     path: str = ""
     line: int = 0

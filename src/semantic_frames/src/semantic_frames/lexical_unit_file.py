@@ -12,15 +12,25 @@ from semantic_frames.lexical_unit import (
     ElementRelation,
     Example,
     LexicalUnit,
-    QuestionPattern,
     RelationPath,
+    WordPattern,
 )
 from semantic_frames.marked_yaml import Reader, did_you_mean, is_empty, line_of
 from semantic_frames.problem import Problem
 from semantic_frames.relation_names import MEASURE, STANFORD, UNIVERSAL, is_relation_name
 from semantic_frames.semantic_type import read_semantic_types
 
-UNIT_KEYS = ("frame_name", "verb", "question", "frame_element_grammatical_relations", "examples")
+UNIT_KEYS = (
+    "frame_name",
+    "verb",
+    "question",
+    "condition",
+    "values",
+    "frame_element_grammatical_relations",
+    "examples",
+)
+#: What may stand in the place of verbs.
+PATTERN_KEYS = ("question", "condition")
 RELATION_KEYS = ("name", "relation", "argument", "words", "semantic_type", "required", "after_place")
 EXAMPLE_KEYS = ("text", "frame_elements")
 
@@ -48,9 +58,8 @@ def load_lexical_units(text: str, path: str) -> Tuple[LexicalUnit, ...]:
 
 def _unit(reader: Reader, node: yaml.Node, key: str) -> LexicalUnit:
     prefix = f"{key}." if key else ""
-    entries = reader.mapping(
-        node, key, UNIT_KEYS, required=("frame_name",) if "question" in _keys(node) else ("frame_name", "verb")
-    )
+    has_patterns = any(pattern in _keys(node) for pattern in PATTERN_KEYS)
+    entries = reader.mapping(node, key, UNIT_KEYS, required=("frame_name",) if has_patterns else ("frame_name", "verb"))
     verbs = tuple(" ".join(verb.lower().split()) for verb in reader.texts(entries.get("verb"), f"{prefix}verb"))
     if "verb" in entries and not any(verbs):
         reader.report("EMPTY", entries["verb"], f"{prefix}verb", "no verb", "a verb or a list of verbs")
@@ -67,7 +76,9 @@ def _unit(reader: Reader, node: yaml.Node, key: str) -> LexicalUnit:
             _example(reader, item, item_key)
             for item_key, item in reader.sequence(entries.get("examples"), f"{prefix}examples")
         ),
-        questions=_questions(reader, entries.get("question"), f"{prefix}question"),
+        questions=_patterns(reader, entries.get("question"), f"{prefix}question"),
+        conditions=_patterns(reader, entries.get("condition"), f"{prefix}condition"),
+        values=_arguments(reader, entries.get("values"), f"{prefix}values"),
         path=reader.path,
         line=line_of(node),
     )
@@ -77,23 +88,23 @@ def _keys(node: yaml.Node) -> FrozenSet[str]:
     return frozenset(str(key.value) for key, _ in node.value) if isinstance(node, yaml.MappingNode) else frozenset()
 
 
-def _questions(reader: Reader, node: Optional[yaml.Node], key: str) -> Tuple[QuestionPattern, ...]:
-    """Read the patterns of a question, such as "where (is|are) <theme>"."""
+def _patterns(reader: Reader, node: Optional[yaml.Node], key: str) -> Tuple[WordPattern, ...]:
+    """Read patterns such as "where (is|are) <theme>"."""
     items = reader.sequence(node, key) if isinstance(node, yaml.SequenceNode) else [(key, node)] if node else []
     found = []
     for item_key, item in items:
         text = " ".join(reader.name(item, item_key).lower().split())
-        question = QuestionPattern(text, line_of(item))
+        pattern = WordPattern(text, line_of(item))
         try:
-            question.compile(dict.fromkeys(SLOT_KINDS, ".+?"))
+            pattern.compile(dict.fromkeys(SLOT_KINDS, ".+?"))
         except (re.error, KeyError) as error:
             kinds = ", ".join(f"<element:{kind}>" for kind in SLOT_KINDS if kind)
             expected = f"words, (a|b), (a )?, <element>, {kinds}"
             reader.report("NOT_A_PATTERN", item, item_key, f"'{text}' ({error})", expected)
             continue
-        found.append(question)
+        found.append(pattern)
     if node is not None and not items:
-        reader.report("EMPTY", node, key, "no question", "a question, or a list of questions")
+        reader.report("EMPTY", node, key, "no pattern", "a pattern, or a list of patterns")
     return tuple(found)
 
 
@@ -145,17 +156,25 @@ def _path(reader: Reader, node: yaml.Node, key: str) -> RelationPath:
 
 def _example(reader: Reader, node: yaml.Node, key: str) -> Example:
     entries = reader.mapping(node, key, EXAMPLE_KEYS, required=("text",))
+    return Example(
+        text=reader.name(entries.get("text"), f"{key}.text"),
+        frame_elements=_arguments(reader, entries.get("frame_elements"), f"{key}.frame_elements"),
+        line=line_of(node),
+    )
+
+
+def _arguments(reader: Reader, node: Optional[yaml.Node], key: str) -> Mapping[str, str]:
+    """Read arguments by the names of their elements."""
     arguments: Dict[str, str] = {}
-    expected = entries.get("frame_elements")
-    if isinstance(expected, yaml.MappingNode):
-        for name_node, value in expected.value:
-            name = reader.text(name_node, f"{key}.frame_elements")
+    if isinstance(node, yaml.MappingNode):
+        for name_node, value in node.value:
+            name = reader.text(name_node, key)
             if name in arguments:
-                reader.report("DUPLICATE_KEY", name_node, f"{key}.frame_elements.{name}", f"a second '{name}'", "one")
-            arguments[name] = reader.text(value, f"{key}.frame_elements.{name}")
-    elif expected is not None:
-        reader.report("WRONG_TYPE", expected, f"{key}.frame_elements", "no mapping", "arguments by element name")
-    return Example(text=reader.name(entries.get("text"), f"{key}.text"), frame_elements=arguments, line=line_of(node))
+                reader.report("DUPLICATE_KEY", name_node, f"{key}.{name}", f"a second '{name}'", "one")
+            arguments[name] = reader.text(value, f"{key}.{name}")
+    elif node is not None:
+        reader.report("WRONG_TYPE", node, key, "no mapping", "arguments by element name")
+    return arguments
 
 
 def check_lexical_unit(unit: LexicalUnit, frames: Mapping[str, SemanticFrame]) -> List[Problem]:
@@ -182,7 +201,9 @@ def check_lexical_unit(unit: LexicalUnit, frames: Mapping[str, SemanticFrame]) -
         ]
     names = [element.name for element in frame.frame_elements]
     named = [(relation.line, "frame_element_grammatical_relations", relation.name) for relation in unit.relations]
-    named += [(question.line, "question", name) for question in unit.questions for name in question.elements]
+    named += [(pattern.line, "question", name) for pattern in unit.questions for name in pattern.elements]
+    named += [(pattern.line, "condition", name) for pattern in unit.conditions for name in pattern.elements]
+    named += [(unit.line, "values", name) for name in unit.values]
     named += [(example.line, "examples", name) for example in unit.examples for name in example.frame_elements]
     problems = [
         Problem(
@@ -197,20 +218,43 @@ def check_lexical_unit(unit: LexicalUnit, frames: Mapping[str, SemanticFrame]) -
         for line, key, name in named
         if name not in names
     ]
-    filled = {relation.name for relation in unit.relations}
-    if unit.questions:
-        filled |= frozenset.intersection(*(frozenset(question.elements) for question in unit.questions))
-        if not frame.is_question:
-            problems.append(
-                Problem(
-                    "NOT_A_QUESTION",
-                    unit.path,
-                    unit.line,
-                    "question",
-                    f"the frame {frame.name}, which acts",
-                    "a frame with 'is_question: True': a question never acts",
-                )
+    filled = {relation.name for relation in unit.relations} | set(unit.values)
+    patterns = unit.questions + unit.conditions
+    if patterns:
+        filled |= frozenset.intersection(*(frozenset(pattern.elements) for pattern in patterns))
+    if unit.questions and not frame.is_question:
+        problems.append(
+            Problem(
+                "NOT_A_QUESTION",
+                unit.path,
+                unit.line,
+                "question",
+                f"the frame {frame.name}, which acts",
+                "a frame with 'is_question: True': a question never acts",
             )
+        )
+    if unit.conditions and not frame.is_condition:
+        problems.append(
+            Problem(
+                "NOT_A_CONDITION",
+                unit.path,
+                unit.line,
+                "condition",
+                f"the frame {frame.name}, which acts",
+                "a frame with 'is_condition: True': a condition is watched, and never carried out",
+            )
+        )
+    if frame.is_condition and not unit.conditions:
+        problems.append(
+            Problem(
+                "NOT_A_COMMAND",
+                unit.path,
+                unit.line,
+                "verb" if unit.verbs else "question",
+                f"the frame {frame.name}, which is a condition",
+                "'condition' in its place: a condition is watched, and never carried out",
+            )
+        )
     problems += [
         Problem(
             "CORE_NOT_FILLED",

@@ -153,3 +153,32 @@ def test_long_example_is_no_name() -> None:
     words = "and wave " * 50
     (unit,) = load_lexical_units(f"frame_name: waving\nverb: wave\nexamples: [{{text: Wave {words}.}}]\n", "x.yaml")
     assert len(unit.examples[0].text) > 400
+
+
+CLOSED = load_frame(
+    "name: closed\nis_condition: True\nframe_elements: [{name: theme, is_core: True}, {name: state, is_core: True}]",
+    "closed.yaml",
+)
+
+
+def test_condition_has_patterns_and_values() -> None:
+    text = "frame_name: closed\ncondition: ['<theme> closes', '<theme> (falls|is) shut']\nvalues: {state: closed}"
+    (unit,) = load_lexical_units(text, "closed.yaml")
+    assert [pattern.elements for pattern in unit.conditions] == [("theme",), ("theme",)]
+    assert unit.values == {"state": "closed"}
+    assert check_lexical_unit(unit, {"closed": CLOSED}) == []
+
+
+@pytest.mark.parametrize(
+    "text, code",
+    [
+        ("frame_name: closed\nverb: close", "NOT_A_COMMAND"),
+        ("frame_name: closed\nquestion: is <theme> <state:word>", "NOT_A_COMMAND"),
+        ("frame_name: giving\ncondition: <theme> is given", "NOT_A_CONDITION"),
+        ("frame_name: closed\ncondition: <theme> closes", "CORE_NOT_FILLED"),
+        ("frame_name: closed\ncondition: <theme> closes\nvalues: {stat: closed}", "UNKNOWN_ELEMENT"),
+    ],
+)
+def test_condition_is_no_command_and_a_command_no_condition(text: str, code: str) -> None:
+    (unit,) = load_lexical_units(text, "x.yaml")
+    assert code in [problem.code for problem in check_lexical_unit(unit, {"giving": GIVING, "closed": CLOSED})]

@@ -70,7 +70,7 @@ _Event = Union[CommandPlan, CommandStatus, Reply, StopReport, _Happened, _Reques
 class StandingOrdersNode:
     """Keeps standing orders.
 
-    Subscribes: ``command_standing_order``, ``status``, ``reply``, ``stop_report``, ``frame_catalogue``.
+    Subscribes: ``command_standing_order``, ``status``, ``reply``, ``stop_report``, ``frame_servers``.
     Publishes: ``order_due``, ``standing_orders`` (latched), ``command_cancel``, ``stage_events``.
     Actions: ``standing_orders_server``. Parameters: see :class:`standing_orders.settings.Settings`.
     """
