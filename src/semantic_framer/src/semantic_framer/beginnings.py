@@ -6,7 +6,7 @@ The framer does not know what runs. It passes on what was said, and the executor
 from dataclasses import dataclass, replace
 from functools import lru_cache
 from pathlib import Path
-from typing import FrozenSet, List, Mapping, Optional, Tuple
+from typing import FrozenSet, List, Mapping, Optional, Sequence, Tuple
 
 from semantic_framer.framed_lexicon import FramedLexicon
 from semantic_framer.sentence import Sentence
@@ -21,9 +21,6 @@ from utterance_passes.tree_edits import NotATree, set_aside
 BEGINNINGS_FILE = Path(__file__).resolve().parent / "beginnings.yaml"
 _KINDS = ("follow", "beside")
 _PLACES = ("front", "behind")
-
-#: What a contraction stands for in these phrases: "when you're done", "when that's done", "when you've finished".
-_IN_FULL = {"'re": "are", "'s": "is", "'ve": "have"}
 
 _Phrases = Mapping[Tuple[str, str], FrozenSet[Tuple[str, ...]]]
 
@@ -79,7 +76,7 @@ def beginning_of(tree: DependencyTree) -> Optional[Beginning]:
         words.pop(0)
     while words and is_filler(words[-1].form):
         words.pop()
-    forms = [_IN_FULL.get(plain(word).replace("’", "'"), plain(word)) for word in words]
+    forms = [plain(word) for word in words]
     for kind in _KINDS:
         for place in _PLACES:
             length = _longest(forms, shipped_beginnings()[kind, place], is_behind=place == "behind")
@@ -107,9 +104,12 @@ def without_beginning(sentence: Sentence, beginning: Beginning, known: FramedLex
 
 def _longest(forms: List[str], phrases: FrozenSet[Tuple[str, ...]], *, is_behind: bool) -> int:
     """Return the number of words of the longest phrase at an end; 0 for none."""
-    fits = (
-        len(phrase)
-        for phrase in phrases
-        if tuple(forms[-len(phrase) :] if is_behind else forms[: len(phrase)]) == phrase
+    ends = ((phrase, forms[-len(phrase) :] if is_behind else forms[: len(phrase)]) for phrase in phrases)
+    return max((len(phrase) for phrase, said in ends if _are_same(said, phrase)), default=0)
+
+
+def _are_same(forms: Sequence[str], phrase: Tuple[str, ...]) -> bool:
+    """Whether words are those of a phrase; a contraction ends like its word: "'re" and "are"."""
+    return len(forms) == len(phrase) and all(
+        form == word or (form[0] in "'\u2019" and word.endswith(form[1:])) for form, word in zip(forms, phrase)
     )
-    return max(fits, default=0)
