@@ -81,7 +81,7 @@ class ConditionsTest(unittest.TestCase):
         reply = self.wait_for_reply(command)
         self.assertEqual((outcome, code, sentence), (reply.outcome, reply.code, reply.sentence))
         # Nobody watches any longer than the plan.
-        wait_until(lambda: self.begun("watch") == self.ended("watch"), message=lambda: self.log)
+        wait_until(lambda: self.begun("watch") and self.begun("watch") == self.ended("watch"), message=lambda: self.log)
 
     def begun(self, frame):
         return sorted(line.split()[0] for line in self.log if line.split()[1:] == ["begins", frame])
