@@ -71,9 +71,12 @@ def _meant(word: str, before: Sequence[str], vocabulary: Verbs) -> Optional[str]
     known = vocabulary.spellings | _known_words()
     if said in known or said in vocabulary.words or said in vocabulary.names or parts_of_speech(said):
         return None
-    found = sorted({near for near in _near(said) if near in known or near in vocabulary.names})
+    # A rare word of a closed class, such as a month, may be one letter from a name: "marco".
+    meant_words = vocabulary.spellings | vocabulary.names | frozenset(unit_words())
+    found = sorted({near for near in _near(said) if near in meant_words})
     if before[-1:] and before[-1] in _BEFORE_NOUNS:
-        found = [near for near in found if parts_of_speech(near) & {NOUN, ADJECTIVE}]
+        nouns = [near for near in found if near not in vocabulary.words]
+        found = [near for near in nouns if parts_of_speech(near) & {NOUN, ADJECTIVE}]
     elif before[-1:] and (before[-1].isdigit() or before[-1] in number_words()):
         found = [near for near in found if find_unit(near) is not None] or found
     found = [near for near in found if sorted(near) == sorted(said)] or found

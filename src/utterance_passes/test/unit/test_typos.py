@@ -10,7 +10,7 @@ from utterance_passes.vocabulary import Verbs
 
 KNOWN = Verbs(
     frozenset(["turn", "bring", "take", "move"]),
-    spellings=frozenset(["turn", "bring", "take", "move", "left", "right", "kitchen", "bottle", "table", "cable"]),
+    spellings=frozenset(["from", "turn", "bring", "take", "move", "left", "right", "kitchen", "bottle", "table", "cable"]),
     names=frozenset(["kuchen", "zora"]),
 )
 
@@ -33,6 +33,8 @@ KNOWN = Verbs(
         ("say kichen", None),
         ('write "kichen"', None),
         ("trn left", None),  # too short
+        ("look at marco", None),  # "march" is no word of the lexicon
+        ("make a mave", None),  # a verb is no thing
         ("take the ftom", None),  # "from" is no thing
         ("take it ftom me", "take it from me"),
     ],
