@@ -28,6 +28,7 @@ from question_answering.ros_asking import Asking
 from rfnserver import RFNServer, TypedFrame
 from roboframenet_ros.parameters import Parameters, parameter
 from roboframenet_ros.ros_node import read_parameters, run_node
+from roboframenet_ros.ros_place import Place
 from semantic_frames import FileRefused, load_frame, load_lexical_units
 from semantic_frames.frame import SemanticFrame
 from semantic_frames.lexical_unit import LexicalUnit
@@ -153,6 +154,15 @@ class QuestionAnswering:
             )
 
 
+def start(place: Place) -> QuestionAnswering:
+    """Start the node.
+
+    Raises:
+        ParameterError: a parameter is wrong
+    """
+    return QuestionAnswering(read_parameters(Settings, prefix=place.private))
+
+
 def main() -> None:
     """Run the node until ROS shuts down; exits with a sentence when a parameter is wrong."""
-    run_node("question_answering", lambda: QuestionAnswering(read_parameters(Settings)))
+    run_node("question_answering", lambda: start(Place()))
