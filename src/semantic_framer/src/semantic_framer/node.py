@@ -44,8 +44,9 @@ from semantic_framer.lexicon_files import LexiconFiles, LexiconState
 from semantic_framer.outcome import Refusal, Understood, reply_outcome
 from semantic_framer.ros_messages import acting_servers, to_clauses, to_filled_units, to_plan
 from semantic_framer.settings import Settings
-from semantic_frames import FileRefused, load_frame
+from semantic_frames import load_frame
 from semantic_frames.frame import SemanticFrame
+from semantic_frames.read_once import ReadOnce
 from semantic_frames.source_files import LEXICAL_UNITS_FOLDER, yaml_files
 from semantic_types import NoWordNet
 from stanford_parser_ros.ros_messages import to_tree
@@ -83,7 +84,7 @@ class SemanticFramer:
         self._frames: Dict[str, SemanticFrame] = {}
         self._servers = FrameServers()
         self._heeded: Mapping[str, FrameHeeding] = {}
-        self._frame_of_file: Dict[Tuple[str, str], SemanticFrame] = {}
+        self._frame_files: ReadOnce[SemanticFrame] = ReadOnce(load_frame)
         self._context = Context()
         self._context_stamp = self._stop_stamp = rospy.Time()
         self._id = uuid.uuid4().hex
@@ -178,16 +179,10 @@ class SemanticFramer:
             self._world = world
 
     def _on_catalogue(self, message: FrameCatalogue) -> None:
-        known = self._frame_of_file
-        of_file = {}
-        for file in message.files:
-            try:
-                # Reuse the known frames, so that a file that is added does not make every file be read again.
-                of_file[file.path, file.text] = known.get((file.path, file.text)) or load_frame(file.text, file.path)
-            except FileRefused as refused:
-                rospy.logwarn("the catalogue holds a frame that cannot be read: %s", refused)
-        self._frame_of_file = of_file
-        frames = {frame.name: frame for frame in of_file.values()}
+        contents, refused = self._frame_files.contents((file.path, file.text) for file in message.files)
+        for reason in refused:
+            rospy.logwarn("the catalogue holds a frame that cannot be read: %s", reason)
+        frames = {frame.name: frame for frame in contents}
         with self._lock:
             self._frames = frames
             self._heeded = heeded_elements(frames, acting_servers(self._servers))
