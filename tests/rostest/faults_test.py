@@ -13,6 +13,7 @@ import rosgraph
 import rospy
 from roboframenet_msgs.msg import FileProblem, FileProblems, Reply
 from roboframenet_msgs.srv import AddFrame, AddLexicalUnit, GetEmptyFrame
+from rosgraph_msgs.msg import Log
 from std_msgs.msg import String
 
 from roboframenet_demo.ros_pipeline import is_pipeline_complete
@@ -31,12 +32,14 @@ class FaultsTest(unittest.TestCase):
     def setUpClass(cls) -> None:
         cls.replies: List[Reply] = []
         cls.problems: List[FileProblem] = []
+        cls.bad_callbacks: List[str] = []
         cls.subscribers = [
             rospy.Subscriber("reply", Reply, cls.replies.append, queue_size=100),
             rospy.Subscriber(
                 "file_problems", FileProblems, lambda message: cls.problems.extend(message.problems), queue_size=10
             ),
         ]
+        cls.subscribers.append(rospy.Subscriber("/rosout", Log, cls.on_log, queue_size=1000))
         cls.text = rospy.Publisher("text", String, queue_size=10)
         wait_until(lambda: cls.text.get_num_connections() >= 2, message="nobody listens to 'text'")
         wait_until(is_pipeline_complete, 120.0, "the pipeline did not come up")
@@ -44,6 +47,11 @@ class FaultsTest(unittest.TestCase):
         rospy.wait_for_service("add_frame", timeout=60.0)
         rospy.wait_for_service("add_lexical_unit", timeout=60.0)
         assert can_do(("greeting",), unit_files=("unit.yaml",)), "the server did not register"
+
+    @classmethod
+    def on_log(cls, message: Log) -> None:
+        if "bad callback" in message.msg:
+            cls.bad_callbacks.append(message.msg)
 
     def say(self, text: str, timeout_s: float = 60.0) -> Optional[Reply]:
         """Say a sentence; return its reply."""
@@ -152,9 +160,10 @@ class FaultsTest(unittest.TestCase):
             )
             wait_until(lambda node=node, old=old: self.pid(node) not in (0, old), message=f"{node} does not return")
             wait_until(is_pipeline_complete, 120.0, "the pipeline did not come back")
-            self.assertEqual(self.say("Greet.").outcome, Reply.DONE)
+            wait_until(lambda: getattr(self.say("Greet.", 3.0), "outcome", -1) == Reply.DONE, 90.0)
             self.assertEqual([text], [reply.command.text for reply in self.replies if reply.command.text == text])
         subscriber.unregister()
+        self.assertEqual([], self.bad_callbacks)
 
 
 if __name__ == "__main__":

@@ -37,13 +37,10 @@ from command_server.ros_left_over import EXECUTOR_TIMEOUT_S, LeftOver
 from command_server.ros_messages import command_to_message, ending_of_event, reply_of_stopped
 from command_server.ros_open_commands import OpenCommandStore
 from command_server.ros_replies import Replies
-from command_server.ros_settings import read_brake_settings
 from command_server.settings import Settings
 from command_server.stop_words import find_cry
 from command_server.withdrawals import Withdrawals, is_against_what_runs
 from roboframenet_ros.health import Health
-from roboframenet_ros.ros_node import read_parameters, run_node
-from roboframenet_ros.ros_place import Place
 from roboframenet_ros.suspension import SuspensionWatch
 from robot_stop.braking import Finding, StopOrder
 from robot_stop.ros_brake import Brake, Braked
@@ -88,7 +85,7 @@ class CommandServerNode:
         self._last_stop_ns = 0
         self._follow_ups = FollowUps(pause_s=settings.pause_after_stop_s)
         self._withdrawals = Withdrawals(timeout_s=settings.cancel_timeout_s)
-        self._store = OpenCommandStore(f"{private}open_commands")
+        self._store = OpenCommandStore(private + "open_commands")
         self._saved: Tuple[CommandText, ...] = ()
         self._unsent: Deque[CommandText] = deque()
         self._run_tag = uuid.uuid4().hex[:8]
@@ -441,22 +438,3 @@ class CommandServerNode:
 
 def _now_ns() -> int:
     return rospy.Time.now().to_nsec()
-
-
-def start(place: Place) -> CommandServerNode:
-    """Start the stage.
-
-    Raises:
-        ParameterError: a parameter is wrong
-    """
-    settings = read_parameters(Settings, prefix=place.private)
-    brake_settings = read_brake_settings(place.private)
-    rospy.loginfo("command_server: %s", settings)
-    node = CommandServerNode(settings, brake_settings, private=place.private)
-    node.start()
-    return node
-
-
-def main() -> None:
-    """Run the node until ROS shuts down; exits with a sentence when a parameter is wrong."""
-    run_node("command_server", lambda: start(Place()))

@@ -138,9 +138,9 @@ class ExecutorNode:
         self._settings = settings
         self._clients = ActionClients(max_kept=settings.max_clients)
         self._server_settings = DriverSettings(
-            timeout_s=settings.settings_timeout_s, parameter=f"{private}applied_settings"
+            timeout_s=settings.settings_timeout_s, parameter=private + "applied_settings"
         )
-        self._running_goals = RunningGoals(f"{private}running_goals")
+        self._running_goals = RunningGoals(private + "running_goals")
         self._profiles = ServerProfiles(default_silence_s=settings.condition_silence_s)
         self._quarantine = Quarantine(duration_s=settings.quarantine_s)
         self._introspection = Introspection(is_enabled=settings.introspection)

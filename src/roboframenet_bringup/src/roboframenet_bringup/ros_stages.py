@@ -5,7 +5,7 @@ import argparse
 import rospy
 
 import arbitrator.node
-import command_server.node
+import command_server.ros_start
 import executor.node
 import frame_registrar.node
 import question_answering.node
@@ -16,7 +16,7 @@ from roboframenet_ros.ros_node import HostedStage, run_stages
 #: Who must hear of a stop first starts first: rospy hands a message to the stages of a topic in this order.
 STAGES = (
     HostedStage("executor", executor.node.start),
-    HostedStage("command_server", command_server.node.start),
+    HostedStage("command_server", command_server.ros_start.start),
     HostedStage("arbitrator", arbitrator.node.start),
     HostedStage("frame_registrar", frame_registrar.node.start),
     HostedStage("semantic_framer", semantic_framer.node.start),
