@@ -1,10 +1,9 @@
 """Reads questions by the patterns of lexical units; only frames that are questions are evoked, and they never act."""
 
-import re
-from functools import lru_cache
-from typing import List, Mapping, Optional, Pattern, Sequence, Tuple
+from typing import List, Mapping, Optional, Sequence, Tuple
 
 from semantic_framer.mood_file import UtteranceKind
+from semantic_framer.question_words import compiled
 from semantic_framer.reading import Reading, rank
 from semantic_framer.utterance_kind import kind_without_clause
 from semantic_framer.verdicts import Case
@@ -16,17 +15,8 @@ from word_classes import word_class
 
 _PADDING = word_class("question_padding")
 _NEGATIONS = word_class("negations")
-_PREPOSITIONS = word_class("place_prepositions") | word_class("complex_prepositions")
 #: Spellings that patterns do not have, if the word is a verb.
 _VERBS_IN_FULL: Mapping[str, str] = {"'s": "is", "’s": "is", "'re": "are", "’re": "are", "'m": "am", "’m": "am"}
-
-_OF_A_PLACE = "|".join(sorted(map(re.escape, _PREPOSITIONS), key=len, reverse=True))
-#: A regular expression for each kind of words that fills an element.
-_WORDS_OF_SLOTS: Mapping[str, str] = {
-    "": ".+?",
-    "word": r"\S+",
-    "place": rf"(?:(?:{_OF_A_PLACE}) .+?|here)",
-}
 
 
 def question_readings(case: Case) -> Tuple[Reading, ...]:
@@ -67,7 +57,7 @@ def _read(case: Case, unit: LexicalUnit, frame: SemanticFrame, question: WordPat
     while words and words[-1].form.lower() in _PADDING:
         words.pop()
     forms = [_spelling(word) for word in words]
-    match = _compiled(question.text).fullmatch(" ".join(forms))
+    match = compiled(question.text).fullmatch(" ".join(forms))
     if match is None:
         return None
     arguments = []
@@ -97,11 +87,6 @@ def _read(case: Case, unit: LexicalUnit, frame: SemanticFrame, question: WordPat
         coverage=1.0,
         clause_text=tree.text.strip(),
     )
-
-
-@lru_cache(maxsize=1024)
-def _compiled(text: str) -> Pattern[str]:
-    return WordPattern(text).compile(_WORDS_OF_SLOTS)
 
 
 def _spelling(word: Word) -> str:
