@@ -5,17 +5,18 @@ import queue
 import threading
 from dataclasses import dataclass, replace
 from pathlib import Path
-from typing import TYPE_CHECKING, Dict, Union
+from typing import TYPE_CHECKING, Union
 
 import rospy
-from roboframenet_msgs.msg import Command, CommandParse, KnownNames, Lexicon, Reply, SourceFile
+from roboframenet_msgs.msg import Command, CommandParse, KnownNames, Lexicon, Reply
 from stanford_parser_msgs.msg import Parse
 
 from roboframenet_ros.health import Health, Level
 from roboframenet_ros.parameters import Parameters, parameter
 from roboframenet_ros.ros_node import read_parameters, run_node
 from roboframenet_ros.ros_stage import Stage
-from semantic_frames import FileRefused, load_lexical_units
+from semantic_frames import load_lexical_units
+from semantic_frames.read_once import ReadOnce
 from stanford_parser_ros.inference import ModelError, StanzaInference, shipped_model_dir
 from stanford_parser_ros.model import NO_WORDS, KnownWords, Parser, UnparsableText
 from stanford_parser_ros.ros_messages import to_command_parse
@@ -85,7 +86,7 @@ class ParserNode:
         self._stage = Stage("stanford_parser_ros")
         # The lexicon arrives while the models load, so that the first command is parsed with it.
         self._known = NO_WORDS
-        self._words_of_file: Dict[str, KnownWords] = {}
+        self._words_of_files: ReadOnce[KnownWords] = ReadOnce(_words_of)
         self._lexicon = rospy.Subscriber("lexicon", Lexicon, self._on_lexicon, queue_size=1)
         self._names = rospy.Subscriber("known_names", KnownNames, self._on_names, queue_size=1)
         models = load_models(settings)
@@ -114,18 +115,13 @@ class ParserNode:
         )
 
     def _on_lexicon(self, message: Lexicon) -> None:
-        words_of_file: Dict[str, KnownWords] = {}
-        for file in message.files:
-            try:
-                # Adding one file must not make the node read all others again.
-                words_of_file[file.text] = self._words_of_file.get(file.text) or _words_of(file)
-            except FileRefused as refused:
-                rospy.logwarn("the lexicon holds a file that cannot be read: %s", refused)
-        self._words_of_file = words_of_file
+        found, refused = self._words_of_files.contents((file.path, file.text) for file in message.files)
+        for reason in refused:
+            rospy.logwarn("the lexicon holds a file that cannot be read: %s", reason)
         self._known = replace(
             self._known,
-            verbs=frozenset().union(*(words.verbs for words in words_of_file.values())),
-            spellings=frozenset().union(*(words.spellings for words in words_of_file.values())),
+            verbs=frozenset().union(*(words.verbs for words in found)),
+            spellings=frozenset().union(*(words.spellings for words in found)),
         )
 
     def _on_names(self, message: KnownNames) -> None:
@@ -178,6 +174,17 @@ class ParserNode:
         self._stage.passes_on(command, describe(parse.tree), trace=trace)
         self._parses_2012.publish(message.parse)
         self._parses.publish(message)
+
+
+def _words_of(text: str, path: str) -> KnownWords:
+    """Return the words of a file of lexical units.
+
+    Raises:
+        FileRefused: it cannot be read
+    """
+    units = load_lexical_units(text, path)
+    # The base form precedes the particle: "pick" of "pick up".
+    return KnownWords(frozenset(verb.split()[0] for unit in units for verb in unit.verbs), spellings_of(units))
 
 
 def load_models(settings: Settings) -> Union[StanzaInference, "LeanInference"]:
@@ -241,17 +248,6 @@ def _start() -> Union[ParserNode, ParserWithoutModels]:
     except ModelError as error:
         rospy.logfatal("%s; every command fails until this node is started again", error)
         return ParserWithoutModels(str(error))
-
-
-def _words_of(file: SourceFile) -> KnownWords:
-    """Return the words of a lexical unit file.
-
-    Raises:
-        FileRefused: it has mistakes
-    """
-    units = load_lexical_units(file.text, file.path)
-    # The base form precedes the particle: "pick" of "pick up".
-    return KnownWords(frozenset(verb.split()[0] for unit in units for verb in unit.verbs), spellings_of(units))
 
 
 def main() -> None:
