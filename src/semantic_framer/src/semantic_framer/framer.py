@@ -25,7 +25,7 @@ from semantic_framer.outcome import (
     Refusal,
     Understood,
 )
-from semantic_framer.questions import question_readings
+from semantic_framer.questions import question_readings, with_embedded_question
 from semantic_framer.readings import ClauseReadings, readings_of_clause
 from semantic_framer.sentence import Sentence
 from semantic_framer.sentence_verdicts import (
@@ -257,7 +257,7 @@ class _Hearing:
             offered = " or ".join(choice.text for choice in choices)
             self._now.write("choices", offered, "asked. The person left it open.")
             return Heard(*ask_which(choices, context, self._now), sentence, clauses)
-        kept = tuple(read.kept for read in clauses)
+        kept = tuple(tuple(with_embedded_question(case, reading) for reading in read.kept) for read in clauses)
         outcome, context = resolve_and_confirm(kept, sentence, context, self._now)
         words = words_outside(sentence, case.clauses)
         if isinstance(outcome, Understood) and words and policy.left_over_words is LeftOverWords.WARN:

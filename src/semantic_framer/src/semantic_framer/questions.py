@@ -1,9 +1,11 @@
 """Reads questions by the patterns of lexical units; only frames that are questions are evoked, and they never act."""
 
 import re
+from dataclasses import replace
 from functools import lru_cache
 from typing import List, Mapping, Optional, Pattern, Sequence, Tuple
 
+from semantic_framer.indirect_questions import direct_orders, length_of_opening, unquoted
 from semantic_framer.mood_file import UtteranceKind
 from semantic_framer.reading import Reading, rank
 from semantic_framer.utterance_kind import kind_without_clause
@@ -17,8 +19,11 @@ from word_classes import word_class
 _PADDING = word_class("question_padding")
 _NEGATIONS = word_class("negations")
 _PREPOSITIONS = word_class("place_prepositions") | word_class("complex_prepositions")
-#: Spellings that patterns do not have, if the word is a verb.
-_VERBS_IN_FULL: Mapping[str, str] = {"'s": "is", "’s": "is", "'re": "are", "’re": "are", "'m": "am", "’m": "am"}
+#: Spellings that patterns do not have, if the word is a verb, and negations.
+_VERBS_IN_FULL: Mapping[str, str] = {
+    **{f"{mark}{end}": verb for mark in "'’" for end, verb in (("s", "is"), ("re", "are"), ("m", "am"), ("d", "would"))},
+    **dict.fromkeys(["n't", "n’t", "nt"], "not"),
+}
 
 _OF_A_PLACE = "|".join(sorted(map(re.escape, _PREPOSITIONS), key=len, reverse=True))
 #: A regular expression for each kind of words that fills an element.
@@ -34,16 +39,54 @@ def question_readings(case: Case) -> Tuple[Reading, ...]:
 
     A frame that no server answers is left out while other frames have servers.
     """
+    words = _words(case)
+    length = length_of_opening([_spelling(word) for word in words])
+    orders = list(direct_orders(words[length:])) if length else []
+    if not case.acts and (length or _is_question(case)):
+        orders.append(tuple(words))
+    return _readings(case, orders)
+
+
+def with_embedded_question(case: Case, reading: Reading) -> Reading:
+    """Return a reading whose message holds the question that it asks: "tell Anna *where the keys are*"."""
+    arguments = []
+    for argument in reading.arguments:
+        said = next((frame for frame in argument.frames if frame.role == "says" and frame.mood == "question"), None)
+        if said is not None and not said.frame_name:
+            tree = unquoted(case.sentence.tree, said.positions)
+            quoted = replace(case, sentence=case.sentence.attached(tree))
+            words = [tree.word(position) for position in said.positions]
+            found = _readings(quoted, list(direct_orders([word for word in words if word.upos != "PUNCT"])))
+            if found:
+                asked = replace(
+                    said,
+                    frame_name=found[0].unit.frame_name,
+                    frame_elements=tuple(one for one in found[0].arguments if one.positions),
+                )
+                frames = tuple(asked if frame is said else frame for frame in argument.frames)
+                argument = replace(argument, frames=frames)
+        arguments.append(argument)
+    return replace(reading, arguments=tuple(arguments))
+
+
+def _readings(case: Case, orders: Sequence[Sequence[Word]]) -> Tuple[Reading, ...]:
+    """Return the readings of the words of a question in the first order that a pattern fits, the best first."""
+    for words in orders:
+        found = _readings_in_order(case, words)
+        if found:
+            return found
+    return ()
+
+
+def _readings_in_order(case: Case, words: Sequence[Word]) -> Tuple[Reading, ...]:
     known = case.known
-    if case.acts or not _is_question(case):
-        return ()
     found: List[Reading] = []
     for unit in known.lexicon.question_units:
         frame = known.frames.get(unit.frame_name)
         if frame is None or not frame.is_question or (known.heeded and frame.name not in known.heeded):
             continue
         reading = next(
-            (reading for pattern in unit.questions for reading in [_read(case, unit, frame, pattern)] if reading), None
+            (read for pattern in unit.questions for read in [_read(case, unit, frame, pattern, words)] if read), None
         )
         if reading is not None:
             found.append(reading)
@@ -57,8 +100,8 @@ def _is_question(case: Case) -> bool:
     return any(kind.kind is UtteranceKind.QUESTION for kind in case.kinds)
 
 
-def _read(case: Case, unit: LexicalUnit, frame: SemanticFrame, question: WordPattern) -> Optional[Reading]:
-    """Return the reading of a sentence whose words are all in a pattern; None for another sentence."""
+def _words(case: Case) -> List[Word]:
+    """Return the words of a sentence without the words around a question."""
     tree = case.sentence.tree
     hidden = tree.abandoned | tree.fillers
     words = [word for word in tree.words if word.index not in hidden and word.upos != "PUNCT"]
@@ -66,6 +109,13 @@ def _read(case: Case, unit: LexicalUnit, frame: SemanticFrame, question: WordPat
         words.pop(0)
     while words and words[-1].form.lower() in _PADDING:
         words.pop()
+    return words
+
+
+def _read(
+    case: Case, unit: LexicalUnit, frame: SemanticFrame, question: WordPattern, words: Sequence[Word]
+) -> Optional[Reading]:
+    """Return the reading of words that are all in a pattern; None for other words."""
     forms = [_spelling(word) for word in words]
     match = _compiled(question.text).fullmatch(" ".join(forms))
     if match is None:
@@ -95,7 +145,7 @@ def _read(case: Case, unit: LexicalUnit, frame: SemanticFrame, question: WordPat
         missing=tuple(element for element in frame.frame_elements if element.is_core and element.name not in filled),
         left_over=(),
         coverage=1.0,
-        clause_text=tree.text.strip(),
+        clause_text=case.sentence.tree.text.strip(),
     )
 
 
@@ -106,7 +156,7 @@ def _compiled(text: str) -> Pattern[str]:
 
 def _spelling(word: Word) -> str:
     form = word.form.lower()
-    return _VERBS_IN_FULL.get(form, form) if word.upos in ("AUX", "VERB") else form
+    return _VERBS_IN_FULL.get(form, form) if word.upos in ("AUX", "VERB", "PART") else form
 
 
 def _heads(case: Case, positions: Sequence[int]) -> List[int]:
