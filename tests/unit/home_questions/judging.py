@@ -197,7 +197,8 @@ class Asker:
         counted = [
             one
             for one in self._scene.plan.entities.values()
-            if (noun in one.names or noun == one.category) and self._scene.room_of(one) == room.id
+            if (noun in one.names or noun == one.category)
+            and self._scene.room_of(one) == room.id
             # The map has all furniture.
             and (self._scene.is_seen(one) or one.kind == "furniture")
         ]
@@ -216,7 +217,9 @@ class Asker:
             return Question(kind, text, names=names, verdict="unknown")
         return Question(kind, text, tuple(map(words_of, persons)), names)
 
-    def _yes_or_no(self, kind: str, text: str, one: Entity, is_true: bool, is_known: bool, names: FrozenSet[str]) -> Question:
+    def _yes_or_no(
+        self, kind: str, text: str, one: Entity, is_true: bool, is_known: bool, names: FrozenSet[str]
+    ) -> Question:
         verdict = ("yes" if is_true else "no") if is_known else "unknown"
         return Question(kind, text, names=names, colours=_colours([one]), verdict=verdict)
 

@@ -6,11 +6,11 @@ from pathlib import Path
 from typing import Dict, FrozenSet, List
 
 import rospy
+from roboframenet_msgs.msg import World as WorldMessage
 
 from roboframenet_sim.home_file import load_home_file
 from roboframenet_sim.home_state import Entity, Place, Plan, State
 from roboframenet_sim.ros_world_objects import map_objects, seen_objects
-from roboframenet_msgs.msg import World as WorldMessage
 from world_model import World
 from world_model.ros_messages import world_from_message
 

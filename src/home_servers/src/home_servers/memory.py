@@ -10,7 +10,9 @@ from word_classes import without_determiner
 
 #: Nouns for any thing and for any person.
 THINGS = frozenset("thing things object objects item items".split())
-PERSONS = frozenset("person people persons visitor visitors guest guests everybody everyone".split())
+PERSONS = frozenset(
+    "person people persons visitor visitors guest guests everybody everyone somebody someone anybody anyone".split()
+)
 #: Kinds of modifiers that tell things of one name apart.
 _TELLING = ("adjective", "compound", "superlative")
 
@@ -67,6 +69,10 @@ class Memory:
         self._lock = threading.Lock()
         self._objects: Dict[str, Known] = {}
         self._told: Dict[str, str] = {}
+        #: Doors that the robot has opened to get into a room, with the room; it closes them when it leaves.
+        self.opened: Dict[str, str] = {}
+        #: The id of the person whom the robot has met last, and when.
+        self.met: Tuple[str, float] = ("", -math.inf)
 
     def update(self, objects: Iterable[Known]) -> None:
         """Take in what was perceived; an object with an older stamp than what is known is left out."""

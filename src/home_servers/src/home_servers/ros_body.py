@@ -1,11 +1,12 @@
 """The body of a robot in a home, over ROS: the actions of the home, and what the robot perceives."""
 
+import datetime
 import json
 import math
 import threading
 import time
 from dataclasses import fields
-from typing import Any, Dict, List, Optional, Sequence, Set, Tuple
+from typing import Any, Callable, Dict, FrozenSet, List, Optional, Sequence, Set, Tuple
 
 import actionlib
 import rospy
@@ -21,8 +22,9 @@ from roboframenet_msgs.msg import (
 )
 from std_msgs.msg import String
 
+from home_servers.body import Interrupted
+from home_servers.conditions import Sight
 from home_servers.memory import Known, Memory
-from home_servers.skills import Interrupted
 from roboframenet_sim.home_actions import Action, Failure
 
 #: The home answers an action at once when it is there; seconds of the monotonic clock.
@@ -92,6 +94,8 @@ class RosBody:
         self._place = (0.0, 0.0)
         self._room = ""
         self._held: List[str] = []
+        self._seen: Tuple[FrozenSet[str], rospy.Time, float] = (frozenset(), rospy.Time(), -math.inf)
+        self._on_sight: Callable[[], None] = lambda: None
         self._replies: List[Tuple[str, str]] = []
         self._wanted = threading.local()
         self._said = rospy.Publisher("said", String, queue_size=20)
@@ -108,7 +112,7 @@ class RosBody:
         self._wanted.check = is_wanted
 
     def do(self, action: Action) -> Optional[Failure]:
-        """Carry out an action to its end; see :class:`home_servers.skills.Body`."""
+        """Carry out an action to its end; see :class:`home_servers.body.Body`."""
         elements = [
             FilledFrameElement(field.name, str(getattr(action, field.name)))
             for field in fields(Action)
@@ -176,9 +180,24 @@ class RosBody:
         with self._lock:
             return list(self._replies)
 
+    def sight(self) -> Tuple[Sight, rospy.Time, float]:
+        """Return what the robot perceives, the stamp of that, and its age in seconds."""
+        with self._lock:
+            seen, stamp, heard_s = self._seen
+            sight = Sight(seen, frozenset(self._held), self._room, *self._place)
+        return sight, stamp, time.monotonic() - heard_s
+
+    def listen(self, on_sight: Callable[[], None]) -> None:
+        """Call a function whenever the robot has perceived something."""
+        self._on_sight = on_sight
+
     def now_s(self) -> float:
         """ROS time, in seconds."""
         return float(rospy.get_time())
+
+    def clock(self) -> datetime.datetime:
+        """The local time of this machine."""
+        return datetime.datetime.now()
 
     def held(self) -> Sequence[str]:
         """Ids of what the robot holds."""
@@ -206,11 +225,16 @@ class RosBody:
             rooms, furniture = self._rooms, self._furniture
         known = [known_of(one, rooms, furniture) for one in message.objects if one.id != _ROBOT]
         self.memory.update(known)
+        for ident in message.missing:
+            self.memory.forget_place(ident)
         me = [one for one in message.objects if one.id == _ROBOT]
         if me:
             with self._lock:
                 self._held = [one.id for one in known if one.relation == "held" and one.holder == _ROBOT]
                 self._room = next((each.reference for each in me[0].relations if each.relation == "in"), "")
+                seen = frozenset(one.id for one in message.objects if one.id != _ROBOT)
+                self._seen = seen, me[0].stamp, time.monotonic()
+            self._on_sight()
 
     def _on_pose(self, message: PoseWithCovarianceStamped) -> None:
         with self._lock:

@@ -99,9 +99,7 @@ def _place(arguments: Arguments, known: RobotKnowledge) -> str:
         return _own_place(arguments, known)
     placed = [(one, place_of(one, known.world)) for one in found]
     if not any(place for _, place in placed):
-        return (
-            f"I do not know where {as_said(theme)} {_is(found, theme.text)}."
-        )
+        return f"I do not know where {as_said(theme)} {_is(found, theme.text)}."
     if len(found) == 1:
         called = _called(theme, found[0])
         return f"{_capital(called)} {_is(found, called)} {placed[0][1]}{_reported(found[0])}."
@@ -114,6 +112,10 @@ def _number(arguments: Arguments, known: RobotKnowledge) -> str:
     theme = arguments["theme"]
     found = _at(arguments, _found(theme, known, is_wide=True), known)
     where = f" {arguments['location'].words}" if "location" in arguments else ""
+    if "state" in arguments:
+        state = arguments["state"].text.lower()
+        found = tuple(one for one in found if state in one.states)
+        where += f" that are {state}"
     if "location" in arguments and not _place_is_known(arguments["location"], known):
         return f'I do not know of any place "{arguments["location"].text}".'
     if not found:
@@ -280,7 +282,9 @@ def _colour(arguments: Arguments, known: RobotKnowledge) -> str:
         return f"I do not know the colour of {as_said(theme)}."
     if len(set(colours)) == 1:
         verb = "is" if len(found) == 1 else "are"
-        return f"{_capital(_called(theme, found[0]) if len(found) == 1 else as_said(theme))} {verb} {_listed(colours[0])}."
+        return (
+            f"{_capital(_called(theme, found[0]) if len(found) == 1 else as_said(theme))} {verb} {_listed(colours[0])}."
+        )
     parts = [
         f"the one {place_of(one, known.world) or 'somewhere unknown'} is {_listed(words)}"
         for one, words in zip(found[:MOST_NAMED], colours)

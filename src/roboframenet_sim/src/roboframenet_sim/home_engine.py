@@ -93,9 +93,19 @@ class Home:
         self._blocked_until_s: Dict[str, float] = {}
         self._people = People(plan, self.floor, seed=seed)
         self._outcomes: List[Outcome] = []
-        self.base = DifferentialBase(
-            pose=state.robot.pose, is_free=lambda x, y: self.floor.is_free(self._state, x, y), seed=seed
-        )
+        self._seed = seed
+        self.base = self._base_at(state.robot.pose)
+
+    def _base_at(self, pose: Pose) -> DifferentialBase:
+        return DifferentialBase(pose=pose, is_free=lambda x, y: self.floor.is_free(self._state, x, y), seed=self._seed)
+
+    def start_anew(self, state: State) -> None:
+        """Everything is as a state says, at the time that it is now. What runs is preempted, and nobody has habits."""
+        self.preempt()
+        self._state = replace(state, time_s=self._state.time_s)
+        self._blocked_until_s = {}
+        self._people = People(replace(self.plan, habits={}), self.floor, seed=self._seed)
+        self.base = self._base_at(state.robot.pose)
 
     @property
     def state(self) -> State:
@@ -106,6 +116,10 @@ class Home:
     def scene(self) -> Scene:
         """What preconditions look at."""
         return Scene(self.plan, self.floor, self._state)
+
+    def set_charge(self, charge: float) -> None:
+        """Set the charge of the robot's battery, 0 to 1."""
+        self._state = self._state.with_robot(battery=charge)
 
     @property
     def is_busy(self) -> bool:

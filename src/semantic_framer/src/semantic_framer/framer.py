@@ -25,7 +25,7 @@ from semantic_framer.outcome import (
     Refusal,
     Understood,
 )
-from semantic_framer.questions import question_readings, with_embedded_question
+from semantic_framer.questions import question_readings
 from semantic_framer.readings import ClauseReadings, readings_of_clause
 from semantic_framer.sentence import Sentence
 from semantic_framer.sentence_verdicts import (
@@ -211,7 +211,10 @@ class _Hearing:
         trace = Trace() if self._trace is not None else None
         heard = _Hearing(replace(self._now, trace=trace), self._without)._read(attached.sentence, context)
         plain = _Hearing(replace(self._now, trace=None), self._without)._read(sentence, context)
-        if not is_better(attached, heard.clauses, plain.clauses, self._now.known):
+        best = [read.kept[0] for read in heard.clauses if read.kept]
+        before = [read.kept[0] for read in plain.clauses if read.kept]
+        is_whole = len(best) == len(heard.clauses)
+        if not is_whole or not is_better(attached, best, before, self._now.known):
             return self._read(sentence, context)
         self._now.write("attached_by_world", sentence.tree.text, attached.note)
         if trace is not None and self._trace is not None:
@@ -257,7 +260,7 @@ class _Hearing:
             offered = " or ".join(choice.text for choice in choices)
             self._now.write("choices", offered, "asked. The person left it open.")
             return Heard(*ask_which(choices, context, self._now), sentence, clauses)
-        kept = tuple(tuple(with_embedded_question(case, reading) for reading in read.kept) for read in clauses)
+        kept = tuple(read.kept for read in clauses)
         outcome, context = resolve_and_confirm(kept, sentence, context, self._now)
         words = words_outside(sentence, case.clauses)
         if isinstance(outcome, Understood) and words and policy.left_over_words is LeftOverWords.WARN:

@@ -1,12 +1,10 @@
 """Reads questions by the patterns of lexical units; only frames that are questions are evoked, and they never act."""
 
-import re
-from dataclasses import replace
-from functools import lru_cache
-from typing import List, Mapping, Optional, Pattern, Sequence, Tuple
+from typing import List, Mapping, Optional, Sequence, Tuple
 
-from semantic_framer.indirect_questions import direct_orders, length_of_opening, unquoted
 from semantic_framer.mood_file import UtteranceKind
+from semantic_framer.question_orders import direct_orders, length_of_opening
+from semantic_framer.question_words import compiled
 from semantic_framer.reading import Reading, rank
 from semantic_framer.utterance_kind import kind_without_clause
 from semantic_framer.verdicts import Case
@@ -18,20 +16,11 @@ from word_classes import word_class
 
 _PADDING = word_class("question_padding")
 _NEGATIONS = word_class("negations")
-_PREPOSITIONS = word_class("place_prepositions") | word_class("complex_prepositions")
-#: Spellings that patterns do not have, if the word is a verb, and negations.
+#: Spellings that patterns do not have, if the word is a verb.
 _VERBS_IN_FULL: Mapping[str, str] = {
-    **{f"{mark}{end}": verb for mark in "'’" for end, verb in (("s", "is"), ("re", "are"), ("m", "am"), ("d", "would"))},
-    **dict.fromkeys(["n't", "n’t", "nt"], "not"),
+    f"{mark}{end}": verb for mark in "'’" for end, verb in (("s", "is"), ("re", "are"), ("m", "am"), ("d", "would"))
 }
-
-_OF_A_PLACE = "|".join(sorted(map(re.escape, _PREPOSITIONS), key=len, reverse=True))
-#: A regular expression for each kind of words that fills an element.
-_WORDS_OF_SLOTS: Mapping[str, str] = {
-    "": ".+?",
-    "word": r"\S+",
-    "place": rf"(?:(?:{_OF_A_PLACE}) .+?|here)",
-}
+_NOT = frozenset(["n't", "n’t", "nt"])
 
 
 def question_readings(case: Case) -> Tuple[Reading, ...]:
@@ -45,28 +34,6 @@ def question_readings(case: Case) -> Tuple[Reading, ...]:
     if not case.acts and (length or _is_question(case)):
         orders.append(tuple(words))
     return _readings(case, orders)
-
-
-def with_embedded_question(case: Case, reading: Reading) -> Reading:
-    """Return a reading whose message holds the question that it asks: "tell Anna *where the keys are*"."""
-    arguments = []
-    for argument in reading.arguments:
-        said = next((frame for frame in argument.frames if frame.role == "says" and frame.mood == "question"), None)
-        if said is not None and not said.frame_name:
-            tree = unquoted(case.sentence.tree, said.positions)
-            quoted = replace(case, sentence=case.sentence.attached(tree))
-            words = [tree.word(position) for position in said.positions]
-            found = _readings(quoted, list(direct_orders([word for word in words if word.upos != "PUNCT"])))
-            if found:
-                asked = replace(
-                    said,
-                    frame_name=found[0].unit.frame_name,
-                    frame_elements=tuple(one for one in found[0].arguments if one.positions),
-                )
-                frames = tuple(asked if frame is said else frame for frame in argument.frames)
-                argument = replace(argument, frames=frames)
-        arguments.append(argument)
-    return replace(reading, arguments=tuple(arguments))
 
 
 def _readings(case: Case, orders: Sequence[Sequence[Word]]) -> Tuple[Reading, ...]:
@@ -117,7 +84,7 @@ def _read(
 ) -> Optional[Reading]:
     """Return the reading of words that are all in a pattern; None for other words."""
     forms = [_spelling(word) for word in words]
-    match = _compiled(question.text).fullmatch(" ".join(forms))
+    match = compiled(question.text).fullmatch(" ".join(forms))
     if match is None:
         return None
     arguments = []
@@ -149,14 +116,11 @@ def _read(
     )
 
 
-@lru_cache(maxsize=1024)
-def _compiled(text: str) -> Pattern[str]:
-    return WordPattern(text).compile(_WORDS_OF_SLOTS)
-
-
 def _spelling(word: Word) -> str:
     form = word.form.lower()
-    return _VERBS_IN_FULL.get(form, form) if word.upos in ("AUX", "VERB", "PART") else form
+    if form in _NOT:
+        return "not"
+    return _VERBS_IN_FULL.get(form, form) if word.upos in ("AUX", "VERB") else form
 
 
 def _heads(case: Case, positions: Sequence[int]) -> List[int]:

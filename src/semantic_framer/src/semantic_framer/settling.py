@@ -8,6 +8,7 @@ from semantic_framer.answers import question_of
 from semantic_framer.choices import question_of_choices
 from semantic_framer.dialogue import Context, Pending
 from semantic_framer.framed_lexicon import FramedLexicon
+from semantic_framer.indirect_questions import with_indirect_questions
 from semantic_framer.outcome import (
     CAREFUL,
     DECLINED,
@@ -101,6 +102,7 @@ def resolve_and_confirm(
     ignored = [sentence.word(index).form for readings in clauses for index in readings[0].left_over]
     done: List[Tuple[Reading, ...]] = []
     for readings in clauses:
+        readings = tuple(with_indirect_questions(reading, sentence.tree, now.known) for reading in readings)
         if done:
             readings = _beside(readings, done[-1][0], now)
         question = _resolved(readings, context, now)

@@ -12,7 +12,6 @@ from semantic_framer.frame_roles import GOAL
 from semantic_framer.framed_lexicon import FramedLexicon
 from semantic_framer.outcome import Question
 from semantic_framer.reading import Reading
-from semantic_framer.readings import ClauseReadings
 from semantic_framer.sentence import Sentence
 from typed_arguments import TypedArgument
 from utterance_passes.clauses import find_clauses
@@ -78,20 +77,16 @@ def attached_by_world(sentence: Sentence, known: FramedLexicon, context: Context
     return None
 
 
-def is_better(
-    attached: Attached, found: Sequence[ClauseReadings], plain: Sequence[ClauseReadings], known: FramedLexicon
-) -> bool:
+def is_better(attached: Attached, best: Sequence[Reading], before: Sequence[Reading], known: FramedLexicon) -> bool:
     """Whether a sentence is understood better as it is attached.
 
     Args:
         attached: the sentence
-        found: its readings: nothing may be missing or left over, and the goals must be said
-        plain: the readings of the sentence as it was: without goals, one of them must take a description for a goal
+        best: its readings, one for each clause: nothing may be missing or left over, and the goals must be said
+        before: the readings of the sentence as it was: without goals, one of them must take a description for a goal
         known: lexical units and frames
     """
-    best = [read.kept[0] for read in found if read.kept]
-    before = [read.kept[0] for read in plain if read.kept]
-    if len(best) < len(found) or any(one.missing or one.left_over or one.wrong_types for one in best):
+    if any(one.missing or one.left_over or one.wrong_types for one in best):
         return False
     if _said(best) == _said(before):
         return False
