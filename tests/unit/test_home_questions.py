@@ -67,8 +67,8 @@ def run(
 def described(results: List[Tuple[Question, Optional[str], Verdict]]) -> str:
     """Return the wrong answers, for people."""
     return "\n".join(
-        f"{question.kind}: {question.text} -> {said} (wanted {question.verdict or [sorted(group) for group in question.must]}"
-        f"{', invented ' + ', '.join(verdict.invented) if verdict.invented else ''})"
+        f"{question.kind}: {question.text} -> {said}; wanted {question.verdict or list(map(sorted, question.must))}; "
+        f"invented: {', '.join(verdict.invented) or 'nothing'}"
         for question, said, verdict in results
         if not verdict.is_right
     )

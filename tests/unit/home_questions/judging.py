@@ -35,7 +35,7 @@ class Question:
         names: names that the answer may have; every other name of the home would be invented
         colours: colours that the answer may have
         numbers: numbers that the answer may have
-        verdict: "yes" or "no" at the beginning; "unknown" when the answer must say that it is not known; empty for others
+        verdict: "yes" or "no" at the beginning; "unknown": the answer must say that it is not known; empty for others
     """
 
     kind: str

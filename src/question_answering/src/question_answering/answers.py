@@ -282,9 +282,8 @@ def _colour(arguments: Arguments, known: RobotKnowledge) -> str:
         return f"I do not know the colour of {as_said(theme)}."
     if len(set(colours)) == 1:
         verb = "is" if len(found) == 1 else "are"
-        return (
-            f"{_capital(_called(theme, found[0]) if len(found) == 1 else as_said(theme))} {verb} {_listed(colours[0])}."
-        )
+        called = _called(theme, found[0]) if len(found) == 1 else as_said(theme)
+        return f"{_capital(called)} {verb} {_listed(colours[0])}."
     parts = [
         f"the one {place_of(one, known.world) or 'somewhere unknown'} is {_listed(words)}"
         for one, words in zip(found[:MOST_NAMED], colours)

@@ -132,7 +132,7 @@ class SemanticFrame:
         framenet: name of the frame in FrameNet 1.7; empty when FrameNet has none
         on_list: what a list in an element means
         is_confirmed: whether a person must say yes before the frame is carried out
-        on_unknown: what happens when the robot does not know what is spoken of, although it knows something of the world
+        on_unknown: what happens when the robot knows some world, and not what is spoken of
         is_question: whether the frame is a question, which is answered and changes nothing
         is_condition: whether the frame says how things are; it is watched, and never carried out
         path: the file it came from
