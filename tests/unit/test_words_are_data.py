@@ -58,6 +58,13 @@ NO_SPEECH: Dict[str, Tuple[str, str]] = {
         "keys of JSON",
         "text, tokens, frames, reply, outcome, code, sentence, name, argument, typed",
     ),
+    "roboframenet_ros/ros_live_parameters.py": (
+        "keys of dynamic_reconfigure",
+        (
+            "class, cstate, default, defaults, description, groups, id, level, lower, max, "
+            "min, name, parameters, parent, srcfile, srcline, state, type, upper, value"
+        ),
+    ),
     "pr2_props/named_arms.py": ("names of quantifiers", "each, every, all, both"),
     "pr2_props/node.py": ("names of props", "hug, hugging, pound, pounding"),
     "question_answering/answers.py": (

@@ -3,6 +3,7 @@
 Callbacks only enqueue; one worker thread owns the commands, one more thread runs the machine.
 """
 
+import enum
 import queue
 import threading
 import time
@@ -20,11 +21,12 @@ from executor.command_queue import CommandKey, CommandQueue, Order, Preempt, Sta
 from executor.goal_tracking import GoalDeadlines
 from executor.patience import Patience
 from executor.quarantine import Quarantine
-from executor.replies import Ending, ending_of_malformed, ending_of_run, ending_of_unstarted
+from executor.replies import Ending, ending_of_malformed, ending_of_run, ending_of_unstarted, ending_without_master
 from executor.ros_action_clients import ActionClients
 from executor.ros_command_run import CommandRun, RunResult
 from executor.ros_driver_settings import DriverSettings
 from executor.ros_introspection import Introspection
+from executor.ros_master_watch import MasterWatch
 from executor.ros_running_goals import RunningGoals
 from executor.ros_server_profiles import ServerProfiles
 from roboframenet_ros.health import Health, Level
@@ -37,6 +39,13 @@ from roboframenet_ros.suspension import SuspensionWatch
 _EVENT_PERIOD_S = 0.5
 # A longer turn of the worker means that the process was suspended.
 _LONGEST_TURN_S = 1.0
+
+
+class OnMasterLost(enum.Enum):
+    """What becomes of a command when the master is gone; nothing else begins in any case."""
+
+    FINISH = "finish"
+    STOP = "stop"
 
 
 @dataclass(frozen=True)
@@ -58,6 +67,8 @@ class Settings(Parameters):
         quarantine_s: for which a server that did not end a goal is not used; 0 for none
         settings_timeout_s: for a node to be reconfigured
         max_clients: connections to servers that are kept
+        on_master_lost: finish or stop: what becomes of what runs when the master is gone; nothing else begins
+        master_timeout_s: a master that hangs is gone after this time
         introspection: publish the topics of smach_viewer
 
     Raises:
@@ -78,6 +89,8 @@ class Settings(Parameters):
     quarantine_s: float = parameter(60.0, least=0.0, most=1e6)
     settings_timeout_s: float = parameter(3.0, least=0.05, most=600.0)
     max_clients: int = parameter(32, least=1, most=1000)
+    on_master_lost: OnMasterLost = parameter(OnMasterLost.FINISH)
+    master_timeout_s: float = parameter(30.0, least=1.0, most=1e6)
     introspection: bool = parameter(True)
 
     @property
@@ -118,7 +131,12 @@ class _RunEnded:
     result: RunResult
 
 
-_Event = Union[CommandPlan, StopReport, Command, _Note, _RunEnded, None]
+@dataclass(frozen=True)
+class _MasterLost:
+    """The master is gone."""
+
+
+_Event = Union[CommandPlan, StopReport, Command, _Note, _RunEnded, _MasterLost, None]
 
 
 class ExecutorNode:
@@ -135,6 +153,7 @@ class ExecutorNode:
         self._running_goals = RunningGoals()
         self._profiles = ServerProfiles(default_silence_s=settings.condition_silence_s)
         self._quarantine = Quarantine(duration_s=settings.quarantine_s)
+        self._master = MasterWatch(lambda: self._inbox.put(_MasterLost()), silence_s=settings.master_timeout_s)
         self._introspection = Introspection(is_enabled=settings.introspection)
         self._suspension = SuspensionWatch(longest_turn_s=_LONGEST_TURN_S)
         self._commands: CommandQueue[_Job] = CommandQueue()
@@ -151,6 +170,7 @@ class ExecutorNode:
         self._server_settings.start()
         self._worker.start()
         self._profiles.start()
+        self._master.start()
         self._subscribers = [
             rospy.Subscriber("stop_report", StopReport, self._inbox.put),
             rospy.Subscriber("command_cancel", Command, self._inbox.put),
@@ -166,6 +186,7 @@ class ExecutorNode:
         return Health(message=doing)
 
     def _shutdown(self) -> None:
+        self._master.close()
         self._inbox.put(None)
         self._worker.join(self._settings.preempt_timeout_s + 2.0)
 
@@ -202,6 +223,8 @@ class ExecutorNode:
                 self._stage.passes_on(self._commands.running.job.command, event.sentence)
         elif isinstance(event, _RunEnded):
             self._hear_end(event)
+        elif isinstance(event, _MasterLost) and self._run is not None:
+            self._run.end_without_master(at_once=self._settings.on_master_lost is OnMasterLost.STOP)
 
     def _hear_plan(self, message: CommandPlan) -> None:
         try:
@@ -219,7 +242,14 @@ class ExecutorNode:
         order, cause = self._commands.running, self._commands.cause
         self._run = None
         result = ended.result
-        ending = ending_of_run(result.outcome, order.job.plan, result.records, cause=cause, error=result.error)
+        ending = ending_of_run(
+            result.outcome,
+            order.job.plan,
+            result.records,
+            cause=cause,
+            error=result.error,
+            is_without_master=result.is_without_master,
+        )
         self._end(order.job.command, ending)
         self._follow(command_queue.finish(self._commands))
 
@@ -227,7 +257,10 @@ class ExecutorNode:
         """Keep the next queue, and take its actions."""
         self._commands, actions = step
         for action in actions:
-            if isinstance(action, Start):
+            if isinstance(action, Start) and self._master.is_lost:
+                self._end(action.order.job.command, ending_without_master())
+                self._follow(command_queue.finish(self._commands))
+            elif isinstance(action, Start):
                 self._start_run(action.order)
             elif isinstance(action, Preempt):
                 rospy.loginfo("cmd=%s is preempted: %s", action.order.key.command_id, action.cause.value)

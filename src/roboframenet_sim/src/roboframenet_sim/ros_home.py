@@ -11,7 +11,7 @@ import rospkg
 import rospy
 from geometry_msgs.msg import PoseWithCovarianceStamped
 from roboframenet_msgs.msg import FilledSemanticFrameAction, FilledSemanticFrameResult, WorldUpdate
-from std_msgs.msg import String
+from std_msgs.msg import Header, String
 
 from roboframenet_ros.parameters import Parameters, parameter
 from roboframenet_ros.ros_node import StartError, read_parameters, run_node
@@ -88,13 +88,14 @@ class HomeSim:
 
     Subscribes:
         ``cmd_vel`` (geometry_msgs/Twist), ``said`` (std_msgs/String): what the robot says;
-        ``home/person`` (std_msgs/String): "bob walk kitchen", "anna take newspaper", ...;
+        ``home/person`` (std_msgs/String): "bob walk kitchen", "anna take newspaper", "bob ring", ...;
         ``home/arrange`` (std_msgs/String): a JSON mapping as in :func:`arranged`; the home starts anew, and the robot
         forgets where things and persons are
     Publishes:
         ``odom``, ``/tf``, ``amcl_pose``; with a PR2 ``joint_states``;
         ``scan`` (sensor_msgs/LaserScan), ``battery_state`` (sensor_msgs/BatteryState);
         ``world_updates`` (WorldUpdate): the map, and what the robot sees; ``home/map`` (WorldUpdate, latched);
+        ``home/bell`` (std_msgs/Header): the bell of the door;
         ``home/heard`` (std_msgs/String): what the robot hears; ``home/truth`` (std_msgs/String, latched): all, as JSON
     Actions:
         ``home/act`` (FilledSemanticFrameAction): an action; with a PR2 also those of its arms
@@ -123,6 +124,7 @@ class HomeSim:
         self._battery = RosBattery(state.robot.battery, self._charge)
         self._pose = rospy.Publisher("amcl_pose", PoseWithCovarianceStamped, queue_size=5, latch=True)
         self._truth = rospy.Publisher("home/truth", String, queue_size=5, latch=True)
+        self._bell = rospy.Publisher("home/bell", Header, queue_size=5)
         self._heard = rospy.Publisher("home/heard", String, queue_size=20)
         self._map = rospy.Publisher("home/map", WorldUpdate, queue_size=1, latch=True)
         self._updates = rospy.Publisher(
@@ -225,6 +227,9 @@ class HomeSim:
 
     def _on_person(self, message: String) -> None:
         words = (message.data.split() + ["", "", ""])[:3]
+        if words[1] == "ring":
+            self._bell.publish(Header(stamp=rospy.Time.now(), frame_id=words[0]))
+            return
         with self._lock:
             failure = self._home.tell_person(words[0], words[1], words[2])
         if failure is not None:

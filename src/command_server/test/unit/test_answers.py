@@ -1,8 +1,8 @@
-"""Answers as buttons. The questions are those of the framer and the registrar."""
+"""Answers to choose from. The questions are those of the framer and the registrar."""
 
 import pytest
 
-from web_console.questions import question_of
+from command_server.answers import answers_to, closed_answers
 
 NAMES = {"where": ("kitchen", "office")}
 
@@ -25,11 +25,12 @@ NAMES = {"where": ("kitchen", "office")}
     ],
 )
 def test_answers(code, sentence, answers):
-    asked = question_of(code, sentence, NAMES)
-    assert asked.sentence == sentence
-    assert asked.answers == answers
+    assert answers_to(code, sentence, NAMES) == answers
+    # An example is no choice: another answer must not be heard as it.
+    is_closed = code != "MISSING_ELEMENT" and not sentence.startswith("Where")
+    assert closed_answers(code, sentence) == (answers if is_closed else ())
 
 
 def test_there_are_not_too_many_answers():
     names = {"where": tuple(f"room {number}" for number in range(100))}
-    assert len(question_of("MISSING_ELEMENT", "Where should I go?", names).answers) == 8
+    assert len(answers_to("MISSING_ELEMENT", "Where should I go?", names)) == 8
