@@ -9,6 +9,7 @@ from word_classes import word_class
 Arguments = Mapping[str, TypedArgument]
 #: Deeds that an answer names.
 MOST_NAMED = 3
+_GENERAL = word_class("general_deeds")
 _PRONOUNS = word_class("pronouns")
 _SMALL = word_class("determiners") | word_class("place_prepositions") | frozenset(["do", "to"])
 
@@ -76,7 +77,7 @@ def _is_last_stopped(found: Sequence[Deed]) -> bool:
 def _is_general(deed: TypedArgument) -> bool:
     """Whether words name no deed of their own: "do it", "do that", "that"."""
     words = set(deed.text.lower().split()) - _SMALL
-    return words <= _PRONOUNS | {"doing", "done", "work", "obey", "listen", "answer"}
+    return words <= _PRONOUNS | _GENERAL
 
 
 def _deed_of(deed: TypedArgument, found: Sequence[Deed]) -> Optional[Deed]:

@@ -17,10 +17,8 @@ from word_classes import word_class
 _PADDING = word_class("question_padding")
 _NEGATIONS = word_class("negations")
 #: Spellings that patterns do not have, if the word is a verb.
-_VERBS_IN_FULL: Mapping[str, str] = {
-    f"{mark}{end}": verb for mark in "'’" for end, verb in (("s", "is"), ("re", "are"), ("m", "am"), ("d", "would"))
-}
-_NOT = frozenset(["n't", "n’t", "nt"])
+_VERBS_IN_FULL: Mapping[str, str] = {"'s": "is", "'re": "are", "'m": "am", "'d": "would"}
+_NOT = "n't"
 
 
 def question_readings(case: Case) -> Tuple[Reading, ...]:
@@ -117,8 +115,8 @@ def _read(
 
 
 def _spelling(word: Word) -> str:
-    form = word.form.lower()
-    if form in _NOT:
+    form = word.form.lower().replace("\u2019", "'")
+    if form == _NOT:
         return "not"
     return _VERBS_IN_FULL.get(form, form) if word.upos in ("AUX", "VERB") else form
 
