@@ -290,7 +290,14 @@ def test_each_node_has_a_record():
 @pytest.mark.parametrize("cause", list(Cause))
 def test_commands_that_never_began(cause):
     ending = ending_of_unstarted(cause)
-    assert (ending.outcome, ending.code) == (ReplyOutcome.SUPERSEDED, cause.value) and ending.sentence
+    is_superseded = cause in (Cause.NEW_COMMAND, Cause.STOPPED, Cause.NOT_FREE)
+    assert ending.outcome == (ReplyOutcome.SUPERSEDED if is_superseded else ReplyOutcome.FAILED)
+    assert ending.code == cause.value and ending.sentence
+
+
+def test_command_that_cannot_run_beside_another_names_it():
+    sentence = ending_of_unstarted(Cause.NOT_BESIDE, blocking="Go to the kitchen.").sentence
+    assert sentence == 'I cannot do that beside "Go to the kitchen": both need the same part.'
 
 
 def test_malformed_plan():

@@ -21,7 +21,7 @@ SPEAKERS = frozenset("me us i we myself".split())
 _MET = word_class("persons_met")
 #: Whoever is so near is whom the robot is with, metres, for so long after they were met, seconds.
 _COMPANY_M = 2.5
-_COMPANY_S = 60.0
+_COMPANY_S = 300.0
 #: How persons are, as a description says it.
 POSTURES = ("sitting", "standing", "walking")
 #: A person is at furniture whose middle is so near, metres.

@@ -29,6 +29,7 @@ class Pending:
         readings: the readings of the sentence that the person chooses from; ``clauses`` is empty then
         offered: ids of the things that the person chooses from: "which mug"; empty for another question
         is_about_words: whether a yes only agrees to go on without some words; a frame may want another yes
+        beginning: what happens to the command that runs: REPLACE, FOLLOW or BESIDE
     """
 
     clauses: Tuple[Tuple[Reading, ...], ...]
@@ -39,6 +40,7 @@ class Pending:
     readings: Tuple[Choice, ...] = ()
     offered: Tuple[str, ...] = ()
     is_about_words: bool = False
+    beginning: str = "REPLACE"
 
 
 @dataclass(frozen=True)

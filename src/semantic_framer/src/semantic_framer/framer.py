@@ -5,6 +5,7 @@ from typing import FrozenSet, Mapping, Optional, Sequence, Tuple, Union
 
 from semantic_framer.amending import Change, change_of, last_command
 from semantic_framer.answers import answer
+from semantic_framer.beginnings import beginning_of, without_beginning
 from semantic_framer.choices import choices_of_amounts, choices_of_clauses, chosen
 from semantic_framer.dialogue import Context, Pending, is_no
 from semantic_framer.framed_lexicon import FramedLexicon
@@ -198,7 +199,10 @@ class _Hearing:
         self._now.write("answer", tree.text, "; ".join(str(readings[0]) for readings in answered))
         # A yes counts only as the answer to a yes-no question: "right" may also be a direction.
         is_confirmed = not pending.elements and not pending.is_about_words
-        return Heard(*resolve_and_confirm(answered, meant, context, self._now, is_confirmed=is_confirmed), meant)
+        heard = Heard(*resolve_and_confirm(answered, meant, context, self._now, is_confirmed=is_confirmed), meant)
+        if isinstance(heard.outcome, Understood):
+            return replace(heard, outcome=replace(heard.outcome, beginning=pending.beginning))
+        return heard
 
     def _restructured(self, tree: DependencyTree, passes: Sequence[TreePass]) -> Union[Sentence, Tuple[Choice, ...]]:
         return restructured(tree, self._now.known, passes=passes, without=self._without, trace=self._trace)
@@ -226,6 +230,21 @@ class _Hearing:
         return replace(heard, outcome=question_of_goal(attached), context=replace(heard.context, pending=pending))
 
     def _read(self, sentence: Sentence, context: Context) -> Heard:
+        """Understand a sentence that is not an answer; it may say when it begins: "then go home"."""
+        begun = beginning_of(sentence.tree)
+        bare = None if begun is None else without_beginning(sentence, begun, self._now.known)
+        if begun is None or bare is None:
+            return self._read_command(sentence, context)
+        self._now.write("beginning", sentence.text(sorted(begun.positions)), begun.kind)
+        heard = self._read_command(bare, context)
+        if isinstance(heard.outcome, Understood):
+            return replace(heard, outcome=replace(heard.outcome, beginning=begun.kind))
+        pending = heard.context.pending
+        if pending is not None:
+            pending = replace(pending, beginning=begun.kind)
+        return replace(heard, context=replace(heard.context, pending=pending))
+
+    def _read_command(self, sentence: Sentence, context: Context) -> Heard:
         """Understand a sentence that is not an answer: small talk, a change of the last command, or a command."""
         talk = small_talk_of(sentence.tree)
         if talk is not None:

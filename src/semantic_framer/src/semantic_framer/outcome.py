@@ -58,10 +58,17 @@ class Policy:
 
 @dataclass(frozen=True)
 class Understood:
-    """The clauses to carry out, in order, each with its readings, best first; ``warning`` names the ignored words."""
+    """What to carry out.
+
+    Attributes:
+        clauses: in order, each with its readings, best first
+        warning: names the ignored words
+        beginning: what happens to the command that runs: REPLACE, FOLLOW or BESIDE
+    """
 
     clauses: Tuple[Tuple[Reading, ...], ...]
     warning: str = ""
+    beginning: str = "REPLACE"
 
 
 @dataclass(frozen=True)
