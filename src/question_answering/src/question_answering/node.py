@@ -30,9 +30,11 @@ from question_answering.ros_history import History
 from rfnserver import RFNServer, TypedFrame
 from roboframenet_ros.parameters import Parameters, parameter
 from roboframenet_ros.ros_node import read_parameters, run_node
-from semantic_frames import FileRefused, load_frame, load_lexical_units
+from roboframenet_ros.ros_place import Place
+from semantic_frames import load_frame, load_lexical_units
 from semantic_frames.frame import SemanticFrame
 from semantic_frames.lexical_unit import LexicalUnit
+from semantic_frames.read_once import ReadOnce
 from world_model import World
 from world_model.ros_messages import world_from_message
 
@@ -74,6 +76,8 @@ class QuestionAnswering:
         self._world = World()
         self._frames: Dict[str, SemanticFrame] = {}
         self._units: Tuple[LexicalUnit, ...] = ()
+        self._frame_files: ReadOnce[SemanticFrame] = ReadOnce(load_frame)
+        self._unit_files: ReadOnce[Tuple[LexicalUnit, ...]] = ReadOnce(load_lexical_units)
         #: Frames with a living server, and of those the ones that can be carried out or answered.
         self._alive: FrozenSet[str] = frozenset()
         self._served: FrozenSet[str] = frozenset()
@@ -101,13 +105,9 @@ class QuestionAnswering:
             self._world_message = message
 
     def _on_catalogue(self, message: FrameCatalogue) -> None:
-        frames = {}
-        for file in message.files:
-            try:
-                frame = load_frame(file.text, file.path)
-            except FileRefused:
-                continue  # the registrar has said so
-            frames[frame.name] = frame
+        # The registrar has said which it refused.
+        contents, _ = self._frame_files.contents((file.path, file.text) for file in message.files)
+        frames = {frame.name: frame for frame in contents}
         with self._lock:
             self._frames = frames
             self._served = served_frames(frames, self._alive)
@@ -122,14 +122,10 @@ class QuestionAnswering:
             self._served = served_frames(self._frames, self._alive)
 
     def _on_lexicon(self, message: LexiconMessage) -> None:
-        units = []
-        for file in message.files:
-            try:
-                units += load_lexical_units(file.text, file.path)
-            except FileRefused:
-                continue  # the framer has said so
+        # The framer has said which it refused.
+        contents, _ = self._unit_files.contents((file.path, file.text) for file in message.files)
         with self._lock:
-            self._units = tuple(units)
+            self._units = tuple(unit for units in contents for unit in units)
 
     def _on_status(self, message: CommandStatus) -> None:
         with self._lock:
@@ -166,6 +162,15 @@ class QuestionAnswering:
             )
 
 
+def start(place: Place) -> QuestionAnswering:
+    """Start the node.
+
+    Raises:
+        ParameterError: a parameter is wrong
+    """
+    return QuestionAnswering(read_parameters(Settings, prefix=place.private))
+
+
 def main() -> None:
     """Run the node until ROS shuts down; exits with a sentence when a parameter is wrong."""
-    run_node("question_answering", lambda: QuestionAnswering(read_parameters(Settings)))
+    run_node("question_answering", lambda: start(Place()))
