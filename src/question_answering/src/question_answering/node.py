@@ -21,10 +21,12 @@ from roboframenet_msgs.msg import (
 from roboframenet_msgs.msg import (
     World as WorldMessage,
 )
+from std_msgs.msg import String
 
 from question_answering.answers import ANSWERS, answer
 from question_answering.robot_knowledge import RobotKnowledge, examples_of, served_frames
 from question_answering.ros_asking import Asking
+from question_answering.ros_history import History
 from rfnserver import RFNServer, TypedFrame
 from roboframenet_ros.parameters import Parameters, parameter
 from roboframenet_ros.ros_node import read_parameters, run_node
@@ -60,7 +62,8 @@ class QuestionAnswering:
         question_answering (roboframenet_msgs/FilledSemanticFrameAction): every frame of :data:`answers.ANSWERS`
     Subscribes:
         world (World), frame_catalogue (FrameCatalogue), frame_servers (FrameServers), lexicon (Lexicon),
-        status (CommandStatus), stage_events (StageEvent), command_question (CommandPlan)
+        status (CommandStatus), stage_events (StageEvent), command_question (CommandPlan), speaker (std_msgs/String),
+        and those of :class:`.ros_history.History`
     Publishes:
         stage_events (StageEvent)
     Parameters: see :class:`Settings`.
@@ -80,9 +83,12 @@ class QuestionAnswering:
         self._served: FrozenSet[str] = frozenset()
         self._status = CommandStatus()
         self._said: Deque[Command] = deque(maxlen=2)
+        self._speaker = ""
+        self._history = History()
         self._subscribers = [
             rospy.Subscriber("world", WorldMessage, self._on_world, queue_size=1),
             rospy.Subscriber("frame_catalogue", FrameCatalogue, self._on_catalogue, queue_size=1),
+            rospy.Subscriber("speaker", String, self._on_speaker, queue_size=1),
             rospy.Subscriber("frame_servers", FrameServers, self._on_servers, queue_size=1),
             rospy.Subscriber("lexicon", LexiconMessage, self._on_lexicon, queue_size=1),
             rospy.Subscriber("status", CommandStatus, self._on_status, queue_size=1),
@@ -105,6 +111,10 @@ class QuestionAnswering:
         with self._lock:
             self._frames = frames
             self._served = served_frames(frames, self._alive)
+
+    def _on_speaker(self, message: String) -> None:
+        with self._lock:
+            self._speaker = message.data
 
     def _on_servers(self, message: FrameServers) -> None:
         with self._lock:
@@ -146,6 +156,9 @@ class QuestionAnswering:
                 doing=doing[0] if doing else "",
                 last_words=self._said[0].text if len(self._said) > 1 else "",
                 now=datetime.now(),
+                deeds=self._history.deeds,
+                next_steps=self._history.next_steps,
+                speaker=self._speaker,
             )
 
 

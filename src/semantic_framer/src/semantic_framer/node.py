@@ -28,6 +28,7 @@ from roboframenet_msgs.msg import (
     World as WorldMessage,
 )
 from roboframenet_msgs.srv import AddLexicalUnit, AddLexicalUnitRequest, AddLexicalUnitResponse
+from std_msgs.msg import String
 
 from roboframenet_ros.health import Health, Level
 from roboframenet_ros.ros_node import StartError, read_parameters, run_node
@@ -97,6 +98,7 @@ class SemanticFramer:
         self._added: List[str] = rospy.get_param(place.private + ADDED_LEXICAL_UNITS, [])
         self._is_announced = False
         self._world = World()
+        self._speaker = ""
         self._problem_count = 0
         self._names = KnownNames(settings.names_file)
         for problem in self._names.problems:
@@ -109,6 +111,7 @@ class SemanticFramer:
             rospy.Subscriber("command_parse", CommandParse, self._on_command, queue_size=100),
             rospy.Subscriber("stop_report", StopReport, self._on_stop, queue_size=100),
             rospy.Subscriber("known_names", KnownNamesMessage, self._on_names, queue_size=1),
+            rospy.Subscriber("speaker", String, self._on_speaker, queue_size=1),
             rospy.Subscriber("world", WorldMessage, self._on_world, queue_size=1),
         ]
         self._service = rospy.Service("add_lexical_unit", AddLexicalUnit, self._on_add_lexical_unit)
@@ -172,6 +175,10 @@ class SemanticFramer:
         if problems:
             rospy.logerr("the names are refused, the names before stay: %s", problems[0])
 
+    def _on_speaker(self, message: String) -> None:
+        with self._lock:
+            self._speaker = message.data
+
     def _on_world(self, message: WorldMessage) -> None:
         # The categories of the objects are looked up here, and not while a command waits.
         world = world_from_message(message).prepare()
@@ -228,7 +235,7 @@ class SemanticFramer:
                 trace = Trace() if self._settings.trace else None
                 heard = hear(
                     tree,
-                    FramedLexicon(self._lexicon, frames, self._names.types, self._heeded, self._world),
+                    FramedLexicon(self._lexicon, frames, self._names.types, self._heeded, self._world, self._speaker),
                     context=self._context,
                     policy=self._settings.policy,
                     now_s=time.monotonic(),
