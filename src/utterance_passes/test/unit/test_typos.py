@@ -10,7 +10,7 @@ from utterance_passes.vocabulary import Verbs
 
 KNOWN = Verbs(
     frozenset(["turn", "bring", "take", "move"]),
-    spellings=frozenset(["from", "turn", "bring", "take", "move", "left", "right", "kitchen", "bottle", "table", "cable"]),
+    spellings=frozenset("from turn bring take move left right kitchen bottle table cable".split()),
     names=frozenset(["kuchen", "zora"]),
 )
 
