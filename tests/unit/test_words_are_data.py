@@ -142,7 +142,8 @@ NO_SPEECH: Dict[str, Tuple[str, str]] = {
             "parting, patrolling, peeling, perceiving, photographing, placing, playing, pointing, pouring, "
             "pressing, props, pulling, pushing, raising, reminding, reporting, requesting, restarting, rinsing, "
             "rotating, saying, scouring, scrubbing, serving, slicing, sliding, socializing, speaking, stacking, "
-            "sweeping, taking, telling, temperature, throwing, ungrasping, unlocking, verifying, volume, wiping, direction, distance, source, manner, place, recipient"
+            "sweeping, taking, telling, temperature, throwing, ungrasping, unlocking, verifying, volume, wiping, "
+            "direction, distance, source, manner, place, recipient"
         ),
     ),
     "home_servers/going.py": (
