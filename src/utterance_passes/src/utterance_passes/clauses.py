@@ -12,7 +12,7 @@ _CONDITIONS = word_class("conditions")
 _REPORTING_AUXILIARIES = word_class("reporting_auxiliaries")
 _HEARERS = word_class("hearers")
 #: Words between "make sure" and the "not" of what the hearer shall not do.
-_BEFORE_NOT = word_class("hearers") | word_class("polite_modals") | word_class("modals") | {"that", "to", "do", "are"}
+_BEFORE_NOT = word_class("between_sure_and_not")
 _ASSURING = word_class("assuring_verbs")
 _CERTAIN = word_class("certain_adjectives")
 _LEADING_VERBS = word_class("leading_verbs")

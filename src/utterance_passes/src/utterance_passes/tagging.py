@@ -13,9 +13,9 @@ from word_classes import word_class
 _AUXILIARIES = word_class("forms_of_have") | word_class("forms_of_do")
 _FORMS_OF_BE = word_class("forms_of_be")
 _PERSONS = word_class("personal_subjects")
-_PREPOSITIONS = word_class("place_prepositions") | {"underneath", "beneath"}
+_PREPOSITIONS = word_class("prepositions_taken_for_adverbs")
 #: Endings of words that compare; behind a noun they are adjectives: "the door furthest to the left".
-_COMPARING = ("er", "est", "most")
+_COMPARING = tuple(word_class("comparing_endings"))
 _LEAD_IN = word_class("lead_in")
 #: A name of one letter.
 _LETTER = re.compile("[A-Z][0-9]*")
