@@ -286,6 +286,10 @@ NO_SPEECH: Dict[str, Tuple[str, str]] = {
         "keys of a statement",
         "purpose, heeds, unheeded, occupies, settings, robot, relations, values, most, node, name, value",
     ),
+    "semantic_types/parts_of_speech.py": (
+        "parts of speech; endings of forms",
+        "verb, adv, noun, adj, ies, y, men, man, shes, sh, ches, ch, xes, x, zes, z, ses, s, es, e, ed, ing, er, est",
+    ),
     "semantic_types/wordnet.py": (
         "endings of plurals",
         "ies, y, men, man, shes, sh, ches, ch, xes, x, zes, z, ses, s",
