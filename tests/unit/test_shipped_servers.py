@@ -42,7 +42,7 @@ def declared(path: Path, element: str, key: str) -> Tuple[Any, ...]:
 
 @pytest.mark.parametrize("relation", declared(GOING, "goal", "relations"))
 def test_place_is_gone_to_or_the_relation_is_refused(relation: str) -> None:
-    (binding,) = load_bindings(BINDING.read_text(encoding="utf-8"), str(BINDING))
+    (binding,) = load_bindings(BINDING.read_text(encoding="utf-8"), str(BINDING)).bindings
     words = f"{relation} the table"
     found = outcome(GOING, binding.statement, TypedArgument("goal", "the table", relation=relation, words=words))
     if relation in BEING_THERE:

@@ -3,7 +3,7 @@
 The framer does not know what runs. It passes on what was said, and the executor decides.
 """
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from functools import lru_cache
 from pathlib import Path
 from typing import FrozenSet, List, Mapping, Optional, Sequence, Tuple
@@ -15,7 +15,7 @@ from semantic_frames.source_files import read_text
 from utterance_passes.formula_file import is_filler
 from utterance_passes.objections import plain
 from utterance_passes.tree import ASIDE, DependencyTree, Word
-from utterance_passes.tree_edits import NotATree, set_aside
+from utterance_passes.tree_edits import NotATree, mark_times, set_aside
 
 #: Next to this module in the source, devel and install space.
 BEGINNINGS_FILE = Path(__file__).resolve().parent / "beginnings.yaml"
@@ -99,7 +99,7 @@ def without_beginning(sentence: Sentence, beginning: Beginning, known: FramedLex
         made = set_aside(tree, beginning.positions, ASIDE, is_verb)
     except NotATree:
         return None
-    return Sentence(replace(made, times=times), known.types)
+    return Sentence(mark_times(made, times), known.types)
 
 
 def _longest(forms: List[str], phrases: FrozenSet[Tuple[str, ...]], *, is_behind: bool) -> int:
