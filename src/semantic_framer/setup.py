@@ -8,6 +8,8 @@ setup(
     **generate_distutils_setup(
         packages=["semantic_framer"],
         package_dir={"": "src"},
-        package_data={"semantic_framer": ["fragments.yaml", "moods.yaml", "objections.yaml", "small_talk.yaml"]},
+        package_data={
+            "semantic_framer": ["fragments.yaml", "links.yaml", "moods.yaml", "objections.yaml", "small_talk.yaml"]
+        },
     )
 )

@@ -6,9 +6,13 @@ from typing import FrozenSet, Mapping, Optional, Sequence, Tuple, Union
 from semantic_framer.amending import Change, change_of, last_command
 from semantic_framer.answers import answer
 from semantic_framer.choices import choices_of_amounts, choices_of_clauses, chosen
+from semantic_framer.clause_links import find_joints
+from semantic_framer.clause_plan import without_unused
 from semantic_framer.dialogue import Context, Pending, is_no
 from semantic_framer.framed_lexicon import FramedLexicon
 from semantic_framer.lexicon import Lexicon
+from semantic_framer.linked_plan import NoStructure, Open, linked_plan
+from semantic_framer.linked_sentence import TELLING, joint_words, unknown_link, without_joints
 from semantic_framer.mood_file import UtteranceKind
 from semantic_framer.objections import against_what_runs
 from semantic_framer.outcome import (
@@ -16,7 +20,9 @@ from semantic_framer.outcome import (
     CORRECTION,
     DECLINED,
     PROHIBITION,
+    QUESTION,
     REPORT,
+    TALK,
     Alternatives,
     LeftOverWords,
     Outcome,
@@ -44,6 +50,7 @@ from utterance_passes.running import run_tree_passes
 from utterance_passes.table import FRAMER_TREE_PASSES, REPHRASING_PASSES
 from utterance_passes.trace import Trace
 from utterance_passes.tree import DependencyTree
+from utterance_passes.tree_edits import NotATree
 from utterance_passes.utterance_pass import Choice, TreePass, Uncertain
 from utterance_passes.verb_matching import match_verbs
 
@@ -197,13 +204,69 @@ class _Hearing:
         self._now.write("answer", tree.text, "; ".join(str(readings[0]) for readings in answered))
         # A yes counts only as the answer to a yes-no question: "right" may also be a direction.
         is_confirmed = not pending.elements and not pending.is_about_words
-        return Heard(*resolve_and_confirm(answered, meant, context, self._now, is_confirmed=is_confirmed), meant)
+        settled = resolve_and_confirm(answered, meant, context, self._now, is_confirmed=is_confirmed, plan=pending.plan)
+        return Heard(*settled, meant)
 
     def _restructured(self, tree: DependencyTree, passes: Sequence[TreePass]) -> Union[Sentence, Tuple[Choice, ...]]:
         return restructured(tree, self._now.known, passes=passes, without=self._without, trace=self._trace)
 
     def _read(self, sentence: Sentence, context: Context) -> Heard:
-        """Understand a sentence that is not an answer: small talk, a change of the last command, or a command."""
+        """Understand a sentence that is not an answer; one that cannot be understood as it is may have conditions."""
+        heard = self._read_plainly(sentence, context)
+        if isinstance(heard.outcome, Understood) or heard.is_small_talk:
+            return heard
+        if self._now.policy.left_over_words not in CAREFUL:
+            return heard
+        return self._linked(sentence, context, heard.outcome) or heard
+
+    def _linked(self, sentence: Sentence, context: Context, before: Union[Refusal, Question]) -> Optional[Heard]:
+        """Understand a sentence whose deeds are joined by conditions and times; None if it is none.
+
+        Args:
+            sentence: the sentence
+            context: what the framer remembers
+            before: why the sentence cannot be understood as it is
+        """
+        joints = find_joints(sentence, self._now.known)
+        unknown = unknown_link(sentence, joints, before)
+        if not joints.found:
+            return unknown and Heard(unknown, context, sentence)
+        try:
+            bare = without_joints(sentence, joints, self._now.known)
+        except NotATree:
+            return None
+        if bare is None and before.code in (QUESTION, TALK):
+            return None
+        if bare is None:
+            words = joint_words(sentence, joints)
+            return Heard(Question("MISSING_ELEMENT", f"What should I do {words}?"), context, sentence)
+        for joint in joints.found:
+            self._now.write("links", sentence.text(sorted(joint.positions)), joint.kind.value)
+        case = case_of(bare, self._clauses(bare), self._now.known, self._now.policy)
+        clauses = self._deeds(case)
+        if isinstance(clauses, Refusal):
+            is_telling = clauses.code in TELLING and unknown is None
+            return Heard(clauses if is_telling else unknown or before, context, sentence)
+        if not all(case.kind_of(read.clause).acts for read in clauses):
+            return unknown and Heard(unknown, context, sentence)
+        best = [read.kept[0] for read in clauses]
+        if choices_of_clauses(bare, [read.clause for read in clauses], self._now.known):
+            return None
+        if choices_of_amounts(bare, best, self._now.known):
+            return None
+        try:
+            deeds = [(read.clause, read.kept) for read in clauses]
+            kept, plan = without_unused(*linked_plan(sentence, self._now.known, deeds, joints.found))
+        except Open as question:
+            return Heard(Question("AMBIGUOUS", str(question)), context, sentence)
+        except NoStructure as reason:
+            self._now.write("links", sentence.tree.text, f"refused. {reason}")
+            return unknown and Heard(unknown, context, sentence)
+        self._now.write("plan", sentence.tree.text, str(plan))
+        return Heard(*resolve_and_confirm(kept, bare, context, self._now, plan=plan), sentence, clauses)
+
+    def _read_plainly(self, sentence: Sentence, context: Context) -> Heard:
+        """Understand a sentence without conditions: small talk, a change of the last command, or a command."""
         talk = small_talk_of(sentence.tree)
         if talk is not None:
             kind = KindVerdict(UtteranceKind.TALK, talk.name)
@@ -226,7 +289,7 @@ class _Hearing:
         if refusal is not None:
             return Heard(refusal, context, sentence)
         clauses = self._readings(case)
-        refusal = next((read.refusal for read in clauses if read.refusal), None) or self._refusal(REST_VERDICTS, case)
+        refusal = self._rest_refusal(case, clauses)
         if refusal is not None:
             return Heard(refusal, context, sentence, clauses)
         best = [read.kept[0] for read in clauses]
@@ -268,6 +331,18 @@ class _Hearing:
             elif self._trace is not None:
                 self._trace.add("told", case.text_of(clause), after="no step", positions=clause.positions)
         return tuple(found)
+
+    def _deeds(self, case: Case) -> Union[Refusal, Tuple[ClauseReadings, ...]]:
+        """Return the readings of the clauses of a sentence, or why it is refused."""
+        refusal = self._refusal(SENTENCE_VERDICTS, case)
+        if refusal is not None:
+            return refusal
+        clauses = self._readings(case)
+        return self._rest_refusal(case, clauses) or clauses
+
+    def _rest_refusal(self, case: Case, clauses: Tuple[ClauseReadings, ...]) -> Optional[Refusal]:
+        refused = next((read.refusal for read in clauses if read.refusal), None)
+        return refused or self._refusal(REST_VERDICTS, case)
 
     def _refusal(self, verdicts: Sequence[SentenceVerdict], case: Case) -> Optional[Refusal]:
         for verdict in verdicts:

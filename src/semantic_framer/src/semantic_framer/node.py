@@ -264,7 +264,7 @@ class SemanticFramer:
             CommandLexicalUnits(
                 command=message.command,
                 clauses=to_clauses(understood.clauses, tree),
-                plan=to_plan(understood.clauses, message.command.text),
+                plan=to_plan(understood, message.command.text),
             )
         )
 

@@ -2,8 +2,9 @@
 
 from dataclasses import dataclass
 from enum import Enum
-from typing import Iterable, Sequence, Tuple, Union
+from typing import Iterable, Optional, Sequence, Tuple, Union
 
+from semantic_framer.clause_plan import PlanPart
 from semantic_framer.reading import Reading
 from semantic_framer.sentence import Sentence
 
@@ -58,10 +59,17 @@ class Policy:
 
 @dataclass(frozen=True)
 class Understood:
-    """The clauses to carry out, in order, each with its readings, best first; ``warning`` names the ignored words."""
+    """What to carry out.
+
+    Attributes:
+        clauses: each with its readings, best first, in the order of the plan
+        warning: names the ignored words
+        plan: how deeds and conditions are joined; None if the clauses are done one after the other
+    """
 
     clauses: Tuple[Tuple[Reading, ...], ...]
     warning: str = ""
+    plan: Optional[PlanPart] = None
 
 
 @dataclass(frozen=True)

@@ -1,32 +1,21 @@
 """Reads questions by the patterns of lexical units; only frames that are questions are evoked, and they never act."""
 
-import re
-from functools import lru_cache
-from typing import List, Mapping, Optional, Pattern, Sequence, Tuple
+from typing import List, Mapping, Optional, Tuple
 
 from semantic_framer.mood_file import UtteranceKind
 from semantic_framer.reading import Reading, rank
 from semantic_framer.utterance_kind import kind_without_clause
 from semantic_framer.verdicts import Case
+from semantic_framer.word_patterns import argument_of, compiled, heads
 from semantic_frames.frame import SemanticFrame
 from semantic_frames.lexical_unit import LexicalUnit, WordPattern
-from typed_arguments import TypedArgument
 from utterance_passes.tree import Word
 from word_classes import word_class
 
 _PADDING = word_class("question_padding")
 _NEGATIONS = word_class("negations")
-_PREPOSITIONS = word_class("place_prepositions") | word_class("complex_prepositions")
 #: Spellings that patterns do not have, if the word is a verb.
 _VERBS_IN_FULL: Mapping[str, str] = {"'s": "is", "’s": "is", "'re": "are", "’re": "are", "'m": "am", "’m": "am"}
-
-_OF_A_PLACE = "|".join(sorted(map(re.escape, _PREPOSITIONS), key=len, reverse=True))
-#: A regular expression for each kind of words that fills an element.
-_WORDS_OF_SLOTS: Mapping[str, str] = {
-    "": ".+?",
-    "word": r"\S+",
-    "place": rf"(?:(?:{_OF_A_PLACE}) .+?|here)",
-}
 
 
 def question_readings(case: Case) -> Tuple[Reading, ...]:
@@ -67,7 +56,7 @@ def _read(case: Case, unit: LexicalUnit, frame: SemanticFrame, question: WordPat
     while words and words[-1].form.lower() in _PADDING:
         words.pop()
     forms = [_spelling(word) for word in words]
-    match = _compiled(question.text).fullmatch(" ".join(forms))
+    match = compiled(question).fullmatch(" ".join(forms))
     if match is None:
         return None
     arguments = []
@@ -77,12 +66,12 @@ def _read(case: Case, unit: LexicalUnit, frame: SemanticFrame, question: WordPat
             continue
         first = len(match.string[: match.start(name)].split())
         positions = [word.index for word in words[first : first + len(match.group(name).split())]]
-        if not kind and len(_heads(case, positions)) > 1:
+        if not kind and len(heads(case.sentence.tree, positions)) > 1:
             return None  # "is the door heavy to open": these words are no phrase
         if any(case.sentence.word(index).form.lower() in _NEGATIONS for index in positions):
             return None  # "who is not in the kitchen" asks for the others
         inside += positions
-        arguments.append(_argument(case, name, positions))
+        arguments.append(argument_of(case.sentence, name, positions))
     filled = {argument.name for argument in arguments}
     own = tuple(word.index for word in words if word.index not in inside)
     return Reading(
@@ -99,27 +88,6 @@ def _read(case: Case, unit: LexicalUnit, frame: SemanticFrame, question: WordPat
     )
 
 
-@lru_cache(maxsize=1024)
-def _compiled(text: str) -> Pattern[str]:
-    return WordPattern(text).compile(_WORDS_OF_SLOTS)
-
-
 def _spelling(word: Word) -> str:
     form = word.form.lower()
     return _VERBS_IN_FULL.get(form, form) if word.upos in ("AUX", "VERB") else form
-
-
-def _heads(case: Case, positions: Sequence[int]) -> List[int]:
-    """Return the words of some that depend on none of the others."""
-    return [index for index in positions if case.sentence.word(index).head not in positions]
-
-
-def _argument(case: Case, name: str, positions: List[int]) -> TypedArgument:
-    """Return the argument of the words of an element, whatever the parser attached them to."""
-    sentence = case.sentence
-    inside = frozenset(positions)
-    heads = _heads(case, positions)
-    nouns = [index for index in heads if sentence.word(index).upos in ("NOUN", "PROPN", "PRON", "NUM")]
-    head = (nouns or heads)[0]
-    below = sentence.subtree(head)
-    return sentence.phrases.argument(name, head, left_out=below - inside, attached=inside - below)
