@@ -173,13 +173,13 @@ def on_demand_files(folder: str) -> str:
 def idle(stack: ExitStack, folder: str) -> bool:
     """Measure the cost of idling."""
     import rospy
-    from roboframenet_msgs.msg import FrameCatalogue
+    from roboframenet_msgs.msg import FrameServers
 
     rospy.set_param("/on_demand/files", [on_demand_files(folder)])
     registered: Dict[str, int] = {}
     subscriber = rospy.Subscriber(
-        "frame_catalogue",
-        FrameCatalogue,
+        "frame_servers",
+        FrameServers,
         lambda message: registered.update(
             on_demand=sum(callback.callback_topic.strip("/") == "on_demand" for callback in message.callbacks)
         ),

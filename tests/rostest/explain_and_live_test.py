@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import Dict, List
 
 import rospy
-from roboframenet_msgs.msg import CommandPlan, CommandSemanticFrames, FrameCatalogue, PlanNode, Reply, StageEvent
+from roboframenet_msgs.msg import CommandPlan, CommandSemanticFrames, FrameServers, PlanNode, Reply, StageEvent
 from std_msgs.msg import String
 
 from offline_pipeline.pipeline import Pipeline, Understanding
@@ -77,9 +77,9 @@ class ExplainAndLiveTest(unittest.TestCase):
         wait_until(is_pipeline_complete, 180.0, "the pipeline did not come up")
         ears = Ears()
         text = rospy.Publisher("text", String, queue_size=10)
-        catalogues: List[FrameCatalogue] = []
-        subscriber = rospy.Subscriber("frame_catalogue", FrameCatalogue, catalogues.append)
-        wait_until(lambda: bool(catalogues and catalogues[-1].files), 120.0, "no frames")
+        known: List[FrameServers] = []
+        subscriber = rospy.Subscriber("frame_servers", FrameServers, known.append)
+        wait_until(lambda: bool(known and known[-1].paths), 120.0, "no frames")
         server = RFNServer("obeying", lambda frame: None)
         knowledge = live_knowledge(timeout_s=60.0)
         frames = [name for number, name in enumerate(sorted(knowledge.frames)) if number % WITHOUT_A_SERVER]
@@ -87,7 +87,7 @@ class ExplainAndLiveTest(unittest.TestCase):
             self.assertTrue(server.register_with_frame(name), name)
         server.start()
         wait_until(
-            lambda: {callback.frame_name for callback in catalogues[-1].callbacks} >= set(frames),
+            lambda: {callback.frame_name for callback in known[-1].callbacks} >= set(frames),
             message="not every registration arrived",
         )
         subscriber.unregister()

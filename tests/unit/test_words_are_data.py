@@ -48,6 +48,10 @@ NO_SPEECH: Dict[str, Tuple[str, str]] = {
         "keys of a file",
         "frame, name, action, service, topic, type, fields",
     ),
+    "frame_bindings/condition_file.py": (
+        "keys of a file",
+        "frame, name, topic, type, entries, where, field, comparison, value, element, default, values, factor",
+    ),
     "location_memorizer/locations.py": ("keys of a file", "x, y, heading"),
     "offline_pipeline/pipeline.py": (
         "keys of JSON",

@@ -124,7 +124,7 @@ _Event = Union[CommandPlan, StopReport, Command, _Note, _RunEnded, None]
 class ExecutorNode:
     """Carries out plans.
 
-    Subscribes: ``command_plan``, ``command_cancel``, ``stop_report``, ``frame_catalogue``. Publishes: ``stage_events``.
+    Subscribes: ``command_plan``, ``command_cancel``, ``stop_report``, ``frame_servers``. Publishes: ``stage_events``.
     Calls the action servers that the plans name.
     """
 

@@ -4,14 +4,14 @@ import json
 from typing import Dict, Optional, Tuple
 
 import rospy
-from roboframenet_msgs.msg import FrameCatalogue, ServerProfile
+from roboframenet_msgs.msg import FrameServers, ServerProfile
 
 from executor.driver_settings import Setting, SettingsError, Value
 from typed_arguments import FilledFrame
 
 
 class ServerProfiles:
-    """Keeps from the latched catalogue what the executor needs to know of servers; any thread may ask."""
+    """Keeps from the latched topic what the executor needs to know of servers; any thread may ask."""
 
     def __init__(self, *, default_silence_s: float) -> None:
         """
@@ -23,8 +23,8 @@ class ServerProfiles:
         self._subscriber: Optional[rospy.Subscriber] = None
 
     def start(self) -> None:
-        """Listen to the catalogue."""
-        self._subscriber = rospy.Subscriber("frame_catalogue", FrameCatalogue, self._hear, queue_size=1)
+        """Listen to the registrar."""
+        self._subscriber = rospy.Subscriber("frame_servers", FrameServers, self._hear, queue_size=1)
 
     def longest_silence_s(self, frame: FilledFrame) -> float:
         """Return for how long the source of a condition may be silent."""
@@ -53,9 +53,9 @@ class ServerProfiles:
     def _profile(self, frame: FilledFrame) -> ServerProfile:
         return self._profiles.get((frame.name, frame.server)) or ServerProfile()
 
-    def _hear(self, catalogue: FrameCatalogue) -> None:
+    def _hear(self, message: FrameServers) -> None:
         self._profiles = {
-            (callback.frame_name, callback.callback_topic): callback.profile for callback in catalogue.callbacks
+            (callback.frame_name, callback.callback_topic): callback.profile for callback in message.callbacks
         }
 
 

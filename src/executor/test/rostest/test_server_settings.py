@@ -16,7 +16,7 @@ from roboframenet_msgs.msg import (
     CommandPlan,
     FilledSemanticFrame,
     FrameCallback,
-    FrameCatalogue,
+    FrameServers,
     Plan,
     PlanCandidate,
     PlanNode,
@@ -124,9 +124,9 @@ class ServerSettingsTest(unittest.TestCase):
     def test_what_a_server_stated_counts_like_its_parameter(self):
         settings = [ServerSetting(node="/camera", name="exposure", value="42")]
         profile = ServerProfile(settings=settings, longest_goal=rospy.Duration(1.0))
-        catalogue = FrameCatalogue(callbacks=[FrameCallback("run", "plain", True, profile)])
-        publisher = rospy.Publisher("frame_catalogue", FrameCatalogue, queue_size=1, latch=True)
-        publisher.publish(catalogue)
+        servers = FrameServers(callbacks=[FrameCallback("run", "plain", True, profile)])
+        publisher = rospy.Publisher("frame_servers", FrameServers, queue_size=1, latch=True)
+        publisher.publish(servers)
         wait_until(lambda: publisher.get_num_connections() == 1)
         command = self.send(("run", "plain"))
         self.assert_cameras(dict(BEFORE, exposure=42), BEFORE)

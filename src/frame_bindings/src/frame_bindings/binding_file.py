@@ -1,15 +1,17 @@
-"""Reads binding files, which map frames to action servers, services and topics."""
+"""Reads binding files, which map frames to action servers, services and topics, and to conditions on topics."""
 
 from dataclasses import dataclass, field
 from enum import Enum
-from typing import Any, Dict, List, Mapping, Optional, Tuple
+from typing import Any, Dict, List, Mapping, Optional, Set, Tuple
 
 import yaml
 
+from frame_bindings.condition_file import ConditionBinding, read_condition
+from frame_bindings.statements import read_statement
 from rfnserver.goal_binding import SOURCE_KEYS
-from semantic_frames.marked_yaml import Reader, describe, is_empty
+from semantic_frames.marked_yaml import Reader, describe
 from semantic_frames.problem import FileRefused
-from semantic_frames.server_statement import STATEMENT_KEYS, ProfileError, stated_profile
+from semantic_frames.server_statement import STATEMENT_KEYS
 
 
 class Kind(Enum):
@@ -75,8 +77,21 @@ class Binding:
     line: int = 0
 
 
-def load_bindings(text: str, path: str) -> Tuple[Binding, ...]:
-    """Read a binding file: a mapping with the key ``bindings``, a list.
+@dataclass(frozen=True)
+class BindingFile:
+    """What a file binds.
+
+    Attributes:
+        bindings: frames that are carried out
+        conditions: frames that are watched
+    """
+
+    bindings: Tuple[Binding, ...] = ()
+    conditions: Tuple[ConditionBinding, ...] = ()
+
+
+def load_bindings(text: str, path: str) -> BindingFile:
+    """Read a binding file: a mapping with the keys ``bindings`` and ``conditions``, or one of them, both lists.
 
     Args:
         text: content of the file
@@ -86,17 +101,29 @@ def load_bindings(text: str, path: str) -> Tuple[Binding, ...]:
     """
     reader = Reader(path)
     root = reader.compose(text, "a mapping with bindings")
-    entries = reader.mapping(root, "", ("bindings",), required=("bindings",))
+    entries = reader.mapping(root, "", ("bindings", "conditions"))
+    if not entries and not reader.problems:
+        reader.report("EMPTY", root, "file", "nothing", "bindings or conditions")
     bindings: List[Binding] = []
+    conditions: List[ConditionBinding] = []
+    names: Set[str] = set()
+
+    def take(name: str, item: yaml.Node, key: str) -> None:
+        if name in names:
+            reader.report("DUPLICATE_NAME", item, f"{key}.name", f"a second '{name}'", "names that differ")
+        names.add(name)
+
     for key, item in reader.sequence(entries.get("bindings"), "bindings"):
         binding = _binding(reader, item, key)
-        if binding is None:
-            continue
-        if binding.name in [other.name for other in bindings]:
-            reader.report("DUPLICATE_NAME", item, f"{key}.name", f"a second '{binding.name}'", "names that differ")
-        bindings.append(binding)
+        if binding is not None:
+            take(binding.name, item, key)
+            bindings.append(binding)
+    for key, item in reader.sequence(entries.get("conditions"), "conditions"):
+        condition = read_condition(reader, item, key)
+        take(condition.name, item, key)
+        conditions.append(condition)
     reader.refuse_if_wrong()
-    return tuple(bindings)
+    return BindingFile(tuple(bindings), tuple(conditions))
 
 
 def _binding(reader: Reader, node: yaml.Node, key: str) -> Optional[Binding]:
@@ -128,7 +155,7 @@ def _binding(reader: Reader, node: yaml.Node, key: str) -> Optional[Binding]:
         ignored_elements=reader.texts(entries.get("ignored_elements"), f"{key}.ignored_elements"),
         success_field=reader.text(entries.get("success_field"), f"{key}.success_field"),
         text_field=reader.text(entries.get("text_field"), f"{key}.text_field"),
-        statement=_statement(reader, node, key, entries),
+        statement=read_statement(reader, node, key, entries, STATEMENT_KEYS),
         line=node.start_mark.line + 1,
         **{
             name: reader.seconds(entries[name], f"{key}.{name}", 1.0)
@@ -136,25 +163,6 @@ def _binding(reader: Reader, node: yaml.Node, key: str) -> Optional[Binding]:
             if name in entries
         },
     )
-
-
-def _statement(reader: Reader, node: yaml.Node, key: str, entries: Mapping[str, yaml.Node]) -> Dict[str, Any]:
-    statement = {name: _plain(entries[name]) for name in STATEMENT_KEYS if name in entries}
-    try:
-        stated_profile(statement)
-    except ProfileError as error:
-        for problem in error.problems:
-            reader.report("STATEMENT", node, key, problem, f"what a server may state: {', '.join(STATEMENT_KEYS)}")
-    return statement
-
-
-def _plain(node: yaml.Node) -> Any:
-    """Return a node as mappings, lists and texts."""
-    if isinstance(node, yaml.MappingNode):
-        return {str(name.value): _plain(value) for name, value in node.value}
-    if isinstance(node, yaml.SequenceNode):
-        return [_plain(item) for item in node.value]
-    return None if is_empty(node) else str(node.value)
 
 
 def _fields(reader: Reader, node: Optional[yaml.Node], key: str) -> Dict[str, Any]:
@@ -189,4 +197,4 @@ def _table(reader: Reader, node: yaml.Node, key: str) -> Dict[str, str]:
     return {reader.name(words, key): reader.text(value, key) for words, value in node.value}
 
 
-__all__ = ["Binding", "FileRefused", "Kind", "load_bindings"]
+__all__ = ["Binding", "BindingFile", "FileRefused", "Kind", "load_bindings"]

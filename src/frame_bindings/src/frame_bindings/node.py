@@ -1,13 +1,14 @@
 """The node ``frame_bindings``: serves all frames of the binding files."""
 
 from dataclasses import dataclass, replace
-from typing import Any, List, Sequence, Tuple
+from typing import Any, List, Sequence, Tuple, Union
 
 import rosgraph
 import rospy
 from roboframenet_msgs.msg import FilledSemanticFrame, FilledSemanticFrameFeedback
 
 from frame_bindings.binding_file import Binding, load_bindings
+from frame_bindings.ros_conditions import BoundCondition
 from frame_bindings.ros_targets import TARGET_OF_KIND, UnknownType
 from rfnserver import RFNServer
 from rfnserver.arguments import ArgumentError
@@ -89,25 +90,37 @@ class BoundServer:
         self._server.publish_feedback(FilledSemanticFrameFeedback(is_succeeding=True))
 
 
-def bound_servers(paths: Sequence[str]) -> List[BoundServer]:
+Bound = Union[BoundServer, BoundCondition]
+
+
+def bound_servers(paths: Sequence[str]) -> List[Bound]:
     """Serve the bindings of some files. A wrong file or binding is logged; the others are served."""
-    servers: List[BoundServer] = []
+    servers: List[Bound] = []
     for path in paths:
         try:
-            bindings = load_bindings(read_text(path), path)
+            bound = load_bindings(read_text(path), path)
         except FileRefused as refused:
-            for problem in refused.problems:
-                rospy.logerr("%s", problem)
+            _log(refused)
             continue
-        for binding in bindings:
+        for binding in bound.bindings:
             try:
                 servers.append(BoundServer(binding))
             except UnknownType as error:
                 rospy.logerr("%s:%d: %s: %s", path, binding.line, binding.name, error)
+        for condition in bound.conditions:
+            try:
+                servers.append(BoundCondition(condition))
+            except FileRefused as refused:
+                _log(refused)
     return servers
 
 
-def _start() -> List[BoundServer]:
+def _log(refused: FileRefused) -> None:
+    for problem in refused.problems:
+        rospy.logerr("%s", problem)
+
+
+def _start() -> List[Bound]:
     settings = read_parameters(Settings)
     servers = bound_servers(settings.files)
     if not servers:

@@ -10,13 +10,16 @@ import actionlib
 import rospy
 from actionlib_msgs.msg import GoalStatus
 from actionlib_tutorials.msg import FibonacciAction, FibonacciGoal, FibonacciResult
+from diagnostic_msgs.msg import DiagnosticArray, DiagnosticStatus
 from roboframenet_msgs.msg import (
     FilledFrameElement,
     FilledSemanticFrame,
     FilledSemanticFrameAction,
+    FilledSemanticFrameActionFeedback,
     FilledSemanticFrameGoal,
 )
-from std_msgs.msg import String
+from sensor_msgs.msg import BatteryState
+from std_msgs.msg import Header, String
 from std_srvs.srv import SetBool, SetBoolRequest, SetBoolResponse
 
 from roboframenet_testing import wait_until
@@ -65,6 +68,65 @@ class FrameBindingsTest(unittest.TestCase):
     def end(self, handle: Any) -> Tuple[int, str]:
         wait_until(lambda: handle.get_comm_state() == actionlib.CommState.DONE)
         return handle.get_goal_status(), handle.get_goal_status_text()
+
+    def watch(self, server: str, **arguments: str) -> Tuple[Any, List[FilledSemanticFrameActionFeedback]]:
+        """Watch a condition; returns the handle, and what the server says of it."""
+        said: List[FilledSemanticFrameActionFeedback] = []
+        subscriber = rospy.Subscriber(f"{server}/feedback", FilledSemanticFrameActionFeedback, said.append)
+        self.addCleanup(subscriber.unregister)
+        wait_until(lambda: subscriber.get_num_connections() == 1)
+        return self.send(server, **arguments), said
+
+    def values(self, said: List[FilledSemanticFrameActionFeedback]) -> List[bool]:
+        """What was said, without repetitions."""
+        found = [one.feedback.is_succeeding for one in list(said)]
+        return [one for place, one in enumerate(found) if place == 0 or found[place - 1] != one]
+
+    def test_condition_on_a_stream_ends_when_that_is_dead(self) -> None:
+        publisher = rospy.Publisher("battery_state", BatteryState, queue_size=1)
+        handle, said = self.watch("battery_watch")
+        wait_until(lambda: publisher.get_num_connections() == 1)
+        level, stamp = 0.5, rospy.Time.now()
+
+        def publish() -> None:
+            message = BatteryState(percentage=level)
+            message.header.stamp = stamp
+            publisher.publish(message)
+
+        wait_until(lambda: (publish(), self.values(said) == [False])[1])
+        level, stamp = 0.1, rospy.Time.now()
+        publish()
+        wait_until(lambda: self.values(said) == [False, True])
+        self.assertEqual(stamp, said[-1].header.stamp)
+        self.assertEqual((GoalStatus.ABORTED, "battery_state has said nothing for 1 s"), self.end(handle))
+        wait_until(lambda: publisher.get_num_connections() == 0)
+
+    def test_condition_on_a_state_that_is_told_once(self) -> None:
+        publisher = rospy.Publisher("lights", DiagnosticArray, queue_size=1, latch=True)
+        publisher.publish(DiagnosticArray(status=[DiagnosticStatus(name="lamp", message="on")]))
+        handle, said = self.watch("light_watch", theme="the lamp", state="on")
+        wait_until(lambda: len(said) > 3)
+        self.assertEqual([True], self.values(said))
+        # What holds is said as of now: nobody takes it for an old observation.
+        self.assertLess((rospy.Time.now() - said[-1].header.stamp).to_sec(), 2.0)
+        unknown, _ = self.watch("light_watch", theme="the stove", state="on")
+        self.assertEqual((GoalStatus.ABORTED, 'lights: there is no "stove"'), self.end(unknown))
+        publisher.unregister()
+        self.assertEqual((GoalStatus.ABORTED, "nobody publishes lights"), self.end(handle))
+
+    def test_condition_on_events_holds_for_a_moment(self) -> None:
+        publisher = rospy.Publisher("bell", Header, queue_size=1)
+        wait_until(lambda: publisher.get_num_connections() == 1)
+        handle, said = self.watch("bell_watch")
+        wait_until(lambda: self.values(said) == [False])
+        stamp = rospy.Time.now()
+        publisher.publish(Header(stamp=stamp))
+        wait_until(lambda: self.values(said) == [False, True, False])
+        handle.cancel()
+        self.assertEqual(GoalStatus.PREEMPTED, self.end(handle)[0])
+
+    def test_condition_with_a_wrong_field_is_not_served(self) -> None:
+        self.assertNotIn("/misnamed/status", [name for name, _ in rospy.get_published_topics()])
 
     def test_action(self) -> None:
         self.assertEqual(GoalStatus.SUCCEEDED, self.end(self.send("computing", steps="seven"))[0])

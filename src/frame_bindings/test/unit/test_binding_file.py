@@ -38,7 +38,7 @@ def problems(text: str) -> Tuple[Tuple[str, int], ...]:
 
 
 def test_bindings_of_each_kind() -> None:
-    action, service, topic = load_bindings(GOOD, "bindings.yaml")
+    action, service, topic = load_bindings(GOOD, "bindings.yaml").bindings
     assert (action.kind, action.name, action.target, action.line) == (Kind.ACTION, "navigation", "move_base", 2)
     assert action.fields == {"target_pose": "goal", "speed": {"element": "speed", "unit": "metre"}}
     assert (action.goal_timeout_s, action.server_timeout_s) == (60.0, 5.0)
@@ -48,7 +48,7 @@ def test_bindings_of_each_kind() -> None:
 
 def test_statement_of_the_server() -> None:
     stated = "heeds: {Manner: [slow], goal: {relations: [on], most: 1}}\n    occupies: base\n    longest_goal_s: 60"
-    (action, *_) = load_bindings(GOOD.replace("goal_timeout_s: 60", stated), "bindings.yaml")
+    (action, *_) = load_bindings(GOOD.replace("goal_timeout_s: 60", stated), "bindings.yaml").bindings
     profile = stated_profile(action.statement)
     goal = HeededElement("goal", relations=("on",), most=1)
     assert profile.heeds == (HeededElement("Manner", values=("slow",)), goal)
@@ -57,7 +57,7 @@ def test_statement_of_the_server() -> None:
 
 def test_table_of_words() -> None:
     table = "{element: side, values: {left: true, right: false}}"
-    (action, *_) = load_bindings(GOOD.replace("target_pose: goal", f"left_arm: {table}"), "bindings.yaml")
+    (action, *_) = load_bindings(GOOD.replace("target_pose: goal", f"left_arm: {table}"), "bindings.yaml").bindings
     assert action.fields["left_arm"] == {"element": "side", "values": {"left": "true", "right": "false"}}
 
 

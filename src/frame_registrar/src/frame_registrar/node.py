@@ -15,6 +15,7 @@ from roboframenet_msgs.msg import (
     FilledSemanticFrameListList,
     FrameCallback,
     FrameCatalogue,
+    FrameServers,
     Plan,
     PlanNode,
     Reply,
@@ -38,7 +39,14 @@ from roboframenet_msgs.srv import (
 from frame_registrar.graph import FrameGraph
 from frame_registrar.ros_candidate_topics import CandidateTopics
 from frame_registrar.ros_liveness import LivenessWatch
-from frame_registrar.ros_messages import to_clauses, to_empty_frame, to_file_problems, to_frame_lists, to_plan
+from frame_registrar.ros_messages import (
+    conditions_in,
+    to_clauses,
+    to_empty_frame,
+    to_file_problems,
+    to_frame_lists,
+    to_plan,
+)
 from frame_registrar.search import Refusal, combinations, reply_outcome, search
 from roboframenet_ros.health import Health, Level
 from roboframenet_ros.parameters import Parameters, parameter
@@ -78,7 +86,8 @@ class FrameRegistrar:
         command_lexical_units (CommandLexicalUnits)
     Publishes:
         command_semantic_frames (CommandSemanticFrames), filled_semantic_frames (FilledSemanticFrameListList),
-        frame_catalogue (FrameCatalogue, latched), file_problems (FileProblems, latched), stage_events (StageEvent)
+        frame_catalogue (FrameCatalogue, latched), frame_servers (FrameServers, latched),
+        file_problems (FileProblems, latched), stage_events (StageEvent)
     Services:
         add_frame, get_empty_frame, register_with_frame, register_server
     Parameters: see :class:`Settings`.
@@ -95,6 +104,7 @@ class FrameRegistrar:
         self._dead: FrozenSet[str] = frozenset()
         self._id = uuid.uuid4().hex
         self._catalogue = rospy.Publisher("frame_catalogue", FrameCatalogue, queue_size=1, latch=True)
+        self._servers = rospy.Publisher("frame_servers", FrameServers, queue_size=1, latch=True)
         self._file_problems = rospy.Publisher("file_problems", FileProblems, queue_size=5, latch=True)
         self._candidates = CandidateTopics(self._is_question)
         self._candidates_2012 = rospy.Publisher("filled_semantic_frames", FilledSemanticFrameListList, queue_size=100)
@@ -206,7 +216,7 @@ class FrameRegistrar:
             rospy.logerr("registration refused: %s", error)
         if errors:
             return errors, ""
-        self._publish_catalogue()
+        self._publish_servers()
         remark = self._graph.remark(frame_name, server)
         if remark:
             rospy.logwarn("'%s' registered for a frame: %s", server, remark)
@@ -222,26 +232,27 @@ class FrameRegistrar:
             self._dead = servers
         if is_changed:
             rospy.loginfo("action servers that are not running: %s", ", ".join(sorted(servers)) or "none")
-            self._publish_catalogue()
+            self._publish_servers()
 
     def _publish_catalogue(self) -> None:
         # Publish under the lock: the later of two changes must stay latched.
         with self._lock:
-            self._catalogue.publish(
-                FrameCatalogue(
-                    registrar_id=self._id,
-                    files=[SourceFile(path=path, text=text) for path, text in self._texts.items()],
-                    callbacks=[
-                        FrameCallback(
-                            frame_name=frame,
-                            callback_topic=server,
-                            is_alive=self._graph.is_alive(server),
-                            profile=profile_to_message(self._graph.profile(frame, server)),
-                        )
-                        for frame, server in self._graph.registrations()
-                    ],
+            files = [SourceFile(path=path, text=text) for path, text in self._texts.items()]
+            self._catalogue.publish(FrameCatalogue(registrar_id=self._id, files=files))
+        self._publish_servers()
+
+    def _publish_servers(self) -> None:
+        with self._lock:
+            callbacks = [
+                FrameCallback(
+                    frame_name=frame,
+                    callback_topic=server,
+                    is_alive=self._graph.is_alive(server),
+                    profile=profile_to_message(self._graph.profile(frame, server)),
                 )
-            )
+                for frame, server in self._graph.registrations()
+            ]
+            self._servers.publish(FrameServers(registrar_id=self._id, paths=list(self._texts), callbacks=callbacks))
 
     def _is_question(self, name: str) -> bool:
         """Whether a frame is a question."""
@@ -252,7 +263,12 @@ class FrameRegistrar:
     def _on_command(self, message: CommandLexicalUnits) -> None:
         try:
             with self._lock:
-                outcome = search(self._graph, to_clauses(message.clauses), max_candidates=self._settings.max_candidates)
+                outcome = search(
+                    self._graph,
+                    to_clauses(message.clauses),
+                    max_candidates=self._settings.max_candidates,
+                    conditions=conditions_in(message.plan, message.clauses),
+                )
             if not isinstance(outcome, Refusal):
                 plan = to_plan(message.clauses, message.command.text, outcome, message.plan)
         except Exception as error:  # boundary: the command gets its reply, whatever fails
@@ -290,10 +306,12 @@ def _is_server_name(name: str) -> bool:
 
 def describe(plan: Plan) -> str:
     """Return the candidates of a plan in words: "2 candidates: turning @ turning; ..."."""
-    leaves = [node for node in plan.nodes if node.kind == PlanNode.DO]
+    leaves = [node for node in plan.nodes if node.candidates]
     if len(leaves) == 1:
         return _describe_candidates(leaves[0])
-    return "; then ".join(f'"{leaf.label}": {_describe_candidates(leaf)}' for leaf in leaves)
+    is_list = not any(leaf.kind == PlanNode.CONDITION for leaf in leaves)
+    told = [f'"{leaf.label}": {_describe_candidates(leaf)}' for leaf in leaves]
+    return ("; then " if is_list else "; ").join(told)
 
 
 def _describe_candidates(leaf: PlanNode) -> str:
@@ -301,8 +319,9 @@ def _describe_candidates(leaf: PlanNode) -> str:
         ", then ".join(f"{frame.name} @ {frame.action_server_topics[0]}" for frame in candidate.frames)
         for candidate in leaf.candidates[:3]
     )
-    count = len(leaf.candidates)
-    return f"{count} candidate{'s' if count > 1 else ''}: {shown}{'; ...' if count > 3 else ''}"
+    count, what = len(leaf.candidates), "watch" if leaf.kind == PlanNode.CONDITION else "candidate"
+    plural = "es" if what == "watch" else "s"
+    return f"{count} {what}{plural if count > 1 else ''}: {shown}{'; ...' if count > 3 else ''}"
 
 
 def main() -> None:

@@ -1,6 +1,7 @@
 """Converts between messages and the values of the core."""
 
-from typing import Iterable, List, Optional, Sequence, Tuple
+import copy
+from typing import Dict, Iterable, List, Optional, Sequence, Tuple
 
 from roboframenet_msgs.msg import (
     Clause,
@@ -16,7 +17,7 @@ from roboframenet_msgs.msg import (
     PlanNode,
 )
 
-from frame_registrar.search import Candidate, Reading
+from frame_registrar.search import Conditions, Found, Reading
 from semantic_frames import Problem
 from semantic_frames.frame import SemanticFrame
 from typed_arguments import FilledFrame, TypedArgument
@@ -42,50 +43,72 @@ def _to_reading(message: LexicalUnitReading) -> Reading:
     )
 
 
-def to_plan(
-    clauses: Sequence[Clause], text: str, found: Sequence[Sequence[Candidate]], joined: Optional[Plan] = None
-) -> Plan:
+#: Nodes that are clauses, and have candidates.
+_LEAVES = (PlanNode.DO, PlanNode.CONDITION)
+
+
+def conditions_in(plan: Plan, clauses: Sequence[Clause]) -> Dict[int, str]:
+    """Return the positions of the clauses that a plan watches, with their words."""
+    leaves = [node for node in plan.nodes if node.kind in _LEAVES]
+    return {
+        position: clause.words
+        for position, (leaf, clause) in enumerate(zip(leaves, clauses))
+        if leaf.kind == PlanNode.CONDITION
+    }
+
+
+def to_plan(clauses: Sequence[Clause], text: str, found: Sequence[Found], joined: Optional[Plan] = None) -> Plan:
     """Return the plan of a command.
 
     Args:
         clauses: of the command
         text: of the whole command
-        found: candidates of each clause
+        found: what was found for each clause
         joined: how the clauses are joined; None or without nodes if they are done one after the other
     Raises:
         ValueError: the plan that joins them has another number of clauses
     """
-    leaves = [_to_leaf(clause.words or text, candidates) for clause, candidates in zip(clauses, found)]
+    words = [clause.words or text for clause in clauses]
     if joined is not None and joined.nodes:
-        places = [place for place, node in enumerate(joined.nodes) if node.kind == PlanNode.DO]
-        if len(places) != len(leaves):
-            raise ValueError(f"the plan joins {len(places)} clauses, and the command has {len(leaves)}")
-        nodes = list(joined.nodes)
-        for place, leaf in zip(places, leaves):
-            nodes[place] = leaf
+        nodes = [copy.copy(node) for node in joined.nodes]
+        places = [place for place, node in enumerate(nodes) if node.kind in _LEAVES]
+        if len(places) != len(found):
+            raise ValueError(f"the plan joins {len(places)} clauses, and the command has {len(found)}")
+        for place, label, of_clause in zip(places, words, found):
+            _fill(nodes, place, label, of_clause)
         return Plan(nodes=nodes, beginning=joined.beginning)
-    if len(leaves) == 1:
-        return Plan(nodes=leaves)
-    root = PlanNode(kind=PlanNode.SEQUENCE, label=text, children=list(range(1, len(leaves) + 1)))
-    return Plan(nodes=[root] + leaves)
+    nodes = [PlanNode(kind=PlanNode.DO) for _ in found]
+    for place, (label, of_clause) in enumerate(zip(words, found)):
+        _fill(nodes, place, label, of_clause)
+    if len(nodes) == 1:
+        return Plan(nodes=nodes)
+    root = PlanNode(kind=PlanNode.SEQUENCE, label=text, children=list(range(1, len(nodes) + 1)))
+    return Plan(nodes=[root, *nodes])
 
 
-def _to_leaf(label: str, candidates: Sequence[Candidate]) -> PlanNode:
+def _fill(nodes: List[PlanNode], place: int, label: str, found: Found) -> None:
+    """Give a node its candidates, or children if it is a condition with a list; those are added to the nodes."""
+    node = nodes[place]
+    node.label = label
+    if isinstance(found, Conditions):
+        node.kind = PlanNode.ALL if found.is_all else PlanNode.ANY
+        node.children = []
+        for part in found.parts:
+            node.children.append(len(nodes))
+            nodes.append(PlanNode(kind=PlanNode.CONDITION))
+            _fill(nodes, len(nodes) - 1, label, part)
+        return
     shared = SharedArguments()
-    return PlanNode(
-        kind=PlanNode.DO,
-        label=label,
-        candidates=[
-            PlanCandidate(
-                frames=[frame_to_message(frame) for frame in candidate.frames],
-                coverage=candidate.coverage,
-                preference=candidate.preference,
-                arguments=shared.positions(candidate.frames),
-            )
-            for candidate in candidates
-        ],
-        arguments=shared.messages,
-    )
+    node.candidates = [
+        PlanCandidate(
+            frames=[frame_to_message(frame) for frame in candidate.frames],
+            coverage=candidate.coverage,
+            preference=candidate.preference,
+            arguments=shared.positions(candidate.frames),
+        )
+        for candidate in found
+    ]
+    node.arguments = shared.messages
 
 
 def to_frame_lists(sequences: Iterable[Sequence[FilledFrame]]) -> FilledSemanticFrameListList:

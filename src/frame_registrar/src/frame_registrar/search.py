@@ -2,7 +2,7 @@
 
 from dataclasses import dataclass, replace
 from itertools import islice, product
-from typing import Dict, Iterator, List, Sequence, Tuple, Union
+from typing import Dict, Iterator, List, Mapping, Optional, Sequence, Tuple, Union
 
 from frame_registrar.filling import Unfillable, fill, spoken_name
 from frame_registrar.graph import FrameGraph
@@ -10,7 +10,17 @@ from frame_registrar.sequence_finder import Frames, Refusal, SequenceFinder
 from semantic_frames.frame import ListPolicy, SemanticFrame
 from typed_arguments import TypedArgument
 
-__all__ = ["Candidate", "Reading", "Refusal", "combinations", "reply_outcome", "search"]
+__all__ = [
+    "Candidate",
+    "Conditions",
+    "Found",
+    "Reading",
+    "Refusal",
+    "candidates_of",
+    "combinations",
+    "reply_outcome",
+    "search",
+]
 
 
 @dataclass(frozen=True)
@@ -45,6 +55,22 @@ class Candidate:
     preference: int = 0
 
 
+@dataclass(frozen=True)
+class Conditions:
+    """A condition with a list: "Anna and Bob are here", "you see a wall or a door".
+
+    Attributes:
+        is_all: whether all of them have to hold, or one
+        parts: what is found for each member of the list
+    """
+
+    is_all: bool
+    parts: Tuple["Found", ...]
+
+
+#: What is found for a clause: its candidates, or several conditions.
+Found = Union[Tuple[Candidate, ...], Conditions]
+
 #: When several readings fail, the reply gives the most informative reason: the first of these.
 _REASONS = ("LIMIT", "VALUE_NOT_ALLOWED", "MISSING_ELEMENT", "NO_SERVER", "UNKNOWN_FRAME")
 #: Limit of sequences that are examined; several paths through the graph may give the same one.
@@ -58,31 +84,92 @@ def reply_outcome(refusal: Refusal) -> str:
 
 
 def search(
-    graph: FrameGraph, clauses: Sequence[Sequence[Reading]], *, max_candidates: int
-) -> Union[Tuple[Tuple[Candidate, ...], ...], Refusal]:
-    """Find every way to carry out each clause of a sentence.
+    graph: FrameGraph,
+    clauses: Sequence[Sequence[Reading]],
+    *,
+    max_candidates: int,
+    conditions: Optional[Mapping[int, str]] = None,
+) -> Union[Tuple[Found, ...], Refusal]:
+    """Find every way to carry out each clause of a sentence, and to watch each of its conditions.
 
     Args:
         graph: frames and servers
         clauses: in the order in which they are carried out; the readings of each are alternatives
         max_candidates: the search for a clause ends at this number
+        conditions: positions of the clauses that are watched instead of done, with their words
     Returns:
-        candidates of each clause, those of the likeliest reading first; a refusal when a clause has none
+        what is found for each clause, its likeliest reading first; a refusal when a clause has nothing
     """
     finder = SequenceFinder(graph)
-    by_clause: List[Tuple[Candidate, ...]] = []
-    for readings in clauses:
-        found = _search_clause(finder, readings, max_candidates)
+    by_clause: List[Found] = []
+    for position, readings in enumerate(clauses):
+        words = (conditions or {}).get(position)
+        found: Union[Found, Refusal]
+        if words is None:
+            found = _search_clause(finder, readings, max_candidates)
+        else:
+            found = _search_condition(SequenceFinder(graph, condition=words), readings, max_candidates)
         if isinstance(found, Refusal):
             return found
         by_clause.append(found)
     return tuple(by_clause) or _NOTHING_UNDERSTOOD
 
 
-def combinations(by_clause: Sequence[Sequence[Candidate]], most: int) -> Tuple[Frames, ...]:
+def candidates_of(found: Found) -> Tuple[Candidate, ...]:
+    """Return all candidates of a clause; those of a condition with a list one member after the other."""
+    if isinstance(found, Conditions):
+        return tuple(candidate for part in found.parts for candidate in candidates_of(part))
+    return found
+
+
+def combinations(by_clause: Sequence[Found], most: int) -> Tuple[Frames, ...]:
     """Return the candidates as 2012 published them: at most ``most`` sequences of frames that carry out all clauses."""
-    products = islice(product(*by_clause), most)
+    products = islice(product(*map(candidates_of, by_clause)), most)
     return tuple(tuple(frame for candidate in found for frame in candidate.frames) for found in products)
+
+
+def _search_condition(
+    finder: SequenceFinder, readings: Sequence[Reading], max_candidates: int
+) -> Union[Found, Refusal]:
+    """Find who watches a condition: in the likeliest reading that somebody watches, and in no other.
+
+    A clause tries its next reading when it fails, but a condition that nobody can tell any more must not become another
+    one.
+    """
+    refusal = _NOTHING_UNDERSTOOD
+    for reading in sorted(readings, key=_order):
+        found = _search_members(finder, reading, max_candidates)
+        if not isinstance(found, Refusal):
+            return found
+        refusal = found if refusal is _NOTHING_UNDERSTOOD else _more_informative(refusal, found)
+    return refusal
+
+
+def _search_members(finder: SequenceFinder, reading: Reading, max_candidates: int) -> Union[Found, Refusal]:
+    """Find who watches a condition, each member of a list for itself."""
+    listed = next((argument for argument in reading.arguments if len(argument.members) > 1), None)
+    if listed is not None:
+        parts: List[Found] = []
+        for member in listed.members:
+            part = _search_members(finder, _with(reading, listed, member), max_candidates)
+            if isinstance(part, Refusal):
+                return part
+            parts.append(part)
+        return Conditions(listed.conjunction not in ("or", "nor"), tuple(parts))
+    found = _search_clause(finder, [reading], max_candidates)
+    if isinstance(found, Refusal):
+        return found
+    # Watching one thing after the other would not be watching.
+    single = tuple(candidate for candidate in found if len(candidate.frames) == 1)
+    return single or finder.no_server([reading.frame_name])
+
+
+def _more_informative(one: Refusal, other: Refusal) -> Refusal:
+    return min((one, other), key=_informs)
+
+
+def _informs(refusal: Refusal) -> int:
+    return _REASONS.index(refusal.code) if refusal.code in _REASONS else len(_REASONS)
 
 
 def _order(reading: Reading) -> Tuple[int, float]:
@@ -126,7 +213,7 @@ def _search_clause(
     if not refusals:
         return _NOTHING_UNDERSTOOD
     # min() keeps the first of equals: the likeliest reading.
-    return min(refusals, key=lambda refusal: _REASONS.index(refusal.code))
+    return min(refusals, key=_informs)
 
 
 def _tasks(frame: SemanticFrame, reading: Reading) -> Iterator[List[Dict[str, TypedArgument]]]:

@@ -15,6 +15,7 @@ from frame_registrar.filling import (
 from frame_registrar.graph import FrameGraph
 from frame_registrar.heeding import lost_arguments, sentence_about, unheeded_arguments
 from semantic_frames.frame import RelatedFrame
+from semantic_frames.server_profile import Purpose
 from typed_arguments import FilledFrame
 
 Frames = Tuple[FilledFrame, ...]
@@ -106,8 +107,15 @@ class SequenceFinder:
         is_truncated: whether the graph was too large to be searched completely
     """
 
-    def __init__(self, graph: FrameGraph) -> None:
+    def __init__(self, graph: FrameGraph, *, condition: Optional[str] = None) -> None:
+        """
+        Args:
+            graph: frames and servers
+            condition: the words of a condition, which servers watch; None for something to do
+        """
         self.graph = graph
+        self._condition = condition
+        self._purpose = Purpose.ACTS if condition is None else Purpose.WATCHES
         self.is_truncated = False
         self._expansions: Dict[FilledFrame, _Expansion] = {}
         self._known: Dict[FilledFrame, _Options] = {}
@@ -134,15 +142,17 @@ class SequenceFinder:
         """Return why no server can carry out filled frames for which :meth:`find` yielded nothing."""
         stuck = [self._options(frame) for frame in frames if not self._options(frame)]
         refusals = [refusal for options in stuck for refusal in options.refusals]
-        names = tuple(dict.fromkeys(f'"{name}"' for options in stuck for name in options.missing))
-        refusals.append(
-            Refusal(
-                "NO_SERVER",
-                "I understand what you want, but I cannot do it: no server is registered for "
-                f"{join_with_or(names[:6])}.",
-            )
-        )
-        return refusals
+        return [*refusals, self.no_server([name for options in stuck for name in options.missing])]
+
+    def no_server(self, frame_names: Sequence[str]) -> Refusal:
+        """Say that no server is registered for frames."""
+        names = join_with_or(tuple(dict.fromkeys(f'"{name}"' for name in frame_names))[:6])
+        if self._condition is None:
+            sentence = f"I understand what you want, but I cannot do it: no server is registered for {names}."
+        else:
+            what = f'whether "{self._condition}"' if self._condition else "whether that is so"
+            sentence = f"I understand what you want, but I cannot tell {what}: no server watches {names}."
+        return Refusal("NO_SERVER", sentence)
 
     def _options(self, filled: FilledFrame) -> _Options:
         """Return the options of a filled frame; those of its descendants are found first, without recursion."""
@@ -191,7 +201,7 @@ class SequenceFinder:
 
     def _servers(self, filled: FilledFrame) -> Tuple[Tuple[str, ...], List[Refusal]]:
         """Return the servers of a frame that heed everything that was said, or why there are none."""
-        servers = self.graph.servers(filled.name)
+        servers = self.graph.servers(filled.name, self._purpose)
         frame = self.graph.frame(filled.name)
         if frame is None or not servers:
             return servers, []
@@ -255,7 +265,7 @@ class SequenceFinder:
     def _is_offered(self, sequence: Sequence[RelatedFrame]) -> bool:
         """Whether every member or one of its descendants has a server: other arguments might work."""
         return all(
-            any(self.graph.servers(name) for name in (child.name,) + self.graph.descendants(child.name))
+            any(self.graph.servers(name, self._purpose) for name in (child.name,) + self.graph.descendants(child.name))
             for child in sequence
         )
 

@@ -24,6 +24,7 @@ from roboframenet_msgs.msg import (
     FilledLexicalUnit,
     FilledSemanticFrameListList,
     FrameCatalogue,
+    FrameServers,
     LexicalUnitReading,
     Plan,
     PlanNode,
@@ -39,6 +40,8 @@ from roboframenet_testing import wait_until
 from semantic_frames.ros_server_profile import profile_from_message, profile_to_message
 from semantic_frames.server_profile import AS_IN_2012, ServerProfile
 from semantic_frames.server_statement import stated_profile
+from typed_arguments import TypedArgument
+from typed_arguments.ros_messages import to_message
 
 
 class FrameRegistrarTest(unittest.TestCase):
@@ -49,7 +52,8 @@ class FrameRegistrarTest(unittest.TestCase):
         cls.candidates: List[CommandSemanticFrames] = []
         cls.candidates_2012: List[FilledSemanticFrameListList] = []
         cls.events: List[StageEvent] = []
-        cls.catalogue: Optional[FrameCatalogue] = None
+        cls.catalogues: List[FrameCatalogue] = []
+        cls.known: Optional[FrameServers] = None
         cls.problems: Optional[FileProblems] = None
         cls.number = 0
         cls.folder = tempfile.mkdtemp()
@@ -59,7 +63,8 @@ class FrameRegistrarTest(unittest.TestCase):
                 "filled_semantic_frames", FilledSemanticFrameListList, cls.candidates_2012.append, queue_size=10
             ),
             rospy.Subscriber("stage_events", StageEvent, cls.events.append, queue_size=10),
-            rospy.Subscriber("frame_catalogue", FrameCatalogue, lambda message: setattr(cls, "catalogue", message)),
+            rospy.Subscriber("frame_catalogue", FrameCatalogue, cls.catalogues.append),
+            rospy.Subscriber("frame_servers", FrameServers, lambda message: setattr(cls, "known", message)),
             rospy.Subscriber("file_problems", FileProblems, lambda message: setattr(cls, "problems", message)),
         ]
         cls.units = rospy.Publisher("command_lexical_units", CommandLexicalUnits, queue_size=10)
@@ -73,7 +78,8 @@ class FrameRegistrarTest(unittest.TestCase):
         """Whether commands reach the registrar, and all that it says comes back."""
         return (
             self.units.get_num_connections() > 0
-            and self.catalogue is not None
+            and self.catalogues
+            and self.known is not None
             and all(subscriber.get_num_connections() > 0 for subscriber in self.subscribers)
         )
 
@@ -133,8 +139,8 @@ class FrameRegistrarTest(unittest.TestCase):
         return [[filled.action_server_topics[0] for filled in candidate.frames] for candidate in node.candidates]
 
     def is_alive(self, server: str) -> Optional[bool]:
-        """What the catalogue says of a server, None for one that it does not have."""
-        callbacks = self.catalogue.callbacks
+        """What the registrar tells of a server, None for one that it does not have."""
+        callbacks = self.known.callbacks
         return next((callback.is_alive for callback in callbacks if callback.callback_topic == server), None)
 
     def kill(self, node: str) -> None:
@@ -177,6 +183,41 @@ class FrameRegistrarTest(unittest.TestCase):
         repeat, do = message.plan.nodes
         self.assertEqual((repeat.kind, repeat.count, list(repeat.children)), (PlanNode.REPEAT, 2, [1]))
         self.assertEqual(do.candidates[0].frames[0].action_server_topics, ["steady"])
+
+    def test_condition_gets_the_servers_that_watch_and_nothing_moves_without(self) -> None:
+        for name in ("rattling", "fleeing"):
+            self.assertTrue(self.add_frame(f"{name}.yaml", f"name: {name}\nframe_elements: [{{name: theme}}]\n"))
+            self.register(name, "steady")
+        plan = Plan(
+            nodes=[
+                PlanNode(kind=PlanNode.UNTIL, children=[1, 2]),
+                PlanNode(kind=PlanNode.CONDITION, trigger=PlanNode.BEGINS, is_negated=True),
+                PlanNode(kind=PlanNode.DO, limit=rospy.Duration(9)),
+            ]
+        )
+        clauses = [self.clause("rattling", "it rattles", theme="the lid"), self.clause("fleeing", "flee")]
+        event = self.send(clauses, plan)
+        self.assertEqual((event.reply.outcome, event.reply.code), (Reply.REFUSED, "NO_SERVER"))
+        self.assertIn('whether "it rattles": no server watches "rattling"', event.reply.sentence)
+
+        profile = ServerProfileMessage(purpose=ServerProfileMessage.WATCHES)
+        self.assertTrue(self.call("register_server", RegisterServer, "rattling", "second", profile).success)
+        until, condition, do = self.send(clauses, plan).plan.nodes
+        self.assertEqual((until.kind, list(until.children)), (PlanNode.UNTIL, [1, 2]))
+        self.assertEqual((condition.kind, condition.label), (PlanNode.CONDITION, "it rattles"))
+        self.assertEqual((condition.trigger, condition.is_negated), (PlanNode.BEGINS, True))
+        self.assertEqual((self.servers_of(condition), self.servers_of(do)), ([["second"]], [["steady"]]))
+        self.assertEqual(do.limit, rospy.Duration(9))
+
+        members = (TypedArgument(text="the lid"), TypedArgument(text="the pan"))
+        listed = TypedArgument("theme", "the lid or the pan", members=members, conjunction="or")
+        clauses[0].readings[0].arguments = [to_message(listed)]
+        clauses[0].readings[0].lexical_unit.frame_elements[0].argument = listed.text
+        nodes = self.send(clauses, plan).plan.nodes
+        self.assertEqual((nodes[1].kind, list(nodes[1].children)), (PlanNode.ANY, [3, 4]))
+        self.assertEqual((nodes[1].trigger, nodes[1].is_negated), (PlanNode.BEGINS, True))
+        texts = [node.candidates[0].frames[0].frame_elements[0].argument for node in nodes[3:]]
+        self.assertEqual(texts, ["the lid", "the pan"])
 
     def test_each_clause_of_a_command_has_its_own_candidates(self) -> None:
         for name in ("nodding", "humming"):
@@ -229,19 +270,22 @@ class FrameRegistrarTest(unittest.TestCase):
             self.assertTrue(answer.error and answer.error[0])
             self.assertLess(len(answer.error[0]), 300)
 
-    def test_profile_is_in_the_catalogue_and_a_wrong_one_is_refused(self) -> None:
+    def test_profile_is_told_and_a_wrong_one_is_refused(self) -> None:
         self.assertTrue(
             self.add_frame("putting.yaml", "name: putting\nframe_elements: [{name: goal, is_core: true}]\n")
         )
         stated = stated_profile({"heeds": {"Manner": ["slow"], "goal": {"relations": ["on"]}}, "occupies": ["arms"]})
+        catalogue_count = len(self.catalogues)
         answer = self.call("register_server", RegisterServer, "putting", "steady", profile_to_message(stated))
         self.assertEqual((answer.success, list(answer.error)), (True, []))
 
         def profiles() -> List[ServerProfile]:
-            callbacks = [each for each in self.catalogue.callbacks if each.frame_name == "putting"]
+            callbacks = [each for each in self.known.callbacks if each.frame_name == "putting"]
             return [profile_from_message(callback.profile) for callback in callbacks]
 
         wait_until(lambda: profiles() == [stated], message=profiles)
+        # The texts of the files have not changed, and are not sent again.
+        self.assertEqual(len(self.catalogues), catalogue_count)
         wrong = [stated_profile({"heeds": ["Maner"]}), stated_profile({"heeds": {"goal": {"relations": ["nextto"]}}})]
         for profile, hint in zip(wrong, ("did you mean 'Manner'?", "did you mean 'next_to'?")):
             answer = self.call("register_server", RegisterServer, "putting", "steady", profile_to_message(profile))
@@ -321,9 +365,9 @@ class FrameRegistrarTest(unittest.TestCase):
             thread.join()
         self.assertTrue(self.add_frame("vanishing.yaml", "name: vanishing\n"))
         os.remove(os.path.join(self.folder, "vanishing.yaml"))
-        old = self.catalogue.registrar_id
+        old = self.known.registrar_id
         self.kill("frame_registrar")
-        wait_until(lambda: self.catalogue.registrar_id != old, message="no new registrar")
+        wait_until(lambda: self.known.registrar_id != old, message="no new registrar")
         wait_until(self.is_connected)
         for name in names:
             self.assertEqual(self.call("get_empty_frame", GetEmptyFrame, name).frame.name, name)

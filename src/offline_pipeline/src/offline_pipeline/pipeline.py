@@ -215,7 +215,7 @@ class Pipeline:
         outcome, context = with_habits(
             heard.outcome, heard.context, arguments=parameters.arguments, questions=parameters.questions, trace=trace
         )
-        found: Union[Tuple[Tuple[registrar.Candidate, ...], ...], registrar.Refusal] = ()
+        found: Union[Tuple[registrar.Found, ...], registrar.Refusal] = ()
         if isinstance(outcome, Understood):
             readings = tuple(readings[0] for readings in outcome.clauses)
             found = self._search(outcome.clauses)
@@ -223,7 +223,7 @@ class Pipeline:
                 reply = Reply(registrar.reply_outcome(found), found.code, found.sentence)
             else:
                 first = ", then ".join(
-                    ", then ".join(f"{frame.name} on {frame.server}" for frame in ways[0].frames)
+                    _described(registrar.candidates_of(ways)[0])
                     + (f" ({reading.control.phrase})" if reading.control.is_said else "")
                     for reading, ways in zip(readings, found)
                 )
@@ -244,14 +244,14 @@ class Pipeline:
             tree_read=heard.sentence.tree if heard.sentence is not None else None,
             readings=readings,
             descriptions=said,
-            candidates=() if isinstance(found, registrar.Refusal) else found,
+            candidates=() if isinstance(found, registrar.Refusal) else tuple(map(registrar.candidates_of, found)),
             trace=trace.lines if trace is not None else (),
             context=context,
         )
 
     def _search(
         self, clauses: Tuple[Tuple[Reading, ...], ...]
-    ) -> Union[Tuple[Tuple[registrar.Candidate, ...], ...], registrar.Refusal]:
+    ) -> Union[Tuple[registrar.Found, ...], registrar.Refusal]:
         return registrar.search(
             self.knowledge.graph,
             [
@@ -260,6 +260,10 @@ class Pipeline:
             ],
             max_candidates=self._parameters.max_candidates,
         )
+
+
+def _described(candidate: registrar.Candidate) -> str:
+    return ", then ".join(f"{frame.name} on {frame.server}" for frame in candidate.frames)
 
 
 def _registrar_reading(reading: Reading, preference: int) -> registrar.Reading:

@@ -12,6 +12,7 @@ from roboframenet_msgs.msg import (
     CommandStatus,
     FilledSemanticFrameResult,
     FrameCatalogue,
+    FrameServers,
     StageEvent,
 )
 from roboframenet_msgs.msg import (
@@ -56,8 +57,8 @@ class QuestionAnswering:
     Actions:
         question_answering (roboframenet_msgs/FilledSemanticFrameAction): every frame of :data:`answers.ANSWERS`
     Subscribes:
-        world (World), frame_catalogue (FrameCatalogue), lexicon (Lexicon), status (CommandStatus),
-        stage_events (StageEvent), command_question (CommandPlan)
+        world (World), frame_catalogue (FrameCatalogue), frame_servers (FrameServers), lexicon (Lexicon),
+        status (CommandStatus), stage_events (StageEvent), command_question (CommandPlan)
     Publishes:
         stage_events (StageEvent)
     Parameters: see :class:`Settings`.
@@ -70,12 +71,15 @@ class QuestionAnswering:
         self._world = World()
         self._frames: Dict[str, SemanticFrame] = {}
         self._units: Tuple[LexicalUnit, ...] = ()
+        #: Frames with a living server, and of those the ones that can be carried out or answered.
+        self._alive: FrozenSet[str] = frozenset()
         self._served: FrozenSet[str] = frozenset()
         self._status = CommandStatus()
         self._said: Deque[Command] = deque(maxlen=2)
         self._subscribers = [
             rospy.Subscriber("world", WorldMessage, self._on_world, queue_size=1),
             rospy.Subscriber("frame_catalogue", FrameCatalogue, self._on_catalogue, queue_size=1),
+            rospy.Subscriber("frame_servers", FrameServers, self._on_servers, queue_size=1),
             rospy.Subscriber("lexicon", LexiconMessage, self._on_lexicon, queue_size=1),
             rospy.Subscriber("status", CommandStatus, self._on_status, queue_size=1),
             rospy.Subscriber("stage_events", StageEvent, self._on_event, queue_size=100),
@@ -98,9 +102,14 @@ class QuestionAnswering:
             except FileRefused:
                 continue  # the registrar has said so
             frames[frame.name] = frame
-        alive = frozenset(one.frame_name for one in message.callbacks if one.is_alive)
         with self._lock:
-            self._frames, self._served = frames, served_frames(frames, alive)
+            self._frames = frames
+            self._served = served_frames(frames, self._alive)
+
+    def _on_servers(self, message: FrameServers) -> None:
+        with self._lock:
+            self._alive = frozenset(one.frame_name for one in message.callbacks if one.is_alive)
+            self._served = served_frames(self._frames, self._alive)
 
     def _on_lexicon(self, message: LexiconMessage) -> None:
         units = []

@@ -4,7 +4,7 @@ import threading
 from typing import Optional
 
 import rospy
-from roboframenet_msgs.msg import FilledSemanticFrame, FilledSemanticFrameResult, FrameCatalogue
+from roboframenet_msgs.msg import FilledSemanticFrame, FilledSemanticFrameResult, FrameServers
 from std_msgs.msg import String
 
 from rfnserver.pinging import ping_sentence
@@ -18,27 +18,27 @@ class PingServer:
     Actions:
         pinging (roboframenet_msgs/FilledSemanticFrameAction)
     Subscribes:
-        frame_catalogue (FrameCatalogue)
+        frame_servers (FrameServers)
     Publishes:
         said (std_msgs/String, latched)
     """
 
     def __init__(self) -> None:
         self._lock = threading.Lock()
-        self._catalogue: Optional[FrameCatalogue] = None
+        self._servers: Optional[FrameServers] = None
         self._said = rospy.Publisher("said", String, queue_size=1, latch=True)
-        self._subscriber = rospy.Subscriber("frame_catalogue", FrameCatalogue, self._on_catalogue, queue_size=1)
+        self._subscriber = rospy.Subscriber("frame_servers", FrameServers, self._on_servers, queue_size=1)
         self._server = RFNServer("pinging", self._on_frame)
         self._server.register_with_frame("pinging")
         self._server.start()
 
-    def _on_catalogue(self, message: FrameCatalogue) -> None:
+    def _on_servers(self, message: FrameServers) -> None:
         with self._lock:
-            self._catalogue = message
+            self._servers = message
 
     def _on_frame(self, _frame: FilledSemanticFrame) -> None:
         with self._lock:
-            callbacks = self._catalogue.callbacks if self._catalogue else []
+            callbacks = self._servers.callbacks if self._servers else []
         sentence = ping_sentence((each.frame_name, each.callback_topic, each.is_alive) for each in callbacks)
         rospy.loginfo(sentence)
         self._said.publish(String(data=sentence))

@@ -35,7 +35,9 @@ class Observed:
     stamp: rospy.Time
 
 
-Holds = Callable[[TypedFrame], Union[bool, Observed]]
+Holds = Callable[[TypedFrame], Union[bool, Observed, None]]
+#: Called when somebody begins to watch; returns a function that is called when nobody watches any more.
+WhileWatched = Callable[[], Callable[[], None]]
 
 
 @dataclass
@@ -54,16 +56,26 @@ class ConditionServer(_Registering, QuietActionServer):
         server.start()
 
     The function gets the filled frame and returns whether it holds now: True or False, or `Observed` with the stamp of
-    the message that shows it. It raises `ConditionUnknown` if nobody can tell. It is asked in a thread of the server
-    while somebody watches, and at once after `changed`.
+    the message that shows it; None while the first message is not there yet. It raises `ConditionUnknown` if nobody can
+    tell. It is asked in a thread of the server while somebody watches, and at once after `changed`.
     """
 
-    def __init__(self, name: str, holds: Holds, *, period_s: float = 0.05, **statement: Any) -> None:
+    def __init__(
+        self,
+        name: str,
+        holds: Holds,
+        *,
+        period_s: float = 0.05,
+        while_watched: WhileWatched = lambda: lambda: None,
+        **statement: Any,
+    ) -> None:
         """
         Args:
             name: of the action server
             holds: whether a frame holds
             period_s: pause between two questions
+            while_watched: called when somebody begins to watch, to subscribe to what costs much for example; returns a
+                function that ends that
             **statement: what the server states about itself: ``heeds={"phenomenon": {"values": ["wall"]}}``,
                 ``longest_silence_s=2.0``; see :mod:`semantic_frames.server_statement`
         Raises:
@@ -71,6 +83,7 @@ class ConditionServer(_Registering, QuietActionServer):
         """
         self._holds = holds
         self._period_s = period_s
+        self._while_watched = while_watched
         self._watched: Dict[str, _Watched] = {}
         self._condition = threading.Condition()
         self._is_asking = False
@@ -90,12 +103,19 @@ class ConditionServer(_Registering, QuietActionServer):
                 self._condition.notify_all()
                 return
             self._is_asking = True
-        threading.Thread(target=self._ask, name="condition_server", daemon=True).start()
+        threading.Thread(target=self._watch, name="condition_server", daemon=True).start()
 
     def _on_cancel(self, handle: actionlib.ServerGoalHandle) -> None:
         with self._condition:
             self._watched.pop(handle.get_goal_id().id, None)
         handle.set_canceled(FilledSemanticFrameResult(success=False), "")
+
+    def _watch(self) -> None:
+        end = self._while_watched()
+        try:
+            self._ask()
+        finally:
+            end()
 
     def _ask(self) -> None:
         while not rospy.is_shutdown():
@@ -123,6 +143,8 @@ class ConditionServer(_Registering, QuietActionServer):
         except Exception as error:  # boundary: the user's function may raise anything
             rospy.logerr("the function of a condition failed: %s: %s", type(error).__name__, error)
             return f"{type(error).__name__}: {error}"
+        if said is None:
+            return ""
         observed = said if isinstance(said, Observed) else Observed(bool(said), rospy.Time.now())
         now_s = time.monotonic()
         if observed.holds is watched.holds and now_s - watched.said_s < REPETITION_S:

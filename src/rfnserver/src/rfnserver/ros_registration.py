@@ -5,7 +5,7 @@ import time
 from typing import Any, Callable, Dict, List, Optional, Sequence, Set, Tuple
 
 import rospy
-from roboframenet_msgs.msg import FrameCatalogue, Lexicon
+from roboframenet_msgs.msg import FrameServers, Lexicon
 from roboframenet_msgs.srv import AddFrame, AddLexicalUnit, RegisterServer, RegisterWithFrame
 
 from rfnserver.registration import (
@@ -41,7 +41,7 @@ class Registration:
     """The registration requests of one server, and a thread that repeats them.
 
     Subscribes:
-        frame_catalogue, lexicon (latched): what registrar and framer know, and when they restarted
+        frame_servers, lexicon (latched): what registrar and framer know, and when they restarted
     Services:
         add_frame, add_lexical_unit, register_with_frame, register_server: called
     """
@@ -124,7 +124,7 @@ class Registration:
             self._thread = threading.Thread(target=self._run, name=f"registration of {self._server_name}", daemon=True)
             self._thread.start()
         subscribers = (
-            rospy.Subscriber("frame_catalogue", FrameCatalogue, self._on_catalogue, queue_size=1),
+            rospy.Subscriber("frame_servers", FrameServers, self._on_servers, queue_size=1),
             rospy.Subscriber("lexicon", Lexicon, self._on_lexicon, queue_size=1),
         )
         with self._condition:
@@ -134,10 +134,10 @@ class Registration:
             self._unsubscribe()
         rospy.on_shutdown(self.close)
 
-    def _on_catalogue(self, message: FrameCatalogue) -> None:
+    def _on_servers(self, message: FrameServers) -> None:
         known = KnownState(
             id=message.registrar_id,
-            files=frozenset(file.path for file in message.files),
+            files=frozenset(message.paths),
             registrations=frozenset(
                 callback.frame_name for callback in message.callbacks if callback.callback_topic == self._server_name
             ),

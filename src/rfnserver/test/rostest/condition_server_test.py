@@ -28,11 +28,18 @@ class ConditionServerTest(unittest.TestCase):
         def is_open(frame):
             if cls.is_silent:
                 raise ConditionUnknown("/doors is silent")
+            if frame["theme"].text == "the cellar":
+                return None
             if frame["theme"].text == "the attic":
                 return Observed(True, cls.stamp)
             return frame["theme"].text in cls.open_doors
 
-        cls.server = ConditionServer("door_watch", is_open, longest_silence_s=2.0)
+        def while_watched():
+            cls.watched.append("begin")
+            return lambda: cls.watched.append("end")
+
+        cls.watched = []
+        cls.server = ConditionServer("door_watch", is_open, while_watched=while_watched, longest_silence_s=2.0)
         cls.server.start()
         cls.client = actionlib.ActionClient("door_watch", FilledSemanticFrameAction)
         cls.feedback = []
@@ -88,6 +95,21 @@ class ConditionServerTest(unittest.TestCase):
         type(self).is_silent = True
         wait_until(lambda: handle.get_goal_status() == GoalStatus.ABORTED)
         self.assertEqual("/doors is silent", handle.get_goal_status_text())
+
+    def test_says_nothing_before_it_knows(self):
+        cellar, kitchen = self.watch("the cellar"), self.watch("the kitchen")
+        wait_until(lambda: len(self.feedback) >= 3)
+        self.assertEqual(([], [False]), (self.said(cellar), self.said(kitchen)))
+        self.end(cellar, kitchen)
+
+    def test_knows_when_somebody_watches(self):
+        wait_until(lambda: not self.server._is_asking and self.watched[-1:] != ["begin"])
+        del self.watched[:]
+        one, two = self.watch("the kitchen"), self.watch("the hall")
+        wait_until(lambda: self.said(one) == [False] and self.said(two) == [False])
+        self.assertEqual(["begin"], self.watched)
+        self.end(one, two)
+        wait_until(lambda: self.watched == ["begin", "end"])
 
     def test_watches_again_after_a_pause(self):
         self.end(self.watch("the kitchen"))

@@ -18,7 +18,7 @@ from roboframenet_msgs.msg import (
     FilledSemanticFrameAction,
     FilledSemanticFrameGoal,
     FrameCallback,
-    FrameCatalogue,
+    FrameServers,
     Lexicon,
 )
 from roboframenet_msgs.srv import (
@@ -56,12 +56,12 @@ class Goal:
 
 
 class Registrar:
-    """Just enough of a registrar: the service and the latched catalogue."""
+    """Just enough of a registrar: the service and the latched topic."""
 
     def __init__(self, registrar_id: str) -> None:
         self.requests: List[RegisterWithFrameRequest] = []
         self._id = registrar_id
-        self._publisher = rospy.Publisher("frame_catalogue", FrameCatalogue, queue_size=1, latch=True)
+        self._publisher = rospy.Publisher("frame_servers", FrameServers, queue_size=1, latch=True)
         self._service = rospy.Service("register_with_frame", RegisterWithFrame, self._on_register)
         self._publish()
 
@@ -77,7 +77,7 @@ class Registrar:
 
     def _publish(self) -> None:
         self._publisher.publish(
-            FrameCatalogue(
+            FrameServers(
                 registrar_id=self._id,
                 callbacks=[
                     FrameCallback(frame_name=request.frame_name, callback_topic=request.callback_topic, is_alive=True)
@@ -219,7 +219,7 @@ class RFNServerTest(unittest.TestCase):
             requests = [request for request in self.registrar.requests if request.callback_topic == "returning"]
             return {request.frame_name for request in requests}
 
-        # Twice, where the catalogue of before the registration arrives after it; that does no harm.
+        # Twice, where the state of before the registration arrives after it; that does no harm.
         self.assertEqual(frames(), {"coming_back"})
         self.registrar.restart("second")
         wait_until(lambda: frames() == {"coming_back"})

@@ -5,7 +5,7 @@ import time
 from typing import Callable, Dict, List, Optional
 
 import rospy
-from roboframenet_msgs.msg import CommandLexicalUnits, CommandPlan, FrameCatalogue, Reply, StageEvent
+from roboframenet_msgs.msg import CommandLexicalUnits, CommandPlan, FrameServers, Reply, StageEvent
 from std_msgs.msg import String
 
 
@@ -15,7 +15,7 @@ class Conversation:
     Publishes:
         text (std_msgs/String)
     Subscribes:
-        stage_events, reply, frame_catalogue, command_lexical_units, command_plan
+        stage_events, reply, frame_servers, command_lexical_units, command_plan
     """
 
     def __init__(self, on_event: Callable[[StageEvent], None]) -> None:
@@ -30,7 +30,7 @@ class Conversation:
         self._text = rospy.Publisher("text", String, queue_size=10)
         self._subscribers = [
             rospy.Subscriber("stage_events", StageEvent, on_event, queue_size=100),
-            rospy.Subscriber("frame_catalogue", FrameCatalogue, self._on_catalogue, queue_size=1),
+            rospy.Subscriber("frame_servers", FrameServers, self._on_servers, queue_size=1),
             rospy.Subscriber("reply", Reply, self._replies.put, queue_size=100),
             rospy.Subscriber("command_lexical_units", CommandLexicalUnits, self._on_reading, queue_size=100),
             rospy.Subscriber("command_plan", CommandPlan, self._on_plan, queue_size=100),
@@ -83,7 +83,7 @@ class Conversation:
         """Return the readings of a command from the framer; None for none."""
         return self._readings.get(command_id)
 
-    def _on_catalogue(self, message: FrameCatalogue) -> None:
+    def _on_servers(self, message: FrameServers) -> None:
         if any(callback.is_alive for callback in message.callbacks):
             self._registered_s = time.monotonic()
 

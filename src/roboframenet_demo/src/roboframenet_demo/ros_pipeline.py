@@ -17,7 +17,7 @@ STAGE_TOPICS = (
     "command_plan",
 )
 #: Topics that bypass stages of the pipeline, or lead back to earlier ones.
-OTHER_TOPICS = ("command_cancel", "stop_report", "stage_events", "reply", "lexicon", "frame_catalogue")
+OTHER_TOPICS = ("command_cancel", "stop_report", "stage_events", "reply", "lexicon", "frame_catalogue", "frame_servers")
 #: How long a node may take to answer, seconds.
 _ANSWER_TIMEOUT_S = 5.0
 

@@ -6,7 +6,7 @@ from typing import Iterable, List, Optional, Set, Type
 
 import actionlib
 import rospy
-from roboframenet_msgs.msg import ExecuteCommandAction, ExecuteCommandGoal, FrameCatalogue, Lexicon, Reply
+from roboframenet_msgs.msg import ExecuteCommandAction, ExecuteCommandGoal, FrameServers, Lexicon, Reply
 
 from roboframenet_demo.ros_pipeline import is_pipeline_complete
 from roboframenet_testing import comes_true
@@ -16,14 +16,14 @@ class _Known:
     """What the running graph can do and has read, as its latched topics say.
 
     Subscribes:
-        frame_catalogue (FrameCatalogue), lexicon (Lexicon)
+        frame_servers (FrameServers), lexicon (Lexicon)
     """
 
     def __init__(self) -> None:
         self.frames: Set[str] = set()
         self.unit_files: Set[str] = set()
         self._subscribers = (
-            rospy.Subscriber("frame_catalogue", FrameCatalogue, self._on_catalogue),
+            rospy.Subscriber("frame_servers", FrameServers, self._on_servers),
             rospy.Subscriber("lexicon", Lexicon, self._on_lexicon),
         )
 
@@ -36,8 +36,8 @@ class _Known:
         for subscriber in self._subscribers:
             subscriber.unregister()
 
-    def _on_catalogue(self, catalogue: FrameCatalogue) -> None:
-        self.frames.update(callback.frame_name for callback in catalogue.callbacks if callback.is_alive)
+    def _on_servers(self, message: FrameServers) -> None:
+        self.frames.update(callback.frame_name for callback in message.callbacks if callback.is_alive)
 
     def _on_lexicon(self, lexicon: Lexicon) -> None:
         self.unit_files.update(os.path.basename(file.path) for file in lexicon.files)

@@ -6,7 +6,7 @@ from typing import List
 import rosgraph
 import rosnode
 import rospy
-from roboframenet_msgs.msg import FileProblem, FileProblems, FrameCatalogue
+from roboframenet_msgs.msg import FileProblem, FileProblems, FrameCatalogue, FrameServers
 
 from offline_pipeline.knowledge import load_texts
 from roboframenet_tools.finding import Finding
@@ -65,6 +65,7 @@ def _knowledge() -> List[Finding]:
     subscriber = rospy.Subscriber("file_problems", FileProblems, lambda message: problems.extend(message.problems))
     try:
         catalogue = rospy.wait_for_message("frame_catalogue", FrameCatalogue, timeout=_TIMEOUT_S)
+        registered = rospy.wait_for_message("frame_servers", FrameServers, timeout=_TIMEOUT_S)
     except rospy.ROSException:
         return [Finding("catalogue", "the registrar publishes none", "look at the log of frame_registrar")]
     finally:
@@ -72,7 +73,7 @@ def _knowledge() -> List[Finding]:
         time.sleep(_PAUSE_S)
         subscriber.unregister()
     knowledge = load_texts([(file.path, lambda file=file: file.text) for file in catalogue.files], [])
-    servers = [Registered(one.frame_name, one.callback_topic, one.is_alive) for one in catalogue.callbacks]
+    servers = [Registered(one.frame_name, one.callback_topic, one.is_alive) for one in registered.callbacks]
     refused = [
         Finding("file", f"{one.path}:{one.line}: {one.key}: {one.found}", f"expected {one.expected} {one.hint}".strip())
         for one in problems

@@ -5,7 +5,7 @@ from typing import Iterator, Tuple
 
 import rosgraph
 import rospy
-from roboframenet_msgs.msg import FrameCatalogue, Lexicon, StageEvent
+from roboframenet_msgs.msg import FrameCatalogue, FrameServers, Lexicon, StageEvent
 
 from command_server.settings import Settings as CommandServerSettings
 from frame_registrar.node import Settings as FrameRegistrarSettings
@@ -22,7 +22,7 @@ def is_master_up() -> bool:
 
 
 def live_knowledge(*, timeout_s: float) -> Knowledge:
-    """Read the latched catalogue and lexicon.
+    """Read the latched catalogue, servers and lexicon.
 
     Args:
         timeout_s: how long to wait for each, seconds
@@ -34,6 +34,7 @@ def live_knowledge(*, timeout_s: float) -> Knowledge:
     try:
         _join()
         catalogue = rospy.wait_for_message("frame_catalogue", FrameCatalogue, timeout=timeout_s)
+        servers = rospy.wait_for_message("frame_servers", FrameServers, timeout=timeout_s)
         lexicon = rospy.wait_for_message("lexicon", Lexicon, timeout=timeout_s)
     except rospy.ROSException as error:
         raise LookupError(f"the pipeline is not up: {error}") from error
@@ -41,7 +42,7 @@ def live_knowledge(*, timeout_s: float) -> Knowledge:
         [(file.path, lambda file=file: file.text) for file in catalogue.files],
         [(file.path, lambda file=file: file.text) for file in lexicon.files],
     )
-    for callback in catalogue.callbacks:
+    for callback in servers.callbacks:
         if callback.is_alive:
             knowledge.graph.register(callback.frame_name, callback.callback_topic)
     return knowledge

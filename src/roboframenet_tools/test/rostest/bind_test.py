@@ -32,7 +32,7 @@ class BindTest(unittest.TestCase):
     def test_binding_has_the_type_of_the_server(self) -> None:
         ended = bind("drive_base", "--frame", "navigating_to_location")
         self.assertEqual(0, ended.returncode, ended.stderr)
-        (binding,) = load_bindings(ended.stdout, "standard output")
+        (binding,) = load_bindings(ended.stdout, "standard output").bindings
         self.assertEqual((Kind.ACTION, "move_base_msgs/MoveBaseAction"), (binding.kind, binding.type_name))
         self.assertEqual({"target_pose": "goal"}, binding.fields)
 
@@ -46,7 +46,7 @@ class BindTest(unittest.TestCase):
             path = os.path.join(folder, "bindings.yaml")
             bind("set_light", "--frame", "pinging", "--out", path)
             with open(path, encoding="utf-8") as file:
-                (binding,) = load_bindings(file.read(), path)
+                (binding,) = load_bindings(file.read(), path).bindings
             self.assertEqual((Kind.SERVICE, "std_srvs/SetBool"), (binding.kind, binding.type_name))
             self.assertEqual(("success", "message"), (binding.success_field, binding.text_field))
             self.assertEqual(2, bind("set_light", "--frame", "pinging", "--out", path).returncode)

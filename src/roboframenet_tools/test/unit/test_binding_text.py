@@ -19,14 +19,14 @@ def text_of(fields, elements, target="server"):
 
 def test_place_is_guessed():
     text, fault = text_of((POSE, PATH), GOING)
-    (binding,) = load_bindings(text, "bindings.yaml")
+    (binding,) = load_bindings(text, "bindings.yaml").bindings
     assert fault is None
     assert (binding.frame_name, binding.target, binding.fields) == ("going", "server", {"target_pose": "goal"})
 
 
 def test_same_names_and_what_keeps_its_default():
     text, fault = text_of((ORDER, GoalField("speed", "float64", {})), (BoundElement("order", is_core=True),))
-    (binding,) = load_bindings(text, "bindings.yaml")
+    (binding,) = load_bindings(text, "bindings.yaml").bindings
     assert (fault, binding.fields) == (None, {"order": "order"})
     assert "# speed: float64, keeps its default" in text
 
@@ -46,7 +46,7 @@ def test_what_cannot_be_guessed_is_said():
 
 def test_server_with_the_name_of_its_frame_gets_another_name():
     text, _ = text_of((POSE,), GOING, target="/going")
-    (binding,) = load_bindings(text, "bindings.yaml")
+    (binding,) = load_bindings(text, "bindings.yaml").bindings
     assert (binding.name, binding.target) == ("going_binding", "/going")
 
 

@@ -14,6 +14,7 @@ from roboframenet_msgs.msg import (
     FileProblems,
     FilledLexicalUnitList,
     FrameCatalogue,
+    FrameServers,
     Reply,
     SourceFile,
     StopReport,
@@ -63,8 +64,8 @@ class SemanticFramer:
     """Understands commands, one at a time.
 
     Subscribes:
-        command_parse (CommandParse), frame_catalogue (FrameCatalogue, latched), stop_report (StopReport),
-        known_names (KnownNames, latched), world (World, latched)
+        command_parse (CommandParse), frame_catalogue (FrameCatalogue, latched), frame_servers (FrameServers, latched),
+        stop_report (StopReport), known_names (KnownNames, latched), world (World, latched)
     Publishes:
         command_lexical_units (CommandLexicalUnits), filled_lexical_units (FilledLexicalUnitList),
         lexicon (Lexicon, latched), file_problems (FileProblems, latched), stage_events (StageEvent)
@@ -78,6 +79,7 @@ class SemanticFramer:
         self._lock = threading.Condition()
         self._lexicon = Lexicon()
         self._frames: Dict[str, SemanticFrame] = {}
+        self._servers = FrameServers()
         self._heeded: Mapping[str, FrameHeeding] = {}
         self._frame_of_file: Dict[Tuple[str, str], SemanticFrame] = {}
         self._context = Context()
@@ -100,6 +102,7 @@ class SemanticFramer:
         state = self._files.add(self._configured + tuple(self._added))
         self._subscribers = [
             rospy.Subscriber("frame_catalogue", FrameCatalogue, self._on_catalogue, queue_size=1),
+            rospy.Subscriber("frame_servers", FrameServers, self._on_servers, queue_size=1),
             rospy.Subscriber("command_parse", CommandParse, self._on_command, queue_size=100),
             rospy.Subscriber("stop_report", StopReport, self._on_stop, queue_size=100),
             rospy.Subscriber("known_names", KnownNamesMessage, self._on_names, queue_size=1),
@@ -178,16 +181,21 @@ class SemanticFramer:
         of_file = {}
         for file in message.files:
             try:
-                # Reuse the known frames, so that one registration does not read every file again.
+                # Reuse the known frames, so that a file that is added does not make every file be read again.
                 of_file[file.path, file.text] = known.get((file.path, file.text)) or load_frame(file.text, file.path)
             except FileRefused as refused:
                 rospy.logwarn("the catalogue holds a frame that cannot be read: %s", refused)
         self._frame_of_file = of_file
         frames = {frame.name: frame for frame in of_file.values()}
-        heeded = heeded_elements(frames, acting_servers(message))
         with self._lock:
-            self._frames, self._heeded = frames, heeded
+            self._frames = frames
+            self._heeded = heeded_elements(frames, acting_servers(self._servers))
             self._lock.notify_all()
+
+    def _on_servers(self, message: FrameServers) -> None:
+        with self._lock:
+            self._servers = message
+            self._heeded = heeded_elements(self._frames, acting_servers(message))
 
     def _on_stop(self, report: StopReport) -> None:
         """Forget the open question and the last command: after a stop, nothing answers or repeats them."""

@@ -8,7 +8,7 @@ from roboframenet_msgs.msg import (
     FilledFrameElement,
     FilledLexicalUnit,
     FilledLexicalUnitList,
-    FrameCatalogue,
+    FrameServers,
     LexicalUnitReading,
     Plan,
     PlanNode,
@@ -23,10 +23,10 @@ from typed_arguments.ros_messages import to_message
 from utterance_passes.tree import DependencyTree
 
 
-def acting_servers(catalogue: FrameCatalogue) -> Mapping[str, Sequence[ServerProfile]]:
+def acting_servers(message: FrameServers) -> Mapping[str, Sequence[ServerProfile]]:
     """Return the profiles of the live servers that act, for each frame that has one."""
     found: Dict[str, List[ServerProfile]] = {}
-    for callback in catalogue.callbacks:
+    for callback in message.callbacks:
         if callback.is_alive and callback.profile.purpose == Purpose.ACTS:
             found.setdefault(callback.frame_name, []).append(profile_from_message(callback.profile))
     return found

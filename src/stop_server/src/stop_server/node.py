@@ -11,7 +11,7 @@ from dataclasses import dataclass
 from typing import Dict, Optional
 
 import rospy
-from roboframenet_msgs.msg import Command, ExecuteCommandActionGoal, FrameCatalogue, Reply, StopReport
+from roboframenet_msgs.msg import Command, ExecuteCommandActionGoal, FrameServers, Reply, StopReport
 from std_msgs.msg import Empty, String
 
 from command_server.stop_words import is_stop
@@ -56,7 +56,7 @@ class _Told:
 class StopServerNode:
     """Stops the robot.
 
-    Subscribes: ``text``, ``command/goal``, ``frame_catalogue``, ``reply``, ``text_taken``,
+    Subscribes: ``text``, ``command/goal``, ``frame_servers``, ``reply``, ``text_taken``,
     ``command_server_started``. Publishes: ``stop_report``, ``reply``,
     ``<server>/cancel`` of the action servers, zero velocity. Actions: ``stopping``.
     """
@@ -89,7 +89,7 @@ class StopServerNode:
                 ExecuteCommandActionGoal,
                 lambda message: self._hear(message.goal.text, message.goal_id.id),
             ),
-            rospy.Subscriber("frame_catalogue", FrameCatalogue, self._hear_catalogue),
+            rospy.Subscriber("frame_servers", FrameServers, self._hear_servers),
             rospy.Subscriber("text_taken", String, lambda message: self._hear_taken(message.data)),
             rospy.Subscriber("command_server_started", Empty, lambda _: self._hear_start()),
         ]
@@ -147,12 +147,10 @@ class StopServerNode:
             with self._lock:
                 self._others.note(reply.command.id, reply.command.text, stamp_ns=reply.command.stamp.to_nsec())
 
-    def _hear_catalogue(self, catalogue: FrameCatalogue) -> None:
+    def _hear_servers(self, message: FrameServers) -> None:
         self._brake.servers.set_registered(
             frozenset(
-                rospy.resolve_name(callback.callback_topic)
-                for callback in catalogue.callbacks
-                if callback.callback_topic
+                rospy.resolve_name(callback.callback_topic) for callback in message.callbacks if callback.callback_topic
             )
         )
 

@@ -16,7 +16,7 @@ from roboframenet_msgs.msg import (
     FilledSemanticFrameAction,
     FilledSemanticFrameGoal,
     FrameCallback,
-    FrameCatalogue,
+    FrameServers,
     Reply,
     StopReport,
 )
@@ -57,13 +57,13 @@ class StopServerNodeTest(unittest.TestCase):
         ]
         cls.text = rospy.Publisher("text", String, queue_size=100)
         cls.goal = rospy.Publisher("command/goal", ExecuteCommandActionGoal, queue_size=10)
-        cls.catalogue = rospy.Publisher("frame_catalogue", FrameCatalogue, queue_size=1, latch=True)
+        cls.servers = rospy.Publisher("frame_servers", FrameServers, queue_size=1, latch=True)
         wait_until(lambda: all(entity.get_num_connections() == 1 for entity in subscribers + [cls.text, cls.goal]))
         cls.movers = [Mover("turn_server", FilledSemanticFrameAction), Mover("drive_server", FilledSemanticFrameAction)]
         cls.navigation = Mover("navigation_stack", TestAction)
         cls.registered = Mover("registered_server", TestAction)
         cls.stranger = Mover("stranger", TestAction)
-        cls.catalogue.publish(FrameCatalogue(callbacks=[FrameCallback(callback_topic="registered_server")]))
+        cls.servers.publish(FrameServers(callbacks=[FrameCallback(callback_topic="registered_server")]))
 
     def setUp(self):
         for known in (self.replies, self.reports, self.velocities, self.other_velocities):

@@ -7,7 +7,7 @@ from dataclasses import replace
 from typing import Callable, Dict, Optional, Tuple
 
 import rospy
-from roboframenet_msgs.msg import FrameCatalogue, KnownNames, Lexicon, Reply
+from roboframenet_msgs.msg import FrameCatalogue, FrameServers, KnownNames, Lexicon, Reply
 from std_msgs.msg import Bool, Empty, String
 from std_srvs.srv import Trigger, TriggerRequest, TriggerResponse
 
@@ -60,7 +60,8 @@ class VoiceRecognition:
     """Hears commands.
 
     Subscribes:
-        lexicon (Lexicon), frame_catalogue (FrameCatalogue), known_names (KnownNames): what can be said;
+        lexicon (Lexicon), frame_catalogue (FrameCatalogue), frame_servers (FrameServers),
+        known_names (KnownNames): what can be said;
         speaking (std_msgs/Bool), said (std_msgs/String): the robot's own voice; reply (Reply); text, voice_answer
         (std_msgs/String): answers by another way; push_to_talk (std_msgs/Empty); LiveSpeech of other voices
     Publishes:
@@ -94,6 +95,7 @@ class VoiceRecognition:
         self._subscribers = [
             rospy.Subscriber("lexicon", Lexicon, self._on_lexicon, queue_size=1),
             rospy.Subscriber("frame_catalogue", FrameCatalogue, self._on_catalogue, queue_size=1),
+            rospy.Subscriber("frame_servers", FrameServers, self._on_servers, queue_size=1),
             rospy.Subscriber("known_names", KnownNames, self._on_names, queue_size=1),
             rospy.Subscriber("speaking", Bool, self._on_speaking, queue_size=10),
             rospy.Subscriber("said", String, self._on_said, queue_size=10),
@@ -113,10 +115,10 @@ class VoiceRecognition:
         self._know(unit_files=tuple((file.path, file.text) for file in message.files))
 
     def _on_catalogue(self, message: FrameCatalogue) -> None:
-        self._know(
-            frame_files=tuple((file.path, file.text) for file in message.files),
-            served=frozenset(one.frame_name for one in message.callbacks if one.is_alive),
-        )
+        self._know(frame_files=tuple((file.path, file.text) for file in message.files))
+
+    def _on_servers(self, message: FrameServers) -> None:
+        self._know(served=frozenset(one.frame_name for one in message.callbacks if one.is_alive))
 
     def _on_names(self, message: KnownNames) -> None:
         self._know(names=tuple((known.name, tuple(known.semantic_types)) for known in message.names))

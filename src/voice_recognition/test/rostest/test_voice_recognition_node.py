@@ -8,7 +8,7 @@ from typing import List
 
 import rospy
 from hri_msgs.msg import IdsList, LiveSpeech
-from roboframenet_msgs.msg import FrameCallback, FrameCatalogue, Lexicon, SourceFile
+from roboframenet_msgs.msg import FrameCallback, FrameCatalogue, FrameServers, Lexicon, SourceFile
 from std_msgs.msg import String
 from std_srvs.srv import Trigger
 
@@ -40,9 +40,11 @@ class VoiceRecognitionNode(unittest.TestCase):
         cls.tracked = rospy.Publisher("/humans/voices/tracked", IdsList, queue_size=1, latch=True)
         cls.speech = rospy.Publisher("/humans/voices/somebody/speech", LiveSpeech, queue_size=1)
         cls.catalogue = rospy.Publisher("frame_catalogue", FrameCatalogue, queue_size=1, latch=True)
+        cls.servers = rospy.Publisher("frame_servers", FrameServers, queue_size=1, latch=True)
         cls.lexicon = rospy.Publisher("lexicon", Lexicon, queue_size=1, latch=True)
         cls.tracked.publish(IdsList(ids=["somebody"]))
         cls.lexicon.publish(Lexicon(framer_id="1", files=files(LEXICAL_UNITS_FOLDER)))
+        cls.catalogue.publish(FrameCatalogue(registrar_id="1", files=files(FRAMES_FOLDER)))
         cls.serve("moving", "turning")
         cls.listen = rospy.ServiceProxy("listen", Trigger)
         cls.listen.wait_for_service(60.0)
@@ -56,7 +58,7 @@ class VoiceRecognitionNode(unittest.TestCase):
     @classmethod
     def serve(cls, *frames: str) -> None:
         callbacks = [FrameCallback(frame_name=name, callback_topic=name, is_alive=True) for name in frames]
-        cls.catalogue.publish(FrameCatalogue(registrar_id="1", files=files(FRAMES_FOLDER), callbacks=callbacks))
+        cls.servers.publish(FrameServers(registrar_id="1", callbacks=callbacks))
 
     def say(self, text: str) -> None:
         folder = Path(rospy.get_param("~folder"))

@@ -6,7 +6,7 @@ import xmlrpc.client
 from typing import Callable, FrozenSet, Iterable, Optional, Set, Tuple
 
 import rospy
-from roboframenet_msgs.msg import FrameCatalogue, Lexicon
+from roboframenet_msgs.msg import FrameCatalogue, FrameServers, Lexicon
 
 from roboframenet_ros.ros_master import NO_ANSWER, TimedMaster, TimedTransport
 from web_console.abilities import File, Knowledge
@@ -27,8 +27,8 @@ _ANSWER_S = 1.0
 class KnowledgeTap:
     """What the robot can do, and who of its nodes answers.
 
-    Subscribes: ``frame_catalogue``, ``lexicon``. A thread does the slow part; what it finds is told in the thread of
-    the event loop.
+    Subscribes: ``frame_catalogue``, ``frame_servers``, ``lexicon``. A thread does the slow part; what it
+    finds is told in the thread of the event loop.
     """
 
     def __init__(
@@ -53,6 +53,7 @@ class KnowledgeTap:
         self._on_turn = on_turn
         self._lock = threading.Lock()
         self._catalogue: Optional[FrameCatalogue] = None
+        self._servers = FrameServers()
         self._lexicon: Optional[Lexicon] = None
         self._names: Tuple[str, ...] = ()
         self._changed_s: Optional[float] = None
@@ -68,6 +69,7 @@ class KnowledgeTap:
         """Subscribe, and start the thread."""
         self._subscribers = [
             rospy.Subscriber("frame_catalogue", FrameCatalogue, self._on_catalogue, queue_size=1),
+            rospy.Subscriber("frame_servers", FrameServers, self._on_servers, queue_size=1),
             rospy.Subscriber("lexicon", Lexicon, self._on_lexicon, queue_size=1),
         ]
         self._thread.start()
@@ -92,6 +94,11 @@ class KnowledgeTap:
     def _on_catalogue(self, message: FrameCatalogue) -> None:
         with self._lock:
             self._catalogue = message
+            self._note_change()
+
+    def _on_servers(self, message: FrameServers) -> None:
+        with self._lock:
+            self._servers = message
             self._note_change()
 
     def _on_lexicon(self, message: Lexicon) -> None:
@@ -131,11 +138,9 @@ class KnowledgeTap:
 
     def _tell_abilities(self, knowledge: Knowledge) -> None:
         with self._lock:
-            catalogue, lexicon, names = self._catalogue, self._lexicon, self._names
+            catalogue, servers, lexicon, names = self._catalogue, self._servers, self._lexicon, self._names
             self._changed_s = None
-        view = knowledge.view(
-            _files(catalogue), _files(lexicon), {} if catalogue is None else living_servers(catalogue), names
-        )
+        view = knowledge.view(_files(catalogue), _files(lexicon), living_servers(servers), names)
         self._call_soon(self._on_abilities, view)
 
     def _tell_health(self) -> bool:
@@ -148,9 +153,8 @@ class KnowledgeTap:
         stages = nodes_to_ask(state.publishers, {stage: rospy.resolve_name(topic) for stage, topic, _ in STAGES})
         answering = self._answering({node for nodes in stages.values() for node in nodes})
         with self._lock:
-            catalogue = self._catalogue
-        servers = () if catalogue is None else servers_of(catalogue)
-        health = health_of(stages, answering, servers)
+            servers = self._servers
+        health = health_of(stages, answering, servers_of(servers))
         self._call_soon(self._on_health, health)
         return all(node.state == RUNS for node in health.nodes)
 

@@ -11,7 +11,7 @@ from roboframenet_msgs.msg import (
     CommandParse,
     FileProblem,
     FilledSemanticFrame,
-    FrameCatalogue,
+    FrameServers,
     LexicalUnitReading,
     Plan,
     PlanCandidate,
@@ -208,20 +208,20 @@ def problem_view(problem: FileProblem) -> ProblemView:
     )
 
 
-def living_servers(catalogue: FrameCatalogue) -> "dict[str, Tuple[str, ...]]":
+def living_servers(message: FrameServers) -> "dict[str, Tuple[str, ...]]":
     """Return the servers that live, by frame."""
     found: dict[str, Tuple[str, ...]] = {}
-    for callback in catalogue.callbacks:
+    for callback in message.callbacks:
         if callback.is_alive:
             found[callback.frame_name] = (*found.get(callback.frame_name, ()), callback.callback_topic.lstrip("/"))
     return found
 
 
-def servers_of(catalogue: FrameCatalogue) -> Tuple[Tuple[str, str, bool], ...]:
+def servers_of(message: FrameServers) -> Tuple[Tuple[str, str, bool], ...]:
     """Return name, frames and life of each server."""
     frames: dict[str, List[str]] = {}
     alive: dict[str, bool] = {}
-    for callback in catalogue.callbacks:
+    for callback in message.callbacks:
         frames.setdefault(callback.callback_topic, []).append(callback.frame_name)
         alive[callback.callback_topic] = callback.is_alive
     return tuple((name, ", ".join(sorted(names)), alive[name]) for name, names in sorted(frames.items()))
