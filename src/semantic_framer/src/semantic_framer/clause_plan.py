@@ -5,8 +5,9 @@ from typing import Iterator, List, Optional, Sequence, Tuple
 
 from semantic_framer.reading import Reading
 
+CONDITION = "CONDITION"
 #: Kinds of nodes that are clauses.
-LEAVES = ("DO", "CONDITION")
+LEAVES = ("DO", CONDITION)
 
 
 @dataclass(frozen=True)
