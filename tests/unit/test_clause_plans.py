@@ -100,7 +100,6 @@ TREES = {
     "Turn left 90 degrees for two seconds.": "LEFT_OVER_WORDS",
     "Follow me for two or three minutes.": "LEFT_OVER_WORDS",
     "Don't turn left twice.": "NEGATED",
-    "Turn left three times if the door is open.": "CONDITION",
 }
 
 

@@ -6,13 +6,13 @@ from typing import FrozenSet, Mapping, Optional, Sequence, Tuple, Union
 from semantic_framer.amending import Change, change_of, last_command
 from semantic_framer.answers import answer
 from semantic_framer.choices import choices_of_amounts, choices_of_clauses, chosen
-from semantic_framer.clause_links import find_joints
+from semantic_framer.clause_links import Joints, find_joints
 from semantic_framer.clause_plan import without_unused
 from semantic_framer.dialogue import Context, Pending, is_no
 from semantic_framer.framed_lexicon import FramedLexicon
 from semantic_framer.lexicon import Lexicon
 from semantic_framer.linked_plan import NoStructure, Open, linked_plan, with_persons
-from semantic_framer.linked_sentence import TELLING, joint_words, unknown_link, without_joints
+from semantic_framer.linked_sentence import TELLING, joint_words, swallowed_joints, unknown_link, without_joints
 from semantic_framer.mood_file import UtteranceKind
 from semantic_framer.objections import against_what_runs
 from semantic_framer.outcome import (
@@ -213,21 +213,26 @@ class _Hearing:
     def _read(self, sentence: Sentence, context: Context) -> Heard:
         """Understand a sentence that is not an answer; one that cannot be understood as it is may have conditions."""
         heard = self._read_plainly(sentence, context)
-        if isinstance(heard.outcome, Understood) or heard.is_small_talk:
+        if heard.is_small_talk or self._now.policy.left_over_words not in CAREFUL:
             return heard
-        if self._now.policy.left_over_words not in CAREFUL:
-            return heard
-        return self._linked(sentence, context, heard.outcome) or heard
+        known, outcome = self._now.known, heard.outcome
+        if isinstance(outcome, Understood):
+            joints = swallowed_joints(sentence, known, [readings[0] for readings in outcome.clauses])
+            swallowed = Refusal("CONDITION", f'I do not understand how "{joint_words(sentence, joints)}" is meant.')
+            return self._linked(sentence, context, swallowed, joints) or heard if joints.found else heard
+        return self._linked(sentence, context, outcome, find_joints(sentence, known)) or heard
 
-    def _linked(self, sentence: Sentence, context: Context, before: Union[Refusal, Question]) -> Optional[Heard]:
+    def _linked(
+        self, sentence: Sentence, context: Context, before: Union[Refusal, Question], joints: Joints
+    ) -> Optional[Heard]:
         """Understand a sentence whose deeds are joined by conditions and times; None if it is none.
 
         Args:
             sentence: the sentence
             context: what the framer remembers
             before: why the sentence cannot be understood as it is
+            joints: what joins its deeds
         """
-        joints = find_joints(sentence, self._now.known)
         unknown = unknown_link(sentence, joints, before)
         refused = Heard(unknown, context, sentence) if unknown is not None else None
         if not joints.found:

@@ -69,6 +69,10 @@ class Links:
         """Return the link that words in lower case begin with, and its number of words; None and 0 for no link."""
         return _longest(self.links, forms)
 
+    def is_link_word(self, form: str) -> bool:
+        """Whether a link begins with a word in lower case."""
+        return any(words[0] == form for words in self.links)
+
     def joiner_at(self, forms: Sequence[str]) -> Tuple[Optional[Link], int]:
         """Return the joiner that words in lower case begin with, and its number of words; None and 0 for none."""
         return _longest(self.joiners, forms)

@@ -1,11 +1,13 @@
 """The rest of a sentence without the words that join its deeds, and what to reply if these are not understood."""
 
 from dataclasses import replace
-from typing import FrozenSet, Optional, Union
+from typing import FrozenSet, Optional, Sequence, Union
 
-from semantic_framer.clause_links import Joints
+from semantic_framer.clause_links import Joints, find_joints
 from semantic_framer.framed_lexicon import FramedLexicon
+from semantic_framer.link_file import shipped_links
 from semantic_framer.outcome import Question, Refusal
+from semantic_framer.reading import Reading
 from semantic_framer.sentence import Sentence
 from utterance_passes.tree import ASIDE, DependencyTree, Word
 from utterance_passes.tree_edits import TreeEdit, set_aside
@@ -48,10 +50,30 @@ def _with_deeds_apart(tree: DependencyTree, joining: FrozenSet[int]) -> Dependen
     return edit.tree()
 
 
+def swallowed_joints(sentence: Sentence, known: FramedLexicon, readings: Sequence[Reading]) -> Joints:
+    """Return the conditions at the end of arguments: "go to the kitchen *at the moment that Anna comes*".
+
+    "Tell me if the door is open" asks for the condition itself, and a message may have a condition of its own.
+    """
+    inside = [argument for reading in readings for argument in reading.arguments if len(argument.positions) > 1]
+    forms = {sentence.word(index).form.lower() for argument in inside for index in argument.positions}
+    if not any(map(shipped_links().is_link_word, forms)):
+        return Joints()
+    found = [
+        joint
+        for joint in find_joints(sentence, known).found
+        if joint.condition is not None
+        for argument in inside
+        if min(argument.positions) < joint.first <= max(argument.positions) <= max(joint.positions)
+        if not any(sentence.word(index).upos in ("VERB", "AUX") for index in argument.positions if index < joint.first)
+    ]
+    return Joints(tuple(found))
+
+
 def joint_words(sentence: Sentence, joints: Joints) -> str:
     """Return the words that join, as a person would quote them."""
     words = sentence.text(sorted(joints.positions)).strip(" ,.!?")
-    return words[0].lower() + words[1:]
+    return words[:1].lower() + words[1:]
 
 
 def unknown_link(
