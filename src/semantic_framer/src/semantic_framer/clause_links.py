@@ -99,10 +99,11 @@ class _Finder:
                 place = end
                 continue
             joint, end = self._timed(place)
-            if joint is None:
-                joint, end = self._linked(place)
-            if joint is None:
-                joint, end = self._joiner(place)
+            # "After that" joins two deeds, though "after" stands before conditions too.
+            links, joins = (at(self.forms[place:])[1] for at in (shipped_links().link_at, shipped_links().joiner_at))
+            for find in (self._joiner, self._linked) if joins > links else (self._linked, self._joiner):
+                if joint is None:
+                    joint, end = find(place)
             if joint is not None:
                 found.append(joint)
                 place = end

@@ -219,7 +219,8 @@ class _Hearing:
         if isinstance(outcome, Understood):
             joints = swallowed_joints(sentence, known, [readings[0] for readings in outcome.clauses])
             swallowed = Refusal("CONDITION", f'I do not understand how "{joint_words(sentence, joints)}" is meant.')
-            return self._linked(sentence, context, swallowed, joints) or heard if joints.found else heard
+            refused = Heard(swallowed, context, sentence)
+            return self._linked(sentence, context, swallowed, joints) or refused if joints.found else heard
         return self._linked(sentence, context, outcome, find_joints(sentence, known)) or heard
 
     def _linked(

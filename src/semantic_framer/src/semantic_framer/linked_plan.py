@@ -288,7 +288,13 @@ class _Builder:
             return self._sequence([_Node(wait, joint.positions), *body])
         child = self._sequence(body)
         if joint.kind is LinkKind.PERIOD:
-            if child.part.kind in ("REPEAT", "WAIT"):
+            if child.part.kind in ("UNTIL", "WHILE") and not child.part.duration_s:
+                # "Every ten seconds say hello until ...": the end is that of the repetition.
+                until, deed = child.part, child.part.children[-1]
+                again = PlanPart("REPEAT", deed.label, (deed,), period_s=joint.seconds)
+                if deed.kind == "DO":
+                    return _Node(replace(until, label=label, children=(until.children[0], again)), positions)
+            if child.part.kind in ("REPEAT", "WAIT", "UNTIL", "WHILE"):
                 raise NoStructure("two ways to repeat")
             return _Node(PlanPart("REPEAT", label, (child.part,), period_s=joint.seconds), positions)
         if joint.condition is None:
