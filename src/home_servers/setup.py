@@ -4,4 +4,8 @@ from distutils.core import setup
 
 from catkin_pkg.python_setup import generate_distutils_setup
 
-setup(**generate_distutils_setup(packages=["home_servers"], package_dir={"": "src"}))
+setup(
+    **generate_distutils_setup(
+        packages=["home_servers"], package_dir={"": "src"}, package_data={"home_servers": ["*.yaml"]}
+    )
+)

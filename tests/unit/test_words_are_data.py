@@ -48,6 +48,7 @@ NO_SPEECH: Dict[str, Tuple[str, str]] = {
         "keys of a file",
         "frame, name, action, service, topic, type, fields",
     ),
+    "condition_watchers/node.py": ("names of relations", "at, in, near"),
     "frame_bindings/condition_file.py": (
         "keys of a file",
         "frame, name, topic, type, entries, where, field, comparison, value, element, default, values, factor",
@@ -147,6 +148,10 @@ NO_SPEECH: Dict[str, Tuple[str, str]] = {
             "rinse, scrub, skillet, slice, sponge, spoon, sweep, washing, wipe, wok"
         ),
     ),
+    "home_servers/conditions.py": (
+        "quantifiers, and states of the home",
+        "all, every, each, both, a, any, some, open, closed, on, off, dirty, clean",
+    ),
     "home_servers/looking.py": (
         "what a robot in a home knows: not yet in words.yaml",
         (
@@ -157,9 +162,9 @@ NO_SPEECH: Dict[str, Tuple[str, str]] = {
     "home_servers/memory.py": (
         "what a robot in a home knows: not yet in words.yaml",
         (
-            "adjective, big, black, blue, brown, compound, everybody, everyone, green, guest, guests, item, "
-            "items, object, objects, people, person, persons, red, small, superlative, thing, things, visitor, "
-            "visitors, white, yellow"
+            "adjective, anybody, anyone, big, black, blue, brown, compound, everybody, everyone, green, guest, guests, "
+            "item, items, object, objects, people, person, persons, red, small, somebody, someone, superlative, thing, "
+            "things, visitor, visitors, white, yellow"
         ),
     ),
     "home_servers/ros_body.py": (

@@ -16,8 +16,6 @@ from semantic_frames.problem import FileRefused, Problem
 
 #: A topic that speaks only of changes, and that nobody publishes, is dead after this time, seconds.
 _WITHOUT_PUBLISHER_S = 2.0
-#: A state holds until it changes: an observation that is older is said again as of now, seconds.
-_FRESH_S = 1.0
 
 
 class BoundCondition:
@@ -88,8 +86,7 @@ class BoundCondition:
             raise ConditionUnknown(f"{binding.topic}: {reason}") from reason
         if binding.event_s and now_s - arrived_s > binding.event_s:
             return Observed(False, rospy.Time.now())
-        is_old = not binding.timeout_s and now_s - arrived_s > _FRESH_S
-        return Observed(holds, rospy.Time.now() if is_old else stamp)
+        return Observed(holds, stamp) if binding.timeout_s else Observed.still(holds, stamp)
 
     def _check_alive(self, now_s: float, *, since_s: float) -> None:
         """

@@ -10,7 +10,9 @@ from word_classes import without_determiner
 
 #: Nouns for any thing and for any person.
 THINGS = frozenset("thing things object objects item items".split())
-PERSONS = frozenset("person people persons visitor visitors guest guests everybody everyone".split())
+PERSONS = frozenset(
+    "person people persons visitor visitors guest guests everybody everyone somebody someone anybody anyone".split()
+)
 #: Kinds of modifiers that tell things of one name apart.
 _TELLING = ("adjective", "compound", "superlative")
 

@@ -6,13 +6,19 @@ from typing import List, Mapping
 import rospy
 from roboframenet_msgs.msg import FilledSemanticFrameResult
 
+from home_servers.conditions import FRAMES as CONDITIONS
+from home_servers.conditions import CannotTell, Conditions
 from home_servers.frames import DOMAINS, WITHOUT_HANDS
 from home_servers.ros_body import RosBody
 from home_servers.skills import CannotDo, Interrupted, Skill, Skills
-from rfnserver import RFNServer
+from rfnserver import ConditionServer, ConditionUnknown, Observed, RFNServer
+from rfnserver.ros_typed_frame import TypedFrame
 from roboframenet_ros.parameters import Parameters, parameter
 from roboframenet_ros.ros_node import read_parameters, run_node
 from typed_arguments import FilledFrame
+
+#: The robot perceives so often at least, seconds; what it has perceived for longer may be over.
+_SIGHT_S = 4.0
 
 
 @dataclass(frozen=True)
@@ -34,10 +40,10 @@ class Settings(Parameters):
 
 
 class HomeServers:
-    """One RFNServer for each domain, with one body for all.
+    """One RFNServer for each domain, and one server that watches conditions, with one body for all.
 
     Actions:
-        home_DOMAIN (roboframenet_msgs/FilledSemanticFrameAction), such as home_navigation
+        home_DOMAIN (roboframenet_msgs/FilledSemanticFrameAction), such as home_navigation; home_conditions
     Parameters: see :class:`Settings`.
     """
 
@@ -58,6 +64,21 @@ class HomeServers:
             }
             if mine:
                 self._servers.append(self._serve(f"home_{domain}", mine))
+        self._watch = ConditionServer("home_conditions", self._holds)
+        self._body.listen(self._watch.changed)
+        self._watch.start()
+        for condition in CONDITIONS:
+            self._watch.register_with_frame(condition)
+
+    def _holds(self, frame: TypedFrame) -> Observed:
+        sight, stamp, age_s = self._body.sight()
+        if age_s > _SIGHT_S:
+            raise ConditionUnknown("my eyes tell nothing")
+        try:
+            holds = Conditions(self._body.memory, sight, speaker=self._settings.speaker).holds(frame)
+        except CannotTell as reason:
+            raise ConditionUnknown(str(reason)) from reason
+        return Observed.still(holds, stamp)
 
     def _serve(self, name: str, skills: Mapping[str, Skill]) -> RFNServer:
         def is_wanted() -> bool:

@@ -5,7 +5,7 @@ import math
 import threading
 import time
 from dataclasses import fields
-from typing import Any, Dict, List, Optional, Sequence, Set, Tuple
+from typing import Any, Callable, Dict, FrozenSet, List, Optional, Sequence, Set, Tuple
 
 import actionlib
 import rospy
@@ -21,6 +21,7 @@ from roboframenet_msgs.msg import (
 )
 from std_msgs.msg import String
 
+from home_servers.conditions import Sight
 from home_servers.memory import Known, Memory
 from home_servers.skills import Interrupted
 from roboframenet_sim.home_actions import Action, Failure
@@ -92,6 +93,8 @@ class RosBody:
         self._place = (0.0, 0.0)
         self._room = ""
         self._held: List[str] = []
+        self._seen: Tuple[FrozenSet[str], rospy.Time, float] = (frozenset(), rospy.Time(), -math.inf)
+        self._on_sight: Callable[[], None] = lambda: None
         self._replies: List[Tuple[str, str]] = []
         self._wanted = threading.local()
         self._said = rospy.Publisher("said", String, queue_size=20)
@@ -176,6 +179,17 @@ class RosBody:
         with self._lock:
             return list(self._replies)
 
+    def sight(self) -> Tuple[Sight, rospy.Time, float]:
+        """Return what the robot perceives, the stamp of that, and its age in seconds."""
+        with self._lock:
+            seen, stamp, heard_s = self._seen
+            sight = Sight(seen, frozenset(self._held), self._room, *self._place)
+        return sight, stamp, time.monotonic() - heard_s
+
+    def listen(self, on_sight: Callable[[], None]) -> None:
+        """Call a function whenever the robot has perceived something."""
+        self._on_sight = on_sight
+
     def now_s(self) -> float:
         """ROS time, in seconds."""
         return float(rospy.get_time())
@@ -211,6 +225,9 @@ class RosBody:
             with self._lock:
                 self._held = [one.id for one in known if one.relation == "held" and one.holder == _ROBOT]
                 self._room = next((each.reference for each in me[0].relations if each.relation == "in"), "")
+                seen = frozenset(one.id for one in message.objects if one.id != _ROBOT)
+                self._seen = seen, me[0].stamp, time.monotonic()
+            self._on_sight()
 
     def _on_pose(self, message: PoseWithCovarianceStamped) -> None:
         with self._lock:

@@ -21,6 +21,8 @@ from semantic_frames.server_statement import stated_profile
 
 #: What holds is said again after this time, seconds: silence means that the source is dead.
 REPETITION_S = 0.5
+#: A change is told with its own stamp for so long, ROS time.
+_FRESH = rospy.Duration(1)
 
 
 class ConditionUnknown(Exception):
@@ -33,6 +35,17 @@ class Observed:
 
     holds: bool
     stamp: rospy.Time
+
+    @classmethod
+    def still(cls, holds: bool, since: rospy.Time) -> "Observed":
+        """Return what was observed and has not changed: from an age of a second on, it is observed now.
+
+        Args:
+            holds: whether the condition holds
+            since: stamp of the message that said so; its source speaks only of changes, and is alive
+        """
+        now = rospy.Time.now()
+        return cls(holds, since if now - since < _FRESH else now)
 
 
 Holds = Callable[[TypedFrame], Union[bool, Observed, None]]
@@ -89,6 +102,20 @@ class ConditionServer(_Registering, QuietActionServer):
         self._is_asking = False
         self._registration = Registration(name, profile=stated_profile({**statement, "purpose": "watches"}))
         super().__init__(name, FilledSemanticFrameAction, self._on_goal, self._on_cancel, False)
+
+    def register_with_frame(self, frame_name: str, **statement: Any) -> bool:  # type: ignore[override]
+        """Watch a frame from now on.
+
+        Args:
+            frame_name: of a frame, also one whose file is added later
+            **statement: what the server states for this frame, instead of what it was made with
+        Returns:
+            True when the registrar accepted; see :meth:`RFNServer.register_with_frame`
+        Raises:
+            ProfileError: the statement is wrong
+        """
+        purpose = {"purpose": "watches"} if statement else {}
+        return super().register_with_frame(frame_name, **statement, **purpose)
 
     def changed(self) -> None:
         """Ask the function now: its source has news."""

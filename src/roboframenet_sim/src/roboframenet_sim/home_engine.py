@@ -107,6 +107,10 @@ class Home:
         """What preconditions look at."""
         return Scene(self.plan, self.floor, self._state)
 
+    def set_charge(self, charge: float) -> None:
+        """Set the charge of the robot's battery, 0 to 1."""
+        self._state = self._state.with_robot(battery=charge)
+
     @property
     def is_busy(self) -> bool:
         """Whether an action runs."""

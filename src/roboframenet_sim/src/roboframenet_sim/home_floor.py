@@ -306,6 +306,22 @@ class Floor:
             self._sights[closed] = np.array([*self._walls, *map(self._leaf, sorted(closed))], dtype=float)
         return self._sights[closed]
 
+    def outlines(self, state: State) -> "NDArray[np.float64]":
+        """Return what a laser meets: walls, closed doors and the sides of furniture; x and y of both ends of each."""
+        sides = [
+            side
+            for entity in self._plan.of_kind("furniture")
+            if "flat" not in entity.traits
+            for (low_x, high_x), (low_y, high_y) in ((entity.x_m, entity.y_m),)
+            for side in (
+                (low_x, low_y, high_x, low_y),
+                (high_x, low_y, high_x, high_y),
+                (high_x, high_y, low_x, high_y),
+                (low_x, high_y, low_x, low_y),
+            )
+        ]
+        return np.vstack([self._walls_seen(self.closed_doors(state)), np.array(sides, dtype=float).reshape(-1, 4)])
+
     def sees(self, state: State, begin: Point, end: Point, *, but: Sequence[str] = ()) -> bool:
         """Whether the line between two points meets no wall, closed door or tall furniture.
 

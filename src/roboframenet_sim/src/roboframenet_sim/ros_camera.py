@@ -4,7 +4,7 @@ import math
 import sys
 import threading
 from dataclasses import dataclass
-from typing import Optional
+from typing import Optional, Sequence
 
 import numpy as np
 import rospy
@@ -125,6 +125,15 @@ class RosPerson:
             self._person.order(PersonAct(message.data), robot=self._robot)
         rospy.loginfo("person: %s", message.data)
 
+    def bodies(self) -> Sequence[Cylinder]:
+        """Return the body of the person; none while there is no person."""
+        with self._lock:
+            person = self._person
+            if person is None or not person.is_present:
+                return ()
+            pose, settings = person.pose, person.settings
+        return (Cylinder(pose.x_m, pose.y_m, settings.body_radius_m, settings.height_m),)
+
     def step(self, duration_s: float, stamp: rospy.Time, *, robot: Pose) -> None:
         """Advance the time.
 
@@ -137,17 +146,7 @@ class RosPerson:
             self._robot = robot
             if self._person is not None:
                 self._person.step(duration_s)
-            person = self._person if self._person is not None and self._person.is_present else None
-            body = (
-                None
-                if person is None
-                else Cylinder(
-                    x_m=person.pose.x_m,
-                    y_m=person.pose.y_m,
-                    radius_m=person.settings.body_radius_m,
-                    height_m=person.settings.height_m,
-                )
-            )
+        body = next(iter(self.bodies()), None)
         self._since_image_s += duration_s
         if self._since_image_s + 1e-9 < self._period_s:
             return

@@ -19,11 +19,14 @@ from roboframenet_sim.base import Velocity
 from roboframenet_sim.home_actions import Action, Failure
 from roboframenet_sim.home_engine import Home
 from roboframenet_sim.home_file import load_home_file
+from roboframenet_sim.home_floor import PERSON_RADIUS_M
 from roboframenet_sim.home_state import PR2, ROBOT, TURTLEBOT, Faults
 from roboframenet_sim.home_truth import truth_of
+from roboframenet_sim.point_cloud import Cylinder
 from roboframenet_sim.room import RoomError
 from roboframenet_sim.ros_base import BaseSettings, RosBase, quaternion_of_yaw
 from roboframenet_sim.ros_pr2 import RosArms
+from roboframenet_sim.ros_sensors import RosBattery, RosLaser
 from roboframenet_sim.ros_stepping import Stepper, SteppingSettings
 from roboframenet_sim.ros_world_objects import map_objects, seen_objects
 
@@ -84,6 +87,7 @@ class HomeSim:
         ``home/person`` (std_msgs/String): "bob walk kitchen", "anna take newspaper", ...
     Publishes:
         ``odom``, ``/tf``, ``amcl_pose``; with a PR2 ``joint_states``;
+        ``scan`` (sensor_msgs/LaserScan), ``battery_state`` (sensor_msgs/BatteryState);
         ``world_updates`` (WorldUpdate): the map, and what the robot sees; ``home/map`` (WorldUpdate, latched);
         ``home/heard`` (std_msgs/String): what the robot hears; ``home/truth`` (std_msgs/String, latched): all, as JSON
     Actions:
@@ -109,6 +113,8 @@ class HomeSim:
         self._home = Home(plan, state, seed=base_settings.seed, faults=faults)
         self._base = RosBase(base_settings, base=_Base(self._home, self._lock), command_topic="cmd_vel")
         self._arms: Optional[RosArms] = RosArms() if settings.robot == "pr2" else None
+        self._laser = RosLaser(self._obstacles)
+        self._battery = RosBattery(state.robot.battery, self._charge)
         self._pose = rospy.Publisher("amcl_pose", PoseWithCovarianceStamped, queue_size=5, latch=True)
         self._truth = rospy.Publisher("home/truth", String, queue_size=5, latch=True)
         self._heard = rospy.Publisher("home/heard", String, queue_size=20)
@@ -140,6 +146,7 @@ class HomeSim:
         self._base.step(duration_s, stamp)
         if self._arms is not None:
             self._arms.step(duration_s, stamp)
+        self._laser.step(duration_s, stamp, robot=self._base.pose)
         with self._lock:
             self._end_goals()
             state = self._home.state
@@ -158,7 +165,19 @@ class HomeSim:
             if truth != self._last.get("truth"):
                 self._last["truth"] = truth
                 publish(self._truth, String(data=truth))
+        self._battery.step(duration_s, stamp, charge=state.robot.battery)
         self._publish_pose(stamp)
+
+    def _obstacles(self) -> Tuple[Any, List[Cylinder]]:
+        """Return what the laser meets: outlines, and persons."""
+        with self._lock:
+            state, floor = self._home.state, self._home.floor
+        poses = [person.pose for person in state.people.values()]
+        return floor.outlines(state), [Cylinder(pose.x_m, pose.y_m, PERSON_RADIUS_M, 1.7) for pose in poses]
+
+    def _charge(self, charge: float) -> None:
+        with self._lock:
+            self._home.set_charge(charge)
 
     def _is_due(self, name: str, period_s: float, stamp: rospy.Time) -> bool:
         now_s = stamp.to_sec()

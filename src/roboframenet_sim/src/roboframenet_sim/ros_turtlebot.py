@@ -10,20 +10,25 @@ from roboframenet_sim.point_cloud import NO_WALLS
 from roboframenet_sim.room import load_room_file
 from roboframenet_sim.ros_base import BaseSettings, RosBase
 from roboframenet_sim.ros_camera import CameraSettings, RosPerson
+from roboframenet_sim.ros_sensors import RosBattery, RosLaser
 from roboframenet_sim.ros_stepping import Stepper, SteppingSettings
 
 ROBOT_RADIUS_M = 0.18
 """Radius of the Turtlebot's base: it cannot get nearer to a wall."""
+
+_CHARGE = 0.8
+"""First charge of the battery."""
 
 
 class TurtlebotSim:
     """A Turtlebot, and optionally a person in front of it.
 
     Subscribes:
-        ``cmd_vel`` (geometry_msgs/Twist), ``person/act`` (std_msgs/String)
+        ``cmd_vel`` (geometry_msgs/Twist), ``person/act`` (std_msgs/String), ``battery/charge`` (std_msgs/Float32)
     Publishes:
         ``odom`` (nav_msgs/Odometry), ``/tf``, ``camera/depth/points`` (sensor_msgs/PointCloud2),
-        ``person/pose`` (geometry_msgs/PoseStamped), ``person/marker`` (visualization_msgs/Marker);
+        ``person/pose`` (geometry_msgs/PoseStamped), ``person/marker`` (visualization_msgs/Marker),
+        ``scan`` (sensor_msgs/LaserScan), ``battery_state`` (sensor_msgs/BatteryState);
         ``/clock`` under /use_sim_time
     """
 
@@ -43,11 +48,15 @@ class TurtlebotSim:
             robot=settings.start,
             walls=walls,
         )
+        self._laser = RosLaser(lambda: (walls, self._person.bodies()), frame=settings.base_frame)
+        self._battery = RosBattery(_CHARGE)
 
     def step(self, duration_s: float, stamp: rospy.Time) -> None:
         """Advance the time."""
         self._base.step(duration_s, stamp)
         self._person.step(duration_s, stamp, robot=self._base.pose)
+        self._laser.step(duration_s, stamp, robot=self._base.pose)
+        self._battery.step(duration_s, stamp)
 
 
 def _start() -> Stepper:

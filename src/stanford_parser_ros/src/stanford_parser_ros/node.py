@@ -1,10 +1,11 @@
 """The parser node: turns the text of a command into dependencies."""
 
+import enum
 import queue
 import threading
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Dict, FrozenSet, Union
+from typing import TYPE_CHECKING, Dict, FrozenSet, Union
 
 import rospy
 from roboframenet_msgs.msg import Command, CommandParse, Lexicon, Reply
@@ -21,8 +22,18 @@ from stanford_parser_ros.ros_messages import to_command_parse
 from stanford_parser_ros.stanford_dependencies import collapsed
 from utterance_passes.tree import DependencyTree
 
+if TYPE_CHECKING:
+    from stanford_parser_ros.lean.inference import LeanInference
+
 #: Period in which the worker checks whether to end, seconds.
 WAKE_UP_S = 1.0
+
+
+class Runtime(enum.Enum):
+    """What computes the models."""
+
+    STANZA = "stanza"
+    LEAN = "lean"
 
 
 @dataclass(frozen=True)
@@ -32,7 +43,8 @@ class Settings(Parameters):
     Attributes:
         model_dir: folder of the Stanza models; empty for the shipped ones
         package: name of a package in it; empty for the default one
-        threads: of torch
+        runtime: Stanza itself; or the lean runtime: the same trees sooner, for packages like the shipped one
+        threads: of torch; the lean runtime always has one
         cache_size: number of parses that are kept
         queue_size: number of commands that may wait; one more is refused
         trace: whether events say what the passes changed
@@ -43,6 +55,7 @@ class Settings(Parameters):
 
     model_dir: str = parameter("")
     package: str = parameter("default")
+    runtime: Runtime = parameter(Runtime.STANZA)
     threads: int = parameter(1, least=1, most=64)
     cache_size: int = parameter(256, least=1, most=100_000)
     queue_size: int = parameter(100, least=1, most=10_000)
@@ -73,11 +86,7 @@ class ParserNode:
         self._verbs: FrozenSet[str] = frozenset()
         self._verbs_of_file: Dict[str, FrozenSet[str]] = {}
         self._lexicon = rospy.Subscriber("lexicon", Lexicon, self._on_lexicon, queue_size=1)
-        models = StanzaInference(
-            model_dir=Path(settings.model_dir).expanduser() if settings.model_dir else shipped_model_dir(),
-            package=settings.package or Settings.package,
-            threads=settings.threads,
-        )
+        models = load_models(settings)
         self._parser = Parser(models, cache_size=settings.cache_size)
         times = models.load_times
         self._commands: queue.Queue[Command] = queue.Queue(settings.queue_size)
@@ -162,6 +171,21 @@ class ParserNode:
         self._stage.passes_on(command, describe(parse.tree), trace=trace)
         self._parses_2012.publish(message.parse)
         self._parses.publish(message)
+
+
+def load_models(settings: Settings) -> Union[StanzaInference, "LeanInference"]:
+    """Load the models into the chosen runtime.
+
+    Raises:
+        ModelError: the models cannot be loaded
+    """
+    folder = Path(settings.model_dir).expanduser() if settings.model_dir else shipped_model_dir()
+    package = settings.package or Settings.package
+    if settings.runtime is Runtime.LEAN:
+        from stanford_parser_ros.lean.inference import LeanInference  # only this runtime needs numpy
+
+        return LeanInference(model_dir=folder, package=package)
+    return StanzaInference(model_dir=folder, package=package, threads=settings.threads)
 
 
 def describe(tree: DependencyTree) -> str:

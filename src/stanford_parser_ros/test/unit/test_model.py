@@ -10,6 +10,7 @@ import pytest
 from roboframenet_testing.recorded_parses import Key, key_of_text, read_shipped_recording, render_recording
 from stanford_parser_ros import inference
 from stanford_parser_ros.inference import ModelError, StanzaInference, shipped_model_dir
+from stanford_parser_ros.lean.inference import LeanInference
 from stanford_parser_ros.model import Parser, UnparsableText
 from stanford_parser_ros.stanford_dependencies import arcs
 from utterance_passes.tree import DependencyTree
@@ -19,6 +20,22 @@ NEEDED = 0.97
 #: Recorded parses of each kind (of a text, of given tags) that ``make test`` compares with the models, at most.
 SAMPLE = 100
 SEED = 9
+#: Texts at which the parts of the models meet what they did not learn.
+ODD_TEXTS = (
+    "Don't can't won't gimme the dunno, I'd've gone.",
+    "the kids' toys and Alice's, y'all's",
+    "Fetch the ñandú and the žluťoučké geese ☕ to the café",
+    "Turn\u00a0left   two  metres .\tNow!!!",
+    "\n\n go home\n\nturn left",
+    "Where is it?!?",
+    "mail it to bob@example.org or see http://example.org/map now",
+    "XYZZYS frobnicated the wugs' blickets zogging 12,5 3.0 1st",
+    "a",
+    "GO TO THE KITCHEN AND DON'T STOP",
+    "She's and it's and I'm and WE'RE and they’re here",
+    "go",
+    "a" * 1001,
+)
 Row = Tuple[str, str, Tuple[Tuple[str, str], ...]]
 
 
@@ -184,3 +201,9 @@ def test_all_recorded_parses_are_what_the_models_say(
     models: StanzaInference, recorded: Dict[Key, DependencyTree]
 ) -> None:
     assert render_recording(answers(models, recorded)) == render_recording(recorded), "'make record' records them anew"
+
+
+def test_odd_texts_get_the_same_trees_from_the_lean_runtime(models: StanzaInference) -> None:
+    lean = LeanInference(model_dir=shipped_model_dir())
+    for text in ODD_TEXTS:
+        assert lean.parse(text) == models.parse(text), text

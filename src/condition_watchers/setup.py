@@ -1,0 +1,13 @@
+"""Installed by catkin only."""
+
+from distutils.core import setup
+
+from catkin_pkg.python_setup import generate_distutils_setup
+
+setup(
+    **generate_distutils_setup(
+        packages=["condition_watchers"],
+        package_dir={"": "src"},
+        package_data={"condition_watchers": ["*.yaml"]},
+    )
+)

@@ -1,0 +1,68 @@
+"""Conditions on what is said and on the clock."""
+
+from datetime import datetime
+
+import pytest
+
+from condition_watchers.hearing import MOMENT_S, Saying, Sayings, clock_shows
+from condition_watchers.places import is_near
+from typed_arguments import TimeExpression, TypedArgument
+
+
+def said(*sayings: Saying) -> Sayings:
+    heard = Sayings()
+    for saying in sayings:
+        heard.hear(saying)
+    return heard
+
+
+@pytest.mark.parametrize(
+    "speaker, message, now_s, expected",
+    [
+        ("I", "hello", 10.1, True),
+        ("somebody", "", 10.1, True),
+        ("Alice", "hello", 10.1, True),
+        ("Bob", "hello", 10.1, False),
+        ("", "Hello, robot", 10.1, True),
+        ("I", "hell", 10.1, False),
+        ("I", "goodbye", 10.1, False),
+        ("I", "hello", 10.1 + MOMENT_S, False),
+    ],
+)
+def test_what_was_just_said(speaker: str, message: str, now_s: float, expected: bool) -> None:
+    heard = said(Saying("Alice", "Hello robot!", 10.0, 1.0))
+    found = heard.match(TypedArgument(text=speaker), TypedArgument(text=message), now_s=now_s)
+    assert (found is not None) is expected
+
+
+def test_the_last_of_two_counts() -> None:
+    heard = said(Saying("", "hello", 10.0, 1.0), Saying("", "hello", 10.2, 2.0))
+    found = heard.match(TypedArgument(), TypedArgument(text="hello"), now_s=10.3)
+    assert found is not None and found.stamp_s == 2.0
+
+
+@pytest.mark.parametrize(
+    "time, expected",
+    [
+        (TimeExpression("time", value="T08:00"), True),
+        (TimeExpression("time", value="T08"), True),
+        (TimeExpression("time", value="T08:01"), False),
+        (TimeExpression("time", value="T20:00"), False),
+        (TimeExpression("time", begin_s=datetime(2026, 5, 4, 8, 0, 1).timestamp(), end_s=4e9), True),
+        (TimeExpression("time", begin_s=datetime(2026, 5, 4, 8, 1).timestamp(), end_s=4e9), False),
+        (TimeExpression("time", begin_s=datetime(2026, 5, 4, 7, 59).timestamp(), end_s=4e9), False),
+    ],
+)
+def test_clock_shows_a_minute(time: TimeExpression, expected: bool) -> None:
+    assert clock_shows(time, datetime(2026, 5, 4, 8, 0, 30)) is expected
+
+
+@pytest.mark.parametrize("time", [None, TimeExpression("duration", length_s=5.0, value="PT5S")])
+def test_what_is_no_moment_cannot_be_told(time: TimeExpression) -> None:
+    with pytest.raises(ValueError, match="no time of the day"):
+        clock_shows(time, datetime(2026, 5, 4, 8, 0, 30))
+
+
+def test_places_have_a_size() -> None:
+    assert is_near((0.0, 0.0), (0.3, 0.4), 0.5)
+    assert not is_near((0.0, 0.0), (0.3, 0.5), 0.5)
