@@ -237,6 +237,8 @@ class _Finder:
     def _joiner(self, place: int) -> Tuple[Optional[Joint], int]:
         """Return a joiner that stands before a deed: "otherwise wait", "first go to the kitchen"."""
         joiner, length = shipped_links().joiner_at(self.forms[place:])
+        if any(self.words[place].index in time for time in self.sentence.tree.times):
+            return None, 0  # "Next week" is a time.
         if joiner is None or not self._is_front(place):
             # "Go to the kitchen and tell me a joke meanwhile": behind a deed only at the end of the sentence.
             is_last = joiner is not None and joiner.kind is LinkKind.MEANWHILE and self._is_end(place + length)

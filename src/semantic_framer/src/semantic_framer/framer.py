@@ -239,14 +239,15 @@ class _Hearing:
         if not joints.found:
             return refused
         try:
-            bare = without_joints(sentence, joints, self._now.known)
+            left = without_joints(sentence, joints, self._now.known)
         except NotATree:
             return None
-        if bare is None:
+        if left is None:
             question = Question("MISSING_ELEMENT", f"What should I do {joint_words(sentence, joints)}?")
             return None if before.code in (QUESTION, TALK) else Heard(question, context, sentence)
         for joint in joints.found:
             self._now.write("links", sentence.text(sorted(joint.positions)), joint.kind.value)
+        bare = Sentence(left, self._now.known.types)
         case = case_of(bare, self._clauses(bare), self._now.known, self._now.policy)
         clauses = self._deeds(case)
         if isinstance(clauses, Refusal):

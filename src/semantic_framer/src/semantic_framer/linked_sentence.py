@@ -18,8 +18,8 @@ TELLING = frozenset(["UNKNOWN_VERB", "UNKNOWN_FRAME", "NO_READING", "LEFT_OVER_W
 _DEPENDENT = frozenset(["advcl", "xcomp", "ccomp", "acl", "dep"])
 
 
-def without_joints(sentence: Sentence, joints: Joints, known: FramedLexicon) -> Optional[Sentence]:
-    """Return a sentence with the words that join set aside; None if no other words are left.
+def without_joints(sentence: Sentence, joints: Joints, known: FramedLexicon) -> Optional[DependencyTree]:
+    """Return the tree of a sentence with the words that join set aside; None if no other words are left.
 
     Raises:
         NotATree: the words that are left make no tree
@@ -35,7 +35,7 @@ def without_joints(sentence: Sentence, joints: Joints, known: FramedLexicon) -> 
     # The times among the words that join are accounted for.
     times = tuple(time for time in tree.times if not time <= joints.positions)
     made = set_aside(_with_deeds_apart(tree, joints.positions), joints.positions, ASIDE, is_verb)
-    return Sentence(replace(made, times=times), known.types)
+    return replace(made, times=times)
 
 
 def _with_deeds_apart(tree: DependencyTree, joining: FrozenSet[int]) -> DependencyTree:
