@@ -1,5 +1,8 @@
 # docker build -t roboframenet . && docker run --rm -it --network host roboframenet
 # The host's network, because ROS nodes open ports of their own. Another command: docker run ... roboframenet make demo
+# Only the page, with a file that holds a secret of at least 16 characters (http://127.0.0.1:8080/?token=SECRET):
+#   docker run --rm -it -p 127.0.0.1:8080:8080 -v "$PWD/token:/token:ro" roboframenet \
+#     scripts/run console_address:=0.0.0.0 console_token_file:=/token
 FROM debian:12
 RUN apt-get update && apt-get install -y --no-install-recommends make && rm -rf /var/lib/apt/lists/*
 WORKDIR /roboframenet

@@ -6,6 +6,8 @@ FILTER ?=
 DATA ?=
 SMACH ?=
 VOICE ?=
+FORM ?= standard
+ONLY ?=
 
 # The browser that tests the page, unless the tests of another package are run.
 .PHONY: browser
@@ -36,8 +38,9 @@ test: build browser ## run the tests, at most ten minutes (FILTER=package runs o
 acceptance: build ## run full tables and corpora, at most 75 minutes (DATA=folder of corpora, FILTER=package)
 	@ROBOFRAMENET_DATA="$(abspath $(DATA))" scripts/test acceptance $(if $(FILTER),-R $(FILTER))
 
-reliability: build ## run the long tests with faults (FILTER=package)
-	@scripts/test reliability $(if $(FILTER),-R $(FILTER))
+reliability: build ## attack a running robot, R1 to R18, and print a table (FORM=short, standard or full; ONLY=R2,R5); then the long tests
+	@scripts/reliability --form $(FORM) $(if $(ONLY),--only $(ONLY))
+	$(if $(ONLY)$(filter short,$(FORM)),,@scripts/test reliability $(if $(FILTER),-R $(FILTER)))
 
 record: build ## record what the parser's models answer to the unit tests (FILTER=package adds what is missing)
 	@scripts/record $(FILTER)

@@ -8,12 +8,11 @@ without that. The text is always the same, so the parser has its parse already: 
 """
 
 import os
-import statistics
 import sys
-import threading
 import time
-from typing import Dict, List, Sequence, Tuple
+from typing import Dict, List, Sequence
 
+from arrivals import Arrivals, quantiles, wait_for_connections
 from own_graph import OwnGraph
 
 START_TIMEOUT_S = 300.0
@@ -63,20 +62,19 @@ class Measurement:
         from rfnserver import RFNServer
 
         rospy.init_node("measuring")
-        self._seen: Dict[str, float] = {}
-        self._arrived = threading.Condition()
+        self._arrivals = Arrivals(ANSWER_TIMEOUT_S)
         self._bare_server = actionlib.SimpleActionServer(
             "bare_server", TestAction, lambda goal: self._take_bare_goal(), auto_start=False
         )
         self._bare_server.start()
-        self._server = RFNServer("measured", lambda frame: self._note(EXECUTOR))
+        self._server = RFNServer("measured", lambda frame: self._arrivals.note(EXECUTOR))
         self._server.start()
         self._publishers = {
             topic: rospy.Publisher(topic, String, queue_size=10) for topic in ("text", "bare_text", "bare_order")
         }
         self._subscribers = [
-            rospy.Subscriber("bare_back", String, lambda message: self._note(HOP)),
-            rospy.Subscriber("reply", roboframenet_msgs.msg.Reply, lambda message: self._note(REPLY)),
+            rospy.Subscriber("bare_back", String, lambda message: self._arrivals.note(HOP)),
+            rospy.Subscriber("reply", roboframenet_msgs.msg.Reply, lambda message: self._arrivals.note(REPLY)),
         ]
         for service in ("register_with_frame", "add_lexical_unit"):
             rospy.wait_for_service(service, timeout=START_TIMEOUT_S)
@@ -84,24 +82,16 @@ class Measurement:
             raise SystemExit(self._server.last_error)
         # Only to see whether the parser listens.
         self._publishers["command_text"] = rospy.Publisher("command_text", roboframenet_msgs.msg.Command, queue_size=1)
-        self._wait_for_connections()
+        wait_for_connections(self._missing, START_TIMEOUT_S)
 
-    def _wait_for_connections(self) -> None:
-        """Return when everybody listens; exits with a sentence when somebody does not come up."""
-        end_s = time.monotonic() + START_TIMEOUT_S
-        while True:
-            missing = [topic.name for topic in self._subscribers if not topic.get_num_connections()]
-            missing += [
-                name
-                for name, publisher in self._publishers.items()
-                # The command server and the stop server hear a text.
-                if publisher.get_num_connections() < (2 if name == "text" else 1)
-            ]
-            if not missing:
-                return
-            if time.monotonic() > end_s:
-                raise SystemExit(f"not connected: {missing}")
-            time.sleep(0.05)
+    def _missing(self) -> List[str]:
+        missing = [topic.name for topic in self._subscribers if not topic.get_num_connections()]
+        # The command server and the stop server hear a text.
+        return missing + [
+            name
+            for name, publisher in self._publishers.items()
+            if publisher.get_num_connections() < (2 if name == "text" else 1)
+        ]
 
     def observe(self) -> None:
         """Listen to each stage from now on."""
@@ -109,33 +99,26 @@ class Measurement:
         import rospy
 
         self._subscribers += [
-            rospy.Subscriber(topic, getattr(roboframenet_msgs.msg, kind), lambda _, stage=stage: self._note(stage))
+            rospy.Subscriber(
+                topic, getattr(roboframenet_msgs.msg, kind), lambda _, stage=stage: self._arrivals.note(stage)
+            )
             for stage, topic, kind in STAGES
         ]
-        self._wait_for_connections()
+        wait_for_connections(self._missing, START_TIMEOUT_S)
 
     def _take_bare_goal(self) -> None:
-        self._note(GOAL)
+        self._arrivals.note(GOAL)
         self._bare_server.set_succeeded()
-
-    def _note(self, what: str) -> None:
-        now_s = time.monotonic()
-        with self._arrived:
-            self._seen.setdefault(what, now_s)
-            self._arrived.notify_all()
 
     def _send(self, topic: str, text: str, until: Sequence[str]) -> Dict[str, float]:
         """Publish a text; return the milliseconds after which each thing was seen."""
         from std_msgs.msg import String
 
         time.sleep(SETTLE_S)
-        self._seen = {}
+        self._arrivals.clear()
         start_s = time.monotonic()
         self._publishers[topic].publish(String(data=text))
-        with self._arrived:
-            if not self._arrived.wait_for(lambda: self._seen.keys() >= set(until), ANSWER_TIMEOUT_S):
-                raise SystemExit(f"{text or topic}: of {list(until)} came only {list(self._seen)}")
-            return {what: 1000.0 * (seen_s - start_s) for what, seen_s in self._seen.items()}
+        return self._arrivals.after(start_s, until)
 
     def bare(self) -> Dict[str, float]:
         """Milliseconds of a bare hop, of a bare goal, and of as many of them as the pipeline has."""
@@ -155,12 +138,6 @@ class Measurement:
         for stage in stages:
             times[stage], last = seen[stage] - last, seen[stage]
         return {**times, "text to goal, observed": last}
-
-
-def quantiles(values: Sequence[float]) -> Tuple[float, float]:
-    """Median, and the value that 99 of 100 do not exceed."""
-    ordered = sorted(values)
-    return statistics.median(ordered), ordered[min(len(ordered) - 1, int(0.99 * len(ordered)))]
 
 
 def measure(count: int) -> int:

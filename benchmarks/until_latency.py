@@ -6,12 +6,11 @@ a `ConditionServer` and the executor, which cancels the goal of the running clau
 """
 
 import os
-import statistics
 import sys
-import threading
 import time
-from typing import Dict, List, Sequence, Tuple
+from typing import Dict, List
 
+from arrivals import Arrivals, quantiles, wait_for_connections
 from own_graph import OwnGraph
 
 START_TIMEOUT_S = 60.0
@@ -71,8 +70,7 @@ class Measurement:
         from std_msgs.msg import Header
 
         rospy.init_node("measuring")
-        self._seen: Dict[str, float] = {}
-        self._arrived = threading.Condition()
+        self._arrivals = Arrivals(ANSWER_TIMEOUT_S)
         self._source = rospy.Publisher("source", Header, queue_size=10, tcp_nodelay=True)
         self._plans = rospy.Publisher("command_plan", CommandPlan, queue_size=10)
         self._server = actionlib.ActionServer(
@@ -80,35 +78,23 @@ class Measurement:
         )
         self._server.start()
         self._subscribers = [
-            rospy.Subscriber("bare_back", Header, lambda message: self._note("bare subscriber")),
-            rospy.Subscriber("stage_events", StageEvent, lambda event: event.is_final and self._note("reply")),
+            rospy.Subscriber("bare_back", Header, lambda message: self._arrivals.note("bare subscriber")),
+            rospy.Subscriber("stage_events", StageEvent, lambda event: event.is_final and self._arrivals.note("reply")),
         ]
-        end_s = time.monotonic() + START_TIMEOUT_S
-        while self._source.get_num_connections() < 2 or not all(
-            one.get_num_connections() for one in (self._plans, *self._subscribers)
-        ):
-            if time.monotonic() > end_s:
-                raise SystemExit("the executor, the watcher or the bare subscriber does not come up")
-            time.sleep(0.05)
+        wait_for_connections(self._missing, START_TIMEOUT_S)
+
+    def _missing(self) -> List[str]:
+        missing = [one.name for one in (self._plans, *self._subscribers) if not one.get_num_connections()]
+        # The watcher and the bare subscriber hear the source.
+        return missing if self._source.get_num_connections() >= 2 else [*missing, self._source.name]
 
     def _begin(self, handle: object) -> None:
         handle.set_accepted()  # type: ignore[attr-defined]
-        self._note("begun")
+        self._arrivals.note("begun")
 
     def _cancel(self, handle: object) -> None:
-        self._note("until")
+        self._arrivals.note("until")
         handle.set_canceled()  # type: ignore[attr-defined]
-
-    def _note(self, what: str) -> None:
-        now_s = time.monotonic()
-        with self._arrived:
-            self._seen.setdefault(what, now_s)
-            self._arrived.notify_all()
-
-    def _wait_for(self, *what: str) -> None:
-        with self._arrived:
-            if not self._arrived.wait_for(lambda: self._seen.keys() >= set(what), ANSWER_TIMEOUT_S):
-                raise SystemExit(f"of {what} came only {list(self._seen)}")
 
     def turn(self, number: int) -> Dict[str, float]:
         """Milliseconds from the message of the source to the cancel, and to the answer of the bare subscriber."""
@@ -126,21 +112,14 @@ class Measurement:
             msg.PlanNode(kind=msg.PlanNode.CONDITION, label="it is so", candidates=[candidate("being", "watching")]),
             msg.PlanNode(kind=msg.PlanNode.DO, label="drive", candidates=[candidate("driving", "driving")]),
         ]
-        self._seen = {}
+        self._arrivals.clear()
         command = msg.Command(id=f"until_{number}", text="drive until it is so", stamp=rospy.Time.now())
         self._plans.publish(msg.CommandPlan(command=command, plan=msg.Plan(nodes=nodes)))
-        self._wait_for("begun")
+        self._arrivals.after(0.0, ["begun"])
         time.sleep(SETTLE_S)
         start_s = time.monotonic()
         self._source.publish(Header(stamp=rospy.Time.now(), frame_id=str(number)))
-        self._wait_for("until", "bare subscriber", "reply")
-        return {what: 1000.0 * (self._seen[what] - start_s) for what in ("until", "bare subscriber")}
-
-
-def quantiles(values: Sequence[float]) -> Tuple[float, float]:
-    """Median, and the value that 99 of 100 do not exceed."""
-    ordered = sorted(values)
-    return statistics.median(ordered), ordered[min(len(ordered) - 1, int(0.99 * len(ordered)))]
+        return self._arrivals.after(start_s, ["until", "bare subscriber", "reply"])
 
 
 def measure(count: int) -> int:

@@ -12,6 +12,7 @@ from pathlib import Path
 from typing import Dict, List, Tuple
 
 import rospy
+from dynamic_reconfigure.client import Client
 from roboframenet_msgs.msg import Reply
 from sensor_msgs.msg import JointState
 
@@ -104,6 +105,10 @@ class SmallWordsTest(unittest.TestCase):
         wait_until(is_pipeline_complete, 120.0, "the pipeline did not come up")
         self.assertTrue(can_do(rospy.get_param("~frames")), "the robot did not register")
         self.assertTrue(self.conversation.wait_until_heard(2, 60.0))
+        if rospy.has_param("~linear_speed_m_per_s"):
+            client = Client("move_action_server", timeout=60.0)
+            client.update_configuration({"linear_speed_m_per_s": rospy.get_param("~linear_speed_m_per_s")})
+            client.close()
         beginnings = tuple(rospy.get_param("~beginnings"))
         same = {tuple(pair) for pair in rospy.get_param("~same")}
         lines = PAIRS.read_text(encoding="utf-8").splitlines()

@@ -11,10 +11,14 @@ import pytest
 import yaml
 
 from arbitrator.policy import POLICIES
+from web_console.settings import Settings as ConsoleSettings
 
 REPOSITORY = Path(os.path.realpath(__file__)).parents[2]
 BRINGUP = REPOSITORY / "src" / "roboframenet_bringup"
 ROBOTS = {path.stem for path in (BRINGUP / "launch" / "robots").glob("*.launch")}
+
+#: What the page gets without an argument.
+CONSOLE = {name: getattr(ConsoleSettings(), name) for name in ("address", "port", "token_file", "host_names")}
 
 
 def meanings(launch_file: str) -> Dict[str, str]:
@@ -96,6 +100,31 @@ def test_readme_and_files_of_the_behaviours_agree() -> None:
     rows = re.findall(r"^\| `(\w+/\w+)` \| ([\w.]+) \| ([\w.]+) \|", text, re.MULTILINE)
     assert {parameter: value for parameter, value, _ in rows} == behaviour("now")
     assert {parameter: value for parameter, _, value in rows} == behaviour("2012")
+
+
+def console_parameters(*arguments: str) -> Dict[str, object]:
+    """Return the parameters that ``robot.launch`` gives to the page."""
+    dumped = subprocess.run(
+        ["roslaunch", "--dump-params", "roboframenet_bringup", "robot.launch", "console:=true", *arguments],
+        capture_output=True,
+        text=True,
+        timeout=60,
+        check=True,
+    ).stdout
+    found = yaml.safe_load(dumped).items()
+    return {name.rpartition("/")[2]: value for name, value in found if name.startswith("/web_console/")}
+
+
+def test_page_is_offered_where_the_launch_arguments_say() -> None:
+    unset = console_parameters()
+    assert unset == {name: list(value) if isinstance(value, tuple) else value for name, value in CONSOLE.items()}
+    arguments = ("address:=0.0.0.0", "port:=80", "token_file:=/token", "host_names:=robot,robot.example")
+    assert console_parameters(*(f"console_{argument}" for argument in arguments)) == {
+        "address": "0.0.0.0",
+        "port": 80,
+        "token_file": "/token",
+        "host_names": ["robot", "robot.example"],
+    }
 
 
 @pytest.mark.parametrize("launch_file", ["pipeline.launch", "robot.launch"])

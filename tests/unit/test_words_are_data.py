@@ -37,6 +37,7 @@ NO_SPEECH: Dict[str, Tuple[str, str]] = {
     "arbitrator/plan_nodes.py": ("names of fields", "kind, label, children, candidates, after"),
     "arbitrator/ros_messages.py": ("names of fields", "kind, label, count, most, trigger"),
     "arbitrator/state_machine.py": ("labels of states", "together, monitor, next round"),
+    "command_server/ros_open_commands.py": ("keys of a record", "id, text, order"),
     "executor/ros_driver_settings.py": ("keys of a record", "node, name, former"),
     "executor/driver_settings.py": ("keys of a record", "node, name, former"),
     "frame_learning/outcome_score.py": (
@@ -57,6 +58,13 @@ NO_SPEECH: Dict[str, Tuple[str, str]] = {
     "offline_pipeline/pipeline.py": (
         "keys of JSON",
         "text, tokens, frames, reply, outcome, code, sentence, name, argument, typed",
+    ),
+    "roboframenet_ros/ros_live_parameters.py": (
+        "keys of dynamic_reconfigure",
+        (
+            "class, cstate, default, defaults, description, groups, id, level, lower, max, "
+            "min, name, parameters, parent, srcfile, srcline, state, type, upper, value"
+        ),
     ),
     "pr2_props/named_arms.py": ("names of quantifiers", "each, every, all, both"),
     "pr2_props/node.py": ("names of props", "hug, hugging, pound, pounding"),
@@ -129,8 +137,8 @@ NO_SPEECH: Dict[str, Tuple[str, str]] = {
             "lowering, meeting, mixing, moving, music, navigation, nodding, observing, offering, opening, "
             "parting, patrolling, peeling, perceiving, photographing, placing, playing, pointing, pouring, "
             "pressing, props, pulling, pushing, raising, reminding, reporting, requesting, restarting, rinsing, "
-            "rotating, scouring, scrubbing, serving, slicing, sliding, socializing, speaking, stacking, sweeping, "
-            "taking, telling, temperature, throwing, ungrasping, unlocking, verifying, volume, wiping"
+            "rotating, saying, scouring, scrubbing, serving, slicing, sliding, socializing, speaking, stacking, "
+            "sweeping, taking, telling, temperature, throwing, ungrasping, unlocking, verifying, volume, wiping"
         ),
     ),
     "home_servers/going.py": (
@@ -154,10 +162,7 @@ NO_SPEECH: Dict[str, Tuple[str, str]] = {
     ),
     "home_servers/looking.py": (
         "what a robot in a home knows: not yet in words.yaml",
-        (
-            "all, clean, closed, dirty, each, empty, every, full, guest, locked, off, on, open, people, person, "
-            "shut, unlocked, visitor, wet"
-        ),
+        ("all, clean, closed, dirty, each, empty, every, full, locked, off, on, open, shut, unlocked, wet"),
     ),
     "home_servers/memory.py": (
         "what a robot in a home knows: not yet in words.yaml",
@@ -175,12 +180,13 @@ NO_SPEECH: Dict[str, Tuple[str, str]] = {
         "what a robot in a home knows: not yet in words.yaml",
         (
             "at, basket, behind, below, beside, box, by, cupboard, dishwasher, drawer, fridge, i, in, into, "
-            "machine, me, myself, near, on, onto, oven, robot, sink, under, us, wardrobe, we, you, yourself"
+            "machine, me, myself, near, on, onto, oven, robot, sink, sitting, standing, "
+            "under, us, walking, wardrobe, we, you, yourself"
         ),
     ),
     "home_servers/talking.py": (
         "what a robot in a home knows: not yet in words.yaml",
-        ("music, radio, song, the date, the day, the room, the time, the view, this room"),
+        ("music, radio, song, the room, the view, this room"),
     ),
     "roboframenet_sim/room.py": ("keys of a file", "bounds, walls, boxes"),
     "roboframenet_tools/cli.py": (

@@ -23,19 +23,19 @@ function(roboframenet_pin_interpreter)
   endforeach()
 endfunction()
 
-# roboframenet_add_tests([FOLDER <folder>])
+# roboframenet_add_tests([FOLDER <folder>] [GRAPHS])
 #
 # Add the tests of a package, in three tiers (scripts/test runs one). The folder is "test".
 #
 #   <folder>/unit                 pytest; the marks "acceptance" and "reliability" tell what is of another tier than "test"
-#   <folder>/rostest/*.test       rostest, tier "test"
+#   <folder>/rostest/*.test       rostest, tier "test"; its nodes wait more than they work, unless GRAPHS is given
 #   <folder>/acceptance/*.test    rostest, tier "acceptance"
 #   <folder>/reliability/*.test   rostest, tier "reliability"
 function(roboframenet_add_tests)
   if(NOT CATKIN_ENABLE_TESTING)
     return()
   endif()
-  cmake_parse_arguments(ARG "" "FOLDER" "" ${ARGN})
+  cmake_parse_arguments(ARG "GRAPHS" "FOLDER" "" ${ARGN})
   if(NOT ARG_FOLDER)
     set(ARG_FOLDER test)
   endif()
@@ -52,6 +52,13 @@ function(roboframenet_add_tests)
         add_rostest(${rostest})
       endforeach()
       _roboframenet_label_tests(${tier} ${before})
+      if(NOT ARG_GRAPHS)
+        get_property(tests DIRECTORY PROPERTY TESTS)
+        if(before)
+          list(REMOVE_ITEM tests ${before})
+        endif()
+        set_tests_properties(${tests} PROPERTIES PROCESSORS 1 COST 1)
+      endif()
     endif()
   endforeach()
 endfunction()
@@ -84,14 +91,15 @@ endfunction()
 
 # _roboframenet_label_tests(<label> [<test>...])
 #
-# Label the tests of this folder that are not among the given ones; scripts/test chooses by labels.
+# Label the tests of this folder that are not among the given ones; scripts/test chooses by labels, and runs two jobs for
+# each core. A test counts as two, one core, unless it says otherwise; what takes longest begins first.
 function(_roboframenet_label_tests label)
   get_property(tests DIRECTORY PROPERTY TESTS)
   if(ARGN)
     list(REMOVE_ITEM tests ${ARGN})
   endif()
   if(tests)
-    set_tests_properties(${tests} PROPERTIES LABELS ${label})
+    set_tests_properties(${tests} PROPERTIES LABELS ${label} PROCESSORS 2 COST 2)
   endif()
 endfunction()
 

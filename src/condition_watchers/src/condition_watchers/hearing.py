@@ -6,8 +6,9 @@ from dataclasses import dataclass
 from datetime import datetime
 from typing import List, Optional
 
-from condition_watchers.words import is_one_of
-from typed_arguments import TimeExpression, TypedArgument
+from condition_watchers.words import hour, is_one_of
+from spoken_quantities import QuantityError, parse_number
+from typed_arguments import TypedArgument
 
 #: What happens in a moment holds for so long, seconds: long enough to be noticed.
 MOMENT_S = 0.5
@@ -80,20 +81,29 @@ def _plain(text: str) -> str:
     return " ".join(_NO_WORD.sub(" ", text.lower()).split())
 
 
-def clock_shows(time: Optional[TimeExpression], now: datetime) -> bool:
+def clock_shows(said: TypedArgument, now: datetime) -> bool:
     """Whether the clock shows a time: from that moment on, for a minute.
 
     Args:
-        time: as the framer read it
+        said: the time; "eight" is that of the morning and that of the evening
         now: local time
     Raises:
         ValueError: it is no moment
     """
-    if time is None:
-        raise ValueError("that is no time of the day")
-    if time.begin_s is not None:
+    time = said.time
+    if time is not None and time.begin_s is not None:
         return 0.0 <= now.timestamp() - time.begin_s < _SHOWN_S
-    found = _TIME_OF_DAY.search(time.value)
-    if found is None:
-        raise ValueError(f'"{time.words or time.value}" is no time of the day')
-    return (now.hour, now.minute) == (int(found[1]) % 24, int(found[2] or 0))
+    found = _TIME_OF_DAY.search(time.value) if time is not None else None
+    if found is not None:
+        return (now.hour, now.minute) == (int(found[1]) % 24, int(found[2] or 0))
+    named = hour(said.text.lower())
+    if named is not None:
+        return (now.hour, now.minute) == (named, 0)
+    try:
+        number = parse_number(said.text)
+    except QuantityError:
+        number = None
+    if number is None or number not in range(25):
+        raise ValueError(f'"{said.text}" is no time of the day')
+    hours = {number % 24} if number > 12 else {number % 12, number % 12 + 12}
+    return now.hour in hours and now.minute == 0

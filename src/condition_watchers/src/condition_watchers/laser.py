@@ -9,6 +9,8 @@ import numpy as np
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
+#: The robot drives into what is in this sector, to each side of ahead.
+AHEAD_RAD = math.radians(30.0)
 #: Two neighbouring points are of different things if their ranges differ by more, metres.
 _GAP_M = 0.3
 #: A piece is straight if no point is farther from the line between its ends, metres.
@@ -27,13 +29,13 @@ class Thing:
 
     Attributes:
         distance_m: of its nearest point
-        bearing_rad: of its nearest point; 0 ahead, positive to the left
+        ahead_m: of its nearest point in the sector of :data:`AHEAD_RAD`; infinite for none there
         width_m: from one end to the other
         is_straight: whether it is a piece of a wall
     """
 
     distance_m: float
-    bearing_rad: float
+    ahead_m: float
     width_m: float
     is_straight: bool = False
 
@@ -142,10 +144,10 @@ def _straight_pieces(points: "NDArray[np.float64]") -> List[Thing]:
 
 
 def _thing(points: "NDArray[np.float64]", *, is_straight: bool) -> Thing:
-    nearest = int(points[:, 1].argmin())
+    ahead = points[np.abs(points[:, 0]) <= AHEAD_RAD, 1]
     return Thing(
-        distance_m=float(points[nearest, 1]),
-        bearing_rad=float(points[nearest, 0]),
+        distance_m=float(points[:, 1].min()),
+        ahead_m=float(ahead.min()) if len(ahead) else math.inf,
         width_m=float(np.hypot(*(points[-1, 2:] - points[0, 2:]))),
         is_straight=is_straight,
     )

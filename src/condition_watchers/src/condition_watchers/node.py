@@ -257,7 +257,7 @@ class ClockWatch:
 
     def _holds(self, frame: TypedFrame) -> Observed:
         try:
-            is_shown = clock_shows(frame["time"].time, datetime.fromtimestamp(rospy.get_time()))
+            is_shown = clock_shows(frame["time"], datetime.fromtimestamp(rospy.get_time()))
         except ValueError as reason:
             raise ConditionUnknown(str(reason)) from reason
         return Observed(is_shown, rospy.Time.now())

@@ -2,14 +2,11 @@
 
 import math
 from dataclasses import dataclass
-from typing import Callable, Dict, Iterable, Mapping
+from typing import Callable, Dict, Mapping
 
-from condition_watchers.laser import Scan, Thing
+from condition_watchers.laser import AHEAD_RAD, Scan
 from condition_watchers.words import is_one_of, robots, words
 from typed_arguments import TypedArgument
-
-#: The robot drives into what is in this sector, to each side of ahead.
-_AHEAD_RAD = math.radians(30.0)
 
 Arguments = Mapping[str, TypedArgument]
 
@@ -52,10 +49,11 @@ class Surroundings:
     def distance_m(self, what: TypedArgument) -> float:
         """Return the distance of the nearest thing that is meant, as far as a laser tells; infinite for none."""
         if is_one_of(what, "walls"):
-            return _nearest_m(thing for thing in self.scan.things() if thing.is_wall and _is_ahead(thing))
+            return min((thing.ahead_m for thing in self.scan.things() if thing.is_wall), default=math.inf)
         if is_one_of(what, "persons"):
-            return _nearest_m(thing for thing in self.scan.things() if thing.is_as_wide_as_a_person)
-        return self.scan.nearest_m(_AHEAD_RAD)
+            persons = (thing for thing in self.scan.things() if thing.is_as_wide_as_a_person)
+            return min((person.distance_m for person in persons), default=math.inf)
+        return self.scan.nearest_m(AHEAD_RAD)
 
     def sees(self, what: TypedArgument) -> bool:
         """Whether something of this kind is in sight."""
@@ -74,20 +72,12 @@ class Surroundings:
         return self.distance_m(arguments["place"]) <= argument.si
 
 
-def _nearest_m(things: Iterable[Thing]) -> float:
-    return min((thing.distance_m for thing in things), default=math.inf)
-
-
-def _is_ahead(thing: Thing) -> bool:
-    return abs(thing.bearing_rad) <= _AHEAD_RAD
-
-
 _HOLDS: Dict[str, Callable[[Surroundings, Arguments], bool]] = {
     "condition_of_perceiving": lambda around, arguments: around.sees(arguments["phenomenon"]),
     "condition_of_presence": lambda around, arguments: around.sees(arguments["theme"]),
     "condition_of_distance": Surroundings.is_at,
     "condition_of_contact": lambda around, arguments: around.scan.nearest_m(math.pi) <= around.reach.contact_m,
-    "condition_of_obstruction": lambda around, arguments: around.scan.nearest_m(_AHEAD_RAD) <= around.reach.blocked_m,
+    "condition_of_obstruction": lambda around, arguments: around.scan.nearest_m(AHEAD_RAD) <= around.reach.blocked_m,
 }
 
 

@@ -2,19 +2,26 @@
 
 import os
 from functools import lru_cache
-from typing import FrozenSet, Mapping
+from typing import FrozenSet, Mapping, Optional
 
 import yaml
 
 from typed_arguments import TypedArgument
 from word_classes import without_determiner, word_class
 
+_PATH = os.path.join(os.path.dirname(os.path.realpath(__file__)), "words.yaml")
+
 
 @lru_cache(maxsize=1)
 def _file() -> Mapping[str, FrozenSet[str]]:
-    path = os.path.join(os.path.dirname(os.path.realpath(__file__)), "words.yaml")
-    with open(path, encoding="utf-8") as file:
-        return {name: frozenset(words) for name, words in yaml.safe_load(file).items()}
+    with open(_PATH, encoding="utf-8") as file:
+        return {name: frozenset(words) for name, words in yaml.safe_load(file).items() if name != "hours"}
+
+
+@lru_cache(maxsize=1)
+def _hours() -> Mapping[str, int]:
+    with open(_PATH, encoding="utf-8") as file:
+        return dict(yaml.safe_load(file)["hours"])
 
 
 def words(name: str) -> FrozenSet[str]:
@@ -24,6 +31,11 @@ def words(name: str) -> FrozenSet[str]:
         KeyError: there is no such list
     """
     return _file()[name]
+
+
+def hour(name: str) -> Optional[int]:
+    """Return the hour that a word names, 0 to 23; None if it names none."""
+    return _hours().get(name)
 
 
 def robots() -> FrozenSet[str]:

@@ -54,13 +54,33 @@ def test_the_last_of_two_counts() -> None:
     ],
 )
 def test_clock_shows_a_minute(time: TimeExpression, expected: bool) -> None:
-    assert clock_shows(time, datetime(2026, 5, 4, 8, 0, 30)) is expected
+    assert clock_shows(TypedArgument("time", "then", time=time), datetime(2026, 5, 4, 8, 0, 30)) is expected
 
 
-@pytest.mark.parametrize("time", [None, TimeExpression("duration", length_s=5.0, value="PT5S")])
-def test_what_is_no_moment_cannot_be_told(time: TimeExpression) -> None:
+@pytest.mark.parametrize(
+    "text, hour, expected",
+    [
+        ("eight", 8, True),
+        ("eight", 20, True),
+        ("8", 20, True),
+        ("eight", 9, False),
+        ("20", 20, True),
+        ("20", 8, False),
+        ("twelve", 0, True),
+        ("noon", 12, True),
+        ("noon", 0, False),
+        ("midnight", 0, True),
+    ],
+)
+def test_hours_in_words(text: str, hour: int, expected: bool) -> None:
+    assert clock_shows(TypedArgument("time", text), datetime(2026, 5, 4, hour, 0, 59)) is expected
+    assert clock_shows(TypedArgument("time", text), datetime(2026, 5, 4, hour, 1, 0)) is False
+
+
+@pytest.mark.parametrize("text, time", [("soon", None), ("", None), ("99", None), ("5 s", TimeExpression("duration"))])
+def test_what_is_no_moment_cannot_be_told(text: str, time: TimeExpression) -> None:
     with pytest.raises(ValueError, match="no time of the day"):
-        clock_shows(time, datetime(2026, 5, 4, 8, 0, 30))
+        clock_shows(TypedArgument("time", text, time=time), datetime(2026, 5, 4, 8, 0, 30))
 
 
 def test_places_have_a_size() -> None:

@@ -69,6 +69,11 @@ def test_wall_beside_the_way_is_not_ahead() -> None:
     assert holds(beside, "obstruction") is False
 
 
+def test_wall_that_the_robot_drives_at_obliquely_is_ahead() -> None:
+    oblique = scan_of(WALL, x_m=1.3, yaw_rad=math.radians(45.0))
+    assert holds(oblique, "perceiving", perceiver="you", phenomenon="a wall") is True
+
+
 def test_person_is_seen_and_is_no_wall() -> None:
     shown = scan_of(persons=[person(0.9)])
     assert holds(shown, "perceiving", perceiver="you", phenomenon="a person") is True

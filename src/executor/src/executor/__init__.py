@@ -1,1 +1,1 @@
-"""Runs one plan at a time; a newer plan preempts the running one."""
+"""Runs plans; a newer plan preempts what runs, follows it, or runs beside it."""

@@ -4,7 +4,7 @@ import enum
 from dataclasses import dataclass
 from typing import Iterable, List, Optional, Sequence, Tuple, Union
 
-from arbitrator.node_runs import ABORTED, SUCCEEDED, EndedBy
+from arbitrator.node_runs import ABORTED, PREEMPTED, SUCCEEDED, EndedBy
 from arbitrator.plan import CONDITIONS, AnyCondition, Do, If, Part, Plan, Repeat, Until, Wait, While, parts_of, walk
 from executor.command_queue import Cause
 from executor.goal_tracking import Goal, Outcome, describe_failures
@@ -28,12 +28,28 @@ class Ending:
     sentence: str
 
 
-_SENTENCE_OF = {Cause.NEW_COMMAND: "A newer command took its place.", Cause.STOPPED: "Stopped."}
+_NO_MASTER = "The ROS master is gone"
+_SENTENCE_OF = {
+    Cause.NEW_COMMAND: "A newer command took its place.",
+    Cause.STOPPED: "Stopped.",
+    Cause.NOT_FREE: "It did not begin, because something else ran.",
+    Cause.NOT_BEGUN: "I did not begin, because what it was to follow was not done.",
+    Cause.TOO_MANY: "I did not begin, because too many commands wait or run already.",
+}
+#: Nothing took the place of these: the robot could not do what was said.
+_FAILED = (Cause.NOT_BESIDE, Cause.NOT_BEGUN, Cause.TOO_MANY)
 
 
-def ending_of_unstarted(cause: Cause) -> Ending:
-    """Return the ending of a command that was never started."""
-    return Ending(ReplyOutcome.SUPERSEDED, cause.value, _SENTENCE_OF[cause])
+def ending_of_unstarted(cause: Cause, *, blocking: str = "") -> Ending:
+    """Return the ending of a command that was never started.
+
+    Args:
+        cause: why
+        blocking: what runs, in the words of the person, if that is the reason
+    """
+    sentence = _SENTENCE_OF.get(cause) or f'I cannot do that beside "{blocking.strip(" .!")}": both need the same part.'
+    outcome = ReplyOutcome.FAILED if cause in _FAILED else ReplyOutcome.SUPERSEDED
+    return Ending(outcome, cause.value, sentence)
 
 
 def ending_of_malformed(error: str) -> Ending:
@@ -41,8 +57,19 @@ def ending_of_malformed(error: str) -> Ending:
     return Ending(ReplyOutcome.FAILED, "STAGE_ERROR", f"The plan cannot be carried out: {error}.")
 
 
+def ending_without_master() -> Ending:
+    """Return the ending of a command that does not start because the master is gone."""
+    return Ending(ReplyOutcome.FAILED, "MASTER_LOST", f"{_NO_MASTER}, so I begin nothing.")
+
+
 def ending_of_run(
-    outcome: str, plan: Plan, records: Sequence[NodeRecord], *, cause: Optional[Cause], error: str
+    outcome: str,
+    plan: Plan,
+    records: Sequence[NodeRecord],
+    *,
+    cause: Optional[Cause],
+    error: str,
+    is_without_master: bool = False,
 ) -> Ending:
     """Return the ending of a command that was started.
 
@@ -52,6 +79,7 @@ def ending_of_run(
         records: what became of each of its nodes
         cause: why it was preempted, None if it was not
         error: why the machine broke, empty if it did not
+        is_without_master: whether the master is gone, and nothing began since
     """
     story = _Story(plan, records)
     failures = describe_failures(story.goals)
@@ -73,7 +101,9 @@ def ending_of_run(
     )
     if cause is not None:
         return Ending(ReplyOutcome.SUPERSEDED, cause.value, _text(_SENTENCE_OF[cause], orphans, story.done_before()))
-    if outcome == "preempted":
+    if is_without_master and outcome == PREEMPTED:
+        return Ending(ReplyOutcome.FAILED, "MASTER_LOST", _text(f"{_NO_MASTER}.", orphans, *story.what_was_done()))
+    if outcome == PREEMPTED:
         taken = " ".join(f"{goal.server} {goal.reason}." for goal in story.goals if goal.outcome is Outcome.TAKEN_AWAY)
         return Ending(
             ReplyOutcome.SUPERSEDED, "STOPPED", _text(f"Another client cancelled it: {taken}", story.done_before())
@@ -141,6 +171,34 @@ class _Story:
         return code, _text(
             *reasons, f"I ended {ended}." if ended else "", f"Before that, I did {done}." if done else "", rest
         )
+
+    def what_was_done(self) -> List[str]:
+        """Return sentences that name the clauses that were done, failed, were ended, and did not begin."""
+        done = self._done()
+        failed = [
+            f'I could not do "{part.label}": {describe_failures(record.goals)}'
+            for part, record in self._clauses
+            if record.outcome == ABORTED and record.goals
+        ]
+        ended = _labels(
+            part
+            for part, record in self._clauses
+            if record.outcome == PREEMPTED and record.goals and record.goals[-1].outcome is not Outcome.SUCCEEDED
+        )
+        # A node may have begun without a goal of its own.
+        left = _labels(part for part, record in self._clauses if not record.goals)
+        again = [
+            f'I do not repeat "{part.child.label}".'
+            for part, record in self._parts
+            if isinstance(part, Repeat) and record.outcome == PREEMPTED
+        ]
+        return [
+            f"I did {done}." if done else "",
+            *failed,
+            f"I ended {ended}." if ended else "",
+            *again,
+            f"I did not begin {left}." if left else "",
+        ]
 
     def done_before(self) -> str:
         """Return a sentence that names the clauses that were done; empty for none, or for a single clause."""

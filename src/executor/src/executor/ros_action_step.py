@@ -55,7 +55,7 @@ class StepContext:
         quarantine: servers that are out of use
         patience: how long the command may go on
         suspension: whether this process has just been resumed
-        on_begin: called with the frame of each step that starts
+        begin: called with the frame of each step that starts; returns whether it may
         on_end: called with the frame, the number of its node in the plan, and the goal that has ended
     """
 
@@ -67,7 +67,7 @@ class StepContext:
     quarantine: Quarantine
     patience: Patience
     suspension: SuspensionWatch
-    on_begin: Callable[[FilledFrame], None]
+    begin: Callable[[FilledFrame], bool]
     on_end: Callable[[FilledFrame, int, Goal], None]
 
 
@@ -93,15 +93,16 @@ class ActionStep(smach.State):
 
     def execute(self, userdata: smach.UserData) -> str:
         """Carry the frame out; returns succeeded, aborted or preempted."""
-        self._context.on_begin(self._frame)
+        if not self._context.begin(self._frame):
+            # Nothing begins any more; what still runs ends first, and then the whole plan.
+            self._scope.wait(self._number, lambda: False)
+            return _preempted(self)
         began_s = time.monotonic()
         goal = self._carry_out()
         self._context.patience.spend(goal, time.monotonic() - began_s)
         self._context.on_end(self._frame, self._number, goal)
         outcome = SMACH_OUTCOME_OF[goal.outcome]
-        if outcome == "preempted" and self.preempt_requested():
-            self.service_preempt()
-        return outcome
+        return _preempted(self) if outcome == "preempted" else outcome
 
     @property
     def _is_to_end(self) -> bool:
@@ -236,3 +237,9 @@ class ActionStep(smach.State):
         self._context.quarantine.put(goal.server, sent.goal_id, goal.reason, keep=sent)
         if sent.handle.get_comm_state() == actionlib.CommState.DONE:
             self._context.quarantine.hear_end(goal.server, sent.goal_id)
+
+
+def _preempted(state: smach.State) -> str:
+    if state.preempt_requested():
+        state.service_preempt()
+    return "preempted"

@@ -38,11 +38,13 @@ class RunResult:
         outcome: succeeded, aborted or preempted; empty when the machine broke
         records: what became of each node of the plan
         error: why the machine broke, empty if it did not
+        is_without_master: whether it ended because the master is gone
     """
 
     outcome: str
     records: Tuple[NodeRecord, ...]
     error: str = ""
+    is_without_master: bool = False
 
 
 class CommandRun:
@@ -94,6 +96,7 @@ class CommandRun:
         self._steps: Dict[FilledFrame, float] = {}
         self._since_s = time.monotonic()
         self._is_preempt_asked = threading.Event()
+        self._is_without_master = False
         self._machine: Optional[smach.Container] = None
         self._context = StepContext(
             clients=clients,
@@ -104,7 +107,7 @@ class CommandRun:
             quarantine=quarantine,
             patience=patience,
             suspension=suspension,
-            on_begin=self._begin_step,
+            begin=self._begin_step,
             on_end=self._end_step,
         )
         self._thread = threading.Thread(target=self._run, name="command_run", daemon=True)
@@ -120,6 +123,18 @@ class CommandRun:
         if machine is not None:
             machine.request_preempt()
 
+    def end_without_master(self, *, at_once: bool) -> None:
+        """The master is gone: what runs ends, and nothing else begins; returns at once.
+
+        Args:
+            at_once: whether what runs is cancelled instead
+        """
+        with self._lock:
+            self._is_without_master = True
+            is_over = at_once or not self._steps
+        if is_over:
+            self.preempt()
+
     def join(self, *, timeout_s: float) -> bool:
         """Wait for the end; returns whether it has come."""
         self._thread.join(timeout_s)
@@ -134,15 +149,22 @@ class CommandRun:
         what = [f"{frame.name} by {frame.server} for {now_s - since_s:.0f} s" for frame, since_s in steps.items()]
         return f"{verb}: {', '.join(what) or f'waiting for {now_s - self._since_s:.0f} s'}."
 
-    def _begin_step(self, frame: FilledFrame) -> None:
+    def _begin_step(self, frame: FilledFrame) -> bool:
         with self._lock:
+            if self._is_without_master:
+                return False
             self._steps[frame] = time.monotonic()
         self._on_note(f"The server {frame.server} begins the frame {frame.name}.")
+        return True
 
     def _end_step(self, frame: FilledFrame, number: int, goal: Goal) -> None:
         with self._lock:
             self._steps.pop(frame, None)
             self._since_s = time.monotonic()
+            is_over = self._is_without_master and not self._steps
+        if is_over:
+            # Before the machine goes on.
+            self.preempt()
         self._record.hear_goal(number, goal)
         how = f"{frame.server} {goal.reason}" if goal.reason else f"{frame.server} has done {frame.name}"
         rospy.loginfo("%s -> %s: %s", frame.name, goal.outcome.value, how)
@@ -172,7 +194,7 @@ class CommandRun:
             rospy.logerr("the machine broke: %s: %s", type(fault).__name__, fault)
             error = f"{type(fault).__name__}: {fault}"
         finally:
-            self._on_end(self, RunResult(outcome=outcome, records=self._record.records(), error=error))
+            self._on_end(self, RunResult(outcome, self._record.records(), error, self._is_without_master))
             self._introspection.hide()
 
     def _show(self, machine: smach.Container) -> None:

@@ -73,6 +73,13 @@ class MisbehavingServer:
                 pass
             self._tell("preempted", frame)
             handle.set_canceled(undone)
+        elif frame.name == "last":
+            if cancelled.wait(float(elements["seconds"])):
+                self._tell("preempted", frame)
+                handle.set_canceled(undone)
+            else:
+                self._tell("ends", frame)
+                handle.set_succeeded(done)
         elif frame.name == "watch":
             self._watch(handle, cancelled, elements)
             self._tell("ends", frame)

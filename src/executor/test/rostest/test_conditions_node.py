@@ -81,7 +81,7 @@ class ConditionsTest(unittest.TestCase):
         reply = self.wait_for_reply(command)
         self.assertEqual((outcome, code, sentence), (reply.outcome, reply.code, reply.sentence))
         # Nobody watches any longer than the plan.
-        wait_until(lambda: self.begun("watch") == self.ended("watch"), message=lambda: self.log)
+        wait_until(lambda: self.begun("watch") and self.begun("watch") == self.ended("watch"), message=lambda: self.log)
 
     def begun(self, frame):
         return sorted(line.split()[0] for line in self.log if line.split()[1:] == ["begins", frame])
@@ -187,6 +187,24 @@ class ConditionsTest(unittest.TestCase):
         self.assertEqual((Reply.FAILED, "CONDITION_UNKNOWN"), (reply.outcome, reply.code))
         self.assertIn("nobody is not running", reply.sentence)
         self.assertEqual([], self.begun("run"))
+
+    def test_failover_stays_in_its_clause(self):
+        other = PlanNode(kind=PlanNode.DO, label="succeed at last")
+        other.candidates = [candidate("abort", "one"), candidate("reject", "two"), candidate("succeed", "two")]
+        command = self.send(
+            node("SEQUENCE", 1, 3),
+            node("REPEAT", 2, count=2, most=2),
+            do("succeed"),
+            node("UNTIL", 4, 5),
+            condition(watch("so", seconds=60)),
+            other,
+        )
+        reply = self.wait_for_reply(command)
+        self.assertEqual((Reply.DONE, "DONE"), (reply.outcome, reply.code), reply.sentence)
+        self.assertIn('I did "succeed" 2 times.', reply.sentence)
+        begun = [line for line in self.log if line.split()[1] == "begins" and line.split()[2] != "watch"]
+        expected = ["one succeed", "one succeed", "one abort", "two reject", "two succeed"]
+        self.assertEqual([line.replace(" ", " begins ") for line in expected], begun)
 
     def test_stop_ends_the_work_and_the_watch(self):
         command = self.until(watch("so", seconds=60))

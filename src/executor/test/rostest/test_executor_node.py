@@ -13,10 +13,13 @@ from roboframenet_msgs.msg import (
     FilledFrameElement,
     FilledSemanticFrame,
     FilledSemanticFrameAction,
+    FrameCallback,
+    FrameServers,
     Plan,
     PlanCandidate,
     PlanNode,
     Reply,
+    ServerProfile,
     StageEvent,
     StopReport,
 )
@@ -77,10 +80,10 @@ class ExecutorNodeTest(unittest.TestCase):
         leaves = [clause(label, ways) for label, ways in ways_by_label]
         return self.send_nodes([join("do it all", *range(1, len(leaves) + 1))] + leaves)
 
-    def send_nodes(self, nodes, stamp=None):
+    def send_nodes(self, nodes, stamp=None, beginning=Plan.REPLACE):
         type(self).count += 1
         command = Command(id=f"{self.id()}_{self.count}", text="do it", stamp=stamp or rospy.Time.now())
-        self.plans.publish(CommandPlan(command=command, plan=Plan(nodes=nodes)))
+        self.plans.publish(CommandPlan(command=command, plan=Plan(nodes=nodes, beginning=beginning)))
         return command
 
     def begun(self):
@@ -154,6 +157,56 @@ class ExecutorNodeTest(unittest.TestCase):
         self.assert_reply(new, Reply.DONE, "DONE")
         self.wait_for_log("two ends succeed")
         self.assertEqual(["one begins run", "one preempted run", "two begins succeed", "two ends succeed"], self.log)
+
+    @staticmethod
+    def half_a_second(label, server):
+        """A command that is done after half a second."""
+        return [
+            PlanNode(kind=PlanNode.UNTIL, label=label, children=[1], duration=rospy.Duration.from_sec(0.5)),
+            clause(label, [[frame("run", server)]]),
+        ]
+
+    def test_command_that_follows_begins_when_what_runs_has_ended(self):
+        first = self.send_nodes(self.half_a_second("turn", "one"))
+        self.wait_for_log("one begins run")
+        then = self.send_nodes([clause("bow", [[frame("succeed", "two")]])], beginning=Plan.FOLLOW)
+        self.assert_reply(first, Reply.DONE, "DONE")
+        self.assert_reply(then, Reply.DONE, "DONE")
+        self.assertEqual(["one begins run", "two begins succeed"], self.begun())
+        failing = self.send([[frame("abort", "one")]])
+        lost = self.send_nodes([clause("bow", [[frame("succeed", "two")]])], beginning=Plan.FOLLOW)
+        self.assert_reply(failing, Reply.FAILED, "ALL_CANDIDATES_FAILED")
+        self.assertIn(self.wait_for_reply(lost).code, ("NOT_BEGUN", "DONE"))
+
+    def test_command_runs_beside_another_if_their_servers_share_nothing(self):
+        servers = rospy.Publisher("frame_servers", FrameServers, queue_size=1, latch=True)
+        profiles = [("run", "one", "base"), ("run", "two", "voice"), ("succeed", "three", "base")]
+        servers.publish(
+            FrameServers(
+                callbacks=[
+                    FrameCallback(name, server, True, ServerProfile(occupies=[resource]))
+                    for name, server, resource in profiles
+                ]
+            )
+        )
+        wait_until(lambda: servers.get_num_connections() > 0)
+        rospy.sleep(0.3)
+        first = self.send_nodes([clause("drive", [[frame("run", "one")]])])
+        self.wait_for_log("one begins run")
+        refused = self.send_nodes([clause("push", [[frame("succeed", "three")]])], beginning=Plan.BESIDE)
+        self.assert_reply(refused, Reply.FAILED, "NOT_BESIDE", 'beside "drive"')
+        beside = self.send_nodes(self.half_a_second("sing", "two"), beginning=Plan.BESIDE)
+        self.assert_reply(beside, Reply.DONE, "DONE", 'I ended "sing" after 0.5 seconds.')
+        self.assertEqual([], self.events_of(first, True))
+        free = self.send_nodes([clause("push", [[frame("succeed", "three")]])], beginning=Plan.WHEN_FREE)
+        self.assert_reply(free, Reply.SUPERSEDED, "NOT_FREE")
+        other = self.send_nodes([clause("sing", [[frame("run", "two")]])], beginning=Plan.BESIDE)
+        self.wait_for_log("two begins run")
+        new = self.send([[frame("succeed", "three")]])
+        self.assert_reply(first, Reply.SUPERSEDED, "NEW_COMMAND")
+        self.assert_reply(other, Reply.SUPERSEDED, "NEW_COMMAND")
+        self.assert_reply(new, Reply.DONE, "DONE")
+        servers.unregister()
 
     def test_older_command_does_not_run(self):
         old_stamp = rospy.Time.now()

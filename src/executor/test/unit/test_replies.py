@@ -21,7 +21,13 @@ from arbitrator.plan import (
 from executor import goal_tracking as tracking
 from executor.command_queue import Cause
 from executor.goal_tracking import GoalDeadlines, GoalStatusCode
-from executor.replies import ReplyOutcome, ending_of_malformed, ending_of_run, ending_of_unstarted
+from executor.replies import (
+    ReplyOutcome,
+    ending_of_malformed,
+    ending_of_run,
+    ending_of_unstarted,
+    ending_without_master,
+)
 from executor.run_record import NodeRecord, RunRecord
 from typed_arguments import FilledFrame
 
@@ -284,8 +290,58 @@ def test_each_node_has_a_record():
 @pytest.mark.parametrize("cause", list(Cause))
 def test_commands_that_never_began(cause):
     ending = ending_of_unstarted(cause)
-    assert (ending.outcome, ending.code) == (ReplyOutcome.SUPERSEDED, cause.value) and ending.sentence
+    is_superseded = cause in (Cause.NEW_COMMAND, Cause.STOPPED, Cause.NOT_FREE)
+    assert ending.outcome == (ReplyOutcome.SUPERSEDED if is_superseded else ReplyOutcome.FAILED)
+    assert ending.code == cause.value and ending.sentence
+
+
+def test_command_that_cannot_run_beside_another_names_it():
+    sentence = ending_of_unstarted(Cause.NOT_BESIDE, blocking="Go to the kitchen.").sentence
+    assert sentence == 'I cannot do that beside "Go to the kitchen": both need the same part.'
 
 
 def test_malformed_plan():
     assert ending_of_malformed("no frames").code == "STAGE_ERROR"
+
+
+@pytest.mark.parametrize(
+    "clauses, told",
+    [
+        ([PINGED, NOT_BEGUN], 'I did "Ping". I did not begin "go home".'),
+        (
+            [PINGED, FAILED, NOT_BEGUN],
+            (
+                'I did "Ping". I could not do "wave at Alice": walk aborted: no odometry; wave rejected the goal: no '
+                'arm. I did not begin "go home".'
+            ),
+        ),
+        (
+            [clause("turn left", "preempted", (PREEMPTED,)), NOT_BEGUN],
+            'I ended "turn left". I did not begin "go home".',
+        ),
+        # Its machine has begun, and no goal.
+        ([PINGED, clause("go home", "preempted")], 'I did "Ping". I did not begin "go home".'),
+    ],
+)
+def test_without_a_master_what_was_done_is_told(clauses, told):
+    plan = InSequence("all", tuple(part for part, _ in clauses))
+    records = [NodeRecord(begun=1, outcome="preempted"), *(record for _, record in clauses)]
+    ending = ending_of_run("preempted", plan, records, cause=None, error="", is_without_master=True)
+    assert (ending.outcome, ending.code) == (ReplyOutcome.FAILED, "MASTER_LOST")
+    assert ending.sentence == f"The ROS master is gone. {told}"
+
+
+def test_repetition_that_ends_without_a_master_says_so():
+    plan = Repeat("turn left twice", do("turn left"), 2, 2)
+    records = [NodeRecord(begun=1, outcome="preempted"), NodeRecord(begun=2, done=1, goals=(DONE,))]
+    ending = ending_of_run("preempted", plan, records, cause=None, error="", is_without_master=True)
+    assert ending.sentence == 'The ROS master is gone. I did "turn left". I do not repeat "turn left".'
+
+
+def test_plan_that_was_done_or_stopped_is_told_as_such_without_a_master():
+    plan, record = clause("turn left", "succeeded", (DONE,))
+    assert ending_of_run("succeeded", plan, [record], cause=None, error="", is_without_master=True).code == "DONE"
+    plan, record = clause("turn left", "preempted", (PREEMPTED,))
+    stopped = ending_of_run("preempted", plan, [record], cause=Cause.STOPPED, error="", is_without_master=True)
+    assert stopped.code == "STOPPED"
+    assert ending_without_master().sentence == "The ROS master is gone, so I begin nothing."

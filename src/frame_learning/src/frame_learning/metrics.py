@@ -149,6 +149,20 @@ def is_exact(command: AnnotatedCommand, answer: Answer) -> bool:
     return _frames(command.frames) == _frames(answer.frames) and _spans(command.frames) == _spans(answer.frames)
 
 
+def are_attached_alike(command: AnnotatedCommand, answer: Answer) -> bool:
+    """Whether the same words are divided among the elements as in the annotation, whatever frames and elements are
+    called: "the book on the table" and "in the kitchen", or "the book" and "on the table in the kitchen". True, too, if
+    the elements hold other words in all: then more than an attachment is wrong.
+    """
+    wanted, given = _divided(command.frames), _divided(answer.frames)
+    return wanted == given or frozenset().union(*wanted) != frozenset().union(*given)
+
+
+def _divided(frames: Sequence[AnnotatedFrame]) -> FrozenSet[FrozenSet[int]]:
+    verbs = frozenset(position for frame in frames for position in frame.lexical_unit)
+    return frozenset(element.tokens - verbs for frame in frames for element in frame.elements)
+
+
 def _percent(part: int, whole: int) -> float:
     return 100.0 * part / whole if whole else 0.0
 

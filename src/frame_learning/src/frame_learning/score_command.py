@@ -3,7 +3,7 @@
 import argparse
 import json
 import sys
-from typing import Callable, Dict, Iterable, List, Sequence, Tuple
+from typing import Callable, Dict, List, Mapping, Sequence, Tuple
 
 from frame_learning.annotated_commands import AnnotatedCommand, CorpusError
 from frame_learning.annotated_sentences import sentences_of
@@ -13,7 +13,9 @@ from frame_learning.corpus_mapping import CorpusMapping
 from frame_learning.gpsr_command import NAME as GPSR
 from frame_learning.gpsr_command import TITLE as GPSR_TITLE
 from frame_learning.gpsr_command import add_gpsr_arguments, run_gpsr
+from frame_learning.huric_maps import read_huric_maps
 from frame_learning.learn_command import learned_knowledge, lexicon_files
+from frame_learning.map_score import attachments, compared
 from frame_learning.metrics import Answer, Count, Score, is_exact, score
 from frame_learning.outcome_score import add_outcome_arguments, score_outcomes
 from frame_learning.tables import aligned
@@ -22,10 +24,12 @@ from offline_pipeline.pipeline import Pipeline
 from semantic_frames import FileRefused
 from semantic_frames.source_files import LEXICAL_UNITS_FOLDER
 from stanford_parser_ros.inference import ModelError
+from world_model import World
 
 EXAMPLES = """examples:
   rfn score huric huric-2.1/english
   rfn score huric huric-2.1/english --folds 5
+  rfn score huric huric-2.1/english --maps
   rfn score tage tagE/data --json > tage.json
   rfn score scout scout/transcripts
   rfn score scout scout/transcripts --sample 200 --seed 7
@@ -57,6 +61,9 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         help="2012: single words, every other word ignored; the table always shows its figures",
     )
     parser.add_argument("--wrong", metavar="FILE", help="write the commands that are not completely right to this file")
+    parser.add_argument(
+        "--maps", action="store_true", help="of huric: score with the map of each command too, and list what changes"
+    )
     add_gpsr_arguments(parser)
     add_outcome_arguments(parser)
 
@@ -70,6 +77,9 @@ def run(arguments: argparse.Namespace) -> int:
             f"rfn score: {arguments.corpus} has no annotated frames to learn from or to compare with", file=sys.stderr
         )
         return 2
+    if arguments.maps and arguments.corpus != "huric":
+        print(f"rfn score: {arguments.corpus} has no maps", file=sys.stderr)
+        return 2
     try:
         knowledge = load_knowledge(arguments.domains or [shipped_domains()])
         pretend_servers(knowledge.graph)
@@ -78,6 +88,7 @@ def run(arguments: argparse.Namespace) -> int:
             return run_gpsr(arguments, pipeline)
         commands = corpus.read(arguments.folder)
         mapping = corpus.mapping() if is_annotated else None
+        maps = read_huric_maps(arguments.folder) if arguments.maps else {}
     except (CorpusError, FileRefused, ModelError, LookupError) as error:
         print(f"rfn score: {error}", file=sys.stderr)
         return 2
@@ -85,7 +96,10 @@ def run(arguments: argparse.Namespace) -> int:
         print(problem, file=sys.stderr)
     if mapping is None:
         return score_outcomes(arguments, pipeline, commands)
-    return _score_frames(arguments, pipeline, mapping, commands, corpus.published)
+    if maps and (arguments.folds or arguments.behaviour == "2012"):
+        print("rfn score: --maps goes with the shipped units as they work now", file=sys.stderr)
+        return 2
+    return _score_frames(arguments, pipeline, mapping, commands, corpus.published, maps)
 
 
 def _score_frames(
@@ -94,6 +108,7 @@ def _score_frames(
     mapping: CorpusMapping,
     commands: Sequence[AnnotatedCommand],
     published: Sequence[PublishedFigures],
+    maps: Mapping[str, World],
 ) -> int:
     is_old = arguments.behaviour == "2012"
     understand = answer_2012 if is_old else answer
@@ -102,20 +117,28 @@ def _score_frames(
     else:
         pairs = [(command, understand(pipeline, mapping, command)) for command in commands]
     found = score(pairs)
+    in_maps = [(one, understand(pipeline.in_world(maps[one.name]), mapping, one)) for one in commands] if maps else []
     if arguments.wrong:
         with open(arguments.wrong, "w", encoding="utf-8") as file:
-            file.writelines(_wrong(command, given) for command, given in pairs if not is_exact(command, given))
+            wrong = [one for one in in_maps or pairs if not is_exact(*one)]
+            file.writelines(compared(command, given) for command, given in wrong)
+    attached = attachments(pairs, in_maps)
     if arguments.json:
-        print(json.dumps(to_json(found)))
+        with_maps = {"maps": {**to_json(score(in_maps)), "attachments": attached.to_json()}} if maps else {}
+        print(json.dumps({**to_json(found), **with_maps}))
         return 0
     name = "2012" if is_old else "now"
     rows = [(f"{name}, learned, {arguments.folds}-fold" if arguments.folds else name, found)]
     if arguments.folds:
         rows.append((name, score((command, understand(pipeline, mapping, command)) for command in commands)))
+    if maps:
+        rows.append((f"{name}, with maps", score(in_maps)))
     if not is_old:
         old = [answer_2012(pipeline, mapping, command) for command in commands]
         rows.append(("2012", score(zip(commands, old))))
     print(table(rows, published))
+    if maps:
+        print(f"\n{attached}")
     return 0
 
 
@@ -208,21 +231,3 @@ def table(rows: Sequence[Tuple[str, Score]], published: Sequence[PublishedFigure
     ]
     head = "\n".join([f"{rows[0][1].commands} commands", *arguments])
     return f"{head}\n\n{aligned(lines)}\n\n{aligned(frames)}"
-
-
-def _wrong(command: AnnotatedCommand, given: Answer) -> str:
-    lines = [f"{command.name}: {command.text}\n"]
-    for sign, frames in (("wanted", command.frames), ("got", given.frames)):
-        for frame in frames:
-            elements = ", ".join(
-                f"{element.name}={_words(command, element.tokens)} ({_words(command, [element.head or 0])})"
-                for element in sorted(frame.elements, key=lambda element: element.name)
-            )
-            lines.append(f"  {sign:<6} {frame.name}[{_words(command, frame.lexical_unit)}] {elements}\n")
-    if not given.is_answered:
-        lines.append("  not answered\n")
-    return "".join(lines)
-
-
-def _words(command: AnnotatedCommand, positions: Iterable[int]) -> str:
-    return " ".join(command.tokens[position - 1] for position in sorted(positions) if position)

@@ -223,6 +223,44 @@ def test_command_line_prints_the_object(tmp_path, capsys):
     assert "tagE" in capsys.readouterr().err
 
 
+BRING = """<?xml version="1.0"?>
+<huricExample id="2"><commands><command>
+<sentence>bring the book on the table in the kitchen</sentence>
+<tokens>{tokens}</tokens>
+<semantics><frames><frame name="Bringing">
+<lexicalUnit><token id="1"/></lexicalUnit>
+<frameElements>
+<frameElement type="Theme" semanticHead="3"><token id="2"/><token id="3"/></frameElement>
+<frameElement type="Goal" semanticHead="6">{goal}</frameElement>
+</frameElements>
+</frame></frames></semantics>
+</command></commands>
+<semanticMap><entities>
+<entity atom="book_1" type="Book"><attributes/><coordinate angle="0.0" x="{book}" y="0.0" z="0.0"/></entity>
+<entity atom="table_1" type="Table"><attributes/><coordinate angle="0.0" x="9.0" y="0.0" z="0.0"/></entity>
+<entity atom="kitchen_1" type="Kitchen"><attributes/><coordinate angle="0.0" x="9.0" y="1.0" z="0.0"/></entity>
+</entities></semanticMap></huricExample>
+"""
+
+
+@pytest.mark.parametrize(("book", "is_right"), [(0.0, True), (9.0, False)])
+def test_maps_attach_places(book, is_right, tmp_path, capsys):
+    words = "bring the book on the table in the kitchen".split()
+    tokens = "".join(f'<token id="{number}" surface="{word}"/>' for number, word in enumerate(words, start=1))
+    goal = "".join(f'<token id="{number}"/>' for number in range(4, 10))
+    (tmp_path / "2.hrc").write_text(BRING.format(tokens=tokens, goal=goal, book=book), encoding="utf-8")
+    parser = score_command.argparse.ArgumentParser()
+    score_command.add_arguments(parser)
+    assert score_command.run(parser.parse_args(["huric", str(tmp_path), "--maps", "--json"])) == 0
+    printed = json.loads(capsys.readouterr().out)
+    assert (printed["em"], printed["maps"]["em"]) == (0.0, 100.0 if is_right else 0.0)
+    assert printed["maps"]["attachments"] == {"wrong": {"2": is_right}, "lost": []}
+    assert score_command.run(parser.parse_args(["huric", str(tmp_path), "--maps"])) == 0
+    assert f"1 wrong without maps, {int(is_right)} of these right with them" in capsys.readouterr().out
+    assert score_command.run(parser.parse_args(["huric", str(tmp_path), "--maps", "--folds", "2"])) == 2
+    assert score_command.run(parser.parse_args(["scout", str(tmp_path), "--maps"])) == 2
+
+
 def test_scout_counts_every_line(tmp_path, capsys):
     lines = ["stop", "turn left", "uhm", "<no speech>", "", "stop there"]
     rows = "".join(f'{number}\t1.0\tCMD\t"{line}"\n' for number, line in enumerate(lines))

@@ -4,13 +4,16 @@ from typing import FrozenSet, List, Sequence, Tuple
 
 from frame_registrar.filling import join_with_or, spoken_name
 from semantic_frames.frame import ElementMapping, RelatedFrame, SemanticFrame, ValueCondition
-from semantic_frames.server_profile import ServerProfile
+from semantic_frames.server_profile import Purpose, ServerProfile
 from typed_arguments import FilledFrame, Source, TypedArgument
 from word_classes import word_class
 
 
 def unheeded_arguments(profile: ServerProfile, filled: FilledFrame, frame: SemanticFrame) -> Tuple[TypedArgument, ...]:
     """Return the arguments that were said and that a server does not heed.
+
+    A server that watches has to heed all arguments: the words of a condition may stand for one that nobody said, as
+    "the battery is low" does for the level.
 
     Args:
         profile: what the server stated
@@ -20,7 +23,9 @@ def unheeded_arguments(profile: ServerProfile, filled: FilledFrame, frame: Seman
     if not profile.heeds and not profile.unheeded:
         # As in 2012: everything that the frame declares, and nothing else.
         return tuple(argument for argument in filled.arguments if frame.element(argument.name) is None)
-    return tuple(argument for argument in _said(filled, frame) if not profile.heeds_argument(argument, frame))
+    is_condition = profile.purpose is Purpose.WATCHES
+    asked = _said(filled, frame, is_all=is_condition)
+    return tuple(argument for argument in asked if not profile.heeds_argument(argument, frame))
 
 
 def lost_arguments(
@@ -41,14 +46,16 @@ def lost_arguments(
     )
 
 
-def _said(filled: FilledFrame, frame: SemanticFrame) -> List[TypedArgument]:
-    """Return the arguments that were said, without the robot itself, and units, which their measures include."""
+def _said(filled: FilledFrame, frame: SemanticFrame, *, is_all: bool = False) -> List[TypedArgument]:
+    """Return the arguments that were said, or all, without the robot itself, and units, which measures include."""
     units = {element.unit_element for element in frame.frame_elements}
     hearers: FrozenSet[str] = word_class("hearers")
     return [
         argument
         for argument in filled.arguments
-        if argument.source is Source.SAID and argument.name not in units and argument.text.lower() not in hearers
+        if (is_all or argument.source is Source.SAID)
+        and argument.name not in units
+        and argument.text.lower() not in hearers
     ]
 
 

@@ -8,7 +8,7 @@ from frame_registrar.graph import FrameGraph
 from frame_registrar.search import Conditions, Found, Reading, Refusal, candidates_of, search
 from semantic_frames import load_frame
 from semantic_frames.server_statement import stated_profile
-from typed_arguments import TypedArgument
+from typed_arguments import Source, TypedArgument
 
 SEEING = "name: seeing\nframe_elements: [{name: phenomenon, is_core: True}]\n"
 
@@ -74,6 +74,15 @@ def test_watcher_that_cannot_see_that_is_none() -> None:
     refusal = search(graph, [[seeing("Anna")]], max_candidates=9, conditions={0: "you see Anna"})
     assert isinstance(refusal, Refusal)
     assert refusal.sentence == 'The phenomenon of seeing cannot be "Anna", only wall.'
+
+
+def test_watcher_heeds_also_what_the_words_stand_for() -> None:
+    """ "The battery is low" says no level: the lexical unit does."""
+    graph = graph_of(SEEING)
+    for value in ("wall", "door"):
+        statement = {"purpose": "watches", "heeds": {"phenomenon": {"values": [value]}}}
+        graph.register("seeing", f"{value}_watch", stated_profile(statement))
+    assert servers_of(watched(graph, seeing("door", source=Source.DEFAULT))) == ["door_watch"]
 
 
 @pytest.mark.parametrize("conjunction, is_all", [("and", True), ("or", False)])

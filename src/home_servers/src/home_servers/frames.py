@@ -124,6 +124,7 @@ DOMAINS: Dict[str, Dict[str, Skill]] = {
         "reminding": talking.remind,
         "reporting": talking.report,
         "requesting": talking.request,
+        "saying": talking.say,
         "telling": talking.tell,
     },
     "props": talking.PROPS,

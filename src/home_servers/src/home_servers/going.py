@@ -3,8 +3,9 @@
 import math
 from typing import Optional
 
+from home_servers.body import CannotDo
 from home_servers.memory import Known
-from home_servers.skills import HEARERS, HERE, SPEAKERS, CannotDo, Skills, argument, said
+from home_servers.skills import HEARERS, HERE, SPEAKERS, Skills, argument, said
 from typed_arguments import FilledFrame, TypedArgument
 
 #: Whoever is followed or guided is so near.

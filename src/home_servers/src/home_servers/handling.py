@@ -3,8 +3,9 @@
 import math
 from typing import Dict, List
 
+from home_servers.body import CannotDo
 from home_servers.memory import Known
-from home_servers.skills import HERE, CannotDo, Skill, Skills, argument, said
+from home_servers.skills import HERE, Skill, Skills, argument, said
 from typed_arguments import FilledFrame, TypedArgument
 
 #: Words for directions of pushing, pulling and sliding.

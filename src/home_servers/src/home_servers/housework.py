@@ -2,9 +2,10 @@
 
 from typing import Dict, List, Optional, Tuple
 
+from home_servers.body import CannotDo
 from home_servers.handling import goal_of
 from home_servers.memory import Known
-from home_servers.skills import CannotDo, Skill, Skills, argument, said
+from home_servers.skills import Skill, Skills, argument, said
 from typed_arguments import FilledFrame, TypedArgument
 
 #: What a robot knows of tools and stations: the names of tools for each treatment, the best first.

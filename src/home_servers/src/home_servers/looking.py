@@ -2,9 +2,9 @@
 
 from typing import List, Optional, Tuple
 
-from home_servers.handling import bring
-from home_servers.memory import Known
-from home_servers.skills import CannotDo, Skills, argument, said
+from home_servers.body import CannotDo
+from home_servers.memory import PERSONS, Known
+from home_servers.skills import Skills, argument, said
 from typed_arguments import FilledFrame, TypedArgument
 
 #: What states are called; others are called by themselves.
@@ -123,20 +123,21 @@ def _content(words: TypedArgument) -> Tuple[TypedArgument, str]:
 
 def count(skills: Skills, frame: FilledFrame) -> None:
     """Go there, look, and say how many there are."""
-    words = argument(frame, "entity")
-    place = skills.find(argument(frame, "ground")) if said(frame, "ground") else None
-    if place is not None:
-        skills.look_in(place)
-    else:
-        skills.attempt("look")
-    noun = (words.lemma or words.head or words.text).lower()
-    if noun in ("person", "people", "guest", "visitor"):
-        found = skills.memory.all("person")
-    else:
-        found = skills.memory.find(words, "thing", "furniture")
-    here = skills.body.room()
-    found = [one for one in found if (skills.is_at(one, place) if place is not None else one.room == here)]
+    words, place = argument(frame, "entity"), argument(frame, "ground")
+    state = frame.text("state").lower()
+    found = [one for one in counted(skills, words, place) if not state or state in one.states]
     skills.say(f"I see {len(found)} {words.text if said(frame, 'entity') else 'things'}.".replace(" the ", " "))
+
+
+def counted(skills: Skills, theme: TypedArgument, place: TypedArgument) -> List[Known]:
+    """Return what the robot sees of a kind at a place, or where it is."""
+    ground = skills.find(place) if place.text else skills.room_here()
+    if ground is None:
+        raise CannotDo("I do not know where I am.")
+    skills.look_in(ground) if place.text else skills.attempt("look")
+    is_of_people = bool(PERSONS.intersection((theme.lemma.lower(), theme.head.lower(), theme.text.lower())))
+    found = skills.memory.all("person") if is_of_people else skills.memory.find(theme, "thing", "furniture")
+    return [one for one in found if skills.is_at(one, ground)]
 
 
 def list_things(skills: Skills, frame: FilledFrame) -> None:
@@ -243,8 +244,3 @@ def be_located(skills: Skills, frame: FilledFrame) -> None:
     theme, place = argument(frame, "theme"), skills.find(argument(frame, "location"))
     for name in {theme.head.lower(), theme.lemma.lower(), theme.text.lower()} - {""}:
         skills.memory.tell(name, place.id)
-
-
-def find_and_bring(skills: Skills, frame: FilledFrame) -> None:
-    """Find something for somebody."""
-    bring(skills, frame)

@@ -69,6 +69,10 @@ class Memory:
         self._lock = threading.Lock()
         self._objects: Dict[str, Known] = {}
         self._told: Dict[str, str] = {}
+        #: Doors that the robot has opened to get into a room, with the room; it closes them when it leaves.
+        self.opened: Dict[str, str] = {}
+        #: The id of the person whom the robot has met last, and when.
+        self.met: Tuple[str, float] = ("", -math.inf)
 
     def update(self, objects: Iterable[Known]) -> None:
         """Take in what was perceived; an object with an older stamp than what is known is left out."""

@@ -6,11 +6,12 @@ from typing import List, Mapping
 import rospy
 from roboframenet_msgs.msg import FilledSemanticFrameResult
 
+from home_servers.body import CannotDo, Interrupted
 from home_servers.conditions import FRAMES as CONDITIONS
 from home_servers.conditions import CannotTell, Conditions
 from home_servers.frames import DOMAINS, WITHOUT_HANDS
 from home_servers.ros_body import RosBody
-from home_servers.skills import CannotDo, Interrupted, Skill, Skills
+from home_servers.skills import Skill, Skills
 from rfnserver import ConditionServer, ConditionUnknown, Observed, RFNServer
 from rfnserver.ros_typed_frame import TypedFrame
 from roboframenet_ros.parameters import Parameters, parameter

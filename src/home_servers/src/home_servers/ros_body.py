@@ -1,5 +1,6 @@
 """The body of a robot in a home, over ROS: the actions of the home, and what the robot perceives."""
 
+import datetime
 import json
 import math
 import threading
@@ -21,9 +22,9 @@ from roboframenet_msgs.msg import (
 )
 from std_msgs.msg import String
 
+from home_servers.body import Interrupted
 from home_servers.conditions import Sight
 from home_servers.memory import Known, Memory
-from home_servers.skills import Interrupted
 from roboframenet_sim.home_actions import Action, Failure
 
 #: The home answers an action at once when it is there; seconds of the monotonic clock.
@@ -111,7 +112,7 @@ class RosBody:
         self._wanted.check = is_wanted
 
     def do(self, action: Action) -> Optional[Failure]:
-        """Carry out an action to its end; see :class:`home_servers.skills.Body`."""
+        """Carry out an action to its end; see :class:`home_servers.body.Body`."""
         elements = [
             FilledFrameElement(field.name, str(getattr(action, field.name)))
             for field in fields(Action)
@@ -194,6 +195,10 @@ class RosBody:
         """ROS time, in seconds."""
         return float(rospy.get_time())
 
+    def clock(self) -> datetime.datetime:
+        """The local time of this machine."""
+        return datetime.datetime.now()
+
     def held(self) -> Sequence[str]:
         """Ids of what the robot holds."""
         with self._lock:
@@ -220,6 +225,8 @@ class RosBody:
             rooms, furniture = self._rooms, self._furniture
         known = [known_of(one, rooms, furniture) for one in message.objects if one.id != _ROBOT]
         self.memory.update(known)
+        for ident in message.missing:
+            self.memory.forget_place(ident)
         me = [one for one in message.objects if one.id == _ROBOT]
         if me:
             with self._lock:

@@ -1,11 +1,13 @@
 """What a robot in a home can do with things, persons and places that were named in words."""
 
 import math
-from typing import Callable, Dict, List, Optional, Protocol, Sequence, Tuple
+from typing import Callable, Dict, List, Optional, Sequence, Tuple
 
-from home_servers.memory import Known, Memory
+from home_servers.body import Body, CannotDo
+from home_servers.memory import Known
 from roboframenet_sim.home_actions import Action, Failure
 from typed_arguments import FilledFrame, TypedArgument
+from word_classes import word_class
 
 #: How often an action is tried again after a failure of one kind was put right.
 _MOST_TRIES = 3
@@ -15,46 +17,19 @@ _DEEPEST = 8
 _BLOCKED_S = 25.0
 #: Words for whoever speaks, and for the robot.
 SPEAKERS = frozenset("me us i we myself".split())
+#: Pronouns for whom the robot has met last.
+_MET = word_class("persons_met")
+#: Whoever is so near is whom the robot is with, metres, for so long after they were met, seconds.
+_COMPANY_M = 2.5
+_COMPANY_S = 300.0
+#: How persons are, as a description says it.
+POSTURES = ("sitting", "standing", "walking")
+#: A person is at furniture whose middle is so near, metres.
+_AT_M = 2.0
 HEARERS = frozenset("you yourself robot".split())
 HERE = frozenset("here over here".split()) | {"over here", "down here"}
 #: Hand height above which the lift is raised.
 _LIFT_UP_M = 0.3
-
-
-class CannotDo(Exception):
-    """The frame cannot be carried out; the message is a sentence for the person."""
-
-
-class Interrupted(Exception):
-    """The goal was preempted."""
-
-
-class Body(Protocol):
-    """What a robot in a home does and perceives; what it perceives goes to the memory."""
-
-    memory: Memory
-
-    def do(self, action: Action) -> Optional[Failure]:
-        """Carry out an action to its end; return why it was not done.
-
-        Raises:
-            Interrupted: the goal was preempted
-        """
-
-    def say(self, text: str) -> List[Tuple[str, str]]:
-        """Say something; return what persons answer: name and text."""
-
-    def now_s(self) -> float:
-        """The time, in seconds."""
-
-    def held(self) -> Sequence[str]:
-        """Ids of what the robot holds."""
-
-    def place(self) -> Tuple[float, float]:
-        """Where the robot is, in metres."""
-
-    def room(self) -> str:
-        """Id of the room where the robot is; empty outside."""
 
 
 class Skills:
@@ -127,7 +102,10 @@ class Skills:
         if is_door and not self._opens_doors:
             return False
         self.attempt("open", theme=ident)
-        if not is_door:
+        if known is not None and is_door:
+            here = self.body.room()
+            self.memory.opened[ident] = next((room for room in known.attributes if room != here), "")
+        else:
             self._opened.append(ident)
         return True
 
@@ -140,8 +118,25 @@ class Skills:
                 continue
 
     def go(self, target: str, *, reach_m: float = math.nan) -> None:
-        """Drive to an entity; open doors on the way."""
+        """Drive to an entity; open doors on the way, and close them behind."""
+        known = self.memory.get(target)
+        if known is not None and self.memory.opened and self.body.room() != known.room:
+            self._close_behind(self.body.room())
         self.attempt("go", goal=target, amount=reach_m)
+
+    def _close_behind(self, room: str) -> None:
+        """Leave a room through a door that the robot has opened, and close it; what cannot be closed stays open."""
+        for ident in [door for door, behind in self.memory.opened.items() if behind == room]:
+            del self.memory.opened[ident]
+            door = self.memory.get(ident)
+            outside = next((one for one in door.attributes if one != room), "") if door is not None else ""
+            if not outside:
+                continue
+            try:
+                self.attempt("go", goal=outside)
+                self.attempt("close", theme=ident)
+            except CannotDo:
+                continue
 
     def wait(self, seconds: float) -> None:
         """Stay."""
@@ -172,6 +167,9 @@ class Skills:
         """Return all that an argument means, as many as it counts; see :meth:`find`."""
         if argument.text.lower() in SPEAKERS or argument.head.lower() in SPEAKERS:
             return [self.speaker()]
+        met = self.memory.get(self.memory.met[0])
+        if argument.text.lower() in _MET and not argument.referents and met is not None:
+            return [met]
         place = self._place_of(near) if near is not None and near.text else None
         found = self._matching(argument, sorts, place)
         need = max(least, argument.count or 1)
@@ -183,6 +181,8 @@ class Skills:
             raise CannotDo(self._unseen(argument, place))
         if len(found) < need:
             raise CannotDo(f"I have seen only {len(found)} of {argument.text}.")
+        if found[0].sort == "person":
+            self.memory.met = (found[0].id, self.body.now_s())
         return found if wants_all else found[:need]
 
     def _matching(self, argument: TypedArgument, sorts: Sequence[str], place: Optional[Known]) -> List[Known]:
@@ -192,6 +192,11 @@ class Skills:
         for limit in (place, inner):
             if limit is not None:
                 found = [one for one in found if self.is_at(one, limit)]
+        postures = frozenset(POSTURES).intersection(
+            word for frame in argument.frames for word in frame.words.lower().split()
+        )
+        if postures:
+            found = [one for one in found if one.sort != "person" or postures.intersection(one.states)]
         held = self.body.held()
         # What the robot holds comes first, then what was named most exactly; of equals the nearest.
         found.sort(key=lambda one: one.id not in held)
@@ -215,9 +220,11 @@ class Skills:
         return found[0] if found else None
 
     def is_at(self, one: Known, place: Known) -> bool:
-        """Whether something is in a room, or on, in, ... something."""
+        """Whether something is in a room, or on, in, ... something; a person is at what is near."""
         if place.sort == "room":
             return one.room == place.id
+        if one.sort == "person":
+            return one.room == place.room and math.hypot(one.x_m - place.x_m, one.y_m - place.y_m) <= _AT_M
         holder: Optional[Known] = one
         for _ in range(6):
             if holder is None:
@@ -292,9 +299,8 @@ class Skills:
         Raises:
             CannotDo: nobody was seen
         """
-        known = self.memory.get(self._speaker) if self._speaker else None
-        if known is not None:
-            return known
+        if self._speaker:
+            return self._known_speaker()
         people = self.memory.all("person")
         if not people:
             self.attempt("look")
@@ -304,12 +310,44 @@ class Skills:
         here = self.body.place()
         return min(people, key=lambda one: math.hypot(one.x_m - here[0], one.y_m - here[1]))
 
+    def _known_speaker(self) -> Known:
+        """Return the person who is known to speak: seen before, around the robot, or in one of the rooms."""
+
+        def seen() -> Optional[Known]:
+            one = self.memory.get(self._speaker)
+            return one if one is not None and one.room else None
+
+        if seen() is None:
+            self.attempt("look")
+        if seen() is None:
+            self._look_in_each(self._by_distance(self.memory.all("room")), lambda: seen() is not None)
+        found = seen()
+        if found is None:
+            raise CannotDo("I do not see you.")
+        return found
+
     def person(self, argument: TypedArgument, *, near: Optional[TypedArgument] = None) -> Known:
         """Return the person whom an argument means, and go there."""
         found = self.find(argument, "person", near=near)
         self.go(found.id)
         self.attempt("look", theme=found.id)
         return self.memory.get(found.id) or found
+
+    def company(self) -> Optional[Known]:
+        """Return whom the robot is with: whom it met last, a short time ago and near; None for nobody."""
+        ident, stamp_s = self.memory.met
+        person = self.memory.get(ident)
+        if person is None or self.body.now_s() - stamp_s > _COMPANY_S or person.room != self.body.room():
+            return None
+        here = self.body.place()
+        return person if math.hypot(person.x_m - here[0], person.y_m - here[1]) <= _COMPANY_M else None
+
+    def join(self, person: Known) -> None:
+        """Be with a person: go there when they are too far away to hear."""
+        here = self.body.place()
+        is_near = math.hypot(person.x_m - here[0], person.y_m - here[1]) <= _COMPANY_M
+        if not is_near or person.room != self.body.room():
+            self.go(person.id)
 
     # Handling things.
 

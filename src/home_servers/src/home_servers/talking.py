@@ -2,9 +2,11 @@
 
 from typing import Dict
 
+from home_servers.body import CannotDo
 from home_servers.looking import described, sentence
 from home_servers.memory import Known
-from home_servers.skills import CannotDo, Skill, Skills, argument, said
+from home_servers.skills import SPEAKERS, Skill, Skills, argument, said
+from home_servers.telling import told
 from typed_arguments import FilledFrame, TypedArgument
 
 
@@ -44,23 +46,29 @@ def introduce(skills: Skills, frame: FilledFrame) -> None:
 
 
 def tell(skills: Skills, frame: FilledFrame) -> None:
-    """Go to somebody and tell them something."""
-    whom, message = argument(frame, "addressee"), argument(frame, "message")
-    person = skills.person(whom) if whom.text else skills.speaker()
-    skills.say(f"{person.name}, {_said(skills, message)}")
+    """Find out what is to be told, go to whom it is for, and tell it."""
+    whom = argument(frame, "addressee")
+    text = told(skills, argument(frame, "message"))
+    person = _hearer(skills, whom)
+    skills.say(sentence(f"{person.name}, {text}"))
 
 
-def _said(skills: Skills, message: TypedArgument) -> str:
-    """Return what is told: what the robot knows of it, or the words themselves."""
-    text = message.text.lower()
-    if "your name" in text:
-        return "I am the robot of this home."
-    if text in ("the time", "the date", "the day"):
-        return f"the {text.split()[-1]} of this home is {skills.body.now_s():.0f} seconds."
-    known = [one for one in skills.memory.find(message, "thing", "furniture") if one.room]
-    if known:
-        return sentence(described(skills, known[0]))
-    return f"{message.text}."
+def _hearer(skills: Skills, whom: TypedArgument) -> Known:
+    """Return whom something is said to, and be with them: whoever was named, or else whom the robot is with."""
+    if whom.text and whom.text.lower() not in SPEAKERS:
+        return skills.person(whom)
+    person = skills.speaker() if whom.text else skills.company() or skills.speaker()
+    skills.join(person)
+    return person
+
+
+def say(skills: Skills, frame: FilledFrame) -> None:
+    """Say something, to somebody when they are named."""
+    message, whom = argument(frame, "message"), argument(frame, "addressee")
+    text = told(skills, message)
+    if whom.text or skills.company() is not None:
+        text = f"{_hearer(skills, whom).name}, {text}"
+    skills.say(sentence(text))
 
 
 def remind(skills: Skills, frame: FilledFrame) -> None:
@@ -122,25 +130,22 @@ def _thing_or_room(skills: Skills, item: TypedArgument) -> Known:
 def report(skills: Skills, frame: FilledFrame) -> None:
     """Say what the robot has seen."""
     whom, topic = argument(frame, "addressee"), argument(frame, "topic")
-    person = skills.person(whom) if whom.text else skills.speaker()
-    if topic.text:
-        skills.say(f"{person.name}, {_said(skills, topic)}")
-        return
+    text = told(skills, topic) if topic.text else ""
+    person = _hearer(skills, whom)
     seen = len([one for one in skills.memory.all("thing") if one.relation])
-    skills.say(f"{person.name}, I am well, and know where {seen} things are.")
+    skills.say(sentence(f"{person.name}, {text or f'I am well, and know where {seen} things are'}"))
 
 
 def answer(skills: Skills, frame: FilledFrame) -> None:
-    """Answer: the robot turns to who speaks, and listens; the phone is picked up."""
+    """Answer: the robot goes to who asks, and listens; the phone is picked up."""
     words = argument(frame, "trigger")
     found = skills.memory.find(words, "furniture", "thing")
     if found:
         skills.attempt("press", theme=found[0].id)
         skills.say("Hello, this is the robot of this home.")
         return
-    person = skills.speaker()
-    skills.go(person.id)
-    skills.say(f"{person.name}, please ask.")
+    person = _hearer(skills, argument(frame, "addressee"))
+    skills.say(f"{person.name}, what is your question? Please ask.")
 
 
 def gesture(value: str, target: str = "") -> Skill:

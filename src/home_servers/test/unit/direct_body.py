@@ -1,9 +1,11 @@
 """A body in a home without ROS: acts and perceives at once."""
 
+import datetime
+
 from perception import known_of_map, known_of_sight
 
+from home_servers.body import Interrupted
 from home_servers.memory import Known, Memory
-from home_servers.skills import Interrupted
 from roboframenet_sim.home_state import ROBOT
 
 
@@ -58,6 +60,9 @@ class DirectBody:
 
     def now_s(self):
         return self.home.state.time_s
+
+    def clock(self):
+        return datetime.datetime(2026, 3, 2, 9, 30)
 
     def held(self):
         return self.home.state.held_by(ROBOT)

@@ -8,8 +8,9 @@ import pytest
 import yaml
 from direct_body import DirectBody
 
+from home_servers.body import CannotDo, Interrupted
 from home_servers.frames import DOMAINS, FRAMES
-from home_servers.skills import CannotDo, Interrupted, Skills
+from home_servers.skills import Skills
 from offline_pipeline.knowledge import load_knowledge, shipped_domains
 from offline_pipeline.pipeline import Pipeline
 from roboframenet_sim.home_engine import Home

@@ -5,8 +5,9 @@ import os
 import pytest
 from direct_body import DirectBody
 
+from home_servers.body import CannotDo, Interrupted
 from home_servers.memory import Known, Memory
-from home_servers.skills import CannotDo, Interrupted, Skills
+from home_servers.skills import Skills
 from roboframenet_sim.home_engine import Home
 from roboframenet_sim.home_file import load_home_file
 from roboframenet_sim.home_state import NO_FAULTS, PR2, ROBOT, TURTLEBOT, Faults
@@ -116,3 +117,20 @@ def test_interruption_ends_the_action():
     with pytest.raises(Interrupted):
         skills.go("bedroom")
     assert not home.is_busy
+
+
+def test_doors_are_closed_behind():
+    home, _, skills = make()
+    skills.look_in(skills.memory.get("bathroom"))
+    assert home.state.is_("bathroom_door", "is_open")
+    skills.go("office")
+    assert not home.state.is_("bathroom_door", "is_open")
+    assert home.plan.room_at(home.plan.position(home.state, ROBOT)) == "office"
+
+
+def test_the_speaker_is_looked_for():
+    _, body, skills = make()
+    assert body.memory.get("alice") is None
+    assert skills.speaker().id == "alice"
+    skills.join(skills.speaker())
+    assert skills.company() is None

@@ -30,6 +30,7 @@ from rfnserver import RFNServer, TypedFrame
 from roboframenet_ros.health import Health, Level
 from roboframenet_ros.parameters import ParameterError, Parameters, parameter
 from roboframenet_ros.pausable_clock import PausableClock
+from roboframenet_ros.ros_live_parameters import LiveParameters
 from roboframenet_ros.ros_node import read_parameters, run_node
 from roboframenet_ros.ros_publishing import publish
 from typed_arguments import TypedArgument
@@ -81,12 +82,12 @@ class Settings(Parameters):
 
     max_distance_m: float = parameter(_STRAIGHT.max_amount, above=0.0)
     max_angle_rad: float = parameter(_TURN.max_amount, above=0.0)
-    linear_speed_m_per_s: float = parameter(_STRAIGHT.speed_per_s, above=0.0)
-    linear_acceleration_m_per_s2: float = parameter(_STRAIGHT.acceleration_per_s2, above=0.0)
+    linear_speed_m_per_s: float = parameter(_STRAIGHT.speed_per_s, above=0.0, is_live=True)
+    linear_acceleration_m_per_s2: float = parameter(_STRAIGHT.acceleration_per_s2, above=0.0, is_live=True)
     linear_creep_m_per_s: float = parameter(_STRAIGHT.creep_per_s, above=0.0)
     distance_tolerance_m: float = parameter(_STRAIGHT.tolerance, above=0.0)
-    angular_speed_rad_per_s: float = parameter(_TURN.speed_per_s, above=0.0)
-    angular_acceleration_rad_per_s2: float = parameter(_TURN.acceleration_per_s2, above=0.0)
+    angular_speed_rad_per_s: float = parameter(_TURN.speed_per_s, above=0.0, is_live=True)
+    angular_acceleration_rad_per_s2: float = parameter(_TURN.acceleration_per_s2, above=0.0, is_live=True)
     angular_creep_rad_per_s: float = parameter(_TURN.creep_per_s, above=0.0)
     angle_tolerance_rad: float = parameter(_TURN.tolerance, above=0.0)
     aim_share: float = parameter(MotionSettings.aim_share, above=0.0)
@@ -95,8 +96,8 @@ class Settings(Parameters):
     stall_timeout_s: float = parameter(MotionSettings.stall_timeout_s, least=0.1, most=60.0)
     claim_timeout_s: float = parameter(2.0, least=0.05, most=60.0)
     feedback_period_s: float = parameter(0.5, least=0.05, most=60.0)
-    slow_share: float = parameter(MotionSettings.slow_share, above=0.0)
-    quick_share: float = parameter(MotionSettings.quick_share, above=1.0)
+    slow_share: float = parameter(MotionSettings.slow_share, above=0.0, is_live=True)
+    quick_share: float = parameter(MotionSettings.quick_share, above=1.0, is_live=True)
 
     def __post_init__(self) -> None:
         super().__post_init__()
@@ -245,6 +246,7 @@ class MoveActionServer:
             )
             server.register_preempt_callback(self._odometry.wake)
             self._servers[frame_name] = server
+        self._live = LiveParameters(settings, self._tune)
 
     def start(self) -> None:
         """Offer the three servers, and register them with their frames: without a registrar, that takes seconds."""
@@ -258,6 +260,10 @@ class MoveActionServer:
         if self._odometry.count == 0:
             return Health(Level.WARN, f"No odometry yet on {self._odometry.topic}: the base does not move without it.")
         return Health(values={"odometry messages": self._odometry.count})
+
+    def _tune(self, settings: Settings) -> None:
+        # A motion that has begun ends with the settings that it began with.
+        self._motion = settings.motion()
 
     def _shut_down(self) -> None:
         self._odometry.wake()

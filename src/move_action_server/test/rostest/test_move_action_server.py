@@ -10,6 +10,7 @@ import actionlib
 import rospy
 import rostest
 from actionlib_msgs.msg import GoalStatus
+from dynamic_reconfigure.client import Client
 from geometry_msgs.msg import Twist
 from nav_msgs.msg import Odometry
 from roboframenet_msgs.msg import (
@@ -65,6 +66,7 @@ class TestMoveActionServer(unittest.TestCase):
         cls.lock = threading.Lock()
         cls.turned_rad, cls.position, cls.speed, cls.yaw_rad = 0.0, (0.0, 0.0), 0.0, None
         cls.last_command = None
+        cls.fastest_command = 0.0
         cls.odometry = rospy.Subscriber("odom", Odometry, cls.on_odometry, queue_size=1)
         cls.commands = rospy.Subscriber("cmd_vel", Twist, cls.on_command, queue_size=100)
         cls.clients = {}
@@ -89,6 +91,7 @@ class TestMoveActionServer(unittest.TestCase):
     def on_command(cls, message):
         """Remember the last velocity command."""
         cls.last_command = (message.linear.x, message.angular.z)
+        cls.fastest_command = max(cls.fastest_command, abs(message.linear.x))
 
     def start(self, frame_name, **arguments):
         """Send a goal."""
@@ -135,6 +138,19 @@ class TestMoveActionServer(unittest.TestCase):
     def test_move_backward_1_metre(self):
         """Backwards."""
         self.assert_moves("moving_backward", -1.0, distance="1", distance_unit="metre")
+
+    def test_speed_is_changed_while_the_node_runs(self):
+        """The next motion has the new speed; one below the creep changes nothing."""
+        client = Client("move_action_server", timeout=DEADLINE_S)
+        try:
+            self.assertEqual(0.15, client.update_configuration({"linear_speed_m_per_s": 0.15})["linear_speed_m_per_s"])
+            self.assertEqual(0.15, client.update_configuration({"linear_speed_m_per_s": 0.01})["linear_speed_m_per_s"])
+            type(self).fastest_command = 0.0
+            self.assert_moves("moving_forward", 0.5, distance="0.5", distance_unit="metre")
+            self.assertAlmostEqual(0.15, self.fastest_command)
+        finally:
+            client.update_configuration({"linear_speed_m_per_s": 0.3})
+            client.close()
 
     def test_negative_distance_moves_the_other_way(self):
         """Move forward minus half a metre."""

@@ -1,6 +1,7 @@
 """Runs the stages from text to candidates, one after the other, and records their decisions."""
 
-from dataclasses import dataclass
+from copy import copy
+from dataclasses import dataclass, replace
 from typing import Dict, FrozenSet, Mapping, Optional, Tuple, Union
 
 from command_server.command_behind import command_behind
@@ -26,10 +27,13 @@ from semantic_framer.outcome import (
     reply_outcome,
 )
 from semantic_framer.reading import Reading
+from semantic_types import WordTypes
 from stanford_parser_ros.model import Parser, UnparsableText, shipped_parser
 from typed_arguments.goal_text import to_plain
 from utterance_passes.trace import Trace, TraceLine
 from utterance_passes.tree import DependencyTree
+from world_model import World
+from world_model.names import known_names
 
 #: Refusals after which the pipeline reports no frame: the person said not to do it, or not now.
 _NOTHING_MEANT = frozenset([PROHIBITION, CORRECTION, DECLINED, "CONDITION"])
@@ -115,6 +119,7 @@ class Pipeline:
         parameters: Parameters = Parameters(),
         without: FrozenSet[str] = frozenset(),
         is_traced: bool = False,
+        world: Optional[World] = None,
     ) -> None:
         """
         Args:
@@ -123,6 +128,7 @@ class Pipeline:
             parameters: of the nodes
             without: names of passes that are switched off
             is_traced: whether to record the effect of each rule
+            world: what the robot knows of things, persons and places; None for nothing; its names are heard too
         Raises:
             ModelError: the models cannot be loaded
         """
@@ -137,13 +143,20 @@ class Pipeline:
             for frame, _ in graph.registrations()
         }
         heeded = heeded_elements(knowledge.frames, served)
-        self._known = FramedLexicon(knowledge.lexicon, knowledge.frames, knowledge.types, heeded)
+        world = world or World()
+        self._known = FramedLexicon(knowledge.lexicon, knowledge.frames, _types_with(knowledge, world), heeded, world)
         self._verbs = frozenset(verb.split()[0] for verb in knowledge.lexicon.verbs)
 
     @property
     def parser(self) -> Parser:
         """The parser, for another pipeline with other units."""
         return self._parser
+
+    def in_world(self, world: World) -> "Pipeline":
+        """Return a pipeline that differs in what the robot knows of things, persons and places."""
+        other = copy(self)
+        other._known = replace(self._known, types=_types_with(self.knowledge, world), world=world)
+        return other
 
     def parse(self, text: str) -> DependencyTree:
         """Parse a sentence, given the verbs of the lexicon.
@@ -265,6 +278,12 @@ class Pipeline:
             },
             max_candidates=self._parameters.max_candidates,
         )
+
+
+def _types_with(knowledge: Knowledge, world: World) -> WordTypes:
+    """Return the types of words with the names of a world, as the framer hears them from the world model."""
+    types = knowledge.types
+    return WordTypes(types.nouns, {**dict(known_names(world)), **types.names}) if world.objects else types
 
 
 def _described(candidate: registrar.Candidate) -> str:

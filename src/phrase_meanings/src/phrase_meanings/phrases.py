@@ -25,6 +25,7 @@ _COMPLEX_PREPOSITIONS = word_class("complex_prepositions")
 _LEFT_AND_RIGHT = word_class("left_and_right")
 _NEGATIONS = word_class("negations")
 _PLACE_PREPOSITIONS = word_class("place_prepositions")
+_POSTURES = word_class("posture_verbs")
 _QUESTION_WORDS = word_class("question_words")
 _RELATIVE_WORDS = word_class("relative_words")
 #: FrameNet's frame of "the box near the lamp", with the elements for the box and for the lamp.
@@ -233,12 +234,16 @@ class Phrases:
         is_clause = child.deprel.startswith("acl")
         if is_clause and not preposition:
             inside = [tree.word(index) for index in positions]
+            place = self._place_of_a_posture(child, own, left_out)
             return EmbeddedFrame(
                 role="describes",
+                frame_name=_BEING_LOCATED if place else "",
                 words=tree.text_of(positions),
                 positions=positions,
+                head_element=_THEME if place else "",
                 mood="statement",
                 is_negated=any(word.form.lower() in _NEGATIONS for word in inside),
+                frame_elements=place,
             )
         if not preposition:
             return None
@@ -255,6 +260,21 @@ class Phrases:
             is_negated=any(word.form.lower() in _NEGATIONS for word in tree.children(child.index)),
             frame_elements=(replace(part, name=_LOCATION if is_place else part.relation or preposition),),
         )
+
+    def _place_of_a_posture(
+        self, verb: Word, own: FrozenSet[int], left_out: FrozenSet[int]
+    ) -> Tuple[TypedArgument, ...]:
+        """Return where somebody is who is said to stand, sit or lie there: "a person sitting in the hall"."""
+        tree = self._tree
+        if verb.lemma.lower() not in _POSTURES:
+            return ()
+        return tuple(
+            replace(self._part(child.index, left_out), name=_LOCATION)
+            for child in tree.children(verb.index)
+            if child.deprel.startswith("obl")
+            and child.index in own
+            and first_preposition(tree, child.index) in _PLACE_PREPOSITIONS
+        )[:1]
 
 
 def _said(tree: DependencyTree, head: int, extent: _Extent) -> Tuple[EmbeddedFrame, ...]:

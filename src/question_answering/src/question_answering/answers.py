@@ -89,6 +89,10 @@ def _number(arguments: Arguments, known: RobotKnowledge) -> str:
     theme = arguments["theme"]
     found = _at(arguments, _found(theme, known, is_wide=True), known)
     where = f" {arguments['location'].words}" if "location" in arguments else ""
+    if "state" in arguments:
+        state = arguments["state"].text.lower()
+        found = tuple(one for one in found if state in one.states)
+        where += f" that are {state}"
     if "location" in arguments and not _place_is_known(arguments["location"], known):
         return f'I do not know of any place "{arguments["location"].text}".'
     if not found:

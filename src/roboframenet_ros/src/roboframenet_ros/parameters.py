@@ -14,7 +14,7 @@ its value. The unit is the suffix of the name.
 import enum
 import math
 from dataclasses import Field, dataclass, field, fields
-from typing import Any, Mapping, Optional
+from typing import Any, Mapping, Optional, Tuple, Type, Union
 
 #: Suffixes of names, and how the error says the unit.
 _UNITS: Mapping[str, str] = {"s": " s", "hz": " Hz", "m": " m", "rad": " rad"}
@@ -34,6 +34,7 @@ class _Range:
     above: Optional[float] = None
     may_be_empty: bool = True
     may_be_single: bool = False
+    is_live: bool = False
 
     def holds(self, value: float) -> bool:
         """Whether a number is finite and within the bounds."""
@@ -60,6 +61,7 @@ def parameter(
     above: Optional[float] = None,
     may_be_empty: bool = True,
     may_be_single: bool = False,
+    is_live: bool = False,
 ) -> Any:
     """Declare a field of a class of `Parameters`.
 
@@ -71,13 +73,59 @@ def parameter(
         above: in place of both: the number must be larger
         may_be_empty: of a string
         may_be_single: of a list: one string stands for a list that holds only it
+        is_live: it can be changed while the node runs (`roboframenet_ros.ros_live_parameters`); no list
     """
-    return field(default=default, metadata={_RANGE: _Range(least, most, above, may_be_empty, may_be_single)})
+    allowed = _Range(least, most, above, may_be_empty, may_be_single, is_live)
+    return field(default=default, metadata={_RANGE: allowed})
 
 
 def is_parameter(declared: "Field[Any]") -> bool:
     """Whether a field was declared with `parameter`."""
     return _RANGE in declared.metadata
+
+
+@dataclass(frozen=True)
+class LiveParameter:
+    """A parameter that can be changed while the node runs.
+
+    Attributes:
+        name: of the parameter
+        default: its value when it is not set; the text of a member of an enum
+        least, most: bounds of a number; None for no bound
+        choices: what the value of an enum can be; empty for other types
+    """
+
+    name: str
+    default: Union[bool, int, float, str]
+    least: Optional[float]
+    most: Optional[float]
+    choices: Tuple[str, ...] = ()
+
+
+def live_parameters(kind: "Type[Parameters]") -> Tuple[LiveParameter, ...]:
+    """Return the parameters of a class that were declared as live."""
+    found = []
+    for declared in fields(kind):  # type: ignore[arg-type]  # subclasses are dataclasses
+        if not is_parameter(declared) or not declared.metadata[_RANGE].is_live:
+            continue
+        allowed: _Range = declared.metadata[_RANGE]
+        default: Any = declared.default
+        members: Any = type(default) if isinstance(default, enum.Enum) else ()
+        found.append(
+            LiveParameter(
+                name=declared.name,
+                default=plain(default),
+                least=allowed.least if allowed.above is None else allowed.above,
+                most=allowed.most,
+                choices=tuple(member.value for member in members),
+            )
+        )
+    return tuple(found)
+
+
+def plain(value: Any) -> Any:
+    """Return a value as the parameter server holds it: the text of a member of an enum."""
+    return value.value if isinstance(value, enum.Enum) else value
 
 
 class Parameters:

@@ -1,25 +1,31 @@
 #!/usr/bin/python3
 """Nodes start with the parameters that are set, end with a sentence when one is wrong, and wait for nobody for ever."""
 
+import enum
 import itertools
 import subprocess
 import sys
 import threading
 import unittest
-from typing import Set, Tuple
+from dataclasses import dataclass
+from typing import List, Set, Tuple
 from unittest import mock
 
 import rospy
 import rostest
 from diagnostic_msgs.msg import DiagnosticArray
+from dynamic_reconfigure.client import Client
 from std_msgs.msg import String
 from std_srvs.srv import Trigger, TriggerResponse
 
 from roboframenet_ros.health import Health, Level
+from roboframenet_ros.parameters import ParameterError, Parameters, parameter
 from roboframenet_ros.ros_diagnostics import Diagnostics
 from roboframenet_ros.ros_kept_value import KeptValue
+from roboframenet_ros.ros_live_parameters import LiveParameters
 from roboframenet_ros.ros_log import log_from_threads
 from roboframenet_ros.ros_master import MasterError, TimedMaster
+from roboframenet_ros.ros_node import read_parameters
 from roboframenet_ros.ros_publishing import publish
 from roboframenet_ros.ros_service import ServiceError, call_service
 from roboframenet_testing import wait_until
@@ -59,6 +65,26 @@ def run(*arguments: str) -> "subprocess.CompletedProcess[str]":
     return subprocess.run(
         [sys.executable, "-c", NODE, *arguments], capture_output=True, text=True, timeout=120, check=False
     )
+
+
+class Volume(enum.Enum):
+    LOUD = "loud"
+    LOW = "low"
+    WHISPER = "whisper"
+
+
+@dataclass(frozen=True)
+class Tunable(Parameters):
+    speed_m_per_s: float = parameter(1.0, above=0.0, is_live=True)
+    count: int = parameter(3, least=1, most=9, is_live=True)
+    is_loud: bool = parameter(True, is_live=True)
+    voice: Volume = parameter(Volume.LOUD, is_live=True)
+    name: str = parameter("fixed")
+
+    def __post_init__(self) -> None:
+        super().__post_init__()
+        if self.voice is Volume.WHISPER and self.count > 5:
+            raise ParameterError("~voice whisper is for at most 5 words")
 
 
 class NodeTest(unittest.TestCase):
@@ -145,6 +171,29 @@ class NodeTest(unittest.TestCase):
         self.assertIs(False, rospy.get_param_cached(name))
         with mock.patch.object(rospy.client._param_server, "target", None):
             self.assertIs(False, rospy.get_param_cached(name))
+
+    def test_live_parameter_is_changed_and_a_wrong_value_changes_nothing(self) -> None:
+        rospy.set_param("~speed_m_per_s", 2)
+        changes: List[Tunable] = []
+        live = LiveParameters(read_parameters(Tunable), changes.append)
+        client = Client(rospy.get_name(), timeout=60.0)
+        described = {one["name"]: one for one in client.get_parameter_descriptions(timeout=60.0)}
+        self.assertEqual({"speed_m_per_s", "count", "is_loud", "voice"}, set(described))
+        self.assertEqual(
+            (0.0, 1, 9), (described["speed_m_per_s"]["min"], described["count"]["min"], described["count"]["max"])
+        )
+        self.assertIn("'low'", described["voice"]["edit_method"])
+        self.assertEqual(2.0, client.get_configuration(timeout=60.0)["speed_m_per_s"])
+        client.update_configuration({"speed_m_per_s": 0.5, "count": 4, "is_loud": False, "voice": "low"})
+        self.assertEqual([Tunable(0.5, 4, False, Volume.LOW, "fixed")], changes)
+        self.assertEqual(("low", 4), (rospy.get_param("~voice"), rospy.get_param("~count")))
+        # A whisper contradicts more than five words; and out of its range a number is the nearest that is allowed.
+        self.assertEqual(4, client.update_configuration({"voice": "whisper", "count": 6})["count"])
+        self.assertEqual("low", rospy.get_param("~voice"))
+        self.assertEqual(9, client.update_configuration({"count": 10})["count"])
+        self.assertEqual(2, len(changes))
+        client.close()
+        del live
 
     def test_service_answers(self) -> None:
         service = rospy.Service("~ready", Trigger, lambda _: TriggerResponse(success=True, message="yes"))

@@ -6,7 +6,7 @@ from typing import Tuple
 
 import pytest
 
-from roboframenet_ros.parameters import ParameterError, Parameters, parameter
+from roboframenet_ros.parameters import LiveParameter, ParameterError, Parameters, live_parameters, parameter
 
 
 class Mode(enum.Enum):
@@ -123,3 +123,20 @@ def test_wrong_value_is_named_with_what_is_expected(name, value, told):
     with pytest.raises(ParameterError) as raised:
         Settings(**{name: value})
     assert str(raised.value) == told
+
+
+@dataclass(frozen=True)
+class Tunable(Parameters):
+    fixed: float = parameter(1.0, above=0.0)
+    speed_m: float = parameter(1.0, above=0.0, is_live=True)
+    count: int = parameter(100, least=1, most=1000, is_live=True)
+    mode: Mode = parameter(Mode.OWN, is_live=True)
+
+
+def test_live_parameters_have_their_bounds_and_choices():
+    assert live_parameters(Tunable) == (
+        LiveParameter("speed_m", 1.0, least=0.0, most=None),
+        LiveParameter("count", 100, least=1, most=1000),
+        LiveParameter("mode", "own", least=None, most=None, choices=("own", "service")),
+    )
+    assert live_parameters(Settings) == ()

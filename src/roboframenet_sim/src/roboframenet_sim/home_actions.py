@@ -174,6 +174,11 @@ def first(*failures: Optional[Failure]) -> Optional[Failure]:
     return next((failure for failure in failures if failure is not None), None)
 
 
+def can_handle(scene: Scene, target: str, trait: str, sentence: str) -> Optional[Failure]:
+    """Return why a free hand cannot work something that must have a trait; see :func:`has_trait`."""
+    return first(has_trait(scene, target, trait, sentence), can_reach(scene, target), has_free_hand(scene))
+
+
 def check_grasp(scene: Scene, action: Action) -> Optional[Failure]:
     """Something small, within reach, that nobody else holds, and a free hand."""
     entity = scene.entity(action.theme)
@@ -291,11 +296,7 @@ def check_receive(scene: Scene, action: Action) -> Optional[Failure]:
 
 def check_open(scene: Scene, action: Action) -> Optional[Failure]:
     """A door or container within reach that is not locked or blocked, and a free hand."""
-    failure = first(
-        has_trait(scene, action.theme, "closable", "{} cannot be opened or closed."),
-        can_reach(scene, action.theme),
-        has_free_hand(scene),
-    )
+    failure = can_handle(scene, action.theme, "closable", "{} cannot be opened or closed.")
     if failure:
         return failure
     name = scene.plan.entities[action.theme].the_name.capitalize()
@@ -313,11 +314,7 @@ def effect_open(scene: Scene, action: Action) -> State:
 
 def check_lock(scene: Scene, action: Action) -> Optional[Failure]:
     """A closed door or container with a lock."""
-    failure = first(
-        has_trait(scene, action.theme, "lockable", "{} has no lock."),
-        can_reach(scene, action.theme),
-        has_free_hand(scene),
-    )
+    failure = can_handle(scene, action.theme, "lockable", "{} has no lock.")
     if failure is None and action.kind == "lock" and scene.state.is_(action.theme, "is_open"):
         name = scene.plan.entities[action.theme].the_name.capitalize()
         failure = Failure("open", f"{name} is open.", action.theme)
@@ -331,11 +328,7 @@ def effect_lock(scene: Scene, action: Action) -> State:
 
 def check_switch(scene: Scene, action: Action) -> Optional[Failure]:
     """A device with a switch within reach; a free hand, and power."""
-    failure = first(
-        has_trait(scene, action.theme, "switch", "{} has no switch."),
-        can_reach(scene, action.theme),
-        has_free_hand(scene),
-    )
+    failure = can_handle(scene, action.theme, "switch", "{} has no switch.")
     if failure is None and action.value == "on" and scene.state.is_(action.theme, "is_unplugged"):
         name = scene.plan.entities[action.theme].the_name.capitalize()
         failure = Failure("unplugged", f"{name} is not plugged in.", action.theme)

@@ -93,9 +93,19 @@ class Home:
         self._blocked_until_s: Dict[str, float] = {}
         self._people = People(plan, self.floor, seed=seed)
         self._outcomes: List[Outcome] = []
-        self.base = DifferentialBase(
-            pose=state.robot.pose, is_free=lambda x, y: self.floor.is_free(self._state, x, y), seed=seed
-        )
+        self._seed = seed
+        self.base = self._base_at(state.robot.pose)
+
+    def _base_at(self, pose: Pose) -> DifferentialBase:
+        return DifferentialBase(pose=pose, is_free=lambda x, y: self.floor.is_free(self._state, x, y), seed=self._seed)
+
+    def start_anew(self, state: State) -> None:
+        """Everything is as a state says, at the time that it is now. What runs is preempted, and nobody has habits."""
+        self.preempt()
+        self._state = replace(state, time_s=self._state.time_s)
+        self._blocked_until_s = {}
+        self._people = People(replace(self.plan, habits={}), self.floor, seed=self._seed)
+        self.base = self._base_at(state.robot.pose)
 
     @property
     def state(self) -> State:

@@ -206,9 +206,11 @@ class People:
                 yaw_rad = math.atan2(corner[1] - y_m, corner[0] - x_m)
             share = min(1.0, left_m / distance_m) if distance_m > 1e-9 else 1.0
             x_m, y_m = x_m + share * (corner[0] - x_m), y_m + share * (corner[1] - y_m)
-            left_m -= distance_m * share
-            if share >= 1.0:
-                walk.corners.pop(0)
+            if share < 1.0:
+                # What rounding leaves of the way must not be walked again and again.
+                break
+            left_m -= distance_m
+            walk.corners.pop(0)
         state = self._open_doors(state, (x_m, y_m))
         return state.with_person(person, pose=Pose(x_m, y_m, yaw_rad), posture="walking"), not walk.corners
 

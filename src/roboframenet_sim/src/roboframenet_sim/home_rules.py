@@ -10,6 +10,7 @@ from roboframenet_sim.home_actions import (
     Failure,
     Rule,
     Scene,
+    can_handle,
     can_reach,
     first,
     has_free_hand,
@@ -269,11 +270,7 @@ def effect_press(scene: Scene, action: Action) -> State:
 
 def check_raise(scene: Scene, action: Action) -> Optional[Failure]:
     """Something that goes up and down within reach."""
-    return first(
-        has_trait(scene, action.theme, "raisable", "{} cannot be raised or lowered."),
-        can_reach(scene, action.theme),
-        has_free_hand(scene),
-    )
+    return can_handle(scene, action.theme, "raisable", "{} cannot be raised or lowered.")
 
 
 def effect_raise(scene: Scene, action: Action) -> State:

@@ -337,18 +337,3 @@ class Plan:
             found.append(place)
             place = state.places.get(place.holder)
         return found
-
-    def describe_place(self, state: State, thing: str) -> str:
-        """Return where a thing is, as words: "on the kitchen table in the kitchen"."""
-        place = state.places.get(thing)
-        if place is None:
-            room = self.room_at(self.position(state, thing))
-            return f"in {self.entities[room].the_name}" if room else "outside"
-        if place.relation == "held":
-            return "in my hand" if place.holder == ROBOT else f"in the hand of {self.entities[place.holder].name}"
-        holder = self.entities[place.holder]
-        if holder.kind == "room":
-            return f"on the floor of {holder.the_name}"
-        words = f"{place.relation.replace('_', ' ')} {holder.the_name}"
-        room = self.room_at(self.position(state, thing))
-        return f"{words} in {self.entities[room].the_name}" if room else words

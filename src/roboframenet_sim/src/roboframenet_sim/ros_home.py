@@ -1,23 +1,25 @@
 """The node home_sim: a home with persons and a robot that acts, perceives and is driven."""
 
+import collections
 import json
 import threading
 from dataclasses import asdict, dataclass
-from typing import Any, Dict, List, Optional, Tuple
+from typing import Any, Deque, Dict, List, Optional, Tuple
 
 import actionlib
 import rospkg
 import rospy
 from geometry_msgs.msg import PoseWithCovarianceStamped
 from roboframenet_msgs.msg import FilledSemanticFrameAction, FilledSemanticFrameResult, WorldUpdate
-from std_msgs.msg import String
+from std_msgs.msg import Header, String
 
 from roboframenet_ros.parameters import Parameters, parameter
 from roboframenet_ros.ros_node import StartError, read_parameters, run_node
 from roboframenet_ros.ros_publishing import publish
 from roboframenet_sim.base import Velocity
 from roboframenet_sim.home_actions import Action, Failure
-from roboframenet_sim.home_engine import Home
+from roboframenet_sim.home_arranging import arranged
+from roboframenet_sim.home_engine import Home, Outcome
 from roboframenet_sim.home_file import load_home_file
 from roboframenet_sim.home_floor import PERSON_RADIUS_M
 from roboframenet_sim.home_state import PR2, ROBOT, TURTLEBOT, Faults
@@ -46,6 +48,7 @@ class HomeSettings(Parameters):
         home_file: path of a home; empty for ``config/home.yaml`` of the package
         robot: pr2 or turtlebot
         slip, blocked_door: probabilities of faults
+        may_be_arranged: whether a test may start the home anew
 
     Raises:
         ParameterError: a value out of its range
@@ -55,6 +58,7 @@ class HomeSettings(Parameters):
     robot: str = parameter("pr2")
     slip: float = parameter(0.0, least=0.0, most=1.0)
     blocked_door: float = parameter(0.0, least=0.0, most=1.0)
+    may_be_arranged: bool = parameter(False)
 
 
 class _Base:
@@ -84,11 +88,14 @@ class HomeSim:
 
     Subscribes:
         ``cmd_vel`` (geometry_msgs/Twist), ``said`` (std_msgs/String): what the robot says;
-        ``home/person`` (std_msgs/String): "bob walk kitchen", "anna take newspaper", ...
+        ``home/person`` (std_msgs/String): "bob walk kitchen", "anna take newspaper", "bob ring", ...;
+        ``home/arrange`` (std_msgs/String): a JSON mapping as in :func:`arranged`; the home starts anew, and the robot
+        forgets where things and persons are
     Publishes:
         ``odom``, ``/tf``, ``amcl_pose``; with a PR2 ``joint_states``;
         ``scan`` (sensor_msgs/LaserScan), ``battery_state`` (sensor_msgs/BatteryState);
         ``world_updates`` (WorldUpdate): the map, and what the robot sees; ``home/map`` (WorldUpdate, latched);
+        ``home/bell`` (std_msgs/Header): the bell of the door;
         ``home/heard`` (std_msgs/String): what the robot hears; ``home/truth`` (std_msgs/String, latched): all, as JSON
     Actions:
         ``home/act`` (FilledSemanticFrameAction): an action; with a PR2 also those of its arms
@@ -117,6 +124,7 @@ class HomeSim:
         self._battery = RosBattery(state.robot.battery, self._charge)
         self._pose = rospy.Publisher("amcl_pose", PoseWithCovarianceStamped, queue_size=5, latch=True)
         self._truth = rospy.Publisher("home/truth", String, queue_size=5, latch=True)
+        self._bell = rospy.Publisher("home/bell", Header, queue_size=5)
         self._heard = rospy.Publisher("home/heard", String, queue_size=20)
         self._map = rospy.Publisher("home/map", WorldUpdate, queue_size=1, latch=True)
         self._updates = rospy.Publisher(
@@ -125,11 +133,15 @@ class HomeSim:
         self._heard_until_s = 0.0
         self._last: Dict[str, Any] = {}
         self._due_s: Dict[str, float] = {}
-        self._goals: List[Any] = []
+        self._goals: Deque[Any] = collections.deque()
+        self._cancels: Deque[Any] = collections.deque()
         self._running: Dict[int, Tuple[Action, Any]] = {}
         self._map.publish(WorldUpdate(objects=map_objects(plan)))
         self._said = rospy.Subscriber("said", String, self._on_said, queue_size=50)
         self._person = rospy.Subscriber("home/person", String, self._on_person, queue_size=50)
+        self._begin = state
+        if settings.may_be_arranged:
+            self._arrange = rospy.Subscriber("home/arrange", String, self._on_arrange, queue_size=5)
         self._server = actionlib.ActionServer(
             "home/act", FilledSemanticFrameAction, self._on_goal, self._on_cancel, auto_start=False
         )
@@ -148,9 +160,10 @@ class HomeSim:
             self._arms.step(duration_s, stamp)
         self._laser.step(duration_s, stamp, robot=self._base.pose)
         with self._lock:
-            self._end_goals()
+            outcomes = self._home.outcomes()
             state = self._home.state
             plan, floor = self._home.plan, self._home.floor
+        self._end_goals(outcomes)
         # What is said from now on has the time of this state, and is told after the next step.
         begin_s, self._heard_until_s = self._heard_until_s, state.time_s
         for event in state.events:
@@ -214,43 +227,61 @@ class HomeSim:
 
     def _on_person(self, message: String) -> None:
         words = (message.data.split() + ["", "", ""])[:3]
+        if words[1] == "ring":
+            self._bell.publish(Header(stamp=rospy.Time.now(), frame_id=words[0]))
+            return
         with self._lock:
             failure = self._home.tell_person(words[0], words[1], words[2])
         if failure is not None:
             rospy.logwarn("%s: %s", message.data, failure.sentence)
 
-    def _on_goal(self, handle: Any) -> None:
+    def _on_arrange(self, message: String) -> None:
+        plan, floor = self._home.plan, self._home.floor
+        try:
+            wishes: Dict[str, str] = json.loads(message.data)
+            state = arranged(plan, floor, self._begin, wishes)
+        except (ValueError, AttributeError) as error:
+            rospy.logerr("home/arrange: %s", error)
+            return
         with self._lock:
-            self._goals.append(handle)
+            self._home.start_anew(state)
+            self._heard_until_s = self._home.state.time_s
+            self._last.clear()
+        forgotten = [one.id for one in plan.entities.values() if one.kind in ("thing", "person")]
+        publish(self._updates, WorldUpdate(missing=forgotten))
+
+    # The action server holds its own lock while it calls these, and takes it when a goal ends: they wait for nothing.
+
+    def _on_goal(self, handle: Any) -> None:
+        self._goals.append(handle)
 
     def _on_cancel(self, handle: Any) -> None:
-        with self._lock:
-            if handle in self._goals:
-                self._goals.remove(handle)
-                handle.set_canceled(FilledSemanticFrameResult(success=False), "cancelled")
-                return
-            for action, running in list(self._running.values()):
-                if running == handle:
-                    self._home.preempt(action.kind)
+        self._cancels.append(handle)
 
     def _begin_goals(self) -> None:
-        with self._lock:
-            goals, self._goals = self._goals, []
-            for handle in goals:
-                handle.set_accepted()
-                try:
-                    action = action_of(handle.get_goal().frame)
-                except (TypeError, ValueError) as error:
-                    self._abort(handle, Failure("unknown", f"This is no action: {error}."))
-                    continue
+        while self._goals:
+            handle = self._goals.popleft()
+            handle.set_accepted()
+            try:
+                action = action_of(handle.get_goal().frame)
+            except (TypeError, ValueError) as error:
+                self._abort(handle, Failure("unknown", f"This is no action: {error}."))
+                continue
+            with self._lock:
                 failure = self._home.begin(action)
-                if failure is not None:
-                    self._abort(handle, failure)
-                else:
-                    self._running[id(action)] = (action, handle)
+            if failure is not None:
+                self._abort(handle, failure)
+            else:
+                self._running[id(action)] = (action, handle)
+        while self._cancels:
+            handle = self._cancels.popleft()
+            kinds = [action.kind for action, running in self._running.values() if running == handle]
+            with self._lock:
+                for kind in kinds:
+                    self._home.preempt(kind)
 
-    def _end_goals(self) -> None:
-        for outcome in self._home.outcomes():
+    def _end_goals(self, outcomes: Tuple[Outcome, ...]) -> None:
+        for outcome in outcomes:
             _, handle = self._running.pop(id(outcome.action), (None, None))
             if handle is None:
                 continue

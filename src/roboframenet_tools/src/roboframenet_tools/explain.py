@@ -11,17 +11,22 @@ from offline_pipeline.pipeline import BEHAVIOURS, Pipeline, Understanding, to_js
 from roboframenet_tools.drawing import draw_arcs, svg_arcs
 from roboframenet_tools.folders import folders_of
 from semantic_framer.dialogue import Context
+from semantic_frames import FileRefused
+from semantic_frames.source_files import read_text
 from stanford_parser_ros.inference import ModelError
 from stanford_parser_ros.stanford_dependencies import collapsed
 from utterance_passes.table import PASSES
 from utterance_passes.trace import TraceLine
 from utterance_passes.tree import DependencyTree
+from world_model.world import snapshot
+from world_model.world_file import load_world_file
 
 EXAMPLES = """examples:
   rfn explain "Bring me the mug from the kitchen."
   rfn explain --svg parse.svg "Turn left 120 degrees."
   rfn explain --without quotations "Tell her lunch is ready."
   rfn explain --with my_robot "Wave at Alice."
+  rfn explain --world home.yaml "Take the box near the lamp on the table."
   rfn explain --behaviour 2012 "Go to Roger's office."
   rfn explain --after "Move forward." "Ten feet."
   rfn explain --live "Go to the office."
@@ -65,6 +70,12 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         help="names that the robot knows, as the launch argument 'names_file' sets them",
     )
     parser.add_argument(
+        "--world",
+        metavar="FILE",
+        default="",
+        help="what the robot knows of things, persons and places, as the launch argument 'world_file' sets it",
+    )
+    parser.add_argument(
         "--live",
         action="store_true",
         help="use what the running graph knows and its parameters; without a sentence, explain what the graph hears",
@@ -102,8 +113,8 @@ def run(arguments: argparse.Namespace) -> int:
         wrong = "give a sentence or --batch FILE"
     elif arguments.live and arguments.behaviour:
         wrong = "--live uses the parameters of the running graph: omit --behaviour"
-    elif arguments.live and arguments.names:
-        wrong = "--live uses what the running graph knows: omit --names"
+    elif arguments.live and (arguments.names or arguments.world):
+        wrong = "--live uses what the running graph knows: omit --names and --world"
     if wrong:
         print(f"rfn explain: {wrong}", file=sys.stderr)
         return 2
@@ -112,7 +123,7 @@ def run(arguments: argparse.Namespace) -> int:
             return _follow()
         lines = _lines(arguments.batch) if arguments.batch else [" ".join(arguments.text)]
         pipeline = _pipeline(arguments)
-    except (OSError, ModelError, LookupError) as error:
+    except (OSError, ModelError, LookupError, FileRefused) as error:
         print(f"rfn explain: {error}", file=sys.stderr)
         return 2
     for problem in pipeline.knowledge.problems:
@@ -151,17 +162,20 @@ def _lines(path: str) -> List[str]:
 def _pipeline(arguments: argparse.Namespace) -> Pipeline:
     without = frozenset(arguments.without)
     if arguments.live:
-        from roboframenet_tools.ros_graph import live_knowledge, live_parameters
+        from roboframenet_tools.ros_graph import live_knowledge, live_parameters, live_world
 
         knowledge = live_knowledge(timeout_s=10.0)
-        return Pipeline(knowledge, parameters=live_parameters(), without=without, is_traced=not arguments.json)
+        world, parameters = live_world(timeout_s=5.0), live_parameters()
+        return Pipeline(knowledge, parameters=parameters, without=without, is_traced=not arguments.json, world=world)
     knowledge = load_knowledge(
         [*(folders_of(arguments.domains or ()) or [shipped_domains()]), *folders_of(arguments.others)]
     )
     knowledge = with_names(knowledge, arguments.names)
     pretend_servers(knowledge.graph)
     parameters = BEHAVIOURS[arguments.behaviour or "now"]
-    return Pipeline(knowledge, parameters=parameters, without=without, is_traced=not arguments.json)
+    objects = load_world_file(read_text(arguments.world), arguments.world) if arguments.world else ()
+    world = snapshot(arguments.world, {one.id: one for one in objects})
+    return Pipeline(knowledge, parameters=parameters, without=without, is_traced=not arguments.json, world=world)
 
 
 def _follow() -> int:

@@ -6,6 +6,7 @@ from typing import Iterator, Tuple
 import rosgraph
 import rospy
 from roboframenet_msgs.msg import FrameCatalogue, FrameServers, Lexicon, StageEvent
+from roboframenet_msgs.msg import World as WorldMessage
 
 from command_server.settings import Settings as CommandServerSettings
 from frame_registrar.node import Settings as FrameRegistrarSettings
@@ -14,11 +15,29 @@ from offline_pipeline.pipeline import Parameters
 from roboframenet_ros.parameters import ParameterError
 from roboframenet_ros.ros_node import read_parameters
 from semantic_framer.settings import Settings as SemanticFramerSettings
+from world_model import World
+from world_model.ros_messages import world_from_message
 
 
 def is_master_up() -> bool:
     """Whether a ROS master answers."""
     return bool(rosgraph.is_master_online())
+
+
+def live_world(*, timeout_s: float) -> World:
+    """Read the latched snapshot of what the robot knows; it knows of nothing where nobody publishes one.
+
+    Args:
+        timeout_s: how long to wait for it, seconds
+    """
+    _join()
+    name = rospy.resolve_name("world")
+    if name not in (topic for topic, _ in rospy.get_published_topics()):
+        return World()
+    try:
+        return world_from_message(rospy.wait_for_message(name, WorldMessage, timeout=timeout_s))
+    except rospy.ROSException:
+        return World()
 
 
 def live_knowledge(*, timeout_s: float) -> Knowledge:

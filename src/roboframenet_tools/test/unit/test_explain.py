@@ -50,6 +50,20 @@ def test_names_that_the_robot_knows(tmp_path, capsys):
     assert "bringing(theme=the butler" in capsys.readouterr().out
 
 
+def test_what_the_robot_knows_attaches_places(tmp_path, capsys):
+    world = tmp_path / "home.yaml"
+    world.write_text("things:\n  table_1: {x: 4, y: 0}\n  lamp_1: {x: 0, y: 0}\n  box_1: {x: 1, y: 0, near: lamp_1}\n")
+    said = "Take the box near the lamp on the table."
+    assert main(["explain", said]) == 0
+    assert "taking(theme=the box near the lamp on the table)" in capsys.readouterr().out
+    assert main(["explain", "--world", str(world), said]) == 1
+    shown = capsys.readouterr().out
+    assert "attached_by_world" in shown
+    assert "bringing(theme=the box near the lamp, goal=the table)" in shown
+    assert "I know of no box near the lamp on the table." in shown
+    assert main(["explain", "--world", str(tmp_path / "none.yaml"), said]) == 2
+
+
 def test_what_is_said_on_the_way_is_no_step(pipeline):
     understanding = pipeline.understand("Bring me the towel that is in the bathroom.")
     frames = to_json(understanding)["frames"]

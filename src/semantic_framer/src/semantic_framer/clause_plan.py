@@ -96,9 +96,10 @@ def leaves_of(part: PlanPart) -> Iterator[PlanPart]:
         yield from leaves_of(child)
 
 
-def in_order(clauses: Clauses, plan: PlanPart) -> Clauses:
-    """Return the clauses of a plan in the order of its nodes."""
-    return tuple(clauses[leaf.clause] for leaf in leaves_of(plan))
+def in_order(clauses: Clauses, plan: PlanPart) -> Tuple[Clauses, PlanPart]:
+    """Return the clauses of a plan in the order of its nodes, and the plan of these."""
+    order = [leaf.clause for leaf in leaves_of(plan)]
+    return tuple(clauses[place] for place in order), _renumbered(plan, order)
 
 
 def without_unused(clauses: Clauses, plan: PlanPart) -> Tuple[Clauses, PlanPart]:

@@ -6,6 +6,7 @@ MESSAGE = "Message"
 ADDRESSEE = "Addressee"
 THEME = "Theme"
 NAME = "Name"
+GOAL = "Goal"
 #: Things that are moved, given or held.
 THINGS: FrozenSet[str] = frozenset([THEME, "Entity"])
 #: Places, and not things.

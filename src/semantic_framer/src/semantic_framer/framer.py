@@ -5,6 +5,7 @@ from typing import FrozenSet, Mapping, Optional, Sequence, Tuple, Union
 
 from semantic_framer.amending import Change, change_of, last_command
 from semantic_framer.answers import answer
+from semantic_framer.beginnings import beginning_of, without_beginning
 from semantic_framer.choices import choices_of_amounts, choices_of_clauses, chosen
 from semantic_framer.clause_links import Joints, find_joints
 from semantic_framer.clause_plan import without_unused
@@ -44,6 +45,7 @@ from semantic_framer.settling import Now, ask_which, resolve_and_confirm, withou
 from semantic_framer.small_talk import answer_small_talk, small_talk_of
 from semantic_framer.utterance_kind import KindVerdict
 from semantic_framer.verdicts import Case, case_of
+from semantic_framer.world_attachment import attached_by_world, is_better, question_of_goal
 from semantic_frames.frame import SemanticFrame
 from utterance_passes.clauses import Clause, find_clauses, whole_sentence
 from utterance_passes.running import run_tree_passes
@@ -179,7 +181,7 @@ class _Hearing:
             # This does not answer the earlier question.
             return Heard(*ask_which(meant, context, self._now))
         if pending is None:
-            return self._read(meant, context)
+            return self._read_in_world(meant, context)
         if is_no(tree.text):
             self._now.write("answer", tree.text, "a no to the question before")
             return Heard(Refusal(DECLINED, "All right, I do nothing."), context, meant)
@@ -187,7 +189,7 @@ class _Hearing:
         if pending.readings:
             choice = chosen(meant, pending.readings, known)
             if choice is None:
-                return self._read(meant, context)
+                return self._read_in_world(meant, context)
             self._now.write("answer", tree.text, f'chooses "{choice.text}"')
             picked = self._restructured(choice.tree, REPHRASING_PASSES)
             if not isinstance(picked, Sentence):
@@ -200,18 +202,59 @@ class _Hearing:
         is_strict = policy.left_over_words in CAREFUL
         answered = answer(meant, pending, known, is_strict=is_strict)
         if answered is None:
-            return self._read(meant, context)
+            return self._read_in_world(meant, context)
         self._now.write("answer", tree.text, "; ".join(str(readings[0]) for readings in answered))
         # A yes counts only as the answer to a yes-no question: "right" may also be a direction.
         is_confirmed = not pending.elements and not pending.is_about_words
         settled = resolve_and_confirm(answered, meant, context, self._now, is_confirmed=is_confirmed, plan=pending.plan)
-        return Heard(*settled, meant)
+        heard = Heard(*settled, meant)
+        if isinstance(heard.outcome, Understood):
+            return replace(heard, outcome=replace(heard.outcome, beginning=pending.beginning))
+        return heard
 
     def _restructured(self, tree: DependencyTree, passes: Sequence[TreePass]) -> Union[Sentence, Tuple[Choice, ...]]:
         return restructured(tree, self._now.known, passes=passes, without=self._without, trace=self._trace)
 
+    def _read_in_world(self, sentence: Sentence, context: Context) -> Heard:
+        """Understand a sentence that is not an answer; what the robot knows attaches the places in it."""
+        attached = attached_by_world(sentence, self._now.known, context)
+        if attached is None:
+            return self._read(sentence, context)
+        trace = Trace() if self._trace is not None else None
+        heard = _Hearing(replace(self._now, trace=trace), self._without)._read(attached.sentence, context)
+        plain = _Hearing(replace(self._now, trace=None), self._without)._read(sentence, context)
+        best = [read.kept[0] for read in heard.clauses if read.kept]
+        before = [read.kept[0] for read in plain.clauses if read.kept]
+        is_whole = len(best) == len(heard.clauses)
+        if not is_whole or not is_better(attached, best, before, self._now.known):
+            return self._read(sentence, context)
+        self._now.write("attached_by_world", sentence.tree.text, attached.note)
+        if trace is not None and self._trace is not None:
+            self._trace.extend(trace.lines)
+        if not attached.goals or not isinstance(heard.outcome, Understood):
+            return heard
+        # The robot may not know how the world is now: the thing may be where the person says.
+        plan = heard.outcome.plan
+        pending = Pending(without_positions(heard.outcome.clauses), 0, (), self._now.expires_s, plan=plan)
+        return replace(heard, outcome=question_of_goal(attached), context=replace(heard.context, pending=pending))
+
     def _read(self, sentence: Sentence, context: Context) -> Heard:
-        """Understand a sentence that is not an answer; one that cannot be understood as it is may have conditions."""
+        """Understand a sentence that is not an answer; it may say when it begins: "then go home"."""
+        begun = beginning_of(sentence.tree)
+        bare = None if begun is None else without_beginning(sentence, begun, self._now.known)
+        if begun is None or bare is None:
+            return self._read_command(sentence, context)
+        self._now.write("beginning", sentence.text(sorted(begun.positions)), begun.kind)
+        heard = self._read_command(bare, context)
+        if isinstance(heard.outcome, Understood):
+            return replace(heard, outcome=replace(heard.outcome, beginning=begun.kind))
+        pending = heard.context.pending
+        if pending is not None:
+            pending = replace(pending, beginning=begun.kind)
+        return replace(heard, context=replace(heard.context, pending=pending))
+
+    def _read_command(self, sentence: Sentence, context: Context) -> Heard:
+        """Understand a command; one that cannot be understood as it is may have conditions."""
         heard = self._read_plainly(sentence, context)
         if heard.is_small_talk or self._now.policy.left_over_words not in CAREFUL:
             return heard

@@ -18,7 +18,7 @@ from semantic_framer.attachment import (
     words_before,
     words_before_amount,
 )
-from semantic_framer.frame_roles import DESCRIBED, DIRECTION, MESSAGE
+from semantic_framer.frame_roles import DESCRIBED, DIRECTION, MESSAGE, THINGS
 from semantic_framer.framed_lexicon import FramedLexicon
 from semantic_framer.measured_elements import measured_elements, measures_as_in_2012, numeral_at
 from semantic_framer.reading import Reading
@@ -43,6 +43,8 @@ from word_classes import word_class
 DIRECTIONAL = frozenset(phrase.replace(" ", "_") for phrase in word_class("directional_prepositions"))
 #: What a unit asks for must be the usual sense of the words, or they must have no type.
 _MISFITS = (Fit.POSSIBLE, Fit.WRONG)
+#: Relations of a goal: a place that the world makes one may have any preposition.
+_TOWARDS = frozenset(["prep_to", "prep_into", "prep_onto"])
 _DESTINATION_ADVERBS = word_class("destination_adverbs")
 _PLACE_PREPOSITIONS = word_class("place_prepositions")
 
@@ -109,6 +111,7 @@ class _Filling:
         self._numeral_of: Dict[str, Amount] = {}
         self._subject = clause.subject or shared_subject(sentence.tree, clause.verb)
         self._is_measuring_of_2012 = measures_as_in_2012(unit)
+        self._moves_a_thing = any(one.is_core and one.framenet in THINGS for one in frame.frame_elements)
         self._moved: Set[int] = set()
         #: Trace lines for phrases that rules moved or left out.
         self.notes: List[TraceLine] = []
@@ -264,6 +267,9 @@ class _Filling:
                 found += self._sentence.dependents(governor, step)
                 if number == 0:
                     found += self._reattached(step, is_core)
+                    if step in _TOWARDS and self._moves_a_thing:
+                        goals = self._sentence.goals
+                        found += [index for index in goals if self._sentence.word(index).head == governor]
                     if step == "nsubj" and self._subject and not self._clause.subject:
                         found.append(self._subject)
             governors = list(dict.fromkeys(found))
@@ -296,7 +302,9 @@ class _Filling:
         heads = [
             head
             for head in found
-            if head not in particle and not self._sentence.word(head).deprel.startswith("acl")  # "which is on the bed"
+            if head not in particle
+            and head not in self._sentence.described
+            and not self._sentence.word(head).deprel.startswith("acl")  # "which is on the bed"
         ]
         self._moved.update(heads)
         return heads
@@ -376,6 +384,7 @@ class _Filling:
             )
             if (
                 min(positions) == max(noun | found) + 1
+                and phrase.index not in self._sentence.goals
                 and is_postmodifier_of(self._sentence.tree, phrase.index, head, element.framenet in DESCRIBED)
                 and not positions & (taken | left_out)
                 and positions <= self._clause.positions

@@ -42,7 +42,7 @@ from semantic_framer.known_names import KnownNames
 from semantic_framer.lexicon import Lexicon
 from semantic_framer.lexicon_files import LexiconFiles, LexiconState
 from semantic_framer.outcome import Refusal, Understood, reply_outcome
-from semantic_framer.ros_messages import acting_servers, to_clauses, to_filled_units, to_plan
+from semantic_framer.ros_messages import acting_servers, to_clauses, to_filled_units, to_plan, with_beginning
 from semantic_framer.settings import Settings
 from semantic_frames import FileRefused, load_frame
 from semantic_frames.frame import SemanticFrame
@@ -272,7 +272,7 @@ class SemanticFramer:
             CommandLexicalUnits(
                 command=message.command,
                 clauses=to_clauses(understood.clauses, tree),
-                plan=to_plan(understood, message.command.text),
+                plan=with_beginning(to_plan(understood, message.command.text), understood.beginning),
             )
         )
 

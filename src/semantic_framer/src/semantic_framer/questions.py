@@ -3,10 +3,11 @@
 from typing import List, Mapping, Optional, Tuple
 
 from semantic_framer.mood_file import UtteranceKind
+from semantic_framer.question_words import compiled
 from semantic_framer.reading import Reading, rank
 from semantic_framer.utterance_kind import kind_without_clause
 from semantic_framer.verdicts import Case
-from semantic_framer.word_patterns import argument_of, compiled, heads
+from semantic_framer.word_patterns import argument_of, heads
 from semantic_frames.frame import SemanticFrame
 from semantic_frames.lexical_unit import LexicalUnit, WordPattern
 from utterance_passes.tree import Word
@@ -56,7 +57,7 @@ def _read(case: Case, unit: LexicalUnit, frame: SemanticFrame, question: WordPat
     while words and words[-1].form.lower() in _PADDING:
         words.pop()
     forms = [_spelling(word) for word in words]
-    match = compiled(question).fullmatch(" ".join(forms))
+    match = compiled(question.text).fullmatch(" ".join(forms))
     if match is None:
         return None
     arguments = []

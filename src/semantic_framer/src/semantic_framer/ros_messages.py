@@ -68,6 +68,12 @@ def to_plan(understood: Understood, text: str) -> Plan:
     )
 
 
+def with_beginning(plan: Plan, beginning: str) -> Plan:
+    """Return a plan that says what happens to the command that runs: REPLACE, FOLLOW or BESIDE."""
+    plan.beginning = getattr(Plan, beginning)
+    return plan
+
+
 def to_filled_units(clauses: Sequence[Tuple[Reading, ...]]) -> FilledLexicalUnitList:
     """Return readings as the message of 2012."""
     return FilledLexicalUnitList(lexical_units=[_unit(reading) for readings in clauses for reading in readings])

@@ -44,22 +44,42 @@ class Sentence:
         tree: the tree
         types: semantic types of its phrases
         phrases: makes the arguments of its phrases
+        goals: heads of phrases that say where a thing shall be, as the world has it
+        described: heads of phrases that tell which thing is meant, as the world has it
         arcs: every relation, with all of its names
     """
 
-    def __init__(self, tree: DependencyTree, words: Optional[WordTypes] = None) -> None:
+    def __init__(
+        self,
+        tree: DependencyTree,
+        words: Optional[WordTypes] = None,
+        *,
+        goals: FrozenSet[int] = frozenset(),
+        described: FrozenSet[int] = frozenset(),
+    ) -> None:
         """
         Args:
             tree: the tree
             words: semantic types of words; None for those of the language alone
+            goals: heads of phrases that say where a thing shall be, as the world has it
+            described: heads of phrases that tell which thing is meant, as the world has it
         """
         self.tree = tree
-        self.types = PhraseTypes(tree, words or shipped_types())
+        self._types_of_words = words or shipped_types()
+        self.types = PhraseTypes(tree, self._types_of_words)
+        self.goals = goals
+        self.described = described
         self.phrases = Phrases(tree, self.types.likeliest)
         self.arcs: Tuple[Arc, ...] = arcs(tree)
         self._by_governor: Dict[int, List[Arc]] = {}
         for arc in self.arcs:
             self._by_governor.setdefault(arc.governor, []).append(arc)
+
+    def attached(
+        self, tree: DependencyTree, *, goals: FrozenSet[int] = frozenset(), described: FrozenSet[int] = frozenset()
+    ) -> "Sentence":
+        """Return the sentence with another tree, and what the world says of its phrases of place."""
+        return Sentence(tree, self._types_of_words, goals=goals, described=described)
 
     def word(self, index: int) -> Word:
         """Return a word by its index from 1."""

@@ -8,6 +8,7 @@ from semantic_framer.choices import question_of_choices
 from semantic_framer.clause_plan import Clauses, PlanPart, in_order
 from semantic_framer.dialogue import Context, Pending
 from semantic_framer.framed_lexicon import FramedLexicon
+from semantic_framer.indirect_questions import with_indirect_questions
 from semantic_framer.outcome import (
     CAREFUL,
     DECLINED,
@@ -90,7 +91,8 @@ def resolve_and_confirm(
     if plan is None:
         return outcome, after
     if isinstance(outcome, Understood):
-        return replace(outcome, clauses=in_order(outcome.clauses, plan), plan=plan), after
+        clauses, plan = in_order(outcome.clauses, plan)
+        return replace(outcome, clauses=clauses, plan=plan), after
     if after.pending is not None:
         after = replace(after, pending=replace(after.pending, plan=plan))
     return outcome, after
@@ -123,6 +125,7 @@ def _settled(
     ignored = [sentence.word(index).form for readings in clauses for index in readings[0].left_over]
     done: List[Tuple[Reading, ...]] = []
     for readings in clauses:
+        readings = tuple(with_indirect_questions(reading, sentence.tree, now.known) for reading in readings)
         if done:
             readings = _beside(readings, done[-1][0], now)
         question = _resolved(readings, context, now)

@@ -1,7 +1,7 @@
 """YAML nodes with their lines, read against a schema that collects all mistakes of a file at once."""
 
 import difflib
-from typing import Dict, Iterable, List, Optional, Sequence, Tuple
+from typing import Any, Dict, Iterable, List, Optional, Sequence, Tuple
 
 import yaml
 
@@ -14,6 +14,8 @@ DEEPEST_NESTING = 20
 #: Characters of the name of a frame, an element or a server.
 LONGEST_NAME = 200
 NAME_EXPECTED = f"a name of at most {LONGEST_NAME} printable characters on one line"
+#: libyaml is ten times as fast as Python; it is an option of PyYAML.
+_QUICK_LOADER: Any = getattr(yaml, "CSafeLoader", yaml.SafeLoader)
 _BOOLEANS = {"true": True, "yes": True, "false": False, "no": False}
 
 
@@ -67,42 +69,57 @@ class Reader:
                 [Problem("TOO_LARGE", self.path, 1, "file", f"{len(text)} characters", f"at most {LARGEST_FILE}")]
             )
         try:
-            depth = 0
-            for event in yaml.parse(text, Loader=yaml.SafeLoader):
-                depth += isinstance(event, yaml.CollectionStartEvent) - isinstance(event, yaml.CollectionEndEvent)
-                if depth > DEEPEST_NESTING:
-                    raise FileRefused(
-                        [
-                            Problem(
-                                "TOO_DEEP",
-                                self.path,
-                                event.start_mark.line + 1,
-                                "file",
-                                f"more than {DEEPEST_NESTING} lists and mappings inside each other",
-                                expected,
-                            )
-                        ]
-                    )
-                if isinstance(event, yaml.AliasEvent) or getattr(event, "anchor", None):
-                    raise FileRefused(
-                        [
-                            Problem(
-                                "ALIAS",
-                                self.path,
-                                event.start_mark.line + 1,
-                                "file",
-                                "an anchor or alias",
-                                "every value written out",
-                            )
-                        ]
-                    )
-            root: Optional[yaml.Node] = yaml.compose(text, Loader=yaml.SafeLoader)
+            return self._composed(text, expected, _QUICK_LOADER)
+        except yaml.YAMLError:
+            # The loader in Python says more about what is wrong.
+            return self._composed_or_refused(text, expected)
+
+    def _composed_or_refused(self, text: str, expected: str) -> yaml.Node:
+        try:
+            return self._composed(text, expected, yaml.SafeLoader)
         except yaml.YAMLError as error:
             mark = getattr(error, "problem_mark", None)
             reason = getattr(error, "problem", None) or getattr(error, "reason", None) or str(error).split("\n")[0]
             raise FileRefused(
                 [Problem("NOT_YAML", self.path, mark.line + 1 if mark else 1, "file", str(reason), "one YAML document")]
             ) from error
+
+    def _composed(self, text: str, expected: str, loader: Any) -> yaml.Node:
+        """Return the root of a text, read by a loader; see `compose`.
+
+        Raises:
+            yaml.YAMLError: the text is no YAML, or several documents
+        """
+        depth = 0
+        for event in yaml.parse(text, Loader=loader):
+            depth += isinstance(event, yaml.CollectionStartEvent) - isinstance(event, yaml.CollectionEndEvent)
+            if depth > DEEPEST_NESTING:
+                raise FileRefused(
+                    [
+                        Problem(
+                            "TOO_DEEP",
+                            self.path,
+                            event.start_mark.line + 1,
+                            "file",
+                            f"more than {DEEPEST_NESTING} lists and mappings inside each other",
+                            expected,
+                        )
+                    ]
+                )
+            if isinstance(event, yaml.AliasEvent) or getattr(event, "anchor", None):
+                raise FileRefused(
+                    [
+                        Problem(
+                            "ALIAS",
+                            self.path,
+                            event.start_mark.line + 1,
+                            "file",
+                            "an anchor or alias",
+                            "every value written out",
+                        )
+                    ]
+                )
+        root: Optional[yaml.Node] = yaml.compose(text, Loader=loader)
         if root is None or (isinstance(root, yaml.SequenceNode) and not root.value):
             raise FileRefused([Problem("EMPTY", self.path, 1, "file", "nothing", expected)])
         return root
@@ -242,7 +259,7 @@ def is_name(text: str) -> bool:
 
 def is_empty(node: yaml.Node) -> bool:
     """Whether the value of a key is empty."""
-    return isinstance(node, yaml.ScalarNode) and node.value == "" and node.style is None
+    return isinstance(node, yaml.ScalarNode) and node.value == "" and not node.style
 
 
 def describe(node: yaml.Node) -> str:

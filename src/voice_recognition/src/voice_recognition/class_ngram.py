@@ -6,7 +6,7 @@ the robot has a share of the single words.
 
 import math
 from collections import defaultdict
-from typing import DefaultDict, Dict, FrozenSet, Iterable, List, Optional, Tuple
+from typing import DefaultDict, Dict, FrozenSet, Iterable, List, Optional
 
 from voice_recognition.spoken_language import SpokenLanguage, Words, sentences
 
@@ -95,9 +95,3 @@ def _mixed(counts: Counts, lower: Counts, share: float) -> Counts:
 
 def _lower(lower: Counts, gram: Words) -> float:
     return lower.get(gram, 0.0)
-
-
-def order_of(text: str) -> Tuple[int, int, int]:
-    """Return how many n-grams of each order a model has."""
-    numbers = [int(line.partition("=")[2]) for line in text.splitlines() if line.startswith("ngram ")]
-    return numbers[0], numbers[1], numbers[2]

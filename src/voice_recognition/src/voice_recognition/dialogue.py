@@ -5,6 +5,7 @@ from dataclasses import dataclass, field, replace
 from types import MappingProxyType
 from typing import FrozenSet, Mapping, Tuple, Union
 
+from command_server.answers import YES_NO
 from voice_recognition.agreement import Heard, Verdict
 from voice_recognition.offers import Offer
 from voice_recognition.voice_words import voice_words
@@ -80,7 +81,7 @@ class Thinking:
     """Has heard the end of an utterance, and waits for what the searches make of it; then comes ``behind``."""
 
     until: float
-    behind: Union[Listening, "Confirming"]
+    behind: Union[Listening, "Confirming", "Replying"]
 
 
 @dataclass(frozen=True)
@@ -93,6 +94,14 @@ class Confirming:
 
 
 @dataclass(frozen=True)
+class Replying:
+    """The pipeline has asked a question that some answers fit: hears one of them, or another command."""
+
+    until: float
+    repeats: int = 0
+
+
+@dataclass(frozen=True)
 class Deaf:
     """The robot itself speaks: hears only words that stop it; then comes ``behind``."""
 
@@ -100,7 +109,7 @@ class Deaf:
     behind: "Awake"
 
 
-Awake = Union[Waiting, Listening, Thinking, Confirming]
+Awake = Union[Waiting, Listening, Thinking, Confirming, Replying]
 State = Union[Awake, Deaf]
 
 # --- events
@@ -125,9 +134,25 @@ class Understood:
 
 @dataclass(frozen=True)
 class Answered:
-    """An answer by another way than the voice: a page, or text; ``name`` as in ``voice.yaml``."""
+    """An answer by another way than the voice: a page, or text.
+
+    Attributes:
+        name: as in ``voice.yaml``, or what the pipeline gets
+    """
 
     name: str
+
+
+@dataclass(frozen=True)
+class Asked:
+    """The pipeline asks the person a question; ``has_answers`` when it can be answered by one of some phrases."""
+
+    has_answers: bool
+
+
+@dataclass(frozen=True)
+class Settled:
+    """The pipeline has replied to a command without a question: the last one was answered."""
 
 
 @dataclass(frozen=True)
@@ -152,7 +177,7 @@ class Tick:
     """Time has passed."""
 
 
-Event = Union[Pushed, SpeechEnded, Understood, Answered, OtherCommand, Stopped, RobotSpeaks, Tick]
+Event = Union[Pushed, SpeechEnded, Understood, Answered, Asked, Settled, OtherCommand, Stopped, RobotSpeaks, Tick]
 
 # --- actions
 
@@ -195,7 +220,7 @@ def begin(settings: DialogueSettings) -> Union[Waiting, Listening]:
 
 def hears(state: State) -> bool:
     """Whether an utterance counts in a state, and not only words that stop the robot."""
-    return isinstance(state, (Listening, Confirming))
+    return isinstance(state, (Listening, Confirming, Replying))
 
 
 def step(state: State, event: Event, now: float, settings: DialogueSettings) -> Step:
@@ -213,6 +238,10 @@ def step(state: State, event: Event, now: float, settings: DialogueSettings) -> 
         return (replace(state, behind=between) if isinstance(state, Deaf) else between), (Stop(),)
     if isinstance(event, OtherCommand):
         return _without_question(state, settings), ()
+    if isinstance(event, Settled):
+        return _without_question(state, settings) if isinstance(open_question(state), Replying) else state, ()
+    if isinstance(event, Asked):
+        return _asked(state, event, now, settings), ()
     if isinstance(event, RobotSpeaks):
         return _speaking(state, event, now, settings), ()
     if isinstance(event, Tick):
@@ -222,29 +251,43 @@ def step(state: State, event: Event, now: float, settings: DialogueSettings) -> 
             return replace(state, behind=_pushed(state.behind, now, settings)), ()
         return _pushed(state, now, settings), ()
     if isinstance(event, SpeechEnded):
-        if isinstance(state, (Listening, Confirming)):
+        if isinstance(state, (Listening, Confirming, Replying)):
             return Thinking(now + settings.think_s, state), ()
         return state, ()
     if isinstance(event, Answered):
-        open_question = _open_question(state)
-        return _answered(open_question, event.name, now, settings) if open_question is not None else (state, ())
+        question = open_question(state)
+        return _answered(question, event.name, now, settings) if question is not None else (state, ())
     if isinstance(state, Thinking):
         state = state.behind
-    if isinstance(state, Confirming):
+    if isinstance(state, (Confirming, Replying)):
         return _heard_answer(state, event.heard, now, settings)
     if isinstance(state, Listening):
         return _heard_command(state, event.heard, now, settings)
     return state, ()
 
 
-def _open_question(state: State) -> Union[Confirming, None]:
+def open_question(state: State) -> Union[Confirming, Replying, None]:
+    """Return the question that waits for an answer."""
     awake = state.behind if isinstance(state, Deaf) else state
     behind = awake.behind if isinstance(awake, Thinking) else awake
-    return behind if isinstance(behind, Confirming) else None
+    return behind if isinstance(behind, (Confirming, Replying)) else None
+
+
+def _asked(state: State, event: Asked, now: float, settings: DialogueSettings) -> State:
+    """The voice's own question comes first: its answer is another command, and ends that of the pipeline."""
+    if isinstance(open_question(state), Confirming):
+        return state
+    if isinstance(state, Deaf):
+        return replace(state, behind=_asked_awake(state.behind, event, now, settings))
+    return _asked_awake(state, event, now, settings)
+
+
+def _asked_awake(state: Awake, event: Asked, now: float, settings: DialogueSettings) -> Awake:
+    return Replying(now + settings.answer_s) if event.has_answers else _pushed(state, now, settings)
 
 
 def _without_question(state: State, settings: DialogueSettings) -> State:
-    if _open_question(state) is None:
+    if open_question(state) is None:
         return state
     return replace(state, behind=begin(settings)) if isinstance(state, Deaf) else begin(settings)
 
@@ -266,7 +309,7 @@ def _speaking(state: State, event: RobotSpeaks, now: float, settings: DialogueSe
 
 def _hearing_again(state: Awake, now: float, settings: DialogueSettings) -> Awake:
     """Return a state whose time begins only when the robot has spoken."""
-    if isinstance(state, Confirming):
+    if isinstance(state, (Confirming, Replying)):
         return replace(state, until=now + settings.answer_s)
     if isinstance(state, Listening) and state.until != NEVER_S:
         return replace(state, until=now + settings.listen_s)
@@ -308,7 +351,10 @@ def _offered(heard: Heard, now: float, settings: DialogueSettings) -> Step:
     return Confirming(now + settings.answer_s, heard.offers), (Say(question, is_question=True),)
 
 
-def _heard_answer(state: Confirming, heard: Heard, now: float, settings: DialogueSettings) -> Step:
+def _heard_answer(state: Union[Confirming, Replying], heard: Heard, now: float, settings: DialogueSettings) -> Step:
+    if heard.answer and isinstance(state, Replying) and heard.answer not in YES_NO:
+        # One thing of several may be misheard as another one.
+        return _offered(Heard(Verdict.LIKELY, (Offer("", (), heard.answer),)), now, settings)
     if heard.answer:
         return _answered(state, heard.answer, now, settings)
     if heard.is_stop:
@@ -317,6 +363,8 @@ def _heard_answer(state: Confirming, heard: Heard, now: float, settings: Dialogu
         return _offered(heard, now, settings)
     if state.repeats >= settings.most_repeats:
         return begin(settings), (Say(ALL_RIGHT),)
+    if isinstance(state, Replying):
+        return Replying(now + settings.answer_s, state.repeats + 1), (Say(AGAIN, is_question=True),)
     sentence = YES_OR_NO if len(state.offers) == 1 else "Please say the first, the second, or no."
     return (
         Confirming(now + settings.answer_s, state.offers, state.repeats + 1),
@@ -324,8 +372,10 @@ def _heard_answer(state: Confirming, heard: Heard, now: float, settings: Dialogu
     )
 
 
-def _answered(state: Confirming, name: str, now: float, settings: DialogueSettings) -> Step:
-    """Only a yes to one offer, or the choice of one of two, begins anything."""
+def _answered(state: Union[Confirming, Replying], name: str, now: float, settings: DialogueSettings) -> Step:
+    """Only a yes to one offer, or the choice of one of two, begins anything; the pipeline gets its answer."""
+    if isinstance(state, Replying):
+        return begin(settings), (Command(name, "", is_confirmed=True),)
     chosen = {"yes": 0} if len(state.offers) == 1 else {"first": 0, "second": 1}
     if name in chosen:
         offer = state.offers[chosen[name]]

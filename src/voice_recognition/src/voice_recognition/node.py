@@ -1,5 +1,6 @@
 """The node: hears commands, asks, and passes them to the pipeline."""
 
+import functools
 import queue
 import threading
 import time
@@ -11,7 +12,9 @@ from roboframenet_msgs.msg import FrameCatalogue, FrameServers, KnownNames, Lexi
 from std_msgs.msg import Bool, Empty, String
 from std_srvs.srv import Trigger, TriggerRequest, TriggerResponse
 
+from command_server.answers import closed_answers
 from command_server.stop_words import is_stop
+from roboframenet_ros.ros_live_parameters import LiveParameters
 from roboframenet_ros.ros_node import read_parameters, run_node
 from semantic_types import NoWordNet
 from utter.ros_voice import Voice
@@ -19,13 +22,16 @@ from voice_recognition import dialogue
 from voice_recognition.agreement import Heard, Verdict, answer_of
 from voice_recognition.dialogue import (
     Answered,
+    Asked,
     Command,
     Confirming,
     Event,
     OtherCommand,
     Pushed,
+    Replying,
     RobotSpeaks,
     Say,
+    Settled,
     SpeechEnded,
     Stop,
     Stopped,
@@ -39,10 +45,11 @@ from voice_recognition.live_language import Knowledge, LanguageMaker
 from voice_recognition.microphone import Microphone, arecord_command
 from voice_recognition.offers import Offer
 from voice_recognition.recogniser import NoRecogniser, model_dictionary
+from voice_recognition.replies import ReplyEars
 from voice_recognition.ros_live_speech import LiveSpeechTopics
 from voice_recognition.ros_speaker import Speaker
 from voice_recognition.settings import Settings
-from voice_recognition.spoken_language import spoken_words
+from voice_recognition.spoken_language import Words, spoken_words
 from voice_recognition.spotting import LONGEST_S, StopSpotter, says_stop
 
 #: Seconds between two looks at the expiry of a state.
@@ -80,6 +87,7 @@ class VoiceRecognition:
         self._speakers: Dict[str, float] = {}
         self._said = ""
         self._ears: Optional[Ears] = None
+        self._reply_ears: Optional[ReplyEars] = None
         self._knowledge = Knowledge()
         self._changed_at: Optional[float] = None
         self._maker = LanguageMaker()
@@ -105,9 +113,18 @@ class VoiceRecognition:
             rospy.Subscriber("push_to_talk", Empty, lambda _: self._happened(Pushed()), queue_size=10),
         ]
         self._service = rospy.Service("listen", Trigger, self._on_listen)
+        self._tuned = LiveParameters(settings, self._tune)
         for run in (self._run_work, self._run_clock, self._run_microphone):
             threading.Thread(target=run, daemon=True).start()
         rospy.loginfo("ready: %s", settings)
+
+    def _tune(self, settings: Settings) -> None:
+        with self._lock:
+            is_between = self._state == dialogue.begin(self._rules)
+            self._settings, self._rules = settings, settings.dialogue
+            if is_between:
+                self._state = dialogue.begin(self._rules)
+                self._show()
 
     # --- what can be said
 
@@ -188,22 +205,48 @@ class VoiceRecognition:
         is_ready = self._ears is not None
         return TriggerResponse(success=is_ready, message="" if is_ready else "nothing can be heard yet")
 
+    def _answer_in(self, words: Words) -> str:
+        """Return the answer to the open question that some words are; empty for none."""
+        with self._lock:
+            question, ears = dialogue.open_question(self._state), self._reply_ears
+            if isinstance(question, Replying):
+                return answer_of(words, ears.ways) if ears is not None else ""
+            return answer_of(words, answers()) if question is not None else ""
+
     def _on_answer(self, message: String) -> None:
-        name = answer_of(spoken_words(message.data), answers())
+        name = self._answer_in(spoken_words(message.data))
         if name:
             self._happened(Answered(name))
 
     def _on_text(self, message: String) -> None:
         if message._connection_header.get("callerid") == rospy.get_name():
             return
-        name = answer_of(spoken_words(message.data), answers())
+        # The pipeline hears an answer to its own question itself.
+        is_own = isinstance(dialogue.open_question(self._state), Confirming)
+        name = self._answer_in(spoken_words(message.data)) if is_own else ""
         self._happened(Answered(name) if name else OtherCommand())
 
     def _on_reply(self, message: Reply) -> None:
         if self._settings.speak_replies and message.sentence:
             self._speaker.say(message.sentence)
-        if message.outcome == Reply.NEEDS_INFORMATION:
-            self._happened(Pushed())
+        if message.outcome != Reply.NEEDS_INFORMATION:
+            self._happened(Settled())
+            return
+        answers = closed_answers(message.code, message.sentence)
+        with self._lock:
+            self._reply_ears = None
+            self._happened(Asked(has_answers=bool(answers)))
+        if answers:
+            self._later(lambda: self._make_reply_ears(answers))
+
+    def _make_reply_ears(self, answers: Tuple[str, ...]) -> None:
+        try:
+            ears = ReplyEars(answers, model_dictionary())
+        except NoRecogniser as reason:
+            rospy.logerr("no answer can be heard: %s", reason)
+            return
+        with self._lock:
+            self._reply_ears = ears
 
     # --- the robot's own voice
 
@@ -310,17 +353,20 @@ class VoiceRecognition:
             ears, state = self._ears, self._state
             if ears is None or not dialogue.hears(state):
                 return
-            is_answer = isinstance(state, Confirming)
+            hear = ears.hear_answer if isinstance(state, Confirming) else ears.hear
+            replies = self._reply_ears
+            if isinstance(state, Replying) and replies is not None:
+                hear = functools.partial(replies.hear, commands=ears)
             self._happened(SpeechEnded())
-        self._later(lambda: self._understand(ears, utterance, is_answer=is_answer))
+        self._later(lambda: self._understand(hear, utterance))
 
     def _check_for_stop(self, spotter: StopSpotter, utterance: Utterance) -> None:
         if spotter.is_stop(utterance.pcm):
             self._happened(Stopped())
 
-    def _understand(self, ears: Ears, utterance: Utterance, *, is_answer: bool) -> None:
+    def _understand(self, hear: Callable[[bytes], Heard], utterance: Utterance) -> None:
         began = time.monotonic()
-        heard = ears.hear_answer(utterance.pcm) if is_answer else ears.hear(utterance.pcm)
+        heard = hear(utterance.pcm)
         self._tell(heard, time.monotonic() - began)
         self._happened(Understood(heard))
 
@@ -342,7 +388,7 @@ class VoiceRecognition:
             ears, state = self._ears, self._state
             if not dialogue.hears(state):
                 return
-            answer = answer_of(words, answers()) if isinstance(state, Confirming) else ""
+            answer = self._answer_in(words)
             offer = ears.finder.find(words) if ears is not None else None
             if offer is not None:
                 heard = Heard(Verdict.SURE, (offer,), words, answer=answer)

@@ -37,15 +37,15 @@ class Settings(Parameters):
 
     microphone: Tuple[str, ...] = parameter(())
     device: str = parameter("")
-    listening: Listening = parameter(Listening.PUSH)
-    confirm: Confirm = parameter(Confirm.MOTION)
+    listening: Listening = parameter(Listening.PUSH, is_live=True)
+    confirm: Confirm = parameter(Confirm.MOTION, is_live=True)
     confirm_always: Tuple[str, ...] = parameter(())
     confirm_never: Tuple[str, ...] = parameter(())
     aloud: bool = parameter(True)
-    speak_replies: bool = parameter(True)
+    speak_replies: bool = parameter(True, is_live=True)
     voice_id: str = parameter("robot_microphone", may_be_empty=False)
-    listen_s: float = parameter(8.0, least=1.0, most=600.0)
-    answer_s: float = parameter(10.0, least=1.0, most=600.0)
+    listen_s: float = parameter(8.0, least=1.0, most=600.0, is_live=True)
+    answer_s: float = parameter(10.0, least=1.0, most=600.0, is_live=True)
 
     @property
     def dialogue(self) -> DialogueSettings:

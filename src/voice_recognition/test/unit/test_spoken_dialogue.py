@@ -9,6 +9,7 @@ from voice_recognition import dialogue
 from voice_recognition.agreement import Heard, Verdict
 from voice_recognition.dialogue import (
     Answered,
+    Asked,
     Command,
     Confirm,
     Confirming,
@@ -17,8 +18,10 @@ from voice_recognition.dialogue import (
     Listening,
     OtherCommand,
     Pushed,
+    Replying,
     RobotSpeaks,
     Say,
+    Settled,
     SpeechEnded,
     Stop,
     Stopped,
@@ -197,3 +200,49 @@ def test_no_motion_begins_without_a_yes_after_its_question(seed: int) -> None:
             asked = said[-1].sentence
         if not isinstance(event, (Tick, RobotSpeaks)) and any(isinstance(one, (Stop, Command)) for one in actions):
             asked = ""
+
+
+def test_a_yes_answers_the_pipeline() -> None:
+    state, done = run([Asked(True), *spoken(Heard(Verdict.SURE, answer="Yes"))])
+    assert (state, done) == (Waiting(), [Command("Yes", "", is_confirmed=True)])
+
+
+def test_a_choice_that_was_heard_is_confirmed() -> None:
+    heard = Heard(Verdict.SURE, answer="the red mug")
+    state, done = run([Asked(True), *spoken(heard), *spoken(Heard(Verdict.SURE, answer="yes"))])
+    assert isinstance(done[0], Say) and "the red mug" in done[0].sentence
+    assert (state, done[1:]) == (Waiting(), [Command("the red mug", "", is_confirmed=True)])
+    assert run([Asked(True), Answered("the red mug")])[1] == [Command("the red mug", "", is_confirmed=True)]
+
+
+def test_a_command_may_take_the_place_of_an_answer() -> None:
+    state, done = run([Asked(True), *spoken(SURE)])
+    assert isinstance(state, Confirming) and done == [Say("Shall I turn left?", is_question=True)]
+
+
+def test_what_is_no_answer_is_asked_for_again_and_at_last_given_up() -> None:
+    state, done = run([Asked(True), *spoken(Heard(Verdict.AGAIN)) * 2])
+    assert isinstance(state, Replying) and done == [Say(dialogue.AGAIN, is_question=True)] * 2
+    state, done = run(spoken(Heard(Verdict.AGAIN)), state=state)
+    assert state == Waiting() and not any(isinstance(one, Command) for one in done)
+
+
+@pytest.mark.parametrize("event", [Settled(), OtherCommand(), Stopped()])
+def test_a_question_of_the_pipeline_that_is_answered_is_closed(event) -> None:
+    assert run([Asked(True), event])[0] == Waiting()
+    speaking, _ = run([RobotSpeaks(True), Asked(True), event])
+    assert isinstance(speaking, Deaf) and speaking.behind == Waiting()
+
+
+def test_a_question_of_the_pipeline_expires_without_a_word() -> None:
+    state, _ = run([Asked(True)])
+    assert step(state, Tick(), SETTINGS.answer_s, SETTINGS) == (Waiting(), ())
+
+
+def test_an_open_question_is_answered_by_a_command() -> None:
+    assert isinstance(run([Asked(False)])[0], Listening)
+
+
+def test_the_own_question_comes_before_that_of_the_pipeline() -> None:
+    state, _ = run([Pushed(), *spoken(SURE), Asked(True)])
+    assert isinstance(state, Confirming)

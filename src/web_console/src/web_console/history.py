@@ -4,9 +4,9 @@ from collections import OrderedDict
 from dataclasses import replace
 from typing import Callable, Iterable, Mapping, Optional, Sequence, Tuple
 
+from command_server.answers import answers_to
 from web_console.arcs import ParsedWord, draw_arcs, tell_arcs
 from web_console.progress import Progress, conclude, is_machine_of, light, ordered
-from web_console.questions import question_of
 from web_console.views import ClauseView, CommandView, PlanView, QuestionView, ReplyView, StageView
 
 #: How many commands are kept.
@@ -122,7 +122,7 @@ class History:
         def change(view: CommandView) -> CommandView:
             question = None
             if reply.outcome == "NEEDS_INFORMATION":
-                question = question_of(reply.code, reply.sentence, self.names)
+                question = QuestionView(reply.sentence, answers_to(reply.code, reply.sentence, self.names))
             plan = view.plan and conclude(view.plan, reply.outcome)
             return replace(view, reply=reply, plan=plan, question=question, is_cancellable=False)
 

@@ -9,6 +9,7 @@ from roboframenet_msgs.msg import Locations, World
 
 from web_console.board import Board
 from web_console.ground import Localization, thinned
+from web_console.ros_hearing import show
 from web_console.ros_values import landmarks_of, map_of, pose_value, world_view
 from web_console.views import GroundView, LandmarkView, MapView
 
@@ -76,16 +77,8 @@ class GroundTap:
 
     def _hear(self, topic: str, kind: Any, callback: Callable[[Any], None]) -> None:
         self._subscribers.append(
-            rospy.Subscriber(
-                topic, kind, lambda message: self._call_soon(self._handle, callback, message), queue_size=1
-            )
+            rospy.Subscriber(topic, kind, lambda message: self._call_soon(show, callback, message), queue_size=1)
         )
-
-    def _handle(self, callback: Callable[[Any], None], message: Any) -> None:
-        try:
-            callback(message)
-        except Exception as error:  # boundary: a message that cannot be shown must not hide those after it
-            rospy.logwarn("a %s cannot be shown: %s: %s", type(message).__name__, type(error).__name__, error)
 
     def watch(self, is_watched: bool) -> None:
         """Follow what is frequent, or leave it alone while nobody looks. May wait for the master."""

@@ -20,6 +20,7 @@ from smach_msgs.msg import SmachContainerStatus
 
 from web_console.board import Board
 from web_console.history import History
+from web_console.ros_hearing import show
 from web_console.ros_values import (
     clause_views,
     parsed_words,
@@ -88,15 +89,13 @@ class Listener:
         self._hear("executor/smach/container_status", SmachContainerStatus, self._on_container)
         self._subscribers.append(
             rospy.Subscriber(
-                "stop_report", StopReport, lambda message: self._call_soon(self._handle, self._on_stop, message)
+                "stop_report", StopReport, lambda message: self._call_soon(show, self._on_stop_report, message)
             )
         )
         # Two nodes publish it, each its own problems.
         self._subscribers.append(
             rospy.Subscriber(
-                "file_problems",
-                FileProblems,
-                lambda message: self._call_soon(self._handle, self._on_problems, message),
+                "file_problems", FileProblems, lambda message: self._call_soon(show, self._on_problems, message)
             )
         )
 
@@ -120,13 +119,7 @@ class Listener:
         with self._lock:
             waiting, self._waiting = self._waiting, []
         for kind, callback, message in waiting:
-            self._handle(lambda raw, kind=kind, callback=callback: callback(kind().deserialize(raw._buff)), message)
-
-    def _handle(self, callback: Callable[[Any], None], message: Any) -> None:
-        try:
-            callback(message)
-        except Exception as error:  # boundary: a message that cannot be shown must not hide those after it
-            rospy.logwarn("a %s cannot be shown: %s: %s", type(message).__name__, type(error).__name__, error)
+            show(lambda raw, kind=kind, callback=callback: callback(kind().deserialize(raw._buff)), message)
 
     def show(self, command_ids: Iterable[str]) -> None:
         """Show commands that have changed."""
@@ -179,9 +172,6 @@ class Listener:
         view = StatusView(status.sentence, tuple(command.id for command in status.active))
         if self._board.show("status", view):
             self._on_change()
-
-    def _on_stop(self, report: StopReport) -> None:
-        self._on_stop_report(report)
 
     def _on_problems(self, message: FileProblems) -> None:
         publisher = (message._connection_header or {}).get("callerid", "")

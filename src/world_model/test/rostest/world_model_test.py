@@ -43,7 +43,7 @@ class WorldModelTest(unittest.TestCase):
 
     def test_1_file_is_known_from_the_start(self) -> None:
         self.assertEqual(self.ids(), {"kitchen", "table_1", "anna"})
-        wait_until(lambda: [known.name for known in self.names[-1].names] == ["anna"])
+        wait_until(lambda: self.names and [known.name for known in self.names[-1].names] == ["anna"])
 
     def test_2_update_is_acknowledged_and_published(self) -> None:
         answer = self.update(thing("mug_1", category="mug", relations=[WorldRelation("on", "table_1")]))

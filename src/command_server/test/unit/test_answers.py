@@ -1,0 +1,36 @@
+"""Answers to choose from. The questions are those of the framer and the registrar."""
+
+import pytest
+
+from command_server.answers import answers_to, closed_answers
+
+NAMES = {"where": ("kitchen", "office")}
+
+
+@pytest.mark.parametrize(
+    ("code", "sentence", "answers"),
+    [
+        ("CONFIRM", 'Shall I really do this: "open drawer"? Say yes or no.', ("Yes", "No")),
+        ("LEFT_OVER_WORDS", 'I cannot take "slowly" into account. Shall I go on without it?', ("Yes", "No")),
+        ("AMBIGUOUS", 'Do you mean "turn left"?', ("Yes", "No")),
+        ("AMBIGUOUS", 'Which do you mean: "turn left" or "go back"?', ("turn left", "go back")),
+        ("AMBIGUOUS", "Which one: the mug, the plate or the cup?", ("the mug", "the plate", "the cup")),
+        ("AMBIGUOUS", "Which one: the mug or the plate?", ("the mug", "the plate")),
+        ("AMBIGUOUS", 'What do you mean by "it"?', ()),
+        ("MISSING_ELEMENT", 'At whom should I wave? For instance: "Alice".', ("Alice",)),
+        ("MISSING_ELEMENT", 'How far? For instance: "a metre". Or: To whom? For instance: "Bob".', ("a metre", "Bob")),
+        ("MISSING_ELEMENT", 'Where should I go? For instance: "the office".', ("the office", "kitchen", "office")),
+        ("MISSING_ELEMENT", "What is the theme?", ()),
+        ("CORRECTION", 'Where? For instance: "left".', ("left", "kitchen", "office")),
+    ],
+)
+def test_answers(code, sentence, answers):
+    assert answers_to(code, sentence, NAMES) == answers
+    # An example is no choice: another answer must not be heard as it.
+    is_closed = code != "MISSING_ELEMENT" and not sentence.startswith("Where")
+    assert closed_answers(code, sentence) == (answers if is_closed else ())
+
+
+def test_there_are_not_too_many_answers():
+    names = {"where": tuple(f"room {number}" for number in range(100))}
+    assert len(answers_to("MISSING_ELEMENT", "Where should I go?", names)) == 8

@@ -1,0 +1,111 @@
+"""Places behind a noun, attached by what the robot knows: what describes a thing, and where it shall be."""
+
+from typing import Optional
+
+import pytest
+
+from offline_pipeline.knowledge import load_knowledge, pretend_servers, shipped_domains
+from offline_pipeline.pipeline import Pipeline, Understanding
+from world_model import World
+from world_model.world import snapshot
+from world_model.world_file import load_world_file
+
+#: The lamp and the box beside it are far from the table; the plate is on the shelf, and so is the cup beside it.
+HOME = """
+places:
+  kitchen: {x: 20, y: 0, size: [4, 4]}
+  hall: {x: 0, y: 0, size: [10, 10]}
+things:
+  table_1: {x: 4, y: 0}
+  shelf_1: {x: -4, y: 0}
+  lamp_1: {x: 0, y: 0}
+  box_1: {x: 1, y: 0}
+  plate_1: {on: shelf_1}
+  cup_1: {on: shelf_1, near: plate_1}
+  book_1: {on: table_1}
+persons:
+  anna: {in: hall}
+"""
+
+
+@pytest.fixture(scope="module")
+def pipeline() -> Pipeline:
+    knowledge = load_knowledge([shipped_domains()])
+    pretend_servers(knowledge.graph)
+    return Pipeline(knowledge, is_traced=True)
+
+
+@pytest.fixture(scope="module")
+def home() -> World:
+    return snapshot("1", {one.id: one for one in load_world_file(HOME, "home.yaml")})
+
+
+def read(understood: Understanding) -> str:
+    return "; ".join(map(str, understood.readings))
+
+
+@pytest.mark.parametrize(
+    ("text", "plain", "in_home"),
+    [
+        (
+            "take the box near the lamp on the table",
+            "taking(theme=the box near the lamp on the table)",
+            "bringing(theme=the box near the lamp, goal=the table)",
+        ),
+        (
+            "take the book near the plate on the shelf",
+            "taking(theme=the book near the plate on the shelf)",
+            "bringing(theme=the book, goal=the plate on the shelf)",
+        ),
+        (
+            "take the cup near the plate on the shelf",
+            "taking(theme=the cup near the plate on the shelf)",
+            None,
+        ),
+        (
+            "bring the book on the table in the kitchen",
+            "bringing(theme=the book on the table, goal=the kitchen)",
+            None,
+        ),
+        (
+            "bring the cup on the table in the hall",
+            "bringing(theme=the cup on the table, goal=the hall)",
+            "bringing(theme=the cup, goal=the table in the hall)",
+        ),
+        (
+            "carry the cup on the shelf near the plate",
+            "bringing(theme=the cup on the shelf, goal=the plate)",
+            "bringing(theme=the cup on the shelf near the plate)",
+        ),
+        ("put the cup on the table", "placing(theme=the cup, goal=the table)", None),
+        ("take the vase near the lamp on the table", "taking(theme=the vase near the lamp on the table)", None),
+        ("take the box near the sofa on the table", "taking(theme=the box near the sofa on the table)", None),
+        ("inspect the box on the table", "inspecting(ground=the box on the table)", None),
+        ("follow Anna near the table", "following(cotheme=Anna near the table)", None),
+    ],
+)
+def test_places_are_attached_by_the_world(
+    text: str, plain: str, in_home: Optional[str], pipeline: Pipeline, home: World
+) -> None:
+    assert read(pipeline.understand(text)) == plain
+    found = pipeline.in_world(home).understand(text)
+    assert read(found) == (in_home or plain)
+    assert any(line.rule == "attached_by_world" for line in found.trace) == (in_home is not None)
+
+
+def test_a_goal_that_only_the_world_makes_is_asked_about(pipeline: Pipeline, home: World) -> None:
+    in_home = pipeline.in_world(home)
+    asked = in_home.understand("take the box near the lamp on the table")
+    assert asked.reply.code == "CONFIRM"
+    assert asked.reply.sentence == (
+        "I know of no box near the lamp on the table. Do you want me to put it there: on the table? Say yes or no."
+    )
+    assert in_home.understand("no", asked.context).reply.code == "DECLINED"
+    agreed = in_home.understand("yes", asked.context)
+    assert agreed.reply.code == "DONE"
+    assert agreed.candidates[0][0].frames[0].name == "bringing"
+
+
+def test_a_world_that_knows_nothing_changes_nothing(pipeline: Pipeline) -> None:
+    text = "take the box near the lamp on the table"
+    assert pipeline.in_world(World()).understand(text) == pipeline.understand(text)

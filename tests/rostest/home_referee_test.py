@@ -1,0 +1,56 @@
+#!/usr/bin/python3
+"""A referee judges commands in the home, by their annotations alone."""
+
+import os
+import sys
+import unittest
+
+import rospy
+import rostest
+
+sys.path.append(os.path.join(os.path.dirname(os.path.realpath(__file__)), "..", "unit"))
+from home_referee.annotated import read_annotated, slots_of
+from home_referee.commands import draw
+from home_referee.judging import Verdict, judge, table
+
+from home_runs import RosRuns
+from roboframenet_rostest import wait_for_pipeline
+
+SPEAKER = "alice"
+
+
+class TestHomeReferee(unittest.TestCase):
+    """The whole graph and the home."""
+
+    def test_commands(self):
+        """No state that nobody asked for, and so many right as the parameter says."""
+        folder = rospy.get_param("~folder", "")
+        if folder and not os.path.isdir(folder):
+            self.skipTest(f"no grammars in {folder}")
+        slots = slots_of(folder, speaker=SPEAKER)
+        count, only = rospy.get_param("~count", 5), rospy.get_param("~only", "")
+        if folder:
+            commands, _ = draw(folder, slots, count=count, seed=rospy.get_param("~seed", 11))
+        else:
+            commands = read_annotated()[:count]
+        wait_for_pipeline(["navigating_to_location", "bringing", "placing", "guiding", "telling"])
+        runs = RosRuns(SPEAKER)
+        judged = []
+        for command in commands:
+            if only.lower() not in command.text.lower():
+                continue
+            judged.append(judge(runs.run(command), slots))
+            last = judged[-1]
+            print(f"{last.verdict.value}: {command.text}: {last.run.outcome}: {' | '.join(last.reasons)}", flush=True)
+        print(table(judged), flush=True)
+        wrong = [one.run.command.text for one in judged if one.verdict is Verdict.WRONG]
+        untold = [one.run.command.text for one in judged if one.verdict is Verdict.UNTOLD]
+        right = sum(one.verdict is Verdict.RIGHT for one in judged)
+        self.assertEqual(wrong, [])
+        self.assertEqual(untold, [])
+        self.assertGreaterEqual(right, rospy.get_param("~least_right", 1.0) * len(judged))
+
+
+if __name__ == "__main__":
+    rospy.init_node("home_referee_test")
+    rostest.rosrun("roboframenet_tests", "home_referee", TestHomeReferee, sys.argv)

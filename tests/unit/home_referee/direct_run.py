@@ -1,0 +1,105 @@
+"""Commands in a home without ROS: the pipeline from text to candidates, and the skills of the home's servers.
+
+It is quick, for work on the skills. What counts is the live graph: there the robot also resolves what words refer to,
+and asks.
+"""
+
+import os
+import sys
+from typing import Any, List, Tuple
+
+from home_servers.body import CannotDo, Interrupted
+from home_servers.frames import FRAMES
+from home_servers.skills import Skills
+from offline_pipeline.knowledge import load_knowledge, shipped_domains
+from offline_pipeline.pipeline import Pipeline
+from roboframenet_sim.home_arranging import arranged
+from roboframenet_sim.home_engine import Home
+from roboframenet_sim.home_file import load_home_file
+from roboframenet_sim.home_state import NO_FAULTS, Faults
+from roboframenet_sim.home_truth import truth_of
+
+from .annotated import HOME_FILE
+from .commands import Command
+from .judging import ROBOT, Run, Saying
+from .walking import Walk
+
+_SOURCES = os.path.join(os.path.dirname(os.path.realpath(__file__)), "..", "..", "..", "src")
+sys.path.append(os.path.join(_SOURCES, "home_servers", "test", "unit"))
+from direct_body import DirectBody  # noqa: E402 (it is beside the tests of home_servers)
+
+#: A command takes no longer; seconds.
+_MOST_S = 900.0
+
+
+class _Body(DirectBody):  # type: ignore[misc] (it has no types)
+    """A body whose referee lets the person walk who is followed."""
+
+    def __init__(self, home: Home, walk: Walk, **values: Any) -> None:
+        self.reasons: List[str] = []
+        self._walk = walk
+        super().__init__(home, **values)
+
+    def do(self, action: Any) -> Any:
+        order = self._walk.order(truth_of(self.home.plan, self.home.state))
+        if order:
+            self.home.tell_person(*order.split())
+        if self._walk.is_over:
+            raise Interrupted("the referee ends it")
+        failure = super().do(action)
+        if failure is not None:
+            self.reasons.append(failure.sentence)
+        return failure
+
+
+class DirectRun:
+    """Carries commands out.
+
+    Args:
+        speaker: id of the person who speaks
+        seed: of persons and faults
+        faults: of the home
+    """
+
+    def __init__(self, *, speaker: str, seed: int = 0, faults: Faults = NO_FAULTS) -> None:
+        knowledge = load_knowledge([shipped_domains()])
+        for frame in FRAMES:
+            knowledge.graph.register(frame, "home")
+        self._pipeline = Pipeline(knowledge)
+        self._speaker, self._seed, self._faults = speaker, seed, faults
+        self._count = 0
+
+    def run(self, command: Command) -> Run:
+        """Carry a command out in a home that is arranged for it."""
+        self._count += 1
+        plan, state = load_home_file(HOME_FILE)
+        home = Home(plan, state, seed=self._seed + self._count, faults=self._faults)
+        home.start_anew(arranged(plan, home.floor, state, command.arranged))
+        walk = Walk(command)
+        body = _Body(home, walk, most_s=_MOST_S)
+        before = truth_of(plan, home.state)
+        outcome, sentence = self._carry_out(command.text, Skills(body, speaker=self._speaker))
+        after = truth_of(plan, home.state)
+        said = [Saying(one.what, one.to) for one in home.state.events if one.kind == "said" and one.who == ROBOT]
+        return Run(command, before, after, tuple(said), outcome, sentence, tuple(body.reasons), walk.is_over)
+
+    def _carry_out(self, text: str, skills: Skills) -> Tuple[str, str]:
+        understanding = self._pipeline.understand(text)
+        if understanding.reply.outcome != "DONE":
+            return understanding.reply.outcome, understanding.reply.sentence
+        for candidates in understanding.candidates:
+            reason = ""
+            for candidate in candidates:
+                try:
+                    for frame in candidate.frames:
+                        FRAMES[frame.name](skills, frame)
+                        skills.tidy()
+                    reason = ""
+                    break
+                except CannotDo as cannot:
+                    reason = str(cannot)
+                except Interrupted as interrupted:
+                    return "FAILED", str(interrupted)
+            if reason:
+                return "FAILED", reason
+        return "DONE", "Done."

@@ -1,0 +1,53 @@
+"""Whoever is followed walks when the robot is there, and ends it when they have arrived."""
+
+from typing import Mapping, Union
+
+from .commands import Command
+
+#: Where somebody walks to when the command does not say; to the second when they are at the first.
+_ANYWHERE = ("living_room", "kitchen")
+
+
+class Walk:
+    """The walk of who is followed.
+
+    Args:
+        command: of which the walk is
+    """
+
+    def __init__(self, command: Command) -> None:
+        form = command.form.arguments[0] if command.form.predicate == "sequence" else command.form
+        is_followed = getattr(form, "predicate", "") == "follow"
+        self.person = form.persons[0].name if is_followed else ""
+        self._goal = command.destination
+        #: Whether the robot follows to a goal of its own knowledge; otherwise whoever is followed ends it.
+        self._has_goal = bool(command.destination) or command.form.predicate == "sequence"
+        self._is_part = command.form.predicate == "sequence"
+        self._has_begun = False
+        self._has_walked = False
+        self.is_over = False
+        self.has_ended = False
+
+    def order(self, truth: Mapping[str, Union[str, bool, float]]) -> str:
+        """Return what the person does now, as the topic ``home/person`` has it; empty for nothing new."""
+        if not self.person or self.is_over:
+            return ""
+        is_near = bool(truth[f"{self.person}.is_near"])
+        is_walking = truth[f"{self.person}.posture"] == "walking"
+        self._has_walked = self._has_walked or (self._has_begun and is_walking)
+        if not self._has_begun and is_near:
+            self._has_begun = True
+            anywhere = next(room for room in _ANYWHERE if room != truth[f"{self.person}.room"])
+            return f"{self.person} walk {self._goal or anywhere}"
+        if self._has_walked and not is_walking and is_near and not self._has_goal:
+            self.is_over = True
+        return ""
+
+    @property
+    def must_end(self) -> bool:
+        """Whether whoever is followed has arrived, and the robot has more to do than to follow."""
+        return self._has_walked and self._is_part
+
+    def end(self) -> None:
+        """The command has ended by itself."""
+        self.has_ended = True
