@@ -13,6 +13,7 @@ import rosgraph
 import rospy
 from roboframenet_msgs.msg import FileProblem, FileProblems, Reply
 from roboframenet_msgs.srv import AddFrame, AddLexicalUnit, GetEmptyFrame
+from rosgraph_msgs.msg import Log
 from std_msgs.msg import String
 
 from roboframenet_demo.ros_pipeline import is_pipeline_complete
@@ -20,6 +21,8 @@ from roboframenet_rostest import can_do
 from roboframenet_testing import comes_true, wait_until
 
 NODES = ("frame_registrar", "semantic_framer", "greeting_server")
+#: With ``compact``, these run in one process.
+STAGES = ("command_server", "frame_registrar", "semantic_framer")
 
 
 class FaultsTest(unittest.TestCase):
@@ -29,12 +32,14 @@ class FaultsTest(unittest.TestCase):
     def setUpClass(cls) -> None:
         cls.replies: List[Reply] = []
         cls.problems: List[FileProblem] = []
+        cls.bad_callbacks: List[str] = []
         cls.subscribers = [
             rospy.Subscriber("reply", Reply, cls.replies.append, queue_size=100),
             rospy.Subscriber(
                 "file_problems", FileProblems, lambda message: cls.problems.extend(message.problems), queue_size=10
             ),
         ]
+        cls.subscribers.append(rospy.Subscriber("/rosout", Log, cls.on_log, queue_size=1000))
         cls.text = rospy.Publisher("text", String, queue_size=10)
         wait_until(lambda: cls.text.get_num_connections() >= 2, message="nobody listens to 'text'")
         wait_until(is_pipeline_complete, 120.0, "the pipeline did not come up")
@@ -42,6 +47,11 @@ class FaultsTest(unittest.TestCase):
         rospy.wait_for_service("add_frame", timeout=60.0)
         rospy.wait_for_service("add_lexical_unit", timeout=60.0)
         assert can_do(("greeting",), unit_files=("unit.yaml",)), "the server did not register"
+
+    @classmethod
+    def on_log(cls, message: Log) -> None:
+        if "bad callback" in message.msg:
+            cls.bad_callbacks.append(message.msg)
 
     def say(self, text: str, timeout_s: float = 60.0) -> Optional[Reply]:
         """Say a sentence; return its reply."""
@@ -63,6 +73,10 @@ class FaultsTest(unittest.TestCase):
             return int(ServerProxy(uri).getPid("/faults_test")[2])
         except (OSError, rosgraph.MasterException):
             return 0
+
+    def node_of(self, stage: str) -> str:
+        """Return the node in which a stage runs."""
+        return "stages" if stage in STAGES and rospy.get_param("~compact") else stage
 
     def kill(self, node: str) -> int:
         """Kill a node with SIGKILL; return its process id."""
@@ -113,7 +127,7 @@ class FaultsTest(unittest.TestCase):
         print(f"seed of the orders: {seed}")
         chance = random.Random(seed)
         for number in range(orders):
-            victims = chance.sample(NODES, chance.randint(1, len(NODES)))
+            victims = sorted({self.node_of(node) for node in chance.sample(NODES, chance.randint(1, len(NODES)))})
             killed = {node: self.kill(node) for node in victims}
             wait_until(
                 lambda killed=killed: all(self.pid(node) not in (0, old) for node, old in killed.items()),
@@ -126,6 +140,30 @@ class FaultsTest(unittest.TestCase):
                 return replies[-1] is not None and replies[-1].outcome == Reply.DONE
 
             wait_until(is_greeting_done, 90.0, f"not done after {victims} (order {number}, seed {seed})")
+
+    def test_3_command_of_a_killed_stage_gets_one_reply(self) -> None:
+        taken: List[str] = []
+        subscriber = rospy.Subscriber("text_taken", String, lambda message: taken.append(message.data))
+        for stage in STAGES:
+            node = self.node_of(stage)
+            # Nobody else says that, so every reply to it is counted.
+            text = f"Greet the victim {stage}."
+            # A text that is said while the command server starts again is lost, and then it is not taken.
+            wait_until(lambda: is_pipeline_complete() and subscriber.get_num_connections() > 0, 60.0)
+            self.text.publish(String(data=text))
+            wait_until(lambda text=text: text in taken, message=f"{text!r} was not taken")
+            old = self.kill(node)
+            wait_until(
+                lambda text=text: any(reply.command.text == text for reply in self.replies),
+                90.0,
+                f"no reply to {text!r}",
+            )
+            wait_until(lambda node=node, old=old: self.pid(node) not in (0, old), message=f"{node} does not return")
+            wait_until(is_pipeline_complete, 120.0, "the pipeline did not come back")
+            wait_until(lambda: getattr(self.say("Greet.", 3.0), "outcome", -1) == Reply.DONE, 90.0)
+            self.assertEqual([text], [reply.command.text for reply in self.replies if reply.command.text == text])
+        subscriber.unregister()
+        self.assertEqual([], self.bad_callbacks)
 
 
 if __name__ == "__main__":

@@ -1,4 +1,4 @@
-"""Command line: build, pack, score, card, huric, generate.  ``python -m command_models build --help``."""
+"""Command line: build, pack, score, card, compare, huric, generate.  ``python -m command_models build --help``."""
 
 import argparse
 import json
@@ -49,6 +49,10 @@ def _arguments() -> argparse.ArgumentParser:
     carded = commands.add_parser("card", help="put the figures of 'score --json' into a model card")
     carded.add_argument("--figures", type=Path, required=True)
     carded.add_argument("--model", type=Path, required=True, help="folder with manifest.json and MODEL_CARD.md")
+    compared = commands.add_parser("compare", help="whether figures of 'score --json' are those of a model card")
+    compared.add_argument("--figures", type=Path, required=True)
+    compared.add_argument("--card", type=Path, required=True, help="MODEL_CARD.md")
+    compared.add_argument("--within", type=float, default=0.2, help="points that they may differ; default 0.2")
     made = commands.add_parser("generate", help="write generated sentences as CoNLL-U")
     made.add_argument("--count", type=int, default=1000)
     made.add_argument("--seed", type=int, default=20261)
@@ -123,7 +127,7 @@ def _generate(options: argparse.Namespace) -> None:
 
 
 def main(arguments: Optional[List[str]] = None) -> int:
-    """Run the tool; return 0 on success, otherwise 1 with one line on the error stream."""
+    """Run the tool; return 0 on success, otherwise 1: an error, or differences that ``compare`` found."""
     options = _arguments().parse_args(arguments)
     try:
         if options.action == "build":
@@ -134,6 +138,11 @@ def main(arguments: Optional[List[str]] = None) -> int:
             _score(options)
         elif options.action == "card":
             card.update(options.model / "MODEL_CARD.md", options.figures, options.model / "manifest.json")
+        elif options.action == "compare":
+            different = card.differences(options.card, options.figures, options.within)
+            for line in different:
+                print(line)
+            return 1 if different else 0
         elif options.action == "huric":
             _huric(options)
         else:

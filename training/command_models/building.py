@@ -119,13 +119,15 @@ def steps(plan: Plan) -> List[Step]:
         command: Callable[[Path, Path, trainers.Effort, int], List[str]],
         output: str,
         inputs: Tuple[Path, ...],
+        *,
+        may_go_on: bool = False,
     ) -> Step:
         argv = command(data, models, effort, plan.seed)
         log = logs / (name + ".log")
         short = [word.replace(str(plan.work), "") for word in argv[1:]]
-        return Step(
-            name, inputs, (models / output,), {"command": " ".join(short)}, lambda: trainers.run(argv, log), log
-        )
+        partial = (models / trainers.checkpoint(output[: -len(".pt")]),) if may_go_on else ()
+        settings = {"command": " ".join(short)}
+        return Step(name, inputs, (models / output,), settings, lambda: trainers.run(argv, log), log, partial)
 
     def prepared() -> None:
         for command, _ in trainers.preparation(data):
@@ -179,6 +181,7 @@ def steps(plan: Plan) -> List[Step]:
             trainers.parser,
             "parser-full.pt",
             (data / "parser.train.conllu", data / "written.dev.conllu", word_vectors),
+            may_go_on=True,
         ),
         trained(
             "tagger",
@@ -189,8 +192,16 @@ def steps(plan: Plan) -> List[Step]:
         trained(
             "settle",
             trainers.settled_parser,
-            "parser.pt",
+            "parser-settled.pt",
             (models / "parser-full.pt", data / "parser.train.conllu", data / "written.dev.conllu", word_vectors),
+            may_go_on=True,
+        ),
+        trained(
+            "settle-longer",
+            trainers.settled_longer,
+            "parser.pt",
+            (models / "parser-settled.pt", data / "parser.train.conllu", data / "written.dev.conllu", word_vectors),
+            may_go_on=True,
         ),
         trained(
             "settle-tagger",

@@ -2,7 +2,7 @@
 
 import json
 from pathlib import Path
-from typing import Dict, List, Mapping
+from typing import Dict, List, Mapping, Tuple
 
 from .errors import TrainingError
 
@@ -41,6 +41,51 @@ def section(figures: Mapping[str, Mapping[str, float]], manifest: Mapping[str, o
         lines += [f"| {title} | |", "| --- | --- |"]
         lines += [f"| {name} | {value:.1f} |" for name, value in found.items()] + [""]
     return "\n".join(lines + [END])
+
+
+def differences(card: Path, figures: Path, most: float) -> List[str]:
+    """Return the figures that differ by more than some points from those of a card; times are not compared.
+
+    Args:
+        card: the model card
+        figures: of ``score --json``
+        most: the allowed difference, in percent points
+    Raises:
+        TrainingError: a file is missing, or the two have no figure in common
+    """
+    for path in (card, figures):
+        if not path.is_file():
+            raise TrainingError(f"{path}: no such file")
+    found: Mapping[str, Mapping[str, float]] = json.loads(figures.read_text(encoding="utf-8"))
+    compared, different = 0, []
+    for (title, name), before in _of_card(card.read_text(encoding="utf-8")).items():
+        now = found.get(title, {}).get(name)
+        if now is None or ("percent" not in title and title not in (RAW, GOLD)):
+            continue
+        compared += 1
+        # Figures of a card are rounded.
+        if abs(now - before) > most + 0.05:
+            different.append(f"{title}, {name}: {now:.2f}, and {before:.2f} in the card")
+    if not compared:
+        raise TrainingError(f"{figures} and {card} have no figure in common")
+    return different
+
+
+def _of_card(text: str) -> Dict[Tuple[str, str], float]:
+    """Return the figures between the marks of a card, by title and name."""
+    figures: Dict[Tuple[str, str], float] = {}
+    title = ""
+    for line in text.partition(BEGIN)[2].partition(END)[0].splitlines():
+        cells = [cell.strip() for cell in line.strip("|").split("|")]
+        if len(cells) == 4 and cells[0] in PUBLISHED:
+            for column, of in ((1, RAW), (2, GOLD)):
+                if cells[column] != "-":
+                    figures[of, cells[0]] = float(cells[column])
+        elif len(cells) == 2 and not cells[1]:
+            title = cells[0]
+        elif len(cells) == 2 and title and not cells[0].startswith("---"):
+            figures[title, cells[0]] = float(cells[1])
+    return figures
 
 
 def update(card: Path, figures: Path, manifest: Path) -> None:

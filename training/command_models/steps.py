@@ -22,7 +22,10 @@ REPORT_SECONDS = 30.0
 
 @dataclass(frozen=True)
 class Step:
-    """One piece of work: ``run`` reads ``inputs``, writes ``outputs`` and logs to ``log``."""
+    """One piece of work: ``run`` reads ``inputs``, writes ``outputs`` and logs to ``log``.
+
+    It goes on from ``partial``, if these files are there from an interrupted run.
+    """
 
     name: str
     inputs: Tuple[Path, ...]
@@ -30,6 +33,7 @@ class Step:
     settings: Mapping[str, object]
     run: Callable[[], None]
     log: Path
+    partial: Tuple[Path, ...] = ()
 
 
 def digest(path: Path) -> str:
@@ -58,6 +62,21 @@ def done(step: Step, records: Path) -> bool:
         return False
     kept: object = json.loads(record.read_text(encoding="utf-8"))
     return kept == fingerprint(step)
+
+
+def begin(step: Step, records: Path) -> bool:
+    """Note that a step begins, and return whether it goes on from where an earlier run was interrupted.
+
+    What an interrupted run left is removed if its inputs or settings were others.
+    """
+    record = records / (step.name + ".begun.json")
+    now = fingerprint(step)
+    is_same = record.is_file() and json.loads(record.read_text(encoding="utf-8")) == now
+    for path in step.partial:
+        if path.is_file() and not is_same:
+            path.unlink()
+    record.write_text(json.dumps(now, indent=1), encoding="utf-8")
+    return is_same and any(path.is_file() for path in step.partial)
 
 
 def last_line(log: Path) -> str:
@@ -101,7 +120,8 @@ def execute(steps: Sequence[Step], records: Path, jobs: int) -> None:
                 missing = [path for path in step.inputs if not path.is_file()]
                 if missing:
                     raise TrainingError(f"step {step.name}: input {missing[0]} is missing")
-                tell(f"[{len(finished) + len(running) + 1}/{len(steps)}] {step.name}: started")
+                how = "goes on" if begin(step, records) else "started"
+                tell(f"[{len(finished) + len(running) + 1}/{len(steps)}] {step.name}: {how}")
                 running[pool.submit(step.run)] = (step, time.monotonic())
             if not running:
                 if waiting and all(

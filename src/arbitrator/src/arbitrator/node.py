@@ -14,6 +14,7 @@ from arbitrator.standing import STANDING
 from roboframenet_ros.health import Health
 from roboframenet_ros.parameters import ParameterError, Parameters, parameter
 from roboframenet_ros.ros_node import read_parameters, run_node
+from roboframenet_ros.ros_place import Place
 from roboframenet_ros.ros_stage import Stage
 
 # How long a command waits for the next node to start; shorter than the silence that is allowed to it.
@@ -101,8 +102,13 @@ class ArbitratorNode:
         return bool(topic.get_num_connections())
 
 
-def _start() -> ArbitratorNode:
-    settings = read_parameters(Settings)
+def start(place: Place) -> ArbitratorNode:
+    """Start the stage.
+
+    Raises:
+        ParameterError: a parameter is wrong
+    """
+    settings = read_parameters(Settings, prefix=place.private)
     try:
         policy = load_policy(settings.policy, seed=settings.policy_seed)
     except PolicyError as error:
@@ -113,4 +119,4 @@ def _start() -> ArbitratorNode:
 
 def main() -> None:
     """Run the node until ROS shuts down; exits with a sentence when a parameter is wrong."""
-    run_node("arbitrator", _start)
+    run_node("arbitrator", lambda: start(Place()))

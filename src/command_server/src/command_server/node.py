@@ -39,12 +39,10 @@ from command_server.ros_messages import command_to_message, ending_of_event, rep
 from command_server.ros_open_commands import OpenCommandStore
 from command_server.ros_orders_due import OrdersDue
 from command_server.ros_replies import Replies
-from command_server.ros_settings import read_brake_settings
 from command_server.settings import Settings
 from command_server.stop_words import find_cry
 from command_server.withdrawals import Withdrawals, is_against_what_runs
 from roboframenet_ros.health import Health
-from roboframenet_ros.ros_node import read_parameters, run_node
 from roboframenet_ros.suspension import SuspensionWatch
 from robot_stop.braking import Finding, StopOrder
 from robot_stop.ros_brake import Brake, Braked
@@ -76,7 +74,13 @@ class CommandServerNode:
     `Brake` does. Actions: ``command``.
     """
 
-    def __init__(self, settings: Settings, brake_settings: BrakeSettings) -> None:
+    def __init__(self, settings: Settings, brake_settings: BrakeSettings, *, private: str = "~") -> None:
+        """
+        Args:
+            settings: its own
+            brake_settings: what a stop applies to
+            private: prefix of its private names
+        """
         self._settings = settings
         self._brake_settings = brake_settings
         self._commands = OpenCommands(settings.stage_timeouts_s)
@@ -84,7 +88,7 @@ class CommandServerNode:
         self._last_stop_ns = 0
         self._follow_ups = FollowUps(pause_s=settings.pause_after_stop_s)
         self._withdrawals = Withdrawals(timeout_s=settings.cancel_timeout_s)
-        self._store = OpenCommandStore()
+        self._store = OpenCommandStore(private + "open_commands")
         self._saved: Tuple[CommandText, ...] = ()
         self._unsent: Deque[CommandText] = deque()
         self._run_tag = uuid.uuid4().hex[:8]
@@ -435,16 +439,3 @@ class CommandServerNode:
 
 def _now_ns() -> int:
     return rospy.Time.now().to_nsec()
-
-
-def _start() -> CommandServerNode:
-    settings, brake_settings = read_parameters(Settings), read_brake_settings()
-    rospy.loginfo("command_server: %s", settings)
-    node = CommandServerNode(settings, brake_settings)
-    node.start()
-    return node
-
-
-def main() -> None:
-    """Run the node until ROS shuts down; exits with a sentence when a parameter is wrong."""
-    run_node("command_server", _start)

@@ -11,7 +11,7 @@ from roboframenet_ros.ros_kept_value import KeptValue
 class OpenCommandStore:
     """Keeps the open commands in a file."""
 
-    def __init__(self, parameter: str = "~open_commands") -> None:
+    def __init__(self, parameter: str) -> None:
         self._record = KeptValue(parameter)
 
     def load(self) -> Tuple[CommandText, ...]:

@@ -25,11 +25,15 @@ class StopTargets(Parameters):
     also_cancel: Tuple[str, ...] = parameter(BrakeSettings.also_cancel)
 
 
-def read_brake_settings() -> BrakeSettings:
+def read_brake_settings(private: str = "~") -> BrakeSettings:
     """Read the velocity topics and the servers to cancel; by default the parameters of the stop server.
 
+    Args:
+        private: prefix of the private names of the command server
     Raises:
         ParameterError: a parameter is not a list of names
     """
-    targets = read_parameters(StopTargets, defaults=read_parameters(StopTargets, prefix=f"{STOP_STAGE}/"))
+    targets = read_parameters(
+        StopTargets, prefix=private, defaults=read_parameters(StopTargets, prefix=f"{STOP_STAGE}/")
+    )
     return BrakeSettings(velocity_topics=targets.velocity_topics, also_cancel=targets.also_cancel)

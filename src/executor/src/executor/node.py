@@ -40,6 +40,7 @@ from executor.ros_server_profiles import ServerProfiles
 from roboframenet_ros.health import Health, Level
 from roboframenet_ros.parameters import Parameters, parameter
 from roboframenet_ros.ros_node import read_parameters, run_node
+from roboframenet_ros.ros_place import Place
 from roboframenet_ros.ros_stage import Stage
 from roboframenet_ros.suspension import SuspensionWatch
 
@@ -155,11 +156,18 @@ class ExecutorNode:
     Calls the action servers that the plans name.
     """
 
-    def __init__(self, settings: Settings) -> None:
+    def __init__(self, settings: Settings, *, private: str = "~") -> None:
+        """
+        Args:
+            settings: its own
+            private: prefix of its private names
+        """
         self._settings = settings
         self._clients = ActionClients(max_kept=settings.max_clients)
-        self._server_settings = DriverSettings(timeout_s=settings.settings_timeout_s)
-        self._running_goals = RunningGoals()
+        self._server_settings = DriverSettings(
+            timeout_s=settings.settings_timeout_s, parameter=private + "applied_settings"
+        )
+        self._running_goals = RunningGoals(private + "running_goals")
         self._profiles = ServerProfiles(default_silence_s=settings.condition_silence_s)
         self._quarantine = Quarantine(duration_s=settings.quarantine_s)
         self._master = MasterWatch(lambda: self._inbox.put(_MasterLost()), silence_s=settings.master_timeout_s)
@@ -358,16 +366,21 @@ class ExecutorNode:
         self._running_goals.close(timeout_s=1.0)
 
 
-def _start() -> ExecutorNode:
+def start(place: Place) -> ExecutorNode:
+    """Start the stage.
+
+    Raises:
+        ParameterError: a parameter is wrong
+    """
     # The notes of the run say what matters; each transition of its machines is detail.
     smach.set_loggers(rospy.logdebug, rospy.logwarn, rospy.logdebug, rospy.logerr)
-    settings = read_parameters(Settings)
+    settings = read_parameters(Settings, prefix=place.private)
     rospy.loginfo("executor: %s", settings)
-    node = ExecutorNode(settings)
+    node = ExecutorNode(settings, private=place.private)
     node.start()
     return node
 
 
 def main() -> None:
     """Run the node until ROS shuts down; exits with a sentence when a parameter is wrong."""
-    run_node("executor", _start)
+    run_node("executor", lambda: start(Place()))

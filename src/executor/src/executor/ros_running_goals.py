@@ -18,7 +18,7 @@ class RunningGoals:
     Any thread may call.
     """
 
-    def __init__(self, parameter: str = "~running_goals") -> None:
+    def __init__(self, parameter: str) -> None:
         self._record = KeptValue(parameter)
         self._thread: Optional[threading.Thread] = None
         self._lock = threading.Lock()

@@ -11,7 +11,6 @@ from roboframenet_msgs.msg import (
     CommandLexicalUnits,
     CommandSemanticFrames,
     EmptySemanticFrame,
-    FileProblems,
     FilledSemanticFrameListList,
     FrameCallback,
     FrameCatalogue,
@@ -51,6 +50,7 @@ from frame_registrar.search import Refusal, combinations, reply_outcome, search
 from roboframenet_ros.health import Health, Level
 from roboframenet_ros.parameters import Parameters, parameter
 from roboframenet_ros.ros_node import read_parameters, run_node
+from roboframenet_ros.ros_place import Place
 from roboframenet_ros.ros_stage import Stage
 from semantic_frames import FileRefused, Problem, load_frame
 from semantic_frames.frame import SemanticFrame
@@ -59,7 +59,8 @@ from semantic_frames.server_profile import AS_IN_2012, ServerProfile
 from semantic_frames.source_files import FRAMES_FOLDER, read_text, replace_problems, yaml_files
 
 #: Written by the node, for its own restarts: files that were added while it ran.
-ADDED_FRAMES = "~_added_frames"
+#: Private parameter.
+ADDED_FRAMES = "_added_frames"
 
 
 @dataclass(frozen=True)
@@ -93,7 +94,8 @@ class FrameRegistrar:
     Parameters: see :class:`Settings`.
     """
 
-    def __init__(self, settings: Settings) -> None:
+    def __init__(self, settings: Settings, place: Place) -> None:
+        self._place = place
         self._settings = settings
         self._lock = threading.Lock()
         self._adding = threading.Lock()
@@ -105,7 +107,7 @@ class FrameRegistrar:
         self._id = uuid.uuid4().hex
         self._catalogue = rospy.Publisher("frame_catalogue", FrameCatalogue, queue_size=1, latch=True)
         self._servers = rospy.Publisher("frame_servers", FrameServers, queue_size=1, latch=True)
-        self._file_problems = rospy.Publisher("file_problems", FileProblems, queue_size=5, latch=True)
+        place.problems.advertise()
         self._candidates = CandidateTopics(self._is_question)
         self._candidates_2012 = rospy.Publisher("filled_semantic_frames", FilledSemanticFrameListList, queue_size=100)
         self._stage = Stage("frame_registrar")
@@ -141,7 +143,7 @@ class FrameRegistrar:
         return Health(Level.WARN, " ".join(faults), values) if faults else Health(values=values)
 
     def _load_files(self) -> None:
-        added: List[str] = rospy.get_param(ADDED_FRAMES, [])
+        added: List[str] = rospy.get_param(self._place.private + ADDED_FRAMES, [])
         for path in list(yaml_files(self._settings.frame_paths, FRAMES_FOLDER)) + added:
             self._add_file(path)
 
@@ -160,7 +162,7 @@ class FrameRegistrar:
         for problem in problems:
             rospy.logerr("refused: %s", problem)
         self._problems = replace_problems(self._problems, path, problems)
-        self._file_problems.publish(to_file_problems(self._problems))
+        self._place.problems.publish("frame_registrar", to_file_problems(self._problems))
         return not problems
 
     def _add_frame(self, frame: SemanticFrame) -> None:
@@ -181,9 +183,9 @@ class FrameRegistrar:
         with self._adding:
             is_added = self._add_file(path)
             if is_added:
-                added = rospy.get_param(ADDED_FRAMES, [])
+                added = rospy.get_param(self._place.private + ADDED_FRAMES, [])
                 if path not in added:
-                    rospy.set_param(ADDED_FRAMES, added + [path])
+                    rospy.set_param(self._place.private + ADDED_FRAMES, added + [path])
                 self._publish_catalogue()
         return AddFrameResponse(success=is_added)
 
@@ -324,6 +326,15 @@ def _describe_candidates(leaf: PlanNode) -> str:
     return f"{count} {what}{plural if count > 1 else ''}: {shown}{'; ...' if count > 3 else ''}"
 
 
+def start(place: Place) -> FrameRegistrar:
+    """Start the stage.
+
+    Raises:
+        ParameterError: a parameter is wrong
+    """
+    return FrameRegistrar(read_parameters(Settings, prefix=place.private), place)
+
+
 def main() -> None:
     """Run the node until ROS shuts down; exits with a sentence when a parameter is wrong."""
-    run_node("frame_registrar", lambda: FrameRegistrar(read_parameters(Settings)))
+    run_node("frame_registrar", lambda: start(Place()))

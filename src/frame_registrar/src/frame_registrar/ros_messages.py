@@ -8,7 +8,6 @@ from roboframenet_msgs.msg import (
     EmptyFrameElement,
     EmptySemanticFrame,
     FileProblem,
-    FileProblems,
     FilledSemanticFrameList,
     FilledSemanticFrameListList,
     LexicalUnitReading,
@@ -132,19 +131,17 @@ def to_empty_frame(frame: SemanticFrame) -> EmptySemanticFrame:
     )
 
 
-def to_file_problems(problems: Tuple[Problem, ...]) -> FileProblems:
-    """Return problems of files as a message."""
-    return FileProblems(
-        problems=[
-            FileProblem(
-                code=problem.code,
-                path=problem.path,
-                line=problem.line,
-                key=problem.key,
-                found=problem.found,
-                expected=problem.expected,
-                hint=problem.hint,
-            )
-            for problem in problems
-        ]
-    )
+def to_file_problems(problems: Tuple[Problem, ...]) -> List[FileProblem]:
+    """Return problems of files as messages."""
+    return [
+        FileProblem(
+            code=problem.code,
+            path=problem.path,
+            line=problem.line,
+            key=problem.key,
+            found=problem.found,
+            expected=problem.expected,
+            hint=problem.hint,
+        )
+        for problem in problems
+    ]

@@ -1,11 +1,13 @@
 """Places behind a noun, attached by what the robot knows: what describes a thing, and where it shall be."""
 
+from dataclasses import replace
 from typing import Optional
 
 import pytest
 
 from offline_pipeline.knowledge import load_knowledge, pretend_servers, shipped_domains
 from offline_pipeline.pipeline import Pipeline, Understanding
+from semantic_frames.frame import UnknownPolicy
 from world_model import World
 from world_model.world import snapshot
 from world_model.world_file import load_world_file
@@ -109,3 +111,31 @@ def test_a_goal_that_only_the_world_makes_is_asked_about(pipeline: Pipeline, hom
 def test_a_world_that_knows_nothing_changes_nothing(pipeline: Pipeline) -> None:
     text = "take the box near the lamp on the table"
     assert pipeline.in_world(World()).understand(text) == pipeline.understand(text)
+
+
+@pytest.mark.parametrize(
+    ("policy", "code", "sentence"),
+    [
+        (UnknownPolicy.ACT, "DONE", "I would do grasping on grasping."),
+        (
+            UnknownPolicy.ASK,
+            "CONFIRM",
+            'I have not seen a vase. Shall I really do this: "grasp the vase"? Say yes or no.',
+        ),
+        (UnknownPolicy.REFUSE, "UNKNOWN_THING", "I have not seen a vase."),
+    ],
+)
+def test_a_frame_says_what_happens_with_an_unknown_thing(
+    policy: UnknownPolicy, code: str, sentence: str, home: World
+) -> None:
+    knowledge = load_knowledge([shipped_domains()])
+    knowledge.graph.frames["grasping"]  # a frame that is shipped
+    frames = {**knowledge.frames, "grasping": replace(knowledge.frames["grasping"], on_unknown=policy)}
+    knowledge.graph._frames = frames
+    pretend_servers(knowledge.graph)
+    in_home = Pipeline(knowledge, world=home)
+    found = in_home.understand("grasp the vase").reply
+    assert (found.code, found.sentence) == (code, sentence)
+    # What is known, and what nobody can know: without a world there is nothing to compare with.
+    assert in_home.understand("grasp the cup").reply.code == "DONE"
+    assert in_home.in_world(World()).understand("grasp the vase").reply.code == "DONE"

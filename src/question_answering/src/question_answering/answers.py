@@ -1,15 +1,26 @@
 """Answers to questions about the world: where, how many, which, whether; each says what is not known."""
 
 import datetime
+from dataclasses import replace
 from typing import Callable, Dict, FrozenSet, List, Mapping, Optional, Sequence, Tuple
 
+from question_answering.answers_about_deeds import ABOUT_DEEDS
 from question_answering.robot_knowledge import RobotKnowledge
-from referring_expressions import Situation, fitting
-from referring_expressions.describing import name_of, noun_of, place_of
-from referring_expressions.fitting import at_place
+from referring_expressions import fitting, unknown_of
+from referring_expressions.describing import (
+    article,
+    as_said,
+    bare_noun,
+    is_plural_noun,
+    name_of,
+    noun_of,
+    place_of,
+    plural_of,
+)
+from referring_expressions.fitting import at_place, is_of_unknown_speaker, is_superlative
 from semantic_types import spoken
-from typed_arguments import TypedArgument
-from word_classes import without_determiner, word_class
+from typed_arguments import Modifier, TypedArgument
+from word_classes import word_class
 from world_model import Sort, WorldObject
 from world_model.knowledge import OPPOSITES
 from world_model.world_object import ROBOT_ID
@@ -17,6 +28,7 @@ from world_model.world_object import ROBOT_ID
 #: Objects that an answer names; more are counted.
 MOST_NAMED = 8
 Arguments = Mapping[str, TypedArgument]
+_COLOURS = word_class("colours")
 _PERSONS = word_class("general_person_nouns")
 
 
@@ -30,7 +42,19 @@ def answer(frame_name: str, arguments: Sequence[TypedArgument], known: RobotKnow
     Raises:
         KeyError: there is no such question
     """
+    mine = next((one for one in arguments if is_of_unknown_speaker(one, known.situation)), None)
+    if mine is not None and fitting(mine, known.situation):
+        return _of_somebody(mine, known)
     return ANSWERS[frame_name]({argument.name: argument for argument in arguments}, known)
+
+
+def _of_somebody(mine: TypedArgument, known: RobotKnowledge) -> str:
+    """Return where the things are one of which belongs to the person who speaks."""
+    parts = []
+    for one in fitting(mine, known.situation)[:MOST_NAMED]:
+        owners = _listed([name_of(owner) for owner in known.world.owners(one)]) or "somebody"
+        parts.append(f"the {noun_of(one)} of {owners} is {place_of(one, known.world) or 'somewhere unknown'}")
+    return f"I do not know who you are. {_capital(_listed(parts))}."
 
 
 def _abilities(_: Arguments, known: RobotKnowledge) -> str:
@@ -70,16 +94,15 @@ def _place(arguments: Arguments, known: RobotKnowledge) -> str:
     theme = arguments["theme"]
     found = _found(theme, known)
     if not found:
-        return _unseen(theme)
+        return unknown_of(theme)
     if found[0].id == ROBOT_ID:
         return _own_place(arguments, known)
     placed = [(one, place_of(one, known.world)) for one in found]
     if not any(place for _, place in placed):
-        return (
-            f"I do not know where {_said(theme)} is." if len(found) == 1 else f"I do not know where {_said(theme)} are."
-        )
+        return f"I do not know where {as_said(theme)} {_is(found, theme.text)}."
     if len(found) == 1:
-        return f"{_capital(_called(theme, found[0]))} is {placed[0][1]}{_reported(found[0])}."
+        called = _called(theme, found[0])
+        return f"{_capital(called)} {_is(found, called)} {placed[0][1]}{_reported(found[0])}."
     parts = [f"{'one' if not one.name else name_of(one)} is {place or 'somewhere unknown'}" for one, place in placed]
     known_of = f"I know of {len(found)} {_plural(theme, found)}: "
     return f"{known_of}{_listed([_with_attributes(one, part) for (one, _), part in zip(placed[:MOST_NAMED], parts)])}."
@@ -96,9 +119,9 @@ def _number(arguments: Arguments, known: RobotKnowledge) -> str:
     if "location" in arguments and not _place_is_known(arguments["location"], known):
         return f'I do not know of any place "{arguments["location"].text}".'
     if not found:
-        return f"I know of no {_noun(theme)}{where}."
+        return f"I know of no {bare_noun(theme)}{where}."
     verb = "is" if len(found) == 1 else "are"
-    noun = _noun(theme) if len(found) > 1 else theme.lemma if theme.is_plural else _noun(theme)
+    noun = bare_noun(theme) if len(found) > 1 else theme.lemma if theme.is_plural else bare_noun(theme)
     noun = "person" if len(found) == 1 and theme.lemma in _PERSONS else noun
     return f"As far as I know, there {verb} {len(found)} {noun}{where}."
 
@@ -111,11 +134,11 @@ def _what_is_there(arguments: Arguments, known: RobotKnowledge) -> str:
         one for one in known.world.objects if one.id != ROBOT_ID and one.sort not in (Sort.PLACE, Sort.DOOR)
     )
     objects = _found(theme, known, is_wide=True) if theme is not None else everything
-    found = at_place(objects, location, Situation(known.world))
+    found = at_place(objects, location, known.situation)
     if not found:
-        what = f"no {_noun(theme)}" if theme is not None else "nothing"
+        what = f"no {bare_noun(theme)}" if theme is not None else "nothing"
         return f"I know of {what} {location.words}."
-    return f"{_capital(location.words)} there {'is' if len(found) == 1 else 'are'} {_listed(_indefinite(found))}."
+    return f"{_capital(location.words)} there {_is(found, noun_of(found[0]))} {_listed(_indefinite(found))}."
 
 
 def _who_is_there(arguments: Arguments, known: RobotKnowledge) -> str:
@@ -123,7 +146,7 @@ def _who_is_there(arguments: Arguments, known: RobotKnowledge) -> str:
     if not _place_is_known(location, known):
         return f'I do not know of any place "{location.text}".'
     persons = tuple(one for one in known.world.objects if one.sort is Sort.PERSON)
-    found = at_place(persons, location, Situation(known.world))
+    found = at_place(persons, location, known.situation)
     if not found:
         return f"I know of nobody {location.words}."
     return f"{_capital(_listed(_indefinite(found)))} {'is' if len(found) == 1 else 'are'} {location.words}."
@@ -133,16 +156,17 @@ def _state(arguments: Arguments, known: RobotKnowledge) -> str:
     theme, state = arguments["theme"], arguments["state"].text.lower()
     found = _found(theme, known)
     if not found:
-        return _unseen(theme)
+        return unknown_of(theme)
     opposites: FrozenSet[str] = frozenset().union(*(words for words in OPPOSITES if state in words)) - {state}
     verdicts = {True if state in one.properties else False if opposites & set(one.states) else None for one in found}
-    name = _capital(_called(theme, found[0])) if len(found) == 1 else _capital(_said(theme))
+    name = _capital(_called(theme, found[0])) if len(found) == 1 else _capital(as_said(theme))
     verb = "is" if len(found) == 1 else "are"
+    is_choice = "alternative" in arguments
     if verdicts == {True}:
-        return f"Yes, {_lower(name)} {verb} {state}."
+        return f"{name} {verb} {state}." if is_choice else f"Yes, {_lower(name)} {verb} {state}."
     if verdicts == {False}:
         actual = next(iter(sorted(opposites & set(found[0].states))))
-        return f"No, {_lower(name)} {verb} {actual}."
+        return f"{name} {verb} {actual}." if is_choice else f"No, {_lower(name)} {verb} {actual}."
     if None in verdicts:
         return f"I do not know whether {_lower(name)} {verb} {state}."
     return f"Some of them are {state}, and some are not."
@@ -157,16 +181,17 @@ def _being_there(arguments: Arguments, known: RobotKnowledge) -> str:
     found = _at(arguments, candidates, known)
     if found:
         names = _listed(_indefinite(found)) if not _is_definite(theme) else _called(theme, found[0])
-        verb = "is" if len(found) == 1 else "are"
+        verb = _is(found, names)
         return f"Yes, {names} {verb}{where}." if where else f"Yes, I know of {names}."
     if not candidates:
-        return _unseen(theme)
+        return unknown_of(theme)
     if len(candidates) == 1 and place_of(candidates[0], known.world):
-        return f"No, {_called(theme, candidates[0])} is {place_of(candidates[0], known.world)}."
+        called = _called(theme, candidates[0])
+        return f"No, {called} {_is(candidates, called)} {place_of(candidates[0], known.world)}."
     return (
-        f"I know of no {_noun(theme)}{where}."
+        f"No, I know of no {bare_noun(theme)}{where}."
         if not _is_definite(theme)
-        else f"I do not know that {_said(theme)} is{where}."
+        else f"I do not know that {as_said(theme)} is{where}."
     )
 
 
@@ -188,7 +213,7 @@ def _acquaintance(arguments: Arguments, known: RobotKnowledge) -> str:
     theme = arguments["theme"]
     found = _found(theme, known)
     if not found:
-        return f"No, I do not know {_said(theme)}."
+        return f"No, I do not know {as_said(theme)}."
     one = found[0]
     if len(found) > 1:
         return f"Yes, I know {len(found)} of them."
@@ -196,7 +221,7 @@ def _acquaintance(arguments: Arguments, known: RobotKnowledge) -> str:
     if one.sort is Sort.PERSON:
         facts.append("is a person")
     elif noun_of(one) and one.name:
-        facts.append(f"is {_article(noun_of(one))}")
+        facts.append(f"is {article(noun_of(one))}")
     place = place_of(one, known.world)
     if place:
         facts.append(f"is {place}")
@@ -204,7 +229,78 @@ def _acquaintance(arguments: Arguments, known: RobotKnowledge) -> str:
         facts.append(f"is {_listed(one.states)}")
     if one.attributes:
         facts.append(f"is {_listed(one.attributes)}")
-    return f"Yes. {_capital(_called(theme, one))} {_listed(facts)}." if facts else f"Yes, I know {_said(theme)}."
+    return f"Yes. {_capital(_called(theme, one))} {_listed(facts)}." if facts else f"Yes, I know {as_said(theme)}."
+
+
+def _which(arguments: Arguments, known: RobotKnowledge) -> str:
+    theme, rank = arguments["theme"], arguments.get("rank")
+    if rank is not None:
+        theme = replace(theme, modifiers=(*theme.modifiers, Modifier("superlative", rank.text, rank.text)))
+    superlatives = tuple(one for one in theme.modifiers if is_superlative(one))
+    words = {one.word.lower() for one in superlatives}
+    others = replace(
+        theme,
+        text=" ".join(word for word in theme.text.split() if word.lower() not in words),
+        modifiers=tuple(one for one in theme.modifiers if one not in superlatives),
+    )
+    candidates = fitting(others, known.situation, is_wide=True)
+    if not candidates:
+        return unknown_of(others)
+    if not superlatives:
+        return f"I know of {_listed(_indefinite(candidates))}."
+    found = fitting(theme, known.situation, is_wide=True)
+    if not found:
+        return f"I do not know which {bare_noun(others)} is the {superlatives[0].word.lower()}."
+    place = place_of(found[0], known.world)
+    return f"It is {_named(found[0])}{f' {place}' if place else ''}."
+
+
+def _owner(arguments: Arguments, known: RobotKnowledge) -> str:
+    theme = arguments["theme"]
+    found = _found(theme, known)
+    if not found:
+        return unknown_of(theme)
+    owners = [(one, known.world.owners(one)) for one in found]
+    if not any(persons for _, persons in owners):
+        return f"I do not know whom {as_said(theme)} {'belongs' if len(found) == 1 else 'belong'} to."
+    if len(found) == 1:
+        return f"{_capital(_called(theme, found[0]))} belongs to {_listed([name_of(one) for one in owners[0][1]])}."
+    parts = [
+        f"{_named(one)} to {_listed(list(map(name_of, persons))) or 'somebody whom I do not know'}"
+        for one, persons in owners[:MOST_NAMED]
+    ]
+    return f"I know of {len(found)} {_plural(theme, found)}: {_listed(parts)}."
+
+
+def _colour(arguments: Arguments, known: RobotKnowledge) -> str:
+    theme = arguments["theme"]
+    found = _found(theme, known)
+    if not found:
+        return unknown_of(theme)
+    colours = [tuple(word for word in one.attributes if word.lower() in _COLOURS) for one in found]
+    if not all(colours):
+        return f"I do not know the colour of {as_said(theme)}."
+    if len(set(colours)) == 1:
+        verb = "is" if len(found) == 1 else "are"
+        called = _called(theme, found[0]) if len(found) == 1 else as_said(theme)
+        return f"{_capital(called)} {verb} {_listed(colours[0])}."
+    parts = [
+        f"the one {place_of(one, known.world) or 'somewhere unknown'} is {_listed(words)}"
+        for one, words in zip(found[:MOST_NAMED], colours)
+    ]
+    return f"I know of {len(found)} {_plural(theme, found)}: {_listed(parts)}."
+
+
+def _speaker(_: Arguments, known: RobotKnowledge) -> str:
+    person = known.world.get(known.speaker)
+    if person is None:
+        return "I do not know who you are."
+    return f"You are {name_of(person)}."
+
+
+def _named(one: WorldObject) -> str:
+    """Return an object with its article and its attributes: "the red mug", "Anna"."""
+    return name_of(one) if one.name else f"the {' '.join([*one.attributes, noun_of(one)])}"
 
 
 #: The answer to each question, by the name of its frame.
@@ -223,6 +319,11 @@ ANSWERS: Dict[str, Callable[[Arguments, RobotKnowledge], str]] = {
     "question_of_time": _time,
     "question_of_date": _date,
     "question_of_acquaintance": _acquaintance,
+    "question_of_which": _which,
+    "question_of_owner": _owner,
+    "question_of_colour": _colour,
+    "question_of_speaker": _speaker,
+    **ABOUT_DEEDS,
 }
 
 
@@ -230,7 +331,7 @@ def _found(theme: Optional[TypedArgument], known: RobotKnowledge, *, is_wide: bo
     """Return what a phrase refers to: what the framer found, if it searched this world."""
     if theme is None:
         return ()
-    situation = Situation(known.world)
+    situation = known.situation
     if theme.referents and theme.world_version == known.world.version and not is_wide:
         return situation.objects(theme.referents)
     return fitting(theme, situation, is_wide=is_wide)
@@ -238,36 +339,15 @@ def _found(theme: Optional[TypedArgument], known: RobotKnowledge, *, is_wide: bo
 
 def _at(arguments: Arguments, objects: Tuple[WorldObject, ...], known: RobotKnowledge) -> Tuple[WorldObject, ...]:
     location = arguments.get("location")
-    return objects if location is None else at_place(objects, location, Situation(known.world))
+    return objects if location is None else at_place(objects, location, known.situation)
 
 
 def _place_is_known(location: TypedArgument, known: RobotKnowledge) -> bool:
-    return bool(location.direction or fitting(location, Situation(known.world)))
-
-
-def _unseen(theme: TypedArgument) -> str:
-    if theme.semantic_type == "Human" and not theme.quantifier:
-        return f"I do not know {_said(theme)}."
-    return f"I have not seen {_article(_noun(theme)) if not theme.is_plural else 'any ' + _noun(theme)}."
+    return bool(location.direction or fitting(location, known.situation))
 
 
 def _is_definite(theme: TypedArgument) -> bool:
     return theme.quantifier == "the" or theme.possessor is not None or theme.semantic_type == "Human"
-
-
-def _noun(theme: TypedArgument) -> str:
-    """Return the noun of a phrase with its adjectives and without its determiner: "red mug"."""
-    words = without_determiner(theme.text, word_class("determiners_and_possessives")) or theme.text
-    return without_determiner(words, frozenset(["any", "some", "no", "other"]))
-
-
-def _said(theme: TypedArgument) -> str:
-    """Return a phrase as it was said, from the view of the robot: "your mug" for "my mug"."""
-    first, _, rest = theme.text.partition(" ")
-    return f"{_YOURS.get(first.lower(), first)} {rest}".strip()
-
-
-_YOURS = {"my": "your", "your": "my", "our": "our", "The": "the"}
 
 
 def _called(theme: TypedArgument, one: WorldObject) -> str:
@@ -276,13 +356,12 @@ def _called(theme: TypedArgument, one: WorldObject) -> str:
 
 def _definite(theme: TypedArgument) -> str:
     if theme.quantifier in ("a", "any", "some", ""):
-        return f"the {_noun(theme)}" if theme.possessor is None else _said(theme)
-    return _said(theme)
+        return f"the {bare_noun(theme)}" if theme.possessor is None else as_said(theme)
+    return as_said(theme)
 
 
 def _plural(theme: TypedArgument, found: Sequence[WorldObject]) -> str:
-    noun = noun_of(found[0])
-    return _noun(theme) if theme.is_plural else f"{noun}{'es' if noun.endswith(('s', 'x', 'ch', 'sh')) else 's'}"
+    return bare_noun(theme) if theme.is_plural else plural_of(noun_of(found[0]))
 
 
 def _with_attributes(one: WorldObject, part: str) -> str:
@@ -301,18 +380,16 @@ def _indefinite(objects: Sequence[WorldObject]) -> List[str]:
         if spoken(word) in names:
             found.append(word if word[:1].isupper() else f"the {word}")
         else:
-            end = "es" if word.endswith(("s", "x", "ch", "sh")) else "s"
-            found.append(_article(word) if count == 1 else f"{count} {word}{end}")
+            found.append(article(word) if count == 1 else f"{count} {plural_of(word)}")
     return found if len(found) <= MOST_NAMED else [*found[:MOST_NAMED], f"{len(found) - MOST_NAMED} more"]
+
+
+def _is(found: Sequence[WorldObject], noun: str) -> str:
+    return "is" if len(found) == 1 and not is_plural_noun(noun) else "are"
 
 
 def _reported(one: WorldObject) -> str:
     return f", as {one.source} said" if one.source and one.sort is Sort.PERSON and one.source.istitle() else ""
-
-
-def _article(noun: str) -> str:
-    is_vowel = noun[:1].lower() in "aeiou" and not noun.lower().startswith(("uni", "use", "eu", "one"))
-    return f"{'an' if is_vowel else 'a'} {noun}"
 
 
 def _listed(parts: Sequence[str]) -> str:

@@ -21,16 +21,20 @@ from roboframenet_msgs.msg import (
 from roboframenet_msgs.msg import (
     World as WorldMessage,
 )
+from std_msgs.msg import String
 
 from question_answering.answers import ANSWERS, answer
 from question_answering.robot_knowledge import RobotKnowledge, examples_of, served_frames
 from question_answering.ros_asking import Asking
+from question_answering.ros_history import History
 from rfnserver import RFNServer, TypedFrame
 from roboframenet_ros.parameters import Parameters, parameter
 from roboframenet_ros.ros_node import read_parameters, run_node
-from semantic_frames import FileRefused, load_frame, load_lexical_units
+from roboframenet_ros.ros_place import Place
+from semantic_frames import load_frame, load_lexical_units
 from semantic_frames.frame import SemanticFrame
 from semantic_frames.lexical_unit import LexicalUnit
+from semantic_frames.read_once import ReadOnce
 from world_model import World
 from world_model.ros_messages import world_from_message
 
@@ -58,7 +62,8 @@ class QuestionAnswering:
         question_answering (roboframenet_msgs/FilledSemanticFrameAction): every frame of :data:`answers.ANSWERS`
     Subscribes:
         world (World), frame_catalogue (FrameCatalogue), frame_servers (FrameServers), lexicon (Lexicon),
-        status (CommandStatus), stage_events (StageEvent), command_question (CommandPlan)
+        status (CommandStatus), stage_events (StageEvent), command_question (CommandPlan), speaker (std_msgs/String),
+        and those of :class:`.ros_history.History`
     Publishes:
         stage_events (StageEvent)
     Parameters: see :class:`Settings`.
@@ -71,14 +76,19 @@ class QuestionAnswering:
         self._world = World()
         self._frames: Dict[str, SemanticFrame] = {}
         self._units: Tuple[LexicalUnit, ...] = ()
+        self._frame_files: ReadOnce[SemanticFrame] = ReadOnce(load_frame)
+        self._unit_files: ReadOnce[Tuple[LexicalUnit, ...]] = ReadOnce(load_lexical_units)
         #: Frames with a living server, and of those the ones that can be carried out or answered.
         self._alive: FrozenSet[str] = frozenset()
         self._served: FrozenSet[str] = frozenset()
         self._status = CommandStatus()
         self._said: Deque[Command] = deque(maxlen=2)
+        self._speaker = ""
+        self._history = History()
         self._subscribers = [
             rospy.Subscriber("world", WorldMessage, self._on_world, queue_size=1),
             rospy.Subscriber("frame_catalogue", FrameCatalogue, self._on_catalogue, queue_size=1),
+            rospy.Subscriber("speaker", String, self._on_speaker, queue_size=1),
             rospy.Subscriber("frame_servers", FrameServers, self._on_servers, queue_size=1),
             rospy.Subscriber("lexicon", LexiconMessage, self._on_lexicon, queue_size=1),
             rospy.Subscriber("status", CommandStatus, self._on_status, queue_size=1),
@@ -95,16 +105,16 @@ class QuestionAnswering:
             self._world_message = message
 
     def _on_catalogue(self, message: FrameCatalogue) -> None:
-        frames = {}
-        for file in message.files:
-            try:
-                frame = load_frame(file.text, file.path)
-            except FileRefused:
-                continue  # the registrar has said so
-            frames[frame.name] = frame
+        # The registrar has said which it refused.
+        contents, _ = self._frame_files.contents((file.path, file.text) for file in message.files)
+        frames = {frame.name: frame for frame in contents}
         with self._lock:
             self._frames = frames
             self._served = served_frames(frames, self._alive)
+
+    def _on_speaker(self, message: String) -> None:
+        with self._lock:
+            self._speaker = message.data
 
     def _on_servers(self, message: FrameServers) -> None:
         with self._lock:
@@ -112,14 +122,10 @@ class QuestionAnswering:
             self._served = served_frames(self._frames, self._alive)
 
     def _on_lexicon(self, message: LexiconMessage) -> None:
-        units = []
-        for file in message.files:
-            try:
-                units += load_lexical_units(file.text, file.path)
-            except FileRefused:
-                continue  # the framer has said so
+        # The framer has said which it refused.
+        contents, _ = self._unit_files.contents((file.path, file.text) for file in message.files)
         with self._lock:
-            self._units = tuple(units)
+            self._units = tuple(unit for units in contents for unit in units)
 
     def _on_status(self, message: CommandStatus) -> None:
         with self._lock:
@@ -150,9 +156,21 @@ class QuestionAnswering:
                 doing=doing[0] if doing else "",
                 last_words=self._said[0].text if len(self._said) > 1 else "",
                 now=datetime.now(),
+                deeds=self._history.deeds,
+                next_steps=self._history.next_steps,
+                speaker=self._speaker,
             )
+
+
+def start(place: Place) -> QuestionAnswering:
+    """Start the node.
+
+    Raises:
+        ParameterError: a parameter is wrong
+    """
+    return QuestionAnswering(read_parameters(Settings, prefix=place.private))
 
 
 def main() -> None:
     """Run the node until ROS shuts down; exits with a sentence when a parameter is wrong."""
-    run_node("question_answering", lambda: QuestionAnswering(read_parameters(Settings)))
+    run_node("question_answering", lambda: start(Place()))

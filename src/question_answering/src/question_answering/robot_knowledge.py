@@ -1,13 +1,42 @@
 """What the robot knows of itself: its abilities, what it does, and what was said to it."""
 
+import enum
 from dataclasses import dataclass, field
 from datetime import datetime
 from pathlib import Path
 from typing import Dict, FrozenSet, List, Mapping, Sequence, Tuple
 
+from referring_expressions import Situation
 from semantic_frames.frame import SemanticFrame
 from semantic_frames.lexical_unit import LexicalUnit
 from world_model import World
+
+
+class Outcome(enum.Enum):
+    """How a command ended, as the message ``Reply`` has it; the values are its constants."""
+
+    DONE = 0
+    FAILED = 1
+    REFUSED = 2
+    ASKED = 3
+    SUPERSEDED = 4
+
+
+@dataclass(frozen=True)
+class Deed:
+    """A command that has ended.
+
+    Attributes:
+        text: as it was said
+        outcome: how it ended
+        sentence: of its reply
+        is_stop: whether it was a cry, which stops the robot
+    """
+
+    text: str
+    outcome: Outcome
+    sentence: str = ""
+    is_stop: bool = False
 
 
 @dataclass(frozen=True)
@@ -22,6 +51,9 @@ class RobotKnowledge:
         doing: the command that runs; empty for none
         last_words: what was said before; empty for nothing
         now: local time
+        deeds: the commands that have ended, without questions, the last one last
+        next_steps: what comes after what runs, in the words of the person
+        speaker: id of the person who speaks; empty when unknown
     """
 
     world: World = field(default_factory=World)
@@ -31,6 +63,29 @@ class RobotKnowledge:
     doing: str = ""
     last_words: str = ""
     now: datetime = datetime.min
+    deeds: Tuple[Deed, ...] = ()
+    next_steps: Tuple[str, ...] = ()
+    speaker: str = ""
+
+    @property
+    def situation(self) -> Situation:
+        """What phrases refer to."""
+        return Situation(self.world, speaker=self.speaker)
+
+
+def steps_behind(children: Sequence[str], active: Sequence[str]) -> Tuple[str, ...]:
+    """Return what comes behind the active states of a sequence: "say hello" for its child "2 say hello".
+
+    Args:
+        children: labels of the states of a machine, each with its number; others are no steps
+        active: labels of its active states
+    """
+    numbers = {label: int(label.split(" ", 1)[0]) for label in children if label.split(" ", 1)[0].isdigit()}
+    running = [numbers[label] for label in active if label in numbers]
+    if not running:
+        return ()
+    behind = sorted((number, label) for label, number in numbers.items() if number > max(running))
+    return tuple(label.split(" ", 1)[1] for _, label in behind if " " in label)
 
 
 def served_frames(frames: Mapping[str, SemanticFrame], served: FrozenSet[str]) -> FrozenSet[str]:

@@ -2,14 +2,21 @@
 
 from dataclasses import replace
 from datetime import datetime
-from typing import Optional
+from typing import Optional, Tuple
 
 import pytest
 
 from offline_pipeline.knowledge import load_knowledge, pretend_servers, shipped_domains
 from offline_pipeline.pipeline import Pipeline
 from question_answering.answers import ANSWERS, answer
-from question_answering.robot_knowledge import RobotKnowledge, examples_of, served_frames
+from question_answering.robot_knowledge import (
+    Deed,
+    Outcome,
+    RobotKnowledge,
+    examples_of,
+    served_frames,
+    steps_behind,
+)
 from world_model.world import World, snapshot
 from world_model.world_file import load_world_file
 
@@ -22,7 +29,7 @@ doors:
   kitchen_door: {to: kitchen, states: [closed]}
 things:
   table_1: {in: kitchen}
-  shelf_1: {in: hall}
+  shelf_1: {in: hall, size: [1, 0.4, 2]}
   mug_1: {on: table_1, attributes: [red], of: anna}
   bottle_1: {on: table_1, states: [empty]}
   bottle_2: {on: shelf_1, states: [empty]}
@@ -92,10 +99,80 @@ def answered(text: str, pipeline: Pipeline, known: RobotKnowledge) -> Optional[s
         ("Is there a mug on the table?", "Yes, a red mug is on the table."),
         ("Do you know Anna?", "Yes. Anna is a person and is in the kitchen."),
         ("Do you know Clara?", "No, I do not know Clara."),
+        ("What is the biggest thing in the hall?", "It is the shelf in the hall."),
+        ("Which chair is the biggest?", "I do not know which chair is the biggest."),
+        ("What is the biggest mug?", "I do not know which mug is the biggest."),
+        ("What is the biggest boat?", "I have not seen a boat."),
+        ("Who owns the red mug?", "The red mug belongs to Anna."),
+        ("Whose is the lamp?", "I do not know whom the lamp belongs to."),
+        ("What colour is the mug?", "The mug is red."),
+        ("What color is the lamp?", "I do not know the colour of the lamp."),
+        ("Is the door open or closed?", "The door is closed."),
+        ("I want to know where the mug is.", "The mug is on the table in the kitchen."),
+        ("I wonder if the door is open.", "No, the door is closed."),
+        ("Do you know how many chairs there are in the hall?", "As far as I know, there are 2 chairs in the hall."),
+        ("Let me know who is in the kitchen.", "Anna is in the kitchen."),
+        ("I'd like to know which things are on the table.", "On the table there are a bottle and a red mug."),
+        ("Is there a bottle in the office?", "No, I know of no bottle in the office."),
+        ("Where is my mug?", "I do not know who you are. The mug of Anna is on the table in the kitchen."),
+        ("Where is my lamp?", "I have not seen a lamp."),
+        ("Who am I?", "I do not know who you are."),
     ],
 )
 def test_question_about_the_home(text: str, expected: str, pipeline: Pipeline, home: World) -> None:
     assert answered(text, pipeline, RobotKnowledge(home)) == expected
+
+
+def test_the_speaker_is_known(pipeline: Pipeline, home: World) -> None:
+    known = RobotKnowledge(home, speaker="anna")
+    assert answered("Where is my mug?", pipeline, known) == "Your mug is on the table in the kitchen."
+    assert answered("Who am I?", pipeline, known) == "You are Anna."
+    assert answered("Where is my mug?", pipeline, replace(known, speaker="ben")) == "I have not seen a mug."
+
+
+WENT = Deed("Go to the kitchen.", Outcome.DONE, "Done.")
+STOPPED = Deed("Follow me.", Outcome.SUPERSEDED, "A stop ended it.")
+CRY = Deed("Stop!", Outcome.DONE, "I stand still.", is_stop=True)
+FAILED = Deed("Bring me the mug.", Outcome.FAILED, "I have not seen a mug.")
+
+
+@pytest.mark.parametrize(
+    ("text", "deeds", "doing", "expected"),
+    [
+        ("Why did you stop?", (STOPPED, CRY), "", 'I was carrying out "Follow me.", and then you said "Stop!".'),
+        ("Why did you stop?", (FAILED,), "", '"Bring me the mug." did not work: I have not seen a mug.'),
+        ("Why did you stop?", (), "", "I have not done anything yet."),
+        ("Why did you stop?", (WENT,), "Follow me.", 'I am still carrying out "Follow me.", because you asked me to.'),
+        ("Why did you not do it?", (WENT, FAILED), "", '"Bring me the mug." did not work: I have not seen a mug.'),
+        (
+            "Why didn't you bring me the mug?",
+            (FAILED, WENT),
+            "",
+            '"Bring me the mug." did not work: I have not seen a mug.',
+        ),
+        ("Why did you go to the kitchen?", (WENT, FAILED), "", 'You asked me to: "Go to the kitchen.".'),
+        ("Why did you go to the garden?", (WENT, FAILED), "", "I do not remember anything like that."),
+        ("What went wrong?", (WENT, FAILED), "", '"Bring me the mug." did not work: I have not seen a mug.'),
+        ("What did you do?", (FAILED, WENT), "", 'I carried out "Go to the kitchen.".'),
+        ("What have you done so far?", (STOPPED, CRY), "", 'I began "Follow me.", and did not finish it.'),
+        ("What did you do?", (FAILED,), "", 'I did not do it: "Bring me the mug.". I have not seen a mug.'),
+        ("What did you do?", (), "", "I have not done anything yet."),
+        ("What comes next?", (), "", "Nothing: I am doing nothing at the moment."),
+        ("What comes next?", (), "Follow me.", 'Nothing after "Follow me.", as far as I know.'),
+    ],
+)
+def test_what_was_done_and_why(
+    text: str, deeds: Tuple[Deed, ...], doing: str, expected: str, pipeline: Pipeline
+) -> None:
+    assert answered(text, pipeline, RobotKnowledge(deeds=deeds, doing=doing)) == expected
+
+
+def test_what_comes_next_is_behind_the_active_step(pipeline: Pipeline) -> None:
+    steps = ("1 go to the kitchen", "2 take the mug", "3 come back", "succeeded")
+    assert steps_behind(steps, ["1 go to the kitchen"]) == ("take the mug", "come back")
+    assert steps_behind(steps, ["3 come back"]) == steps_behind(steps, []) == ()
+    known = RobotKnowledge(doing="Go to the kitchen.", next_steps=steps_behind(steps, ["1 go to the kitchen"]))
+    assert answered("What comes next?", pipeline, known) == "Next: take the mug, then come back."
 
 
 KNOWN = RobotKnowledge(
@@ -137,7 +214,6 @@ def test_robot_that_can_and_does_nothing_says_so(pipeline: Pipeline) -> None:
     "text",
     [
         "Did you turn left?",
-        "Why did you turn left?",
         "Is it safe to go to the kitchen?",
         "Should I open the door?",
         "Where is it?",
@@ -165,7 +241,8 @@ def test_examples_are_those_of_frames_that_can_be_carried_out(pipeline: Pipeline
 
 
 def test_every_question_of_the_domain_has_an_answer(pipeline: Pipeline, home: World) -> None:
-    assert {frame.name for frame in pipeline.knowledge.frames.values() if frame.is_question} == set(ANSWERS)
+    # Others are answered by servers of their own, such as those about standing orders.
+    assert set(ANSWERS) <= {frame.name for frame in pipeline.knowledge.frames.values() if frame.is_question}
     for unit in pipeline.knowledge.lexicon.question_units:
-        for example in unit.examples:
+        for example in unit.examples if unit.frame_name in ANSWERS else ():
             assert answered(example.text, pipeline, replace(KNOWN, world=home)), example.text

@@ -69,7 +69,8 @@ def fitting(argument: TypedArgument, situation: Situation, *, is_wide: bool = Fa
         found = tuple(one for one in found if one.id != situation.spoken_of[0])
     if argument.possessor is not None and not _is_name(found, argument):
         owners = _owners(argument.possessor, situation)
-        found = tuple(one for one in found if owners & set(one.related("of")))
+        is_open = is_of_unknown_speaker(argument, situation)
+        found = tuple(one for one in found if (one.related("of") if is_open else owners & set(one.related("of"))))
     if argument.complement is not None and not _is_name(found, argument):
         found = _of(found, argument.complement, situation)
     for description in argument.frames:
@@ -78,7 +79,7 @@ def fitting(argument: TypedArgument, situation: Situation, *, is_wide: bool = Fa
         left_out = fitting(exception, situation)
         found = tuple(one for one in found if one not in left_out)
     for modifier in argument.modifiers:
-        if _is_superlative(modifier):
+        if is_superlative(modifier):
             found = _most(found, modifier, situation)
         elif modifier.kind == "ordinal" and situation.offered:
             place = modifier.number - 1 if modifier.number > 0 else modifier.number
@@ -86,6 +87,12 @@ def fitting(argument: TypedArgument, situation: Situation, *, is_wide: bool = Fa
         elif modifier.kind == "ordinal":
             found = found if len(found) == 1 else ()
     return found
+
+
+def is_of_unknown_speaker(argument: TypedArgument, situation: Situation) -> bool:
+    """Whether a phrase is about what belongs to the person who speaks, and nobody knows who that is: "my mug"."""
+    possessor = argument.possessor
+    return possessor is not None and possessor.head.lower() in _SPEAKER and not situation.speaker
 
 
 def _is_name(found: Objects, argument: TypedArgument) -> bool:
@@ -106,7 +113,7 @@ def _by_head(argument: TypedArgument, situation: Situation, is_wide: bool) -> Ob
     others = [
         modifier
         for modifier in argument.modifiers
-        if modifier.kind in ("adjective", "comparative") and not _is_superlative(modifier)
+        if modifier.kind in ("adjective", "comparative") and not is_superlative(modifier)
     ]
     if head in _STANDINS and situation.offered:
         return _with(situation.objects(situation.offered), [*compounds, *others])
@@ -208,7 +215,7 @@ def _outermost(objects: Objects, side: str, situation: Situation) -> Objects:
     return ((max if side == "left" else min)(objects, key=to_the_left),)
 
 
-def _is_superlative(modifier: Modifier) -> bool:
+def is_superlative(modifier: Modifier) -> bool:
     """Whether a modifier asks for the most of something; the parser takes "nearest" for an adjective."""
     return modifier.kind == "superlative" or modifier.word.lower() in _NEAR | _FAR
 

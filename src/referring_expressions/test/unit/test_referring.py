@@ -7,7 +7,8 @@ import pytest
 
 from phrase_meanings.phrases import Phrases
 from referring_expressions import Referents, Situation, question_of, resolve, with_referents
-from referring_expressions.describing import describe, place_of
+from referring_expressions.describing import article, describe, place_of, plural_of, question_of_speaker
+from referring_expressions.fitting import is_of_unknown_speaker
 from stanford_parser_ros.model import shipped_parser
 from typed_arguments import TypedArgument
 from world_model import World
@@ -116,7 +117,7 @@ def test_quantifier_says_how_many_are_meant(text: str, count: int, number: int, 
     assert (found.count, len(found.ids), found.is_ambiguous) == (count, number, False)
 
 
-@pytest.mark.parametrize("text", ["the green mug", "the unicorn", "Bob's mug", "my mug", "the mug on the sofa"])
+@pytest.mark.parametrize("text", ["the green mug", "the unicorn", "Bob's mug", "my lamp", "the mug on the sofa"])
 def test_nothing_known_fits(text: str, home: World) -> None:
     assert resolved(text, home) == Referents()
 
@@ -188,3 +189,32 @@ def test_place_in_words(home: World) -> None:
     assert place_of(home.by_id["anna"], home) == "in the kitchen"
     assert place_of(replace(home.by_id["anna"], relations=()), home) == ""
     assert describe(home.by_id["anna"], home) == "Anna"
+
+
+def test_whose_it_is_is_open_while_nobody_knows_who_speaks(home: World) -> None:
+    assert is_of_unknown_speaker(phrase("my mug"), Situation(home))
+    assert resolved("my mug", home).ids == ("mug_1",)
+    assert not is_of_unknown_speaker(phrase("my mug"), Situation(home, speaker="anna"))
+    assert resolve(phrase("my mug"), Situation(home, speaker="nobody")) == Referents()
+    assert question_of_speaker((home.by_id["mug_1"],), home) == "Who are you? I know the mug of Anna."
+
+
+def test_things_of_different_kinds_are_asked_about_by_their_names(home: World) -> None:
+    question = question_of("thing", (home.by_id["mug_1"], home.by_id["table_1"]), home)
+    assert question.startswith("Which thing, the red mug")
+    assert " one" not in question
+
+
+@pytest.mark.parametrize(
+    ("noun", "with_article", "plural"),
+    [
+        ("mug", "a mug", "mugs"),
+        ("apple", "an apple", "apples"),
+        ("box", "a box", "boxes"),
+        ("keys", "keys", "keys"),
+        ("glasses", "glasses", "glasses"),
+        ("glass", "a glass", "glasses"),
+    ],
+)
+def test_nouns_in_a_list(noun: str, with_article: str, plural: str) -> None:
+    assert (article(noun), plural_of(noun)) == (with_article, plural)

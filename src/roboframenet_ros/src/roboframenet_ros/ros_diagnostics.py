@@ -1,10 +1,12 @@
 """Publishes how a node is on ``/diagnostics``, once a second (REP 107)."""
 
 import threading
-from typing import Callable
+from functools import partial
+from typing import Any, Callable, List, Mapping
 
 import diagnostic_updater
 import rospy
+from diagnostic_msgs.msg import DiagnosticArray
 
 from roboframenet_ros.bounded_text import one_line
 from roboframenet_ros.health import Health, Level
@@ -22,16 +24,16 @@ class Diagnostics:
     The period is one of the wall clock: a node says how it is also while a simulation is paused.
     """
 
-    def __init__(self, health: Callable[[], Health]) -> None:
+    def __init__(self, states: Mapping[str, Callable[[], Health]]) -> None:
         """Start the thread.
 
         Args:
-            health: returns the state of the node, at once
+            states: by the name of the node, or of each stage in it, what returns its state, at once
         """
-        self._health = health
-        self._updater = diagnostic_updater.Updater()
+        self._updater = _Updater()
         self._updater.setHardwareID(_NO_HARDWARE)
-        self._updater.add("state", self._fill)
+        for name, health in states.items():
+            self._updater.add(f"{name}: state", partial(_fill, health))
         self._is_closing = threading.Event()
         self._thread = threading.Thread(target=self._publish_on, name="diagnostics", daemon=True)
         self._thread.start()
@@ -50,12 +52,26 @@ class Diagnostics:
                     return
                 raise
 
-    def _fill(self, status: diagnostic_updater.DiagnosticStatusWrapper) -> diagnostic_updater.DiagnosticStatusWrapper:
-        try:
-            health = self._health()
-        except Exception as error:  # boundary: a node that cannot say how it is goes on with its work
-            health = Health(Level.ERROR, f"Cannot say how it is: {type(error).__name__}: {error}")
-        status.summary(int(health.level), one_line(health.message))
-        for name, value in health.values.items():
-            status.add(name, one_line(str(value)))
-        return status
+
+class _Updater(diagnostic_updater.Updater):
+    """An updater that puts no name before those of its tasks: they begin with the name of the node already."""
+
+    def publish(self, msg: Any) -> None:
+        """Publish one status, or several."""
+        statuses: List[Any] = msg if isinstance(msg, list) else [msg]
+        array = DiagnosticArray(status=statuses)
+        array.header.stamp = rospy.Time.now()
+        self.publisher.publish(array)
+
+
+def _fill(
+    state: Callable[[], Health], status: diagnostic_updater.DiagnosticStatusWrapper
+) -> diagnostic_updater.DiagnosticStatusWrapper:
+    try:
+        health = state()
+    except Exception as error:  # boundary: a node that cannot say how it is goes on with its work
+        health = Health(Level.ERROR, f"Cannot say how it is: {type(error).__name__}: {error}")
+    status.summary(int(health.level), one_line(health.message))
+    for name, value in health.values.items():
+        status.add(name, one_line(str(value)))
+    return status

@@ -1,7 +1,7 @@
 """The start of a node: its parameters, its log, its diagnostics, and its end when it cannot start."""
 
 from dataclasses import fields
-from typing import Any, Callable, Optional, Type, TypeVar
+from typing import Any, Callable, Dict, List, NamedTuple, Optional, Sequence, Type, TypeVar
 
 import rospy
 
@@ -9,9 +9,22 @@ from roboframenet_ros.health import Health, SelfDiagnosing
 from roboframenet_ros.parameters import ParameterError, Parameters, is_parameter
 from roboframenet_ros.ros_diagnostics import Diagnostics
 from roboframenet_ros.ros_log import log_from_threads
+from roboframenet_ros.ros_place import Place, ProblemsTopic
 
 Kind = TypeVar("Kind", bound=Parameters)
 Node = TypeVar("Node")
+
+
+class HostedStage(NamedTuple):
+    """A stage that can run with others in one process.
+
+    Attributes:
+        name: that of its node
+        start: starts it at a place; what it returns is kept until the end, and says how it is if it is `SelfDiagnosing`
+    """
+
+    name: str
+    start: Callable[[Place], object]
 
 
 class StartError(RuntimeError):
@@ -53,9 +66,43 @@ def run_node(name: str, start: Callable[[], Node], *, work: Optional[Callable[[N
     except (ParameterError, StartError) as error:
         rospy.logfatal("%s", error)
         raise SystemExit(f"{name}: {error}") from error
-    Diagnostics(node.health if isinstance(node, SelfDiagnosing) else Health)
+    Diagnostics({rospy.get_name()[1:]: _health_of(node)})
     if work is None:
         rospy.spin()
     else:
         work(node)
     del node
+
+
+def run_stages(name: str, stages: Sequence[HostedStage]) -> None:
+    """Run several stages in one process until ROS shuts down: one node with the topics, services and parameters of all.
+
+    A stage that cannot start ends the process, as it ends its own: whoever started the node starts it again.
+
+    Args:
+        name: of the node
+        stages: in the order in which they start, and in which rospy hands each message to those that share its topic
+
+    Raises:
+        SystemExit: a parameter is wrong, or a stage cannot start; the text says why
+    """
+    rospy.init_node(name)
+    log_from_threads()
+    problems = ProblemsTopic()
+    nodes: List[object] = []
+    states: Dict[str, Callable[[], Health]] = {}
+    for stage in stages:
+        try:
+            node = stage.start(Place(private=f"{stage.name}/", problems=problems))
+        except (ParameterError, StartError) as error:
+            rospy.logfatal("%s: %s", stage.name, error)
+            raise SystemExit(f"{stage.name}: {error}") from error
+        nodes.append(node)
+        states[rospy.resolve_name(stage.name)[1:]] = _health_of(node)
+    Diagnostics(states)
+    rospy.spin()
+    del nodes
+
+
+def _health_of(node: object) -> Callable[[], Health]:
+    return node.health if isinstance(node, SelfDiagnosing) else Health

@@ -9,6 +9,9 @@ from roboframenet_msgs.msg import Command, Reply, StageEvent
 from roboframenet_ros.bounded_text import bounded, one_line
 from roboframenet_ros.recent import Recent
 
+# In one process, all stages share the publisher of this topic and its buffer. rospy calls peer_subscribe() without the
+# lock of the publisher, so this lock keeps all ways of publishing apart.
+_PUBLISHING = threading.Lock()
 # The default deadline of the command server for a stage; after it, the command is answered without the event.
 _MAX_AGE_S = 15.0
 # The command server keeps this many commands open by default.
@@ -30,8 +33,6 @@ class Stage(rospy.SubscribeListener):
         """
         self._name = name
         self._final_events: Recent[StageEvent] = Recent(max_count=_MAX_COUNT, max_age_s=_MAX_AGE_S)
-        # rospy calls peer_subscribe() without the lock of the publisher, and both ways of publishing share one buffer.
-        self._lock = threading.Lock()
         # Resent events must not push newer ones out of the queue.
         self._publisher = rospy.Publisher(
             "stage_events", StageEvent, subscriber_listener=self, queue_size=2 * _MAX_COUNT
@@ -48,7 +49,7 @@ class Stage(rospy.SubscribeListener):
         event = StageEvent(
             command=command, stage=self._name, stamp=rospy.Time.now(), sentence=one_line(sentence), trace=bounded(trace)
         )
-        with self._lock:
+        with _PUBLISHING:
             self._publisher.publish(event)
 
     def ends(self, command: Command, *, outcome: int, code: str, sentence: str, trace: str = "") -> None:
@@ -73,7 +74,7 @@ class Stage(rospy.SubscribeListener):
             reply=reply,
             trace=bounded(trace),
         )
-        with self._lock:
+        with _PUBLISHING:
             self._final_events.add(event)
             self._publisher.publish(event)
 
@@ -81,6 +82,6 @@ class Stage(rospy.SubscribeListener):
         self, topic_name: str, topic_publish: Callable[[StageEvent], None], peer_publish: Callable[[StageEvent], None]
     ) -> None:
         """Resend the final events that a new subscriber may have missed; called by rospy."""
-        with self._lock:
+        with _PUBLISHING:
             for event in self._final_events.values():
                 peer_publish(event)

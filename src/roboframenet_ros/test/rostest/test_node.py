@@ -131,8 +131,8 @@ class NodeTest(unittest.TestCase):
                 heard.add((one.name, one.hardware_id, one.level, one.message, values))
 
         subscriber = rospy.Subscriber("/diagnostics", DiagnosticArray, hear)
-        Diagnostics(health)
-        name = f"{rospy.get_name()[1:]}: state"
+        Diagnostics({"somebody": health})
+        name = "somebody: state"
         expected = {
             (name, "none", 0, "Runs.", (("verbs", "3"),)),
             (name, "none", 1, "No odometry yet.", ()),

@@ -26,6 +26,9 @@ PIPELINE = (
     "executor",
     "stop_server",
 )
+#: With ``compact``, one process runs the stages of the others.
+TOGETHER = "stages"
+ALONE = ("stanford_parser_ros", "stop_server")
 
 
 def graph_findings() -> List[Finding]:
@@ -40,7 +43,8 @@ def graph_findings() -> List[Finding]:
         ]
     findings = [Finding("master", rosgraph.get_master_uri())]
     names = rosnode.get_node_names()
-    for wanted in PIPELINE:
+    is_compact = any(name.rsplit("/", 1)[-1] == TOGETHER for name in names)
+    for wanted in (TOGETHER, *ALONE) if is_compact else PIPELINE:
         found = [name for name in names if name.rsplit("/", 1)[-1] == wanted]
         if not found:
             findings.append(

@@ -22,15 +22,16 @@ class _Connection:
     def __init__(self, server: Server) -> None:
         self.server = server
         self._publisher = rospy.Publisher(server.cancel_topic, GoalID, queue_size=50, tcp_nodelay=True)
-        # Most messages are never read: they are deserialized only when needed.
-        self._last: Optional[rospy.AnyMsg] = None
-        self._read: Optional[rospy.AnyMsg] = None
+        self._last: Optional[GoalStatusArray] = None
+        self._read: Optional[GoalStatusArray] = None
         self._goals: Tuple[LiveGoal, ...] = ()
+        # No AnyMsg, although most messages are never read: in one process, rospy gives the action clients of the
+        # executor what the first subscriber of a topic asked for.
         self._subscriber = rospy.Subscriber(
-            server.status_topic, rospy.AnyMsg, self._hear, queue_size=1, tcp_nodelay=True
+            server.status_topic, GoalStatusArray, self._hear, queue_size=1, tcp_nodelay=True
         )
 
-    def _hear(self, message: rospy.AnyMsg) -> None:
+    def _hear(self, message: GoalStatusArray) -> None:
         self._last = message
 
     def cancel(self, goal_id: GoalID) -> bool:
@@ -52,11 +53,10 @@ class _Connection:
             self._read = last
         return self._goals
 
-    def _live_goals(self, message: rospy.AnyMsg) -> Tuple[LiveGoal, ...]:
-        statuses = GoalStatusArray().deserialize(message._buff).status_list
+    def _live_goals(self, message: GoalStatusArray) -> Tuple[LiveGoal, ...]:
         return tuple(
             LiveGoal(self.server, status.goal_id.id, status.goal_id.stamp.to_nsec())
-            for status in statuses
+            for status in message.status_list
             if status.status in _LIVE
         )
 

@@ -8,7 +8,7 @@ from referring_expressions import Situation, fitting
 from referring_expressions.fitting import at_place
 from typed_arguments import TypedArgument
 from word_classes import without_determiner, word_class
-from world_model import World
+from world_model import Sort, World
 
 _STANDINS = word_class("noun_standins")
 #: Words that are written small inside a sentence.
@@ -31,12 +31,15 @@ def chosen(
     situation = Situation(world, offered=offered)
     is_place = bool(said.relation) and said.lemma not in _STANDINS
     found = at_place(situation.objects(offered), said, situation) if is_place else fitting(said, situation)
-    found = tuple(one for one in found if one.id in offered)
+    # "Anna", after "Who are you?"
+    owners = {one.id for one in found if one.sort is Sort.PERSON}
+    owned = tuple(one for one in situation.objects(offered) if owners & set(one.related("of")))
+    found = tuple(one for one in found if one.id in offered) or owned
     if len(found) != 1:
         return None
     noun = without_determiner(argument.text, word_class("determiners_and_possessives"))
     words = said.words.split()
     words[0] = words[0].lower() if words[0].lower() in _SMALL else words[0]
     answer = " ".join(noun if word.lower() in _STANDINS else word for word in words)
-    text = f"{argument.text} {answer}" if is_place else answer
+    text = f"{argument.text} {answer}" if is_place else argument.text if owned else answer
     return replace(resolved(argument, text), referents=(found[0].id,), referent_count=1, world_version=world.version)

@@ -23,6 +23,7 @@ class FramedLexicon:
         heeded: elements of each frame that reach a server; a frame that is missing cannot be carried out, which the
             registrar says
         world: what the robot knows of things, persons and places
+        speaker: id of the person who speaks; empty when unknown
     """
 
     lexicon: Lexicon
@@ -30,6 +31,7 @@ class FramedLexicon:
     types: WordTypes = field(default_factory=shipped_types)
     heeded: Mapping[str, FrameHeeding] = field(default_factory=dict)
     world: World = field(default_factory=World)
+    speaker: str = ""
 
     def verbs_beginning_with(self, word: str) -> Tuple[str, ...]:
         """Return the verbs whose first word is this one, those with more words first."""

@@ -11,7 +11,6 @@ from roboframenet_msgs.msg import (
     CommandLexicalUnits,
     CommandParse,
     FileProblem,
-    FileProblems,
     FilledLexicalUnitList,
     FrameCatalogue,
     FrameServers,
@@ -29,9 +28,11 @@ from roboframenet_msgs.msg import (
     World as WorldMessage,
 )
 from roboframenet_msgs.srv import AddLexicalUnit, AddLexicalUnitRequest, AddLexicalUnitResponse
+from std_msgs.msg import String
 
 from roboframenet_ros.health import Health, Level
 from roboframenet_ros.ros_node import StartError, read_parameters, run_node
+from roboframenet_ros.ros_place import Place
 from roboframenet_ros.ros_stage import Stage
 from semantic_framer.behaviour_2012 import with_habits
 from semantic_framer.dialogue import Context
@@ -44,8 +45,9 @@ from semantic_framer.lexicon_files import LexiconFiles, LexiconState
 from semantic_framer.outcome import Refusal, Understood, reply_outcome
 from semantic_framer.ros_messages import acting_servers, to_clauses, to_filled_units, to_plan, with_beginning
 from semantic_framer.settings import Settings
-from semantic_frames import FileRefused, load_frame
+from semantic_frames import load_frame
 from semantic_frames.frame import SemanticFrame
+from semantic_frames.read_once import ReadOnce
 from semantic_frames.source_files import LEXICAL_UNITS_FOLDER, yaml_files
 from semantic_types import NoWordNet
 from stanford_parser_ros.ros_messages import to_tree
@@ -55,7 +57,8 @@ from world_model import World
 from world_model.ros_messages import world_from_message
 
 #: The node keeps the files that were added while it ran in this private parameter.
-ADDED_LEXICAL_UNITS = "~_added_lexical_units"
+#: Private parameter.
+ADDED_LEXICAL_UNITS = "_added_lexical_units"
 #: How long to wait for a frame that was added together with its lexical unit, seconds.
 CATALOGUE_DELAY_S = 1.0
 
@@ -74,26 +77,28 @@ class SemanticFramer:
     Parameters: see :class:`semantic_framer.settings.Settings`.
     """
 
-    def __init__(self, settings: Settings) -> None:
+    def __init__(self, settings: Settings, place: Place) -> None:
+        self._place = place
         self._settings = settings
         self._lock = threading.Condition()
         self._lexicon = Lexicon()
         self._frames: Dict[str, SemanticFrame] = {}
         self._servers = FrameServers()
         self._heeded: Mapping[str, FrameHeeding] = {}
-        self._frame_of_file: Dict[Tuple[str, str], SemanticFrame] = {}
+        self._frame_files: ReadOnce[SemanticFrame] = ReadOnce(load_frame)
         self._context = Context()
         self._context_stamp = self._stop_stamp = rospy.Time()
         self._id = uuid.uuid4().hex
         self._units = rospy.Publisher("command_lexical_units", CommandLexicalUnits, queue_size=100)
         self._units_2012 = rospy.Publisher("filled_lexical_units", FilledLexicalUnitList, queue_size=100)
         self._lexicon_publisher = rospy.Publisher("lexicon", LexiconMessage, queue_size=1, latch=True)
-        self._file_problems = rospy.Publisher("file_problems", FileProblems, queue_size=5, latch=True)
+        place.problems.advertise()
         self._stage = Stage("semantic_framer")
         self._configured = tuple(yaml_files(settings.lexical_unit_paths, LEXICAL_UNITS_FOLDER))
-        self._added: List[str] = rospy.get_param(ADDED_LEXICAL_UNITS, [])
+        self._added: List[str] = rospy.get_param(place.private + ADDED_LEXICAL_UNITS, [])
         self._is_announced = False
         self._world = World()
+        self._speaker = ""
         self._problem_count = 0
         self._names = KnownNames(settings.names_file)
         for problem in self._names.problems:
@@ -106,6 +111,7 @@ class SemanticFramer:
             rospy.Subscriber("command_parse", CommandParse, self._on_command, queue_size=100),
             rospy.Subscriber("stop_report", StopReport, self._on_stop, queue_size=100),
             rospy.Subscriber("known_names", KnownNamesMessage, self._on_names, queue_size=1),
+            rospy.Subscriber("speaker", String, self._on_speaker, queue_size=1),
             rospy.Subscriber("world", WorldMessage, self._on_world, queue_size=1),
         ]
         self._service = rospy.Service("add_lexical_unit", AddLexicalUnit, self._on_add_lexical_unit)
@@ -131,21 +137,20 @@ class SemanticFramer:
         for problem in state.refused:
             rospy.logerr("refused: %s", problem)
         self._problem_count = len(self._names.problems) + len(state.problems)
-        self._file_problems.publish(
-            FileProblems(
-                problems=[
-                    FileProblem(
-                        code=problem.code,
-                        path=problem.path,
-                        line=problem.line,
-                        key=problem.key,
-                        found=problem.found,
-                        expected=problem.expected,
-                        hint=problem.hint,
-                    )
-                    for problem in self._names.problems + state.problems
-                ]
-            )
+        self._place.problems.publish(
+            "semantic_framer",
+            [
+                FileProblem(
+                    code=problem.code,
+                    path=problem.path,
+                    line=problem.line,
+                    key=problem.key,
+                    found=problem.found,
+                    expected=problem.expected,
+                    hint=problem.hint,
+                )
+                for problem in self._names.problems + state.problems
+            ],
         )
         if state.accepted or not self._is_announced:
             # Servers look at each lexicon for what is missing: a refused file changes nothing for them.
@@ -159,7 +164,7 @@ class SemanticFramer:
         new = [path for path in state.accepted if path not in self._configured and path not in self._added]
         if new:
             self._added += new
-            rospy.set_param(ADDED_LEXICAL_UNITS, self._added)
+            rospy.set_param(self._place.private + ADDED_LEXICAL_UNITS, self._added)
 
     def _on_add_lexical_unit(self, request: AddLexicalUnitRequest) -> AddLexicalUnitResponse:
         return AddLexicalUnitResponse(success=not self._files.add([request.absolute_file_path]).refused)
@@ -170,6 +175,10 @@ class SemanticFramer:
         if problems:
             rospy.logerr("the names are refused, the names before stay: %s", problems[0])
 
+    def _on_speaker(self, message: String) -> None:
+        with self._lock:
+            self._speaker = message.data
+
     def _on_world(self, message: WorldMessage) -> None:
         # The categories of the objects are looked up here, and not while a command waits.
         world = world_from_message(message).prepare()
@@ -177,16 +186,10 @@ class SemanticFramer:
             self._world = world
 
     def _on_catalogue(self, message: FrameCatalogue) -> None:
-        known = self._frame_of_file
-        of_file = {}
-        for file in message.files:
-            try:
-                # Reuse the known frames, so that a file that is added does not make every file be read again.
-                of_file[file.path, file.text] = known.get((file.path, file.text)) or load_frame(file.text, file.path)
-            except FileRefused as refused:
-                rospy.logwarn("the catalogue holds a frame that cannot be read: %s", refused)
-        self._frame_of_file = of_file
-        frames = {frame.name: frame for frame in of_file.values()}
+        contents, refused = self._frame_files.contents((file.path, file.text) for file in message.files)
+        for reason in refused:
+            rospy.logwarn("the catalogue holds a frame that cannot be read: %s", reason)
+        frames = {frame.name: frame for frame in contents}
         with self._lock:
             self._frames = frames
             self._heeded = heeded_elements(frames, acting_servers(self._servers))
@@ -232,7 +235,7 @@ class SemanticFramer:
                 trace = Trace() if self._settings.trace else None
                 heard = hear(
                     tree,
-                    FramedLexicon(self._lexicon, frames, self._names.types, self._heeded, self._world),
+                    FramedLexicon(self._lexicon, frames, self._names.types, self._heeded, self._world, self._speaker),
                     context=self._context,
                     policy=self._settings.policy,
                     now_s=time.monotonic(),
@@ -281,19 +284,19 @@ class SemanticFramer:
         self._stage.ends(command, outcome=outcome, code=code, sentence=sentence, trace=trace)
 
 
-def start() -> SemanticFramer:
-    """Start the node.
+def start(place: Place) -> SemanticFramer:
+    """Start the stage.
 
     Raises:
         ParameterError: a parameter is wrong
         StartError: the database of nouns is not installed
     """
     try:
-        return SemanticFramer(read_parameters(Settings))
+        return SemanticFramer(read_parameters(Settings, prefix=place.private), place)
     except NoWordNet as error:
         raise StartError(str(error)) from error
 
 
 def main() -> None:
     """Run the node until ROS shuts down; exit with a message if it cannot start."""
-    run_node("semantic_framer", start)
+    run_node("semantic_framer", lambda: start(Place()))

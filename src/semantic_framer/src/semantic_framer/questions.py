@@ -3,6 +3,7 @@
 from typing import List, Mapping, Optional, Tuple
 
 from semantic_framer.mood_file import UtteranceKind
+from semantic_framer.question_orders import direct_orders, length_of_opening
 from semantic_framer.question_words import compiled
 from semantic_framer.reading import Reading, rank
 from semantic_framer.utterance_kind import kind_without_clause
@@ -16,7 +17,8 @@ from word_classes import word_class
 _PADDING = word_class("question_padding")
 _NEGATIONS = word_class("negations")
 #: Spellings that patterns do not have, if the word is a verb.
-_VERBS_IN_FULL: Mapping[str, str] = {"'s": "is", "’s": "is", "'re": "are", "’re": "are", "'m": "am", "’m": "am"}
+_VERBS_IN_FULL: Mapping[str, str] = {"'s": "is", "'re": "are", "'m": "am", "'d": "would"}
+_NOT = "n't"
 
 
 def question_readings(case: Case) -> Tuple[Reading, ...]:
@@ -24,16 +26,32 @@ def question_readings(case: Case) -> Tuple[Reading, ...]:
 
     A frame that no server answers is left out while other frames have servers.
     """
+    words = _words(case)
+    length = length_of_opening([_spelling(word) for word in words])
+    orders = list(direct_orders(words[length:])) if length else []
+    if not case.acts and (length or _is_question(case)):
+        orders.append(tuple(words))
+    return _readings(case, orders)
+
+
+def _readings(case: Case, orders: Sequence[Sequence[Word]]) -> Tuple[Reading, ...]:
+    """Return the readings of the words of a question in the first order that a pattern fits, the best first."""
+    for words in orders:
+        found = _readings_in_order(case, words)
+        if found:
+            return found
+    return ()
+
+
+def _readings_in_order(case: Case, words: Sequence[Word]) -> Tuple[Reading, ...]:
     known = case.known
-    if case.acts or not _is_question(case):
-        return ()
     found: List[Reading] = []
     for unit in known.lexicon.question_units:
         frame = known.frames.get(unit.frame_name)
         if frame is None or not frame.is_question or (known.heeded and frame.name not in known.heeded):
             continue
         reading = next(
-            (reading for pattern in unit.questions for reading in [_read(case, unit, frame, pattern)] if reading), None
+            (read for pattern in unit.questions for read in [_read(case, unit, frame, pattern, words)] if read), None
         )
         if reading is not None:
             found.append(reading)
@@ -47,8 +65,8 @@ def _is_question(case: Case) -> bool:
     return any(kind.kind is UtteranceKind.QUESTION for kind in case.kinds)
 
 
-def _read(case: Case, unit: LexicalUnit, frame: SemanticFrame, question: WordPattern) -> Optional[Reading]:
-    """Return the reading of a sentence whose words are all in a pattern; None for another sentence."""
+def _words(case: Case) -> List[Word]:
+    """Return the words of a sentence without the words around a question."""
     tree = case.sentence.tree
     hidden = tree.abandoned | tree.fillers
     words = [word for word in tree.words if word.index not in hidden and word.upos != "PUNCT"]
@@ -56,6 +74,13 @@ def _read(case: Case, unit: LexicalUnit, frame: SemanticFrame, question: WordPat
         words.pop(0)
     while words and words[-1].form.lower() in _PADDING:
         words.pop()
+    return words
+
+
+def _read(
+    case: Case, unit: LexicalUnit, frame: SemanticFrame, question: WordPattern, words: Sequence[Word]
+) -> Optional[Reading]:
+    """Return the reading of words that are all in a pattern; None for other words."""
     forms = [_spelling(word) for word in words]
     match = compiled(question.text).fullmatch(" ".join(forms))
     if match is None:
@@ -85,10 +110,12 @@ def _read(case: Case, unit: LexicalUnit, frame: SemanticFrame, question: WordPat
         missing=tuple(element for element in frame.frame_elements if element.is_core and element.name not in filled),
         left_over=(),
         coverage=1.0,
-        clause_text=tree.text.strip(),
+        clause_text=case.sentence.tree.text.strip(),
     )
 
 
 def _spelling(word: Word) -> str:
-    form = word.form.lower()
+    form = word.form.lower().replace("\u2019", "'")
+    if form == _NOT:
+        return "not"
     return _VERBS_IN_FULL.get(form, form) if word.upos in ("AUX", "VERB") else form

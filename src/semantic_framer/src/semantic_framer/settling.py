@@ -3,6 +3,7 @@
 from dataclasses import dataclass, replace
 from typing import List, Optional, Tuple, Union
 
+from referring_expressions import unknown_of
 from semantic_framer.answers import question_of
 from semantic_framer.choices import question_of_choices
 from semantic_framer.clause_plan import Clauses, PlanPart, in_order
@@ -26,7 +27,8 @@ from semantic_framer.outcome import (
 from semantic_framer.reading import Reading
 from semantic_framer.references import remember, resolve, resolve_in_parallel
 from semantic_framer.sentence import Sentence
-from semantic_framer.world_references import refer, spoken_of
+from semantic_framer.world_references import refer, spoken_of, unknown_arguments
+from semantic_frames.frame import UnknownPolicy
 from semantic_frames.semantic_type import SEMANTIC_TYPES
 from typed_arguments import TypedArgument
 from utterance_passes.trace import Trace
@@ -137,18 +139,30 @@ def _settled(
             return question.question, replace(context, pending=pending)
         context = spoken_of(question[0], now.known, remember(question[0], now.known.frames, context))
         done.append(question)
+    unknown = [
+        (now.known.frames[readings[0].unit.frame_name].on_unknown, argument)
+        for readings in done
+        for argument in unknown_arguments(readings[0], now.known)
+    ]
+    for policy_of_frame, argument in unknown:
+        if policy_of_frame is UnknownPolicy.REFUSE:
+            now.write("unknown_thing", argument.text, "refused. The frame wants what the robot knows.")
+            return Refusal("UNKNOWN_THING", unknown_of(argument)), context
     confirm = [readings[0] for readings in done if now.known.frames[readings[0].unit.frame_name].is_confirmed]
     wrong = [reason for readings in done for reason in _wrong_types(readings[0])]
-    if (confirm or wrong) and not is_confirmed:
+    unseen = [unknown_of(argument) for policy_of_frame, argument in unknown if policy_of_frame is UnknownPolicy.ASK]
+    if (confirm or wrong or unseen) and not is_confirmed:
         pending = Pending(without_positions(tuple(done)), 0, (), now.expires_s)
         acts = ", then ".join(_in_words(readings[0]) for readings in done)
         if wrong:
             acts = ", then ".join(readings[0].clause_text or _in_words(readings[0]) for readings in done)
             now.write("wrong_type", acts, f"asked. {' '.join(wrong)}")
+        elif unseen:
+            now.write("unknown_thing", acts, f"asked. {' '.join(unseen)}")
         else:
             now.write("confirm", acts, "asked. The frame wants a yes.")
         acts = acts if plan is None else plan.label
-        asked = Question("CONFIRM", " ".join([*wrong, f'Shall I really do this: "{acts}"? Say yes or no.']))
+        asked = Question("CONFIRM", " ".join([*wrong, *unseen, f'Shall I really do this: "{acts}"? Say yes or no.']))
         return asked, replace(context, pending=pending)
     warning = f"ignored: {' '.join(ignored)}" if ignored and policy.left_over_words is LeftOverWords.WARN else ""
     return Understood(tuple(done), warning=warning), context

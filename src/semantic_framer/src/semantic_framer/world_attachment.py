@@ -64,7 +64,7 @@ def attached_by_world(sentence: Sentence, known: FramedLexicon, context: Context
     """
     if not known.world.objects:
         return None
-    situation = Situation(known.world, context.spoken_of)
+    situation = Situation(known.world, context.spoken_of, speaker=known.speaker)
     tree = sentence.tree
     for clause in find_clauses(tree, known):
         for noun in tree.children(clause.verb):

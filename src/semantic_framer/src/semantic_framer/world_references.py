@@ -4,7 +4,8 @@ from dataclasses import dataclass, replace
 from typing import List, Optional, Tuple
 
 from referring_expressions import Referents, Situation, question_of, resolve, with_referents
-from referring_expressions.describing import noun_of
+from referring_expressions.describing import noun_of, question_of_speaker
+from referring_expressions.fitting import is_of_unknown_speaker
 from semantic_framer.dialogue import Context
 from semantic_framer.frame_roles import MESSAGE, NAME, NO_THINGS, PLACES
 from semantic_framer.framed_lexicon import FramedLexicon
@@ -24,6 +25,7 @@ _NO_REFERENTS = (NO_THINGS | {MESSAGE, NAME, "Time", "State", "Topic", "Category
 }
 #: Stands for something that was spoken of and is not known: "it" does not refer to what was spoken of before.
 _UNKNOWN = ""
+_PRONOUNS = word_class("pronouns") | word_class("here_and_there")
 _STANDINS = word_class("noun_standins")
 
 
@@ -47,7 +49,7 @@ def refer(reading: Reading, known: FramedLexicon, context: Context) -> Tuple[Rea
     if not known.world.objects:
         return reading, None
     frame = known.frames[reading.unit.frame_name]
-    situation = Situation(known.world, context.spoken_of)
+    situation = Situation(known.world, context.spoken_of, speaker=known.speaker)
     arguments: List[TypedArgument] = []
     unclear: Optional[Unclear] = None
     for argument in reading.arguments:
@@ -55,11 +57,22 @@ def refer(reading: Reading, known: FramedLexicon, context: Context) -> Tuple[Rea
             arguments.append(argument)
             continue
         found = resolve(argument, situation)
-        if found is not None and found.is_ambiguous and not frame.is_question:
+        is_open = found is not None and (found.is_ambiguous or is_of_unknown_speaker(argument, situation))
+        if found is not None and found.objects and is_open and not frame.is_question:
             unclear = unclear or _unclear(argument, found, situation)
-        is_open = found is not None and found.is_ambiguous
         arguments.append(argument if is_open else with_referents(argument, situation))
     return replace(reading, arguments=tuple(arguments)), unclear
+
+
+def unknown_arguments(reading: Reading, known: FramedLexicon) -> Tuple[TypedArgument, ...]:
+    """Return the arguments whose words refer to nothing that the robot knows, after :func:`refer`."""
+    frame = known.frames[reading.unit.frame_name]
+    return tuple(
+        argument
+        for argument in reading.arguments
+        if argument.world_version and not argument.referents and argument.text.lower() not in _PRONOUNS
+        if _may_refer(frame.element(argument.name), argument)
+    )
 
 
 def _may_refer(element: Optional[FrameElement], argument: TypedArgument) -> bool:
@@ -69,6 +82,8 @@ def _may_refer(element: Optional[FrameElement], argument: TypedArgument) -> bool
 
 
 def _unclear(argument: TypedArgument, found: Referents, situation: Situation) -> Unclear:
+    if is_of_unknown_speaker(argument, situation):
+        return Unclear(argument.name, found.ids, question_of_speaker(found.objects, situation.world))
     noun = noun_of(found.objects[0]) if argument.lemma in _STANDINS else argument.head
     return Unclear(argument.name, found.ids, question_of(noun, found.objects, situation.world))
 

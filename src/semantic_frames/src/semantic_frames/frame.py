@@ -111,6 +111,14 @@ class ListPolicy(Enum):
     REPEAT = "repeat"  # the frame once for each item
 
 
+class UnknownPolicy(Enum):
+    """What happens when somebody speaks of a thing, person or place of which the robot does not know."""
+
+    ACT = "act"  # the words alone count: the server may find it
+    ASK = "ask"  # the person must say yes first
+    REFUSE = "refuse"
+
+
 @dataclass(frozen=True)
 class SemanticFrame:
     """A scene, its elements, and the frames that can stand for it.
@@ -124,6 +132,7 @@ class SemanticFrame:
         framenet: name of the frame in FrameNet 1.7; empty when FrameNet has none
         on_list: what a list in an element means
         is_confirmed: whether a person must say yes before the frame is carried out
+        on_unknown: what happens when the robot knows some world, and not what is spoken of
         is_question: whether the frame is a question, which is answered and changes nothing
         is_condition: whether the frame says how things are; it is watched, and never carried out
         path: the file it came from
@@ -137,6 +146,7 @@ class SemanticFrame:
     framenet: str = ""
     on_list: ListPolicy = ListPolicy.REPEAT
     is_confirmed: bool = False
+    on_unknown: UnknownPolicy = UnknownPolicy.ACT
     is_question: bool = False
     is_condition: bool = False
     path: str = ""

@@ -14,6 +14,7 @@ from semantic_frames.frame import (
     Quantity,
     RelatedFrame,
     SemanticFrame,
+    UnknownPolicy,
     ValueCondition,
 )
 from semantic_frames.marked_yaml import Reader, describe, did_you_mean, line_of
@@ -28,6 +29,7 @@ FRAME_KEYS = (
     "children",
     "framenet",
     "on_list",
+    "on_unknown",
     "confirm",
     "is_question",
     "is_condition",
@@ -77,6 +79,11 @@ def load_frame(text: str, path: str) -> SemanticFrame:
         on_list=ListPolicy(
             reader.choice(
                 entries.get("on_list"), "on_list", [policy.value for policy in ListPolicy], ListPolicy.REPEAT.value
+            )
+        ),
+        on_unknown=UnknownPolicy(
+            reader.choice(
+                entries.get("on_unknown"), "on_unknown", [one.value for one in UnknownPolicy], UnknownPolicy.ACT.value
             )
         ),
         is_confirmed=reader.boolean(entries.get("confirm"), "confirm"),

@@ -13,6 +13,8 @@ from semantic_types.wordnet import Sense, WordNet, shipped_wordnet
 #: The file is beside this module in the source, devel and install space.
 NOUN_FILE = Path(__file__).resolve().parent / "nouns.yaml"
 #: WordNet counts senses in texts of newspapers and novels. A person who talks to a robot means what can be seen and
+#: A sense is rare when it is said less often than this share of the most frequent one.
+FREQUENT_SHARE = 0.3
 #: touched more often: "table" is the piece of furniture, though WordNet counts the one in a text twice as often.
 PHYSICAL_WEIGHT = 3.0
 #: Bounds of the memory for words and synsets; a household has fewer.
@@ -57,16 +59,23 @@ class Nouns:
     def _synsets(self, noun: str, is_person: bool = False) -> FrozenSet[int]:
         """Return the senses of a noun that can be seen and touched; none for an unknown noun.
 
+        A rare sense is left out where another one is frequent: a "plate" on the table is no bag of baseball.
+
         Args:
             noun: as for ``types``
             is_person: whether senses of persons count instead of those of things: a "chair" may lead a meeting
         """
-        return frozenset(
-            sense.synset
+        senses = [
+            sense
             for sense in self._wordnet.senses(noun)
             for types in [frozenset().union(*map(with_parents, self._of_synset(sense.synset)))]
             if "Physical_entity" in types and ("Sentient" in types) == is_person
-        )
+        ]
+        # A banana in a home is a fruit.
+        others = [sense for sense in senses if "Plant" not in self._of_synset(sense.synset)]
+        senses = others or senses
+        most = max((sense.count for sense in senses), default=0)
+        return frozenset(sense.synset for sense in senses if sense.count >= FREQUENT_SHARE * most)
 
     def _kinds(self, noun: str, is_person: bool = False) -> FrozenSet[int]:
         """Return what a noun is a kind of: the senses of ``synsets`` and every more general synset."""

@@ -5,7 +5,7 @@ import queue
 import threading
 from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING, Dict, FrozenSet, Union
+from typing import TYPE_CHECKING, FrozenSet, Union
 
 import rospy
 from roboframenet_msgs.msg import Command, CommandParse, Lexicon, Reply
@@ -15,7 +15,8 @@ from roboframenet_ros.health import Health, Level
 from roboframenet_ros.parameters import Parameters, parameter
 from roboframenet_ros.ros_node import read_parameters, run_node
 from roboframenet_ros.ros_stage import Stage
-from semantic_frames import FileRefused, load_lexical_units
+from semantic_frames import load_lexical_units
+from semantic_frames.read_once import ReadOnce
 from stanford_parser_ros.inference import ModelError, StanzaInference, shipped_model_dir
 from stanford_parser_ros.model import Parser, UnparsableText
 from stanford_parser_ros.ros_messages import to_command_parse
@@ -84,7 +85,7 @@ class ParserNode:
         self._stage = Stage("stanford_parser_ros")
         # The lexicon arrives while the models load, so that the first command is parsed with it.
         self._verbs: FrozenSet[str] = frozenset()
-        self._verbs_of_file: Dict[str, FrozenSet[str]] = {}
+        self._verbs_of_files: ReadOnce[FrozenSet[str]] = ReadOnce(_first_words)
         self._lexicon = rospy.Subscriber("lexicon", Lexicon, self._on_lexicon, queue_size=1)
         models = load_models(settings)
         self._parser = Parser(models, cache_size=settings.cache_size)
@@ -110,20 +111,10 @@ class ParserNode:
         return Health(values={"waiting commands": self._commands.qsize(), "verbs of the lexicon": len(self._verbs)})
 
     def _on_lexicon(self, message: Lexicon) -> None:
-        verbs_of_file: Dict[str, FrozenSet[str]] = {}
-        for file in message.files:
-            try:
-                # Adding one file must not make the node read all others again.
-                verbs_of_file[file.text] = self._verbs_of_file.get(file.text) or frozenset(
-                    # The base form precedes the particle: "pick" of "pick up".
-                    verb.split()[0]
-                    for unit in load_lexical_units(file.text, file.path)
-                    for verb in unit.verbs
-                )
-            except FileRefused as refused:
-                rospy.logwarn("the lexicon holds a file that cannot be read: %s", refused)
-        self._verbs_of_file = verbs_of_file
-        self._verbs = frozenset().union(*verbs_of_file.values())
+        verbs, refused = self._verbs_of_files.contents((file.path, file.text) for file in message.files)
+        for reason in refused:
+            rospy.logwarn("the lexicon holds a file that cannot be read: %s", reason)
+        self._verbs = frozenset().union(*verbs)
 
     def _on_command(self, command: Command) -> None:
         try:
@@ -171,6 +162,15 @@ class ParserNode:
         self._stage.passes_on(command, describe(parse.tree), trace=trace)
         self._parses_2012.publish(message.parse)
         self._parses.publish(message)
+
+
+def _first_words(text: str, path: str) -> FrozenSet[str]:
+    """Return the verbs of a file of lexical units; the base form precedes the particle: "pick" of "pick up".
+
+    Raises:
+        FileRefused: it cannot be read
+    """
+    return frozenset(verb.split()[0] for unit in load_lexical_units(text, path) for verb in unit.verbs)
 
 
 def load_models(settings: Settings) -> Union[StanzaInference, "LeanInference"]:

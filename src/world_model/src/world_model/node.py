@@ -7,11 +7,12 @@ from typing import Dict, Optional, Tuple, Union
 
 import rospy
 from geometry_msgs.msg import PoseStamped, PoseWithCovarianceStamped
-from roboframenet_msgs.msg import FileProblem, FileProblems, KnownName, KnownNames, World, WorldUpdate
+from roboframenet_msgs.msg import FileProblem, KnownName, KnownNames, World, WorldUpdate
 from roboframenet_msgs.srv import UpdateWorld, UpdateWorldRequest, UpdateWorldResponse
 
 from roboframenet_ros.parameters import Parameters, parameter
 from roboframenet_ros.ros_node import StartError, read_parameters, run_node
+from roboframenet_ros.ros_place import Place
 from roboframenet_ros.ros_publishing import publish
 from semantic_frames import FileRefused, Problem
 from semantic_frames.source_files import read_text
@@ -56,8 +57,11 @@ class WorldModel:
     Parameters: see :class:`Settings`.
     """
 
-    def __init__(self, settings: Settings) -> None:
+    def __init__(self, settings: Settings, place: Place) -> None:
         """
+        Args:
+            settings: its own
+            place: where it runs
         Raises:
             StartError: there is no memory, not even a new one
         """
@@ -81,9 +85,9 @@ class WorldModel:
         self._worlds = rospy.Publisher("world", World, queue_size=1, latch=True)
         self._names = rospy.Publisher("known_names", KnownNames, queue_size=1, latch=True)
         self._told_names: Optional[KnownNames] = None
-        self._problems = rospy.Publisher("file_problems", FileProblems, queue_size=5, latch=True)
+        place.problems.advertise()
         if settings.world_file:
-            self._problems.publish(FileProblems(problems=[to_message(problem) for problem in problems]))
+            place.problems.publish("world_model", [to_message(problem) for problem in problems])
         self._thread = threading.Thread(target=self._tell, name="tell the world", daemon=True)
         self._thread.start()
         rospy.on_shutdown(self._close)
@@ -199,6 +203,16 @@ def to_message(problem: Problem) -> FileProblem:
     return FileProblem(**{name: getattr(problem, name) for name in FileProblem.__slots__})
 
 
+def start(place: Place) -> WorldModel:
+    """Start the node.
+
+    Raises:
+        ParameterError: a parameter is wrong
+        StartError: there is no memory
+    """
+    return WorldModel(read_parameters(Settings, prefix=place.private), place)
+
+
 def main() -> None:
     """Run the node until ROS shuts down; exit with a message if it cannot start."""
-    run_node("world_model", lambda: WorldModel(read_parameters(Settings)))
+    run_node("world_model", lambda: start(Place()))

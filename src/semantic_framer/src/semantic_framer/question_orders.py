@@ -1,0 +1,46 @@
+"""The orders of words of a question inside other words: "I want to know where the mug is"."""
+
+from typing import Iterator, List, Sequence, Tuple
+
+from utterance_passes.tree import Word
+from word_classes import word_class
+
+_OPENINGS = tuple(tuple(opening.split()) for opening in sorted(word_class("question_openings"), key=len, reverse=True))
+_BE = word_class("forms_of_be")
+_INVERTED = _BE | word_class("forms_of_have")
+_DO = word_class("forms_of_do")
+_WHETHER = word_class("whether_words")
+#: A question word and its noun have at most so many words: "in which of the rooms".
+_LONGEST_FRONT = 4
+
+
+def length_of_opening(forms: Sequence[str]) -> int:
+    """Return the number of words in front of an indirect question: 4 for "i want to know"; 0 for none."""
+    return next((len(opening) for opening in _OPENINGS if tuple(forms[: len(opening)]) == opening), 0)
+
+
+def direct_orders(words: Sequence[Word]) -> Iterator[Tuple[Word, ...]]:
+    """Yield the words of an indirect question in the orders that a direct one may have: "where the mug is" as it is,
+    and "where is the mug".
+    """
+    forms = [word.form.lower() for word in words]
+    if not forms:
+        return
+    if forms[0] in _WHETHER:
+        verbs = [place for place, form in enumerate(forms) if form in _INVERTED | _DO]
+        for place in verbs[:1]:
+            yield _moved(words[1:], place - 1, 0)
+        return
+    yield tuple(words)
+    for place in range(2, len(forms)):
+        if forms[place] in _BE and forms[place - 1] in ("there", "it"):
+            yield _moved(words, place, place - 1)
+    for place in range(len(forms) - 1, 1, -1):
+        if forms[place] in _BE:
+            for front in range(1, min(_LONGEST_FRONT, place) + 1):
+                yield _moved(words, place, front)
+
+
+def _moved(words: Sequence[Word], place: int, to: int) -> Tuple[Word, ...]:
+    kept: List[Word] = [*words[:place], *words[place + 1 :]]
+    return (*kept[:to], words[place], *kept[to:])

@@ -1,0 +1,111 @@
+"""One hundred questions about twenty random states of the home: right answers, and nothing invented.
+
+The answers are judged by the state of the home, which the robot knows in part.
+"""
+
+import random
+from typing import List, Optional, Tuple
+
+import pytest
+from home_questions.judging import TEMPLATES, Asker, Question, Verdict, judge
+from home_questions.states import Scene, known_of, scene_of
+
+from offline_pipeline.knowledge import load_knowledge, pretend_servers, shipped_domains
+from offline_pipeline.pipeline import Pipeline
+from question_answering.answers import ANSWERS, answer
+from question_answering.robot_knowledge import RobotKnowledge
+from typed_arguments import TypedArgument
+
+QUESTIONS_OF_A_SCENE = 5
+#: The figures that must be reached, of a hundred.
+LEAST_RIGHT = 95
+
+
+@pytest.fixture(scope="module")
+def pipeline() -> Pipeline:
+    knowledge = load_knowledge([shipped_domains()])
+    pretend_servers(knowledge.graph)
+    return Pipeline(knowledge)
+
+
+def answered(text: str, pipeline: Pipeline, known: RobotKnowledge) -> Optional[str]:
+    """Return the answer to a question, direct or told; None when it is not understood as one."""
+    readings = pipeline.in_world(known.world).understand(text).readings
+    if len(readings) != 1:
+        return None
+    if readings[0].unit.frame_name in ANSWERS:
+        return answer(readings[0].unit.frame_name, readings[0].arguments, known)
+    return next((found for one in readings[0].arguments for found in [_told(one, known)] if found), None)
+
+
+def _told(message: TypedArgument, known: RobotKnowledge) -> Optional[str]:
+    asked = next((frame for frame in message.frames if frame.frame_name in ANSWERS), None)
+    return answer(asked.frame_name, asked.frame_elements, known) if asked is not None else None
+
+
+def run(
+    pipeline: Pipeline, share: str, scenes: range
+) -> Tuple[List[Tuple[Question, Optional[str], Verdict]], List[Scene]]:
+    """Ask some questions about each scene, of all kinds in turn."""
+    results = []
+    kinds = sorted(TEMPLATES)
+    asked = 0
+    found = []
+    for seed in scenes:
+        scene = scene_of(seed)
+        found.append(scene)
+        known = RobotKnowledge(known_of(scene))
+        asker = Asker(scene, random.Random(f"{share} {seed}"), share)
+        for _ in range(QUESTIONS_OF_A_SCENE):
+            question = asker.ask(kinds[asked % len(kinds)])
+            asked += 1
+            said = answered(question.text, pipeline, known)
+            results.append((question, said, judge(question, said, scene)))
+    return results, found
+
+
+def described(results: List[Tuple[Question, Optional[str], Verdict]]) -> str:
+    """Return the wrong answers, for people."""
+    return "\n".join(
+        f"{question.kind}: {question.text} -> {said}; wanted {question.verdict or list(map(sorted, question.must))}; "
+        f"invented: {', '.join(verdict.invented) or 'nothing'}"
+        for question, said, verdict in results
+        if not verdict.is_right
+    )
+
+
+def test_every_kind_is_answered_in_some_scenes(pipeline: Pipeline) -> None:
+    results, _ = run(pipeline, "tune", range(100, 104))
+    assert not [verdict.invented for _, _, verdict in results if verdict.invented], described(results)
+    assert all(verdict.is_right for _, _, verdict in results), described(results)
+
+
+@pytest.mark.acceptance
+@pytest.mark.parametrize("share", ["tune", "held"])
+def test_a_hundred_questions_about_twenty_scenes(share: str, pipeline: Pipeline) -> None:
+    results, _ = run(pipeline, share, range(20))
+    assert len(results) == 100
+    assert not [verdict.invented for _, _, verdict in results if verdict.invented], described(results)
+    assert sum(verdict.is_right for _, _, verdict in results) >= LEAST_RIGHT, described(results)
+
+
+@pytest.mark.parametrize(
+    ("said", "is_right", "is_invented"),
+    [
+        ("The newspaper is on the {holder} in the {room}.", True, False),
+        ("The newspaper is somewhere.", False, False),
+        ("The newspaper is on the piano in the {other}.", False, True),
+        (None, False, False),
+    ],
+)
+def test_the_judge_knows_wrong_answers(said: Optional[str], is_right: bool, is_invented: bool) -> None:
+    scene = scene_of(1)
+    paper = scene.plan.entities["newspaper"]
+    holder = scene.plan.entities[scene.state.places["newspaper"].holder]
+    room = scene.plan.entities[scene.room_of(paper)]
+    other = next(one for one in scene.entities("room") if one != room)
+    names = frozenset([*paper.names, *holder.names, *room.names])
+    question = Question("place", "Where is the newspaper?", (names - frozenset(paper.names),), names)
+    text = said and said.format(holder=holder.name, room=room.name, other=other.name)
+    verdict = judge(question, text, scene)
+    assert (verdict.is_right, bool(verdict.invented)) == (is_right, is_invented)
