@@ -1,6 +1,6 @@
 """Reads questions by the patterns of lexical units; only frames that are questions are evoked, and they never act."""
 
-from typing import List, Mapping, Optional, Tuple
+from typing import List, Mapping, Optional, Sequence, Tuple
 
 from semantic_framer.mood_file import UtteranceKind
 from semantic_framer.question_orders import direct_orders, length_of_opening
