@@ -241,6 +241,8 @@ class _Hearing:
     def _read(self, sentence: Sentence, context: Context) -> Heard:
         """Understand a sentence that is not an answer; it may say when it begins: "then go home"."""
         begun = beginning_of(sentence.tree)
+        if begun is not None and any(begun.positions & time for time in sentence.tree.times):
+            begun = None  # "Next week" is a time.
         bare = None if begun is None else without_beginning(sentence, begun, self._now.known)
         if begun is None or bare is None:
             return self._read_command(sentence, context)

@@ -382,7 +382,7 @@ def test_nothing_negated_or_conditional_is_ever_done(understand: Any) -> None:
     outcomes = {text: understand(text)[0] for text in said}
     # With a condition or a time that is understood, there is a tree: nothing is done without it.
     reasons = {
-        text: getattr(outcome, "code", "DONE" if outcome.plan is None else "CONDITION")
+        text: ("DONE" if outcome.plan is None else "CONDITION") if isinstance(outcome, Understood) else outcome.code
         for text, outcome in outcomes.items()
         if isinstance(outcome, Understood) or outcome.code != "MISSING_ELEMENT"
     }
