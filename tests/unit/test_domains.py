@@ -141,7 +141,8 @@ def test_lots_never_change_what_an_example_means(loaded, pipeline):
     for frame in loaded[0].frames.values():
         childless.add(replace(frame, children=()))
     pretend_servers(childless)
-    for text in dict.fromkeys(example.text for unit in loaded[0].lexicon.units for example in unit.examples):
+    acting = [unit for unit in loaded[0].lexicon.units if not unit.conditions]
+    for text in dict.fromkeys(example.text for unit in acting for example in unit.examples):
         clauses = understood(pipeline, text)
         assert len(set(first_of(clauses, childless, range(50)))) == 1, text
         # Children are alternative candidates, so lots are drawn, but only among candidates with the meant values.

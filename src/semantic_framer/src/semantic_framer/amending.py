@@ -344,7 +344,8 @@ def last_command(outcome: Outcome, before: Optional[LastCommand], said_s: float)
         said_s: stamp of this utterance, seconds
     """
     if isinstance(outcome, Understood):
-        return LastCommand(outcome.clauses, said_s)
+        # A command with conditions is not repeated without them.
+        return LastCommand(outcome.clauses, said_s) if outcome.plan is None else None
     return before if isinstance(outcome, Refusal) and outcome.code in _NO_COMMANDS else None
 
 

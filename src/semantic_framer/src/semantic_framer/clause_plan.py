@@ -1,9 +1,13 @@
-"""How the clauses of a sentence are joined: a tree whose leaves are the clauses, in their order."""
+"""How the clauses of a sentence are joined: a tree whose leaves are the clauses."""
 
-from dataclasses import dataclass
-from typing import List, Optional, Sequence, Tuple
+from dataclasses import dataclass, replace
+from typing import Iterator, List, Optional, Sequence, Tuple
 
 from semantic_framer.reading import Reading
+
+CONDITION = "CONDITION"
+#: Kinds of nodes that are clauses.
+LEAVES = ("DO", CONDITION)
 
 
 @dataclass(frozen=True)
@@ -16,6 +20,11 @@ class PlanPart:
         children: in the order of the kind; none for a clause
         count, most: number of times
         duration_s: how long
+        period_s: from one beginning to the next
+        limit_s: the longest time that was said; 0 for none
+        trigger: HOLDS or BEGINS
+        is_negated: whether the opposite of a condition is meant
+        clause: position of a clause among the clauses of the sentence
     """
 
     kind: str
@@ -24,6 +33,28 @@ class PlanPart:
     count: int = 0
     most: int = 0
     duration_s: float = 0.0
+    period_s: float = 0.0
+    limit_s: float = 0.0
+    trigger: str = "HOLDS"
+    is_negated: bool = False
+    clause: int = -1
+
+    def __str__(self) -> str:
+        """Return the tree in one line: 'IF(the door is closed, open it)'."""
+        if self.kind in LEAVES:
+            said = f"not {self.label}" if self.is_negated else self.label
+            return f"{said} anew" if self.trigger == "BEGINS" else said
+        fields = []
+        if self.count or self.most:
+            fields.append(f"{self.count}" if self.count == self.most else f"{self.count} to {self.most or 'any'}")
+        fields += [f"{self.duration_s:g} s"] if self.duration_s else []
+        fields += [f"every {self.period_s:g} s"] if self.period_s else []
+        fields += [f"at most {self.limit_s:g} s"] if self.limit_s else []
+        name = f"not {self.kind}" if self.is_negated else self.kind
+        return f"{name}({', '.join(fields + [str(child) for child in self.children])})"
+
+
+Clauses = Tuple[Tuple[Reading, ...], ...]
 
 
 def plan_of(clauses: Sequence[Tuple[Reading, ...]], text: str) -> Optional[PlanPart]:
@@ -35,13 +66,19 @@ def plan_of(clauses: Sequence[Tuple[Reading, ...]], text: str) -> Optional[PlanP
     """
     if not any(readings[0].control.is_said for readings in clauses):
         return None
-    parts: List[PlanPart] = [_part(readings[0]) for readings in clauses]
+    parts: List[PlanPart] = [part_of(readings[0], place) for place, readings in enumerate(clauses)]
     return parts[0] if len(parts) == 1 else PlanPart("SEQUENCE", text, tuple(parts))
 
 
-def _part(reading: Reading) -> PlanPart:
+def part_of(reading: Reading, clause: int) -> PlanPart:
+    """Return the node of one clause, with how often and how long it is done.
+
+    Args:
+        reading: its best reading
+        clause: its position among the clauses
+    """
     control, label = reading.control, reading.clause_text
-    part = PlanPart("DO", label)
+    part = PlanPart("DO", label, clause=clause)
     words = f"{label} {control.phrase}".strip()
     if control.duration_s:
         # What is done before the time is over begins again.
@@ -49,6 +86,31 @@ def _part(reading: Reading) -> PlanPart:
     if control.count > 1:
         part = PlanPart("REPEAT", words, (part,), count=control.count, most=control.count)
     return part
+
+
+def leaves_of(part: PlanPart) -> Iterator[PlanPart]:
+    """Yield the clauses of a tree in the order of its nodes."""
+    if part.kind in LEAVES:
+        yield part
+    for child in part.children:
+        yield from leaves_of(child)
+
+
+def in_order(clauses: Clauses, plan: PlanPart) -> Tuple[Clauses, PlanPart]:
+    """Return the clauses of a plan in the order of its nodes, and the plan of these."""
+    order = [leaf.clause for leaf in leaves_of(plan)]
+    return tuple(clauses[place] for place in order), _renumbered(plan, order)
+
+
+def without_unused(clauses: Clauses, plan: PlanPart) -> Tuple[Clauses, PlanPart]:
+    """Return the clauses that a plan uses, in the order in which they were said, and the plan of these."""
+    used = sorted(leaf.clause for leaf in leaves_of(plan))
+    return tuple(clauses[place] for place in used), _renumbered(plan, used)
+
+
+def _renumbered(part: PlanPart, used: Sequence[int]) -> PlanPart:
+    children = tuple(_renumbered(child, used) for child in part.children)
+    return replace(part, children=children, clause=used.index(part.clause) if part.clause >= 0 else -1)
 
 
 def nodes_of(part: PlanPart) -> List[Tuple[PlanPart, List[int]]]:

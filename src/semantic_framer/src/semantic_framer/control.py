@@ -19,7 +19,7 @@ MOST_TIMES = 100
 LONGEST_S = 86_400.0
 #: FrameNet's names of what goes on until somebody ends it. Other things are over when they are done: nobody opens a
 #: door for two minutes.
-_GOING_ON = frozenset(
+GOING_ON = frozenset(
     ["Change_direction", "Cotheme", "Gesture", "Make_noise", "Motion_directional", "Patrolling", "Self_motion"]
 )
 #: Units of what is filled in without being said.
@@ -85,7 +85,7 @@ def with_duration(
         done, or if something else says how far it goes
     """
     said = [extra for extra in reading.extra or () if extra.name == _DURATION]
-    open_ended = _without_end(reading, frame) if len(said) == 1 else None
+    open_ended = going_on(reading, frame) if len(said) == 1 else None
     if open_ended is None:
         return reading, frozenset()
     words = frozenset(said[0].positions) | sentence.subtree(said[0].head_position)
@@ -107,13 +107,13 @@ def with_duration(
     )
 
 
-def _without_end(reading: Reading, frame: SemanticFrame) -> Optional[Reading]:
+def going_on(reading: Reading, frame: SemanticFrame) -> Optional[Reading]:
     """Return a reading of something that goes on until it is ended: how far is as far as the frame allows.
 
     Returns:
         None if it is over when it is done, if something says how far it goes, or if nothing limits that
     """
-    if frame.framenet not in _GOING_ON:
+    if frame.framenet not in GOING_ON:
         return None
     for element in frame.frame_elements:
         if element.quantity not in _UNITS:

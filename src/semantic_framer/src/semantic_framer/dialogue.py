@@ -3,6 +3,7 @@
 from dataclasses import dataclass, replace
 from typing import Optional, Tuple
 
+from semantic_framer.clause_plan import PlanPart
 from semantic_framer.reading import Reading
 from utterance_passes.utterance_pass import Choice
 from word_classes import word_class
@@ -28,6 +29,7 @@ class Pending:
         expires_s: time on the caller's clock, seconds; the question is forgotten afterwards
         readings: the readings of the sentence that the person chooses from; ``clauses`` is empty then
         offered: ids of the things that the person chooses from: "which mug"; empty for another question
+        plan: how the clauses are joined; None if they are done one after the other
         is_about_words: whether a yes only agrees to go on without some words; a frame may want another yes
         beginning: what happens to the command that runs: REPLACE, FOLLOW or BESIDE
     """
@@ -40,6 +42,7 @@ class Pending:
     readings: Tuple[Choice, ...] = ()
     offered: Tuple[str, ...] = ()
     is_about_words: bool = False
+    plan: Optional[PlanPart] = None
     beginning: str = "REPLACE"
 
 

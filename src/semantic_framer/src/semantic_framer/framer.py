@@ -7,9 +7,13 @@ from semantic_framer.amending import Change, change_of, last_command
 from semantic_framer.answers import answer
 from semantic_framer.beginnings import beginning_of, without_beginning
 from semantic_framer.choices import choices_of_amounts, choices_of_clauses, chosen
+from semantic_framer.clause_links import Joints, find_joints
+from semantic_framer.clause_plan import without_unused
 from semantic_framer.dialogue import Context, Pending, is_no
 from semantic_framer.framed_lexicon import FramedLexicon
 from semantic_framer.lexicon import Lexicon
+from semantic_framer.linked_plan import NoStructure, Open, linked_plan, with_persons
+from semantic_framer.linked_sentence import TELLING, joint_words, swallowed_joints, unknown_link, without_joints
 from semantic_framer.mood_file import UtteranceKind
 from semantic_framer.objections import against_what_runs
 from semantic_framer.outcome import (
@@ -17,7 +21,9 @@ from semantic_framer.outcome import (
     CORRECTION,
     DECLINED,
     PROHIBITION,
+    QUESTION,
     REPORT,
+    TALK,
     Alternatives,
     LeftOverWords,
     Outcome,
@@ -46,6 +52,7 @@ from utterance_passes.running import run_tree_passes
 from utterance_passes.table import FRAMER_TREE_PASSES, REPHRASING_PASSES
 from utterance_passes.trace import Trace
 from utterance_passes.tree import DependencyTree
+from utterance_passes.tree_edits import NotATree
 from utterance_passes.utterance_pass import Choice, TreePass, Uncertain
 from utterance_passes.verb_matching import match_verbs
 from word_classes import word_class
@@ -202,7 +209,8 @@ class _Hearing:
         self._now.write("answer", tree.text, "; ".join(str(readings[0]) for readings in answered))
         # A yes counts only as the answer to a yes-no question: "right" may also be a direction.
         is_confirmed = not pending.elements and not pending.is_about_words
-        heard = Heard(*resolve_and_confirm(answered, meant, context, self._now, is_confirmed=is_confirmed), meant)
+        settled = resolve_and_confirm(answered, meant, context, self._now, is_confirmed=is_confirmed, plan=pending.plan)
+        heard = Heard(*settled, meant)
         if isinstance(heard.outcome, Understood):
             return replace(heard, outcome=replace(heard.outcome, beginning=pending.beginning))
         return heard
@@ -229,12 +237,15 @@ class _Hearing:
         if not attached.goals or not isinstance(heard.outcome, Understood):
             return heard
         # The robot may not know how the world is now: the thing may be where the person says.
-        pending = Pending(without_positions(heard.outcome.clauses), 0, (), self._now.expires_s)
+        plan = heard.outcome.plan
+        pending = Pending(without_positions(heard.outcome.clauses), 0, (), self._now.expires_s, plan=plan)
         return replace(heard, outcome=question_of_goal(attached), context=replace(heard.context, pending=pending))
 
     def _read(self, sentence: Sentence, context: Context) -> Heard:
         """Understand a sentence that is not an answer; it may say when it begins: "then go home"."""
         begun = beginning_of(sentence.tree)
+        if begun is not None and any(begun.positions & time for time in sentence.tree.times):
+            begun = None  # "Next week" is a time.
         bare = None if begun is None else without_beginning(sentence, begun, self._now.known)
         if begun is None or bare is None:
             return self._read_command(sentence, context)
@@ -248,7 +259,67 @@ class _Hearing:
         return replace(heard, context=replace(heard.context, pending=pending))
 
     def _read_command(self, sentence: Sentence, context: Context) -> Heard:
-        """Understand a sentence that is not an answer: small talk, a change of the last command, or a command."""
+        """Understand a command; one that cannot be understood as it is may have conditions."""
+        heard = self._read_plainly(sentence, context)
+        if heard.is_small_talk or self._now.policy.left_over_words not in CAREFUL:
+            return heard
+        known, outcome = self._now.known, heard.outcome
+        if isinstance(outcome, Understood):
+            joints = swallowed_joints(sentence, known, [readings[0] for readings in outcome.clauses])
+            swallowed = Refusal("CONDITION", f'I do not understand how "{joint_words(sentence, joints)}" is meant.')
+            refused = Heard(swallowed, context, sentence)
+            return self._linked(sentence, context, swallowed, joints) or refused if joints.found else heard
+        return self._linked(sentence, context, outcome, find_joints(sentence, known)) or heard
+
+    def _linked(
+        self, sentence: Sentence, context: Context, before: Union[Refusal, Question], joints: Joints
+    ) -> Optional[Heard]:
+        """Understand a sentence whose deeds are joined by conditions and times; None if it is none.
+
+        Args:
+            sentence: the sentence
+            context: what the framer remembers
+            before: why the sentence cannot be understood as it is
+            joints: what joins its deeds
+        """
+        unknown = unknown_link(sentence, joints, before)
+        refused = Heard(unknown, context, sentence) if unknown is not None else None
+        if not joints.found:
+            return refused
+        try:
+            left = without_joints(sentence, joints, self._now.known)
+        except NotATree:
+            return None
+        if left is None:
+            question = Question("MISSING_ELEMENT", f"What should I do {joint_words(sentence, joints)}?")
+            return None if before.code in (QUESTION, TALK) else Heard(question, context, sentence)
+        for joint in joints.found:
+            self._now.write("links", sentence.text(sorted(joint.positions)), joint.kind.value)
+        bare = Sentence(left, self._now.known.types)
+        case = case_of(bare, self._clauses(bare), self._now.known, self._now.policy)
+        clauses = self._deeds(case)
+        if isinstance(clauses, Refusal):
+            return Heard(clauses, context, sentence) if clauses.code in TELLING and refused is None else refused
+        best = [read.kept[0] for read in clauses]
+        is_open = choices_of_clauses(bare, [read.clause for read in clauses], self._now.known) or choices_of_amounts(
+            bare, best, self._now.known
+        )
+        if is_open or not all(case.kind_of(read.clause).acts for read in clauses):
+            return refused
+        try:
+            deeds = [(read.clause, read.kept) for read in clauses]
+            kept, plan = without_unused(*linked_plan(sentence, self._now.known, deeds, joints.found))
+            kept = with_persons(kept, self._now.known.frames)
+        except Open as question_of:
+            return Heard(Question("AMBIGUOUS", str(question_of)), context, sentence)
+        except NoStructure as reason:
+            self._now.write("links", sentence.tree.text, f"refused. {reason}")
+            return refused
+        self._now.write("plan", sentence.tree.text, str(plan))
+        return Heard(*resolve_and_confirm(kept, bare, context, self._now, plan=plan), sentence, clauses)
+
+    def _read_plainly(self, sentence: Sentence, context: Context) -> Heard:
+        """Understand a sentence without conditions: small talk, a change of the last command, or a command."""
         talk = small_talk_of(sentence.tree)
         if talk is not None:
             kind = KindVerdict(UtteranceKind.TALK, talk.name)
@@ -271,7 +342,7 @@ class _Hearing:
         if refusal is not None:
             return Heard(refusal, context, sentence)
         clauses = self._readings(case)
-        refusal = next((read.refusal for read in clauses if read.refusal), None) or self._refusal(REST_VERDICTS, case)
+        refusal = self._rest_refusal(case, clauses)
         if refusal is not None:
             return Heard(refusal, context, sentence, clauses)
         best = [read.kept[0] for read in clauses]
@@ -314,6 +385,18 @@ class _Hearing:
             elif self._trace is not None:
                 self._trace.add("told", case.text_of(clause), after="no step", positions=clause.positions)
         return tuple(found)
+
+    def _deeds(self, case: Case) -> Union[Refusal, Tuple[ClauseReadings, ...]]:
+        """Return the readings of the clauses of a sentence, or why it is refused."""
+        refusal = self._refusal(SENTENCE_VERDICTS, case)
+        if refusal is not None:
+            return refusal
+        clauses = self._readings(case)
+        return self._rest_refusal(case, clauses) or clauses
+
+    def _rest_refusal(self, case: Case, clauses: Tuple[ClauseReadings, ...]) -> Optional[Refusal]:
+        refused = next((read.refusal for read in clauses if read.refusal), None)
+        return refused or self._refusal(REST_VERDICTS, case)
 
     def _refusal(self, verdicts: Sequence[SentenceVerdict], case: Case) -> Optional[Refusal]:
         for verdict in verdicts:

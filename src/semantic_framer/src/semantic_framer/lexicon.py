@@ -16,6 +16,7 @@ class Lexicon:
         self._by_verb: Dict[str, List[LexicalUnit]] = defaultdict(list)
         self._by_first_word: Dict[str, List[str]] = defaultdict(list)
         self._questions: Dict[str, List[LexicalUnit]] = defaultdict(list)
+        self._conditions: Dict[str, List[LexicalUnit]] = defaultdict(list)
         self._by_spelling: Dict[str, Set[str]] = defaultdict(set)
 
     @property
@@ -59,6 +60,7 @@ class Lexicon:
                     del self._by_verb[verb]
                     self._by_first_word[verb.split()[0]].remove(verb)
         self._questions.pop(path, None)
+        self._conditions.pop(path, None)
         self._files[path] = (text, units)
         self._index(units)
 
@@ -66,6 +68,8 @@ class Lexicon:
         for unit in units:
             if unit.questions:
                 self._questions[unit.path].append(unit)
+            if unit.conditions:
+                self._conditions[unit.path].append(unit)
             for verb in dict.fromkeys(unit.verbs):
                 if verb not in self._by_verb:
                     first = verb.split()[0]
@@ -82,6 +86,11 @@ class Lexicon:
     def question_units(self) -> Tuple[LexicalUnit, ...]:
         """The units that have questions in place of verbs, in the order of the files."""
         return tuple(unit for units in self._questions.values() for unit in units)
+
+    @property
+    def condition_units(self) -> Tuple[LexicalUnit, ...]:
+        """The units that have conditions in place of verbs, in the order of the files."""
+        return tuple(unit for units in self._conditions.values() for unit in units)
 
     def lists_of(self, verb: str) -> Tuple[Tuple[str, ...], ...]:
         """Return the words that units of a verb list for an element, one entry for each such element."""

@@ -275,7 +275,7 @@ class SemanticFramer:
             CommandLexicalUnits(
                 command=message.command,
                 clauses=to_clauses(understood.clauses, tree),
-                plan=with_beginning(to_plan(understood.clauses, message.command.text), understood.beginning),
+                plan=with_beginning(to_plan(understood, message.command.text), understood.beginning),
             )
         )
 

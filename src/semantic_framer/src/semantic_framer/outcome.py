@@ -2,8 +2,9 @@
 
 from dataclasses import dataclass
 from enum import Enum
-from typing import Iterable, Sequence, Tuple, Union
+from typing import Iterable, Optional, Sequence, Tuple, Union
 
+from semantic_framer.clause_plan import PlanPart
 from semantic_framer.reading import Reading
 from semantic_framer.sentence import Sentence
 
@@ -61,13 +62,15 @@ class Understood:
     """What to carry out.
 
     Attributes:
-        clauses: in order, each with its readings, best first
+        clauses: each with its readings, best first, in the order of the plan
         warning: names the ignored words
+        plan: how deeds and conditions are joined; None if the clauses are done one after the other
         beginning: what happens to the command that runs: REPLACE, FOLLOW or BESIDE
     """
 
     clauses: Tuple[Tuple[Reading, ...], ...]
     warning: str = ""
+    plan: Optional[PlanPart] = None
     beginning: str = "REPLACE"
 
 

@@ -8,9 +8,9 @@ from semantic_framer.question_words import compiled
 from semantic_framer.reading import Reading, rank
 from semantic_framer.utterance_kind import kind_without_clause
 from semantic_framer.verdicts import Case
+from semantic_framer.word_patterns import argument_of, heads
 from semantic_frames.frame import SemanticFrame
 from semantic_frames.lexical_unit import LexicalUnit, WordPattern
-from typed_arguments import TypedArgument
 from utterance_passes.tree import Word
 from word_classes import word_class
 
@@ -92,12 +92,12 @@ def _read(
             continue
         first = len(match.string[: match.start(name)].split())
         positions = [word.index for word in words[first : first + len(match.group(name).split())]]
-        if not kind and len(_heads(case, positions)) > 1:
+        if not kind and len(heads(case.sentence.tree, positions)) > 1:
             return None  # "is the door heavy to open": these words are no phrase
         if any(case.sentence.word(index).form.lower() in _NEGATIONS for index in positions):
             return None  # "who is not in the kitchen" asks for the others
         inside += positions
-        arguments.append(_argument(case, name, positions))
+        arguments.append(argument_of(case.sentence, name, positions))
     filled = {argument.name for argument in arguments}
     own = tuple(word.index for word in words if word.index not in inside)
     return Reading(
@@ -119,19 +119,3 @@ def _spelling(word: Word) -> str:
     if form == _NOT:
         return "not"
     return _VERBS_IN_FULL.get(form, form) if word.upos in ("AUX", "VERB") else form
-
-
-def _heads(case: Case, positions: Sequence[int]) -> List[int]:
-    """Return the words of some that depend on none of the others."""
-    return [index for index in positions if case.sentence.word(index).head not in positions]
-
-
-def _argument(case: Case, name: str, positions: List[int]) -> TypedArgument:
-    """Return the argument of the words of an element, whatever the parser attached them to."""
-    sentence = case.sentence
-    inside = frozenset(positions)
-    heads = _heads(case, positions)
-    nouns = [index for index in heads if sentence.word(index).upos in ("NOUN", "PROPN", "PRON", "NUM")]
-    head = (nouns or heads)[0]
-    below = sentence.subtree(head)
-    return sentence.phrases.argument(name, head, left_out=below - inside, attached=inside - below)

@@ -12,6 +12,9 @@ from typed_arguments import TypedArgument
 from word_classes import word_class
 
 _PARTICIPANTS = word_class("participants")
+_ROBOTS = word_class("robots")
+#: FrameNet's names of elements for how something is.
+_STATES = frozenset(["State", "Operational_state"])
 
 
 def resolve(reading: Reading, context: Context) -> Union[Reading, TypedArgument]:
@@ -62,8 +65,10 @@ def remember(reading: Reading, frames: Mapping[str, SemanticFrame], context: Con
         element = frame.element(value.name)
         if element is None or not value.positions or element.quantity is not None:
             continue
-        if element.framenet == "Category" and not value.quantifier:
+        if (element.framenet == "Category" and not value.quantifier) or element.framenet in _STATES:
             continue  # "The floor is dirty, clean it": dirty is no thing.
+        if frame.is_condition and (value.semantic_type == "Human" or value.lemma in _ROBOTS):
+            continue  # "If Bob is at the door, open it": Bob is no thing.
         if element.framenet in PLACES:
             context = replace(context, place=value.text)
         elif element.framenet not in NO_THINGS and value.text.lower() not in _PARTICIPANTS:

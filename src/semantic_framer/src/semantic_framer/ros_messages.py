@@ -15,6 +15,7 @@ from roboframenet_msgs.msg import (
 )
 
 from semantic_framer.clause_plan import nodes_of, plan_of
+from semantic_framer.outcome import Understood
 from semantic_framer.reading import Reading
 from semantic_frames.ros_server_profile import profile_from_message
 from semantic_frames.server_profile import Purpose, ServerProfile
@@ -42,9 +43,9 @@ def to_clauses(clauses: Sequence[Tuple[Reading, ...]], tree: DependencyTree) -> 
     ]
 
 
-def to_plan(clauses: Sequence[Tuple[Reading, ...]], text: str) -> Plan:
+def to_plan(understood: Understood, text: str) -> Plan:
     """Return how the clauses of a command are joined; without nodes when they are done one after the other."""
-    part = plan_of(clauses, text)
+    part = understood.plan or plan_of(understood.clauses, text)
     if part is None:
         return Plan()
     return Plan(
@@ -56,6 +57,11 @@ def to_plan(clauses: Sequence[Tuple[Reading, ...]], text: str) -> Plan:
                 count=node.count,
                 most=node.most,
                 duration=rospy.Duration.from_sec(node.duration_s),
+                period=rospy.Duration.from_sec(node.period_s),
+                limit=rospy.Duration.from_sec(node.limit_s),
+                is_limit_said=node.limit_s > 0.0,
+                trigger=getattr(PlanNode, node.trigger),
+                is_negated=node.is_negated,
             )
             for node, children in nodes_of(part)
         ]

@@ -6,6 +6,7 @@ from typing import List, Optional, Tuple, Union
 from referring_expressions import unknown_of
 from semantic_framer.answers import question_of
 from semantic_framer.choices import question_of_choices
+from semantic_framer.clause_plan import Clauses, PlanPart, in_order
 from semantic_framer.dialogue import Context, Pending
 from semantic_framer.framed_lexicon import FramedLexicon
 from semantic_framer.indirect_questions import with_indirect_questions
@@ -33,8 +34,6 @@ from semantic_frames.semantic_type import SEMANTIC_TYPES
 from typed_arguments import TypedArgument
 from utterance_passes.trace import Trace
 from utterance_passes.utterance_pass import Choice
-
-Clauses = Tuple[Tuple[Reading, ...], ...]
 
 
 @dataclass(frozen=True)
@@ -73,7 +72,13 @@ def ask_which(choices: Tuple[Choice, ...], context: Context, now: Now) -> Tuple[
 
 
 def resolve_and_confirm(
-    clauses: Clauses, sentence: Sentence, context: Context, now: Now, *, is_confirmed: bool = False
+    clauses: Clauses,
+    sentence: Sentence,
+    context: Context,
+    now: Now,
+    *,
+    is_confirmed: bool = False,
+    plan: Optional[PlanPart] = None,
 ) -> Tuple[Outcome, Context]:
     """Resolve pronouns, then refuse or ask if something is open.
 
@@ -83,7 +88,27 @@ def resolve_and_confirm(
         context: what the framer remembers of earlier utterances
         now: the circumstances of the utterance
         is_confirmed: whether a person has said yes to the readings
+        plan: how the clauses are joined; None if they are done one after the other
     """
+    outcome, after = _settled(clauses, sentence, context, now, is_confirmed, plan)
+    if plan is None:
+        return outcome, after
+    if isinstance(outcome, Understood):
+        clauses, plan = in_order(outcome.clauses, plan)
+        return replace(outcome, clauses=clauses, plan=plan), after
+    if after.pending is not None:
+        after = replace(after, pending=replace(after.pending, plan=plan))
+    return outcome, after
+
+
+def _settled(
+    clauses: Clauses,
+    sentence: Sentence,
+    context: Context,
+    now: Now,
+    is_confirmed: bool,
+    plan: Optional[PlanPart],
+) -> Tuple[Outcome, Context]:
     policy = now.policy
     # Judge the left-over words before asking anything: their positions belong to this sentence only.
     if policy.left_over_words in CAREFUL:
@@ -141,6 +166,7 @@ def resolve_and_confirm(
             now.write("unknown_thing", acts, f"asked. {' '.join(unseen)}")
         else:
             now.write("confirm", acts, "asked. The frame wants a yes.")
+        acts = acts if plan is None else plan.label
         asked = Question("CONFIRM", " ".join([*wrong, *unseen, f'Shall I really do this: "{acts}"? Say yes or no.']))
         return asked, replace(context, pending=pending)
     warning = f"ignored: {' '.join(ignored)}" if ignored and policy.left_over_words is LeftOverWords.WARN else ""

@@ -28,6 +28,7 @@ from utterance_passes.trace import Trace
 from utterance_passes.verb_matching import VerbMatch
 from word_classes import word_class
 
+_CONDITIONS = word_class("conditions")
 _RENEWING = word_class("renewing_conjunctions")
 
 
@@ -81,6 +82,9 @@ class Case:
         """
         tree = self.sentence.tree
         if not self.acts or not self.kind_of(clause).is_background:
+            return False
+        # "When I come home turn on the light": it is a condition.
+        if self.sentence.word(min(clause.positions)).form.lower() in _CONDITIONS:
             return False
         # An amount in such a clause may belong to the command: "turn left, anything but one point six radians".
         if any(amount.unit or amount.is_doubtful for amount in amounts_of(tree, clause.positions, clause.verb)):

@@ -74,8 +74,6 @@ def test_formulas_change_nothing(understand: Any) -> None:
         ("I was wondering if you could not turn left", "NEGATED"),
         ("don't turn left right now", "NEGATED"),
         ("if you can open the door, go to the kitchen", "CONDITION"),
-        ("if you see Bob, turn left", "CONDITION"),
-        ("do me a favour and turn left when I say so", "CONDITION"),
         ("close the door right after lunch", "CONDITION"),
         ("see to it that Bob turns left", "REPORT"),
         ("why do you turn left", "QUESTION"),

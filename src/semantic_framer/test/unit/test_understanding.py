@@ -157,8 +157,6 @@ def test_verbs_that_share_words(understand: Any, text: str, expected: List[Tuple
         ("go to the office and not to the kitchen", "NEGATED"),
         ("turn right then not left", "NEGATED"),
         ("bring the mug and not the plate", "NEGATED"),
-        ("see if the oven is hot when I say so", "CONDITION"),
-        ("look if the window is closed when I say so", "CONDITION"),
         # What the cloth is for is the speaker's task.
         ("bring me a cloth to clean the table", "LEFT_OVER_WORDS"),
     ],
@@ -189,7 +187,7 @@ def test_if_that_a_unit_asks_for_is_no_condition(understand: Any) -> None:
     assert isinstance(outcome, Understood)
     filled = {value.name: value.text for value in outcome.clauses[0][0].arguments}
     assert filled == {"ground": "the oven", "desired_state": "is hot"}
-    assert understand("check the oven if the door is open")[0].code == "CONDITION"
+    assert str(understand("check the oven if the door is open")[0].plan) == "IF(the door is open, check the oven)"
 
 
 def test_it_without_anything_before_is_asked_for(understand: Any) -> None:
@@ -225,9 +223,6 @@ def test_possessor_is_known(understand: Any) -> None:
         ("Don't turn left.", "NEGATED"),
         ("never go to the kitchen", "NEGATED"),
         ("I don't want you to follow me", "NEGATED"),
-        ("turn left when I say so", "CONDITION"),
-        ("move forward 2 metres in five minutes", "CONDITION"),
-        ("if you see Bob, go to the office", "CONDITION"),
         ("go to the kitchen later", "CONDITION"),
         ("turn left tomorrow", "CONDITION"),
         ("turn left on Monday", "CONDITION"),
@@ -358,10 +353,39 @@ ACTIONS = (
 )
 
 
+@pytest.mark.parametrize(
+    "text, plan",
+    [
+        ("turn left when I say so", "SEQUENCE(WAIT(I say so), turn left)"),
+        ("move forward 2 metres in five minutes", "SEQUENCE(WAIT(300 s), move forward 2 metres)"),
+        ("if you see Bob, go to the office", "IF(you see Bob, go to the office)"),
+        ("do me a favour and turn left when I say so", "SEQUENCE(WAIT(I say so), turn left)"),
+        ("say hello when Bob comes", "SEQUENCE(WAIT(Bob comes), say hello)"),
+        ("say hello in five minutes", "SEQUENCE(WAIT(300 s), say hello)"),
+        ("take a photo until you are at the gate", "UNTIL(you are at the gate, take a photo)"),
+    ],
+)
+def test_condition_makes_a_tree(understand: Any, text: str, plan: str) -> None:
+    assert str(understand(text)[0].plan) == plan
+
+
+@pytest.mark.parametrize(
+    "text", ["see if the oven is hot when I say so", "look if the window is closed when I say so", "tell me when it is"]
+)
+def test_condition_beside_a_thing_to_find_out_is_not_dropped(understand: Any, text: str) -> None:
+    assert not isinstance(understand(text)[0], Understood)
+
+
 def test_nothing_negated_or_conditional_is_ever_done(understand: Any) -> None:
     said = [pattern.format(action) for pattern, action in itertools.product(NEGATIONS + CONDITIONS, ACTIONS)]
     assert len(said) >= 300
-    reasons = {text: getattr(understand(text)[0], "code", "DONE") for text in said}
+    outcomes = {text: understand(text)[0] for text in said}
+    # With a condition or a time that is understood, there is a tree: nothing is done without it.
+    reasons = {
+        text: ("DONE" if outcome.plan is None else "CONDITION") if isinstance(outcome, Understood) else outcome.code
+        for text, outcome in outcomes.items()
+        if isinstance(outcome, Understood) or outcome.code != "MISSING_ELEMENT"
+    }
     assert {text: code for text, code in reasons.items() if code not in ("NEGATED", "CONDITION")} == {}
 
 

@@ -50,7 +50,7 @@ def test_what_is_meant(understand: Any, text: str, frame: str) -> None:
     assert only_frame(understand(text)[0]) == frame
 
 
-@pytest.mark.parametrize("text", ["I started moving the table", "take a photo until you are at the gate"])
+@pytest.mark.parametrize("text", ["I started moving the table"])
 def test_no_command_now(understand: Any, text: str) -> None:
     assert isinstance(understand(text)[0], Refusal)
 

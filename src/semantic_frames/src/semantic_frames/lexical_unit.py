@@ -83,8 +83,9 @@ class Example:
     line: int = 0
 
 
-#: What may fill an element in a pattern: any words; a place, which begins with a preposition; one word.
-SLOT_KINDS = ("", "place", "word")
+#: What may fill an element in a pattern: any words; a place, which begins with a preposition; one word; a word for a
+#: state, "open"; an amount; and, behind "until", a thing or a place that the robot comes to, "until the wall".
+SLOT_KINDS = ("", "place", "word", "state", "measure", "destination")
 _SLOT = re.compile(r"<(\w+)(?::(\w+))?>")
 
 

@@ -1,0 +1,273 @@
+"""Finds what joins the deeds of a sentence: conditions, delays, periods, bounds and joiners, each with its words."""
+
+from dataclasses import dataclass, field, replace
+from typing import FrozenSet, List, Optional, Sequence, Tuple
+
+from semantic_framer.conditions import ConditionPart, read_condition
+from semantic_framer.framed_lexicon import FramedLexicon
+from semantic_framer.link_file import Link, LinkKind, shipped_links
+from semantic_framer.sentence import Sentence
+from spoken_quantities import QuantityError, parse_measure
+from utterance_passes.tree import Word
+from word_classes import word_class
+
+#: A plan waits for a day at most, seconds.
+LONGEST_WAIT_S = 86_400.0
+_DELAYS = word_class("delay_prepositions")
+_PERIODS = word_class("period_determiners")
+_BORDERS = word_class("clause_borders")
+#: Relations of a verb that belongs to what is before it.
+_INNER = frozenset(["amod", "compound", "xcomp", "aux", "aux:pass", "cop"])
+#: Words behind a delay that do not change it.
+_BEHIND_DELAYS = (("from", "now"),)
+
+
+@dataclass(frozen=True)
+class Joint:
+    """Words that join.
+
+    Attributes:
+        kind: what they mean
+        first: position of the first of them
+        positions: of all of them, the condition included
+        condition: behind a link; None for a time or a joiner
+        seconds: of a delay or a period
+        words: of the link, as it was said
+        limit_s: longest time that was said for it; 0 for none
+    """
+
+    kind: LinkKind
+    first: int
+    positions: FrozenSet[int]
+    condition: Optional[ConditionPart] = None
+    seconds: float = 0.0
+    words: str = ""
+    limit_s: float = 0.0
+
+
+@dataclass(frozen=True)
+class Joints:
+    """What joins the deeds of a sentence.
+
+    Attributes:
+        found: in the order of the sentence
+        question: asks for what is missing behind the last link: "Until when?"; empty if nothing is missing
+        unknown: positions of the words behind the first link whose condition is not understood
+    """
+
+    found: Tuple[Joint, ...] = ()
+    question: str = ""
+    unknown: Tuple[int, ...] = ()
+
+    @property
+    def positions(self) -> FrozenSet[int]:
+        """Positions of all words that join."""
+        return frozenset().union(*(joint.positions for joint in self.found))
+
+
+def find_joints(sentence: Sentence, known: FramedLexicon) -> Joints:
+    """Find what joins the deeds of a sentence. A link whose condition is not understood is left where it is."""
+    return _Finder(sentence, known).find()
+
+
+@dataclass
+class _Finder:
+    sentence: Sentence
+    known: FramedLexicon
+    words: List[Word] = field(default_factory=list)
+    forms: List[str] = field(default_factory=list)
+
+    def __post_init__(self) -> None:
+        tree = self.sentence.tree
+        hidden = tree.abandoned | tree.fillers
+        self.words = [word for word in tree.words if word.index not in hidden]
+        self.forms = [word.form.lower() for word in self.words]
+
+    def find(self) -> Joints:
+        found: List[Joint] = []
+        limits: List[Joint] = []
+        question = ""
+        unknown: Tuple[int, ...] = ()
+        place = 0
+        while place < len(self.words):
+            if self.words[place].index in self.sentence.tree.quoted:
+                place += 1
+                continue
+            bound, end = self._bound(place)
+            if bound is not None:
+                limits.append(bound)
+                place = end
+                continue
+            joint, end = self._timed(place)
+            # "After that" joins two deeds, though "after" stands before conditions too.
+            links, joins = (at(self.forms[place:])[1] for at in (shipped_links().link_at, shipped_links().joiner_at))
+            for find in (self._joiner, self._linked) if joins > links else (self._linked, self._joiner):
+                if joint is None:
+                    joint, end = find(place)
+            if joint is not None:
+                found.append(joint)
+                place = end
+                continue
+            link, length = shipped_links().link_at(self.forms[place:])
+            if link is not None and self._is_subordinating(place, length):
+                rest = [word.index for word in self.words[place:] if word.upos != "PUNCT"]
+                if not question and not unknown and len(rest) == length:
+                    question = link.question
+                unknown = unknown or tuple(rest)
+            place += 1
+        joints = _with_limits(found, limits)
+        for joint in joints:
+            if joint.condition is not None and self._is_cut_short(joint, joints):
+                return Joints((), question, unknown or tuple(sorted(joint.positions)))
+        return Joints(tuple(joints), question, unknown)
+
+    def _is_cut_short(self, joint: Joint, joints: Sequence[Joint]) -> bool:
+        """Whether a condition has more words than were understood: "if the door is open *and you are tired*"."""
+        tree = self.sentence.tree
+        joining = frozenset().union(*(other.positions for other in joints))
+        for word in self.words:
+            if word.index in joining or word.head not in joint.positions or word.upos == "PUNCT":
+                continue
+            if word.form.lower() in _BORDERS or word.deprel == "cc":
+                continue
+            children = tree.children(word.index)
+            is_deed = bool(self.known.verbs_beginning_with(word.lemma.lower())) and not any(
+                child.deprel.startswith("nsubj") or child.deprel == "cop" for child in children
+            )
+            if not is_deed or word.deprel in _INNER - {"xcomp"}:
+                return True
+        return False
+
+    def _is_subordinating(self, place: int, length: int) -> bool:
+        words = self.words[place : place + length]
+        return any(word.upos == "SCONJ" or word.deprel in ("mark", "advmod") for word in words)
+
+    def _linked(self, place: int) -> Tuple[Optional[Joint], int]:
+        """Return the condition behind a link, and the place behind it: the most words that make a condition."""
+        link, length = shipped_links().link_at(self.forms[place:])
+        if link is None:
+            return None, 0
+        start = place + length
+        for end in range(len(self.words), start, -1):
+            if not self._may_end(start, end):
+                continue
+            words = self.words[start:end]
+            while words and words[-1].upos == "PUNCT":
+                words = words[:-1]
+            condition = read_condition(
+                self.sentence,
+                self.known,
+                [word.index for word in words],
+                is_until=link.kind is LinkKind.UNTIL,
+                must_last=link.kind is LinkKind.WHILE,
+            )
+            if condition is not None:
+                return self._joint(link, place, end, length, condition), end
+        return None, 0
+
+    def _joint(self, link: Link, place: int, end: int, length: int, condition: Optional[ConditionPart]) -> Joint:
+        words = self.words[place:end]
+        while words and words[-1].upos == "PUNCT":
+            words = words[:-1]
+        said = self.sentence.text([word.index for word in self.words[place : place + length]])
+        positions = frozenset(word.index for word in words)
+        return Joint(link.kind, self.words[place].index, positions, condition, words=said)
+
+    def _may_end(self, start: int, end: int) -> bool:
+        """Whether a condition may end before a place: at a mark, before a conjunction, a link, a time or a verb."""
+        if self.words[end - 1].upos == "PUNCT" or end == len(self.words):
+            return True
+        word, form = self.words[end], self.forms[end]
+        if word.upos in ("PUNCT", "CCONJ") or form in _BORDERS:
+            return True
+        if shipped_links().link_at(self.forms[end:])[1] or shipped_links().joiner_at(self.forms[end:])[1]:
+            return True
+        if self._bound(end)[0] is not None or self._timed(end)[0] is not None:
+            return True
+        is_verb = bool(self.known.verbs_beginning_with(word.lemma.lower()) or self.known.verbs_beginning_with(form))
+        return is_verb and word.deprel not in _INNER and word.upos in ("VERB", "NOUN", "ADJ", "PROPN", "INTJ", "X")
+
+    def _timed(self, place: int) -> Tuple[Optional[Joint], int]:
+        """Return a delay ("in five minutes") or a period ("every ten seconds") that begins at a place."""
+        form = self.forms[place]
+        kind = LinkKind.DELAY if form in _DELAYS else LinkKind.PERIOD if form in _PERIODS else None
+        if kind is None or place + 1 == len(self.forms):
+            return None, 0
+        for end in range(min(len(self.forms), place + 7), place + 1, -1):
+            seconds = self._seconds(place + 1, end, is_unit_enough=kind is LinkKind.PERIOD)
+            if seconds is None:
+                continue
+            for behind in _BEHIND_DELAYS:
+                if tuple(self.forms[end : end + len(behind)]) == behind:
+                    end += len(behind)
+            link = Link(kind.value, kind)
+            return replace(self._joint(link, place, end, end - place, None), seconds=seconds), end
+        return None, 0
+
+    def _seconds(self, start: int, end: int, *, is_unit_enough: bool = False) -> Optional[float]:
+        words = self.words[start:end]
+        if any(word.upos == "PUNCT" for word in words):
+            return None
+        text = self.sentence.text([word.index for word in words])
+        for said in (text, f"one {text}") if is_unit_enough else (text,):
+            try:
+                seconds = parse_measure(said, quantity="duration").si_amount
+            except QuantityError:
+                continue
+            return seconds if 0.0 < seconds <= LONGEST_WAIT_S else None
+        return None
+
+    def _bound(self, place: int) -> Tuple[Optional[Joint], int]:
+        """Return a longest time that begins at a place: "for at most an hour", "for an hour at most"."""
+        link = Link("at most", LinkKind.THEN)
+        length = shipped_links().bound_at(self.forms[place:])
+        for end in range(min(len(self.forms), place + length + 5), place + length, -1) if length else ():
+            seconds = self._seconds(place + length, end)
+            if seconds is not None:
+                return replace(self._joint(link, place, end, length, None), limit_s=seconds), end
+        if self.forms[place] == "for":
+            for end in range(min(len(self.forms), place + 6), place + 1, -1):
+                behind = shipped_links().behind_bound_at(self.forms[end:])
+                seconds = self._seconds(place + 1, end) if behind else None
+                if seconds is not None:
+                    end += behind
+                    return replace(self._joint(link, place, end, 1, None), limit_s=seconds), end
+        return None, 0
+
+    def _joiner(self, place: int) -> Tuple[Optional[Joint], int]:
+        """Return a joiner that stands before a deed: "otherwise wait", "first go to the kitchen"."""
+        joiner, length = shipped_links().joiner_at(self.forms[place:])
+        if any(self.words[place].index in time for time in self.sentence.tree.times):
+            return None, 0  # "Next week" is a time.
+        if joiner is None or not self._is_front(place):
+            # "Go to the kitchen and tell me a joke meanwhile": behind a deed only at the end of the sentence.
+            is_last = joiner is not None and joiner.kind is LinkKind.MEANWHILE and self._is_end(place + length)
+            if joiner is None or not is_last:
+                return None, 0
+        return self._joint(joiner, place, place + length, length, None), place + length
+
+    def _is_front(self, place: int) -> bool:
+        before = self.words[place - 1] if place else None
+        return before is None or before.upos in ("PUNCT", "CCONJ") or self.forms[place - 1] in _BORDERS
+
+    def _is_end(self, place: int) -> bool:
+        return all(word.upos == "PUNCT" for word in self.words[place:])
+
+
+def _with_limits(found: Sequence[Joint], limits: Sequence[Joint]) -> List[Joint]:
+    """Give each longest time to the nearest condition that is waited for; a bound that belongs to none stays alone."""
+    joints = list(found)
+    for bound in limits:
+        near = [
+            place
+            for place, joint in enumerate(joints)
+            if joint.kind in (LinkKind.UNTIL, LinkKind.WHEN, LinkKind.ANEW) and joint.condition is not None
+        ]
+        if not near:
+            joints.append(bound)
+            continue
+        place = min(near, key=lambda place: abs(joints[place].first - bound.first))
+        joints[place] = replace(
+            joints[place], limit_s=bound.limit_s, positions=joints[place].positions | bound.positions
+        )
+    return sorted(joints, key=lambda joint: joint.first)

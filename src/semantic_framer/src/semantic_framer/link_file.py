@@ -1,0 +1,141 @@
+"""Words that join deeds with conditions, times and other deeds: "until", "otherwise"; the file ``links.yaml``."""
+
+from dataclasses import dataclass
+from enum import Enum
+from functools import lru_cache
+from pathlib import Path
+from typing import Dict, FrozenSet, List, Mapping, Optional, Sequence, Tuple
+
+import yaml
+
+from semantic_frames.marked_yaml import Reader
+from semantic_frames.source_files import read_text
+
+#: Next to this module in the source, devel and install space.
+LINKS_FILE = Path(__file__).resolve().parent / "links.yaml"
+_SECTIONS = ("links", "joiners", "bounds", "bounds_behind")
+
+
+class LinkKind(Enum):
+    """What a word means for what it joins."""
+
+    UNTIL = "until"  # what runs ends when the condition holds
+    WHILE = "while"  # what runs ends when the condition ends
+    IF = "if"  # whether the condition holds now
+    UNLESS = "unless"  # whether it does not hold now
+    WHEN = "when"  # as soon as it holds; now, if it holds already
+    ANEW = "next time"  # as soon as it begins to hold
+    WHENEVER = "whenever"  # each time that it begins to hold
+    DELAY = "delay"  # after a time
+    PERIOD = "period"  # again and again, after a time each
+    OTHERWISE = "otherwise"  # if the condition does not hold
+    OR_ELSE = "or else"  # if what was said before fails
+    MEANWHILE = "meanwhile"  # at the same time as what was said before
+    THEN = "then"  # after what was said before
+
+
+@dataclass(frozen=True)
+class Link:
+    """A word, or several, that join something.
+
+    Attributes:
+        name: as in the file
+        kind: what it means
+        question: asks for what is missing behind it; empty for none
+    """
+
+    name: str
+    kind: LinkKind
+    question: str = ""
+
+
+@dataclass(frozen=True)
+class Links:
+    """The content of the file.
+
+    Attributes:
+        links: what stands before a condition, by its words
+        joiners: what stands before a deed, by its words
+        bounds: words before the longest time that something may take
+        bounds_behind: words behind "for" and such a time: "for an hour *at most*"
+    """
+
+    links: Mapping[Tuple[str, ...], Link]
+    joiners: Mapping[Tuple[str, ...], Link]
+    bounds: FrozenSet[Tuple[str, ...]]
+    bounds_behind: FrozenSet[Tuple[str, ...]]
+
+    def link_at(self, forms: Sequence[str]) -> Tuple[Optional[Link], int]:
+        """Return the link that words in lower case begin with, and its number of words; None and 0 for no link."""
+        return _longest(self.links, forms)
+
+    def is_link_word(self, form: str) -> bool:
+        """Whether a link begins with a word in lower case."""
+        return any(words[0] == form for words in self.links)
+
+    def joiner_at(self, forms: Sequence[str]) -> Tuple[Optional[Link], int]:
+        """Return the joiner that words in lower case begin with, and its number of words; None and 0 for none."""
+        return _longest(self.joiners, forms)
+
+    def bound_at(self, forms: Sequence[str]) -> int:
+        """Return the number of words of a bound that words in lower case begin with; 0 for none."""
+        return _length(self.bounds, forms)
+
+    def behind_bound_at(self, forms: Sequence[str]) -> int:
+        """Return the number of words of a bound behind its time that words in lower case begin with; 0 for none."""
+        return _length(self.bounds_behind, forms)
+
+
+def _length(of: FrozenSet[Tuple[str, ...]], forms: Sequence[str]) -> int:
+    return max((len(words) for words in of if tuple(forms[: len(words)]) == words), default=0)
+
+
+def _longest(of: Mapping[Tuple[str, ...], Link], forms: Sequence[str]) -> Tuple[Optional[Link], int]:
+    for length in range(min(8, len(forms)), 0, -1):
+        found = of.get(tuple(forms[:length]))
+        if found is not None:
+            return found, length
+    return None, 0
+
+
+def load_links(text: str, path: str) -> Links:
+    """Read a file of links.
+
+    Args:
+        text: content of the file
+        path: path of the file, for problems
+    Raises:
+        FileRefused: the file is wrong; it lists every mistake
+    """
+    reader = Reader(path)
+    sections = reader.mapping(reader.compose(text, "a mapping of links"), "", _SECTIONS, required=_SECTIONS)
+    links, joiners = (_entries(reader, sections.get(name), name) for name in ("links", "joiners"))
+    bounds, behind = (
+        frozenset(tuple(words.split()) for words in reader.texts(sections.get(name), name))
+        for name in ("bounds", "bounds_behind")
+    )
+    reader.refuse_if_wrong()
+    return Links(links, joiners, bounds, behind)
+
+
+def _entries(reader: Reader, node: Optional[yaml.Node], section: str) -> Mapping[Tuple[str, ...], Link]:
+    found: Dict[Tuple[str, ...], Link] = {}
+    kinds: List[str] = [kind.name for kind in LinkKind]
+    for key, item in reader.sequence(node, section):
+        entries = reader.mapping(item, key, ("name", "kind", "question", "words"), required=("name", "kind", "words"))
+        kind = reader.choice(entries.get("kind"), f"{key}.kind", kinds, LinkKind.THEN.name)
+        name = reader.name(entries.get("name"), f"{key}.name")
+        link = Link(name, LinkKind[kind], reader.text(entries.get("question"), f"{key}.question"))
+        for words in reader.texts(entries.get("words"), f"{key}.words"):
+            found[tuple(words.split())] = link
+    return found
+
+
+@lru_cache(maxsize=None)
+def shipped_links() -> Links:
+    """Return the links of ``links.yaml``, read once.
+
+    Raises:
+        FileRefused: the file is wrong
+    """
+    return load_links(read_text(str(LINKS_FILE)), str(LINKS_FILE))
