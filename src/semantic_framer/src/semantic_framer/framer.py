@@ -33,6 +33,7 @@ from semantic_framer.outcome import (
     Understood,
 )
 from semantic_framer.questions import question_readings
+from semantic_framer.reading import Reading
 from semantic_framer.readings import ClauseReadings, as_wish, readings_of_clause
 from semantic_framer.sentence import Sentence
 from semantic_framer.sentence_verdicts import (
@@ -244,8 +245,10 @@ class _Hearing:
     def _read(self, sentence: Sentence, context: Context) -> Heard:
         """Understand a sentence that is not an answer; it may say when it begins: "then go home"."""
         begun = beginning_of(sentence.tree)
-        if begun is not None and any(begun.positions & time for time in sentence.tree.times):
-            begun = None  # "Next week" is a time.
+        if begun is not None and any(
+            begun.positions & time and not time <= begun.positions for time in sentence.tree.times
+        ):
+            begun = None  # "Next week" is a time; "afterwards" is none.
         bare = None if begun is None else without_beginning(sentence, begun, self._now.known)
         if begun is None or bare is None:
             return self._read_command(sentence, context)
@@ -300,6 +303,7 @@ class _Hearing:
         clauses = self._deeds(case)
         if isinstance(clauses, Refusal):
             return Heard(clauses, context, sentence) if clauses.code in TELLING and refused is None else refused
+        clauses = tuple(replace(read, kept=self._deeds_first(read.kept)) for read in clauses)
         best = [read.kept[0] for read in clauses]
         is_open = choices_of_clauses(bare, [read.clause for read in clauses], self._now.known) or choices_of_amounts(
             bare, best, self._now.known
@@ -317,6 +321,11 @@ class _Hearing:
             return refused
         self._now.write("plan", sentence.tree.text, str(plan))
         return Heard(*resolve_and_confirm(kept, bare, context, self._now, plan=plan), sentence, clauses)
+
+    def _deeds_first(self, readings: Tuple[Reading, ...]) -> Tuple[Reading, ...]:
+        """Return the readings that act, if one does: "proceed until ..." is no answer to what waits."""
+        frames = self._now.known.frames
+        return tuple(reading for reading in readings if not frames[reading.unit.frame_name].is_question) or readings
 
     def _read_plainly(self, sentence: Sentence, context: Context) -> Heard:
         """Understand a sentence without conditions: small talk, a change of the last command, or a command."""

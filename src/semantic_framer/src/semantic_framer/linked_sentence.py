@@ -1,6 +1,5 @@
 """The rest of a sentence without the words that join its deeds, and what to reply if these are not understood."""
 
-from dataclasses import replace
 from typing import FrozenSet, Optional, Sequence, Union
 
 from semantic_framer.clause_links import Joints, find_joints
@@ -10,7 +9,7 @@ from semantic_framer.outcome import Question, Refusal
 from semantic_framer.reading import Reading
 from semantic_framer.sentence import Sentence
 from utterance_passes.tree import ASIDE, DependencyTree, Word
-from utterance_passes.tree_edits import TreeEdit, set_aside
+from utterance_passes.tree_edits import TreeEdit, mark_times, set_aside
 
 #: Codes of refusals of the deeds that say more than that the sentence has a condition.
 TELLING = frozenset(["UNKNOWN_VERB", "UNKNOWN_FRAME", "NO_READING", "LEFT_OVER_WORDS"])
@@ -35,7 +34,7 @@ def without_joints(sentence: Sentence, joints: Joints, known: FramedLexicon) -> 
     # The times among the words that join are accounted for.
     times = tuple(time for time in tree.times if not time <= joints.positions)
     made = set_aside(_with_deeds_apart(tree, joints.positions), joints.positions, ASIDE, is_verb)
-    return replace(made, times=times)
+    return mark_times(made, times)
 
 
 def _with_deeds_apart(tree: DependencyTree, joining: FrozenSet[int]) -> DependencyTree:

@@ -66,7 +66,7 @@ CORRECTIONS = (
     "that's not the kitchen",
     "that is not what I meant",
     "no, to the office",
-    "forget the kitchen",
+    "forget going there",
     "no, jump to the moon",
     "I don't want to go there",
 )
@@ -96,7 +96,7 @@ NEITHER = (
     "no one is here",
     "you did not turn left",
     "are you sure there is no way in",
-    "why are you not turning",
+    "why does the moon not shine",
     "no problem",
     "no thanks",
     "no idea",

@@ -14,7 +14,8 @@ from utterance_passes.tree_edits import NotATree, TreeEdit, behind_verb, set_asi
 SOURCES = Path(__file__).resolve().parents[3]
 TREE = from_short("take|VERB|0|root the|DET|3|det mug|NOUN|1|obj")
 #: They read trees that come from elsewhere: the parser, a message, a file.
-READERS = {"conllu.py", "inference.py", "ros_messages.py"}
+# conditions.py gives arguments other words; an argument has a head as a word has.
+READERS = {"conllu.py", "inference.py", "ros_messages.py", "conditions.py"}
 FIELDS = {"form", "upos", "xpos", "feats", "head", "deprel", "words", "times", "sharing_a_verb", "clusters", "brackets"}
 
 
