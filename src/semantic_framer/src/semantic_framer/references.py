@@ -15,6 +15,7 @@ _PARTICIPANTS = word_class("participants")
 _ROBOTS = word_class("robots")
 #: FrameNet's names of elements for how something is.
 _STATES = frozenset(["State", "Operational_state"])
+_SOUND_SOURCE = "Sound_source"
 
 
 def resolve(reading: Reading, context: Context) -> Union[Reading, TypedArgument]:
@@ -69,6 +70,8 @@ def remember(reading: Reading, frames: Mapping[str, SemanticFrame], context: Con
             continue  # "The floor is dirty, clean it": dirty is no thing.
         if frame.is_condition and (value.semantic_type == "Human" or value.lemma in _ROBOTS):
             continue  # "If Bob is at the door, open it": Bob is no thing.
+        if frame.is_condition and element.framenet == _SOUND_SOURCE:
+            continue  # "When the bell rings, go to the door and open it": the bell only tells when.
         if element.framenet in PLACES:
             context = replace(context, place=value.text)
         elif element.framenet not in NO_THINGS and value.text.lower() not in _PARTICIPANTS:
