@@ -3,11 +3,13 @@
 from dataclasses import dataclass, field, replace
 from typing import FrozenSet, List, Optional, Sequence, Tuple
 
+from semantic_framer.clock_times import ClockTime, clock_time_at
 from semantic_framer.conditions import ConditionPart, read_condition
 from semantic_framer.framed_lexicon import FramedLexicon
 from semantic_framer.link_file import Link, LinkKind, shipped_links
 from semantic_framer.sentence import Sentence
 from spoken_quantities import QuantityError, parse_measure
+from typed_arguments import TimeExpression
 from utterance_passes.tree import Word
 from word_classes import word_class
 
@@ -34,6 +36,7 @@ class Joint:
         seconds: of a delay or a period
         words: of the link, as it was said
         limit_s: longest time that was said for it; 0 for none
+        when: a time of the clock
     """
 
     kind: LinkKind
@@ -43,6 +46,7 @@ class Joint:
     seconds: float = 0.0
     words: str = ""
     limit_s: float = 0.0
+    when: Optional[TimeExpression] = None
 
 
 @dataclass(frozen=True)
@@ -98,7 +102,12 @@ class _Finder:
                 limits.append(bound)
                 place = end
                 continue
-            joint, end = self._timed(place)
+            clock = self._clock(place)
+            if clock is not None and clock.when is None:
+                question = question or clock.question
+                place += clock.length
+                continue
+            joint, end = self._at(place, clock) if clock is not None else self._timed(place)
             if joint is None:
                 joint, end = self._linked(place)
             if joint is None:
@@ -172,8 +181,14 @@ class _Finder:
         positions = frozenset(word.index for word in words)
         return Joint(link.kind, self.words[place].index, positions, condition, words=said)
 
-    def _may_end(self, start: int, end: int) -> bool:
-        """Whether a condition may end before a place: at a mark, before a conjunction, a link, a time or a verb."""
+    def _may_end(self, start: int, end: int, *, is_clock: bool = True) -> bool:
+        """Whether a condition may end before a place: at a mark, before a conjunction, a link, a time or a verb.
+
+        Args:
+            start: where it begins
+            end: the place
+            is_clock: whether a time of the clock may follow
+        """
         if self.words[end - 1].upos == "PUNCT" or end == len(self.words):
             return True
         word, form = self.words[end], self.forms[end]
@@ -183,8 +198,22 @@ class _Finder:
             return True
         if self._bound(end)[0] is not None or self._timed(end)[0] is not None:
             return True
+        if is_clock and self._clock(end) is not None:
+            return True
         is_verb = bool(self.known.verbs_beginning_with(word.lemma.lower()) or self.known.verbs_beginning_with(form))
         return is_verb and word.deprel not in _INNER and word.upos in ("VERB", "NOUN", "ADJ", "PROPN", "INTJ", "X")
+
+    def _clock(self, place: int) -> Optional[ClockTime]:
+        """Return the time of the clock that begins at a place: "at eight", but not "at eight tables"."""
+        found = clock_time_at(self.forms[place:])
+        if found is None or not self._may_end(place, place + found.length, is_clock=False):
+            return None
+        return found
+
+    def _at(self, place: int, clock: ClockTime) -> Tuple[Optional[Joint], int]:
+        end = place + clock.length
+        joint = self._joint(Link(LinkKind.CLOCK.value, LinkKind.CLOCK), place, end, clock.length, None)
+        return replace(joint, when=clock.when), end
 
     def _timed(self, place: int) -> Tuple[Optional[Joint], int]:
         """Return a delay ("in five minutes") or a period ("every ten seconds") that begins at a place."""
