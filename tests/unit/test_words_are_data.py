@@ -37,6 +37,7 @@ NO_SPEECH: Dict[str, Tuple[str, str]] = {
     "arbitrator/plan_nodes.py": ("names of fields", "kind, label, children, candidates, after"),
     "arbitrator/ros_messages.py": ("names of fields", "kind, label, count, most, trigger"),
     "arbitrator/state_machine.py": ("labels of states", "together, monitor, next round"),
+    "command_server/ros_open_commands.py": ("keys of a record", "id, text, order"),
     "executor/ros_driver_settings.py": ("keys of a record", "node, name, former"),
     "executor/driver_settings.py": ("keys of a record", "node, name, former"),
     "frame_learning/outcome_score.py": (

@@ -9,13 +9,14 @@ from roboframenet_msgs.msg import CommandPlan, CommandSemanticFrames, Procedure,
 
 from arbitrator.policy import Policy, PolicyError, arbitrate, load_policy
 from arbitrator.procedure import describe
-from arbitrator.ros_messages import plan_from_message, plan_to_message, procedure_to_message
+from arbitrator.ros_messages import any_from_message, plan_to_message, procedure_to_message
+from arbitrator.standing import STANDING
 from roboframenet_ros.health import Health
 from roboframenet_ros.parameters import ParameterError, Parameters, parameter
 from roboframenet_ros.ros_node import read_parameters, run_node
 from roboframenet_ros.ros_stage import Stage
 
-# How long a command waits for an executor that is starting; shorter than the silence that is allowed to it.
+# How long a command waits for the next node to start; shorter than the silence that is allowed to it.
 _LISTENER_TIMEOUT_S = 3.0
 
 
@@ -40,12 +41,14 @@ class Settings(Parameters):
 class ArbitratorNode:
     """Orders the candidates of each clause of a command.
 
-    Subscribes: ``command_semantic_frames``. Publishes: ``command_plan``, ``procedure``, ``stage_events``.
+    Subscribes: ``command_semantic_frames``. Publishes: ``command_plan``, ``command_standing_order``, ``procedure``,
+    ``stage_events``.
     """
 
     def __init__(self, policy: Policy) -> None:
         self._policy = policy
         self._command_plan = rospy.Publisher("command_plan", CommandPlan, queue_size=100)
+        self._standing_order = rospy.Publisher("command_standing_order", CommandPlan, queue_size=100)
         self._procedure = rospy.Publisher("procedure", Procedure, queue_size=100)
         self._stage = Stage("arbitrator")
         self._subscriber = rospy.Subscriber(
@@ -58,7 +61,7 @@ class ArbitratorNode:
 
     def _on_candidates(self, message: CommandSemanticFrames) -> None:
         try:
-            plan = arbitrate(plan_from_message(message.plan), self._policy)
+            plan = arbitrate(any_from_message(message.plan), self._policy)
         except (ValueError, PolicyError) as error:
             rospy.logerr("cmd=%s cannot be arbitrated: %s", message.command.id, error)
             self._stage.ends(
@@ -70,20 +73,30 @@ class ArbitratorNode:
             return
         sentence = describe(plan)
         rospy.loginfo("cmd=%s %s", message.command.id, sentence)
-        self._wait_for_executor()
+        topic = self._standing_order if isinstance(plan, STANDING) else self._command_plan
+        is_heard = self._wait_for_listener(topic)
+        if topic is self._standing_order and not is_heard:
+            self._stage.ends(
+                message.command,
+                outcome=Reply.REFUSED,
+                code="NO_SERVER",
+                sentence="I can only act at once: nobody keeps standing orders (standing_orders is not running).",
+            )
+            return
         # The event is published first, so that observers receive the events of the stages in order.
         self._stage.passes_on(message.command, sentence)
-        self._command_plan.publish(CommandPlan(command=message.command, plan=plan_to_message(plan)))
+        topic.publish(CommandPlan(command=message.command, plan=plan_to_message(plan)))
         procedure = procedure_to_message(plan)
         if procedure is not None:
             self._procedure.publish(procedure)
 
-    def _wait_for_executor(self) -> None:
+    @staticmethod
+    def _wait_for_listener(topic: rospy.Publisher) -> bool:
+        """Wait for a subscriber that is starting; returns whether there is one."""
         end_s = time.monotonic() + _LISTENER_TIMEOUT_S
-        while self._command_plan.get_num_connections() == 0 and time.monotonic() < end_s:
-            if rospy.is_shutdown():
-                return
+        while topic.get_num_connections() == 0 and time.monotonic() < end_s and not rospy.is_shutdown():
             time.sleep(0.01)
+        return bool(topic.get_num_connections())
 
 
 def _start() -> ArbitratorNode:

@@ -2,7 +2,7 @@
 
 import enum
 from dataclasses import dataclass, fields, replace
-from typing import Any, Callable, Dict, FrozenSet, List, Sequence, Tuple
+from typing import Any, Callable, Dict, FrozenSet, List, Optional, Sequence, Tuple, Union
 
 from arbitrator.plan import (
     CONDITIONS,
@@ -26,6 +26,8 @@ from arbitrator.plan import (
     While,
     parts_of,
 )
+from arbitrator.standing import STANDING, AnyOrder, At, Whenever
+from typed_arguments import TimeExpression
 
 #: The most nodes of one plan; a sentence has a handful of clauses.
 MOST_NODES = 1000
@@ -66,6 +68,7 @@ class Node:
         candidates: candidates of a clause
         after, count, most, duration_s, period_s, limit_s, is_limit_said, trigger, is_negated: as in the message; times
             in seconds
+        when: time of a standing order
     """
 
     kind: int
@@ -81,6 +84,7 @@ class Node:
     is_limit_said: bool = False
     trigger: int = Trigger.HOLDS
     is_negated: bool = False
+    when: Optional[TimeExpression] = None
 
     @property
     def limit(self) -> Limit:
@@ -101,7 +105,7 @@ class _Reader:
         uses: the fields that the kind has a use for, besides label, children and candidates
     """
 
-    make: Callable[[Node, _Children], Part]
+    make: Callable[[Node, _Children], Any]
     least: int
     most: int
     uses: FrozenSet[str]
@@ -119,6 +123,12 @@ def _if(node: Node, children: _Children) -> If:
 def _until(node: Node, children: _Children) -> Until:
     condition = children[0] if len(children) == 2 else None
     return Until(node.label, children[-1], condition, node.duration_s, node.limit)
+
+
+def _at(node: Node, children: _Children) -> Any:
+    if node.when is None:
+        raise ValueError("an AT has no time")
+    return At(node.label, children[0], node.when)
 
 
 def _condition(kind: Callable[..., Part]) -> Callable[[Node, _Children], Part]:
@@ -154,17 +164,18 @@ _READERS: Dict[Kind, _Reader] = {
         1,
         _LIMIT | {"duration_s"},
     ),
+    Kind.AT: _Reader(_at, 1, 1, frozenset({"when"})),
+    Kind.WHENEVER: _Reader(lambda node, children: Whenever(node.label, children[0], children[1]), 2, 2, frozenset()),
     Kind.CONDITION: _Reader(
         lambda node, _: Condition(node.label, node.candidates, Trigger(node.trigger), node.is_negated), 0, 0, _TRUTH
     ),
     Kind.ALL: _Reader(_condition(AllOf), 0, MOST_NODES, _TRUTH),
     Kind.ANY: _Reader(_condition(AnyOf), 0, MOST_NODES, _TRUTH),
 }
-#: Kinds that a machine can be made of. A plan with another kind is refused as a whole: a part of it would be another
-#: command.
+#: Kinds that are understood. A plan with another kind is refused as a whole: a part of it would be another command.
 CARRIED_OUT = tuple(_READERS)
 
-_KIND_OF = {
+_KIND_OF: Dict[type, Kind] = {
     Do: Kind.DO,
     InSequence: Kind.SEQUENCE,
     InParallel: Kind.PARALLEL,
@@ -175,6 +186,8 @@ _KIND_OF = {
     While: Kind.WHILE,
     Repeat: Kind.REPEAT,
     Wait: Kind.WAIT,
+    At: Kind.AT,
+    Whenever: Kind.WHENEVER,
     Condition: Kind.CONDITION,
     AllOf: Kind.ALL,
     AnyOf: Kind.ANY,
@@ -182,16 +195,16 @@ _KIND_OF = {
 _WITH_CANDIDATES = (Kind.DO, Kind.CONDITION)
 
 
-def kind_of(part: Part) -> Kind:
+def kind_of(part: Union[Part, AnyOrder]) -> Kind:
     """Return the kind of node that a part of a plan is sent as."""
     return _KIND_OF[type(part)]
 
 
-def to_nodes(plan: Plan) -> Tuple[Node, ...]:
-    """Return the nodes of a plan, the root first."""
+def to_nodes(plan: Union[Plan, AnyOrder]) -> Tuple[Node, ...]:
+    """Return the nodes of a plan or a standing order, the root first."""
     nodes: List[Node] = []
 
-    def add(part: Part) -> int:
+    def add(part: Any) -> int:
         position = len(nodes)
         nodes.append(_node_without_children(part))
         children = tuple(add(child) for child in parts_of(part))
@@ -205,7 +218,7 @@ def to_nodes(plan: Plan) -> Tuple[Node, ...]:
     return tuple(nodes)
 
 
-def _node_without_children(part: Part) -> Node:
+def _node_without_children(part: Any) -> Node:
     values = {field.name: getattr(part, field.name) for field in fields(part)}
     limit = values.pop("limit", Limit())
     known = {field.name for field in fields(Node)} - {"children", "after"}
@@ -217,7 +230,19 @@ def from_nodes(nodes: Sequence[Node]) -> Plan:
     """Return the plan of a list of nodes.
 
     Raises:
-        ValueError: the nodes are not a plan; the text says which node is wrong, and why
+        ValueError: the nodes are not a plan that can be carried out now; the text says which node is wrong, and why
+    """
+    plan = any_from_nodes(nodes)
+    if isinstance(plan, STANDING):
+        raise ValueError(f"node 0 of the plan is a standing order ({kind_of(plan).name}): nothing is to be done now")
+    return plan
+
+
+def any_from_nodes(nodes: Sequence[Node]) -> Union[Plan, AnyOrder]:
+    """Return the plan or the standing order of a list of nodes.
+
+    Raises:
+        ValueError: the nodes are neither; the text says which node is wrong, and why
     """
     levels = _levels(nodes)
     parts: Dict[int, Any] = {}
@@ -233,7 +258,7 @@ def from_nodes(nodes: Sequence[Node]) -> Plan:
         parts[position] = part
     if isinstance(parts[0], CONDITIONS):
         raise ValueError("node 0 of the plan is a condition, and nothing is to be done")
-    plan: Plan = parts[0]
+    plan: Union[Plan, AnyOrder] = parts[0]
     return plan
 
 
@@ -286,6 +311,11 @@ def _levels(nodes: Sequence[Node]) -> Dict[int, int]:
             f"nodes {', '.join(lost[:10])} of the plan are not reached from its root: no parent, or a cycle"
         )
     for position, node in enumerate(nodes):
+        if position and node.kind in (Kind.AT, Kind.WHENEVER):
+            raise ValueError(
+                f"node {position} of the plan is of the kind {Kind(node.kind).name}; "
+                "a standing order is no part of a plan"
+            )
         if node.after and (position == 0 or nodes[parents[position]].kind != Kind.ANY_ORDER):
             raise ValueError(f"node {position} of the plan sets after; only a child of an ANY_ORDER has a use for it")
     return levels

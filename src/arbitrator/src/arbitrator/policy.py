@@ -9,9 +9,12 @@ import abc
 import importlib
 import itertools
 import random
-from typing import Callable, Dict, List, Optional, Sequence, Tuple
+from typing import Callable, Dict, List, Optional, Sequence, Tuple, TypeVar, Union
 
 from arbitrator.plan import Candidate, Plan, with_candidates
+from arbitrator.standing import AnyOrder
+
+AnyPlan = TypeVar("AnyPlan", bound=Union[Plan, AnyOrder])
 
 
 class Policy(abc.ABC):
@@ -115,9 +118,9 @@ def _same_candidates(one: Sequence[Candidate], other: Sequence[Candidate]) -> bo
     return sorted(map(id, one)) == sorted(map(id, other))
 
 
-def arbitrate(plan: Plan, policy: Policy) -> Plan:
+def arbitrate(plan: AnyPlan, policy: Policy) -> AnyPlan:
     """Order the candidates of each clause of a plan by :func:`order`; raises PolicyError like it."""
-    arbitrated: Plan = with_candidates(plan, lambda candidates: order(candidates, policy))
+    arbitrated: AnyPlan = with_candidates(plan, lambda candidates: order(candidates, policy))
     return arbitrated
 
 

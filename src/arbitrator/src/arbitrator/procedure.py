@@ -4,6 +4,7 @@ import itertools
 from typing import Optional, Tuple, Union
 
 from arbitrator.plan import Condition, Do, InSequence, Plan, clauses, walk
+from arbitrator.standing import STANDING, AnyOrder
 from typed_arguments import FilledFrame
 
 #: Most sequences of the 2012 procedure of a plan with several clauses.
@@ -28,8 +29,10 @@ def as_procedure(plan: Plan) -> Optional[Tuple[Tuple[FilledFrame, ...], ...]]:
     return tuple(tuple(itertools.chain.from_iterable(combination)) for combination in combinations)
 
 
-def describe(plan: Plan) -> str:
+def describe(plan: Union[Plan, AnyOrder]) -> str:
     """Return a plan as a sentence: "2 candidates, first turning by turn_slowly."."""
+    if isinstance(plan, STANDING):
+        return f"A standing order: {describe(plan.child)}"
     parts = [part for part in walk(plan) if isinstance(part, (Do, Condition))]
     if len(parts) == 1:
         return f"{_candidates(parts[0])}."

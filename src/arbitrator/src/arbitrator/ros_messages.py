@@ -1,22 +1,31 @@
 """Converts plans between messages and values."""
 
-from typing import Dict, Optional, Sequence
+from typing import Any, Dict, Optional, Sequence, Union
 
 import rospy
 from roboframenet_msgs import msg
 
 from arbitrator.plan import Candidate, Plan
-from arbitrator.plan_nodes import Node, from_nodes, to_nodes
+from arbitrator.plan_nodes import Node, any_from_nodes, from_nodes, to_nodes
 from arbitrator.procedure import as_procedure
+from arbitrator.standing import STANDING, AnyOrder
 from typed_arguments import TypedArgument
-from typed_arguments.ros_messages import SharedArguments, frame_to_message, frames_from_messages, from_message
+from typed_arguments.ros_messages import (
+    SharedArguments,
+    frame_to_message,
+    frames_from_messages,
+    from_message,
+    time_from_message,
+    time_to_message,
+)
 
 #: Fields of a node that are the same in its message.
 _SAME = ("kind", "label", "count", "most", "is_limit_said", "trigger", "is_negated")
 #: Fields of a node in seconds, and the durations of its message.
 _TIMES = {"duration_s": "duration", "period_s": "period", "limit_s": "limit"}
 #: Fields of the message that nothing reads yet.
-_UNREAD = ("when", "robot")
+_UNREAD = ("robot",)
+_BEGINNINGS = (msg.Plan.REPLACE, msg.Plan.WHEN_FREE)
 _NOTHING_SET = msg.PlanNode()
 
 
@@ -27,11 +36,25 @@ def plan_from_message(message: msg.Plan) -> Plan:
         ValueError: the nodes are not a tree, a candidate is malformed, or a part of the plan is not supported; the text
             says which, and why
     """
-    if message.beginning != msg.Plan.REPLACE:
+    return from_nodes(_nodes_from_message(message))
+
+
+def any_from_message(message: msg.Plan) -> Union[Plan, AnyOrder]:
+    """Turn a message into a plan, or into a standing order.
+
+    Raises:
+        ValueError: as :func:`plan_from_message`
+    """
+    return any_from_nodes(_nodes_from_message(message))
+
+
+def _nodes_from_message(message: msg.Plan) -> Sequence[Node]:
+    if message.beginning not in _BEGINNINGS:
         raise ValueError(
-            f"the plan begins in the way {message.beginning}; nothing carries out other ways than 0 (REPLACE)"
+            f"the plan begins in the way {message.beginning}; nothing carries out other ways than 0 (REPLACE) and 3 "
+            "(WHEN_FREE)"
         )
-    return from_nodes([_node_from_message(position, node) for position, node in enumerate(message.nodes)])
+    return [_node_from_message(position, node) for position, node in enumerate(message.nodes)]
 
 
 def _node_from_message(position: int, message: msg.PlanNode) -> Node:
@@ -47,6 +70,7 @@ def _node_from_message(position: int, message: msg.PlanNode) -> Node:
         children=tuple(message.children),
         candidates=candidates,
         after=tuple(message.after),
+        when=time_from_message(message.when) if message.when.kind else None,
         **{name: getattr(message, name) for name in _SAME},
         **{name: getattr(message, of_message).to_sec() for name, of_message in _TIMES.items()},
     )
@@ -68,7 +92,7 @@ def candidate_from_message(message: msg.PlanCandidate, shared: Sequence[TypedArg
     )
 
 
-def plan_to_message(plan: Plan) -> msg.Plan:
+def plan_to_message(plan: Union[Plan, AnyOrder]) -> msg.Plan:
     """Turn a value into a message."""
     return msg.Plan(nodes=[_node_to_message(node) for node in to_nodes(plan)])
 
@@ -76,7 +100,9 @@ def plan_to_message(plan: Plan) -> msg.Plan:
 def _node_to_message(node: Node) -> msg.PlanNode:
     shared = SharedArguments()
     candidates = [candidate_to_message(candidate, shared) for candidate in node.candidates]
-    same: Dict[str, object] = {name: getattr(node, name) for name in _SAME}
+    same: Dict[str, Any] = {name: getattr(node, name) for name in _SAME}
+    if node.when is not None:
+        same["when"] = time_to_message(node.when)
     return msg.PlanNode(
         children=list(node.children),
         candidates=candidates,
@@ -97,8 +123,10 @@ def candidate_to_message(candidate: Candidate, shared: SharedArguments) -> msg.P
     )
 
 
-def procedure_to_message(plan: Plan) -> Optional[msg.Procedure]:
-    """Return the procedure of 2012 of a plan; None for a plan that it cannot say."""
+def procedure_to_message(plan: Union[Plan, AnyOrder]) -> Optional[msg.Procedure]:
+    """Return the procedure of 2012 of a plan; None for what it cannot say."""
+    if isinstance(plan, STANDING):
+        return None
     sequences = as_procedure(plan)
     if sequences is None:
         return None

@@ -25,10 +25,11 @@ from arbitrator.plan import (
     While,
     walk,
 )
-from arbitrator.plan_nodes import MOST_FRAMES, MOST_LEVELS, MOST_NODES, Kind, Node, from_nodes, to_nodes
+from arbitrator.plan_nodes import MOST_FRAMES, MOST_LEVELS, MOST_NODES, Kind, Node, any_from_nodes, from_nodes, to_nodes
 from arbitrator.procedure import MOST_COMBINATIONS, as_procedure, describe
-from arbitrator.ros_messages import plan_from_message, plan_to_message, procedure_to_message
-from typed_arguments import FilledFrame, TypedArgument
+from arbitrator.ros_messages import any_from_message, plan_from_message, plan_to_message, procedure_to_message
+from arbitrator.standing import At, Whenever
+from typed_arguments import FilledFrame, TimeExpression, TypedArgument
 
 
 def frame(name, server="server"):
@@ -47,6 +48,13 @@ TURN = Do("turn left", (way("turning"),))
 SEES = Condition("you see a wall", (way("perceiving"),), Trigger.BEGINS)
 CLOSED = Condition("the door is closed", (way("being_in_state"), way("perceiving")), is_negated=True)
 BOTH = AllOf("both", (CLOSED, AnyOf("one", (CLOSED, CLOSED), is_negated=True)), Trigger.BEGINS, is_negated=True)
+EIGHT = TimeExpression("time", "at eight", "at", "T08:00/T20:00", time_zone="Europe/Berlin")
+DAILY = TimeExpression("set", "every day at seven", "every", "T07:00", offset_s=60.0, period_s=86400.0)
+ORDERS = [
+    At("wave at Alice at eight", WAVE, EIGHT),
+    At("x", InSequence("b", (PING, WAVE)), DAILY),
+    Whenever("whenever x", BOTH, WAVE),
+]
 PLANS = [
     PING,
     InSequence("Ping and wave", (PING, WAVE)),
@@ -163,13 +171,22 @@ def join(*children, **changes):
         ([join(1, candidates=(way("turning"),)), do()], "node 0 of the plan joins clauses, and cannot have candidates"),
         ([do(kind=0)], "is of the kind 0; nothing carries out other kinds than 1 (DO), 2 (SEQUENCE), 3 (PARALLEL)"),
         ([join(1, kind=77), do()], "is of the kind 77; nothing"),
-        *[
-            (
-                [join(1), join(2, kind=kind), do()],
-                f"node 1 of the plan is of the kind {kind.value} ({kind.name}); nothing",
-            )
-            for kind in (Kind.AT, Kind.WHENEVER)
-        ],
+        (
+            [join(1), join(2, kind=Kind.AT, when=EIGHT), do()],
+            "node 1 of the plan is of the kind AT; a standing order is",
+        ),
+        (
+            [join(1), join(2, 3, kind=Kind.WHENEVER), do(kind=CONDITION), do()],
+            "node 1 of the plan is of the kind WHENEV",
+        ),
+        (
+            [join(1, kind=Kind.AT, when=EIGHT), do()],
+            "node 0 of the plan is a standing order (AT): nothing is to be",
+        ),
+        ([join(1, kind=Kind.AT), do()], "node 0 of the plan is wrong: an AT has no time"),
+        ([join(1, kind=Kind.AT, when=EIGHT), do(kind=CONDITION)], "a standing order has the condition 'x'"),
+        ([join(1, 2, kind=Kind.WHENEVER), do(), do()], "a whenever has something to do in the place of its condition"),
+        ([join(1, when=EIGHT), do()], "node 0 of the plan sets when; a SEQUENCE has no use for it"),
         ([join(1, kind=Kind.IF), do()], "node 0 of the plan has 1 children; a IF has 2 to 3"),
         ([join(1, 2, kind=Kind.IF), do(), do()], "node 0 of the plan is wrong: an if has a clause in the place of"),
         ([join(1, 2, kind=Kind.REPEAT), do(), do()], "node 0 of the plan has 2 children; a REPEAT has 1 to 1"),
@@ -234,11 +251,10 @@ def test_malformed_message_is_refused_with_the_reason(message, part):
     assert part in str(raised.value)
 
 
-@pytest.mark.parametrize("name,value", [("when", msg.TimeExpression(kind="time", value="T08:00")), ("robot", "beta")])
-def test_field_that_nothing_reads_is_refused_and_not_ignored(name, value):
+def test_field_that_nothing_reads_is_refused_and_not_ignored():
     message = plan_to_message(PING)
-    setattr(message.nodes[0], name, value)
-    with pytest.raises(ValueError, match=f"node 0 of the plan sets {name}; nothing reads that yet"):
+    message.nodes[0].robot = "beta"
+    with pytest.raises(ValueError, match="node 0 of the plan sets robot; nothing reads that yet"):
         plan_from_message(message)
 
 
@@ -331,4 +347,17 @@ def test_positions_of_arguments_that_do_not_fit_are_refused(positions, reason):
     message = plan_to_message(PING)
     message.nodes[0].candidates[0].arguments = positions
     with pytest.raises(ValueError, match=reason):
+        plan_from_message(message)
+
+
+@pytest.mark.parametrize("order", ORDERS, ids=str)
+def test_standing_order_goes_through_its_message_and_is_no_plan(order):
+    assert any_from_nodes(to_nodes(order)) == order
+    buffer = io.BytesIO()
+    plan_to_message(order).serialize(buffer)
+    message = msg.Plan().deserialize(buffer.getvalue())
+    assert any_from_message(message) == order
+    assert procedure_to_message(order) is None
+    assert describe(order).startswith("A standing order: ")
+    with pytest.raises(ValueError, match="standing order"):
         plan_from_message(message)

@@ -11,7 +11,7 @@ from dataclasses import replace
 from typing import Deque, Dict, Tuple, Union
 
 import rospy
-from roboframenet_msgs.msg import Command, Reply, StageEvent, StopReport
+from roboframenet_msgs.msg import Command, OrderDue, Reply, StageEvent, StopReport
 from std_msgs.msg import String
 
 from command_server.command_behind import command_behind
@@ -25,6 +25,7 @@ from command_server.open_commands import (
     OpenCommands,
     Outcome,
     ending_at_shutdown,
+    ending_of_cancelled,
     ending_of_silent_stop,
     refusal_of_text,
     stamp_after,
@@ -36,6 +37,7 @@ from command_server.ros_events import Braking, GoalCancelled, Said
 from command_server.ros_left_over import EXECUTOR_TIMEOUT_S, LeftOver
 from command_server.ros_messages import command_to_message, ending_of_event, reply_of_stopped
 from command_server.ros_open_commands import OpenCommandStore
+from command_server.ros_orders_due import OrdersDue
 from command_server.ros_replies import Replies
 from command_server.ros_settings import read_brake_settings
 from command_server.settings import Settings
@@ -63,14 +65,15 @@ _FLUSH_S = 0.1
 _RESTART_KEY = "restart"
 
 
-_Event = Union[Said, GoalCancelled, StageEvent, StopReport, Braked, Finding, None]
+_Event = Union[Said, GoalCancelled, StageEvent, StopReport, OrderDue, Braked, Finding, None]
 
 
 class CommandServerNode:
     """Owns the commands.
 
-    Subscribes: ``text``, ``stage_events``, ``stop_report``. Publishes: ``command_text``, ``command_cancel``, ``reply``,
-    ``status``, ``command_server_started`` (latched), ``text_taken``, and what a `Brake` does. Actions: ``command``.
+    Subscribes: ``text``, ``stage_events``, ``stop_report``, ``order_due``. Publishes: ``command_text``, ``reply``,
+    ``command_cancel``, ``command_plan``, ``status``, ``command_server_started`` (latched), ``text_taken``, and what a
+    `Brake` does. Actions: ``command``.
     """
 
     def __init__(self, settings: Settings, brake_settings: BrakeSettings) -> None:
@@ -92,6 +95,7 @@ class CommandServerNode:
         self._worker = threading.Thread(target=self._work, name="command_server_worker")
 
         self._command_text = rospy.Publisher("command_text", Command, queue_size=1000)
+        self._orders_due = OrdersDue(self._commands)
         self._cancels = CancelTopic()
         self._replies = Replies()
         self._brake = Brake(brake_settings, on_braked=self._events.put, on_finding=self._events.put)
@@ -116,6 +120,7 @@ class CommandServerNode:
         self._subscribers = [
             rospy.Subscriber("stage_events", StageEvent, self._events.put),
             rospy.Subscriber("stop_report", StopReport, self._events.put),
+            rospy.Subscriber("order_due", OrderDue, self._events.put),
             rospy.Subscriber("text", String, lambda message: self._events.put(Said(message.data, _now_ns()))),
         ]
         self._replies.tell_start()
@@ -181,6 +186,10 @@ class CommandServerNode:
             self._hear_stage(event)
         elif isinstance(event, StopReport):
             self._hear_stop_report(event)
+        elif isinstance(event, OrderDue):
+            ending = self._orders_due.begin(event, stop_stamp_ns=self._last_stop_ns)
+            if ending is not None:
+                self._conclude(ending)
         elif isinstance(event, Braked):
             if event.order.key in self._brakings:
                 self._brakings[event.order.key] = Braking(braked=event)
@@ -284,15 +293,7 @@ class CommandServerNode:
         if entry.may_have_started:
             # The executor ends it when the robot has stopped; its deadline still holds.
             return
-        self._conclude(
-            Ending(
-                command=entry.command,
-                outcome=Outcome.SUPERSEDED,
-                stage=OWN_STAGE,
-                code="STOPPED",
-                sentence="Cancelled before it began.",
-            )
-        )
+        self._conclude(ending_of_cancelled(entry.command))
 
     def _hear_stage(self, event: StageEvent) -> None:
         entry = self._commands.get(event.command.id)

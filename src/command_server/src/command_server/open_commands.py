@@ -30,11 +30,13 @@ class CommandText:
         command_id: unique
         stamp_ns: when it arrived, nanoseconds of ROS time
         text: as it was said
+        order: the standing order that it carries out, as it was said; empty for none
     """
 
     command_id: str
     stamp_ns: int
     text: str
+    order: str = ""
 
 
 @dataclass(frozen=True)
@@ -54,6 +56,12 @@ class Ending:
     stage: str
     code: str
     sentence: str
+
+    @property
+    def reply(self) -> str:
+        """The sentence, which names the standing order that the command carries out."""
+        order = self.command.order
+        return f'As you said, "{order}": {self.sentence}' if order else self.sentence
 
 
 @dataclass(frozen=True)
@@ -166,16 +174,19 @@ class OpenCommands:
         """The open command with this id, or None."""
         return self._open.get(command_id)
 
-    def open(self, command: CommandText) -> None:
+    def open(self, command: CommandText, *, stage: str = STAGES[0]) -> None:
         """Add a command; its first stage must report before its deadline.
 
+        Args:
+            command: what was said
+            stage: where it begins
         Raises:
             ValueError: a command with this id is open
         """
         if command.command_id in self._open:
             raise ValueError(f"command {command.command_id!r} is open already")
         self._open[command.command_id] = OpenCommand(
-            command=command, awaited_stage=STAGES[0], deadline_s=self._now() + self._timeouts_s[STAGES[0]]
+            command=command, awaited_stage=stage, deadline_s=self._now() + self._timeouts_s[stage]
         )
 
     def adopt(self, command: CommandText, *, timeout_s: float) -> None:
@@ -324,6 +335,18 @@ class OpenCommands:
         condemned = replace(entry, verdict=verdict, deadline_s=self._now() + timeout_s)
         self._open[entry.command.command_id] = condemned
         return condemned
+
+
+def ending_of_missed(command: CommandText, why: str) -> Ending:
+    """Return the ending of a standing order that is not carried out; `why` is a clause."""
+    sentence = f"I did not do that: {why}."
+    return Ending(command=command, outcome=Outcome.FAILED, stage="standing_orders", code="MISSED", sentence=sentence)
+
+
+def ending_of_cancelled(command: CommandText) -> Ending:
+    """Return the ending of a command that was cancelled before the executor got it."""
+    sentence = "Cancelled before it began."
+    return Ending(command=command, outcome=Outcome.SUPERSEDED, stage=OWN_STAGE, code="STOPPED", sentence=sentence)
 
 
 def ending_at_shutdown(command: CommandText) -> Ending:

@@ -3,7 +3,7 @@
 from dataclasses import replace
 
 import rospy
-from roboframenet_msgs.msg import Command, Reply, StageEvent
+from roboframenet_msgs.msg import Command, OrderDue, Reply, StageEvent
 
 from command_server.open_commands import STOP_STAGE, CommandText, Ending, Outcome
 from roboframenet_ros.bounded_text import one_line
@@ -55,6 +55,11 @@ def ending_of_event(event: StageEvent) -> Ending:
         )
 
 
+def due_from_message(message: OrderDue) -> CommandText:
+    """Turn the command of a standing order into a value."""
+    return replace(command_from_message(message.command), order=message.order)
+
+
 def ending_to_message(ending: Ending) -> Reply:
     """Turn a value into a message, stamped now."""
     return Reply(
@@ -62,7 +67,7 @@ def ending_to_message(ending: Ending) -> Reply:
         outcome=int(ending.outcome),
         stage=ending.stage,
         code=ending.code,
-        sentence=one_line(ending.sentence),
+        sentence=one_line(ending.reply),
         stamp=rospy.Time.now(),
     )
 

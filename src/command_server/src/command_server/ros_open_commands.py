@@ -18,7 +18,7 @@ class OpenCommandStore:
         """Return the commands that the previous run left open; empty, with a warning, if they cannot be read."""
         try:
             commands = [
-                CommandText(command_id=str(entry["id"]), stamp_ns=int(entry["stamp_ns"]), text=str(entry["text"]))
+                CommandText(str(entry["id"]), int(entry["stamp_ns"]), str(entry["text"]), str(entry.get("order", "")))
                 for entry in self._record.load() or ()
             ]
             return tuple({command.command_id: command for command in commands}.values())
@@ -29,7 +29,7 @@ class OpenCommandStore:
     def save(self, commands: Tuple[CommandText, ...]) -> None:
         """Save the commands."""
         self._record.save(
-            [{"id": command.command_id, "stamp_ns": command.stamp_ns, "text": command.text} for command in commands]
+            [{"id": one.command_id, "stamp_ns": one.stamp_ns, "text": one.text, "order": one.order} for one in commands]
         )
 
     def close(self) -> None:

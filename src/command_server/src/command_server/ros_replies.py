@@ -46,11 +46,11 @@ class Replies:
             ending.outcome.name,
             ending.code,
             ending.stage,
-            ending.sentence,
+            reply.sentence,
         )
         self.publisher.publish(reply)
         self.last_reply = reply
-        self.note(ending.sentence)
+        self.note(reply.sentence)
         return reply
 
     def note(self, sentence: str) -> None:

@@ -26,10 +26,17 @@ class CommandKey:
 
 @dataclass(frozen=True)
 class Order(Generic[Job]):
-    """A command, and what the node needs to carry it out."""
+    """A command, and what the node needs to carry it out.
+
+    Attributes:
+        key: of the command
+        job: what the node needs
+        begins_when_free: whether it begins only if nothing runs or waits; any other command takes its place
+    """
 
     key: CommandKey
     job: Job
+    begins_when_free: bool = False
 
 
 class Cause(enum.Enum):
@@ -37,6 +44,7 @@ class Cause(enum.Enum):
 
     NEW_COMMAND = "NEW_COMMAND"
     STOPPED = "STOPPED"
+    NOT_FREE = "NOT_FREE"
 
 
 @dataclass(frozen=True)
@@ -103,7 +111,10 @@ def submit(queue: CommandQueue[Job], order: Order[Job], *, now_ns: int) -> Step[
     newest = queue.waiting or queue.running
     if newest is None:
         return replace(queue, running=order, cause=None), (Start(order),)
-    if key.stamp_ns < newest.key.stamp_ns and not _is_of_old_clock(newest.key, now_ns):
+    if order.begins_when_free:
+        return queue, (Supersede(order, Cause.NOT_FREE),)
+    is_older = key.stamp_ns < newest.key.stamp_ns and not _is_of_old_clock(newest.key, now_ns)
+    if is_older and not newest.begins_when_free:
         return queue, (Supersede(order, Cause.NEW_COMMAND),)
     actions: Tuple[object, ...] = ()
     if queue.waiting is not None:

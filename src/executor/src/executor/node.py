@@ -11,6 +11,7 @@ from typing import Optional, Union
 
 import rospy
 from roboframenet_msgs.msg import Command, CommandPlan, StopReport
+from roboframenet_msgs.msg import Plan as PlanMessage
 
 import smach
 from arbitrator.plan import Plan
@@ -210,7 +211,8 @@ class ExecutorNode:
             self._end(message.command, ending_of_malformed(str(error)))
             return
         key = CommandKey(command_id=message.command.id, stamp_ns=message.command.stamp.to_nsec())
-        order = Order(key=key, job=_Job(command=message.command, plan=plan))
+        when_free = message.plan.beginning == PlanMessage.WHEN_FREE
+        order = Order(key=key, job=_Job(command=message.command, plan=plan), begins_when_free=when_free)
         self._follow(command_queue.submit(self._commands, order, now_ns=rospy.Time.now().to_nsec()))
 
     def _hear_end(self, ended: _RunEnded) -> None:

@@ -28,7 +28,11 @@ class Ending:
     sentence: str
 
 
-_SENTENCE_OF = {Cause.NEW_COMMAND: "A newer command took its place.", Cause.STOPPED: "Stopped."}
+_SENTENCE_OF = {
+    Cause.NEW_COMMAND: "A newer command took its place.",
+    Cause.STOPPED: "Stopped.",
+    Cause.NOT_FREE: "It did not begin, because something else ran.",
+}
 
 
 def ending_of_unstarted(cause: Cause) -> Ending:

@@ -21,8 +21,6 @@ from roboframenet_ros.ros_action_connection import ActionConnection, SentGoal
 from typed_arguments import FilledFrame
 from typed_arguments.ros_messages import frame_to_message
 
-# The silence of a source is noticed this much late at most.
-_LONGEST_WAIT_S = 0.1
 # A condition is watched for as long as the plan wants; the limits of the plan end it.
 _NO_LIMIT_S = 1e9
 
@@ -37,6 +35,7 @@ class WatchContext:
         deadlines: of goals
         longest_silence_s: returns, for a frame and its server, for how long a source may be silent
         on_note: called with a sentence about each change
+        turn_s: the silence of a source is noticed this much late at most, seconds
     """
 
     clients: ActionClients
@@ -44,6 +43,7 @@ class WatchContext:
     deadlines: GoalDeadlines
     longest_silence_s: Callable[[FilledFrame], float]
     on_note: Callable[[str], None]
+    turn_s: float = 0.1
 
 
 class ConditionWatch:
@@ -152,7 +152,7 @@ class ConditionWatch:
                 return f"said nothing for {silence_s:g} s"
             if step.is_question_due:
                 connection.ask_whether_gone(uri, lambda: self._inbox.put(Death()))
-            wait_s = min(_LONGEST_WAIT_S, max(0.001, tracking.next_deadline_s(goal) - now_s))
+            wait_s = min(self._context.turn_s, max(0.001, tracking.next_deadline_s(goal) - now_s))
             with contextlib.suppress(queue.Empty):
                 heard = self._inbox.get(timeout=wait_s)
                 goal = apply(goal, heard)

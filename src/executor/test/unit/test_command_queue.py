@@ -56,6 +56,17 @@ def test_only_the_newest_of_many_waits():
     assert command_queue.finish(queue)[1] == (Start(C),)
 
 
+def test_order_for_a_free_robot_begins_only_then_and_gives_way_to_any_command():
+    late = Order(key=CommandKey("late", 9), job="late", begins_when_free=True)
+    queue, actions = command_queue.submit(CommandQueue(), late, now_ns=10**9)
+    assert actions == (Start(late),)
+    _, actions = submit(queue, "a", 1)
+    assert actions == (Preempt(late, Cause.NEW_COMMAND),)
+    for busy in (CommandQueue(running=A), CommandQueue(running=A, cause=Cause.STOPPED), queue):
+        other = Order(key=CommandKey("other", 10), job="other", begins_when_free=True)
+        assert command_queue.submit(busy, other, now_ns=10**9) == (busy, (Supersede(other, Cause.NOT_FREE),))
+
+
 def test_stop_ends_what_was_said_before_it():
     queue, actions = stop(CommandQueue(running=A, cause=Cause.NEW_COMMAND, waiting=B), 2)
     assert actions == (Supersede(B, Cause.STOPPED),)

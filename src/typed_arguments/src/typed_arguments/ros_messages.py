@@ -147,7 +147,7 @@ def _add_phrase(argument: TypedArgument, phrases: List[msg.Phrase]) -> int:
     if argument.measure is not None:
         phrase.measure = _measure_to_message(argument.measure)
     if argument.time is not None:
-        phrase.time = _time_to_message(argument.time)
+        phrase.time = time_to_message(argument.time)
     phrase.modifiers = [
         msg.Modifier(**{field: getattr(modifier, field) for field in msg.Modifier.__slots__})
         for modifier in argument.modifiers
@@ -205,7 +205,7 @@ def _from_phrase(name: str, phrase: msg.Phrase, position: int, values: Dict[int,
         positions=tuple(phrase.positions),
         count=None if phrase.count == -1 else phrase.count,
         measure=_measure_from_message(phrase.measure) if phrase.measure.kind else None,
-        time=_time_from_message(phrase.time) if phrase.time.kind else None,
+        time=time_from_message(phrase.time) if phrase.time.kind else None,
         modifiers=tuple(
             Modifier(**{field: getattr(modifier, field) for field in msg.Modifier.__slots__})
             for modifier in phrase.modifiers
@@ -246,7 +246,8 @@ def _measure_from_message(message: msg.Measure) -> Measure:
     )
 
 
-def _time_to_message(time: TimeExpression) -> msg.TimeExpression:
+def time_to_message(time: TimeExpression) -> msg.TimeExpression:
+    """Turn a value into a message."""
     return msg.TimeExpression(
         kind=time.kind,
         words=time.words,
@@ -261,7 +262,12 @@ def _time_to_message(time: TimeExpression) -> msg.TimeExpression:
     )
 
 
-def _time_from_message(message: msg.TimeExpression) -> TimeExpression:
+def time_from_message(message: msg.TimeExpression) -> TimeExpression:
+    """Turn a message into a value.
+
+    Raises:
+        ValueError: the time is impossible
+    """
     return TimeExpression(
         kind=message.kind,
         words=message.words,
