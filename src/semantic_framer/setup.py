@@ -9,7 +9,14 @@ setup(
         packages=["semantic_framer"],
         package_dir={"": "src"},
         package_data={
-            "semantic_framer": ["fragments.yaml", "links.yaml", "moods.yaml", "objections.yaml", "small_talk.yaml"]
+            "semantic_framer": [
+                "beginnings.yaml",
+                "fragments.yaml",
+                "links.yaml",
+                "moods.yaml",
+                "objections.yaml",
+                "small_talk.yaml",
+            ]
         },
     )
 )

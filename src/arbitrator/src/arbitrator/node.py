@@ -85,7 +85,9 @@ class ArbitratorNode:
             return
         # The event is published first, so that observers receive the events of the stages in order.
         self._stage.passes_on(message.command, sentence)
-        topic.publish(CommandPlan(command=message.command, plan=plan_to_message(plan)))
+        ordered = plan_to_message(plan)
+        ordered.beginning = message.plan.beginning
+        topic.publish(CommandPlan(command=message.command, plan=ordered))
         procedure = procedure_to_message(plan)
         if procedure is not None:
             self._procedure.publish(procedure)

@@ -25,7 +25,7 @@ _SAME = ("kind", "label", "count", "most", "is_limit_said", "trigger", "is_negat
 _TIMES = {"duration_s": "duration", "period_s": "period", "limit_s": "limit"}
 #: Fields of the message that nothing reads yet.
 _UNREAD = ("robot",)
-_BEGINNINGS = (msg.Plan.REPLACE, msg.Plan.WHEN_FREE)
+_BEGINNINGS = (msg.Plan.REPLACE, msg.Plan.FOLLOW, msg.Plan.BESIDE, msg.Plan.WHEN_FREE)
 _NOTHING_SET = msg.PlanNode()
 
 
@@ -50,10 +50,7 @@ def any_from_message(message: msg.Plan) -> Union[Plan, AnyOrder]:
 
 def _nodes_from_message(message: msg.Plan) -> Sequence[Node]:
     if message.beginning not in _BEGINNINGS:
-        raise ValueError(
-            f"the plan begins in the way {message.beginning}; nothing carries out other ways than 0 (REPLACE) and 3 "
-            "(WHEN_FREE)"
-        )
+        raise ValueError(f"the plan begins in the way {message.beginning}, and there is no such way")
     return [_node_from_message(position, node) for position, node in enumerate(message.nodes)]
 
 

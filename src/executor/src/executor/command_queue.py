@@ -1,4 +1,5 @@
-"""Which command runs: the newest one wins, and a stop ends what was said before it.
+"""Which commands run: the newest one wins, unless it follows what runs or runs beside it; a stop ends what was said
+before it.
 
 A queue is a value; each function returns the next queue, and the actions to take in order.
 """
@@ -6,7 +7,7 @@ A queue is a value; each function returns the next queue, and the actions to tak
 import enum
 from collections import OrderedDict
 from dataclasses import dataclass, replace
-from typing import Callable, Generic, Optional, Tuple, TypeVar
+from typing import Callable, FrozenSet, Generic, List, Optional, Tuple, TypeVar
 
 Job = TypeVar("Job")
 
@@ -14,6 +15,18 @@ Job = TypeVar("Job")
 _MOST_CANCELLED = 1000
 # A stamp that is further in the future is from before the clock was set back, as simulators do.
 _CLOCK_RESET_NS = 1_000_000_000
+#: How many commands may wait for the end of others, and how many may run at the same time.
+MOST_WAITING = 20
+MOST_RUNNING = 8
+
+
+class Beginning(enum.IntEnum):
+    """What happens to the command that runs; the numbers are those of the Plan message."""
+
+    REPLACE = 0
+    FOLLOW = 1
+    BESIDE = 2
+    WHEN_FREE = 3
 
 
 @dataclass(frozen=True)
@@ -31,12 +44,22 @@ class Order(Generic[Job]):
     Attributes:
         key: of the command
         job: what the node needs
-        begins_when_free: whether it begins only if nothing runs or waits; any other command takes its place
+        beginning: when it begins
+        resources: what its servers may occupy; None for everything
     """
 
     key: CommandKey
     job: Job
-    begins_when_free: bool = False
+    beginning: Beginning = Beginning.REPLACE
+    resources: Optional[FrozenSet[str]] = None
+
+    def shared_with(self, other: "Order[Job]") -> Optional[FrozenSet[str]]:
+        """Return what both occupy; None for everything, empty for nothing."""
+        if self.resources is not None and other.resources is not None:
+            return self.resources & other.resources
+        # What occupies everything can still run beside what occupies nothing.
+        known = self.resources if self.resources is not None else other.resources
+        return frozenset() if known is not None and not known else known
 
 
 class Cause(enum.Enum):
@@ -45,6 +68,9 @@ class Cause(enum.Enum):
     NEW_COMMAND = "NEW_COMMAND"
     STOPPED = "STOPPED"
     NOT_FREE = "NOT_FREE"
+    NOT_BESIDE = "NOT_BESIDE"
+    NOT_BEGUN = "NOT_BEGUN"
+    TOO_MANY = "TOO_MANY"
 
 
 @dataclass(frozen=True)
@@ -56,7 +82,7 @@ class Start(Generic[Job]):
 
 @dataclass(frozen=True)
 class Preempt(Generic[Job]):
-    """Preempt the running order; `finish` must follow."""
+    """Preempt a running order; `finish` must follow."""
 
     order: Order[Job]
     cause: Cause
@@ -64,10 +90,30 @@ class Preempt(Generic[Job]):
 
 @dataclass(frozen=True)
 class Supersede(Generic[Job]):
-    """Reply to an order that was never started."""
+    """Reply to an order that was never started.
+
+    Attributes:
+        order: the order
+        cause: why
+        blocking: the order that it would have shared a resource with
+    """
 
     order: Order[Job]
     cause: Cause
+    blocking: Optional[Order[Job]] = None
+
+
+@dataclass(frozen=True)
+class Running(Generic[Job]):
+    """An order that runs.
+
+    Attributes:
+        order: the order
+        cause: why it is being preempted, None while it is not
+    """
+
+    order: Order[Job]
+    cause: Optional[Cause] = None
 
 
 @dataclass(frozen=True)
@@ -75,18 +121,20 @@ class CommandQueue(Generic[Job]):
     """The commands of the executor.
 
     Attributes:
-        running: the order that runs, also while it is being preempted
-        cause: why it is being preempted, None while it is not
-        waiting: the order that starts when the running one has ended
+        running: what runs, also while it is being preempted; what runs beside something stands behind it
+        waiting: the orders that start one after the other when everything that runs has ended
         stop_stamp_ns: commands said at or before it must not run; None before the first stop
         cancelled_ids: commands that were cancelled by name and may still arrive
     """
 
-    running: Optional[Order[Job]] = None
-    cause: Optional[Cause] = None
-    waiting: Optional[Order[Job]] = None
+    running: Tuple[Running[Job], ...] = ()
+    waiting: Tuple[Order[Job], ...] = ()
     stop_stamp_ns: Optional[int] = None
     cancelled_ids: Tuple[str, ...] = ()
+
+    def cause_of(self, command_id: str) -> Optional[Cause]:
+        """Why a command is being preempted; None if it is not."""
+        return next((one.cause for one in self.running if one.order.key.command_id == command_id), None)
 
 
 #: The next queue, and the actions to take.
@@ -108,28 +156,62 @@ def submit(queue: CommandQueue[Job], order: Order[Job], *, now_ns: int) -> Step[
         queue.stop_stamp_ns is not None and key.stamp_ns <= queue.stop_stamp_ns
     ):
         return queue, (Supersede(order, Cause.STOPPED),)
-    newest = queue.waiting or queue.running
-    if newest is None:
-        return replace(queue, running=order, cause=None), (Start(order),)
-    if order.begins_when_free:
+    known = [one.order for one in queue.running] + list(queue.waiting)
+    if not known:
+        return replace(queue, running=(Running(order),)), (Start(order),)
+    if order.beginning is Beginning.WHEN_FREE:
         return queue, (Supersede(order, Cause.NOT_FREE),)
-    is_older = key.stamp_ns < newest.key.stamp_ns and not _is_of_old_clock(newest.key, now_ns)
-    if is_older and not newest.begins_when_free:
+    # What begins when the robot is free is no command of a person, and gives way to each.
+    newest_ns = max(
+        (
+            one.key.stamp_ns
+            for one in known
+            if one.beginning is not Beginning.WHEN_FREE and not _is_of_old_clock(one.key, now_ns)
+        ),
+        default=key.stamp_ns,
+    )
+    if key.stamp_ns < newest_ns:
         return queue, (Supersede(order, Cause.NEW_COMMAND),)
+    if order.beginning is Beginning.FOLLOW:
+        if len(queue.waiting) >= MOST_WAITING:
+            return queue, (Supersede(order, Cause.TOO_MANY),)
+        return replace(queue, waiting=(*queue.waiting, order)), ()
+    if order.beginning is Beginning.BESIDE:
+        return _beside(queue, order)
+    superseded: List[object] = [Supersede(one, Cause.NEW_COMMAND) for one in queue.waiting]
+    queue, preempted = _preempt(queue, lambda _: True, Cause.NEW_COMMAND)
+    return replace(queue, waiting=(order,)), (*superseded, *preempted)
+
+
+def _beside(queue: CommandQueue[Job], order: Order[Job]) -> Step[Job]:
+    if len(queue.running) >= MOST_RUNNING:
+        return queue, (Supersede(order, Cause.TOO_MANY),)
+    for other in (*(one.order for one in queue.running), *queue.waiting):
+        shared = other.shared_with(order)
+        if shared is None or shared:
+            return queue, (Supersede(order, Cause.NOT_BESIDE, other),)
+    return replace(queue, running=(*queue.running, Running(order))), (Start(order),)
+
+
+def finish(queue: CommandQueue[Job], command_id: str, *, is_done: bool = True) -> Step[Job]:
+    """A running order has ended, by itself or because it was preempted.
+
+    Args:
+        queue: as it is
+        command_id: of the order
+        is_done: whether it succeeded; what was to follow something else does not begin
+    """
+    ended = [one for one in queue.running if one.order.key.command_id == command_id]
+    queue = replace(queue, running=tuple(one for one in queue.running if one not in ended))
     actions: Tuple[object, ...] = ()
-    if queue.waiting is not None:
-        actions += (Supersede(queue.waiting, Cause.NEW_COMMAND),)
-    if queue.running is not None and queue.cause is None:
-        actions += (Preempt(queue.running, Cause.NEW_COMMAND),)
-        queue = replace(queue, cause=Cause.NEW_COMMAND)
-    return replace(queue, waiting=order), actions
-
-
-def finish(queue: CommandQueue[Job]) -> Step[Job]:
-    """The running order has ended, by itself or because it was preempted."""
-    if queue.waiting is None:
-        return replace(queue, running=None, cause=None), ()
-    return replace(queue, running=queue.waiting, waiting=None, cause=None), (Start(queue.waiting),)
+    if ended and not is_done and ended[0].cause is None:
+        lost = [order for order in queue.waiting if order.beginning is Beginning.FOLLOW]
+        actions = tuple(Supersede(order, Cause.NOT_BEGUN) for order in lost)
+        queue = replace(queue, waiting=tuple(order for order in queue.waiting if order not in lost))
+    if queue.running or not queue.waiting:
+        return queue, actions
+    following = queue.waiting[0]
+    return replace(queue, running=(Running(following),), waiting=queue.waiting[1:]), (*actions, Start(following))
 
 
 def stop(queue: CommandQueue[Job], stop_stamp_ns: int, *, now_ns: int) -> Step[Job]:
@@ -158,13 +240,20 @@ def _is_of_old_clock(key: CommandKey, now_ns: int) -> bool:
 
 
 def _end_some(queue: CommandQueue[Job], is_meant: Callable[[CommandKey], bool]) -> Step[Job]:
-    actions: Tuple[object, ...] = ()
-    if queue.waiting is not None and is_meant(queue.waiting.key):
-        actions += (Supersede(queue.waiting, Cause.STOPPED),)
-        queue = replace(queue, waiting=None)
-    if queue.running is not None and queue.cause is not Cause.STOPPED and is_meant(queue.running.key):
-        # An order that is being preempted for a newer one needs no second request; it ends as stopped now.
-        if queue.cause is None:
-            actions += (Preempt(queue.running, Cause.STOPPED),)
-        queue = replace(queue, cause=Cause.STOPPED)
-    return queue, actions
+    ended = [order for order in queue.waiting if is_meant(order.key)]
+    queue = replace(queue, waiting=tuple(order for order in queue.waiting if order not in ended))
+    queue, preempted = _preempt(queue, is_meant, Cause.STOPPED)
+    return queue, (*(Supersede(order, Cause.STOPPED) for order in ended), *preempted)
+
+
+def _preempt(queue: CommandQueue[Job], is_meant: Callable[[CommandKey], bool], cause: Cause) -> Step[Job]:
+    """Preempt some of what runs. What is being preempted already gets no second request; a stop changes its cause."""
+    actions: List[object] = []
+    running: List[Running[Job]] = []
+    for one in queue.running:
+        if is_meant(one.order.key) and one.cause in (None, Cause.NEW_COMMAND) and one.cause is not cause:
+            if one.cause is None:
+                actions.append(Preempt(one.order, cause))
+            one = replace(one, cause=cause)
+        running.append(one)
+    return replace(queue, running=tuple(running)), tuple(actions)

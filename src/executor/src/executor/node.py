@@ -1,27 +1,27 @@
-"""The executor node: one plan at a time, the newest command first.
+"""The executor node: the newest command first; another one follows what runs, or runs beside it, if it says so.
 
-Callbacks only enqueue; one worker thread owns the commands, one more thread runs the machine.
+Callbacks only enqueue; one worker thread owns the commands, one more thread runs each machine.
 """
 
 import queue
 import threading
 import time
 from dataclasses import dataclass
-from typing import Optional, Union
+from typing import Dict, FrozenSet, Optional, Set, Union
 
 import rospy
 from roboframenet_msgs.msg import Command, CommandPlan, StopReport
-from roboframenet_msgs.msg import Plan as PlanMessage
 
 import smach
-from arbitrator.plan import Plan
+from arbitrator.plan import Do, Plan, walk
 from arbitrator.ros_messages import plan_from_message
+from arbitrator.state_machine import plan_label
 from executor import command_queue
-from executor.command_queue import CommandKey, CommandQueue, Order, Preempt, Start, Step, Supersede
+from executor.command_queue import Beginning, CommandKey, CommandQueue, Order, Preempt, Start, Step, Supersede
 from executor.goal_tracking import GoalDeadlines
 from executor.patience import Patience
 from executor.quarantine import Quarantine
-from executor.replies import Ending, ending_of_malformed, ending_of_run, ending_of_unstarted
+from executor.replies import Ending, ReplyOutcome, ending_of_malformed, ending_of_run, ending_of_unstarted
 from executor.ros_action_clients import ActionClients
 from executor.ros_command_run import CommandRun, RunResult
 from executor.ros_driver_settings import DriverSettings
@@ -36,6 +36,7 @@ from roboframenet_ros.suspension import SuspensionWatch
 
 # The stage promises an event each second; half of that leaves room for a busy machine.
 _EVENT_PERIOD_S = 0.5
+_HIDDEN = Introspection(is_enabled=False)
 # A longer turn of the worker means that the process was suspended.
 _LONGEST_TURN_S = 1.0
 
@@ -139,7 +140,7 @@ class ExecutorNode:
         self._introspection = Introspection(is_enabled=settings.introspection)
         self._suspension = SuspensionWatch(longest_turn_s=_LONGEST_TURN_S)
         self._commands: CommandQueue[_Job] = CommandQueue()
-        self._run: Optional[CommandRun] = None
+        self._runs: Dict[str, CommandRun] = {}
         self._next_event_s = 0.0
         self._inbox: queue.Queue[_Event] = queue.Queue()
         self._stage = Stage("executor")
@@ -160,8 +161,8 @@ class ExecutorNode:
 
     def health(self) -> Health:
         """How the node is."""
-        run, servers = self._run, self._quarantine.servers
-        doing = "Waits for a command." if run is None else run.describe()
+        runs, servers = list(self._runs.values()), self._quarantine.servers
+        doing = " ".join(run.describe() for run in runs) or "Waits for a command."
         if servers:
             return Health(Level.WARN, f"{doing} Out of use: {', '.join(servers)}.")
         return Health(message=doing)
@@ -199,8 +200,9 @@ class ExecutorNode:
         elif isinstance(event, Command):
             self._follow(command_queue.cancel(self._commands, event.id))
         elif isinstance(event, _Note):
-            if event.run is self._run:
-                self._stage.passes_on(self._commands.running.job.command, event.sentence)
+            order = self._order_of(event.run)
+            if order is not None:
+                self._stage.passes_on(order.job.command, event.sentence)
         elif isinstance(event, _RunEnded):
             self._hear_end(event)
 
@@ -211,19 +213,39 @@ class ExecutorNode:
             self._end(message.command, ending_of_malformed(str(error)))
             return
         key = CommandKey(command_id=message.command.id, stamp_ns=message.command.stamp.to_nsec())
-        when_free = message.plan.beginning == PlanMessage.WHEN_FREE
-        order = Order(key=key, job=_Job(command=message.command, plan=plan), begins_when_free=when_free)
+        job = _Job(command=message.command, plan=plan)
+        order = Order(key, job, Beginning(message.plan.beginning), self._resources(plan))
         self._follow(command_queue.submit(self._commands, order, now_ns=rospy.Time.now().to_nsec()))
 
+    def _resources(self, plan: Plan) -> Optional[FrozenSet[str]]:
+        """Return what the servers of a plan may occupy; None for everything."""
+        found: Set[str] = set()
+        for part in walk(plan):
+            if not isinstance(part, Do):
+                continue
+            for frame in (frame for candidate in part.candidates for frame in candidate.frames):
+                resources = self._profiles.resources(frame)
+                if resources is None:
+                    return None
+                found |= resources
+        return frozenset(found)
+
+    def _order_of(self, run: CommandRun) -> "Optional[Order[_Job]]":
+        return next(
+            (one.order for one in self._commands.running if self._runs.get(one.order.key.command_id) is run), None
+        )
+
     def _hear_end(self, ended: _RunEnded) -> None:
-        if ended.run is not self._run:
+        order = self._order_of(ended.run)
+        if order is None:
             return
-        order, cause = self._commands.running, self._commands.cause
-        self._run = None
-        result = ended.result
+        command_id = order.key.command_id
+        del self._runs[command_id]
+        result, cause = ended.result, self._commands.cause_of(command_id)
         ending = ending_of_run(result.outcome, order.job.plan, result.records, cause=cause, error=result.error)
         self._end(order.job.command, ending)
-        self._follow(command_queue.finish(self._commands))
+        is_done = ending.outcome is ReplyOutcome.DONE
+        self._follow(command_queue.finish(self._commands, command_id, is_done=is_done))
 
     def _follow(self, step: Step) -> None:
         """Keep the next queue, and take its actions."""
@@ -233,13 +255,14 @@ class ExecutorNode:
                 self._start_run(action.order)
             elif isinstance(action, Preempt):
                 rospy.loginfo("cmd=%s is preempted: %s", action.order.key.command_id, action.cause.value)
-                self._run.preempt()
+                self._runs[action.order.key.command_id].preempt()
             elif isinstance(action, Supersede):
-                self._end(action.order.job.command, ending_of_unstarted(action.cause))
+                blocking = "" if action.blocking is None else plan_label(action.blocking.job.plan)
+                self._end(action.order.job.command, ending_of_unstarted(action.cause, blocking=blocking))
 
     def _start_run(self, order: "Order[_Job]") -> None:
         rospy.loginfo("cmd=%s starts", order.key.command_id)
-        self._run = CommandRun(
+        run = CommandRun(
             order.job.plan,
             clients=self._clients,
             settings=self._server_settings,
@@ -251,20 +274,23 @@ class ExecutorNode:
             longest_wait_s=self._settings.longest_wait_s,
             on_note=lambda sentence: self._inbox.put(_Note(run, sentence)),
             on_end=lambda ended, result: self._inbox.put(_RunEnded(ended, result)),
-            introspection=self._introspection,
+            # One machine at a time is shown.
+            introspection=_HIDDEN if self._runs else self._introspection,
             suspension=self._suspension,
         )
-        run = self._run
+        self._runs[order.key.command_id] = run
         run.start()
 
     def _report_progress(self) -> None:
         if time.monotonic() < self._next_event_s:
             return
         self._next_event_s = time.monotonic() + _EVENT_PERIOD_S
-        if self._run is not None:
-            self._stage.passes_on(self._commands.running.job.command, self._run.describe())
-        if self._commands.waiting is not None:
-            self._stage.passes_on(self._commands.waiting.job.command, "Waiting for the previous command to end.")
+        for one in self._commands.running:
+            run = self._runs.get(one.order.key.command_id)
+            if run is not None:
+                self._stage.passes_on(one.order.job.command, run.describe())
+        for order in self._commands.waiting:
+            self._stage.passes_on(order.job.command, "Waiting for the previous command to end.")
 
     def _end(self, command: Command, ending: Ending) -> None:
         rospy.loginfo("cmd=%s -> %s %s: %s", command.id, ending.outcome.name, ending.code, ending.sentence)
@@ -272,19 +298,19 @@ class ExecutorNode:
 
     def _end_all(self) -> None:
         """Cancel everything before the node exits, so that the robot does not go on without it."""
-        for order in (self._commands.waiting, self._commands.running):
-            if order is not None:
-                self._follow(command_queue.cancel(self._commands, order.key.command_id))
-        if self._run is not None:
-            # The end of the run comes through the inbox; its thread has deadlines for everything it waits for.
-            self._run.join(timeout_s=self._settings.preempt_timeout_s + 1.0)
-            while self._run is not None:
-                try:
-                    event = self._inbox.get(timeout=0.5)
-                except queue.Empty:
-                    break
-                if isinstance(event, _RunEnded):
-                    self._hear_end(event)
+        for order in (*self._commands.waiting, *(one.order for one in self._commands.running)):
+            self._follow(command_queue.cancel(self._commands, order.key.command_id))
+        # The end of each run comes through the inbox; its thread has deadlines for everything it waits for.
+        end_s = time.monotonic() + self._settings.preempt_timeout_s + 1.0
+        for run in list(self._runs.values()):
+            run.join(timeout_s=max(0.0, end_s - time.monotonic()))
+        while self._runs:
+            try:
+                event = self._inbox.get(timeout=0.5)
+            except queue.Empty:
+                break
+            if isinstance(event, _RunEnded):
+                self._hear_end(event)
         self._clients.close()
         self._server_settings.close(timeout_s=1.0)
         self._running_goals.close(timeout_s=1.0)

@@ -32,12 +32,23 @@ _SENTENCE_OF = {
     Cause.NEW_COMMAND: "A newer command took its place.",
     Cause.STOPPED: "Stopped.",
     Cause.NOT_FREE: "It did not begin, because something else ran.",
+    Cause.NOT_BEGUN: "I did not begin, because what it was to follow was not done.",
+    Cause.TOO_MANY: "I did not begin, because too many commands wait or run already.",
 }
+#: Nothing took the place of these: the robot could not do what was said.
+_FAILED = (Cause.NOT_BESIDE, Cause.NOT_BEGUN, Cause.TOO_MANY)
 
 
-def ending_of_unstarted(cause: Cause) -> Ending:
-    """Return the ending of a command that was never started."""
-    return Ending(ReplyOutcome.SUPERSEDED, cause.value, _SENTENCE_OF[cause])
+def ending_of_unstarted(cause: Cause, *, blocking: str = "") -> Ending:
+    """Return the ending of a command that was never started.
+
+    Args:
+        cause: why
+        blocking: what runs, in the words of the person, if that is the reason
+    """
+    sentence = _SENTENCE_OF.get(cause) or f'I cannot do that beside "{blocking.strip(" .!")}": both need the same part.'
+    outcome = ReplyOutcome.FAILED if cause in _FAILED else ReplyOutcome.SUPERSEDED
+    return Ending(outcome, cause.value, sentence)
 
 
 def ending_of_malformed(error: str) -> Ending:

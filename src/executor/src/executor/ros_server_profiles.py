@@ -1,12 +1,13 @@
 """What servers stated about themselves when they registered."""
 
 import json
-from typing import Dict, Optional, Tuple
+from typing import Dict, FrozenSet, Optional, Tuple
 
 import rospy
 from roboframenet_msgs.msg import FrameServers, ServerProfile
 
 from executor.driver_settings import Setting, SettingsError, Value
+from semantic_frames.server_profile import NOTHING
 from typed_arguments import FilledFrame
 
 
@@ -38,6 +39,11 @@ class ServerProfiles:
             most_s: limit for every goal
         """
         return min(self._profile(frame).longest_goal.to_sec() or most_s, most_s)
+
+    def resources(self, frame: FilledFrame) -> Optional[FrozenSet[str]]:
+        """Return what a goal occupies: base, arms, voice; None for everything."""
+        occupies = self._profile(frame).occupies
+        return frozenset(occupies) - {NOTHING} if occupies else None
 
     def settings(self, frame: FilledFrame) -> Tuple[Setting, ...]:
         """Return the settings of other nodes that a goal needs.

@@ -80,10 +80,11 @@ def to_plan(clauses: Sequence[Clause], text: str, found: Sequence[Found], joined
     nodes = [PlanNode(kind=PlanNode.DO) for _ in found]
     for place, (label, of_clause) in enumerate(zip(words, found)):
         _fill(nodes, place, label, of_clause)
+    beginning = Plan.REPLACE if joined is None else joined.beginning
     if len(nodes) == 1:
-        return Plan(nodes=nodes)
+        return Plan(nodes=nodes, beginning=beginning)
     root = PlanNode(kind=PlanNode.SEQUENCE, label=text, children=list(range(1, len(nodes) + 1)))
-    return Plan(nodes=[root, *nodes])
+    return Plan(nodes=[root, *nodes], beginning=beginning)
 
 
 def _fill(nodes: List[PlanNode], place: int, label: str, found: Found) -> None:

@@ -19,7 +19,11 @@ _O_CLOCK = word_class("clock_words") - _BEFORE_NOON - _AFTER_NOON
 _PAST, _TO = word_class("minutes_after"), word_class("minutes_before")
 _HALF, _QUARTER, _MINUTES = word_class("half_hours"), word_class("quarter_hours"), word_class("minute_words")
 _NOON, _MIDNIGHT = word_class("names_of_noon"), word_class("names_of_midnight")
-_TODAY, _TOMORROW, _TONIGHT = word_class("names_of_today"), word_class("names_of_tomorrow"), word_class("names_of_tonight")
+_TODAY, _TOMORROW, _TONIGHT = (
+    word_class("names_of_today"),
+    word_class("names_of_tomorrow"),
+    word_class("names_of_tonight"),
+)
 _EACH, _DAILY, _DAYS = word_class("period_determiners"), word_class("daily_adverbs"), word_class("day_words")
 _WEEKDAYS, _WORKDAYS = word_list("weekdays"), word_class("workday_words")
 _MORNING, _LATER = word_class("early_times_of_day"), word_class("late_times_of_day")

@@ -31,6 +31,7 @@ class Pending:
         offered: ids of the things that the person chooses from: "which mug"; empty for another question
         plan: how the clauses are joined; None if they are done one after the other
         is_about_words: whether a yes only agrees to go on without some words; a frame may want another yes
+        beginning: what happens to the command that runs: REPLACE, FOLLOW or BESIDE
     """
 
     clauses: Tuple[Tuple[Reading, ...], ...]
@@ -42,6 +43,7 @@ class Pending:
     offered: Tuple[str, ...] = ()
     is_about_words: bool = False
     plan: Optional[PlanPart] = None
+    beginning: str = "REPLACE"
 
 
 @dataclass(frozen=True)

@@ -1,16 +1,19 @@
 """Understands a parsed utterance: the result is clauses of readings, a refusal, or a question."""
 
+import contextlib
 from dataclasses import dataclass, replace
 from typing import FrozenSet, Mapping, Optional, Sequence, Tuple, Union
 
 from semantic_framer.amending import Change, change_of, last_command
 from semantic_framer.answers import answer
 from semantic_framer.choices import choices_of_amounts, choices_of_clauses, chosen
-from semantic_framer.clause_links import find_joints
+from semantic_framer.beginnings import beginning_of
+from semantic_framer.clause_links import Joint, Joints, find_joints
 from semantic_framer.clause_plan import without_unused
 from semantic_framer.dialogue import Context, Pending, is_no
 from semantic_framer.framed_lexicon import FramedLexicon
 from semantic_framer.lexicon import Lexicon
+from semantic_framer.link_file import LinkKind
 from semantic_framer.linked_plan import NoStructure, Open, linked_plan
 from semantic_framer.linked_sentence import TELLING, joint_words, unknown_link, without_joints
 from semantic_framer.mood_file import UtteranceKind
@@ -205,13 +208,35 @@ class _Hearing:
         # A yes counts only as the answer to a yes-no question: "right" may also be a direction.
         is_confirmed = not pending.elements and not pending.is_about_words
         settled = resolve_and_confirm(answered, meant, context, self._now, is_confirmed=is_confirmed, plan=pending.plan)
-        return Heard(*settled, meant)
+        heard = Heard(*settled, meant)
+        if isinstance(heard.outcome, Understood):
+            return replace(heard, outcome=replace(heard.outcome, beginning=pending.beginning))
+        return heard
 
     def _restructured(self, tree: DependencyTree, passes: Sequence[TreePass]) -> Union[Sentence, Tuple[Choice, ...]]:
         return restructured(tree, self._now.known, passes=passes, without=self._without, trace=self._trace)
 
     def _read(self, sentence: Sentence, context: Context) -> Heard:
-        """Understand a sentence that is not an answer; one that cannot be understood as it is may have conditions."""
+        """Understand a sentence that is not an answer; it may say when it begins: "then go home"."""
+        begun = beginning_of(sentence.tree)
+        bare = None
+        if begun is not None:
+            joint = Joint(LinkKind.THEN, min(begun.positions), begun.positions)
+            with contextlib.suppress(NotATree):
+                bare = without_joints(sentence, Joints((joint,)), self._now.known)
+        if begun is None or bare is None:
+            return self._read_command(sentence, context)
+        self._now.write("beginning", sentence.text(sorted(begun.positions)), begun.kind)
+        heard = self._read_command(bare, context)
+        if isinstance(heard.outcome, Understood):
+            return replace(heard, outcome=replace(heard.outcome, beginning=begun.kind))
+        pending = heard.context.pending
+        if pending is not None:
+            pending = replace(pending, beginning=begun.kind)
+        return replace(heard, context=replace(heard.context, pending=pending))
+
+    def _read_command(self, sentence: Sentence, context: Context) -> Heard:
+        """Understand a command; one that cannot be understood as it is may have conditions."""
         heard = self._read_plainly(sentence, context)
         if isinstance(heard.outcome, Understood) or heard.is_small_talk:
             return heard

@@ -25,7 +25,15 @@ _JOINING = frozenset(["and", "then", "but", ";"])
 _SENTENCE_ENDS = frozenset([".", "!", "?", ";", "..."])
 _JOINERS = (LinkKind.OTHERWISE, LinkKind.OR_ELSE, LinkKind.MEANWHILE)
 #: Links that decide whether or when something begins. Behind several deeds, it is open to which of them they belong.
-_BEGINNING = (LinkKind.IF, LinkKind.UNLESS, LinkKind.WHEN, LinkKind.ANEW, LinkKind.WHENEVER, LinkKind.DELAY, LinkKind.CLOCK)
+_BEGINNING = (
+    LinkKind.IF,
+    LinkKind.UNLESS,
+    LinkKind.WHEN,
+    LinkKind.ANEW,
+    LinkKind.WHENEVER,
+    LinkKind.DELAY,
+    LinkKind.CLOCK,
+)
 #: FrameNet's name of what only waits.
 _WAITING = "Waiting"
 _HERE = word_class("place_adverbs_of_waiting")

@@ -65,11 +65,13 @@ class Understood:
         clauses: each with its readings, best first, in the order of the plan
         warning: names the ignored words
         plan: how deeds and conditions are joined; None if the clauses are done one after the other
+        beginning: what happens to the command that runs: REPLACE, FOLLOW or BESIDE
     """
 
     clauses: Tuple[Tuple[Reading, ...], ...]
     warning: str = ""
     plan: Optional[PlanPart] = None
+    beginning: str = "REPLACE"
 
 
 @dataclass(frozen=True)

@@ -47,10 +47,12 @@ def to_clauses(clauses: Sequence[Tuple[Reading, ...]], tree: DependencyTree) -> 
 def to_plan(understood: Understood, text: str) -> Plan:
     """Return how the clauses of a command are joined; without nodes when they are done one after the other."""
     part = understood.plan or plan_of(understood.clauses, text)
+    beginning = getattr(Plan, understood.beginning)
     if part is None:
-        return Plan()
+        return Plan(beginning=beginning)
     unknown = TimeExpression()
     return Plan(
+        beginning=beginning,
         nodes=[
             PlanNode(
                 kind=getattr(PlanNode, node.kind),
@@ -67,7 +69,7 @@ def to_plan(understood: Understood, text: str) -> Plan:
                 when=unknown if node.when is None else time_to_message(node.when),
             )
             for node, children in nodes_of(part)
-        ]
+        ],
     )
 
 

@@ -94,7 +94,17 @@ def test_time_that_is_open_is_asked_about(words, question):
 
 @pytest.mark.parametrize(
     "words",
-    ["eight", "at the door", "five metres", "in five minutes", "every ten minutes", "at", "25:00", "at 8:75", "in the hall"],
+    [
+        "eight",
+        "at the door",
+        "five metres",
+        "in five minutes",
+        "every ten minutes",
+        "at",
+        "25:00",
+        "at 8:75",
+        "in the hall",
+    ],
 )
 def test_other_words_are_no_time(words):
     assert clock_time_at(words.split()) is None
