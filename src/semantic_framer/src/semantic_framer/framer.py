@@ -6,8 +6,8 @@ from typing import FrozenSet, Mapping, Optional, Sequence, Tuple, Union
 
 from semantic_framer.amending import Change, change_of, last_command
 from semantic_framer.answers import answer
-from semantic_framer.choices import choices_of_amounts, choices_of_clauses, chosen
 from semantic_framer.beginnings import beginning_of
+from semantic_framer.choices import choices_of_amounts, choices_of_clauses, chosen
 from semantic_framer.clause_links import Joint, Joints, find_joints
 from semantic_framer.clause_plan import without_unused
 from semantic_framer.dialogue import Context, Pending, is_no

@@ -157,8 +157,8 @@ class _Builder:
             nodes.append(self._statement())
         try:
             plan = with_orders_at_the_root(self._sequence(nodes).part)
-        except NotAlone as order:
-            raise Open(f'I can keep only one order at a time. Say it alone: "{order}".') from order
+        except NotAlone as words:
+            raise Open(f'I can keep only one order at a time. Say it alone: "{words}".') from words
         order = sorted(range(len(self._clauses)), key=lambda place: self._firsts[place])
         return tuple(self._clauses[place] for place in order), _with_places(plan, order)
 
