@@ -1,6 +1,7 @@
 """Sentences that say how often or for how long, and the tree that each means."""
 
 import os
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
@@ -44,7 +45,7 @@ def plan_of(pipeline, text):
     if not isinstance(outcome, Understood):
         return outcome.code
     message = CommandLexicalUnits(
-        clauses=framer_messages.to_clauses(outcome.clauses, tree), plan=framer_messages.to_plan(outcome.clauses, text)
+        clauses=framer_messages.to_clauses(outcome.clauses, tree), plan=framer_messages.to_plan(outcome, text)
     )
     found = search(pipeline.knowledge.graph, to_clauses(message.clauses), max_candidates=64)
     assert not isinstance(found, Refusal), found
@@ -112,7 +113,7 @@ def test_plan_with_another_number_of_clauses_is_refused(pipeline):
     tree = pipeline.parse("Turn left twice.")
     outcome, _ = read(tree, pipeline.knowledge.lexicon, pipeline.knowledge.frames)
     clauses = framer_messages.to_clauses(outcome.clauses, tree)
-    joined = framer_messages.to_plan(outcome.clauses * 2, "x")
+    joined = framer_messages.to_plan(replace(outcome, clauses=outcome.clauses * 2), "x")
     found = search(pipeline.knowledge.graph, to_clauses(clauses), max_candidates=64)
     with pytest.raises(ValueError, match="the plan joins 2 clauses, and the command has 1"):
         to_plan(clauses, "x", found, joined)
@@ -121,4 +122,4 @@ def test_plan_with_another_number_of_clauses_is_refused(pipeline):
 def test_clauses_in_sequence_need_no_plan(pipeline):
     tree = pipeline.parse("Turn left.")
     outcome, _ = read(tree, pipeline.knowledge.lexicon, pipeline.knowledge.frames)
-    assert framer_messages.to_plan(outcome.clauses, "Turn left.") == Plan()
+    assert framer_messages.to_plan(outcome, "Turn left.") == Plan()

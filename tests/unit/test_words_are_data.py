@@ -245,6 +245,8 @@ NO_SPEECH: Dict[str, Tuple[str, str]] = {
         "keys of a file",
         "relations, directions, quantifiers, bounds, exceptions",
     ),
+    "semantic_framer/link_file.py": ("keys of a file", "links, joiners, bounds, words, kind, name, question"),
+    "semantic_framer/word_patterns.py": ("kinds of slots", "word, state, measure, destination, place"),
     "semantic_framer/mood_file.py": (
         "keys of a file",
         "spellings, parts, acting, telling, name, kind, pattern, example",
@@ -262,6 +264,7 @@ NO_SPEECH: Dict[str, Tuple[str, str]] = {
             "counts, quantifiers, question, answer"
         ),
     ),
+    "semantic_frames/lexical_unit.py": ("kinds of slots", "word, state, measure, destination, place"),
     "semantic_frames/lexical_unit_file.py": (
         "keys of a file",
         "name, relation, argument, words, required, verb, question, condition, values, examples",

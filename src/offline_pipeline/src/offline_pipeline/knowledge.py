@@ -10,6 +10,7 @@ from frame_registrar.graph import FrameGraph
 from semantic_framer.lexicon import Lexicon
 from semantic_frames import FileRefused, Problem, load_frame
 from semantic_frames.frame import SemanticFrame
+from semantic_frames.server_profile import AS_IN_2012, Purpose, ServerProfile
 from semantic_frames.source_files import FRAMES_FOLDER, LEXICAL_UNITS_FOLDER, read_text, yaml_files
 from semantic_types import WordTypes, load_name_file, shipped_types
 
@@ -109,4 +110,6 @@ def with_names(knowledge: Knowledge, paths: Iterable[str]) -> Knowledge:
 def pretend_servers(graph: FrameGraph) -> None:
     """Register a pretended server of the same name for every frame: offline, the servers of the robot are unknown."""
     for name in graph.frames:
-        graph.register(name, name)
+        frame = graph.frame(name)
+        watches = frame is not None and frame.is_condition
+        graph.register(name, name, ServerProfile(purpose=Purpose.WATCHES) if watches else AS_IN_2012)

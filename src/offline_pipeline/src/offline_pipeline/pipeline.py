@@ -10,6 +10,7 @@ from command_server.stop_words import find_cry
 from frame_registrar import search as registrar
 from offline_pipeline.knowledge import Knowledge
 from semantic_framer.behaviour_2012 import Arguments, Questions, with_habits
+from semantic_framer.clause_plan import CONDITION, leaves_of
 from semantic_framer.descriptions import descriptions
 from semantic_framer.dialogue import Context
 from semantic_framer.framed_lexicon import FramedLexicon
@@ -218,7 +219,7 @@ class Pipeline:
         found: Union[Tuple[registrar.Found, ...], registrar.Refusal] = ()
         if isinstance(outcome, Understood):
             readings = tuple(readings[0] for readings in outcome.clauses)
-            found = self._search(outcome.clauses)
+            found = self._search(outcome)
             if isinstance(found, registrar.Refusal):
                 reply = Reply(registrar.reply_outcome(found), found.code, found.sentence)
             else:
@@ -227,7 +228,8 @@ class Pipeline:
                     + (f" ({reading.control.phrase})" if reading.control.is_said else "")
                     for reading, ways in zip(readings, found)
                 )
-                reply = Reply("DONE", "DONE", f"I would do {first}.")
+                how = f" ({outcome.plan})" if outcome.plan is not None else ""
+                reply = Reply("DONE", "DONE", f"I would do {first}{how}.")
             if trace is not None:
                 trace.add("registrar", after=reply.sentence)
         else:
@@ -249,15 +251,18 @@ class Pipeline:
             context=context,
         )
 
-    def _search(
-        self, clauses: Tuple[Tuple[Reading, ...], ...]
-    ) -> Union[Tuple[registrar.Found, ...], registrar.Refusal]:
+    def _search(self, understood: Understood) -> Union[Tuple[registrar.Found, ...], registrar.Refusal]:
         return registrar.search(
             self.knowledge.graph,
             [
                 [_registrar_reading(reading, preference) for preference, reading in enumerate(readings)]
-                for readings in clauses
+                for readings in understood.clauses
             ],
+            conditions={
+                place: leaf.label
+                for place, leaf in enumerate(leaves_of(understood.plan) if understood.plan is not None else ())
+                if leaf.kind == CONDITION
+            },
             max_candidates=self._parameters.max_candidates,
         )
 

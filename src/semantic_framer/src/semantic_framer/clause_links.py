@@ -17,10 +17,10 @@ from word_classes import word_class
 LONGEST_WAIT_S = 86_400.0
 _DELAYS = word_class("delay_prepositions")
 _PERIODS = word_class("period_determiners")
-_BOUND_BEHIND = (("at", "most"), ("at", "the", "most"), ("at", "maximum"))
 _BORDERS = word_class("clause_borders")
 #: Relations of a verb that belongs to what is before it.
 _INNER = frozenset(["amod", "compound", "xcomp", "aux", "aux:pass", "cop"])
+#: Words behind a delay that do not change it.
 _BEHIND_DELAYS = (("from", "now"),)
 
 
@@ -255,12 +255,10 @@ class _Finder:
                 return replace(self._joint(link, place, end, length, None), limit_s=seconds), end
         if self.forms[place] == "for":
             for end in range(min(len(self.forms), place + 6), place + 1, -1):
-                behind = next(
-                    (words for words in _BOUND_BEHIND if tuple(self.forms[end : end + len(words)]) == words), ()
-                )
+                behind = shipped_links().behind_bound_at(self.forms[end:])
                 seconds = self._seconds(place + 1, end) if behind else None
                 if seconds is not None:
-                    end += len(behind)
+                    end += behind
                     return replace(self._joint(link, place, end, 1, None), limit_s=seconds), end
         return None, 0
 

@@ -6,8 +6,9 @@ from typing import Iterator, List, Optional, Sequence, Tuple
 from semantic_framer.reading import Reading
 from typed_arguments import TimeExpression
 
+CONDITION = "CONDITION"
 #: Kinds of nodes that are clauses.
-LEAVES = ("DO", "CONDITION")
+LEAVES = ("DO", CONDITION)
 
 
 @dataclass(frozen=True)

@@ -14,7 +14,7 @@ from semantic_framer.dialogue import Context, Pending, is_no
 from semantic_framer.framed_lexicon import FramedLexicon
 from semantic_framer.lexicon import Lexicon
 from semantic_framer.link_file import LinkKind
-from semantic_framer.linked_plan import NoStructure, Open, linked_plan
+from semantic_framer.linked_plan import NoStructure, Open, linked_plan, with_persons
 from semantic_framer.linked_sentence import TELLING, joint_words, unknown_link, without_joints
 from semantic_framer.mood_file import UtteranceKind
 from semantic_framer.objections import against_what_runs
@@ -254,39 +254,37 @@ class _Hearing:
         """
         joints = find_joints(sentence, self._now.known)
         unknown = unknown_link(sentence, joints, before)
+        refused = Heard(unknown, context, sentence) if unknown is not None else None
         if not joints.found:
-            return unknown and Heard(unknown, context, sentence)
+            return refused
         try:
             bare = without_joints(sentence, joints, self._now.known)
         except NotATree:
             return None
-        if bare is None and before.code in (QUESTION, TALK):
-            return None
         if bare is None:
-            words = joint_words(sentence, joints)
-            return Heard(Question("MISSING_ELEMENT", f"What should I do {words}?"), context, sentence)
+            question = Question("MISSING_ELEMENT", f"What should I do {joint_words(sentence, joints)}?")
+            return None if before.code in (QUESTION, TALK) else Heard(question, context, sentence)
         for joint in joints.found:
             self._now.write("links", sentence.text(sorted(joint.positions)), joint.kind.value)
         case = case_of(bare, self._clauses(bare), self._now.known, self._now.policy)
         clauses = self._deeds(case)
         if isinstance(clauses, Refusal):
-            is_telling = clauses.code in TELLING and unknown is None
-            return Heard(clauses if is_telling else unknown or before, context, sentence)
-        if not all(case.kind_of(read.clause).acts for read in clauses):
-            return unknown and Heard(unknown, context, sentence)
+            return Heard(clauses, context, sentence) if clauses.code in TELLING and refused is None else refused
         best = [read.kept[0] for read in clauses]
-        if choices_of_clauses(bare, [read.clause for read in clauses], self._now.known):
-            return None
-        if choices_of_amounts(bare, best, self._now.known):
-            return None
+        is_open = choices_of_clauses(bare, [read.clause for read in clauses], self._now.known) or choices_of_amounts(
+            bare, best, self._now.known
+        )
+        if is_open or not all(case.kind_of(read.clause).acts for read in clauses):
+            return refused
         try:
             deeds = [(read.clause, read.kept) for read in clauses]
             kept, plan = without_unused(*linked_plan(sentence, self._now.known, deeds, joints.found))
-        except Open as question:
-            return Heard(Question("AMBIGUOUS", str(question)), context, sentence)
+            kept = with_persons(kept, self._now.known.frames)
+        except Open as question_of:
+            return Heard(Question("AMBIGUOUS", str(question_of)), context, sentence)
         except NoStructure as reason:
             self._now.write("links", sentence.tree.text, f"refused. {reason}")
-            return unknown and Heard(unknown, context, sentence)
+            return refused
         self._now.write("plan", sentence.tree.text, str(plan))
         return Heard(*resolve_and_confirm(kept, bare, context, self._now, plan=plan), sentence, clauses)
 

@@ -13,7 +13,7 @@ from semantic_frames.source_files import read_text
 
 #: Next to this module in the source, devel and install space.
 LINKS_FILE = Path(__file__).resolve().parent / "links.yaml"
-_SECTIONS = ("links", "joiners", "bounds")
+_SECTIONS = ("links", "joiners", "bounds", "bounds_behind")
 
 
 class LinkKind(Enum):
@@ -58,11 +58,13 @@ class Links:
         links: what stands before a condition, by its words
         joiners: what stands before a deed, by its words
         bounds: words before the longest time that something may take
+        bounds_behind: words behind "for" and such a time: "for an hour *at most*"
     """
 
     links: Mapping[Tuple[str, ...], Link]
     joiners: Mapping[Tuple[str, ...], Link]
     bounds: FrozenSet[Tuple[str, ...]]
+    bounds_behind: FrozenSet[Tuple[str, ...]]
 
     def link_at(self, forms: Sequence[str]) -> Tuple[Optional[Link], int]:
         """Return the link that words in lower case begin with, and its number of words; None and 0 for no link."""
@@ -74,7 +76,15 @@ class Links:
 
     def bound_at(self, forms: Sequence[str]) -> int:
         """Return the number of words of a bound that words in lower case begin with; 0 for none."""
-        return max((len(words) for words in self.bounds if tuple(forms[: len(words)]) == words), default=0)
+        return _length(self.bounds, forms)
+
+    def behind_bound_at(self, forms: Sequence[str]) -> int:
+        """Return the number of words of a bound behind its time that words in lower case begin with; 0 for none."""
+        return _length(self.bounds_behind, forms)
+
+
+def _length(of: FrozenSet[Tuple[str, ...]], forms: Sequence[str]) -> int:
+    return max((len(words) for words in of if tuple(forms[: len(words)]) == words), default=0)
 
 
 def _longest(of: Mapping[Tuple[str, ...], Link], forms: Sequence[str]) -> Tuple[Optional[Link], int]:
@@ -97,9 +107,12 @@ def load_links(text: str, path: str) -> Links:
     reader = Reader(path)
     sections = reader.mapping(reader.compose(text, "a mapping of links"), "", _SECTIONS, required=_SECTIONS)
     links, joiners = (_entries(reader, sections.get(name), name) for name in ("links", "joiners"))
-    bounds = frozenset(tuple(words.split()) for words in reader.texts(sections.get("bounds"), "bounds"))
+    bounds, behind = (
+        frozenset(tuple(words.split()) for words in reader.texts(sections.get(name), name))
+        for name in ("bounds", "bounds_behind")
+    )
     reader.refuse_if_wrong()
-    return Links(links, joiners, bounds)
+    return Links(links, joiners, bounds, behind)
 
 
 def _entries(reader: Reader, node: Optional[yaml.Node], section: str) -> Mapping[Tuple[str, ...], Link]:

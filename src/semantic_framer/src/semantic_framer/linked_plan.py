@@ -5,8 +5,9 @@ deed belongs to that deed alone; where it could belong to the deed before as wel
 """
 
 from dataclasses import dataclass, replace
-from typing import FrozenSet, List, NamedTuple, Optional, Sequence, Tuple
+from typing import FrozenSet, List, Mapping, NamedTuple, Optional, Sequence, Tuple
 
+from phrase_meanings.arguments import resolved
 from semantic_framer.clause_links import Joint
 from semantic_framer.clause_plan import Clauses, PlanPart, part_of
 from semantic_framer.conditions import ConditionPart
@@ -16,12 +17,13 @@ from semantic_framer.link_file import LinkKind
 from semantic_framer.reading import Reading
 from semantic_framer.sentence import Sentence
 from semantic_framer.standing_plan import NotAlone, with_orders_at_the_root
-from typed_arguments import TimeExpression
+from semantic_frames.frame import SemanticFrame
+from typed_arguments import TimeExpression, TypedArgument
 from utterance_passes.clauses import Clause
 from word_classes import word_class
 
 _CONTINUING = word_class("continuing_verbs")
-_JOINING = frozenset(["and", "then", "but", ";"])
+_JOINING = word_class("linking_conjunctions") | {";"}
 _SENTENCE_ENDS = frozenset([".", "!", "?", ";", "..."])
 _JOINERS = (LinkKind.OTHERWISE, LinkKind.OR_ELSE, LinkKind.MEANWHILE)
 #: Links that decide whether or when something begins. Behind several deeds, it is open to which of them they belong.
@@ -36,6 +38,10 @@ _BEGINNING = (
 )
 #: FrameNet's name of what only waits.
 _WAITING = "Waiting"
+#: FrameNet's semantic type of persons.
+_PERSON = "Human"
+_PERSONS = word_class("persons_of_the_sentence")
+_NO_NAMES = _PERSONS | word_class("participants") | word_class("pronouns")
 _HERE = word_class("place_adverbs_of_waiting")
 
 
@@ -396,3 +402,29 @@ def _with_places(part: PlanPart, order: Sequence[int]) -> PlanPart:
     """Return a tree with the new places of its clauses."""
     children = tuple(_with_places(child, order) for child in part.children)
     return replace(part, children=children, clause=order.index(part.clause) if part.clause >= 0 else -1)
+
+
+def with_persons(clauses: Clauses, frames: Mapping[str, SemanticFrame]) -> Clauses:
+    """Return clauses in which "she" and "him" are the person who was named last: "follow Anna until she sits down".
+
+    Raises:
+        Open: a condition is about a person who was not named
+    """
+    named: Optional[TypedArgument] = None
+    done: List[Tuple[Reading, ...]] = []
+    for readings in clauses:
+        is_condition = frames[readings[0].unit.frame_name].is_condition
+        made: List[Reading] = []
+        for reading in readings:
+            arguments: List[TypedArgument] = []
+            for argument in reading.arguments:
+                if argument.text.lower() in _PERSONS and named is not None:
+                    argument = resolved(argument, named.text)
+                elif argument.text.lower() in _PERSONS and is_condition:
+                    raise Open(f'Whom do you mean by "{argument.text}"?')
+                arguments.append(argument)
+            made.append(replace(reading, arguments=tuple(arguments)))
+        done.append(tuple(made))
+        persons = [argument for argument in made[0].arguments if argument.semantic_type == _PERSON]
+        named = next((one for one in persons if one.text.lower() not in _NO_NAMES), named)
+    return tuple(done)
