@@ -25,8 +25,8 @@ from semantic_framer.reading import Reading
 
 FOLDER = Path(os.path.realpath(__file__)).parent
 DOMAINS = FOLDER.parents[1] / "src" / "roboframenet_domains" / "domains"
-#: Kinds of nodes that the arbitrator makes no machine of yet.
-NOT_CARRIED_OUT = "WHENEVER"
+#: Orders for later; a firing of one is a command, and has a machine of its own.
+STANDING_ORDERS = ("AT(", "WHENEVER(")
 
 
 def lines_of(name: str) -> List[Tuple[str, str]]:
@@ -52,6 +52,7 @@ def drawn(part: PlanPart, clauses: Sequence[Tuple[Reading, ...]], places: Iterat
         fields += [f"{part.duration_s:g} s"] if part.duration_s else []
         fields += [f"every {part.period_s:g} s"] if part.period_s else []
         fields += [f"at most {part.limit_s:g} s"] if part.limit_s else []
+        fields += [part.when.words] if part.when is not None else []
         said = f"{part.kind}({', '.join(fields + [drawn(child, clauses, places) for child in part.children])})"
     return ("not " if part.is_negated else "") + said + (" anew" if part.trigger == "BEGINS" else "")
 
@@ -75,7 +76,7 @@ def tree_of(pipeline: Pipeline, text: str) -> str:
     plan = to_plan(message.clauses, text, found, message.plan)
     assert outcome.plan is not None, outcome
     said = drawn(outcome.plan, outcome.clauses, count())
-    if NOT_CARRIED_OUT not in said:
+    if not said.startswith(STANDING_ORDERS):
         plan_from_message(plan)  # raises if the arbitrator cannot make a machine of it
     return said
 

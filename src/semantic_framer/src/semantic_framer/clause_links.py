@@ -3,11 +3,13 @@
 from dataclasses import dataclass, field, replace
 from typing import FrozenSet, List, Optional, Sequence, Tuple
 
+from semantic_framer.clock_times import ClockTime, clock_time_at
 from semantic_framer.conditions import ConditionPart, read_condition
 from semantic_framer.framed_lexicon import FramedLexicon
 from semantic_framer.link_file import Link, LinkKind, shipped_links
 from semantic_framer.sentence import Sentence
 from spoken_quantities import QuantityError, parse_measure
+from typed_arguments import TimeExpression
 from utterance_passes.tree import Word
 from word_classes import word_class
 
@@ -16,6 +18,7 @@ LONGEST_WAIT_S = 86_400.0
 _DELAYS = word_class("delay_prepositions")
 _PERIODS = word_class("period_determiners")
 _BORDERS = word_class("clause_borders")
+_LIMITS = word_class("limits_before_times")
 #: Relations of a verb that belongs to what is before it.
 _INNER = frozenset(["amod", "compound", "xcomp", "aux", "aux:pass", "cop"])
 #: Words behind a delay that do not change it.
@@ -34,6 +37,7 @@ class Joint:
         seconds: of a delay or a period
         words: of the link, as it was said
         limit_s: longest time that was said for it; 0 for none
+        when: a time of the clock
     """
 
     kind: LinkKind
@@ -43,6 +47,7 @@ class Joint:
     seconds: float = 0.0
     words: str = ""
     limit_s: float = 0.0
+    when: Optional[TimeExpression] = None
 
 
 @dataclass(frozen=True)
@@ -98,7 +103,12 @@ class _Finder:
                 limits.append(bound)
                 place = end
                 continue
-            joint, end = self._timed(place)
+            clock = self._clock(place)
+            if clock is not None and clock.when is None:
+                question = question or clock.question
+                place += clock.length
+                continue
+            joint, end = self._at(place, clock) if clock is not None else self._timed(place)
             # "After that" joins two deeds, though "after" stands before conditions too.
             links, joins = (at(self.forms[place:])[1] for at in (shipped_links().link_at, shipped_links().joiner_at))
             for find in (self._joiner, self._linked) if joins > links else (self._linked, self._joiner):
@@ -173,8 +183,14 @@ class _Finder:
         positions = frozenset(word.index for word in words)
         return Joint(link.kind, self.words[place].index, positions, condition, words=said)
 
-    def _may_end(self, start: int, end: int) -> bool:
-        """Whether a condition may end before a place: at a mark, before a conjunction, a link, a time or a verb."""
+    def _may_end(self, start: int, end: int, *, is_clock: bool = True) -> bool:
+        """Whether a condition may end before a place: at a mark, before a conjunction, a link, a time or a verb.
+
+        Args:
+            start: where it begins
+            end: the place
+            is_clock: whether a time of the clock may follow
+        """
         if self.words[end - 1].upos == "PUNCT" or end == len(self.words):
             return True
         word, form = self.words[end], self.forms[end]
@@ -184,8 +200,24 @@ class _Finder:
             return True
         if self._bound(end)[0] is not None or self._timed(end)[0] is not None:
             return True
+        if is_clock and self._clock(end) is not None:
+            return True
         is_verb = bool(self.known.verbs_beginning_with(word.lemma.lower()) or self.known.verbs_beginning_with(form))
         return is_verb and word.deprel not in _INNER and word.upos in ("VERB", "NOUN", "ADJ", "PROPN", "INTJ", "X")
+
+    def _clock(self, place: int) -> Optional[ClockTime]:
+        """Return the time of the clock that begins at a place: "at eight", not "at eight tables" or "until noon"."""
+        if place and self.forms[place - 1] in _LIMITS:
+            return None
+        found = clock_time_at(self.forms[place:])
+        if found is None or not self._may_end(place, place + found.length, is_clock=False):
+            return None
+        return found
+
+    def _at(self, place: int, clock: ClockTime) -> Tuple[Optional[Joint], int]:
+        end = place + clock.length
+        joint = self._joint(Link(LinkKind.CLOCK.value, LinkKind.CLOCK), place, end, clock.length, None)
+        return replace(joint, when=clock.when), end
 
     def _timed(self, place: int) -> Tuple[Optional[Joint], int]:
         """Return a delay ("in five minutes") or a period ("every ten seconds") that begins at a place."""

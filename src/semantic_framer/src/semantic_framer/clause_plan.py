@@ -4,6 +4,7 @@ from dataclasses import dataclass, replace
 from typing import Iterator, List, Optional, Sequence, Tuple
 
 from semantic_framer.reading import Reading
+from typed_arguments import TimeExpression
 
 CONDITION = "CONDITION"
 #: Kinds of nodes that are clauses.
@@ -25,6 +26,7 @@ class PlanPart:
         trigger: HOLDS or BEGINS
         is_negated: whether the opposite of a condition is meant
         clause: position of a clause among the clauses of the sentence
+        when: time of an AT
     """
 
     kind: str
@@ -38,6 +40,7 @@ class PlanPart:
     trigger: str = "HOLDS"
     is_negated: bool = False
     clause: int = -1
+    when: Optional[TimeExpression] = None
 
     def __str__(self) -> str:
         """Return the tree in one line: 'IF(the door is closed, open it)'."""
@@ -50,6 +53,7 @@ class PlanPart:
         fields += [f"{self.duration_s:g} s"] if self.duration_s else []
         fields += [f"every {self.period_s:g} s"] if self.period_s else []
         fields += [f"at most {self.limit_s:g} s"] if self.limit_s else []
+        fields += [self.when.words] if self.when else []
         name = f"not {self.kind}" if self.is_negated else self.kind
         return f"{name}({', '.join(fields + [str(child) for child in self.children])})"
 

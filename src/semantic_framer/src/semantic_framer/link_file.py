@@ -26,6 +26,7 @@ class LinkKind(Enum):
     WHEN = "when"  # as soon as it holds; now, if it holds already
     ANEW = "next time"  # as soon as it begins to hold
     WHENEVER = "whenever"  # each time that it begins to hold
+    CLOCK = "at"  # at a time of the clock
     DELAY = "delay"  # after a time
     PERIOD = "period"  # again and again, after a time each
     OTHERWISE = "otherwise"  # if the condition does not hold

@@ -16,8 +16,9 @@ from semantic_framer.framed_lexicon import FramedLexicon
 from semantic_framer.link_file import LinkKind
 from semantic_framer.reading import Reading
 from semantic_framer.sentence import Sentence
+from semantic_framer.standing_plan import NotAlone, with_orders_at_the_root
 from semantic_frames.frame import SemanticFrame
-from typed_arguments import TypedArgument
+from typed_arguments import TimeExpression, TypedArgument
 from utterance_passes.clauses import Clause
 from word_classes import word_class
 
@@ -26,7 +27,15 @@ _JOINING = word_class("linking_conjunctions") | {";"}
 _SENTENCE_ENDS = frozenset([".", "!", "?", ";", "..."])
 _JOINERS = (LinkKind.OTHERWISE, LinkKind.OR_ELSE, LinkKind.MEANWHILE)
 #: Links that decide whether or when something begins. Behind several deeds, it is open to which of them they belong.
-_BEGINNING = (LinkKind.IF, LinkKind.UNLESS, LinkKind.WHEN, LinkKind.ANEW, LinkKind.WHENEVER, LinkKind.DELAY)
+_BEGINNING = (
+    LinkKind.IF,
+    LinkKind.UNLESS,
+    LinkKind.WHEN,
+    LinkKind.ANEW,
+    LinkKind.WHENEVER,
+    LinkKind.DELAY,
+    LinkKind.CLOCK,
+)
 #: FrameNet's name of what only waits.
 _WAITING = "Waiting"
 #: FrameNet's semantic type of persons.
@@ -152,7 +161,10 @@ class _Builder:
         nodes: List[_Node] = []
         while self._place < len(self._units):
             nodes.append(self._statement())
-        plan = self._sequence(nodes).part
+        try:
+            plan = with_orders_at_the_root(self._sequence(nodes).part)
+        except NotAlone as words:
+            raise Open(f'I can keep only one order at a time. Say it alone: "{words}".') from words
         order = sorted(range(len(self._clauses)), key=lambda place: self._firsts[place])
         return tuple(self._clauses[place] for place in order), _with_places(plan, order)
 
@@ -283,10 +295,12 @@ class _Builder:
             raise NoStructure("no link")
         positions = joint.positions.union(*(node.positions for node in body + otherwise))
         label = self._label(positions)
-        if joint.kind is LinkKind.DELAY:
-            wait = PlanPart("WAIT", self._label(joint.positions), duration_s=joint.seconds)
-            return self._sequence([_Node(wait, joint.positions), *body])
         child = self._sequence(body)
+        if joint.kind is LinkKind.DELAY:
+            when = TimeExpression("time", self._label(joint.positions), "in", offset_s=joint.seconds)
+            return _Node(PlanPart("AT", label, (child.part,), when=when), positions)
+        if joint.kind is LinkKind.CLOCK:
+            return _Node(PlanPart("AT", label, (child.part,), when=joint.when), positions)
         if joint.kind is LinkKind.PERIOD:
             if child.part.kind in ("UNTIL", "WHILE") and not child.part.duration_s:
                 # "Every ten seconds say hello until ...": the end is that of the repetition.
@@ -296,7 +310,8 @@ class _Builder:
                     return _Node(replace(until, label=label, children=(until.children[0], again)), positions)
             if child.part.kind in ("REPEAT", "WAIT", "UNTIL", "WHILE"):
                 raise NoStructure("two ways to repeat")
-            return _Node(PlanPart("REPEAT", label, (child.part,), period_s=joint.seconds), positions)
+            when = TimeExpression("set", self._label(joint.positions), "every", period_s=joint.seconds)
+            return _Node(PlanPart("AT", label, (child.part,), when=when), positions)
         if joint.condition is None:
             raise NoStructure("a link without a condition")
         if joint.limit_s and joint.kind not in (LinkKind.UNTIL, LinkKind.WHEN, LinkKind.ANEW):

@@ -70,9 +70,8 @@ def remember(reading: Reading, frames: Mapping[str, SemanticFrame], context: Con
             continue  # "The floor is dirty, clean it": dirty is no thing.
         if frame.is_condition and (value.semantic_type == "Human" or value.lemma in _ROBOTS):
             continue  # "If Bob is at the door, open it": Bob is no thing.
-        if frame.is_condition and element.framenet == _SOUND_SOURCE:
-            continue  # "When the bell rings, go to the door and open it": the bell only tells when.
-        if element.framenet in PLACES:
+        # "When the bell rings, go to the door and open it": what is gone to counts for more.
+        if element.framenet in PLACES or (frame.is_condition and element.framenet == _SOUND_SOURCE):
             context = replace(context, place=value.text)
         elif element.framenet not in NO_THINGS and value.text.lower() not in _PARTICIPANTS:
             context = replace(context, thing=value.text)

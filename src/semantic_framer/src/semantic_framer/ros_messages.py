@@ -12,6 +12,7 @@ from roboframenet_msgs.msg import (
     LexicalUnitReading,
     Plan,
     PlanNode,
+    TimeExpression,
 )
 
 from semantic_framer.clause_plan import nodes_of, plan_of
@@ -19,7 +20,7 @@ from semantic_framer.outcome import Understood
 from semantic_framer.reading import Reading
 from semantic_frames.ros_server_profile import profile_from_message
 from semantic_frames.server_profile import Purpose, ServerProfile
-from typed_arguments.ros_messages import to_message
+from typed_arguments.ros_messages import time_to_message, to_message
 from utterance_passes.tree import DependencyTree
 
 
@@ -46,9 +47,12 @@ def to_clauses(clauses: Sequence[Tuple[Reading, ...]], tree: DependencyTree) -> 
 def to_plan(understood: Understood, text: str) -> Plan:
     """Return how the clauses of a command are joined; without nodes when they are done one after the other."""
     part = understood.plan or plan_of(understood.clauses, text)
+    beginning = getattr(Plan, understood.beginning)
     if part is None:
-        return Plan()
+        return Plan(beginning=beginning)
+    unknown = TimeExpression()
     return Plan(
+        beginning=beginning,
         nodes=[
             PlanNode(
                 kind=getattr(PlanNode, node.kind),
@@ -62,9 +66,10 @@ def to_plan(understood: Understood, text: str) -> Plan:
                 is_limit_said=node.limit_s > 0.0,
                 trigger=getattr(PlanNode, node.trigger),
                 is_negated=node.is_negated,
+                when=unknown if node.when is None else time_to_message(node.when),
             )
             for node, children in nodes_of(part)
-        ]
+        ],
     )
 
 

@@ -68,7 +68,6 @@ def test_answer_picks_a_reading(understand: Any, said: str, answer: str, done: L
         (MUG_OR_OFFICE, "the third one", "NO_VERB"),
         (MUG_OR_OFFICE, "yes", "TALK"),
         (MUG_OR_OFFICE, "not to the office", "CORRECTION"),
-        ("turn left tomorrow, no, go to the kitchen", "the first", "CONDITION"),
     ],
 )
 def test_answer_that_picks_nothing_does_nothing(understand: Any, said: str, answer: str, code: str) -> None:

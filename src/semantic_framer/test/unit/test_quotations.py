@@ -74,7 +74,6 @@ def test_command_behind_a_quotation_is_done(understand: Any, text: str) -> None:
         ("tell nobody", "NEGATED"),
         ("tell no one the secret", "NEGATED"),
         ("tell Bob nothing", "NEGATED"),
-        ("tomorrow say hello", "CONDITION"),
         ("say hello a few times", "LEFT_OVER_WORDS"),
     ],
 )

@@ -1,0 +1,273 @@
+"""Reads times of the clock: "at eight", "tomorrow at half past nine", "every Monday morning at 8:30"."""
+
+import re
+from dataclasses import dataclass, replace
+from typing import Optional, Sequence, Tuple
+
+from spoken_quantities import QuantityError, parse_number
+from typed_arguments import TimeExpression
+from word_classes import word_class, word_list
+
+_DAY_S = 86_400.0
+#: A time of this day; the offset of a time must not be 0.
+_TODAY_S = 1.0
+_LONGEST = 9
+_AT = "at"
+_BEFORE_NOON = word_class("before_noon")
+_AFTER_NOON = word_class("after_noon")
+_O_CLOCK = word_class("clock_words") - _BEFORE_NOON - _AFTER_NOON
+_PAST, _TO = word_class("minutes_after"), word_class("minutes_before")
+_HALF, _QUARTER, _MINUTES = word_class("half_hours"), word_class("quarter_hours"), word_class("minute_words")
+_NOON, _MIDNIGHT = word_class("names_of_noon"), word_class("names_of_midnight")
+_TODAY, _TOMORROW, _TONIGHT = (
+    word_class("names_of_today"),
+    word_class("names_of_tomorrow"),
+    word_class("names_of_tonight"),
+)
+_EACH, _DAILY, _DAYS = word_class("period_determiners"), word_class("daily_adverbs"), word_class("day_words")
+_WEEKDAYS, _WORKDAYS = word_list("weekdays"), word_class("workday_words")
+_MORNING, _LATER = word_class("early_times_of_day"), word_class("late_times_of_day")
+_NIGHT = word_class("times_of_night")
+_WRITTEN = re.compile(r"(\d{1,2})(?:[:.h](\d{2}))?(am|pm|a\.m\.|p\.m\.)?")
+#: Hours that nobody means at night, on a day that is named.
+_OF_THE_DAY = range(7, 12)
+
+
+@dataclass(frozen=True)
+class ClockTime:
+    """A time of the clock in a sentence.
+
+    Attributes:
+        length: number of words
+        when: None if the person must say more
+        question: what the person must say; empty if nothing
+    """
+
+    length: int
+    when: Optional[TimeExpression] = None
+    question: str = ""
+
+
+@dataclass(frozen=True)
+class _Clock:
+    """What the words say: an hour with its minute, whether it is before noon, and the day."""
+
+    hour: Optional[int] = None
+    minute: int = 0
+    is_exact: bool = False
+    half: str = ""  # am, pm or night
+    day: Optional[int] = None
+    weekdays: Tuple[int, ...] = ()
+    is_repeated: bool = False
+
+
+_Part = Optional[Tuple[_Clock, int]]
+
+
+def clock_time_at(forms: Sequence[str]) -> Optional[ClockTime]:
+    """Return the time of the clock that words begin with; None if they begin with none.
+
+    Args:
+        forms: words in lower case, without marks
+    """
+    clock, place = _Clock(), 0
+    has_day = False
+    while place < min(len(forms), _LONGEST):
+        found = _hour(forms[place:], clock) if clock.hour is None else None
+        if found is None:
+            found = _half(forms[place:], clock) or _day(forms[place:], clock)
+            has_day = has_day or found is not None
+        if found is None:
+            break
+        clock, length = found
+        place += length
+    if not place:
+        return None
+    words = " ".join(forms[:place])
+    if clock.hour is None:
+        is_day = clock.day is not None or clock.weekdays or clock.is_repeated
+        return ClockTime(place, question=f"At what time {words}?") if is_day else None
+    return _resolved(clock, words, place)
+
+
+def _resolved(clock: _Clock, words: str, length: int) -> ClockTime:
+    hours = _hours(clock)
+    if len(hours) > 1 and (clock.is_repeated or clock.weekdays or (clock.day or 0) > 0):
+        if clock.hour not in _OF_THE_DAY:
+            said = " or at ".join(f"{hour}:{clock.minute:02d}" for hour in hours)
+            question = f'At {said}? Say "in the morning", "in the afternoon" or "in the evening" with it.'
+            return ClockTime(length, question=question)
+        hours = hours[:1]
+    week = f"XXXX-WXX-{''.join(str(day + 1) for day in clock.weekdays)}" if clock.weekdays else ""
+    value = "/".join(f"{week}T{hour:02d}:{clock.minute:02d}" for hour in hours)
+    when = TimeExpression("time", words, relation="at", value=value)
+    if clock.is_repeated:
+        period_s = 7 * _DAY_S if len(clock.weekdays) == 1 else _DAY_S
+        when = replace(when, kind="set", relation="every", period_s=period_s)
+    elif clock.day is not None:
+        when = replace(when, offset_s=clock.day * _DAY_S or _TODAY_S)
+    return ClockTime(length, when)
+
+
+def _hours(clock: _Clock) -> Tuple[int, ...]:
+    hour = clock.hour or 0
+    if clock.is_exact or hour == 0 or hour > 12:
+        return (hour,)
+    before, after = hour % 12, hour % 12 + 12
+    if clock.half == "am":
+        return (before,)
+    if clock.half == "pm":
+        return (after,)
+    if clock.half == "night":
+        return (after,) if 6 <= hour < 12 else (before,)
+    return (before, after)
+
+
+def _hour(forms: Sequence[str], clock: _Clock) -> _Part:
+    """Read "at eight", "8:30 pm", "half past eight", "noon"."""
+    start = 1 if forms[0] == _AT else 0
+    rest = forms[start:]
+    if not rest:
+        return None
+    if rest[0] in _NOON or rest[0] in _MIDNIGHT:
+        return replace(clock, hour=12 if rest[0] in _NOON else 0, is_exact=True), start + 1
+    found = _relative(rest, clock) or _spoken(rest, clock)
+    if found is None:
+        return None
+    read, length = found
+    end = start + length
+    # A number alone may be anything: "the office seventeen", "ten to fifteen".
+    is_marked = start == 1 or bool({":", "h"} & set(rest[0]) and rest[0][0].isdigit())
+    is_marked = is_marked or any(word in _HALF | _QUARTER | _MINUTES for word in rest[:length])
+    if forms[end : end + 1] and forms[end] in _O_CLOCK:
+        is_marked, end = True, end + 1
+    half = _meridiem(forms[end:])
+    if half:
+        is_marked, end, read = True, end + 1, replace(read, half=half)
+    if read.half and not is_marked:
+        is_marked = True
+    # "Every day seven": a number alone is no time.
+    return (read, end) if is_marked else None
+
+
+def _meridiem(forms: Sequence[str]) -> str:
+    first = forms[0] if forms else ""
+    return "am" if first in _BEFORE_NOON else "pm" if first in _AFTER_NOON else ""
+
+
+def _relative(forms: Sequence[str], clock: _Clock) -> _Part:
+    """Read "half past eight", "a quarter to nine", "ten minutes past eight"."""
+    place = 1 if forms[0] in ("a", "an") else 0
+    if len(forms) < place + 3:
+        return None
+    word = forms[place]
+    minutes = 30 if word in _HALF else 15 if word in _QUARTER else _number(word, 59)
+    place += 1
+    if forms[place] in _MINUTES:
+        place += 1
+    if minutes is None or len(forms) < place + 2 or forms[place] not in _PAST | _TO:
+        return None
+    is_before = forms[place] in _TO
+    if is_before and word in _HALF:
+        return None
+    named = 12 if forms[place + 1] in _NOON | _MIDNIGHT else _number(forms[place + 1], 24)
+    if named is None:
+        return None
+    is_exact = forms[place + 1] in _NOON | _MIDNIGHT or named > 12
+    hour = 0 if forms[place + 1] in _MIDNIGHT else named
+    if is_before:
+        hour = (hour - 1) % 24 if is_exact else (hour - 2) % 12 + 1
+        minutes = 60 - minutes
+    return replace(clock, hour=hour % 24, minute=minutes, is_exact=is_exact), place + 2
+
+
+def _spoken(forms: Sequence[str], clock: _Clock) -> _Part:
+    """Read "eight", "8", "8:30", "8pm", "eight thirty", "20:00"."""
+    written = _WRITTEN.fullmatch(forms[0])
+    if written:
+        hour, minute = int(written.group(1)), int(written.group(2) or 0)
+        half = (written.group(3) or "").replace(".", "")
+        if hour > 24 or minute > 59 or (half and not 1 <= hour <= 12):
+            return None
+        is_exact = not half and (hour > 12 or hour == 0 or forms[0].startswith("0"))
+        has_minute = written.group(2) is not None
+        if has_minute or half or is_exact:
+            return replace(clock, hour=hour % 24, minute=minute, is_exact=is_exact, half=half or clock.half), 1
+    hour_said = _number(forms[0], 24)
+    if hour_said is None:
+        return None
+    minute_said = _number(forms[1], 59) if len(forms) > 1 else None
+    is_exact = hour_said > 12 or hour_said == 0
+    if minute_said is not None and minute_said >= 10 and forms[1] != _AT:
+        return replace(clock, hour=hour_said % 24, minute=minute_said, is_exact=is_exact), 2
+    return replace(clock, hour=hour_said % 24, is_exact=is_exact), 1
+
+
+def _number(word: str, most: int) -> Optional[int]:
+    try:
+        number = parse_number(word)
+    except QuantityError:
+        return None
+    return int(number) if number == int(number) and 0 <= number <= most and word not in ("a", "an") else None
+
+
+def _half(forms: Sequence[str], clock: _Clock) -> _Part:
+    """Read "in the morning", "at night", "tonight", "this evening"."""
+    for before in (("in", "the"), ("at",), ("this",), ()):
+        length = len(before)
+        if tuple(forms[:length]) != before or len(forms) <= length:
+            continue
+        half = _half_of(forms[length])
+        # "Every morning" is a day; a morning alone stands behind a day: "tomorrow morning".
+        if half and (before or clock.day is not None or clock.weekdays):
+            today = 0 if before == ("this",) and clock.day is None else clock.day
+            return replace(clock, half=half, day=today), length + 1
+    return None
+
+
+def _half_of(word: str) -> str:
+    singular = word[:-1] if word.endswith("s") else word
+    if singular in _MORNING:
+        return "am"
+    if singular in _LATER:
+        return "pm"
+    return "night" if singular in _NIGHT else ""
+
+
+def _day(forms: Sequence[str], clock: _Clock) -> _Part:
+    """Read "tomorrow", "today", "on Monday", "every day", "every Monday morning", "on weekdays"."""
+    if clock.day is not None or clock.weekdays or clock.is_repeated:
+        return None
+    first = forms[0]
+    if first in _TOMORROW:
+        return replace(clock, day=1), 1
+    if first in _TODAY:
+        return replace(clock, day=0), 1
+    if first in _TONIGHT:
+        return replace(clock, day=0, half="pm"), 1
+    if first in _DAILY:
+        return replace(clock, is_repeated=True), 1
+    for before, is_each in (("on", False), (None, False), (_EACH, True)):
+        word = first if before is None else forms[1] if len(forms) > 1 else ""
+        length = 1 if before is None else 2
+        if (before == "on" and first != "on") or (is_each and first not in _EACH):
+            continue
+        found = _named_day(word, is_each=is_each)
+        if found is not None:
+            days, is_repeated = found
+            return replace(clock, weekdays=days, is_repeated=is_repeated), length
+        if is_each and word in _DAYS:
+            return replace(clock, is_repeated=True), length
+        if is_each and _half_of(word):
+            return replace(clock, is_repeated=True, half=_half_of(word)), length
+    return None
+
+
+def _named_day(word: str, *, is_each: bool) -> Optional[Tuple[Tuple[int, ...], bool]]:
+    """Return the days of the week that a word names, and whether each of them is meant."""
+    singular = word[:-1] if word.endswith("s") else word
+    if singular in _WORKDAYS:
+        return tuple(range(5)), True
+    if singular in _WEEKDAYS:
+        return (_WEEKDAYS.index(singular),), is_each or word != singular
+    return None
