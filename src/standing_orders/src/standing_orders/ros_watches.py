@@ -45,7 +45,7 @@ class Watches:
         self._retry_s = retry_s
         self._lock = threading.RLock()
         self._watches: Dict[object, _Watch] = {}
-        self._running_goals = RunningGoals()
+        self._running_goals = RunningGoals("~running_goals")
         self._profiles = ServerProfiles(default_silence_s=silence_s)
         self._context = WatchContext(
             ActionClients(max_kept=max_clients),
