@@ -1,9 +1,10 @@
 """How the clauses of a sentence are joined: a tree whose leaves are the clauses."""
 
 from dataclasses import dataclass, replace
-from typing import Iterator, List, Optional, Sequence, Tuple
+from typing import Iterator, List, Mapping, Optional, Sequence, Tuple
 
 from semantic_framer.reading import Reading
+from semantic_frames.frame import SemanticFrame
 from typed_arguments import TimeExpression
 
 CONDITION = "CONDITION"
@@ -59,6 +60,7 @@ class PlanPart:
 
 
 Clauses = Tuple[Tuple[Reading, ...], ...]
+_LOOPS = ("UNTIL", "WHILE")
 
 
 def plan_of(clauses: Sequence[Tuple[Reading, ...]], text: str) -> Optional[PlanPart]:
@@ -125,3 +127,17 @@ def nodes_of(part: PlanPart) -> List[Tuple[PlanPart, List[int]]]:
         nodes[0][1].append(position)
         nodes += [(below, [position + place for place in places]) for below, places in nodes_of(child)]
     return nodes
+
+
+def answers_in_a_loop(
+    part: PlanPart,
+    clauses: Sequence[Tuple[Reading, ...]],
+    frames: Mapping[str, SemanticFrame],
+    *,
+    is_loop: bool = False,
+) -> bool:
+    """Whether something that is answered at once is to go on: "go on until you see a wall" resumes what waits."""
+    if part.clause >= 0:
+        return is_loop and frames[clauses[part.clause][0].unit.frame_name].is_question
+    is_loop = is_loop or part.kind in _LOOPS
+    return any(answers_in_a_loop(child, clauses, frames, is_loop=is_loop) for child in part.children)

@@ -8,7 +8,7 @@ from semantic_framer.answers import answer
 from semantic_framer.beginnings import beginning_of, without_beginning
 from semantic_framer.choices import choices_of_amounts, choices_of_clauses, chosen
 from semantic_framer.clause_links import Joints, find_joints
-from semantic_framer.clause_plan import without_unused
+from semantic_framer.clause_plan import answers_in_a_loop, without_unused
 from semantic_framer.dialogue import Context, Pending, is_no
 from semantic_framer.framed_lexicon import FramedLexicon
 from semantic_framer.lexicon import Lexicon
@@ -314,6 +314,8 @@ class _Hearing:
             deeds = [(read.clause, read.kept) for read in clauses]
             kept, plan = without_unused(*linked_plan(sentence, self._now.known, deeds, joints.found))
             kept = with_persons(kept, self._now.known.frames)
+            if answers_in_a_loop(plan, kept, self._now.known.frames):
+                raise NoStructure("what is answered at once does not go on")
         except Open as question_of:
             return Heard(Question("AMBIGUOUS", str(question_of)), context, sentence)
         except NoStructure as reason:
