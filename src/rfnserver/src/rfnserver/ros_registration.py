@@ -68,6 +68,8 @@ class Registration:
         self._registrar: Optional[KnownState] = None
         self._framer: Optional[KnownState] = None
         self._answers = Answers(retry_s=RETRY_S)
+        #: Requests that a thread is making.
+        self._asking: Set[RegistrationRequest] = set()
         #: When the registrar first found a registration odd, by frame; and those that were told.
         self._remarks: Dict[str, float] = {}
         self._told: Set[str] = set()
@@ -166,6 +168,7 @@ class Registration:
                 with self._condition:
                     # Looked up for each: another thread may have made the request meanwhile.
                     is_due = self._answers.is_due(request, self._circumstances(request), now_s=time.monotonic())
+                    is_due = is_due and request not in self._asking
                 if not is_due:
                     continue
                 again = " again" if self._reported.get(request) == "" else ""
@@ -188,6 +191,7 @@ class Registration:
     def _ask(self, request: RegistrationRequest) -> bool:
         with self._condition:
             circumstances = self._circumstances(request)
+            self._asking.add(request)
         is_answered = True
         try:
             error = self._call(request)
@@ -195,6 +199,7 @@ class Registration:
             error = str(failure)
             is_answered = False
         with self._condition:
+            self._asking.discard(request)
             if error:
                 # Whether a registration is granted may also depend on a frame that is added later.
                 is_final = is_answered and request.kind is not RequestKind.REGISTRATION
