@@ -6,6 +6,7 @@ from typing import Any, Callable
 import rospy
 
 from roboframenet_ros.recent import Recent
+from roboframenet_ros.ros_publishing import publish
 
 # A command that waits longer would be done at a time at which nobody expects it any more. It is a third of the default
 # deadline of a stage, so the command is still open when it is handed over.
@@ -36,7 +37,7 @@ class HandOver(rospy.SubscribeListener):
         """Send a message to the next stage, or keep it until that stage connects."""
         with self._lock:
             if self.is_connected:
-                self._publisher.publish(message)
+                publish(self._publisher, message)
             else:
                 self._kept.add(message)
 
