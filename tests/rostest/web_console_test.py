@@ -150,7 +150,10 @@ class WebConsoleTest(unittest.TestCase):
         for is_dark in (False, True):
             self.page.resize(*WINDOW, is_dark=is_dark)
             self.assertEqual(self.page.faint_texts(), [])
+        self.page.run("document.getElementById('ground-text').style.color = '#d0d0d0'")
         self.page.resize(*WINDOW)
+        self.assertEqual(len(self.page.faint_texts()), 1, "a grey text on white is found")
+        self.page.run("document.getElementById('ground-text').style.color = ''")
         self.assertEqual(self.page.nameless(), [])
         self.page.run("document.activeElement.blur()")
         self.page.press("/", Keys.ARROW_UP)
