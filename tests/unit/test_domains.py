@@ -19,7 +19,6 @@ from offline_pipeline.knowledge import pretend_servers
 from offline_pipeline.pipeline import Pipeline
 from semantic_framer import ros_messages as framer_messages
 from semantic_framer.framer import Understood, read
-from semantic_framer.outcome import MEANING_ONLY
 from semantic_frames import load_lexical_units
 from semantic_frames.lexical_unit import LexicalUnit
 from semantic_types import Fit, shipped_types
@@ -122,7 +121,7 @@ def test_examples_are_understood_except_known_ones(loaded, examples):
 def understood(pipeline: Pipeline, text: str) -> Sequence[Clause]:
     """Return the frames that the framer sends to the registrar."""
     tree = pipeline.parse(text)
-    outcome, _ = read(tree, pipeline.knowledge.lexicon, pipeline.knowledge.frames, policy=MEANING_ONLY)
+    outcome, _ = read(tree, pipeline.knowledge.lexicon, pipeline.knowledge.frames)
     assert isinstance(outcome, Understood), text
     return framer_messages.to_clauses(outcome.clauses, tree)
 

@@ -69,7 +69,9 @@ def groundings(frames: Mapping[str, SemanticFrame]) -> Tuple[Grounding, ...]:
     servers, sentences = servers_by_frame(), sentences_by_frame()
     served: FrozenSet[str] = served_frames(frames, frozenset(servers))
     found = [
-        Grounding(name, Path(frame.path).parents[1].name, servers.get(name, ()), name in served, sentences.get(name, ()))
+        Grounding(
+            name, Path(frame.path).parents[1].name, servers.get(name, ()), name in served, sentences.get(name, ())
+        )
         for name, frame in frames.items()
     ]
     return tuple(sorted(found, key=lambda one: (one.domain, one.frame)))

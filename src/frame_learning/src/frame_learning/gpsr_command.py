@@ -12,6 +12,7 @@ from frame_learning.gpsr_meaning import GpsrMapping, load_gpsr_mapping
 from frame_learning.gpsr_score import Judged, Verdict, by_category, causes, judge
 from frame_learning.tables import aligned
 from offline_pipeline.pipeline import Parameters, Pipeline
+from semantic_framer.outcome import MEANING_ONLY
 from semantic_frames.semantic_type import with_parents
 from semantic_types import WordTypes
 

@@ -21,6 +21,7 @@ from frame_learning.outcome_score import add_outcome_arguments, score_outcomes
 from frame_learning.tables import aligned
 from offline_pipeline.knowledge import load_knowledge, pretend_servers, shipped_domains
 from offline_pipeline.pipeline import Parameters, Pipeline
+from semantic_framer.outcome import MEANING_ONLY
 from semantic_frames import FileRefused
 from semantic_frames.source_files import LEXICAL_UNITS_FOLDER
 from stanford_parser_ros.inference import ModelError

@@ -6,7 +6,6 @@ from typing import Iterable, List, Optional, Tuple
 from offline_pipeline.knowledge import Knowledge, load_files, pretend_servers, with_names
 from offline_pipeline.pipeline import Pipeline
 from semantic_framer.framer import Understood, read
-from semantic_framer.outcome import MEANING_ONLY
 from semantic_frames import Problem, check_lexical_unit
 from semantic_frames.lexical_unit import Example, LexicalUnit
 from semantic_frames.source_files import FRAMES_FOLDER, LEXICAL_UNITS_FOLDER, yaml_files
@@ -83,8 +82,7 @@ class Examples:
 
         It is understood when it is one clause whose first reading has the frame of the unit and the expected arguments.
         """
-        tree = self._pipeline.parse(example.text)
-        outcome, _ = read(tree, self.knowledge.lexicon, self.knowledge.frames, policy=MEANING_ONLY)
+        outcome, _ = read(self._pipeline.parse(example.text), self.knowledge.lexicon, self.knowledge.frames)
         if not isinstance(outcome, Understood):
             found = f"{outcome.code}: {outcome.sentence}"
         else:

@@ -157,7 +157,9 @@ def _settled(
         readings[0]
         for readings in done
         if policy.confirms
-        and now.known.frames[readings[0].unit.frame_name].wants_yes({one.name: one.text for one in readings[0].arguments})
+        and now.known.frames[readings[0].unit.frame_name].wants_yes(
+            {one.name: one.text for one in readings[0].arguments}
+        )
     ]
     wrong = [reason for readings in done for reason in _wrong_types(readings[0])]
     unseen = [unknown_of(argument) for policy_of_frame, argument in unknown if policy_of_frame is UnknownPolicy.ASK]
