@@ -66,8 +66,7 @@ class QuestionAnswering:
         status (CommandStatus), stage_events (StageEvent), command_question (CommandPlan), speaker (std_msgs/String),
         and those of :class:`.ros_history.History`
     Publishes:
-        stage_events (StageEvent); speaker (std_msgs/String, latched), world_updates (WorldUpdate): who has said who they
-        are
+        stage_events (StageEvent), speaker (std_msgs/String, latched), world_updates (WorldUpdate)
     Parameters: see :class:`Settings`.
     """
 
