@@ -97,7 +97,9 @@ class Recorder:
 
     def _on_units(self, message: CommandLexicalUnits) -> None:
         with self._lock:
-            self.seen.frames += [clause.readings[0].name for clause in message.clauses if clause.readings]
+            self.seen.frames += [
+                clause.readings[0].lexical_unit.frame_name for clause in message.clauses if clause.readings
+            ]
 
     def _on_goal(self, message: FilledSemanticFrameActionGoal, is_watching: bool) -> None:
         with self._lock:
