@@ -22,6 +22,11 @@ SENTENCES = (
     ("Go to the office.", Reply.DONE, {"robot.room": "office"}),
     ("open the fridge", Reply.DONE, {"fridge.is_open": True}),
     ("turn the fan on", Reply.DONE, {"fan.is_on": True}),
+    # What may do harm wants a yes.
+    ("turn the fan off", Reply.NEEDS_INFORMATION, {"fan.is_on": True}),
+    ("No.", Reply.REFUSED, {"fan.is_on": True}),
+    ("turn the fan off", Reply.NEEDS_INFORMATION, {"fan.is_on": True}),
+    ("Yes.", Reply.DONE, {"fan.is_on": False}),
     ("lead Bob to the kitchen", Reply.DONE, {"bob.room": "kitchen", "robot.room": "kitchen"}),
 )
 
