@@ -98,7 +98,7 @@ class Mutants(Demand):
             raise SystemExit(f"no such modules: {', '.join(missing)}")
         # Each place counts alike, so that a small module does not give the same mutant again and again.
         self._weights = [len(_places(path.read_text(encoding="utf-8"))) for _, path, _ in self._modules]
-        for package, path, tests in dict((module[0], module) for module in self._modules).values():
+        for package, path, tests in {module[0]: module for module in self._modules}.values():
             if self._is_noticed(package, path, path.read_text(encoding="utf-8"), tests):
                 raise SystemExit(f"the tests of {package} fail without a mutant")
         return nullcontext()
