@@ -5,7 +5,8 @@ from collections import OrderedDict
 from dataclasses import dataclass, replace
 from typing import FrozenSet, Tuple
 
-from stanford_parser_ros.inference import Inference, StanzaInference, shipped_model_dir
+from stanford_parser_ros.inference import Inference, shipped_model_dir
+from stanford_parser_ros.lean.inference import LeanInference
 from utterance_passes.running import (
     run_cut_passes,
     run_surroundings_passes,
@@ -195,11 +196,11 @@ class _Run:
 
 
 def shipped_parser(*, cache_size: int = 256) -> Parser:
-    """Return a parser with the shipped models.
+    """Return a parser with the shipped models, on the lean runtime.
 
     Args:
         cache_size: number of parses that are kept
     Raises:
-        ModelError: the models are missing, or Stanza is not installed
+        ModelError: the models are missing
     """
-    return Parser(StanzaInference(model_dir=shipped_model_dir()), cache_size=cache_size)
+    return Parser(LeanInference(model_dir=shipped_model_dir()), cache_size=cache_size)

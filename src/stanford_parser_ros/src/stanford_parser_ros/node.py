@@ -13,6 +13,7 @@ from stanford_parser_msgs.msg import Parse
 
 from roboframenet_ros.health import Health, Level
 from roboframenet_ros.parameters import Parameters, parameter
+from roboframenet_ros.ros_hand_over import HandOver
 from roboframenet_ros.ros_node import read_parameters, run_node
 from roboframenet_ros.ros_stage import Stage
 from semantic_frames import load_lexical_units
@@ -45,7 +46,7 @@ class Settings(Parameters):
     Attributes:
         model_dir: folder of the Stanza models; empty for the shipped ones
         package: name of a package in it; empty for the default one
-        runtime: Stanza itself; or the lean runtime: the same trees sooner, for packages like the shipped one
+        runtime: the lean runtime, for packages like the shipped one; or Stanza itself: the same trees, for all packages
         threads: of torch; the lean runtime always has one
         cache_size: number of parses that are kept
         queue_size: number of commands that may wait; one more is refused
@@ -57,7 +58,7 @@ class Settings(Parameters):
 
     model_dir: str = parameter("")
     package: str = parameter("default")
-    runtime: Runtime = parameter(Runtime.STANZA)
+    runtime: Runtime = parameter(Runtime.LEAN)
     threads: int = parameter(1, least=1, most=64)
     cache_size: int = parameter(256, least=1, most=100_000)
     queue_size: int = parameter(100, least=1, most=10_000)
@@ -81,7 +82,7 @@ class ParserNode:
         """
         self._settings = settings
         # Subscribers connect while the models load, so that the first parse is not lost.
-        self._parses = rospy.Publisher("command_parse", CommandParse, queue_size=100)
+        self._parses = HandOver("command_parse", CommandParse)
         self._parses_2012 = rospy.Publisher("parse", Parse, queue_size=100)
         self._stage = Stage("stanford_parser_ros")
         # The lexicon arrives while the models load, so that the first command is parsed with it.
