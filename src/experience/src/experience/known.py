@@ -5,6 +5,7 @@ Each of these aspects keeps its own beliefs and predicts each trial before it co
 decide. So a server that fails with glasses is known by glasses, and a server that is broken is known everywhere.
 """
 
+import enum
 import math
 from dataclasses import dataclass, field
 from functools import cached_property
@@ -13,8 +14,6 @@ from typing import Dict, Iterable, Mapping, Optional, Tuple
 from experience.belief import OPEN, Belief, after, aged, mean, mixed, moments
 from experience.trial import Circumstances, Trial
 
-#: Aspects of the circumstances. The first does not look at them.
-ASPECTS = ("", "place", "kinds", "place and kinds", "referents")
 #: Probability that a server breaks or is mended between two trials of its frame.
 HAZARD = 0.01
 #: How much a new cell believes what is known of the server elsewhere; the rest is open.
@@ -30,6 +29,16 @@ RECENT = 20
 MOST_SUBJECTS, MOST_CELLS = 200, 24
 #: Share of a new time in the mean time.
 _NEWEST = 0.25
+
+
+class Aspect(enum.IntEnum):
+    """What success may depend on; the numbers are those of the message ``ServerExperience``."""
+
+    NOTHING = 0
+    PLACE = 1
+    KINDS = 2
+    PLACE_AND_KINDS = 3
+    REFERENTS = 4
 
 
 @dataclass(frozen=True)
@@ -66,7 +75,7 @@ class Record:
     """What is known of a subject.
 
     Attributes:
-        cells: by the number of the aspect and its value
+        cells: by the aspect and its value
         evidence: log weight of each aspect
         took_s: how long a trial takes, mean
     """
@@ -84,18 +93,18 @@ class Expectation:
         rate: how often it succeeds
         spread: how uncertain the rate is: its standard deviation
         took_s: how long it takes; None when it was never tried
-        aspect: number of the aspect that counts most
+        aspect: that counts most
         cell: its trials; None when it was never tried
     """
 
     rate: float = _OPEN_MOMENTS[0]
     spread: float = math.sqrt(_OPEN_MOMENTS[1] - _OPEN_MOMENTS[0] ** 2)
     took_s: Optional[float] = None
-    aspect: int = 0
+    aspect: Aspect = Aspect.NOTHING
     cell: Optional[Cell] = None
 
 
-def value_of(aspect: int, circumstances: Circumstances) -> Optional[str]:
+def value_of(aspect: Aspect, circumstances: Circumstances) -> Optional[str]:
     """Return the value of an aspect; None when it is unknown."""
     place, kinds = circumstances.place, circumstances.kinds
     known = ("", place, kinds, f"{place} {kinds}" if place and kinds else "", circumstances.referents)
@@ -153,8 +162,8 @@ class Experience:
         tick = self.ticks.get(subject.frame, 0)
         inherited = _OPEN_MOMENTS
         total = rate = square = heaviest = 0.0
-        best, best_cell = 0, None
-        for aspect in range(len(ASPECTS)):
+        best, best_cell = Aspect.NOTHING, None
+        for aspect in Aspect:
             value = value_of(aspect, circumstances)
             if value is None:
                 continue
@@ -182,7 +191,7 @@ def _beliefs(record: Record, circumstances: Circumstances, tick: int) -> Dict[in
     """Return for each aspect that is known its value, what is believed now, and its cell."""
     found: Dict[int, Tuple[str, Belief, Optional[Cell]]] = {}
     inherited = OPEN
-    for aspect in range(len(ASPECTS)):
+    for aspect in Aspect:
         value = value_of(aspect, circumstances)
         if value is None:
             continue

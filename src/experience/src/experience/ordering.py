@@ -3,7 +3,7 @@
 from dataclasses import dataclass
 from typing import Dict, Sequence, Tuple
 
-from experience.known import ASPECTS, Expectation, Subject
+from experience.known import Aspect, Expectation, Subject
 from experience.snapshot import Snapshot
 from experience.trial import Circumstances, kinds_of, referents_of
 from typed_arguments import FilledFrame
@@ -143,5 +143,5 @@ def _of(count: int, total: int) -> str:
 
 
 def _where(candidate: Judged, known: Snapshot) -> str:
-    aspect = ASPECTS[candidate.weakest.aspect]
-    return f" in the {known.place.replace('_', ' ')}" if known.place and "place" in aspect else ""
+    is_there = candidate.weakest.aspect in (Aspect.PLACE, Aspect.PLACE_AND_KINDS)
+    return f" in the {known.place.replace('_', ' ')}" if known.place and is_there else ""

@@ -6,7 +6,7 @@ from typing import List
 import pytest
 
 from experience.belief import OPEN, aged, mean
-from experience.known import ASPECTS, MOST_CELLS, MOST_SUBJECTS, Experience, Subject, learned_from
+from experience.known import MOST_CELLS, MOST_SUBJECTS, Aspect, Experience, Subject, learned_from
 from experience.trial import Circumstances, Judgement, Outcome, Trial
 
 KITCHEN, OFFICE = Circumstances(kinds="theme=cup", place="kitchen"), Circumstances(kinds="theme=cup", place="office")
@@ -44,7 +44,7 @@ def test_server_that_fails_in_one_room_is_known_by_the_room() -> None:
     assert rate(trials, KITCHEN) < 0.3
     assert rate(trials, OFFICE) > 0.7
     known = learned_from(trials).expect(ARM, KITCHEN)
-    assert ASPECTS[known.aspect] == "place"
+    assert known.aspect is Aspect.PLACE
     assert known.cell is not None and known.cell.recent == (False,) * 8
 
 
