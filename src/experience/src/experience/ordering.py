@@ -14,8 +14,6 @@ FAILURE_S = 60.0
 _UNTRIED_S = 10.0
 #: In frames where failing harms nothing, how much doubt speaks for a server, in standard deviations: it may work now.
 _CURIOSITY = 0.25
-#: In other frames, how much doubt speaks against it.
-_CAUTION = 0.5
 #: Reasons name trials that say something: so many at least.
 _FEWEST = 2
 
@@ -84,8 +82,8 @@ class Judge:
         expected = known.experience.expect(
             Subject(frame.name, frame.server, robot), Circumstances(kinds, referents, known.place, robot)
         )
-        doubt = _CURIOSITY if frame.name in known.explorable else -_CAUTION
-        believed = expected.rate + doubt * expected.spread
+        curiosity = _CURIOSITY if frame.name in known.explorable else 0.0
+        believed = expected.rate + curiosity * expected.spread
         took_s = _UNTRIED_S if expected.took_s is None else expected.took_s
         result = expected, min(1.0, max(0.01, believed)), took_s
         self._found[key] = result
