@@ -207,7 +207,7 @@ def test_sequence_is_as_good_as_its_frames_together():
 
 
 def test_learned_policy_explores_only_where_failing_harms_nothing():
-    known, new = tried("arm_a", "", *[1, 0] * 6, took_s=10.0), make_candidate("arm_c")
+    known, new = tried("arm_a", "", *[0, 1] * 6, took_s=10.0), make_candidate("arm_c")
     assert names(order([new, A], learned(known))) == ["arm_a", "arm_c"]
     explorable = frozenset(["arm_a", "arm_c"])
     assert names(order([A, new], learned(known, explorable=explorable))) == ["arm_c", "arm_a"]
