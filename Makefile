@@ -9,11 +9,6 @@ VOICE ?=
 FORM ?= standard
 ONLY ?=
 
-# What tests and trains it, beside what runs.
-.PHONY: development
-development: setup
-	@scripts/setup development
-
 # The browser that tests the page, unless the tests of another package are run.
 .PHONY: browser
 browser: setup
@@ -24,7 +19,7 @@ browser: setup
 help: ## list the targets
 	@grep -hE '^[a-z]+:.*## ' $(MAKEFILE_LIST) | sed -E 's/^([a-z]+):.*## /  make \1|/' | column -t -s '|'
 
-setup: ## install the system packages that it runs with (root or sudo)
+setup: ## install system packages and the Python environment (root or sudo)
 	@scripts/setup
 
 build: setup ## build the workspace into devel/
@@ -37,26 +32,26 @@ demo: build ## start simulated robots, say the paper's sentences, show what each
 run: build ## keep the stack up for your own 'rostopic pub' (ROBOT=pr2 for the other robot, VOICE=1 to talk to it)
 	@scripts/run robot:=$(ROBOT) $(if $(filter-out 0,$(VOICE)),voice:=true)
 
-test: build development browser ## run the tests, at most ten minutes (FILTER=package runs one package's; SMACH=folder: also on that SMACH)
+test: build browser ## run the tests, at most ten minutes (FILTER=package runs one package's; SMACH=folder: also on that SMACH)
 	@SMACH="$(abspath $(SMACH))" scripts/test test $(if $(FILTER),-R $(FILTER))
 
-acceptance: build development ## run full tables and corpora, at most 75 minutes (DATA=folder of corpora, FILTER=package)
+acceptance: build ## run full tables and corpora, at most 75 minutes (DATA=folder of corpora, FILTER=package)
 	@ROBOFRAMENET_DATA="$(abspath $(DATA))" scripts/test acceptance $(if $(FILTER),-R $(FILTER))
 
-reliability: build development ## attack a running robot, R1 to R18, and print a table (FORM=short, standard or full; ONLY=R2,R5); then the long tests
+reliability: build ## attack a running robot, R1 to R18, and print a table (FORM=short, standard or full; ONLY=R2,R5); then the long tests
 	@scripts/reliability --form $(FORM) $(if $(ONLY),--only $(ONLY))
 	$(if $(ONLY)$(filter short,$(FORM)),,@scripts/test reliability $(if $(FILTER),-R $(FILTER)))
 
-record: build development ## record what the parser's models answer to the unit tests (FILTER=package adds what is missing)
+record: build ## record what the parser's models answer to the unit tests (FILTER=package adds what is missing)
 	@scripts/record $(FILTER)
 
-format: development ## format the Python code, and apply the safe fixes of ruff
+format: setup ## format the Python code, and apply the safe fixes of ruff
 	@.venv/bin/ruff check --fix-only --quiet . && .venv/bin/ruff format .
 
-lint: build development ## check format, rules, types, packages and launch files; change nothing
+lint: build ## check format, rules, types, packages and launch files; change nothing
 	@scripts/lint
 
-bench: build development ## compare with stock Stanza and stock actionlib (EWT=folder: score the parser on the treebank)
+bench: build ## compare with stock Stanza and stock actionlib (EWT=folder: score the parser on the treebank)
 	@EWT="$(abspath $(EWT))" HURIC="$(abspath $(HURIC))" scripts/bench
 
 screenshots: build browser ## make the pictures of the page in docs/pictures again, with a browser and simulated robots

@@ -9,7 +9,7 @@ import pytest
 
 TIERS = ("acceptance", "reliability")
 #: What ``stanford_parser_ros.model.shipped_parser`` loads the models with.
-MODELS = "stanford_parser_ros.model.LeanInference"
+MODELS = "stanford_parser_ros.model.StanzaInference"
 
 
 def pytest_addoption(parser: "pytest.Parser") -> None:
@@ -27,7 +27,7 @@ def pytest_configure(config: "pytest.Config") -> None:
 class Parses:
     """Tests of the tier "test" get recorded answers where others get the models.
 
-    The passes run for real. A test that shows what the models say makes an inference of its own; Stanza records.
+    The passes run for real. A test that shows what the models say makes a ``StanzaInference`` of its own.
     """
 
     def __init__(self, record: Optional[str]) -> None:

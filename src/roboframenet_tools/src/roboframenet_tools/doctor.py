@@ -4,7 +4,6 @@ import argparse
 import importlib
 import os
 import sys
-from importlib.metadata import PackageNotFoundError, version
 from typing import List
 
 from roboframenet_tools.finding import Finding
@@ -16,8 +15,6 @@ EXAMPLES = """examples:
 
 exit status: 0 no problem, 1 a problem
 """
-#: Libraries that only other models than the shipped ones need.
-OPTIONAL = ("stanza", "torch")
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
@@ -48,13 +45,9 @@ def interpreter() -> Finding:
 
 
 def library(name: str) -> Finding:
-    """Check whether a library is installed; it is imported only if it must be here: torch takes seconds."""
+    """Check whether a library can be imported."""
     try:
-        if name in OPTIONAL:
-            return Finding(name, f"{version(name)}; needed for packages of models that are not shipped")
         module = importlib.import_module(name)
-    except PackageNotFoundError:
-        return Finding(name, "not installed; needed only for packages of models that are not shipped")
     except ImportError as error:
         advice = (
             "source devel/setup.sh"

@@ -5,8 +5,7 @@ from collections import OrderedDict
 from dataclasses import dataclass, replace
 from typing import FrozenSet, Tuple
 
-from stanford_parser_ros.inference import Inference, shipped_model_dir
-from stanford_parser_ros.lean.inference import LeanInference
+from stanford_parser_ros.inference import Inference, StanzaInference, shipped_model_dir
 from utterance_passes.running import (
     run_cut_passes,
     run_surroundings_passes,
@@ -196,11 +195,11 @@ class _Run:
 
 
 def shipped_parser(*, cache_size: int = 256) -> Parser:
-    """Return a parser with the shipped models, on the lean runtime.
+    """Return a parser with the shipped models.
 
     Args:
         cache_size: number of parses that are kept
     Raises:
-        ModelError: the models are missing
+        ModelError: the models are missing, or Stanza is not installed
     """
-    return Parser(LeanInference(model_dir=shipped_model_dir()), cache_size=cache_size)
+    return Parser(StanzaInference(model_dir=shipped_model_dir()), cache_size=cache_size)

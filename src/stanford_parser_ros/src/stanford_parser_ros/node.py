@@ -46,7 +46,7 @@ class Settings(Parameters):
     Attributes:
         model_dir: folder of the Stanza models; empty for the shipped ones
         package: name of a package in it; empty for the default one
-        runtime: the lean runtime, for packages like the shipped one; or Stanza itself: the same trees, for all packages
+        runtime: Stanza itself; or the lean runtime: the same trees sooner, for packages like the shipped one
         threads: of torch; the lean runtime always has one
         cache_size: number of parses that are kept
         queue_size: number of commands that may wait; one more is refused
@@ -58,7 +58,7 @@ class Settings(Parameters):
 
     model_dir: str = parameter("")
     package: str = parameter("default")
-    runtime: Runtime = parameter(Runtime.LEAN)
+    runtime: Runtime = parameter(Runtime.STANZA)
     threads: int = parameter(1, least=1, most=64)
     cache_size: int = parameter(256, least=1, most=100_000)
     queue_size: int = parameter(100, least=1, most=10_000)

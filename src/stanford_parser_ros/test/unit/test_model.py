@@ -53,8 +53,8 @@ def models() -> StanzaInference:
 
 
 @pytest.fixture(scope="module")
-def parser() -> Parser:
-    return Parser(LeanInference(model_dir=shipped_model_dir()), cache_size=2)
+def parser(models: StanzaInference) -> Parser:
+    return Parser(models, cache_size=2)
 
 
 @pytest.mark.parametrize(
