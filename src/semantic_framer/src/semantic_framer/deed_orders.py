@@ -6,7 +6,6 @@
 
 from typing import FrozenSet, List, NamedTuple, Optional, Sequence, Tuple
 
-from semantic_framer.control import MOST_TIMES
 from semantic_framer.framed_lexicon import FramedLexicon
 from semantic_framer.link_file import LinkKind, shipped_links
 from spoken_quantities import QuantityError, parse_number
@@ -23,6 +22,8 @@ _JOINING = word_class("clause_borders") | {","}
 _CONTENT = frozenset(["NOUN", "PROPN", "ADJ", "NUM"])
 #: Tags of the verb behind "before you", "before you have" and "before".
 _BARE = frozenset(["VB", "VBP"])
+#: A larger number of times is rather a word that was heard wrongly.
+_MOST_TIMES = 100
 #: The longest phrase that names a thing, in words.
 _LONGEST_PHRASE = 5
 
@@ -104,7 +105,7 @@ def times_at(forms: Sequence[str]) -> Optional[Times]:
         number = parse_number(rest[0])
     except QuantityError:
         return None
-    if number is None or number != int(number) or not 1 <= number <= MOST_TIMES:
+    if number is None or number != int(number) or not 1 <= number <= _MOST_TIMES:
         return None
     return Times(link.kind, int(number), place + 2)
 

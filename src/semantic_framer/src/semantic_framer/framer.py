@@ -321,7 +321,7 @@ class _Hearing:
         for joint in joints.found:
             self._now.write("links", sentence.text(sorted(joint.positions)), joint.kind.value)
         bare = Sentence(left, self._now.known.types)
-        case = case_of(bare, found_clauses(bare, self._now), self._now.known, self._now.policy)
+        case = case_of(bare, found_clauses(bare, self._now.known, self._trace), self._now.known, self._now.policy)
         clauses = self._deeds(case)
         if isinstance(clauses, Refusal):
             return Heard(clauses, context, sentence) if clauses.code in TELLING and refused is None else refused
@@ -369,7 +369,7 @@ class _Hearing:
             self._now.write("fragment", sentence.tree.text, change.note)
             return Heard(*self._changed(change, sentence, context), sentence)
         known, policy = self._now.known, self._now.policy
-        case = case_of(sentence, found_clauses(sentence, self._now), known, policy)
+        case = case_of(sentence, found_clauses(sentence, known, self._trace), known, policy)
         if self._trace is not None:
             for clause, kind in zip(case.clauses, case.kinds):
                 self._trace.add("utterance_kind", case.text_of(clause), after=str(kind), positions=clause.positions)

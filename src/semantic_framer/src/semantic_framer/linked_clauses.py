@@ -30,6 +30,11 @@ class Open(NoStructure):
     """The person must say how the parts of the sentence are joined; the text is the question."""
 
 
+def which_of_it(words: str) -> str:
+    """Return the question which deed some words belong to."""
+    return f'Which of it do you mean by "{words}"? Say it first, for instance: "{words[0].upper()}{words[1:]}, ...".'
+
+
 class Node(NamedTuple):
     """A node of the plan, with the positions of its words."""
 

@@ -12,8 +12,7 @@ from semantic_framer.clause_plan import Clauses, PlanPart, part_of
 from semantic_framer.deed_orders import ItemOrder, sorted_by
 from semantic_framer.framed_lexicon import FramedLexicon
 from semantic_framer.link_file import LinkKind
-from semantic_framer.linked_clauses import JOINING, LinkedClauses, Node, NoStructure, Open
-from semantic_framer.linked_sentence import which_of_it
+from semantic_framer.linked_clauses import JOINING, LinkedClauses, Node, NoStructure, Open, which_of_it
 from semantic_framer.reading import Reading
 from semantic_framer.sentence import Sentence
 from semantic_framer.standing_plan import NotAlone, with_orders_at_the_root

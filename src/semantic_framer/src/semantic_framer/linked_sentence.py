@@ -7,6 +7,7 @@ from semantic_framer.clause_plan import PlanPart, leaves_of
 from semantic_framer.frame_roles import MESSAGE
 from semantic_framer.framed_lexicon import FramedLexicon
 from semantic_framer.link_file import LinkKind, shipped_links
+from semantic_framer.linked_clauses import which_of_it
 from semantic_framer.outcome import Question, Refusal
 from semantic_framer.reading import Reading
 from semantic_framer.sentence import Sentence
@@ -130,11 +131,6 @@ def _condition_behind(words: Sequence[Word]) -> int:
         if is_between and is_link and shipped_links().link_at(forms[place:])[1]:
             return place
     return 0
-
-
-def which_of_it(words: str) -> str:
-    """Return the question which deed some words belong to."""
-    return f'Which of it do you mean by "{words}"? Say it first, for instance: "{words[0].upper()}{words[1:]}, ...".'
 
 
 def _is_marked(sentence: Sentence, last: int) -> bool:
