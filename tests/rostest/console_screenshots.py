@@ -70,6 +70,7 @@ def turtlebot(browser: ConsoleBrowser, folder: Path) -> None:
     browser.resize(*TELEPHONE)
     browser.screenshot(str(folder / "console_telephone.png"))
     browser.click("#answers button", "No")
+    wait_until(lambda: browser.texts("#log li:last-child .person") == ["No"])
     browser.reply()
     browser.resize(*SMALL, scale=SCALE)
     browser.find("#text")[0].send_keys("Turn right 160 degrees.")
