@@ -2,12 +2,13 @@
 
 from typing import Callable
 
-import rospy
 from roboframenet_msgs.msg import CommandPlan, CommandSemanticFrames
+
+from roboframenet_ros.ros_robots import PublisherOfEachRobot
 
 
 class CandidateTopics:
-    """Publishes each plan on the topic of what it is about.
+    """Publishes each plan on the topic of what it is about, in the namespace of the robot of its command.
 
     Publishes:
         command_semantic_frames (CommandSemanticFrames), command_question (CommandPlan)
@@ -19,8 +20,13 @@ class CandidateTopics:
             is_question: whether a frame is a question
         """
         self._is_question = is_question
-        self._candidates = rospy.Publisher("command_semantic_frames", CommandSemanticFrames, queue_size=100)
-        self._questions = rospy.Publisher("command_question", CommandPlan, queue_size=100)
+        self._candidates = PublisherOfEachRobot("command_semantic_frames", CommandSemanticFrames, queue_size=100)
+        self._questions = PublisherOfEachRobot("command_question", CommandPlan, queue_size=100)
+
+    def prepare(self, robot: str) -> None:
+        """Advertise the topics of a robot that has registered a server."""
+        self._candidates.prepare(robot)
+        self._questions.prepare(robot)
 
     def publish(self, message: CommandSemanticFrames) -> None:
         """Publish a plan: as a question if all of its frames are questions."""
@@ -28,6 +34,6 @@ class CandidateTopics:
             frame.name for node in message.plan.nodes for candidate in node.candidates for frame in candidate.frames
         }
         if names and all(map(self._is_question, names)):
-            self._questions.publish(CommandPlan(command=message.command, plan=message.plan))
+            self._questions.publish(message.command.robot, CommandPlan(command=message.command, plan=message.plan))
         else:
-            self._candidates.publish(message)
+            self._candidates.publish(message.command.robot, message)
