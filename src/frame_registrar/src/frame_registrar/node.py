@@ -12,6 +12,7 @@ from roboframenet_msgs.msg import (
     CommandSemanticFrames,
     EmptySemanticFrame,
     FilledSemanticFrameListList,
+    Fleet,
     FrameCallback,
     FrameCatalogue,
     FrameServers,
@@ -85,7 +86,7 @@ class FrameRegistrar:
     """Keeps the graph of frames, and answers each command with the candidates of its clauses or a refusal.
 
     Subscribes:
-        command_lexical_units (CommandLexicalUnits)
+        command_lexical_units (CommandLexicalUnits), fleet (Fleet, latched)
     Publishes:
         command_semantic_frames (CommandSemanticFrames), filled_semantic_frames (FilledSemanticFrameListList),
         frame_catalogue (FrameCatalogue, latched), frame_servers (FrameServers, latched),
@@ -109,6 +110,7 @@ class FrameRegistrar:
         self._catalogue = rospy.Publisher("frame_catalogue", FrameCatalogue, queue_size=1, latch=True)
         self._servers = PublisherOfEachRobot("frame_servers", FrameServers, queue_size=1, latch=True)
         self._told: Dict[str, FrameServers] = {}
+        self._robots: FrozenSet[str] = frozenset()
         place.problems.advertise()
         self._candidates = CandidateTopics(self._is_question)
         self._candidates_2012 = rospy.Publisher("filled_semantic_frames", FilledSemanticFrameListList, queue_size=100)
@@ -117,6 +119,7 @@ class FrameRegistrar:
         self._subscriber = rospy.Subscriber(
             "command_lexical_units", CommandLexicalUnits, self._on_command, queue_size=100
         )
+        self._fleet = rospy.Subscriber("fleet", Fleet, self._on_fleet, queue_size=1)
         self._services = [
             rospy.Service("add_frame", AddFrame, self._on_add_frame),
             rospy.Service("get_empty_frame", GetEmptyFrame, self._on_get_empty_frame),
@@ -229,6 +232,15 @@ class FrameRegistrar:
             rospy.logwarn("'%s' registered for a frame: %s", server, remark)
         return (), remark
 
+    def _on_fleet(self, fleet: Fleet) -> None:
+        """The servers of a robot that joins register when they hear of this registrar."""
+        robots = frozenset(member.name for member in fleet.members if is_robot_name(member.name))
+        if not robots <= self._robots:
+            self._robots |= robots
+            for robot in robots:
+                self._candidates.prepare(robot)
+            self._publish_servers()
+
     def _registered_servers(self) -> FrozenSet[str]:
         with self._lock:
             return frozenset(server for _, server in self._graph.registrations())
@@ -262,7 +274,7 @@ class FrameRegistrar:
             paths = list(self._texts)
             self._servers.publish("", FrameServers(registrar_id=self._id, paths=paths, callbacks=callbacks))
             # Each robot hears of its own servers, when they change; those of no robot are for all.
-            for robot in sorted({callback.profile.robot for callback in callbacks} - {""}):
+            for robot in sorted(self._robots.union(callback.profile.robot for callback in callbacks) - {""}):
                 own = [callback for callback in callbacks if callback.profile.robot in ("", robot)]
                 message = FrameServers(registrar_id=self._id, paths=paths, callbacks=own)
                 if message != self._told.get(robot):

@@ -1,4 +1,4 @@
-"""Names of the robots that one language service serves: each robot has a namespace of its own below that of the service."""
+"""Names of the robots that one language service serves: each has a namespace of its own below that of the service."""
 
 import threading
 from typing import Any, Callable, Dict, Generic, Iterator, Optional, Type, TypeVar

@@ -4,7 +4,7 @@ import threading
 import time
 import uuid
 from dataclasses import dataclass, field
-from typing import Dict, List, Mapping, Optional, Tuple
+from typing import Dict, List, Mapping, Optional, Sequence, Tuple
 
 import rospy
 from roboframenet_msgs.msg import (
@@ -13,6 +13,7 @@ from roboframenet_msgs.msg import (
     CommandParse,
     FileProblem,
     FilledLexicalUnitList,
+    Fleet,
     FrameCatalogue,
     FrameServers,
     Reply,
@@ -36,6 +37,8 @@ from roboframenet_ros.ros_node import StartError, read_parameters, run_node
 from roboframenet_ros.ros_place import Place
 from roboframenet_ros.ros_robots import OfEachRobot, topic_of
 from roboframenet_ros.ros_stage import Stage
+from robot_fleet.addressing import listed, others_addressed, spoken
+from robot_fleet.designators import Names
 from semantic_framer.behaviour_2012 import with_habits
 from semantic_framer.dialogue import Context
 from semantic_framer.framed_lexicon import FramedLexicon
@@ -89,7 +92,8 @@ class SemanticFramer:
 
     Subscribes:
         command_parse (CommandParse), frame_catalogue (FrameCatalogue, latched), frame_servers (FrameServers, latched),
-        stop_report (StopReport), known_names (KnownNames, latched), world (World, latched)
+        stop_report (StopReport), known_names (KnownNames, latched), world (World, latched),
+        fleet (Fleet, latched)
     Publishes:
         command_lexical_units (CommandLexicalUnits), filled_lexical_units (FilledLexicalUnitList),
         lexicon (Lexicon, latched), file_problems (FileProblems, latched), stage_events (StageEvent)
@@ -118,6 +122,7 @@ class SemanticFramer:
         self._configured = tuple(yaml_files(settings.lexical_unit_paths, LEXICAL_UNITS_FOLDER))
         self._added: List[str] = rospy.get_param(place.private + ADDED_LEXICAL_UNITS, [])
         self._is_announced = False
+        self._robots = Names({})
         self._world = World()
         self._speaker = ""
         self._problem_count = 0
@@ -131,6 +136,7 @@ class SemanticFramer:
             rospy.Subscriber("frame_servers", FrameServers, self._on_servers, queue_size=1),
             rospy.Subscriber("command_parse", CommandParse, self._on_command, queue_size=100),
             rospy.Subscriber("known_names", KnownNamesMessage, self._on_names, queue_size=1),
+            rospy.Subscriber("fleet", Fleet, self._on_fleet, queue_size=1),
             rospy.Subscriber("speaker", String, self._on_speaker, queue_size=1),
             rospy.Subscriber("world", WorldMessage, self._on_world, queue_size=1),
         ]
@@ -195,6 +201,10 @@ class SemanticFramer:
         if problems:
             rospy.logerr("the names are refused, the names before stay: %s", problems[0])
 
+    def _on_fleet(self, message: Fleet) -> None:
+        named: Dict[str, Sequence[str]] = {member.name: member.spoken_names for member in message.members}
+        self._robots = Names({**dict.fromkeys(message.absent, ()), **named})
+
     def _on_speaker(self, message: String) -> None:
         with self._lock:
             self._speaker = message.data
@@ -256,6 +266,12 @@ class SemanticFramer:
         return talk
 
     def _on_command(self, message: CommandParse) -> None:
+        robot = message.command.robot
+        others = others_addressed(message.command.text, robot, self._robots, self._lexicon.verbs) if robot else ()
+        if others:
+            sentence = f"That is for {listed(others)}. I am {spoken(robot)}."
+            self._end(message.command, outcome=Reply.REFUSED, code="NOT_ADDRESSED", sentence=sentence)
+            return
         try:
             tree = to_tree(message.command.text, message.words)
             outcome, trace = self._read(tree, message.command)
