@@ -21,12 +21,14 @@ class Part:
         text: what is said to them, without the address; empty for an address alone
         is_after: it is to be done after the parts before it
         is_told: somebody else is asked to pass it on ("tell Beta to ..."): "you" in it means that one
+        told_by: who is asked to, if the words say it
     """
 
     group: Optional[Group]
     text: str
     is_after: bool = False
     is_told: bool = False
+    told_by: Optional[Group] = None
 
 
 def split_by_address(text: str, names: Names, verbs: FrozenSet[str]) -> Tuple[Part, ...]:
@@ -177,7 +179,9 @@ class _Utterance:
                 rest += 1
             told = self._told_at(self._skip(rest, end, "greetings")) if rest < end else None
             if told is not None and told[1] < end:
-                return Part(told[0], told[2] + self._slice(told[1], end), is_told=True)
+                return Part(told[0], told[2] + self._slice(told[1], end), is_told=True, told_by=group)
+            if all(word in _MARKS or word in self._lists["polite"] for word in self._words[rest:end]):
+                return Part(group, "")
             is_kept = begin < start and self._words[begin] in ("no", "yes")
             before = self._text[self._tokens[begin].start : self._tokens[start].start] if is_kept else ""
             return Part(group, (before + self._slice(rest, end)).strip())

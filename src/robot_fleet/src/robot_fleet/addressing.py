@@ -287,6 +287,8 @@ class _Addressing:
         text = part.text
         if part.is_told:
             told_by = before[-1].robots if before else self._before.last
+            if part.told_by is not None:
+                told_by = part.told_by.names
             reworded = _with_names(text, told_by)
             if reworded is None:
                 return _Open("UNKNOWN_ROBOT", 'I do not know whom you mean by "you".')

@@ -4,7 +4,14 @@ from typing import Callable, Dict, Optional, Set
 
 import rospy
 from actionlib_msgs.msg import GoalID
-from roboframenet_msgs.msg import ExecuteCommandActionGoal, ExecuteCommandActionResult, ExecuteCommandGoal, Reply
+from roboframenet_msgs.msg import (
+    ExecuteCommandActionGoal,
+    ExecuteCommandActionResult,
+    ExecuteCommandGoal,
+    FrameCatalogue,
+    Lexicon,
+    Reply,
+)
 
 from roboframenet_ros.ros_robots import OfEachRobot, topic_of
 
@@ -63,23 +70,31 @@ class RobotLinks:
 
 
 class ServiceWatch:
-    """Whether framer, registrar and parser are running: whether their topics are connected.
+    """Whether framer, registrar and parser are running: they have published what they know, and are connected.
 
     Subscribes: ``lexicon``, ``frame_catalogue``, ``command_parse``
     """
 
-    def __init__(self, on_verbs: Callable[[Set[str]], None], read_verbs: Callable[[object], Set[str]]) -> None:
-        from roboframenet_msgs.msg import FrameCatalogue, Lexicon
+    def __init__(self, on_verbs: Callable[[Set[str]], None], read_verbs: Callable[[Lexicon], Set[str]]) -> None:
+        # Topics are advertised some time before a node takes commands.
+        self._has_lexicon = False
+
+        def hear_lexicon(message: Lexicon) -> None:
+            on_verbs(read_verbs(message))
+            self._has_lexicon = True
 
         self._subscribers: Dict[str, rospy.Subscriber] = {
-            "semantic_framer": rospy.Subscriber("lexicon", Lexicon, lambda message: on_verbs(read_verbs(message))),
+            "semantic_framer": rospy.Subscriber("lexicon", Lexicon, hear_lexicon, queue_size=1),
             "frame_registrar": rospy.Subscriber("frame_catalogue", FrameCatalogue, _ignore, queue_size=1),
             "stanford_parser_ros": rospy.Subscriber("command_parse", rospy.AnyMsg, _ignore, queue_size=1),
         }
 
     def missing(self) -> Optional[str]:
         """Return the name of a node that is not running; None if all are."""
-        return next((name for name, one in self._subscribers.items() if not one.get_num_connections()), None)
+        gone = next((name for name, one in self._subscribers.items() if not one.get_num_connections()), None)
+        if gone == "semantic_framer":
+            self._has_lexicon = False
+        return gone if gone or self._has_lexicon else "semantic_framer"
 
 
 def _ignore(_message: object) -> None:
