@@ -92,7 +92,9 @@ class Robots:
         replies = self.seen[to].replies if to else self.replies
         before = len(replies)
         self.say(text, to=to)
-        wait_until(lambda: any(reply.command.text == text for reply in replies[before:]), timeout_s, f"no reply: {text}")
+        wait_until(
+            lambda: any(reply.command.text == text for reply in replies[before:]), timeout_s, f"no reply: {text}"
+        )
         return next(reply for reply in replies[before:] if reply.command.text == text)
 
     def turned(self) -> Dict[str, Tuple[float, float, float, float]]:

@@ -4,9 +4,9 @@
 import unittest
 
 import rospy
-from fleet_robots import ROBOTS, Robots, kill
 from roboframenet_msgs.msg import Reply
 
+from fleet_robots import ROBOTS, Robots, kill
 from roboframenet_testing import comes_true, wait_until
 
 
@@ -41,7 +41,11 @@ class FleetTest(unittest.TestCase):
         self.assertEqual(self.robots.who_moved(before), ())
 
     def test_3_a_stop_stops_whom_it_is_for(self) -> None:
-        for text, to, stopped in (("Stop.", "alpha", ("alpha",)), ("Beta, stop.", "", ("beta",)), ("Stop.", "", ROBOTS)):
+        for text, to, stopped in (
+            ("Stop.", "alpha", ("alpha",)),
+            ("Beta, stop.", "", ("beta",)),
+            ("Stop.", "", ROBOTS),
+        ):
             self.robots.all_move()
             reply = self.robots.ask(text, to=to)
             self.assertEqual(reply.code, "DONE", reply.sentence)

@@ -4,9 +4,8 @@ from dataclasses import replace
 
 import pytest
 
-from robot_fleet.addressing import Addressed, Company, Dialogue, Robot, Unaddressed, address, others_addressed
+from robot_fleet.addressing import Addressed, Company, Dialogue, Order, Robot, Unaddressed, address, others_addressed
 from robot_fleet.answers import Answer, OpenUtterance, Outcome
-from robot_fleet.addressing import Order
 from robot_fleet.designators import Names
 from robot_fleet.loss import Act, Hearing, Policy
 from robot_fleet.places import place_in
