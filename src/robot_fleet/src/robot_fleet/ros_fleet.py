@@ -53,7 +53,7 @@ _Event = Union[_Said, _Cancelled, _Answered, FleetMember, None]
 class FleetNode:
     """Knows who is there, decides who is meant, and answers once.
 
-    Subscribes: ``text``, ``fleet_member``, ``lexicon``, ``frame_catalogue``, ``command_parse``, ``world``,
+    Subscribes: ``text``, ``fleet_member``, ``lexicon``, ``frame_catalogue``, ``parse``, ``world``,
     ``<robot>/command/result``. Publishes: ``reply``, ``fleet`` (latched), ``<robot>/command/goal``,
     ``<robot>/command/cancel``. Actions: ``command``.
     """

@@ -72,7 +72,7 @@ class RobotLinks:
 class ServiceWatch:
     """Whether framer, registrar and parser are running: they have published what they know, and are connected.
 
-    Subscribes: ``lexicon``, ``frame_catalogue``, ``command_parse``
+    Subscribes: ``lexicon``, ``frame_catalogue``, ``parse``
     """
 
     def __init__(self, on_verbs: Callable[[Set[str]], None], read_verbs: Callable[[Lexicon], Set[str]]) -> None:
@@ -86,7 +86,8 @@ class ServiceWatch:
         self._subscribers: Dict[str, rospy.Subscriber] = {
             "semantic_framer": rospy.Subscriber("lexicon", Lexicon, hear_lexicon, queue_size=1),
             "frame_registrar": rospy.Subscriber("frame_catalogue", FrameCatalogue, _ignore, queue_size=1),
-            "stanford_parser_ros": rospy.Subscriber("command_parse", rospy.AnyMsg, _ignore, queue_size=1),
+            # Whoever hears "command_parse" is taken for the framer.
+            "stanford_parser_ros": rospy.Subscriber("parse", rospy.AnyMsg, _ignore, queue_size=1),
         }
 
     def missing(self) -> Optional[str]:

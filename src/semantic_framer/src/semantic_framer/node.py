@@ -33,6 +33,7 @@ from roboframenet_msgs.srv import AddLexicalUnit, AddLexicalUnitRequest, AddLexi
 from std_msgs.msg import String
 
 from roboframenet_ros.health import Health, Level
+from roboframenet_ros.ros_hand_over import HandOver
 from roboframenet_ros.ros_node import StartError, read_parameters, run_node
 from roboframenet_ros.ros_place import Place
 from roboframenet_ros.ros_robots import OfEachRobot, topic_of
@@ -114,7 +115,7 @@ class SemanticFramer:
         self._talks: OfEachRobot[_Talk] = OfEachRobot(self._meet)
         self._talks.get("")
         self._id = uuid.uuid4().hex
-        self._units = rospy.Publisher("command_lexical_units", CommandLexicalUnits, queue_size=100)
+        self._units = HandOver("command_lexical_units", CommandLexicalUnits)
         self._units_2012 = rospy.Publisher("filled_lexical_units", FilledLexicalUnitList, queue_size=100)
         self._lexicon_publisher = rospy.Publisher("lexicon", LexiconMessage, queue_size=1, latch=True)
         place.problems.advertise()
