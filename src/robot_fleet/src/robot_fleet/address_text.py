@@ -182,7 +182,7 @@ class _Utterance:
                 return Part(told[0], told[2] + self._slice(told[1], end), is_told=True, told_by=group)
             if all(word in _MARKS or word in self._lists["polite"] for word in self._words[rest:end]):
                 return Part(group, "")
-            is_kept = begin < start and self._words[begin] in ("no", "yes")
+            is_kept = begin < start and self._words[begin] in self._single["kept_before"]
             before = self._text[self._tokens[begin].start : self._tokens[start].start] if is_kept else ""
             return Part(group, (before + self._slice(rest, end)).strip())
         word = self._words[start] if start < end else ""
@@ -219,7 +219,7 @@ class _Utterance:
     def _trailing(self, begin: int, end: int) -> Optional[Part]:
         """An address behind the words: "come here, Alpha"."""
         last = end
-        while last > begin and (self._words[last - 1] in _MARKS or self._words[last - 1] == "please"):
+        while last > begin and (self._words[last - 1] in _MARKS or self._words[last - 1] in self._single["polite"]):
             last -= 1
         for start in range(begin + 1, last):
             group, behind = group_at(self._words[:last], start, self._names)
