@@ -70,7 +70,7 @@ SUMS = {
     "roboframenet_msgs/StandingOrders": "95d902e910c748b513b9b83b3b0d32d3",
     "roboframenet_msgs/StopReport": "5c2bbe89a2e1a04d707f491c0ac31dd5",
     "roboframenet_msgs/TimeExpression": "63b35963cf0bd5db3a699e1df77d1eb2",
-    "roboframenet_msgs/TriedFrame": "0dee40f11ad9df2e758281e9f43cf937",
+    "roboframenet_msgs/TriedFrame": "e47996af1a88dd8bb610e557c46241f3",
     "roboframenet_msgs/TypedArgument": "48c0c878ab8cbab6ef682927d3369b32",
     "roboframenet_msgs/UpdateWorld": "0b586ca2746980e61ea7c2726815b6a5",
     "roboframenet_msgs/World": "5c7e501874c42e3c039ba16002aeb0b9",
