@@ -151,8 +151,12 @@ class _Front:
         hidden = tree.abandoned | tree.quoted
         in_front = tree.words[first - 1 : clause.verb - 1]
         self._before = [word for word in in_front if word.index not in hidden]
+        # "I'm thirsty, could you get me some water?" asks only at its end.
+        later = min((verb for verb, top in tops.items() if verb > clause.verb and _asks(tree, top)), default=0)
         self._is_asked = any(
-            word.form == "?" for word in tree.words[clause.verb :] if word.index in inside and word.index not in hidden
+            word.form == "?" and not 0 < later < word.index
+            for word in tree.words[clause.verb :]
+            if word.index in inside and word.index not in hidden
         )
         self._has_aside = any(word.deprel == ASIDE and word.form.lower() not in _PADDING for word in in_front)
         self._said = self._formula_words()
@@ -261,7 +265,9 @@ class _Front:
         is_verb = predicate.upos == "VERB" and self._verb.deprel == "cop"
         is_event = frozenset(said[:-1]) & (_AUXILIARIES | _BE | _NONFINITE_BE | {"not"}) or self._is_done(predicate)
         is_event = bool(is_event) or any(child.form.lower() == "being" for child in children)
-        is_fact = not (is_for_something or (has_clause and not is_noun) or is_verb or is_event)
+        # "The mug was on the table" does not say where it is.
+        is_past = self._verb.xpos == "VBD"
+        is_fact = not (is_for_something or (has_clause and not is_noun) or is_verb or is_event or is_past)
         return KindVerdict(UtteranceKind.REPORT, "fact" if is_fact else "statement", text, is_fact=is_fact)
 
     def _is_done(self, predicate: Word) -> bool:
@@ -353,6 +359,13 @@ class _Front:
             return "PAST" if word.xpos == "VBD" and self._clause.subject else "BASE"
         by_ending = "GERUND" if form.endswith("ing") else "PAST" if form.endswith("ed") else "BASE"
         return _FORM_OF_TAG.get(word.xpos, by_ending)
+
+
+def _asks(tree: DependencyTree, top: int) -> bool:
+    """Whether a part that is joined to another part has an auxiliary before a subject of its own: "could you ..."."""
+    children = tree.children(top) if tree.word(top).head else ()
+    subject = next((child.index for child in children if child.deprel.startswith("nsubj")), 0)
+    return any(child.upos == "AUX" and child.index < subject for child in children)
 
 
 def _is_decisive(text: str) -> bool:

@@ -32,7 +32,15 @@ def with_objects_behind(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
             for word in _behind_description(tree, objects[0]):
                 edit.rehang(word.index, verb.index, "obj")
                 edit.relabel(objects[0].index, "iobj")
+        elif len(objects) == 2 and _are_person_and_thing(tree, *objects):
+            edit.relabel(objects[0].index, "iobj")
     return edit.tree()
+
+
+def _are_person_and_thing(tree: DependencyTree, first: Word, second: Word) -> bool:
+    """Whether the second object stands right behind the first, which is a person: "offer *the guests* some tea"."""
+    is_behind = max(tree.subtree(first.index)) + 1 == min(tree.subtree(second.index))
+    return is_behind and first.deprel == second.deprel == "obj" and is_person(first)
 
 
 def _unjoined(tree: DependencyTree, verb: Word) -> Tuple[Word, ...]:
