@@ -43,6 +43,17 @@ def test_rules_are_told_apart() -> None:
             ["talk: state", "command: imperative"],
         ),
         (
+            "i|PRON|3|nsubj am|AUX|3|cop|be tired|ADJ|0|root could|AUX|6|aux you|PRON|6|nsubj open|VERB|3|parataxis "
+            "it|PRON|6|obj ?|PUNCT|3|punct",
+            ["talk: state", "request: modal_to_addressee"],
+        ),
+        (
+            "it|PRON|3|nsubj is|AUX|3|cop|be big|ADJ|0|root and|CCONJ|6|cc you|PRON|6|nsubj open|VERB|3|conj "
+            "it|PRON|6|obj ?|PUNCT|3|punct",
+            ["question: question_mark", "command: imperative_with_subject"],
+        ),
+        ("the|DET|2|det lamp|NOUN|4|nsubj was|AUX|4|cop|be|VBD big|ADJ|0|root", ["report: statement"]),
+        (
             "turn|VERB|0|root ,|PUNCT|1|punct are|AUX|1|parataxis|be you|PRON|3|nsubj",
             ["command: imperative", "question: inversion"],
         ),

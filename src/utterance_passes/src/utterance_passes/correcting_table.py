@@ -42,6 +42,16 @@ PARSE_CORRECTING_PASSES: Tuple[TreePass, ...] = (
         places_ahead.with_ahead_as_preposition,
     ),
     TreePass(
+        "speeds_together",
+        "Attach the time of a speed to its length.",
+        Example(
+            "go|VERB|0|root two|NUM|3|nummod metres|NOUN|1|obl per|ADP|5|case second|NOUN|1|obl",
+            ("second: obl(go) -> nmod(metres)",),
+        ),
+        Stage.FRAMER,
+        correct_parse.with_speeds_together,
+    ),
+    TreePass(
         "superlatives_at_nouns",
         "Attach a superlative of place and the phrase behind it to the noun before it.",
         Example(
