@@ -2,9 +2,10 @@
 
 import json
 import time
-from typing import Any, Dict, List, Optional
+from typing import Any, Dict, List
 
 from selenium import webdriver
+from selenium.common.exceptions import StaleElementReferenceException
 from selenium.webdriver.chrome.options import Options
 from selenium.webdriver.chrome.service import Service
 from selenium.webdriver.common.by import By
@@ -79,13 +80,16 @@ class ConsoleBrowser:
     def click(self, selector: str, text: str) -> None:
         """Click the button with this text."""
 
-        def button() -> Optional[WebElement]:
-            return next((one for one in self.find(selector) if one.text.strip() == text), None)
+        def is_clicked() -> bool:
+            try:
+                button = next((one for one in self.find(selector) if one.text.strip() == text), None)
+                if button is not None:
+                    button.click()
+            except StaleElementReferenceException:
+                return False  # the page has put another button in its place
+            return button is not None
 
-        wait_until(button, message=lambda: self.texts(selector))
-        found = button()
-        assert found is not None
-        found.click()
+        wait_until(is_clicked, message=lambda: self.texts(selector))
 
     def reply(self, timeout_s: float = 60.0) -> str:
         """Wait for the reply to the newest command; returns its outcome."""

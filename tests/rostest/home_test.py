@@ -14,7 +14,7 @@ from std_msgs.msg import String
 from roboframenet_rostest import say, wait_for_pipeline
 from roboframenet_testing.waiting import wait_until
 
-#: Sentence, outcome, and what is true in the home afterwards. The first ones are said with each "make test".
+#: Sentence, outcome, and what is true in the home afterwards.
 SENTENCES = (
     ("bring me the newspaper", Reply.DONE, {"newspaper.place": "held alice"}),
     ("Chop the cucumber.", Reply.DONE, {"cucumber.form": "chopped", "fridge.is_open": False}),
@@ -22,6 +22,11 @@ SENTENCES = (
     ("Go to the office.", Reply.DONE, {"robot.room": "office"}),
     ("open the fridge", Reply.DONE, {"fridge.is_open": True}),
     ("turn the fan on", Reply.DONE, {"fan.is_on": True}),
+    # What may do harm wants a yes.
+    ("turn the fan off", Reply.NEEDS_INFORMATION, {"fan.is_on": True}),
+    ("No.", Reply.REFUSED, {"fan.is_on": True}),
+    ("turn the fan off", Reply.NEEDS_INFORMATION, {"fan.is_on": True}),
+    ("Yes.", Reply.DONE, {"fan.is_on": False}),
     ("lead Bob to the kitchen", Reply.DONE, {"bob.room": "kitchen", "robot.room": "kitchen"}),
 )
 
@@ -41,7 +46,7 @@ class TestHomeServers(unittest.TestCase):
         cls.truth = json.loads(message.data)["truth"]
 
     def test_sentences(self):
-        for text, outcome, expected in SENTENCES[: rospy.get_param("~count")]:
+        for text, outcome, expected in SENTENCES:
             with self.subTest(text=text):
                 # Seconds of ROS time, of which twenty pass in one second.
                 reply = say(text, timeout_s=2400.0)

@@ -6,6 +6,7 @@ goal of the command, a topic, what is published), the outcome, and what the serv
 of what was measured is printed, and written to ``~table`` if that is set.
 """
 
+import json
 import os
 import sys
 import threading
@@ -17,7 +18,9 @@ from typing import Any, Dict, List, Optional, Tuple
 import rospy
 import rostest
 import yaml
+from nav_msgs.msg import Odometry
 from roboframenet_msgs.msg import (
+    CommandLexicalUnits,
     FilledSemanticFrameActionFeedback,
     FilledSemanticFrameActionGoal,
     FilledSemanticFrameActionResult,
@@ -27,6 +30,7 @@ from roboframenet_msgs.msg import (
 )
 from std_msgs.msg import Float32, String
 
+from command_server.stop_words import find_cry
 from roboframenet_rostest import say, wait_for_pipeline
 from roboframenet_testing.waiting import wait_until
 
@@ -41,10 +45,12 @@ class Seen:
     Attributes:
         goals: frame, begin and end of each goal, in the order in which they began
         conditions: frame, whether it holds, and the stamp of its source, for each change
+        frames: what the sentence was understood as, and the frames of all goals
     """
 
     goals: List[List[Any]] = field(default_factory=list)
     conditions: List[Tuple[str, bool, float]] = field(default_factory=list)
+    frames: List[str] = field(default_factory=list)
 
 
 class Recorder:
@@ -57,7 +63,10 @@ class Recorder:
         self._values: Dict[str, bool] = {}
         self._frames: Dict[str, str] = {}
         self.seen = Seen()
-        self._subscriber = rospy.Subscriber("frame_servers", FrameServers, self._on_servers, queue_size=1)
+        self._subscribers = [
+            rospy.Subscriber("frame_servers", FrameServers, self._on_servers, queue_size=1),
+            rospy.Subscriber("command_lexical_units", CommandLexicalUnits, self._on_units, queue_size=10),
+        ]
 
     def begin(self) -> None:
         """Forget what was seen."""
@@ -86,9 +95,16 @@ class Recorder:
             return [goal, told]
         return [goal, rospy.Subscriber(f"{server}/result", FilledSemanticFrameActionResult, self._on_result)]
 
+    def _on_units(self, message: CommandLexicalUnits) -> None:
+        with self._lock:
+            self.seen.frames += [
+                clause.readings[0].lexical_unit.frame_name for clause in message.clauses if clause.readings
+            ]
+
     def _on_goal(self, message: FilledSemanticFrameActionGoal, is_watching: bool) -> None:
         with self._lock:
             self._frames[message.goal_id.id] = message.goal.frame.name
+            self.seen.frames.append(message.goal.frame.name)
             if not is_watching:
                 entry = [message.goal.frame.name, message.goal_id.stamp.to_sec(), None]
                 self._goals[message.goal_id.id] = entry
@@ -124,9 +140,34 @@ class WatchingTest(unittest.TestCase):
                 {step[1] for case in cls.cases for step in [*case.get("first", []), *case.get("then", [])]}
             )
         }
+        cls.odometry: Tuple[float, ...] = ()
+        cls.truth: Dict[str, Any] = {}
+        cls.subscribers = [
+            rospy.Subscriber("odom", Odometry, cls._on_odometry, queue_size=1),
+            rospy.Subscriber("home/truth", String, cls._on_truth, queue_size=1),
+        ]
         cls.recorder = Recorder()
         wait_until(cls.recorder.is_connected, 60.0, "the servers are not heard")
         wait_until(lambda: all(one.get_num_connections() for one in cls.publishers.values()), 60.0)
+
+    @classmethod
+    def _on_odometry(cls, message: Odometry) -> None:
+        pose = message.pose.pose
+        cls.odometry = tuple(
+            round(value, 2) for value in (pose.position.x, pose.position.y, pose.orientation.z, pose.orientation.w)
+        )
+
+    @classmethod
+    def _on_truth(cls, message: String) -> None:
+        cls.truth = json.loads(message.data)["truth"]
+
+    def _untrue(self, wanted: Dict[str, Any]) -> str:
+        """Return what is not as wanted, after a second in which it may still become so."""
+        try:
+            wait_until(lambda: wanted.items() <= self.truth.items(), 3.0)
+        except AssertionError:
+            return f"{[(name, self.truth.get(name)) for name in wanted]}"
+        return ""
 
     def _publish(self, topic: str, value: Any) -> None:
         self.publishers[topic].publish(value)
@@ -179,16 +220,23 @@ class WatchingTest(unittest.TestCase):
 
     def _check(self, case: Dict[str, Any]) -> Tuple[str, str]:
         """Say a sentence; return what is wrong, and the line of the table."""
+        before = self.odometry
         reply, seen = self._say(case)
         names = [goal[0] for goal in seen.goals]
         outcome = case.get("outcome", "DONE")
         problem = ""
         if reply.outcome != getattr(Reply, outcome):
             problem = f"{reply.code}: {reply.sentence}"
-        elif not _are_as_wanted(names, case):
+        elif ("goals" in case or "frame" not in case) and not _are_as_wanted(names, case):
             problem = f"did {names}; {reply.sentence}"
         elif case.get("says", "") not in reply.sentence:
             problem = f"said {reply.sentence}"
+        elif "frame" in case and case["frame"] not in seen.frames and find_cry(case["say"]) is None:
+            problem = f"no {case['frame']} in {seen.frames}"
+        elif case.get("moved") and self.odometry == before:
+            problem = "nothing moved"
+        else:
+            problem = self._untrue(case.get("truth", {}))
         became, late_s = _lateness(seen, case)
         if not problem and case.get("by") and late_s is None:
             problem = f"no condition, or nothing {case['by']}: {seen.conditions}, {seen.goals}"

@@ -67,9 +67,8 @@ class WebConsoleTest(unittest.TestCase):
 
     def steps(self) -> List[str]:
         """Frame and state of each box of the plan."""
-        return [
-            f"{one.get_attribute('data-frame')} {one.get_attribute('data-state')}" for one in self.page.find(".box")
-        ]
+        boxes = "[...document.querySelectorAll('.box')]"
+        return list(self.page.run(f"{boxes}.map((one) => one.dataset.frame + ' ' + one.dataset.state)"))
 
     def test_1_command_is_shown_from_its_parse_to_its_reply(self) -> None:
         heading = self.page.pose()["heading"]
@@ -98,9 +97,8 @@ class WebConsoleTest(unittest.TestCase):
     def test_3_abilities_are_sentences_to_click(self) -> None:
         wait_until(lambda: "turning" in self.page.texts("#abilities .frame"))
         self.page.run("document.querySelector('#abilities details').setAttribute('open', '')")
-        sentence = self.page.find("#abilities .examples button")[0]
-        text = sentence.text
-        sentence.click()
+        text = self.page.texts("#abilities .examples button")[0].strip()
+        self.page.click("#abilities .examples button", text)
         self.assertEqual(self.page.run("document.getElementById('text').value"), text)
         self.page.find("#text")[0].clear()
         self.page.find("#text")[0].send_keys("Turn le")

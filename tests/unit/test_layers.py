@@ -4,8 +4,9 @@ import ast
 import re
 import subprocess
 import sys
+from functools import lru_cache
 from pathlib import Path
-from typing import Dict, Iterator, List, Set
+from typing import Dict, FrozenSet, Iterator, List, Set
 
 import pytest
 
@@ -76,13 +77,19 @@ def is_shell(path: Path) -> bool:
 
 def imported_packages(path: Path) -> Set[str]:
     """Return the top-level names that a module imports, also inside functions."""
+    return set(packages_in(path.read_text(encoding="utf-8")))
+
+
+@lru_cache(maxsize=None)
+def packages_in(text: str) -> FrozenSet[str]:
+    """The same for the text of a module. Several tests ask for it."""
     names: Set[str] = set()
-    for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"), str(path))):
+    for node in ast.walk(ast.parse(text)):
         if isinstance(node, ast.Import):
             names.update(alias.name.split(".")[0] for alias in node.names)
         elif isinstance(node, ast.ImportFrom) and node.level == 0 and node.module:
             names.add(node.module.split(".")[0])
-    return names
+    return frozenset(names)
 
 
 def is_ros(package: str) -> bool:

@@ -168,7 +168,7 @@ NO_SPEECH: Dict[str, Tuple[str, str]] = {
     ),
     "home_servers/looking.py": (
         "what a robot in a home knows: not yet in words.yaml",
-        ("all, clean, closed, dirty, each, empty, every, full, locked, off, on, open, shut, unlocked, wet"),
+        ("a, all, an, clean, closed, dirty, each, empty, every, full, locked, off, on, open, shut, the, unlocked, wet"),
     ),
     "home_servers/memory.py": (
         "what a robot in a home knows: not yet in words.yaml",

@@ -8,7 +8,8 @@ import re
 from typing import Dict, Iterator, Optional, Tuple
 
 from offline_pipeline.knowledge import load_knowledge, pretend_servers, shipped_domains
-from offline_pipeline.pipeline import Pipeline, Understanding
+from offline_pipeline.pipeline import Parameters, Pipeline, Understanding
+from semantic_framer.outcome import MEANING_ONLY
 
 from .utterances import Clause
 
@@ -76,7 +77,7 @@ def main() -> None:
     knowledge = load_knowledge([shipped_domains()])
     pretend_servers(knowledge.graph)
     print("frame\tclause\tobject")
-    for clause in clauses_of_examples(Pipeline(knowledge)):
+    for clause in clauses_of_examples(Pipeline(knowledge, parameters=Parameters(policy=MEANING_ONLY))):
         print(f"{clause.frame_name}\t{clause.text}\t{clause.object}")
 
 

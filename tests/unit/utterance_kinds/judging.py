@@ -5,7 +5,8 @@ from dataclasses import dataclass
 from typing import Dict, Iterable, Iterator, List, Tuple
 
 from offline_pipeline.knowledge import load_knowledge, pretend_servers, shipped_domains
-from offline_pipeline.pipeline import Pipeline, Understanding
+from offline_pipeline.pipeline import Parameters, Pipeline, Understanding
+from semantic_framer.outcome import MEANING_ONLY
 
 from .utterances import Utterance
 
@@ -63,7 +64,7 @@ class Judge:
     def __init__(self) -> None:
         knowledge = load_knowledge([shipped_domains()])
         pretend_servers(knowledge.graph)
-        self._pipeline = Pipeline(knowledge)
+        self._pipeline = Pipeline(knowledge, parameters=Parameters(policy=MEANING_ONLY))
         self._plain: Dict[str, Meaning] = {}
 
     def verdicts(self, utterances: Iterable[Utterance]) -> Iterator[Verdict]:

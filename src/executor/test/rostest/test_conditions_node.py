@@ -52,16 +52,21 @@ class ConditionsTest(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
         rospy.init_node("test_conditions_node")
-        cls.events, cls.log = [], []
+        cls.events, cls.told = [], []
         cls.plans = rospy.Publisher("command_plan", CommandPlan, queue_size=100)
         cls.stops = rospy.Publisher("stop_report", StopReport, queue_size=10)
         events = rospy.Subscriber("stage_events", StageEvent, cls.events.append)
-        log = rospy.Subscriber("server_log", String, lambda message: cls.log.append(message.data))
+        log = rospy.Subscriber("server_log", String, lambda message: cls.told.append(message.data))
         wait_until(lambda: all(one.get_num_connections() == 1 for one in (cls.plans, cls.stops, events)))
         wait_until(lambda: log.get_num_connections() == 3)
 
     def setUp(self):
-        del self.log[:]
+        self.since = len(self.told)
+
+    @property
+    def log(self):
+        """What the servers have told in this test."""
+        return self.told[self.since :]
 
     def send(self, *nodes):
         type(self).count += 1
@@ -80,14 +85,16 @@ class ConditionsTest(unittest.TestCase):
     def assert_reply(self, command, outcome, code, sentence):
         reply = self.wait_for_reply(command)
         self.assertEqual((outcome, code, sentence), (reply.outcome, reply.code, reply.sentence))
-        # Nobody watches any longer than the plan.
-        wait_until(lambda: self.begun("watch") and self.begun("watch") == self.ended("watch"), message=lambda: self.log)
+        # Nobody watches any longer than the plan. A watch of the test before may end while this one runs.
+        wait_until(lambda: self.begun("watch") and self.watches(True) == self.watches(False), message=lambda: self.told)
 
     def begun(self, frame):
         return sorted(line.split()[0] for line in self.log if line.split()[1:] == ["begins", frame])
 
-    def ended(self, frame):
-        return sorted(line.split()[0] for line in self.log if line.split()[1] != "begins" and line.split()[2] == frame)
+    def watches(self, is_begin):
+        """The servers of all watches that began, or ended, in any test."""
+        told = [line.split() for line in self.told]
+        return sorted(server for server, what, frame in told if frame == "watch" and (what == "begins") == is_begin)
 
     def wait_for_log(self, line):
         wait_until(lambda: line in self.log, message=lambda: self.log)
@@ -128,7 +135,7 @@ class ConditionsTest(unittest.TestCase):
             (1, "Done.", "one"),
             (0, 'Done. I did "succeed", and not "succeed", because "it is so" did not hold.', "two"),
         ):
-            del self.log[:]
+            self.since = len(self.told)
             command = self.send(
                 node("IF", 1, 2, 3),
                 condition(watch("so", seconds=9, before=before)),

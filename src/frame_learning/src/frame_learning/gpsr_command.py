@@ -11,7 +11,8 @@ from frame_learning.gpsr_logical_forms import agrees, find_logical_form, read_lo
 from frame_learning.gpsr_meaning import GpsrMapping, load_gpsr_mapping
 from frame_learning.gpsr_score import Judged, Verdict, by_category, causes, judge
 from frame_learning.tables import aligned
-from offline_pipeline.pipeline import Pipeline
+from offline_pipeline.pipeline import Parameters, Pipeline
+from semantic_framer.outcome import MEANING_ONLY
 from semantic_frames.semantic_type import with_parents
 from semantic_types import WordTypes
 
@@ -73,7 +74,11 @@ def with_names(pipeline: Pipeline, mapping: GpsrMapping, commands: Sequence[Draw
         if text not in names and wanted:
             found = types.of_noun([text]).names if piece.kind == _OBJECT else ()
             names[text] = tuple(one for one in found if with_parents(one) & frozenset(wanted)) or wanted[:1]
-    return Pipeline(replace(pipeline.knowledge, types=WordTypes(types.nouns, names)), pipeline.parser)
+    return Pipeline(
+        replace(pipeline.knowledge, types=WordTypes(types.nouns, names)),
+        pipeline.parser,
+        parameters=Parameters(policy=MEANING_ONLY),
+    )
 
 
 def _forms(folder: str, mapping: GpsrMapping, judged: Sequence[Judged]) -> Dict[str, int]:

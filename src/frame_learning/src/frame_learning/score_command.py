@@ -20,7 +20,8 @@ from frame_learning.metrics import Answer, Count, Score, is_exact, score
 from frame_learning.outcome_score import add_outcome_arguments, score_outcomes
 from frame_learning.tables import aligned
 from offline_pipeline.knowledge import load_knowledge, pretend_servers, shipped_domains
-from offline_pipeline.pipeline import Pipeline
+from offline_pipeline.pipeline import Parameters, Pipeline
+from semantic_framer.outcome import MEANING_ONLY
 from semantic_frames import FileRefused
 from semantic_frames.source_files import LEXICAL_UNITS_FOLDER
 from stanford_parser_ros.inference import ModelError
@@ -83,7 +84,7 @@ def run(arguments: argparse.Namespace) -> int:
     try:
         knowledge = load_knowledge(arguments.domains or [shipped_domains()])
         pretend_servers(knowledge.graph)
-        pipeline = Pipeline(knowledge)
+        pipeline = Pipeline(knowledge, parameters=Parameters(policy=MEANING_ONLY))
         if corpus is None:
             return run_gpsr(arguments, pipeline)
         commands = corpus.read(arguments.folder)

@@ -2,8 +2,9 @@
 
 from typing import Callable
 
-import rospy
 from roboframenet_msgs.msg import CommandPlan, CommandSemanticFrames
+
+from roboframenet_ros.ros_hand_over import HandOver
 
 
 class CandidateTopics:
@@ -19,8 +20,8 @@ class CandidateTopics:
             is_question: whether a frame is a question
         """
         self._is_question = is_question
-        self._candidates = rospy.Publisher("command_semantic_frames", CommandSemanticFrames, queue_size=100)
-        self._questions = rospy.Publisher("command_question", CommandPlan, queue_size=100)
+        self._candidates = HandOver("command_semantic_frames", CommandSemanticFrames)
+        self._questions = HandOver("command_question", CommandPlan)
 
     def publish(self, message: CommandSemanticFrames) -> None:
         """Publish a plan: as a question if all of its frames are questions."""

@@ -274,6 +274,7 @@ class FrameRegistrarTest(unittest.TestCase):
         self.assertTrue(
             self.add_frame("putting.yaml", "name: putting\nframe_elements: [{name: goal, is_core: true}]\n")
         )
+        wait_until(lambda: any(file.path.endswith("putting.yaml") for file in self.catalogues[-1].files))
         stated = stated_profile({"heeds": {"Manner": ["slow"], "goal": {"relations": ["on"]}}, "occupies": ["arms"]})
         catalogue_count = len(self.catalogues)
         answer = self.call("register_server", RegisterServer, "putting", "steady", profile_to_message(stated))

@@ -3,7 +3,7 @@
 import datetime
 from typing import List, Optional, Protocol, Sequence, Tuple
 
-from home_servers.memory import Memory
+from home_servers.memory import Known, Memory
 from roboframenet_sim.home_actions import Action, Failure
 
 
@@ -29,6 +29,9 @@ class Body(Protocol):
 
     def say(self, text: str) -> List[Tuple[str, str]]:
         """Say something; return what persons answer: name and text."""
+
+    def tell(self, told: Known) -> None:
+        """Let others know what somebody has told the robot: what is not empty counts."""
 
     def now_s(self) -> float:
         """The time, in seconds."""

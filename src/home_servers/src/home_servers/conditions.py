@@ -203,6 +203,22 @@ class Conditions:
             raise CannotTell(f"{one.the_name} does not show whether it is {word}")
         return (name in one.states) is not is_absent
 
+    def has_started(self, frame: Frame) -> bool:
+        """Whether what makes something go on runs: the music of the radio."""
+        return self._runs(frame["activity"])
+
+    def has_ended(self, frame: Frame) -> bool:
+        """Whether what makes something go on does not run."""
+        return not self._runs(frame["activity"])
+
+    def _runs(self, activity: TypedArgument) -> bool:
+        found = [one for one in self._find(activity, "furniture", "thing") if _RUNNING & set(one.states)]
+        if not found and self._find(activity, "furniture", "thing"):
+            raise CannotTell(f"I have not seen {activity.text}")
+        if not found:
+            raise CannotTell(f"I cannot notice whether {activity.text or 'what you mean'} goes on")
+        return "on" in found[0].states
+
     def is_had(self, frame: Frame) -> bool:
         """Whether somebody holds something."""
         owner, found = frame["owner"], self._find(frame["possession"], "thing")
@@ -214,6 +230,8 @@ class Conditions:
         return any(one.relation == "held" and one.holder in owners for one in found)
 
 
+#: States of what can run.
+_RUNNING = frozenset(["on", "off"])
 #: States of which something that shows either shows exactly one.
 _OPPOSITES: Mapping[str, FrozenSet[str]] = {
     name: frozenset(pair) for pair in (("open", "closed"), ("on", "off"), ("dirty", "clean")) for name in pair
@@ -237,5 +255,7 @@ FRAMES: Dict[str, Callable[[Conditions, Frame], bool]] = {
     "condition_of_departing": Conditions.has_left,
     "condition_of_state": Conditions.is_in_state,
     "condition_of_possession": Conditions.is_had,
+    "condition_of_starting": Conditions.has_started,
+    "condition_of_ending": Conditions.has_ended,
 }
 __all__ = ["FRAMES", "CannotTell", "Conditions", "Sight"]

@@ -66,6 +66,7 @@ DOMAINS: Dict[str, Dict[str, Skill]] = {
     },
     "moving": {"facing": going.face},
     "navigation": {
+        "being_in_category": looking.be_in_category,
         "being_located": looking.be_located,
         "departing": going.depart,
         "inspecting": looking.inspect,

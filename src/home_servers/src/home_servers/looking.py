@@ -1,11 +1,13 @@
 """Frames of looking, finding, counting and comparing: the robot says what it has seen."""
 
+from dataclasses import replace
 from typing import List, Optional, Tuple
 
 from home_servers.body import CannotDo
 from home_servers.memory import PERSONS, Known
-from home_servers.skills import Skills, argument, said
+from home_servers.skills import HEARERS, SPEAKERS, Skills, argument, said
 from typed_arguments import FilledFrame, TypedArgument
+from word_classes import without_determiner
 
 #: What states are called; others are called by themselves.
 _STATES = ("open", "closed", "locked", "on", "off", "dirty", "clean", "wet", "full", "empty")
@@ -244,3 +246,36 @@ def be_located(skills: Skills, frame: FilledFrame) -> None:
     theme, place = argument(frame, "theme"), skills.find(argument(frame, "location"))
     for name in {theme.head.lower(), theme.lemma.lower(), theme.text.lower()} - {""}:
         skills.memory.tell(name, place.id)
+    meant = skills.memory.find(theme, "thing")
+    if len(meant) == 1 and meant[0].holder != place.id:
+        # Where it was seen counts no longer.
+        skills.memory.forget_place(meant[0].id)
+        relation = argument(frame, "location").relation or "at"
+        skills.body.tell(Known(meant[0].id, "thing", (), relation=relation, holder=place.id))
+
+
+def be_in_category(skills: Skills, frame: FilledFrame) -> None:
+    """Remember what something is, or how it is, as somebody says.
+
+    Raises:
+        CannotDo: it is not known
+    """
+    item, category = argument(frame, "item"), argument(frame, "category")
+    if item.text.lower() in SPEAKERS or item.text.lower() in HEARERS:
+        raise CannotDo("I remember such things of places and things only.")
+    found = skills.memory.find(item)
+    if not found:
+        raise CannotDo(f"I have not seen {item.text}.")
+    one, word = found[0], category.lemma.lower() or without_determiner(category.text).lower()
+    if category.quantifier in ("a", "an", "the"):
+        name = without_determiner(category.text).lower()
+        skills.memory.name(one.id, name)
+        skills.body.tell(Known(one.id, one.sort, (*one.names, name)))
+    elif word in _OPPOSITES or word in _STATES:
+        states = tuple(state for state in one.states if state != _OPPOSITES.get(word))
+        skills.memory.update([replace(one, states=(*states, word), stamp_s=skills.body.now_s())])
+        skills.body.tell(Known(one.id, one.sort, (), states=(word,)))
+    else:
+        attributes = tuple(dict.fromkeys((*one.attributes, word)))
+        skills.memory.update([replace(one, attributes=attributes, stamp_s=skills.body.now_s())])
+        skills.body.tell(Known(one.id, one.sort, (), attributes=attributes))

@@ -69,6 +69,7 @@ class Memory:
         self._lock = threading.Lock()
         self._objects: Dict[str, Known] = {}
         self._told: Dict[str, str] = {}
+        self._named: Dict[str, Tuple[str, ...]] = {}
         #: Doors that the robot has opened to get into a room, with the room; it closes them when it leaves.
         self.opened: Dict[str, str] = {}
         #: The id of the person whom the robot has met last, and when.
@@ -80,13 +81,21 @@ class Memory:
             for one in objects:
                 before = self._objects.get(one.id)
                 if before is None or one.stamp_s >= before.stamp_s:
-                    self._objects[one.id] = one
+                    told = self._named.get(one.id, ())
+                    self._objects[one.id] = replace(one, names=tuple(dict.fromkeys((*one.names, *told))))
 
     def forget_place(self, ident: str) -> None:
         """A thing is no longer where it was thought to be."""
         with self._lock:
             if ident in self._objects:
                 self._objects[ident] = replace(self._objects[ident], relation="", holder="", room="")
+
+    def name(self, ident: str, name: str) -> None:
+        """Remember that an object is called by another name, too."""
+        with self._lock:
+            self._named[ident] = (*self._named.get(ident, ()), name)
+            known = self._objects[ident]
+            self._objects[ident] = replace(known, names=tuple(dict.fromkeys((*known.names, name))))
 
     def tell(self, words: str, place: str) -> None:
         """Remember where things of a name are said to be: the id of furniture or a room."""

@@ -5,6 +5,7 @@ from typing import List, Mapping
 
 import rospy
 from roboframenet_msgs.msg import FilledSemanticFrameResult
+from std_msgs.msg import String
 
 from home_servers.body import CannotDo, Interrupted
 from home_servers.conditions import FRAMES as CONDITIONS
@@ -27,7 +28,8 @@ class Settings(Parameters):
     """Private parameters, checked.
 
     Attributes:
-        speaker: id of the person who speaks to the robot ("me"); empty: whom it has seen nearest
+        speaker: id of the person who speaks to the robot ("me"), until the topic says another; empty: whom it has seen
+            nearest
         has_hands: whether the robot has grippers; without them, frames that need them have no server
         left_out: frames that other servers of this robot carry out
 
@@ -45,6 +47,8 @@ class HomeServers:
 
     Actions:
         home_DOMAIN (roboframenet_msgs/FilledSemanticFrameAction), such as home_navigation; home_conditions
+    Subscribes:
+        speaker (std_msgs/String): the id of the person who speaks
     Parameters: see :class:`Settings`.
     """
 
@@ -54,6 +58,8 @@ class HomeServers:
             ParameterError: a parameter is wrong
         """
         self._settings = read_parameters(Settings)
+        self._speaker = self._settings.speaker
+        self._subscriber = rospy.Subscriber("speaker", String, self._on_speaker, queue_size=1)
         self._body = RosBody()
         left_out = set(self._settings.left_out.split())
         self._servers: List[RFNServer] = []
@@ -71,12 +77,15 @@ class HomeServers:
         for condition in CONDITIONS:
             self._watch.register_with_frame(condition)
 
+    def _on_speaker(self, message: String) -> None:
+        self._speaker = message.data or self._settings.speaker
+
     def _holds(self, frame: TypedFrame) -> Observed:
         sight, stamp, age_s = self._body.sight()
         if age_s > _SIGHT_S:
             raise ConditionUnknown("my eyes tell nothing")
         try:
-            holds = Conditions(self._body.memory, sight, speaker=self._settings.speaker).holds(frame)
+            holds = Conditions(self._body.memory, sight, speaker=self._speaker).holds(frame)
         except CannotTell as reason:
             raise ConditionUnknown(str(reason)) from reason
         return Observed.still(holds, stamp)
@@ -86,7 +95,7 @@ class HomeServers:
             return not (server.is_preempt_requested() or rospy.is_shutdown())
 
         def callback(frame: FilledFrame) -> None:
-            mind = Skills(self._body, speaker=self._settings.speaker)
+            mind = Skills(self._body, speaker=self._speaker)
             self._body.begin(is_wanted)
             filled = FilledFrame(frame.name, tuple(frame.arguments))
             try:

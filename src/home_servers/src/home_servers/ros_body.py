@@ -18,6 +18,7 @@ from roboframenet_msgs.msg import (
     FilledSemanticFrameAction,
     FilledSemanticFrameGoal,
     WorldObject,
+    WorldRelation,
     WorldUpdate,
 )
 from std_msgs.msg import String
@@ -81,7 +82,7 @@ class RosBody:
     Subscribes:
         home/map (WorldUpdate), world_updates (WorldUpdate), amcl_pose, home/heard (std_msgs/String)
     Publishes:
-        said (std_msgs/String)
+        said (std_msgs/String), world_updates (WorldUpdate): what the robot was told
     Actions called:
         home/act
     """
@@ -99,6 +100,7 @@ class RosBody:
         self._replies: List[Tuple[str, str]] = []
         self._wanted = threading.local()
         self._said = rospy.Publisher("said", String, queue_size=20)
+        self._updates = rospy.Publisher("world_updates", WorldUpdate, queue_size=20)
         self._client = actionlib.ActionClient("home/act", FilledSemanticFrameAction)
         self._subscribers = [
             rospy.Subscriber("home/map", WorldUpdate, self._on_map, queue_size=1),
@@ -180,6 +182,20 @@ class RosBody:
         with self._lock:
             return list(self._replies)
 
+    def tell(self, told: Known) -> None:
+        """Publish what somebody has told; see :class:`home_servers.body.Body`."""
+        place = [WorldRelation(told.relation, told.holder)] if told.relation else []
+        one = WorldObject(
+            id=told.id,
+            other_names=list(told.names),
+            attributes=list(told.attributes),
+            relations=place,
+            states=list(told.states),
+            source=rospy.get_name().strip("/"),
+            stamp=rospy.Time.now(),
+        )
+        self._updates.publish(WorldUpdate(objects=[one]))
+
     def sight(self) -> Tuple[Sight, rospy.Time, float]:
         """Return what the robot perceives, the stamp of that, and its age in seconds."""
         with self._lock:
@@ -221,6 +237,9 @@ class RosBody:
         self.memory.update(known_of(one, self._rooms, self._furniture) for one in message.objects)
 
     def _on_update(self, message: WorldUpdate) -> None:
+        if message._connection_header.get("callerid") == rospy.get_name():
+            # What the robot was told is in its memory, and is less than what it has seen.
+            return
         with self._lock:
             rooms, furniture = self._rooms, self._furniture
         known = [known_of(one, rooms, furniture) for one in message.objects if one.id != _ROBOT]

@@ -23,6 +23,7 @@ class DirectBody:
         self.home = home
         self.memory = Memory()
         self.said = []
+        self.told = []
         self._end_s = home.state.time_s + most_s
         self.memory.update(known_of_map(home.plan))
         self._look()
@@ -57,6 +58,9 @@ class DirectBody:
         self.home.say(ROBOT, text)
         names = self.home.plan.entities
         return [(names[event.who].name, event.what) for event in self.home.state.events[before:] if event.who != ROBOT]
+
+    def tell(self, told):
+        self.told.append(told)
 
     def now_s(self):
         return self.home.state.time_s

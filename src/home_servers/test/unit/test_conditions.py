@@ -155,3 +155,17 @@ def test_who_holds_something(memory: Memory) -> None:
 def test_presence(memory: Memory) -> None:
     assert holds(memory, IN_KITCHEN, "presence", theme="somebody") is True
     assert holds(memory, IN_OFFICE, "presence", theme="somebody") is False
+
+
+@pytest.mark.parametrize("stove, runs", [("on", True), ("off", False)])
+def test_what_runs_has_started_and_not_ended(memory: Memory, stove: str, runs: bool) -> None:
+    memory.update([Known("radio", "furniture", ("radio", "music"), stamp_s=5.0, states=(stove,))])
+    assert holds(memory, IN_OFFICE, "starting", activity="the music") is runs
+    assert holds(memory, IN_OFFICE, "ending", activity="the music") is not runs
+
+
+@pytest.mark.parametrize("activity", ["the meeting", "the table", ""])
+def test_what_does_not_run_neither_starts_nor_ends(memory: Memory, activity: str) -> None:
+    for frame in ("starting", "ending"):
+        with pytest.raises(CannotTell):
+            holds(memory, IN_OFFICE, frame, activity=activity)

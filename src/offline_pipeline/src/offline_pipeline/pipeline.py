@@ -72,7 +72,7 @@ class Parameters:
 BEHAVIOURS: Mapping[str, Parameters] = {
     "now": Parameters(),
     "2012": Parameters(
-        policy=Policy(left_over_words=LeftOverWords.IGNORE, fragment_timeout_s=0.0),
+        policy=Policy(left_over_words=LeftOverWords.IGNORE, fragment_timeout_s=0.0, confirms=False),
         arguments=Arguments.SINGLE_WORDS,
         questions=Questions.REFUSE,
     ),

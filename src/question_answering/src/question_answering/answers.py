@@ -21,12 +21,14 @@ from referring_expressions.fitting import at_place, is_of_unknown_speaker, is_su
 from semantic_types import spoken
 from typed_arguments import Modifier, TypedArgument
 from word_classes import word_class
-from world_model import Sort, WorldObject
+from world_model import Sort, World, WorldObject
 from world_model.knowledge import OPPOSITES
 from world_model.world_object import ROBOT_ID
 
 #: Objects that an answer names; more are counted.
 MOST_NAMED = 8
+#: The frame of whoever says who they are.
+BEING_NAMED = "being_named"
 Arguments = Mapping[str, TypedArgument]
 _COLOURS = word_class("colours")
 _PERSONS = word_class("general_person_nouns")
@@ -298,6 +300,20 @@ def _speaker(_: Arguments, known: RobotKnowledge) -> str:
     return f"You are {name_of(person)}."
 
 
+def person_named(name: str, world: World) -> WorldObject:
+    """Return the person of a name; one who is not known yet gets an id made of the name."""
+    wanted = spoken(name)
+    for one in world.objects:
+        if one.sort is Sort.PERSON and wanted in {spoken(other) for other in one.names}:
+            return one
+    letters = "".join(character if character.isascii() and character.isalnum() else "_" for character in wanted)
+    return WorldObject(f"person_{letters}"[:100], Sort.PERSON, name=name)
+
+
+def _being_named(arguments: Arguments, known: RobotKnowledge) -> str:
+    return f"Hello, {name_of(person_named(arguments['name'].text, known.world))}."
+
+
 def _named(one: WorldObject) -> str:
     """Return an object with its article and its attributes: "the red mug", "Anna"."""
     return name_of(one) if one.name else f"the {' '.join([*one.attributes, noun_of(one)])}"
@@ -323,6 +339,7 @@ ANSWERS: Dict[str, Callable[[Arguments, RobotKnowledge], str]] = {
     "question_of_owner": _owner,
     "question_of_colour": _colour,
     "question_of_speaker": _speaker,
+    BEING_NAMED: _being_named,
     **ABOUT_DEEDS,
 }
 

@@ -14,6 +14,7 @@ from roboframenet_msgs.msg import (
     FrameCatalogue,
     FrameServers,
     StageEvent,
+    WorldUpdate,
 )
 from roboframenet_msgs.msg import (
     Lexicon as LexiconMessage,
@@ -23,7 +24,7 @@ from roboframenet_msgs.msg import (
 )
 from std_msgs.msg import String
 
-from question_answering.answers import ANSWERS, answer
+from question_answering.answers import ANSWERS, BEING_NAMED, answer, person_named
 from question_answering.robot_knowledge import RobotKnowledge, examples_of, served_frames
 from question_answering.ros_asking import Asking
 from question_answering.ros_history import History
@@ -35,8 +36,8 @@ from semantic_frames import load_frame, load_lexical_units
 from semantic_frames.frame import SemanticFrame
 from semantic_frames.lexical_unit import LexicalUnit
 from semantic_frames.read_once import ReadOnce
-from world_model import World
-from world_model.ros_messages import world_from_message
+from world_model import World, WorldObject
+from world_model.ros_messages import object_to_message, world_from_message
 
 
 @dataclass(frozen=True)
@@ -65,7 +66,7 @@ class QuestionAnswering:
         status (CommandStatus), stage_events (StageEvent), command_question (CommandPlan), speaker (std_msgs/String),
         and those of :class:`.ros_history.History`
     Publishes:
-        stage_events (StageEvent)
+        stage_events (StageEvent), speaker (std_msgs/String, latched), world_updates (WorldUpdate)
     Parameters: see :class:`Settings`.
     """
 
@@ -84,6 +85,8 @@ class QuestionAnswering:
         self._status = CommandStatus()
         self._said: Deque[Command] = deque(maxlen=2)
         self._speaker = ""
+        self._speakers = rospy.Publisher("speaker", String, queue_size=5, latch=True)
+        self._updates = rospy.Publisher("world_updates", WorldUpdate, queue_size=5)
         self._history = History()
         self._subscribers = [
             rospy.Subscriber("world", WorldMessage, self._on_world, queue_size=1),
@@ -138,8 +141,17 @@ class QuestionAnswering:
                 self._said.append(event.command)
 
     def _on_question(self, frame: TypedFrame) -> None:
-        sentence = answer(frame.name, frame.arguments, self._known())
+        known = self._known()
+        sentence = answer(frame.name, frame.arguments, known)
+        if frame.name == BEING_NAMED:
+            self._meet(person_named(frame["name"].text, known.world), known.world)
         self._server.set_succeeded(FilledSemanticFrameResult(success=True), sentence)
+
+    def _meet(self, person: WorldObject, world: World) -> None:
+        """Somebody has said who they are."""
+        if world.get(person.id) is None:
+            self._updates.publish(WorldUpdate(objects=[object_to_message(person)]))
+        self._speakers.publish(String(data=person.id))
 
     def _known(self) -> RobotKnowledge:
         with self._lock:

@@ -8,7 +8,7 @@ import pytest
 
 from offline_pipeline.knowledge import load_knowledge, pretend_servers, shipped_domains
 from offline_pipeline.pipeline import Pipeline
-from question_answering.answers import ANSWERS, answer
+from question_answering.answers import ANSWERS, BEING_NAMED, answer, person_named
 from question_answering.robot_knowledge import (
     Deed,
     Outcome,
@@ -246,3 +246,25 @@ def test_every_question_of_the_domain_has_an_answer(pipeline: Pipeline, home: Wo
     for unit in pipeline.knowledge.lexicon.question_units:
         for example in unit.examples if unit.frame_name in ANSWERS else ():
             assert answered(example.text, pipeline, replace(KNOWN, world=home)), example.text
+
+
+@pytest.mark.parametrize(
+    "text, said, ident",
+    [
+        ("I am Anna.", "Hello, Anna.", "anna"),
+        ("my name is Ben", "Hello, Ben.", "ben"),
+        ("Hello, I'm Eva Braun.", "Hello, Eva Braun.", "person_eva_braun"),
+        ("I am Mrs. Miller.", "Hello, Mrs. Miller.", "person_mrs__miller"),
+    ],
+)
+def test_whoever_says_who_they_are_is_met(text: str, said: str, ident: str, pipeline: Pipeline, home: World) -> None:
+    assert answered(text, pipeline, RobotKnowledge(home)) == said
+    (reading,) = pipeline.understand(text).readings
+    assert person_named(reading.arguments[0].text, home).id == ident
+
+
+@pytest.mark.parametrize(
+    "text", ["I am hungry.", "I am a doctor.", "Her name is Anna.", "I am not Anna.", "Is Anna here?"]
+)
+def test_not_everybody_who_is_spoken_of_speaks(text: str, pipeline: Pipeline) -> None:
+    assert BEING_NAMED not in [reading.unit.frame_name for reading in pipeline.understand(text).readings]

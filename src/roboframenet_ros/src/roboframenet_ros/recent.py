@@ -36,6 +36,10 @@ class Recent(Generic[T]):
         self._forget_old()
         return [value for _, value in self._kept]
 
+    def clear(self) -> None:
+        """Keep nothing of what was added."""
+        self._kept.clear()
+
     def _forget_old(self) -> None:
         oldest_s = self._now() - self._max_age_s
         while self._kept and self._kept[0][0] < oldest_s:

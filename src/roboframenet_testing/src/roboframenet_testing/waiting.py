@@ -7,6 +7,8 @@ from pathlib import Path
 from typing import Callable, List, Union
 
 POLL_PERIOD_S = 0.02
+#: A condition that takes long, such as one that asks all nodes, is looked at a third of the time, but this often.
+LONGEST_POLL_PERIOD_S = 0.2
 
 
 def wait_until(
@@ -33,11 +35,15 @@ def wait_until(
 def comes_true(condition: Callable[[], object], timeout_s: float) -> bool:
     """Return whether a condition holds within a time; the condition is checked at least once."""
     end_s = time.monotonic() + timeout_s
-    while not condition():
-        if time.monotonic() >= end_s:
+    while True:
+        begin_s = time.monotonic()
+        if condition():
+            return True
+        now_s = time.monotonic()
+        if now_s >= end_s:
             return bool(condition())
-        time.sleep(POLL_PERIOD_S)
-    return True
+        rest_s = max(POLL_PERIOD_S, 2.0 * (now_s - begin_s))
+        time.sleep(min(rest_s, LONGEST_POLL_PERIOD_S, end_s - now_s))
 
 
 def _quoted(condition: Callable[[], object]) -> str:

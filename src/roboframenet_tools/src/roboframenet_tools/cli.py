@@ -1,6 +1,7 @@
 """The command line ``rfn``, with a subcommand for each task."""
 
 import argparse
+import difflib
 import importlib
 import os
 import select
@@ -84,6 +85,11 @@ def _run(words: List[str]) -> int:
         )
         if words[:1] == [name]:
             importlib.import_module(module).add_arguments(subparser)
+    if words[:1] == ["help"]:
+        return _run([*words[1:2], "--help"])
+    if words and not words[0].startswith("-") and words[0] not in subparsers.choices:
+        print(f"rfn: {_no_command(words)}", file=sys.stderr)
+        return 2
     arguments = parser.parse_args(words)
     if arguments.command is None:
         parser.print_help()
@@ -91,3 +97,12 @@ def _run(words: List[str]) -> int:
     module = next(module for name, module, _ in COMMANDS if name == arguments.command)
     status: int = importlib.import_module(module).run(arguments)
     return status
+
+
+def _no_command(words: Sequence[str]) -> str:
+    """Return what to do instead, when the first word is no command."""
+    near = difflib.get_close_matches(words[0], [name for name, _, _ in COMMANDS], n=1)
+    if near:
+        return f"there is no command '{words[0]}'. Did you mean '{near[0]}'?"
+    said = " ".join(words).replace('"', "'")
+    return f"there is no command '{words[0]}'; 'rfn --help' lists them. To say it to the robot: rfn say \"{said}\""

@@ -199,3 +199,25 @@ def test_output_that_nobody_reads_ends_quietly(words):
     )
     reader.stdin.close()
     assert (result.returncode, result.stderr) == (OUTPUT_CLOSED, "")
+
+
+@pytest.mark.parametrize(
+    "words, advice",
+    [
+        (["sya", "Turn left."], "Did you mean 'say'?"),
+        (["trun", "left"], 'rfn say "trun left"'),
+        (["Turn left."], 'rfn say "Turn left."'),
+        (["xyzzy"], "'rfn --help' lists them"),
+    ],
+)
+def test_what_is_no_command_is_told_with_what_was_meant(capsys, words, advice):
+    assert main(words) == 2
+    assert advice in capsys.readouterr().err
+
+
+@pytest.mark.parametrize("words", [["help"], ["help", "new"]])
+def test_help_is_a_command_too(capsys, words):
+    with pytest.raises(SystemExit) as ended:
+        main(words)
+    assert ended.value.code == 0
+    assert "usage: rfn" in capsys.readouterr().out

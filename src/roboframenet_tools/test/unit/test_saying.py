@@ -56,12 +56,6 @@ def test_help_lists_every_command(capsys: pytest.CaptureFixture) -> None:
     assert all(name in printed for name, _, _ in COMMANDS)
 
 
-def test_unknown_command_is_wrong_usage() -> None:
-    with pytest.raises(SystemExit) as ended:
-        main(["sya", "hello"])
-    assert ended.value.code == 2
-
-
 def test_passing_time_is_no_news() -> None:
     running = Stage("executor", "Running: turning by turning for 1.0 s.")
     assert is_news(running, None)

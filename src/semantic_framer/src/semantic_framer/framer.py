@@ -20,6 +20,7 @@ from semantic_framer.outcome import (
     CAREFUL,
     CORRECTION,
     DECLINED,
+    MEANING_ONLY,
     PROHIBITION,
     QUESTION,
     REPORT,
@@ -100,10 +101,13 @@ def read(
     frames: Mapping[str, SemanticFrame],
     *,
     context: Context = Context(),
-    policy: Policy = Policy(),
+    policy: Policy = MEANING_ONLY,
     now_s: float = 0.0,
 ) -> Tuple[Outcome, Context]:
-    """Understand an utterance as :func:`hear` does, but return only the outcome and the context."""
+    """Understand an utterance as :func:`hear` does, but return only the outcome and the context.
+
+    Nobody is asked for a yes: this is for programs that do not act.
+    """
     heard = hear(tree, FramedLexicon(lexicon, frames), context=context, policy=policy, now_s=now_s)
     return heard.outcome, heard.context
 

@@ -31,6 +31,7 @@ from roboframenet_msgs.srv import AddLexicalUnit, AddLexicalUnitRequest, AddLexi
 from std_msgs.msg import String
 
 from roboframenet_ros.health import Health, Level
+from roboframenet_ros.ros_hand_over import HandOver
 from roboframenet_ros.ros_node import StartError, read_parameters, run_node
 from roboframenet_ros.ros_place import Place
 from roboframenet_ros.ros_stage import Stage
@@ -89,7 +90,7 @@ class SemanticFramer:
         self._context = Context()
         self._context_stamp = self._stop_stamp = rospy.Time()
         self._id = uuid.uuid4().hex
-        self._units = rospy.Publisher("command_lexical_units", CommandLexicalUnits, queue_size=100)
+        self._units = HandOver("command_lexical_units", CommandLexicalUnits)
         self._units_2012 = rospy.Publisher("filled_lexical_units", FilledLexicalUnitList, queue_size=100)
         self._lexicon_publisher = rospy.Publisher("lexicon", LexiconMessage, queue_size=1, latch=True)
         place.problems.advertise()

@@ -49,12 +49,18 @@ class Policy:
         alternatives: what to do with "or"
         question_timeout_s: how long a question may be answered
         fragment_timeout_s: how long a fragment ("again") may change or repeat the last command; 0 for never
+        confirms: whether frames with the key ``confirm`` want a yes first
     """
 
     left_over_words: LeftOverWords = LeftOverWords.ASK
     alternatives: Alternatives = Alternatives.EITHER
     question_timeout_s: float = 30.0
     fragment_timeout_s: float = 60.0
+    confirms: bool = True
+
+
+#: For programs that want to know what a sentence means: nothing acts, so nobody is asked for a yes.
+MEANING_ONLY = Policy(confirms=False)
 
 
 @dataclass(frozen=True)

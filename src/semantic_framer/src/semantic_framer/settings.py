@@ -21,7 +21,7 @@ class Settings(Parameters):
         fragment_timeout_s: how long a fragment ("again") may change or repeat the last command, seconds; 0 for never
         trace: whether each stage event includes the trace of the rules
         arguments: which words become arguments
-        questions: what to do if the framer needs to know something first
+        questions: what to do if the framer needs to know something first; if it must not ask, no frame wants a yes
 
     Raises:
         ParameterError: a value is not allowed
@@ -45,4 +45,5 @@ class Settings(Parameters):
             alternatives=self.alternatives,
             question_timeout_s=self.question_timeout_s,
             fragment_timeout_s=self.fragment_timeout_s,
+            confirms=self.questions is Questions.ASK,
         )

@@ -153,7 +153,14 @@ def _settled(
         if policy_of_frame is UnknownPolicy.REFUSE:
             now.write("unknown_thing", argument.text, "refused. The frame wants what the robot knows.")
             return Refusal("UNKNOWN_THING", unknown_of(argument)), context
-    confirm = [readings[0] for readings in done if now.known.frames[readings[0].unit.frame_name].is_confirmed]
+    confirm = [
+        readings[0]
+        for readings in done
+        if policy.confirms
+        and now.known.frames[readings[0].unit.frame_name].wants_yes(
+            {one.name: one.text for one in readings[0].arguments}
+        )
+    ]
     wrong = [reason for readings in done for reason in _wrong_types(readings[0])]
     unseen = [unknown_of(argument) for policy_of_frame, argument in unknown if policy_of_frame is UnknownPolicy.ASK]
     if (confirm or wrong or unseen) and not is_confirmed:

@@ -255,7 +255,8 @@ class _Front:
         children = self._tree.children(predicate.index)
         relations = {child.deprel.split(":")[0] for child in children}
         is_place = predicate.form.lower() in _PLACE_ADVERBS or "case" in relations
-        is_person = subject in _PERSONS
+        # Who somebody is says something; how they are is talk.
+        is_person = subject in _PERSONS and not (subject in _SPEAKERS and predicate.upos == "PROPN")
         is_opinion = subject in _OPINION_SUBJECTS and predicate.form.lower() in _EVALUATIONS
         if is_opinion or (is_person and (not is_place or predicate.lemma.lower() in _MOODS)):
             return KindVerdict(UtteranceKind.TALK, "state", text)

@@ -22,6 +22,7 @@ from semantic_framer.plausibility import Filled
 from semantic_framer.reading import Reading, rank
 from semantic_framer.sentence import Sentence
 from semantic_framer.utterance_kind import KindVerdict, kinds_of_clauses
+from semantic_types.parts_of_speech import VERB, parts_of_speech
 from utterance_passes.clauses import Clause, inner_condition, shared_subject
 from utterance_passes.measures import amounts_of
 from utterance_passes.trace import Trace
@@ -192,7 +193,9 @@ def _condition_without_verb(case: ClauseCase) -> Optional[Refusal]:
 def _unknown_verb(case: ClauseCase) -> Optional[Refusal]:
     if case.matches:
         return None
-    near = case.of.known.lexicon.nearest_verbs(case.clause.lemma)
+    # A verb of English is no typo of another one.
+    is_verb = VERB in parts_of_speech(case.clause.lemma)
+    near = () if is_verb else case.of.known.lexicon.nearest_verbs(case.clause.lemma)
     quoted = [f'"{verb}"' for verb in near]
     hint = f" Do you mean {join_with_or(quoted)}?" if near else ""
     return Refusal("UNKNOWN_VERB", f'I do not know how to "{case.clause.lemma}".{hint}')

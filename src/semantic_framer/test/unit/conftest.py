@@ -8,6 +8,7 @@ import pytest
 from semantic_framer.dialogue import Context
 from semantic_framer.framer import Outcome, Policy, read
 from semantic_framer.lexicon import Lexicon
+from semantic_framer.outcome import MEANING_ONLY
 from semantic_frames import load_frame
 from semantic_frames.frame import SemanticFrame
 from semantic_frames.source_files import FRAMES_FOLDER, LEXICAL_UNITS_FOLDER, yaml_files
@@ -44,7 +45,7 @@ def understand(parser: Parser, lexicon: Lexicon, frames: Dict[str, SemanticFrame
     verbs = frozenset(verb.split()[0] for verb in lexicon.verbs)
 
     def call(
-        text: str, context: Context = Context(), policy: Policy = Policy(), now_s: float = 0.0
+        text: str, context: Context = Context(), policy: Policy = MEANING_ONLY, now_s: float = 0.0
     ) -> Tuple[Outcome, Context]:
         return read(parser.parse(text, verbs), lexicon, frames, context=context, policy=policy, now_s=now_s)
 

@@ -193,7 +193,7 @@ def test_answer_that_could_be_a_yes_confirms_nothing() -> None:
 
 def test_yes_to_a_frame_that_is_gone_does_nothing() -> None:
     context = Context()
-    _, context = read(from_conllu(TURN_LEFT), lexicon(), CONFIRMED, context=context)
+    _, context = read(from_conllu(TURN_LEFT), lexicon(), CONFIRMED, context=context, policy=Policy())
     yes = replace(from_conllu("1 yes yes INTJ UH _ 0 root _ _"), text="yes")
     assert isinstance(read(yes, lexicon(), {}, context=context)[0], Refusal)
 
@@ -267,3 +267,28 @@ def test_verb_that_is_gone_is_not_offered() -> None:
     made = lexicon()
     made.add_file("frame_name: moving\nverb: go\n", "units.yaml")
     assert made.nearest_verbs("trun") == ()
+
+
+def test_only_some_values_want_a_yes() -> None:
+    turning = FRAMES["turning"]
+    elements = tuple(
+        replace(element, confirmed_values=("left",) if element.name == "direction" else ())
+        for element in turning.frame_elements
+    )
+    frames = {**FRAMES, "turning": replace(turning, frame_elements=elements)}
+    assert hear(TURN_LEFT, frames=frames)[0].code == "CONFIRM"
+    assert isinstance(hear(TURN_LEFT.replace("left", "right"), frames=frames)[0], Understood)
+
+
+def test_without_questions_nobody_is_asked_for_a_yes() -> None:
+    assert isinstance(hear(TURN_LEFT, frames=CONFIRMED, policy=Policy(confirms=False))[0], Understood)
+
+
+def test_silence_confirms_nothing() -> None:
+    question, context = read(from_conllu(TURN_LEFT), lexicon(), CONFIRMED, policy=Policy(), now_s=100.0)
+    assert isinstance(question, Question)
+    yes = replace(from_conllu("1 yes yes INTJ UH _ 0 root _ _"), text="yes")
+    late, _ = read(
+        yes, lexicon(), CONFIRMED, context=context, policy=Policy(), now_s=100.0 + Policy.question_timeout_s + 1.0
+    )
+    assert isinstance(late, Refusal)

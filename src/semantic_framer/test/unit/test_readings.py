@@ -63,6 +63,13 @@ def test_refusals(understand: Any, text: str, code: str) -> None:
     assert isinstance(outcome, Refusal) and outcome.code == code
 
 
+@pytest.mark.parametrize("text, hint", [("do the mug", ""), ("tke the mug", 'Do you mean "take"')])
+def test_verb_of_english_is_taken_for_no_typo(understand: Any, text: str, hint: str) -> None:
+    outcome, _ = understand(text)
+    assert outcome.code == "UNKNOWN_VERB" and ("Do you mean" in outcome.sentence) == bool(hint)
+    assert hint in outcome.sentence
+
+
 @pytest.mark.parametrize("text", ["Don't turn left.", "do not turn left", "don't do a u-turn"])
 def test_do_is_no_command(understand: Any, text: str) -> None:
     assert understand(text)[0].code == "NEGATED"

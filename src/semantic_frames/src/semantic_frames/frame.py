@@ -2,7 +2,7 @@
 
 from dataclasses import dataclass
 from enum import Enum
-from typing import Optional, Tuple, Union
+from typing import Mapping, Optional, Tuple, Union
 
 
 class Quantity(Enum):
@@ -35,6 +35,7 @@ class FrameElement:
         answer: an example of an answer ("three feet"); empty for none
         framenet: name of the frame element in FrameNet; empty when FrameNet has none
         semantic_types: what may fill it: something of one of these types, or of a type below them; empty for anything
+        confirmed_values: arguments with which a person must say yes before the frame is carried out, in lower case
     """
 
     name: str
@@ -52,6 +53,7 @@ class FrameElement:
     answer: str = ""
     framenet: str = ""
     semantic_types: Tuple[str, ...] = ()
+    confirmed_values: Tuple[str, ...] = ()
 
 
 @dataclass(frozen=True)
@@ -155,3 +157,9 @@ class SemanticFrame:
     def element(self, name: str) -> Optional[FrameElement]:
         """Return the element of that name, or None."""
         return next((element for element in self.frame_elements if element.name == name), None)
+
+    def wants_yes(self, arguments: Mapping[str, str]) -> bool:
+        """Return whether a person must say yes before the frame is carried out with these texts of its elements."""
+        return self.is_confirmed or any(
+            arguments.get(element.name, "").lower() in element.confirmed_values for element in self.frame_elements
+        )

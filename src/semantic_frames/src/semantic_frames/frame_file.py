@@ -50,6 +50,7 @@ ELEMENT_KEYS = (
     "answer",
     "framenet",
     "semantic_type",
+    "confirm",
 )
 CHILD_KEYS = ("name", "frame_element_relations")
 RELATION_KEYS = ("parent_name", "parent_value", "child_name", "child_value", "relation")
@@ -121,6 +122,9 @@ def _elements(reader: Reader, node: Optional[yaml.Node]) -> Tuple[FrameElement, 
             answer=reader.text(entries.get("answer"), f"{key}.answer"),
             framenet=reader.text(entries.get("framenet"), f"{key}.framenet"),
             semantic_types=read_semantic_types(reader, entries.get("semantic_type"), f"{key}.semantic_type"),
+            confirmed_values=tuple(
+                value.lower() for value in reader.texts(entries.get("confirm"), f"{key}.confirm") if value
+            ),
         )
         if element.name in [other.name for other in elements]:
             reader.report("DUPLICATE_ELEMENT", item, f"{key}.name", f"a second '{element.name}'", "names that differ")

@@ -58,10 +58,11 @@ def test_additions_are_read() -> None:
     frame = load_frame(
         "name: a\non_list: together\nconfirm: yes\nframenet: Motion\nframe_elements:\n  - name: d\n"
         "    quantity: length\n    unit_element: u\n    minimum: -1\n    maximum: 20 metres\n"
-        "  - name: u\n    values: [on, off]\n",
+        "  - name: u\n    values: [on, off]\n    confirm: ['off']\n",
         "a.yaml",
     )
     element = frame.frame_elements[0]
+    assert frame.frame_elements[1].confirmed_values == ("off",)
     assert (element.quantity, element.minimum, element.maximum) == (Quantity.LENGTH, -1.0, 20.0)
     assert frame.frame_elements[1].values == ("on", "off")
     assert (frame.on_list, frame.is_confirmed, frame.framenet) == (ListPolicy.TOGETHER, True, "Motion")
@@ -205,3 +206,16 @@ def test_what_cannot_be_expressed_at_all_is_refused(key: str, code: str, hint: s
     with pytest.raises(FileRefused) as refused:
         load_frame(f"name: a\nframe_elements: [{{name: goal, {key}}}]", "a.yaml")
     assert [(problem.code, problem.hint) for problem in refused.value.problems] == [(code, hint)]
+
+
+@pytest.mark.parametrize(
+    "text, state, wants_yes",
+    [
+        ("name: a\nconfirm: True", "on", True),
+        ("name: a\nframe_elements: [{name: state, confirm: ['off']}]", "Off", True),
+        ("name: a\nframe_elements: [{name: state, confirm: ['off']}]", "on", False),
+        ("name: a\nframe_elements: [{name: state}]", "off", False),
+    ],
+)
+def test_what_wants_a_yes(text, state, wants_yes):
+    assert load_frame(text, "a.yaml").wants_yes({"state": state}) is wants_yes

@@ -8,8 +8,9 @@ import queue
 import threading
 import time
 import uuid
+from collections import deque
 from dataclasses import dataclass, replace
-from typing import Dict, Optional, Union
+from typing import Deque, Dict, Optional, Union
 
 import rospy
 from roboframenet_msgs.msg import (
@@ -28,6 +29,7 @@ from arbitrator.standing import Whenever
 from rfnserver import RFNServer, TypedFrame
 from roboframenet_ros.health import Health, Level
 from roboframenet_ros.parameters import ParameterError
+from roboframenet_ros.ros_hand_over import HandOver
 from roboframenet_ros.ros_node import StartError, read_parameters, run_node
 from roboframenet_ros.ros_publishing import publish
 from roboframenet_ros.ros_stage import Stage
@@ -48,6 +50,7 @@ _TURN_S = 0.5
 _SENT_S = 10.0
 _ANSWER_S = 4.0
 _MAX_CLIENTS = 32
+_MOST_MISSED = 100
 
 
 @dataclass(frozen=True)
@@ -102,7 +105,9 @@ class StandingOrdersNode:
         self._is_resumed = False
         self._told: Optional[StandingOrders] = None
         self._stage = Stage("standing_orders")
-        self._due = rospy.Publisher("order_due", OrderDue, queue_size=100)
+        self._due = HandOver("order_due", OrderDue)
+        # What was missed is told, however long the command server takes to start.
+        self._missed: Deque[OrderDue] = deque(maxlen=_MOST_MISSED)
         self._cancel = rospy.Publisher("command_cancel", Command, queue_size=100)
         self._orders = rospy.Publisher("standing_orders", StandingOrders, queue_size=1, latch=True)
         self._watches = Watches(
@@ -239,13 +244,15 @@ class StandingOrdersNode:
         )
         self._apply(change)
         self._tell()
+        while self._missed and self._due.is_connected:
+            self._due.publish(self._missed.popleft())
 
     def _runs(self, command_id: str) -> bool:
         return self._status is not None and any(command.id == command_id for command in self._status.active)
 
     def _busy_with(self) -> Optional[str]:
         """Return what runs, a clause; None if nothing does."""
-        if self._status is None or self._due.get_num_connections() == 0:
+        if self._status is None or not self._due.is_connected:
             return "the command server did not run"
         if self._status.active:
             return f'I was busy with "{self._status.active[0].text.strip(" .!")}"'
@@ -278,9 +285,11 @@ class StandingOrdersNode:
             self._apply(self._book.drop((firing.order.order_id,)))
             return
         rospy.loginfo("cmd=%s %r is due %s", firing.command_id, firing.order.text, firing.not_done)
-        if not firing.not_done:
+        if firing.not_done:
+            self._missed.append(message)
+        else:
             self._sent[firing.command_id] = time.monotonic()
-        publish(self._due, message)
+            self._due.publish(message)
 
     def _watch(self) -> None:
         conditions: Dict[str, AnyCondition] = {}

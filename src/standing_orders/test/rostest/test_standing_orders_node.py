@@ -76,6 +76,8 @@ class StandingOrdersTest(unittest.TestCase):
         cls.asked = actionlib.SimpleActionClient("standing_orders_server", FilledSemanticFrameAction)
         assert cls.asked.wait_for_server(rospy.Duration(60.0))
         wait_until(lambda: cls.given.get_num_connections() and cls.text.get_num_connections() > 1 and cls.orders)
+        replies, events, _ = cls.subscribers
+        wait_until(lambda: replies.get_num_connections() and events.get_num_connections() > 1)
 
     @classmethod
     def ping(cls, _frame: FilledSemanticFrame) -> None:
@@ -108,11 +110,11 @@ class StandingOrdersTest(unittest.TestCase):
         cls.questions += 1
         return cls.rings
 
-    def ring(self) -> None:
-        """Ring until the source of the condition has seen it, and be silent until it has seen that."""
+    def ring(self, pings: int = 0) -> None:
+        """Ring until the source of the condition has seen it and so many pings are made; then be silent."""
         for type(self).rings in (True, False):
             seen = self.questions
-            wait_until(lambda count=seen: self.questions > count + 1)
+            wait_until(lambda count=seen: self.questions > count + 1 and len(self.pings) >= pings)
             time.sleep(0.1)
 
     def states(self) -> List[str]:
@@ -148,7 +150,7 @@ class StandingOrdersTest(unittest.TestCase):
         self.assertEqual(reply.sentence, "I will ping whenever the bell rings.")
         wait_until(lambda: self.states() == ["waits"])
         for number in (1, 2):
-            self.ring()
+            self.ring(pings=number + 1)
             wait_until(lambda count=number: len(self.replies) == count)
         self.assertEqual({reply.outcome for reply in self.new_replies(2)}, {Reply.DONE})
         self.assertEqual(len(self.pings), 3)
@@ -161,31 +163,29 @@ class StandingOrdersTest(unittest.TestCase):
         uri = rosgraph.Master("/test").lookupNode("/standing_orders")
         pid = ServerProxy(uri).getPid("/test")[2]
         os.kill(pid, signal.SIGSTOP)
-        time.sleep(5.0)
+        time.sleep(8.0)
         os.kill(pid, signal.SIGKILL)
         (missed,) = self.new_replies()
         self.assertEqual((missed.outcome, missed.code), (Reply.FAILED, "MISSED"))
         self.assertEqual(missed.sentence, 'As you said, "Ping in two seconds": I did not do that: I was off.')
         wait_until(lambda: self.states() == ["waits"])
         self.assertEqual(len(self.pings), 3)
-        self.ring()
+        self.ring(pings=4)
         self.new_replies()
         self.assertEqual(len(self.pings), 4)
 
     def test_4_order_waits_for_what_runs_and_checks_its_condition_then(self) -> None:
         self.is_slow.set()
+        self.ring(pings=5)
         self.ring()
-        wait_until(lambda: len(self.pings) == 5)
-        self.ring()
-        time.sleep(3.0)
+        time.sleep(5.0)
         self.is_slow.clear()
         self.assertEqual({reply.code for reply in self.new_replies(2)}, {"DONE", "MISSED"})
         self.assertEqual(len(self.pings), 5)
 
     def test_5_stop_suspends_the_orders_also_over_a_kill_until_somebody_says_go_on(self) -> None:
         self.is_slow.set()
-        self.ring()
-        wait_until(lambda: len(self.pings) == 6)
+        self.ring(pings=6)
         self.text.publish("Stop.")
         stopped = {reply.code for reply in self.new_replies(2)}
         self.assertEqual(stopped, {"DONE", "STOPPED"})
@@ -198,7 +198,7 @@ class StandingOrdersTest(unittest.TestCase):
         self.assertIn("suspended since you stopped me", self.ask("question_of_standing_orders"))
         self.assertEqual(self.ask("resuming_orders"), "I wait again. I will ping whenever the bell rings.")
         wait_until(lambda: self.states() == ["waits"])
-        self.ring()
+        self.ring(pings=7)
         self.new_replies()
         self.assertEqual(len(self.pings), 7)
 

@@ -13,6 +13,7 @@ from stanford_parser_msgs.msg import Parse
 
 from roboframenet_ros.health import Health, Level
 from roboframenet_ros.parameters import Parameters, parameter
+from roboframenet_ros.ros_hand_over import HandOver
 from roboframenet_ros.ros_node import read_parameters, run_node
 from roboframenet_ros.ros_stage import Stage
 from semantic_frames import load_lexical_units
@@ -81,7 +82,7 @@ class ParserNode:
         """
         self._settings = settings
         # Subscribers connect while the models load, so that the first parse is not lost.
-        self._parses = rospy.Publisher("command_parse", CommandParse, queue_size=100)
+        self._parses = HandOver("command_parse", CommandParse)
         self._parses_2012 = rospy.Publisher("parse", Parse, queue_size=100)
         self._stage = Stage("stanford_parser_ros")
         # The lexicon arrives while the models load, so that the first command is parsed with it.
