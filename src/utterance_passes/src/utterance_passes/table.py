@@ -185,7 +185,7 @@ TAG_PASSES: Tuple[TagPass, ...] = (
     TagPass(
         "resulting_states",
         "Tag a state behind a noun at the end as an adjective, not as a noun.",
-        Example("push|VERB the|DET drawer|NOUN shut|NOUN", ("4 ADJ JJ Degree=Pos",), Verbs(frozenset(["push"]))),
+        Example("push|VERB the|DET drawer|NOUN shut|NOUN", ("4 ADJ JJ",), Verbs(frozenset(["push"]))),
         Stage.PARSER,
         tagging.resulting_states,
     ),

@@ -87,7 +87,7 @@ def test_a_length_and_its_time_are_a_speed(text: str, si_amount: float, unit: st
         ("turn 20%", "20 %"),
         ("turn e5 degrees", "degrees"),
         ("turn umpteen degrees", "degrees"),
-        ("move two metres per second", "two metres per"),
+        ("move two metres per person", "two metres per"),
         ("move twice two metres", "twice two metres"),
         ("turn quarter turns", "quarter turns"),
     ],
