@@ -107,10 +107,10 @@ def kinds_of_clauses(
             joined = None
         decided.setdefault(clause.verb, same or joined or front.verdict())
     if any(verdict.acts for verdict in decided.values()):
-        # "It's late, please open the door": "it" does not refer to a thing.
+        # "It's late, please open the door": "it" does not refer to a thing. "My hands are full, ..." is a reason.
         for verb, verdict in decided.items():
             subjects = {child.form.lower() for child in tree.children(tops[verb]) if child.deprel.startswith("nsubj")}
-            if verdict.is_fact and "it" in subjects:
+            if verdict.is_fact and ("it" in subjects or tree.word(tops[verb]).upos == "ADJ"):
                 decided[verb] = replace(verdict, is_fact=False)
     return tuple(decided[clause.verb] for clause in clauses)
 

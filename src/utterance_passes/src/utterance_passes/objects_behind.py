@@ -6,8 +6,11 @@ from utterance_passes.persons import is_person
 from utterance_passes.tree import DependencyTree, Word
 from utterance_passes.tree_edits import TreeEdit
 from utterance_passes.vocabulary import Vocabulary
+from word_classes import word_class
 
 _NOUNS = frozenset(["NOUN", "PROPN"])
+_GREETINGS = word_class("greetings") | word_class("greetings_alone") | word_class("courtesies")
+_SAYING = word_class("saying_verbs")
 #: Relations of a noun phrase without a preposition behind the words of a description.
 _UNMARKED = frozenset(["obl:unmarked", "obl", "obj", "nmod:unmarked"])
 #: Relations that the parser gives to such a phrase if it takes it for a part of the phrase before it.
@@ -28,6 +31,11 @@ def with_objects_behind(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
         if not objects:
             for word in _unjoined(tree, verb)[:1]:
                 edit.rehang(word.index, verb.index, "obj")
+        elif len(objects) == 1 and is_person(objects[0]) and _greeting_behind(tree, verb, objects[0]):
+            edit.relabel(objects[0].index, "iobj")
+            for word in _greeting_behind(tree, verb, objects[0]):
+                edit.retag(word.index, "NOUN", "NN")
+                edit.relabel(word.index, "obj")
         elif len(objects) == 1 and is_person(objects[0]):
             for word in _behind_description(tree, objects[0]):
                 edit.rehang(word.index, verb.index, "obj")
@@ -35,6 +43,17 @@ def with_objects_behind(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
         elif len(objects) == 2 and _are_person_and_thing(tree, *objects):
             edit.relabel(objects[0].index, "iobj")
     return edit.tree()
+
+
+def _greeting_behind(tree: DependencyTree, verb: Word, person: Word) -> Tuple[Word, ...]:
+    """Return the greeting right behind the person to whom it shall be said: "tell the visitors *goodbye*"."""
+    behind = max(tree.subtree(person.index)) + 1
+    return tuple(
+        word
+        for word in tree.children(verb.index)
+        if word.index == behind and word.deprel == "discourse" and word.form.lower() in _GREETINGS
+        if verb.lemma.lower() in _SAYING and person.deprel in ("obj", "iobj")
+    )
 
 
 def _are_person_and_thing(tree: DependencyTree, first: Word, second: Word) -> bool:
