@@ -44,6 +44,8 @@ DOCTOR = phrase("take take VERB VB 0 root", "the the DET DT 3 det", "doctor doct
         (MRS_MILLER, 2, (), "Human"),
         (DR_CHEN, 3, (), "Human"),
         (DOCTOR, 3, (), "Human"),
+        (phrase("a a DET DT 2 det", "bit bit NOUN NN 0 obl"), 2, (), "Quantity"),
+        (phrase("the the DET DT 2 det", "bit bit NOUN NN 0 obj"), 2, ("Physical_object",), "Physical_object"),
         (COFFEE_CUP, 3, (), "Container"),
         (LIVING_ROOM, 3, (), "Room"),
         (LIGHT_SWITCH, 3, (), "Device"),
