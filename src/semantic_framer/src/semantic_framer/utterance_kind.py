@@ -40,6 +40,7 @@ _PLACE_ADVERBS = word_class("destination_adverbs")
 _QUESTION_WORDS = word_class("question_words")
 _RENEWING = word_class("renewing_conjunctions")
 _SAID_AROUND = word_class("lead_in") | word_class("hedges")
+_SPEAKER_POSSESSORS = word_class("speaker_possessors")
 _SPEAKERS = word_class("speaker_subjects")
 _SUBJECTS = word_class("subject_pronouns")
 _SUBORDINATING = word_class("relative_adverbs")
@@ -109,8 +110,10 @@ def kinds_of_clauses(
     if any(verdict.acts for verdict in decided.values()):
         # "It's late, please open the door": "it" does not refer to a thing. "My hands are full, ..." is a reason.
         for verb, verdict in decided.items():
-            subjects = {child.form.lower() for child in tree.children(tops[verb]) if child.deprel.startswith("nsubj")}
-            if verdict.is_fact and ("it" in subjects or tree.word(tops[verb]).upos == "ADJ"):
+            subjects = [child for child in tree.children(tops[verb]) if child.deprel.startswith("nsubj")]
+            owners = {child.form.lower() for subject in subjects for child in tree.children(subject.index)}
+            is_mine = tree.word(tops[verb]).upos == "ADJ" and bool(owners & _SPEAKER_POSSESSORS)
+            if verdict.is_fact and (is_mine or any(subject.form.lower() == "it" for subject in subjects)):
                 decided[verb] = replace(verdict, is_fact=False)
     return tuple(decided[clause.verb] for clause in clauses)
 

@@ -67,10 +67,13 @@ def _unjoined(tree: DependencyTree, verb: Word) -> Tuple[Word, ...]:
     below = [
         index for child in tree.children(verb.index) if child.deprel == "obl" for index in tree.subtree(child.index)
     ]
+    lemmas = [tree.word(index).lemma.lower() for index in below]
+    # "Go to the cone on the right a red cone" names one thing again.
     return tuple(
         word
         for word in map(tree.word, sorted(below))
         if word.deprel in _OF_NOUNS and word.upos in _NOUNS and _begins_with_article(tree, word)
+        if lemmas.count(word.lemma.lower()) == 1
     )
 
 
