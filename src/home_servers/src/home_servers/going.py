@@ -14,6 +14,8 @@ _NEAR_M = 1.3
 ROOMS = ("room", "place", "here")
 #: A look for somebody who comes, seconds.
 _LOOK_S = 2.0
+#: Who has walked, and has stood for so long, has arrived.
+_ARRIVED_S = 60.0
 _MOST_LOOKS = 60
 
 
@@ -69,14 +71,22 @@ def face(skills: Skills, frame: FilledFrame) -> None:
 
 
 def follow(skills: Skills, frame: FilledFrame) -> None:
-    """Stay behind somebody until the goal is reached, or until the goal is preempted."""
+    """Stay behind somebody until the goal is reached, or until they have walked and then stood for a while, or until the
+    goal is preempted.
+    """
     person = skills.find(argument(frame, "cotheme"), "person")
     goal = goal_of(skills, frame) if said(frame, "goal") else None
+    has_walked, since_s = False, skills.body.now_s()
     while True:
         skills.go(person.id, reach_m=_NEAR_M)
         skills.attempt("look", theme=person.id)
         person = skills.memory.get(person.id) or person
         if goal is not None and _is_at(skills, goal):
+            return
+        now_s = skills.body.now_s()
+        if "walking" in person.states:
+            has_walked, since_s = True, now_s
+        if goal is None and has_walked and now_s - since_s >= _ARRIVED_S:
             return
         skills.wait(_LOOK_S / 2.0)
 
