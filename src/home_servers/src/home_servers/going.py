@@ -16,6 +16,10 @@ ROOMS = ("room", "place", "here")
 _LOOK_S = 2.0
 #: Who has walked, and has stood for so long, has arrived.
 _ARRIVED_S = 60.0
+#: Who does not walk for so long does not want to be followed any more.
+_STAYED_S = 180.0
+#: Who is seen so much farther has walked.
+_STEP_M = 0.5
 _MOST_LOOKS = 60
 
 
@@ -76,7 +80,7 @@ def follow(skills: Skills, frame: FilledFrame) -> None:
     """
     person = skills.find(argument(frame, "cotheme"), "person")
     goal = goal_of(skills, frame) if said(frame, "goal") else None
-    has_walked, since_s = False, skills.body.now_s()
+    at, has_walked, since_s = person, False, skills.body.now_s()
     while True:
         skills.go(person.id, reach_m=_NEAR_M)
         skills.attempt("look", theme=person.id)
@@ -84,9 +88,9 @@ def follow(skills: Skills, frame: FilledFrame) -> None:
         if goal is not None and _is_at(skills, goal):
             return
         now_s = skills.body.now_s()
-        if "walking" in person.states:
-            has_walked, since_s = True, now_s
-        if goal is None and has_walked and now_s - since_s >= _ARRIVED_S:
+        if math.hypot(person.x_m - at.x_m, person.y_m - at.y_m) > _STEP_M:
+            at, has_walked, since_s = person, True, now_s
+        if goal is None and now_s - since_s >= (_ARRIVED_S if has_walked else _STAYED_S):
             return
         skills.wait(_LOOK_S / 2.0)
 
