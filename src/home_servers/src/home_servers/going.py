@@ -75,9 +75,7 @@ def face(skills: Skills, frame: FilledFrame) -> None:
 
 
 def follow(skills: Skills, frame: FilledFrame) -> None:
-    """Stay behind somebody until the goal is reached, or until they have walked and then stood for a while, or until the
-    goal is preempted.
-    """
+    """Stay behind somebody until the goal is reached, or they walk no more, or the goal is preempted."""
     person = skills.find(argument(frame, "cotheme"), "person")
     goal = goal_of(skills, frame) if said(frame, "goal") else None
     at, has_walked, since_s = person, False, skills.body.now_s()
