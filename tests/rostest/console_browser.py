@@ -8,6 +8,7 @@ from selenium import webdriver
 from selenium.common.exceptions import StaleElementReferenceException
 from selenium.webdriver.chrome.options import Options
 from selenium.webdriver.chrome.service import Service
+from selenium.webdriver.common.action_chains import ActionChains
 from selenium.webdriver.common.by import By
 from selenium.webdriver.remote.webelement import WebElement
 
@@ -18,6 +19,31 @@ DRIVER = "/usr/bin/chromedriver"
 #: Sizes of a window and of a telephone, pixels.
 WINDOW = (1440, 900)
 TELEPHONE = (390, 844)
+#: What a screen reader has to name.
+NAMED_ROLES = frozenset(("button", "textbox", "searchbox", "image", "img", "log"))
+#: Texts whose contrast with their ground is below 4.5, as WCAG 2 (AA) counts it.
+FAINT = """(() => {
+  const parts = (text) => (text.match(/[\\d.]+/g) || []).map(Number);
+  const part = (value) => (value /= 255) <= 0.03928 ? value / 12.92 : ((value + 0.055) / 1.055) ** 2.4;
+  const light = ([red, green, blue]) => 0.2126 * part(red) + 0.7152 * part(green) + 0.0722 * part(blue);
+  const ground = (one) => {
+    for (; one; one = one.parentElement) {
+      const found = parts(getComputedStyle(one).backgroundColor);
+      if (found.length === 3 || found[3] > 0.5) return found;
+    }
+    return [255, 255, 255];
+  };
+  const found = [];
+  for (const one of document.querySelectorAll("body *")) {
+    const says = [...one.childNodes].some((node) => node.nodeType === 3 && node.textContent.trim());
+    if (!says || !one.checkVisibility() || one.closest("svg")) continue;
+    const [low, high] = [light(parts(getComputedStyle(one).color)), light(ground(one))].sort((a, b) => a - b);
+    const contrast = (high + 0.05) / (low + 0.05);
+    const text = one.textContent.trim().slice(0, 30);
+    if (contrast < 4.5) found.push(`${one.tagName} ${one.className} "${text}" ${contrast.toFixed(2)}`);
+  }
+  return found;
+})()"""
 
 
 class ConsoleBrowser:
@@ -56,6 +82,21 @@ class ConsoleBrowser:
     def run(self, script: str) -> Any:
         """Return the value of a JavaScript expression."""
         return self.driver.execute_script(f"return {script}")
+
+    def faint_texts(self) -> List[str]:
+        """Return the texts that are hard to read on their ground."""
+        return list(self.run(FAINT))
+
+    def nameless(self) -> List[str]:
+        """Return the roles of what a screen reader finds and cannot name."""
+        nodes = self.driver.execute_cdp_cmd("Accessibility.getFullAXTree", {})["nodes"]
+        told = [node for node in nodes if not node["ignored"] and node["role"]["value"] in NAMED_ROLES]
+        assert told
+        return [node["role"]["value"] for node in told if not node.get("name", {}).get("value", "").strip()]
+
+    def press(self, *keys: str) -> None:
+        """Press keys wherever the focus is."""
+        ActionChains(self.driver).send_keys(*keys).perform()
 
     def find(self, selector: str) -> List[WebElement]:
         """Return the elements of a CSS selector."""

@@ -12,6 +12,7 @@ from xmlrpc.client import ServerProxy
 import rosgraph
 import rospy
 from nav_msgs.msg import Odometry
+from selenium.webdriver.common.keys import Keys
 
 from console_browser import CHROMIUM, TELEPHONE, WINDOW, ConsoleBrowser
 from roboframenet_rostest import wait_for_pipeline
@@ -144,6 +145,27 @@ class WebConsoleTest(unittest.TestCase):
         self.assertLessEqual(button["x"] + button["width"], width)
         self.assertTrue(self.page.run("document.elementFromPoint(innerWidth - 40, 30).closest('#stop') !== null"))
         self.page.resize(*WINDOW)
+
+    def test_7_page_can_be_read_and_used_by_all(self) -> None:
+        for is_dark in (False, True):
+            self.page.resize(*WINDOW, is_dark=is_dark)
+            self.assertEqual(self.page.faint_texts(), [])
+        self.page.run("document.getElementById('ground-text').style.color = '#d0d0d0'")
+        self.page.resize(*WINDOW)
+        self.assertEqual(len(self.page.faint_texts()), 1, "a grey text on white is found")
+        self.page.run("document.getElementById('ground-text').style.color = ''")
+        self.assertEqual(self.page.nameless(), [])
+        self.page.run("document.activeElement.blur()")
+        self.page.press("/", Keys.ARROW_UP)
+        self.assertEqual(self.page.run("document.activeElement.value"), MARKUP)
+        self.page.press(Keys.ARROW_DOWN)
+        self.assertEqual(self.page.run("document.activeElement.value"), "")
+        reached = set()
+        for _ in range(12):
+            self.page.press(Keys.TAB)
+            reached.add(self.page.run("document.activeElement.tagName + ' ' + document.activeElement.id"))
+        self.assertIn("BUTTON send", reached)
+        self.assertIn("INPUT filter", reached)
 
     def test_8_page_finds_a_console_that_was_killed(self) -> None:
         before = process_of("/web_console")

@@ -55,6 +55,7 @@ NO_SPEECH: Dict[str, Tuple[str, str]] = {
         "keys of a file",
         "frame, name, topic, type, entries, where, field, comparison, value, element, default, values, factor",
     ),
+    "experience/node.py": ("keys of a diagnostic", "trials, rules, lost"),
     "location_memorizer/locations.py": ("keys of a file", "x, y, heading"),
     "offline_pipeline/pipeline.py": (
         "keys of JSON",

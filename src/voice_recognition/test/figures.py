@@ -21,7 +21,7 @@ from synthetic_speech import silence, speech, voices, with_noise, with_silence
 from command_server.stop_words import is_stop as is_cry
 from offline_pipeline.knowledge import load_knowledge, pretend_servers, shipped_domains
 from offline_pipeline.pipeline import Pipeline
-from voice_recognition.agreement import Verdict
+from voice_recognition.agreement import Heard, Verdict
 from voice_recognition.dialogue import (
     Command,
     Confirming,
@@ -33,10 +33,12 @@ from voice_recognition.dialogue import (
     begin,
     step,
 )
+from voice_recognition.early_hearing import EarlyHearing
 from voice_recognition.ears import Ears, make_shipped_ears
-from voice_recognition.endpointing import Endpointer, EndpointSettings
+from voice_recognition.endpointing import Endpointer, Utterance
+from voice_recognition.microphone import PART_BYTES
 from voice_recognition.offers import Offer
-from voice_recognition.recogniser import model_dictionary
+from voice_recognition.recogniser import RATE, model_dictionary
 from voice_recognition.sound import duration_s
 from voice_recognition.spoken_language import Words, grounded_frames, make_language, sentences
 from voice_recognition.spotting import LONGEST_S, StopSpotter
@@ -92,11 +94,45 @@ def utterance_in(pcm: bytes) -> Optional[bytes]:
     return max((one.pcm for one in found), key=len, default=None)
 
 
+def heard_in_time(pcm: bytes, ears: Ears, spotter: StopSpotter) -> Optional[Tuple[Heard, float]]:
+    """Return what the node hears in the longest utterance of a sound, and the seconds from its end to the question.
+
+    Its thread does one thing after the other, in the processor time that it takes here: the searches when the speech
+    may have ended, the search for a stop, and the searches again if somebody spoke on.
+    """
+    endpointer = Endpointer()
+    pauses: List[Tuple[float, Utterance]] = []
+    ends: List[Tuple[float, Utterance]] = []
+    for at in range(0, len(pcm), PART_BYTES):
+        found = endpointer.feed(pcm[at : at + PART_BYTES])
+        now_s = (at + PART_BYTES) / (2.0 * RATE)
+        ends += [(now_s, one) for one in found]
+        pause = endpointer.take_pause()
+        pauses += [(now_s, pause)] if pause is not None else []
+    ends += [(duration_s(pcm), one) for one in endpointer.finish()]
+    if not ends:
+        return None
+    end_s, whole = max(ends, key=lambda one: len(one[1].pcm))
+    early: EarlyHearing[str] = EarlyHearing()
+    free_s = 0.0
+    for when_s, one in pauses:
+        if one.begin_s == whole.begin_s:
+            began = time.process_time()
+            early.listen(one, "", ears.hear)
+            free_s = max(free_s, when_s) + time.process_time() - began
+    began = time.process_time()
+    if whole.end_s - whole.begin_s <= LONGEST_S:
+        spotter.is_stop(whole.pcm)
+    heard = early.heard(whole, "", ears.hear)
+    return heard, max(free_s, end_s) + time.process_time() - began - whole.end_s
+
+
 class Person:
     """Says commands in one voice after the other, and answers truly."""
 
-    def __init__(self, ears: Ears, snr_db: Optional[float], seed: int) -> None:
+    def __init__(self, ears: Ears, spotter: StopSpotter, snr_db: Optional[float], seed: int) -> None:
         self._ears = ears
+        self._spotter = spotter
         self._snr_db = snr_db
         self._seed = seed
         self._answers: Dict[Tuple[str, Tuple[str, str]], bytes] = {}
@@ -117,15 +153,14 @@ class Person:
             voice = voices()[number % len(voices())]
             meant = self._ears.finder.find(words)
             assert meant is not None
-            pcm = utterance_in(self._sound(" ".join(words), voice))
-            if pcm is None:
+            found = heard_in_time(self._sound(" ".join(words), voice), self._ears, self._spotter)
+            if found is None:
                 count.outcomes["not heard"] += 1
                 continue
             state, _ = step(begin(SETTINGS), Pushed(), 0.0, SETTINGS)
             state, _ = step(state, SpeechEnded(), 0.0, SETTINGS)
-            began = time.process_time()
-            heard = self._ears.hear(pcm)
-            count.seconds.append(EndpointSettings().end_s + time.process_time() - began)
+            heard, seconds = found
+            count.seconds.append(seconds)
             state, actions = step(state, Understood(heard), 0.0, SETTINGS)
             offers = state.offers if isinstance(state, Confirming) else heard.offers
             count.outcomes[
@@ -241,7 +276,7 @@ def main(argv: Optional[Sequence[str]] = None) -> int:
         if not size:
             continue
         count = Count()
-        Person(ears, snr_db, seed=7).talk(drawn(ears, size, seed=2026), count)
+        Person(ears, spotter, snr_db, seed=7).talk(drawn(ears, size, seed=2026), count)
         late = sorted(count.seconds)
         print(
             f"{name:7} {count.total:4} {count.share('right'):5.1%} {count.share('choice'):6.1%} "

@@ -2,15 +2,17 @@
 
 import time
 from dataclasses import dataclass
-from typing import Optional
+from typing import List, Optional
 
 import rospy
-from roboframenet_msgs.msg import CommandPlan, CommandSemanticFrames, Procedure, Reply
+from roboframenet_msgs.msg import CommandPlan, CommandSemanticFrames, Experience, Procedure, Reply
 
-from arbitrator.policy import Policy, PolicyError, arbitrate, load_policy
+from arbitrator.policy import Forbidden, Policy, PolicyError, arbitrate, load_policy
 from arbitrator.procedure import describe
 from arbitrator.ros_messages import any_from_message, plan_to_message, procedure_to_message
 from arbitrator.standing import STANDING
+from experience.ros_messages import snapshot_from_message
+from experience.snapshot import Snapshot
 from roboframenet_ros.health import Health
 from roboframenet_ros.parameters import ParameterError, Parameters, parameter
 from roboframenet_ros.ros_node import read_parameters, run_node
@@ -42,27 +44,41 @@ class Settings(Parameters):
 class ArbitratorNode:
     """Orders the candidates of each clause of a command.
 
-    Subscribes: ``command_semantic_frames``. Publishes: ``command_plan``, ``command_standing_order``, ``procedure``,
-    ``stage_events``.
+    Subscribes: ``command_semantic_frames``, ``experience``. Publishes: ``command_plan``, ``command_standing_order``,
+    ``procedure``, ``stage_events``.
     """
 
     def __init__(self, policy: Policy) -> None:
         self._policy = policy
+        self._known = Snapshot()
         self._command_plan = rospy.Publisher("command_plan", CommandPlan, queue_size=100)
         self._standing_order = rospy.Publisher("command_standing_order", CommandPlan, queue_size=100)
         self._procedure = rospy.Publisher("procedure", Procedure, queue_size=100)
         self._stage = Stage("arbitrator")
-        self._subscriber = rospy.Subscriber(
-            "command_semantic_frames", CommandSemanticFrames, self._on_candidates, queue_size=100
-        )
+        self._subscribers = [
+            rospy.Subscriber("experience", Experience, self._on_experience, queue_size=1),
+            rospy.Subscriber("command_semantic_frames", CommandSemanticFrames, self._on_candidates, queue_size=100),
+        ]
 
     def health(self) -> Health:
         """How the node is."""
         return Health(values={"policy": type(self._policy).__name__})
 
-    def _on_candidates(self, message: CommandSemanticFrames) -> None:
+    def _on_experience(self, message: Experience) -> None:
         try:
-            plan = arbitrate(any_from_message(message.plan), self._policy)
+            self._known = snapshot_from_message(message)
+        except ValueError as error:
+            rospy.logerr_throttle(10.0, f"what is known of servers is malformed: {error}")
+
+    def _on_candidates(self, message: CommandSemanticFrames) -> None:
+        known = self._known
+        trace: List[str] = []
+        try:
+            self._policy.learn(known)
+            plan = arbitrate(any_from_message(message.plan), self._policy, known.rules, trace=trace)
+        except Forbidden as reason:
+            self._stage.ends(message.command, outcome=Reply.REFUSED, code="FORBIDDEN", sentence=str(reason))
+            return
         except (ValueError, PolicyError) as error:
             rospy.logerr("cmd=%s cannot be arbitrated: %s", message.command.id, error)
             self._stage.ends(
@@ -85,7 +101,7 @@ class ArbitratorNode:
             )
             return
         # The event is published first, so that observers receive the events of the stages in order.
-        self._stage.passes_on(message.command, sentence)
+        self._stage.passes_on(message.command, sentence, trace="\n".join(trace))
         ordered = plan_to_message(plan)
         ordered.beginning = message.plan.beginning
         topic.publish(CommandPlan(command=message.command, plan=ordered))

@@ -7,7 +7,11 @@ import types
 import pytest
 
 from arbitrator.plan import Candidate, Do, InSequence
-from arbitrator.policy import POLICIES, Policy, PolicyError, arbitrate, load_policy, order
+from arbitrator.policy import POLICIES, Forbidden, LearnedPolicy, Policy, PolicyError, arbitrate, load_policy, order
+from experience.known import learned_from
+from experience.rules import Rule, RuleKind
+from experience.snapshot import Snapshot
+from experience.trial import Circumstances, Outcome, Trial
 from typed_arguments import FilledFrame
 
 
@@ -150,3 +154,99 @@ def test_clauses_are_ordered_each_for_itself():
         ["a", "b"],
     ]
     assert (plan.label, inner.label, plan.children[0].label) == ("all", "inner", "one")
+
+
+def tried(name, place, *outcomes, took_s=1.0):
+    """Trials of the server of a candidate of `make_candidate`."""
+    about = Circumstances(place=place)
+    return [
+        Trial("c", "", 0.0, name, f"{name}_server", "", about, took_s, Outcome.SUCCEEDED if one else Outcome.FAILED)
+        for one in outcomes
+    ]
+
+
+def learned(trials, **known):
+    policy = LearnedPolicy(seed=1)
+    policy.learn(Snapshot(learned_from(trials), **known))
+    return policy
+
+
+A, B = make_candidate("arm_a"), make_candidate("arm_b")
+IN_KITCHEN = tried("arm_a", "kitchen", *[0, 0, 1, 0, 0, 1, 0, 0, 0]) + tried("arm_a", "office", *[1] * 9)
+
+
+def test_learned_policy_without_experience_is_the_order_of_the_registrar():
+    policy = learned([])
+    assert names(order(MANY, policy)) == names(MANY)
+    assert policy.reason() == ""
+
+
+def test_learned_policy_asks_the_server_first_that_works_here():
+    trials = IN_KITCHEN + tried("arm_b", "kitchen", 1, 1, 0, 1)
+    policy = learned(trials, place="kitchen")
+    trace = []
+    assert names(order([A, B], policy, trace=trace)) == ["arm_b", "arm_a"]
+    assert trace == ["policy: I asked arm_b_server first: arm_a_server failed 7 of 9 times in the kitchen."]
+    assert names(order([A, B], learned(trials, place="office"))) == ["arm_a", "arm_b"]
+
+
+def test_learned_policy_asks_the_faster_one_of_two_that_work():
+    trials = tried("arm_a", "", *[1] * 6, took_s=20.0) + tried("arm_b", "", *[1] * 6, took_s=2.0)
+    assert names(order([A, B], learned(trials))) == ["arm_b", "arm_a"]
+
+
+def test_sequence_is_as_good_as_its_frames_together():
+    pair = Candidate(A.frames + B.frames)
+    short = make_candidate("direct")
+    trials = [
+        *tried("arm_a", "", *[1] * 6),
+        *tried("arm_b", "", *[1, 0] * 6),
+        *tried("direct", "", *[1, 1, 0, 1] * 3),
+    ]
+    assert order([pair, short], learned(trials)) == (short, pair)
+
+
+def test_learned_policy_explores_only_where_failing_harms_nothing():
+    known, new = tried("arm_a", "", *[0, 1] * 6, took_s=10.0), make_candidate("arm_c")
+    assert names(order([new, A], learned(known))) == ["arm_a", "arm_c"]
+    explorable = frozenset(["arm_a", "arm_c"])
+    assert names(order([A, new], learned(known, explorable=explorable))) == ["arm_c", "arm_a"]
+
+
+def test_learned_policy_stays_inside_the_reading():
+    trials = tried("arm_a", "", *[0] * 9) + tried("arm_b", "", *[1] * 9)
+    likelier = make_candidate("arm_a", coverage=0.5)
+    other = make_candidate("arm_b", preference=1)
+    assert names(order([other, likelier], learned(trials))) == ["arm_a", "arm_b"]
+
+
+def test_same_knowledge_gives_the_same_order():
+    trials = [trial for one in MANY for trial in tried(one.frames[0].name, "", 1, len(one.frames[0].name) % 2)]
+    assert names(order(MANY, learned(trials))) == names(order(MANY, learned(trials)))
+
+
+@pytest.mark.parametrize("name", sorted(POLICIES))
+def test_forbidden_server_is_no_candidate_under_any_policy(name):
+    rule = Rule("r", RuleKind.NEVER, "arm_a", said="Never use arm_a.")
+    trace = []
+    plan = arbitrate(Do("take", (A, B)), load_policy(name, seed=1), [rule], trace=trace)
+    assert names(plan.candidates) == ["arm_b"]
+    assert "rule: never arm_a: 2 -> 1 candidates" in trace
+
+
+def test_rule_never_turns_a_command_into_another_reading():
+    rule = Rule("r", RuleKind.NEVER, "arm_a", said="Never use arm_a.")
+    other = make_candidate("arm_b", preference=1)
+    with pytest.raises(Forbidden, match=r'you said: "Never use arm_a\."'):
+        arbitrate(Do("take", (A, other)), load_policy("in_order"), [rule])
+
+
+@pytest.mark.parametrize("name", sorted(POLICIES))
+def test_wanted_server_comes_first_in_its_tier(name):
+    rule = Rule("r", RuleKind.FIRST, "the arm b", is_once=True, said="Next time use arm b.")
+    likelier = make_candidate("arm_c", preference=0)
+    plan = arbitrate(Do("take", (A, B)), load_policy(name, seed=1), [rule])
+    assert names(plan.candidates) == ["arm_b", "arm_a"]
+    lower = make_candidate("arm_b", preference=1)
+    plan = arbitrate(Do("take", (lower, likelier)), load_policy(name, seed=1), [rule])
+    assert names(plan.candidates) == ["arm_c", "arm_b"]

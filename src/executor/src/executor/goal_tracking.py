@@ -118,6 +118,7 @@ class Goal:
         outcome: only when ended
         reason: why it did not succeed, a clause that follows the name of the server; empty for success
         is_orphaned: the goal ended here but the server never said that it stopped
+        is_withheld: the executor did not try the server: it is out of use, or the command has no time left
     """
 
     server: str
@@ -133,6 +134,7 @@ class Goal:
     outcome: Optional[Outcome] = None
     reason: str = ""
     is_orphaned: bool = False
+    is_withheld: bool = False
 
     @property
     def is_ended(self) -> bool:
@@ -288,6 +290,11 @@ def next_deadline_s(goal: Goal) -> float:
 def fail_unsent(server: str, deadlines: GoalDeadlines, reason: str, *, now_s: float) -> Goal:
     """Return a goal that could not be sent."""
     return _end(send(server, deadlines, now_s=now_s), Outcome.FAILED, reason)
+
+
+def withhold(server: str, deadlines: GoalDeadlines, reason: str, *, now_s: float) -> Goal:
+    """Return a goal that is not to be sent: the server is out of use, or the command has no time left."""
+    return replace(fail_unsent(server, deadlines, reason, now_s=now_s), is_withheld=True)
 
 
 def preempt_unsent(server: str, deadlines: GoalDeadlines, *, now_s: float) -> Goal:

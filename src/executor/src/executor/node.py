@@ -11,7 +11,7 @@ from dataclasses import dataclass
 from typing import Dict, FrozenSet, Optional, Set, Union
 
 import rospy
-from roboframenet_msgs.msg import Command, CommandPlan, StopReport
+from roboframenet_msgs.msg import Command, CommandPlan, StopReport, TriedFrame
 
 import smach
 from arbitrator.plan import Do, Plan, walk
@@ -37,6 +37,7 @@ from executor.ros_introspection import Introspection
 from executor.ros_master_watch import MasterWatch
 from executor.ros_running_goals import RunningGoals
 from executor.ros_server_profiles import ServerProfiles
+from executor.ros_tried_frames import tried_frame
 from roboframenet_ros.health import Health, Level
 from roboframenet_ros.parameters import Parameters, parameter
 from roboframenet_ros.ros_node import read_parameters, run_node
@@ -152,8 +153,8 @@ _Event = Union[CommandPlan, StopReport, Command, _Note, _RunEnded, _MasterLost, 
 class ExecutorNode:
     """Carries out plans.
 
-    Subscribes: ``command_plan``, ``command_cancel``, ``stop_report``, ``frame_servers``. Publishes: ``stage_events``.
-    Calls the action servers that the plans name.
+    Subscribes: ``command_plan``, ``command_cancel``, ``stop_report``, ``frame_servers``. Publishes: ``stage_events``,
+    ``tried_frames``. Calls the action servers that the plans name.
     """
 
     def __init__(self, settings: Settings, *, private: str = "~") -> None:
@@ -177,6 +178,7 @@ class ExecutorNode:
         self._runs: Dict[str, CommandRun] = {}
         self._next_event_s = 0.0
         self._inbox: queue.Queue[_Event] = queue.Queue()
+        self._tried = rospy.Publisher("tried_frames", TriedFrame, queue_size=1000)
         self._stage = Stage("executor")
         self._worker = threading.Thread(target=self._work, name="executor_worker")
 
@@ -323,6 +325,7 @@ class ExecutorNode:
             profiles=self._profiles,
             longest_wait_s=self._settings.longest_wait_s,
             on_note=lambda sentence: self._inbox.put(_Note(run, sentence)),
+            on_tried=lambda *tried: self._tried.publish(tried_frame(order.job.command, *tried)),
             on_end=lambda ended, result: self._inbox.put(_RunEnded(ended, result)),
             # One machine at a time is shown.
             introspection=_HIDDEN if self._runs else self._introspection,

@@ -127,7 +127,7 @@ class ActionStep(smach.State):
             return tracking.preempt_unsent(server, deadlines, now_s=began_s)
         refusal = self._context.patience.refusal() or self._context.quarantine.refusal(server)
         if refusal:
-            return tracking.fail_unsent(server, deadlines, refusal, now_s=began_s)
+            return tracking.withhold(server, deadlines, refusal, now_s=began_s)
         try:
             connection = self._context.clients.get(server, timeout_s=deadlines.acceptance_s)
         except ValueError as error:

@@ -63,6 +63,7 @@ class CommandRun:
         profiles: ServerProfiles,
         longest_wait_s: float,
         on_note: Callable[[str], None],
+        on_tried: Callable[[FilledFrame, int, Goal, float], None],
         on_end: Callable[["CommandRun", RunResult], None],
         introspection: Introspection,
         suspension: SuspensionWatch,
@@ -80,12 +81,15 @@ class CommandRun:
             profiles: what the servers stated when they registered
             longest_wait_s: after which a wait for a condition fails, if it does not say a limit
             on_note: called from the thread of the run with a sentence for each step
+            on_tried: called from the threads of the run with each frame that has ended, the number of its clause, its
+                goal, and how long it took, seconds
             on_end: called with the result, last, from the thread of the run
             introspection: of the machine
             suspension: whether this process has just been resumed
         """
         self._plan = plan
         self._on_note = on_note
+        self._on_tried = on_tried
         self._longest_wait_s = longest_wait_s
         self._watches = WatchContext(clients, running_goals, deadlines, profiles.longest_silence_s, on_note)
         self._on_end = on_end
@@ -159,13 +163,15 @@ class CommandRun:
 
     def _end_step(self, frame: FilledFrame, number: int, goal: Goal) -> None:
         with self._lock:
-            self._steps.pop(frame, None)
-            self._since_s = time.monotonic()
+            now_s = time.monotonic()
+            took_s = now_s - self._steps.pop(frame, now_s)
+            self._since_s = now_s
             is_over = self._is_without_master and not self._steps
         if is_over:
             # Before the machine goes on.
             self.preempt()
         self._record.hear_goal(number, goal)
+        self._on_tried(frame, number, goal, took_s)
         how = f"{frame.server} {goal.reason}" if goal.reason else f"{frame.server} has done {frame.name}"
         rospy.loginfo("%s -> %s: %s", frame.name, goal.outcome.value, how)
         self._on_note(as_sentence(f"The server {how}"))

@@ -33,6 +33,7 @@ from roboframenet_ros.ros_hand_over import HandOver
 from roboframenet_ros.ros_node import StartError, read_parameters, run_node
 from roboframenet_ros.ros_publishing import publish
 from roboframenet_ros.ros_stage import Stage
+from roboframenet_ros.sqlite_file import StoreError
 from standing_orders.book import Book, Change
 from standing_orders.matching import orders_meant
 from standing_orders.order import Firing
@@ -41,7 +42,7 @@ from standing_orders.ros_watches import Watches
 from standing_orders.schedule import NoSchedule, zone_of
 from standing_orders.sentences import listing
 from standing_orders.settings import Settings
-from standing_orders.store import Store, StoreError
+from standing_orders.store import Store
 
 #: The frames of the server, which answers beside what runs.
 LISTING, FORGETTING, RESUMING = "question_of_standing_orders", "forgetting_an_order", "resuming_orders"

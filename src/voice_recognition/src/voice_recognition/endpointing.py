@@ -26,6 +26,7 @@ class EndpointSettings:
         begin_db: it begins so many decibels above the noise
         end_db: and has ended below so many
         end_s: seconds of quiet that end it
+        pause_s: seconds of quiet after which it may have ended
         before_s: seconds before its beginning that belong to it
         shortest_s: seconds of the shortest utterance
         longest_s: seconds after which it is cut off
@@ -36,6 +37,7 @@ class EndpointSettings:
     begin_db: float = 7.0
     end_db: float = 4.5
     end_s: float = 0.4
+    pause_s: float = 0.2
     before_s: float = 0.5
     shortest_s: float = 0.15
     longest_s: float = 12.0
@@ -78,6 +80,7 @@ class Endpointer:
         self._loud: Deque[bool] = deque(maxlen=_OF)
         self._said: List[bytes] = []
         self._begin = self._last_loud = 0
+        self._pause: Optional[Utterance] = None
 
     @property
     def is_speaking(self) -> bool:
@@ -109,6 +112,14 @@ class Endpointer:
         self._rest = self._rest[whole:]
         return tuple(found)
 
+    def take_pause(self) -> Optional[Utterance]:
+        """Return, once, what was said before a pause that may end the utterance; None when it has ended or goes on.
+
+        When it ends, it has the same ``begin_s`` and ``end_s``.
+        """
+        pause, self._pause = self._pause, None
+        return pause
+
     def finish(self) -> Tuple[Utterance, ...]:
         """End the stream; return the utterance that had not ended."""
         return tuple(one for one in [self._end(is_cut=False)] if one is not None) if self._said else ()
@@ -128,18 +139,26 @@ class Endpointer:
             return None
         self._said.append(frame)
         if level > noise + settings.end_db:
-            self._last_loud = self._frames
-        if (self._frames - self._last_loud) * FRAME_S >= settings.end_s - 1e-9:
+            self._last_loud, self._pause = self._frames, None
+        quiet = self._frames - self._last_loud
+        if quiet == round(settings.pause_s / FRAME_S):
+            self._pause = self._utterance(is_cut=False)
+        if quiet * FRAME_S >= settings.end_s - 1e-9:
             return self._end(is_cut=False)
         if len(self._said) * FRAME_S >= settings.longest_s:
             return self._end(is_cut=True)
         return None
 
     def _end(self, *, is_cut: bool) -> Optional[Utterance]:
-        said, self._said = self._said, []
+        found = self._utterance(is_cut=is_cut)
+        self._said = []
+        self._pause = None
         self._before.clear()
         self._loud.clear()
+        return found
+
+    def _utterance(self, *, is_cut: bool) -> Optional[Utterance]:
         begin_s, end_s = self._begin * FRAME_S, self._last_loud * FRAME_S
         if end_s - begin_s < self._settings.shortest_s:
             return None
-        return Utterance(b"".join(said), begin_s, end_s, is_cut)
+        return Utterance(b"".join(self._said), begin_s, end_s, is_cut)

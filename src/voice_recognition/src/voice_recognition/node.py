@@ -39,6 +39,7 @@ from voice_recognition.dialogue import (
     Tick,
     Understood,
 )
+from voice_recognition.early_hearing import EarlyHearing
 from voice_recognition.ears import Ears, answers, make_shipped_ears
 from voice_recognition.endpointing import Endpointer, Utterance
 from voice_recognition.live_language import Knowledge, LanguageMaker
@@ -87,6 +88,7 @@ class VoiceRecognition:
         self._speakers: Dict[str, float] = {}
         self._said = ""
         self._ears: Optional[Ears] = None
+        self._early: EarlyHearing[Tuple[dialogue.State, Ears]] = EarlyHearing()
         self._reply_ears: Optional[ReplyEars] = None
         self._knowledge = Knowledge()
         self._changed_at: Optional[float] = None
@@ -333,6 +335,7 @@ class VoiceRecognition:
                     self._later(lambda part=part: self._look_for_stop(spotter, part))
                 for utterance in endpointer.feed(part):
                     self._on_utterance(spotter, utterance)
+                self._on_pause(endpointer.take_pause())
         finally:
             microphone.close()
         return has_sound
@@ -350,23 +353,41 @@ class VoiceRecognition:
         if utterance.end_s - utterance.begin_s <= LONGEST_S and not is_own:
             self._later(lambda: self._check_for_stop(spotter, utterance))
         with self._lock:
-            ears, state = self._ears, self._state
-            if ears is None or not dialogue.hears(state):
+            searches = self._searches()
+            if searches is None:
                 return
-            hear = ears.hear_answer if isinstance(state, Confirming) else ears.hear
-            replies = self._reply_ears
-            if isinstance(state, Replying) and replies is not None:
-                hear = functools.partial(replies.hear, commands=ears)
             self._happened(SpeechEnded())
-        self._later(lambda: self._understand(hear, utterance))
+        how, hear = searches
+        self._later(lambda: self._understand(utterance, how, hear))
+
+    def _on_pause(self, utterance: Optional[Utterance]) -> None:
+        """Begin the searches when an utterance may have ended; what they hear counts if nobody speaks on."""
+        with self._lock:
+            searches = self._searches()
+        if utterance is not None and searches is not None:
+            how, hear = searches
+            self._later(lambda: self._early.listen(utterance, how, hear))
+
+    def _searches(self) -> Optional[Tuple[Tuple[dialogue.State, Ears], Callable[[bytes], Heard]]]:
+        """Return what a sound is heard for now, and the searches; None when nothing but a stop is heard."""
+        ears, state = self._ears, self._state
+        if ears is None or not dialogue.hears(state):
+            return None
+        hear = ears.hear_answer if isinstance(state, Confirming) else ears.hear
+        replies = self._reply_ears
+        if isinstance(state, Replying) and replies is not None:
+            hear = functools.partial(replies.hear, commands=ears)
+        return (state, ears), hear
 
     def _check_for_stop(self, spotter: StopSpotter, utterance: Utterance) -> None:
         if spotter.is_stop(utterance.pcm):
             self._happened(Stopped())
 
-    def _understand(self, hear: Callable[[bytes], Heard], utterance: Utterance) -> None:
+    def _understand(
+        self, utterance: Utterance, how: Tuple[dialogue.State, Ears], hear: Callable[[bytes], Heard]
+    ) -> None:
         began = time.monotonic()
-        heard = hear(utterance.pcm)
+        heard = self._early.heard(utterance, how, hear)
         self._tell(heard, time.monotonic() - began)
         self._happened(Understood(heard))
 

@@ -36,6 +36,21 @@ def test_one_utterance_is_found_in_any_room(level: float, seed: int) -> None:
     assert not found.is_cut
 
 
+def test_a_pause_is_told_before_the_end_with_the_same_times() -> None:
+    endpointer = Endpointer(DEFAULT)
+    pcm = noise(1.5, 10.0) + voice(0.5, 3000.0) + noise(0.26, 10.0) + voice(0.5, 3000.0, 5) + noise(1.0, 10.0)
+    found, pauses = [], []
+    for at in range(0, len(pcm), 640):
+        found += endpointer.feed(pcm[at : at + 640])
+        pause = endpointer.take_pause()
+        pauses += [(pause, len(found))] if pause is not None else []
+    (whole,) = found
+    inside, last = pauses
+    assert inside[0].end_s < last[0].end_s == whole.end_s and inside[0].begin_s == last[0].begin_s == whole.begin_s
+    assert whole.pcm.startswith(last[0].pcm) and last[1] == 0
+    assert endpointer.take_pause() is None
+
+
 def test_a_pause_inside_does_not_end_it_and_a_longer_one_does() -> None:
     words = [voice(0.5, 3000.0), voice(0.5, 3000.0, 5)]
     assert len(utterances(noise(1, 20) + words[0] + noise(0.25, 20) + words[1] + noise(1, 20))) == 1

@@ -35,9 +35,9 @@ def _spotter() -> StopSpotter:
     return StopSpotter(model_dictionary())
 
 
-def test_clean_sentences_are_right_or_asked_again(ears: Ears) -> None:
+def test_clean_sentences_are_right_or_asked_again(ears: Ears, spotter: StopSpotter) -> None:
     count = figures.Count()
-    figures.Person(ears, None, seed=7).talk(figures.drawn(ears, 400, seed=2026), count)
+    figures.Person(ears, spotter, None, seed=7).talk(figures.drawn(ears, 400, seed=2026), count)
     assert count.share("right") >= 0.75
     assert count.share("asked again", "not heard") <= 0.2
     assert count.share("wrong") <= 0.05
@@ -45,9 +45,9 @@ def test_clean_sentences_are_right_or_asked_again(ears: Ears) -> None:
 
 
 @pytest.mark.parametrize("snr_db", [20.0, 10.0, 5.0])
-def test_no_wrong_motion_begins_in_noise(ears: Ears, snr_db: float) -> None:
+def test_no_wrong_motion_begins_in_noise(ears: Ears, spotter: StopSpotter, snr_db: float) -> None:
     count = figures.Count()
-    figures.Person(ears, snr_db, seed=7).talk(figures.drawn(ears, 200, seed=2027), count)
+    figures.Person(ears, spotter, snr_db, seed=7).talk(figures.drawn(ears, 200, seed=2027), count)
     assert count.total == 200 and count.wrong_motions == 0
 
 

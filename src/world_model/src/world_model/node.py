@@ -14,12 +14,13 @@ from roboframenet_ros.parameters import Parameters, parameter
 from roboframenet_ros.ros_node import StartError, read_parameters, run_node
 from roboframenet_ros.ros_place import Place
 from roboframenet_ros.ros_publishing import publish
+from roboframenet_ros.sqlite_file import StoreError
 from semantic_frames import FileRefused, Problem
 from semantic_frames.source_files import read_text
 from world_model.knowledge import Knowledge, Refused
 from world_model.names import known_names
 from world_model.ros_messages import pose_from_message, update_from_message, world_to_message
-from world_model.store import Store, StoreError
+from world_model.store import Store
 from world_model.world import snapshot
 from world_model.world_file import load_world_file
 from world_model.world_object import ROBOT_ID, Pose, Sort, WorldObject

@@ -1,24 +1,25 @@
 """Keeps what was learned in a SQLite file: what was acknowledged survives a killed process and a power cut."""
 
 import json
-import os
 import sqlite3
 import uuid
 from dataclasses import asdict
 from typing import Any, Dict, List, Mapping, Tuple
 
-from roboframenet_ros.unreadable_file import set_aside
+from roboframenet_ros.sqlite_file import SqliteFile
 from world_model.knowledge import Change, Learned
 from world_model.world_object import Pose, Relation, Sort, WorldObject, mistakes
 
 #: Written into the file; another number is a file of another program or version.
 SCHEMA = 1
-#: How long to wait for a lock of another process, seconds.
-_LOCK_TIMEOUT_S = 5.0
 
 
-class StoreError(RuntimeError):
-    """What was learned cannot be written or read; the message names the file and the reason."""
+def _create(connection: sqlite3.Connection) -> None:
+    connection.execute("CREATE TABLE IF NOT EXISTS learned (id TEXT PRIMARY KEY, entry TEXT NOT NULL)")
+    connection.execute("CREATE TABLE IF NOT EXISTS version (store TEXT NOT NULL, number INTEGER NOT NULL)")
+    if connection.execute("SELECT count(*) FROM version").fetchone() != (1,):
+        connection.execute("DELETE FROM version")
+        connection.execute("INSERT INTO version VALUES (?, 0)", (uuid.uuid4().hex[:8],))
 
 
 class Store:
@@ -36,45 +37,8 @@ class Store:
         Raises:
             StoreError: no file can be made there
         """
-        self.problems: Tuple[str, ...] = ()
-        self._path = path
-        try:
-            if path != ":memory:":
-                os.makedirs(os.path.dirname(os.path.abspath(path)), exist_ok=True)
-            try:
-                self._open()
-            except sqlite3.OperationalError:
-                # A locked or unreachable file is not corrupt.
-                raise
-            except sqlite3.DatabaseError as error:
-                aside = set_aside(path, journals=("-wal", "-shm"))
-                self.problems += (f"{path} cannot be read ({error}): it is kept as {aside}, and a new one begins",)
-                self._open()
-        except (OSError, sqlite3.Error) as error:
-            raise StoreError(f"{path} cannot be opened: {error}") from error
-
-    def _open(self) -> None:
-        self._file = sqlite3.connect(self._path, timeout=_LOCK_TIMEOUT_S, isolation_level=None, check_same_thread=False)
-        try:
-            self._file.execute("PRAGMA journal_mode=WAL").fetchall()
-            self._file.execute("PRAGMA synchronous=FULL")
-            (verdict,) = self._file.execute("PRAGMA quick_check(1)").fetchone()
-            (schema,) = self._file.execute("PRAGMA user_version").fetchone()
-            if verdict != "ok":
-                raise sqlite3.DatabaseError(verdict)
-            if schema not in (0, SCHEMA):
-                raise sqlite3.DatabaseError(f"its format is {schema}, and {SCHEMA} is known")
-            self._file.execute("BEGIN IMMEDIATE")
-            self._file.execute("CREATE TABLE IF NOT EXISTS learned (id TEXT PRIMARY KEY, entry TEXT NOT NULL)")
-            self._file.execute("CREATE TABLE IF NOT EXISTS version (store TEXT NOT NULL, number INTEGER NOT NULL)")
-            if self._file.execute("SELECT count(*) FROM version").fetchone() != (1,):
-                self._file.execute("DELETE FROM version")
-                self._file.execute("INSERT INTO version VALUES (?, 0)", (uuid.uuid4().hex[:8],))
-            self._file.execute(f"PRAGMA user_version={SCHEMA}")
-            self._file.execute("COMMIT")
-        except sqlite3.Error:
-            self._file.close()
-            raise
+        self._file = SqliteFile(path, schema=SCHEMA, create=_create, is_every_change_synced=True)
+        self.problems = self._file.problems
 
     def load(self) -> Dict[str, Learned]:
         """Return what was learned, by id; an entry that cannot be read is left out and becomes a problem.
@@ -83,15 +47,13 @@ class Store:
             StoreError: the file cannot be read
         """
         found: Dict[str, Learned] = {}
-        try:
-            rows = self._file.execute("SELECT id, entry FROM learned ORDER BY id").fetchall()
-        except sqlite3.Error as error:
-            raise StoreError(f"{self._path} cannot be read: {error}") from error
+        with self._file.reading() as connection:
+            rows = connection.execute("SELECT id, entry FROM learned ORDER BY id").fetchall()
         for name, entry in rows:
             try:
                 found[name] = _from_text(name, entry)
             except (ValueError, TypeError, KeyError) as error:
-                self.problems += (f"{self._path}: the entry of {name!r} is left out: {error}",)
+                self.problems += (f"{self._file.path}: the entry of {name!r} is left out: {error}",)
         return found
 
     def next_version(self) -> str:
@@ -111,19 +73,11 @@ class Store:
             StoreError: it was not stored
         """
         entries: List[Tuple[str, str]] = [(name, _to_text(learned)) for name, learned in change.learned.items()]
-        try:
-            self._file.execute("BEGIN IMMEDIATE")
-            try:
-                self._file.executemany("DELETE FROM learned WHERE id = ?", [(name,) for name in change.forgotten])
-                self._file.executemany("INSERT OR REPLACE INTO learned VALUES (?, ?)", entries)
-                self._file.execute("UPDATE version SET number = number + 1")
-                store, number = self._file.execute("SELECT store, number FROM version").fetchone()
-                self._file.execute("COMMIT")
-            finally:
-                if self._file.in_transaction:
-                    self._file.execute("ROLLBACK")
-        except sqlite3.Error as error:
-            raise StoreError(f"{self._path} cannot be written: {error}") from error
+        with self._file.change() as connection:
+            connection.executemany("DELETE FROM learned WHERE id = ?", [(name,) for name in change.forgotten])
+            connection.executemany("INSERT OR REPLACE INTO learned VALUES (?, ?)", entries)
+            connection.execute("UPDATE version SET number = number + 1")
+            store, number = connection.execute("SELECT store, number FROM version").fetchone()
         return f"{store}-{number}"
 
     def close(self) -> None:

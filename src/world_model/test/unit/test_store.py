@@ -8,9 +8,10 @@ from pathlib import Path
 
 import pytest
 
+from roboframenet_ros.sqlite_file import StoreError
 from world_model import Pose, Relation, WorldObject
 from world_model.knowledge import Change, Learned
-from world_model.store import Store, StoreError
+from world_model.store import Store
 
 MUG = WorldObject("mug_1", attributes=("red",), pose=Pose("map", 1.0, 2.0), relations=(Relation("on", "table_1"),))
 WRITER = Path(__file__).resolve().parent.parent / "memory_writer.py"
@@ -57,7 +58,7 @@ def test_wrong_entry_is_left_out_by_name(tmp_path) -> None:
     path = str(tmp_path / "world.sqlite")
     store = Store(path)
     store.write(Change({"mug_1": Learned(MUG)}))
-    store._file.execute("INSERT INTO learned VALUES ('cup', '{}')")
+    store._file.connection.execute("INSERT INTO learned VALUES ('cup', '{}')")
     assert set(store.load()) == {"mug_1"}
     assert "'cup'" in store.problems[0]
 

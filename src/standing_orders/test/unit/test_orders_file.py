@@ -5,9 +5,10 @@ from datetime import datetime, time
 
 import pytest
 
+from roboframenet_ros.sqlite_file import StoreError
 from standing_orders.order import StandingOrder
 from standing_orders.schedule import After, Daily, Every, Once
-from standing_orders.store import Store, StoreError
+from standing_orders.store import Store
 
 ORDERS = [
     StandingOrder(

@@ -1,0 +1,1 @@
+"""Remembers what was tried, and what came of it."""

@@ -1,0 +1,59 @@
+"""How often something succeeds, as a belief that forgets.
+
+The rate is unknown and may jump at any time: a server breaks, or is mended. Bayes' rule on a few rates is exact for
+that: each trial multiplies the belief by its likelihood, and each step of time moves a share of it back to the prior.
+Many trials make it sharp, a few that contradict it overturn it, and without trials it becomes open again.
+"""
+
+from typing import Sequence, Tuple
+
+#: The rates that are told apart.
+RATES = (0.02, 0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9, 0.98)
+Belief = Tuple[float, ...]
+#: Nothing is known: every rate is as likely.
+OPEN: Belief = (1.0 / len(RATES),) * len(RATES)
+_SQUARES = tuple(rate * rate for rate in RATES)
+_FAILURES = tuple(1.0 - rate for rate in RATES)
+
+
+def aged(belief: Belief, steps: int, *, hazard: float) -> Belief:
+    """Return a belief after some steps without a trial.
+
+    Args:
+        belief: before
+        steps: 0 or more
+        hazard: probability that the rate jumps in a step
+    """
+    if steps <= 0:
+        return belief
+    kept = (1.0 - hazard) ** steps
+    rest = (1.0 - kept) / len(RATES)
+    return tuple([kept * share + rest for share in belief])
+
+
+def after(belief: Belief, *, succeeded: bool) -> Belief:
+    """Return a belief after a trial."""
+    likelihoods = RATES if succeeded else _FAILURES
+    shares = [share * likelihood for share, likelihood in zip(belief, likelihoods)]
+    total = sum(shares)
+    return tuple([share / total for share in shares])
+
+
+def mean(belief: Belief) -> float:
+    """Return the expected rate."""
+    return sum([share * rate for share, rate in zip(belief, RATES)])
+
+
+def moments(belief: Belief) -> Tuple[float, float]:
+    """Return the expected rate, and the expected square of it."""
+    return mean(belief), sum([share * square for share, square in zip(belief, _SQUARES)])
+
+
+def mixed(weighted: Sequence[Tuple[float, Belief]]) -> Belief:
+    """Return the mean of beliefs; the weights need not sum to 1, but one of them is positive."""
+    total = sum(weight for weight, _ in weighted)
+    found = [0.0] * len(RATES)
+    for weight, belief in weighted:
+        share = weight / total
+        found = [one + share * other for one, other in zip(found, belief)]
+    return tuple(found)

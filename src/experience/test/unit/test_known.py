@@ -1,0 +1,83 @@
+"""What is known from trials: it is learned from few, depends on what matters, and is forgotten."""
+
+from dataclasses import replace
+from typing import List
+
+import pytest
+
+from experience.belief import OPEN, aged, mean
+from experience.known import MOST_CELLS, MOST_SUBJECTS, Aspect, Experience, Subject, learned_from
+from experience.trial import Circumstances, Judgement, Outcome, Trial
+
+KITCHEN, OFFICE = Circumstances(kinds="theme=cup", place="kitchen"), Circumstances(kinds="theme=cup", place="office")
+ARM = Subject("grasping", "/arm_a")
+TRIAL = Trial("c", "", 0.0, "grasping", "/arm_a", "", KITCHEN, 4.0, Outcome.SUCCEEDED)
+FAILED = replace(TRIAL, outcome=Outcome.FAILED)
+
+
+def rate(trials: List[Trial], about: Circumstances = KITCHEN) -> float:
+    return learned_from(trials).expect(ARM, about).rate
+
+
+def test_untried_server_is_expected_to_succeed_as_often_as_not() -> None:
+    assert rate([]) == pytest.approx(0.5)
+
+
+def test_few_trials_are_enough() -> None:
+    assert rate([TRIAL] * 3) > 0.75
+    assert rate([FAILED] * 3) < 0.25
+
+
+def test_three_failures_overturn_twenty_successes() -> None:
+    assert rate([TRIAL] * 20) > 0.9
+    assert rate([TRIAL] * 20 + [FAILED] * 3) < 0.5
+
+
+def test_what_was_not_tried_for_long_is_open_again() -> None:
+    others = [replace(TRIAL, server="/arm_b")] * 200
+    assert 0.3 < rate([FAILED] * 20 + others) < 0.5
+
+
+def test_server_that_fails_in_one_room_is_known_by_the_room() -> None:
+    there = replace(TRIAL, circumstances=OFFICE)
+    trials = [FAILED, there] * 8
+    assert rate(trials, KITCHEN) < 0.3
+    assert rate(trials, OFFICE) > 0.7
+    known = learned_from(trials).expect(ARM, KITCHEN)
+    assert known.aspect is Aspect.PLACE
+    assert known.cell is not None and known.cell.recent == (False,) * 8
+
+
+def test_server_that_fails_everywhere_is_avoided_in_a_new_room() -> None:
+    assert rate([FAILED] * 6 + [replace(FAILED, circumstances=OFFICE)] * 6, Circumstances(place="hall")) < 0.35
+
+
+def test_person_counts_more_than_the_server() -> None:
+    assert rate([replace(TRIAL, judgement=Judgement.WRONG)] * 3) < 0.25
+    assert rate([replace(FAILED, judgement=Judgement.RIGHT)] * 3) > 0.75
+
+
+def test_trial_that_others_ended_says_nothing() -> None:
+    assert learned_from([replace(TRIAL, outcome=Outcome.ENDED_BY_OTHERS)] * 5).records == {}
+
+
+def test_time_is_learned() -> None:
+    found = learned_from([TRIAL] * 10 + [replace(TRIAL, took_s=12.0)] * 10).expect(ARM, KITCHEN)
+    assert found.took_s is not None and 11.0 < found.took_s < 12.0
+
+
+def test_what_is_known_is_bounded() -> None:
+    known = Experience()
+    for number in range(300):
+        known.hear(replace(TRIAL, server=f"/s{number}"))
+        known.hear(replace(TRIAL, circumstances=Circumstances(place=f"room {number}")))
+    assert len(known.records) == MOST_SUBJECTS
+    assert Subject("grasping", "/s299") in known.records and Subject("grasping", "/s5") not in known.records
+    assert len(known.records[ARM].cells) == MOST_CELLS
+    assert (0, "") in known.records[ARM].cells
+
+
+def test_belief_without_trials_becomes_open() -> None:
+    sharp = (0.0,) * 10 + (1.0,)
+    assert mean(aged(sharp, 5, hazard=0.01)) > 0.9
+    assert aged(sharp, 10_000, hazard=0.01) == pytest.approx(OPEN)

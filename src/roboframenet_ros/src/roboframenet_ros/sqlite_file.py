@@ -1,0 +1,114 @@
+"""A SQLite file that survives kill -9: a journal, a check when it is opened, and whole changes."""
+
+import contextlib
+import os
+import sqlite3
+from typing import Callable, Iterator, Tuple
+
+from roboframenet_ros.unreadable_file import set_aside
+
+#: How long to wait for a lock of another process, seconds.
+_LOCK_TIMEOUT_S = 5.0
+
+
+class StoreError(RuntimeError):
+    """The file cannot be written or read; the message names it and the reason."""
+
+
+class SqliteFile:
+    """The file. One thread at a time uses it.
+
+    Attributes:
+        path: of the file
+        problems: what was wrong with it when it was opened; it was set aside
+        connection: to the file, in a state where each statement is a change of its own
+    """
+
+    def __init__(
+        self, path: str, *, schema: int, create: Callable[[sqlite3.Connection], None], is_every_change_synced: bool
+    ) -> None:
+        """Open the file, or make a new one. A file that cannot be read is renamed, and a new one takes its place.
+
+        Args:
+            path: of the file; ":memory:" keeps nothing
+            schema: is written into the file, 1 or more; another number is a file of another program or version
+            create: makes the tables that are not there, inside a change
+            is_every_change_synced: whether a change also survives a power cut as soon as it is made. Without it, a
+                power cut may lose the last changes, but damages nothing; a killed process loses nothing in either case
+        Raises:
+            StoreError: no file can be made there
+        """
+        self.problems: Tuple[str, ...] = ()
+        self.path = path
+        self._schema = schema
+        self._create = create
+        self._level = "FULL" if is_every_change_synced else "NORMAL"
+        try:
+            if path != ":memory:":
+                os.makedirs(os.path.dirname(os.path.abspath(path)), exist_ok=True)
+            try:
+                self._open()
+            except sqlite3.OperationalError:
+                # A locked or unreachable file is not corrupt.
+                raise
+            except sqlite3.DatabaseError as error:
+                aside = set_aside(path, journals=("-wal", "-shm"))
+                self.problems += (f"{path} cannot be read ({error}): it is kept as {aside}, and a new one begins",)
+                self._open()
+        except (OSError, sqlite3.Error) as error:
+            raise StoreError(f"{path} cannot be opened: {error}") from error
+
+    def _open(self) -> None:
+        self.connection = sqlite3.connect(
+            self.path, timeout=_LOCK_TIMEOUT_S, isolation_level=None, check_same_thread=False
+        )
+        try:
+            self.connection.execute("PRAGMA journal_mode=WAL").fetchall()
+            self.connection.execute(f"PRAGMA synchronous={self._level}")
+            (verdict,) = self.connection.execute("PRAGMA quick_check(1)").fetchone()
+            (schema,) = self.connection.execute("PRAGMA user_version").fetchone()
+            if verdict != "ok":
+                raise sqlite3.DatabaseError(verdict)
+            if schema not in (0, self._schema):
+                raise sqlite3.DatabaseError(f"its format is {schema}, and {self._schema} is known")
+            self.connection.execute("BEGIN IMMEDIATE")
+            self._create(self.connection)
+            self.connection.execute(f"PRAGMA user_version={self._schema}")
+            self.connection.execute("COMMIT")
+        except sqlite3.Error:
+            self.connection.close()
+            raise
+
+    @contextlib.contextmanager
+    def reading(self) -> Iterator[sqlite3.Connection]:
+        """Read.
+
+        Raises:
+            StoreError: the file cannot be read
+        """
+        try:
+            yield self.connection
+        except sqlite3.Error as error:
+            raise StoreError(f"{self.path} cannot be read: {error}") from error
+
+    @contextlib.contextmanager
+    def change(self) -> Iterator[sqlite3.Connection]:
+        """Make a change, as a whole or not at all.
+
+        Raises:
+            StoreError: it was not made
+        """
+        try:
+            self.connection.execute("BEGIN IMMEDIATE")
+            try:
+                yield self.connection
+                self.connection.execute("COMMIT")
+            finally:
+                if self.connection.in_transaction:
+                    self.connection.execute("ROLLBACK")
+        except sqlite3.Error as error:
+            raise StoreError(f"{self.path} cannot be written: {error}") from error
+
+    def close(self) -> None:
+        """Close the file."""
+        self.connection.close()
