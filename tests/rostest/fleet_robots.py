@@ -22,6 +22,7 @@ ROBOTS = ("alpha", "beta", "gamma")
 STANDING = 0.01
 _WAIT_S = 90.0
 _REST_S = 0.5
+_AGAIN_S = 5.0
 
 
 @dataclass
@@ -114,10 +115,16 @@ class Robots:
 
     def all_move(self) -> None:
         """Return when all robots are moving: those that stand are told to; the others go on undisturbed."""
-        for robot in ROBOTS:
-            if self.stands(robot):
-                self.say("Turn left 3600 degrees.", to=robot)
-        wait_until(lambda: all(seen.speed > 0.2 for seen in self.seen.values()), _WAIT_S, "they do not move")
+        told_s: Dict[str, float] = {}
+
+        def are_moving() -> bool:
+            for robot in ROBOTS:
+                if self.stands(robot) and time.monotonic() - told_s.get(robot, 0.0) > _AGAIN_S:
+                    told_s[robot] = time.monotonic()
+                    self.say("Turn left 3600 degrees.", to=robot)
+            return all(seen.speed > 0.2 and not self.stands(robot) for robot, seen in self.seen.items())
+
+        wait_until(are_moving, _WAIT_S, "they do not move")
 
     def stands(self, robot: str) -> bool:
         """Whether a robot has stood for some time: a server that drives against a stop moves it again."""
