@@ -12,7 +12,6 @@ from semantic_framer.clause_plan import answers_in_a_loop, without_unused
 from semantic_framer.dialogue import Context, Pending, is_no
 from semantic_framer.found_clauses import found_clauses
 from semantic_framer.framed_lexicon import FramedLexicon
-from semantic_framer.heard import Heard
 from semantic_framer.lexicon import Lexicon
 from semantic_framer.linked_clauses import NoStructure, Open
 from semantic_framer.linked_plan import linked_plan
@@ -49,7 +48,7 @@ from semantic_framer.outcome import (
 )
 from semantic_framer.questions import question_readings
 from semantic_framer.reading import Reading
-from semantic_framer.readings import ClauseReadings, as_wish, readings_of_clause
+from semantic_framer.readings import ClauseReadings, Heard, as_wish, readings_of_clause
 from semantic_framer.sentence import Sentence
 from semantic_framer.sentence_verdicts import (
     REST_VERDICTS,
