@@ -87,7 +87,7 @@ def is_grounded(graph: FrameGraph, name: str, robot: str = "") -> bool:
 def table_of_robots(graph: FrameGraph) -> str:
     """Return which robot of a fleet can carry out which frames, for a terminal; empty if no server names its robot."""
     robots = sorted({graph.profile(frame, server).robot for frame, server in graph.registrations()} - {""})
-    rows: List[Tuple[str, ...]] = [("robot", "grounded", "frames")]
+    rows: List[Tuple[str, ...]] = [("robots", "grounded", "frames")]
     for robot in robots:
         frames = sorted(name for name in graph.frames if is_grounded(graph, name, robot))
         rows.append((robot, str(len(frames)), ", ".join(frames)))

@@ -235,7 +235,7 @@ def test_list_shows_which_robot_can_do_what() -> None:
     graph.register("dancing", "/beta/dancing", ServerProfile(robot="beta"))
     graph.register("pinging", "ping")
     assert [line.split(None, 2) for line in table_of_robots(graph).splitlines()] == [
-        ["robot", "grounded", "frames"],
+        ["robots", "grounded", "frames"],
         ["alpha", "2", "pinging, turning"],
         ["beta", "3", "dancing, pinging, turning"],
     ]
