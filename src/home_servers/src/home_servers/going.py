@@ -16,7 +16,7 @@ ROOMS = ("room", "place", "here")
 _LOOK_S = 2.0
 #: Who has walked, and has stood for so long, has arrived.
 _ARRIVED_S = 60.0
-#: Who does not walk for so long does not want to be followed any more.
+#: Who does not walk for so long goes nowhere.
 _STAYED_S = 180.0
 #: Who is seen so much farther has walked.
 _STEP_M = 0.5
@@ -88,8 +88,10 @@ def follow(skills: Skills, frame: FilledFrame) -> None:
         now_s = skills.body.now_s()
         if math.hypot(person.x_m - at.x_m, person.y_m - at.y_m) > _STEP_M:
             at, has_walked, since_s = person, True, now_s
-        if goal is None and now_s - since_s >= (_ARRIVED_S if has_walked else _STAYED_S):
+        if goal is None and has_walked and now_s - since_s >= _ARRIVED_S:
             return
+        if goal is None and now_s - since_s >= _STAYED_S:
+            raise CannotDo(f"{person.name} does not go anywhere.")
         skills.wait(_LOOK_S / 2.0)
 
 
