@@ -34,6 +34,9 @@ from semantic_frames.semantic_type import SEMANTIC_TYPES
 from typed_arguments import TypedArgument
 from utterance_passes.trace import Trace
 from utterance_passes.utterance_pass import Choice
+from word_classes import word_class
+
+_HEARERS = word_class("hearers")
 
 
 @dataclass(frozen=True)
@@ -158,7 +161,7 @@ def _settled(
         for readings in done
         if policy.confirms
         and now.known.frames[readings[0].unit.frame_name].wants_yes(
-            {one.name: one.text for one in readings[0].arguments}
+            {one.name: (one.text, one.semantic_type) for one in readings[0].arguments}
         )
     ]
     wrong = [reason for readings in done for reason in _wrong_types(readings[0])]
@@ -167,7 +170,6 @@ def _settled(
         pending = Pending(without_positions(tuple(done)), 0, (), now.expires_s)
         acts = ", then ".join(_in_words(readings[0]) for readings in done)
         if wrong:
-            acts = ", then ".join(readings[0].clause_text or _in_words(readings[0]) for readings in done)
             now.write("wrong_type", acts, f"asked. {' '.join(wrong)}")
         elif unseen:
             now.write("unknown_thing", acts, f"asked. {' '.join(unseen)}")
@@ -253,5 +255,9 @@ def without_positions(clauses: Clauses) -> Clauses:
 
 
 def _in_words(reading: Reading) -> str:
-    """Return the verb of a reading and the arguments that were said, in the order of the frame."""
-    return " ".join([reading.verb] + [value.text for value in reading.arguments if value.positions])
+    """Return a clause as it was said, or its verb and arguments where a pronoun stands for something else."""
+    said = [value.text for value in reading.arguments if value.positions and value.text.lower() not in _HEARERS]
+    clause = reading.clause_text
+    if clause and all(text.lower() in clause.lower() for text in said):
+        return clause[0].lower() + clause[1:]
+    return " ".join([reading.verb, *said])

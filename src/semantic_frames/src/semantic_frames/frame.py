@@ -35,7 +35,8 @@ class FrameElement:
         answer: an example of an answer ("three feet"); empty for none
         framenet: name of the frame element in FrameNet; empty when FrameNet has none
         semantic_types: what may fill it: something of one of these types, or of a type below them; empty for anything
-        confirmed_values: arguments with which a person must say yes before the frame is carried out, in lower case
+        confirmed_values: texts or semantic types of an argument with which a person must say yes before the frame is
+            carried out, in lower case
     """
 
     name: str
@@ -158,8 +159,14 @@ class SemanticFrame:
         """Return the element of that name, or None."""
         return next((element for element in self.frame_elements if element.name == name), None)
 
-    def wants_yes(self, arguments: Mapping[str, str]) -> bool:
-        """Return whether a person must say yes before the frame is carried out with these texts of its elements."""
+    def wants_yes(self, arguments: Mapping[str, Tuple[str, str]]) -> bool:
+        """Return whether a person must say yes first.
+
+        Args:
+            arguments: text and semantic type by the name of the element
+        """
         return self.is_confirmed or any(
-            arguments.get(element.name, "").lower() in element.confirmed_values for element in self.frame_elements
+            part.lower() in element.confirmed_values
+            for element in self.frame_elements
+            for part in arguments.get(element.name, ())
         )

@@ -214,8 +214,10 @@ def test_what_cannot_be_expressed_at_all_is_refused(key: str, code: str, hint: s
         ("name: a\nconfirm: True", "on", True),
         ("name: a\nframe_elements: [{name: state, confirm: ['off']}]", "Off", True),
         ("name: a\nframe_elements: [{name: state, confirm: ['off']}]", "on", False),
+        ("name: a\nframe_elements: [{name: state, confirm: [Human]}]", "Anna", True),
+        ("name: a\nframe_elements: [{name: state, confirm: [Animal]}]", "Anna", False),
         ("name: a\nframe_elements: [{name: state}]", "off", False),
     ],
 )
 def test_what_wants_a_yes(text, state, wants_yes):
-    assert load_frame(text, "a.yaml").wants_yes({"state": state}) is wants_yes
+    assert load_frame(text, "a.yaml").wants_yes({"state": (state, "Human")}) is wants_yes
