@@ -33,7 +33,7 @@ from semantic_framer.outcome import (
     Refusal,
     Understood,
 )
-from semantic_framer.questions import question_readings
+from semantic_framer.questions import question_readings, remark_readings
 from semantic_framer.reading import Reading
 from semantic_framer.readings import ClauseReadings, as_wish, readings_of_clause
 from semantic_framer.sentence import Sentence
@@ -225,6 +225,10 @@ class _Hearing:
 
     def _read_in_world(self, sentence: Sentence, context: Context) -> Heard:
         """Understand a sentence that is not an answer; what the robot knows attaches the places in it."""
+        told = remark_readings(sentence, self._now.known)
+        if told:
+            self._now.write("remark", str(told[0]), f'answered, by "{told[0].verb}"')
+            return Heard(*resolve_and_confirm((told,), sentence, context, self._now), sentence)
         attached = attached_by_world(sentence, self._now.known, context)
         if attached is None:
             return self._read(sentence, context)
