@@ -59,7 +59,9 @@ class Asked:
     def server(self) -> str:
         """The words that name servers, without a determiner."""
         words = self.arguments.get("server", TypedArgument()).text.split()
-        return " ".join(words[1:] if len(words) > 1 and words_of(words[0])[:1] != words_of(" ".join(words))[:1] else words)
+        return " ".join(
+            words[1:] if len(words) > 1 and words_of(words[0])[:1] != words_of(" ".join(words))[:1] else words
+        )
 
     def meant(self) -> Dict[str, FrozenSet[str]]:
         """Return the registered servers of that name, by frame."""

@@ -13,9 +13,7 @@ from experience.trial import Circumstances, Judgement, Outcome, Trial
 from typed_arguments import TypedArgument
 
 SERVERS = {"waving": frozenset(["/left_arm_waving", "/right_arm_waving"]), "grasping": frozenset(["/arm_a", "/arm_b"])}
-WAVED = Trial(
-    "c1", "Wave at Anna.", 1.0, "waving", "/right_arm_waving", "", Circumstances(), 2.0, Outcome.SUCCEEDED
-)
+WAVED = Trial("c1", "Wave at Anna.", 1.0, "waving", "/right_arm_waving", "", Circumstances(), 2.0, Outcome.SUCCEEDED)
 
 
 def said(name: str, memory: Memory, reasons: Dict[str, str] = {}, **elements: str) -> Answer:

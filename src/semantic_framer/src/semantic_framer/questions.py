@@ -2,10 +2,10 @@
 
 from typing import List, Mapping, Optional, Sequence, Tuple
 
+from semantic_framer.framed_lexicon import FramedLexicon
 from semantic_framer.mood_file import UtteranceKind
 from semantic_framer.question_orders import direct_orders, length_of_opening
 from semantic_framer.question_words import compiled
-from semantic_framer.framed_lexicon import FramedLexicon
 from semantic_framer.reading import Reading, rank
 from semantic_framer.sentence import Sentence
 from semantic_framer.utterance_kind import kind_without_clause
@@ -45,10 +45,12 @@ def remark_readings(sentence: Sentence, known: FramedLexicon) -> Tuple[Reading, 
     """
     if not known.lexicon.remark_units:
         return ()
-    words = _words(sentence)
     frames = known.frames
+    # "Well" and "now" may also be words around a sentence.
+    orders = ([word for word in sentence.tree.words if word.upos != "PUNCT"], _words(sentence))
     found = [
         read
+        for words in orders
         for unit in known.lexicon.remark_units
         if unit.frame_name in frames and frames[unit.frame_name].is_question
         if not known.heeded or unit.frame_name in known.heeded
@@ -76,7 +78,12 @@ def _readings_in_order(case: Case, words: Sequence[Word]) -> Tuple[Reading, ...]
         if frame is None or not frame.is_question or (known.heeded and frame.name not in known.heeded):
             continue
         reading = next(
-            (read for pattern in unit.questions for read in [_read(case.sentence, unit, frame, pattern, words)] if read),
+            (
+                read
+                for pattern in unit.questions
+                for read in [_read(case.sentence, unit, frame, pattern, words)]
+                if read
+            ),
             None,
         )
         if reading is not None:
