@@ -96,12 +96,23 @@ class Mutants(Demand):
         missing = [str(path) for _, path, _ in self._modules if not path.exists()]
         if missing:
             raise SystemExit(f"no such modules: {', '.join(missing)}")
+        # Each place counts alike, so that a small module does not give the same mutant again and again.
+        self._weights = [len(_places(path.read_text(encoding="utf-8"))) for _, path, _ in self._modules]
+        for package, path, tests in {module[0]: module for module in self._modules}.values():
+            if self._is_noticed(package, path, path.read_text(encoding="utf-8"), tests):
+                raise SystemExit(f"the tests of {package} fail without a mutant")
         return nullcontext()
 
     def trial(self, number: int, chance: random.Random) -> Dict[str, Any]:
         """Change one token, and run the tests."""
-        package, path, tests = self._modules[number % len(self._modules)]
+        ((package, path, tests),) = chance.choices(self._modules, self._weights)
         line, old, new, text = mutant(path.read_text(encoding="utf-8"), chance)
+        is_noticed = self._is_noticed(package, path, text, tests)
+        return {"where": f"{path.stem}:{line}", "change": f"{old} -> {new}", "survived": int(not is_noticed)}
+
+    @staticmethod
+    def _is_noticed(package: str, path: Path, text: str, tests: Sequence[str]) -> bool:
+        """Whether tests fail when a module has this text."""
         with tempfile.TemporaryDirectory() as folder:
             copy = Path(folder) / package
             shutil.copytree(path.parent, copy)
@@ -121,7 +132,7 @@ class Mutants(Demand):
                 ).returncode
             except subprocess.TimeoutExpired:
                 status = -1
-        return {"where": f"{path.stem}:{line}", "change": f"{old} -> {new}", "survived": int(status == 0)}
+        return status != 0
 
     def figures(self, trials: Sequence[Trial]) -> List[Figure]:
         """Most are noticed; those that are not are named."""
@@ -143,17 +154,20 @@ def mutant(source: str, chance: random.Random) -> Tuple[int, str, str, str]:
     Returns:
         line, old and new token, and the changed text
     """
-    tokens = list(tokenize.generate_tokens(io.StringIO(source).readline))
-    # An annotation or an import that is changed is no error of logic.
-    logic = _logic_lines(source)
-    places = [token for token in tokens if token.start[0] in logic and _replacement(token)]
-    token = chance.choice(places)
+    token = chance.choice(_places(source))
     new = _replacement(token)
     lines = source.splitlines(keepends=True)
     row, column = token.start
     line = lines[row - 1]
     lines[row - 1] = line[:column] + new + line[column + len(token.string) :]
     return row, token.string, new, "".join(lines)
+
+
+def _places(source: str) -> List[tokenize.TokenInfo]:
+    """Return the tokens that can be changed. An annotation or an import that is changed is no error of logic."""
+    logic = _logic_lines(source)
+    tokens = tokenize.generate_tokens(io.StringIO(source).readline)
+    return [token for token in tokens if token.start[0] in logic and _replacement(token)]
 
 
 def _logic_lines(source: str) -> FrozenSet[int]:

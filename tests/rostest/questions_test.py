@@ -7,6 +7,7 @@ from typing import List
 
 import rospy
 from roboframenet_msgs.msg import FilledSemanticFrame, FilledSemanticFrameResult, Reply
+from std_msgs.msg import String
 
 from rfnserver import RFNServer
 from roboframenet_rostest import say, wait_for_pipeline
@@ -44,6 +45,18 @@ class QuestionAnsweringTest(unittest.TestCase):
         self.assert_says("Where is the mug?", "on the table in the kitchen")
         self.assert_says("Where is the spoon?", "I have not seen a spoon.")
         self.assert_says("What did I say?", "Where is the spoon?")
+
+    def test_2_an_answer_is_spoken(self) -> None:
+        said: List[str] = []
+        subscriber = rospy.Subscriber("said", String, lambda message: said.append(message.data), queue_size=10)
+        wait_until(lambda: subscriber.get_num_connections() > 0)
+        self.assert_says("Where is the mug?", "on the table in the kitchen")
+        wait_until(lambda: any("on the table in the kitchen" in text for text in said), message=lambda: said)
+
+    def test_2_whoever_says_who_they_are_is_known(self) -> None:
+        self.assert_says("Who am I?", "I do not know who you are.")
+        self.assert_says("I am Anna.", "Hello, Anna.")
+        wait_until(lambda: "You are Anna." in say("Who am I?").sentence)
 
     def test_3_other_questions_are_refused_as_questions(self) -> None:
         self.assertEqual(say("Did you turn left?").code, "QUESTION")

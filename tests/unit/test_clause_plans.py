@@ -90,7 +90,6 @@ TREES = {
     # These are asked about, or refused: half of a sentence is not what was said.
     "Turn left a few times.": "LEFT_OVER_WORDS",
     "Turn left 200 times.": "LEFT_OVER_WORDS",
-    "Turn left at least twice.": "LEFT_OVER_WORDS",
     "Turn left many times.": "LEFT_OVER_WORDS",
     "Turn left two or three times.": "LEFT_OVER_WORDS",
     "Turn left one more time.": "LEFT_OVER_WORDS",

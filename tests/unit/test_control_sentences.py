@@ -19,7 +19,7 @@ from frame_registrar.search import Refusal, search
 from offline_pipeline.knowledge import load_knowledge, pretend_servers
 from offline_pipeline.pipeline import Pipeline
 from semantic_framer import ros_messages as framer_messages
-from semantic_framer.clause_plan import LEAVES, PlanPart
+from semantic_framer.clause_plan import LEAVES, PlanPart, plan_of
 from semantic_framer.framer import Understood, read
 from semantic_framer.reading import Reading
 
@@ -74,8 +74,9 @@ def tree_of(pipeline: Pipeline, text: str) -> str:
     )
     assert not isinstance(found, Refusal), found
     plan = to_plan(message.clauses, text, found, message.plan)
-    assert outcome.plan is not None, outcome
-    said = drawn(outcome.plan, outcome.clauses, count())
+    drawable = outcome.plan or plan_of(outcome.clauses, text)
+    assert drawable is not None, outcome
+    said = drawn(drawable, outcome.clauses, count())
     if not said.startswith(STANDING_ORDERS):
         plan_from_message(plan)  # raises if the arbitrator cannot make a machine of it
     return said

@@ -2,6 +2,7 @@
 
 import ast
 import re
+from functools import lru_cache
 from pathlib import Path
 from typing import Dict, List, Set, Tuple
 
@@ -12,11 +13,17 @@ PACKAGES = sorted(path.parent for path in REPOSITORY.glob("src/*/package.xml"))
 WITH_CODE = [package for package in PACKAGES if list(package.glob("src/*/*.py"))]
 
 
+@lru_cache(maxsize=None)
+def tree_of(path: Path) -> ast.Module:
+    """Return the syntax tree of a module. Several tests walk through it."""
+    return ast.parse(path.read_text(encoding="utf-8"))
+
+
 def declared_parameters() -> Dict[str, Set[str]]:
     """Return the parameters that each module declares as fields of a class of `Parameters`, by module and class."""
     found: Dict[str, Set[str]] = {}
     for path in REPOSITORY.glob("src/*/src/*/*.py"):
-        for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
+        for node in ast.walk(tree_of(path)):
             if isinstance(node, ast.ClassDef) and any(getattr(base, "id", "") == "Parameters" for base in node.bases):
                 found[f"{path.parent.name}.{path.stem}.{node.name}"] = {
                     f"~{field.target.id}"
@@ -34,7 +41,7 @@ DECLARED = declared_parameters()
 
 def parameters_read_by_class(path: Path) -> Set[str]:
     """Return the parameters of the classes that a module passes to `read_parameters`."""
-    tree = ast.parse(path.read_text(encoding="utf-8"))
+    tree = tree_of(path)
     origins = {
         alias.asname or alias.name: f"{node.module}.{alias.name}"
         for node in ast.walk(tree)
@@ -63,7 +70,7 @@ def parameters_in_code(package: Path) -> Set[str]:
     names: Set[str] = set()
     for path in package.glob("src/**/*.py"):
         names |= parameters_read_by_class(path)
-        for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
+        for node in ast.walk(tree_of(path)):
             if (
                 isinstance(node, ast.Call)
                 and getattr(node.func, "attr", getattr(node.func, "id", "")) in READERS
@@ -123,7 +130,7 @@ def names_in_code(package: Path) -> Set[str]:
     """Return the topics, services and actions that a package opens by a literal name."""
     names: Set[str] = set()
     for path in package.glob("src/**/*.py"):
-        for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
+        for node in ast.walk(tree_of(path)):
             if (
                 isinstance(node, ast.Call)
                 and getattr(node.func, "attr", getattr(node.func, "id", "")) in OPENERS
@@ -247,7 +254,7 @@ def modules_in_architecture() -> List[str]:
 def defined_names(path: Path) -> Set[str]:
     """Return the functions, classes and constants of a module, and the methods of its classes as ``Class.method``."""
     names: Set[str] = set()
-    for node in ast.parse(path.read_text(encoding="utf-8")).body:
+    for node in tree_of(path).body:
         if isinstance(node, (ast.FunctionDef, ast.ClassDef)):
             names.add(node.name)
         if isinstance(node, ast.ClassDef):

@@ -262,7 +262,10 @@ NO_SPEECH: Dict[str, Tuple[str, str]] = {
         "keys of a file",
         "relations, directions, quantifiers, bounds, exceptions",
     ),
-    "semantic_framer/link_file.py": ("keys of a file", "links, joiners, bounds, words, kind, name, question"),
+    "semantic_framer/link_file.py": (
+        "keys of a file",
+        "links, joiners, deeds, orders, counts, bounds, words, kind, name, question",
+    ),
     "semantic_framer/word_patterns.py": ("kinds of slots", "word, state, measure, destination, place"),
     "semantic_framer/mood_file.py": (
         "keys of a file",

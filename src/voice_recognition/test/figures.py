@@ -113,17 +113,21 @@ def heard_in_time(pcm: bytes, ears: Ears, spotter: StopSpotter) -> Optional[Tupl
     if not ends:
         return None
     end_s, whole = max(ends, key=lambda one: len(one[1].pcm))
-    early: EarlyHearing[str] = EarlyHearing()
+    early: EarlyHearing[None, Heard] = EarlyHearing()
+    early_stop: EarlyHearing[None, bool] = EarlyHearing()
+    is_short = whole.end_s - whole.begin_s <= LONGEST_S
     free_s = 0.0
     for when_s, one in pauses:
         if one.begin_s == whole.begin_s:
             began = time.process_time()
-            early.listen(one, "", ears.hear)
+            if is_short:
+                early_stop.listen(one, None, spotter.is_stop)
+            early.listen(one, None, ears.hear)
             free_s = max(free_s, when_s) + time.process_time() - began
     began = time.process_time()
-    if whole.end_s - whole.begin_s <= LONGEST_S:
-        spotter.is_stop(whole.pcm)
-    heard = early.heard(whole, "", ears.hear)
+    if is_short:
+        early_stop.heard(whole, None, spotter.is_stop)
+    heard = early.heard(whole, None, ears.hear)
     return heard, max(free_s, end_s) + time.process_time() - began - whole.end_s
 
 

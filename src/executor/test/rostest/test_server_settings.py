@@ -3,6 +3,7 @@
 
 import os
 import signal
+import time
 import unittest
 import xmlrpc.client
 
@@ -123,14 +124,16 @@ class ServerSettingsTest(unittest.TestCase):
 
     def test_what_a_server_stated_counts_like_its_parameter(self):
         settings = [ServerSetting(node="/camera", name="exposure", value="42")]
-        profile = ServerProfile(settings=settings, longest_goal=rospy.Duration(1.0))
+        profile = ServerProfile(settings=settings, longest_goal=rospy.Duration(4.0))
         servers = FrameServers(callbacks=[FrameCallback("run", "plain", True, profile)])
         publisher = rospy.Publisher("frame_servers", FrameServers, queue_size=1, latch=True)
         publisher.publish(servers)
         wait_until(lambda: publisher.get_num_connections() == 1)
+        # Nothing tells that the executor has read it; a command on another topic may overtake it.
+        time.sleep(1.0)
         command = self.send(("run", "plain"))
         self.assert_cameras(dict(BEFORE, exposure=42), BEFORE)
-        self.assertIn("did not end within 1 s", self.wait_for_reply(command).sentence)
+        self.assertIn("did not end within 4 s", self.wait_for_reply(command).sentence)
         self.assert_cameras(BEFORE, BEFORE)
         publisher.unregister()
 

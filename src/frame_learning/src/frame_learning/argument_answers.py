@@ -50,6 +50,8 @@ def arguments_of(
     readings = understanding.readings + (understanding.descriptions if mapping.has_descriptions else ())
     task = trigger = before = ""
     for reading in readings:
+        if not reading.verb_positions:
+            continue  # The pattern of a question or a condition; no corpus annotates those.
         frame = knowledge.frames[reading.unit.frame_name]
         if before not in convention.joined.get(frame.name, ()):
             task, trigger = mapping.frame_name(frame), writer.trigger(reading)

@@ -28,6 +28,8 @@ def answer(pipeline: Pipeline, mapping: CorpusMapping, command: AnnotatedCommand
     if tree is not None:
         readings = understanding.readings + (understanding.descriptions if mapping.has_descriptions else ())
         for reading in readings:
+            if not reading.verb_positions:
+                continue  # A question, or a condition, has a pattern and no verb; no corpus annotates those.
             elements = [(value.name, value.positions, value.head_position) for value in reading.arguments]
             known = pipeline.knowledge.frames[reading.unit.frame_name]
             frames.append(_annotated(tree, command, mapping, known, reading.verb_positions[0], elements))

@@ -48,6 +48,11 @@ class Lesson:
     after_place: FrozenSet[Tuple[str, str]]
     arguments: Mapping[str, str]
 
+    def is_of_subject(self, name: str) -> bool:
+        """Whether an element is a place of what is said to be there: "a lamp *on the desk*"."""
+        is_place = self.relations[name].startswith("prep_") and "dobj" not in self.relations.values()
+        return is_place and "nsubj" in self.relations.values()
+
 
 def lesson_of(
     annotated: AnnotatedSentence, sentence: Sentence, frame: Optional[SemanticFrame], unexplained: List[str]

@@ -39,6 +39,8 @@ WORD_GROUPS: Tuple[Tuple[str, ...], ...] = tuple(
 )
 #: Share of the sentences of a verb and a frame.
 _NEARLY_ALWAYS = 0.8
+#: FrameNet's names of elements that the same adverbs fill: "quickly".
+_ALIKE = {"Speed": "Manner"}
 
 
 @dataclass
@@ -116,6 +118,9 @@ def _units(lessons: Sequence[Lesson], frames: Mapping[str, SemanticFrame]) -> Tu
             # The frames of one verb differ in the elements that (nearly) all of their sentences have: "move to the
             # kitchen" has a goal; "move to your left" has none and makes a unit of its own.
             telling = _telling(members)
+            if _is_told_by_core(frame, members, core, lessons):
+                # "Look *for* the mug", "look *at* the mug": where to look need not be said.
+                telling &= core[frame]
             others = [lesson for lesson in members if not telling <= set(lesson.relations)]
             pieces = [(places | telling, [lesson for lesson in members if lesson not in others])]
             pieces += [(places | _telling(others), others)] if others else []
@@ -126,10 +131,28 @@ def _units(lessons: Sequence[Lesson], frames: Mapping[str, SemanticFrame]) -> Tu
             unit.lessons += piece
     for unit in units.values():
         _fill(unit, rarer, same_shape, frames.get(unit.frame_name))
+    _share_without_particles(list(units.values()))
     _share_closed(list(units.values()), lessons)
     _share_optional(list(units.values()))
     _share_between_frames(list(units.values()), lessons, frames)
     return tuple(sorted(units.values(), key=lambda unit: (unit.frame_name, -len(unit.required))))
+
+
+def _is_told_by_core(
+    frame: str, members: Sequence[Lesson], core: Mapping[str, FrozenSet[str]], lessons: Sequence[Lesson]
+) -> bool:
+    """Whether the core elements alone tell the sentences of a verb and frame from those of its other frames: they are
+    said in all of them, and with other relations."""
+    said = _core_relations(members, core[frame])
+    if not said or any(not core[frame] <= frozenset(lesson.relations) for lesson in members):
+        return False
+    verb = members[0].verb
+    others = [lesson for lesson in lessons if lesson.verb == verb and lesson.sentence.frame_name != frame]
+    return not any(said & _core_relations([other], core[other.sentence.frame_name]) for other in others)
+
+
+def _core_relations(lessons: Sequence[Lesson], core: FrozenSet[str]) -> FrozenSet[str]:
+    return frozenset(lesson.relations[name] for lesson in lessons for name in core & frozenset(lesson.relations))
 
 
 def _telling(lessons: Sequence[Lesson]) -> FrozenSet[str]:
@@ -145,6 +168,23 @@ def _telling(lessons: Sequence[Lesson]) -> FrozenSet[str]:
         and not any(lesson.relations.get(name) == "nsubj" for lesson in lessons)
         and (len(lessons) > 1 or name not in lessons[0].closed or lessons[0].closed == set(lessons[0].relations))
     )
+
+
+def _share_without_particles(units: Sequence[LearnedUnit]) -> None:
+    """Give units that know a verb with one particle only the verb alone: "pick the mug" for "pick up the mug".
+
+    A verb that has several particles, or evokes several frames, means nothing certain without them.
+    """
+    particles: Dict[str, Set[Tuple[str, str]]] = defaultdict(set)
+    for unit in units:
+        for verb in unit.verbs:
+            base, _, particle = verb.partition(" ")
+            particles[base].add((particle, unit.frame_name))
+    for unit in units:
+        for verb in list(unit.verbs):
+            base, _, particle = verb.partition(" ")
+            if particle and len(particles[base]) == 1:
+                unit.verbs.append(base)
 
 
 def _share_closed(units: Sequence[LearnedUnit], lessons: Sequence[Lesson]) -> None:
@@ -203,8 +243,9 @@ def _share_between_frames(
         for name, shared in _peripheral(frames.get(unit.frame_name)).items():
             if name in unit.required:
                 continue
+            taken = {relation for other, found in unit.closed_relations.items() if other != name for relation in found}
             for (other, relation), said in sorted(words.items()):
-                if other == shared and name not in unit.open_relations:
+                if other == shared and name not in unit.open_relations and relation not in taken:
                     _fill_closed(unit, name, relation, said)
             taken = {relation for relations in unit.open_relations.values() for relation in relations}
             new = [relation for relation in dict.fromkeys(prepositions[shared]) if relation not in taken]
@@ -215,7 +256,11 @@ def _share_between_frames(
 def _peripheral(frame: Optional[SemanticFrame]) -> Mapping[str, str]:
     """Return the elements of a frame that are not core, with their names in FrameNet."""
     elements = frame.frame_elements if frame is not None else ()
-    return {element.name: element.framenet for element in elements if element.framenet and not element.is_core}
+    return {
+        element.name: _ALIKE.get(element.framenet, element.framenet)
+        for element in elements
+        if element.framenet and not element.is_core
+    }
 
 
 def _share_optional(units: Sequence[LearnedUnit]) -> None:
@@ -321,6 +366,10 @@ def _fill(
     for lesson in unit.lessons:
         for name, relation in lesson.relations.items():
             element = frame.element(name) if frame is not None else None
+            if lesson.is_of_subject(name):
+                # "There is a lamp on the desk": the parser may attach the place to either.
+                alike = unit.open_relations.setdefault(name, [])
+                alike += [f"nsubj/{relation}"] if f"nsubj/{relation}" not in alike else []
             if (unit.frame_name, name, relation) in rarer and element is not None and element.semantic_types:
                 unit.types[name] = element.semantic_types
             is_closed = (relation != MEASURE and name in lesson.closed) or (unit.frame_name, name, relation) in rarer

@@ -47,6 +47,8 @@ def told(skills: Skills, message: TypedArgument) -> str:
             return _number(skills, frame)
         if frame.role == "says" and frame.frame_name == "question_of_place":
             return described(skills, skills.find(_element(frame, "theme")))
+        if frame.role == "says" and frame.frame_name in ("question_of_state", "question_of_colour"):
+            return _look(skills, _element(frame, "theme"))
     about = _property_of_a_person(skills, message)
     if about:
         return about
@@ -73,6 +75,16 @@ def _number(skills: Skills, frame: EmbeddedFrame) -> str:
     if state:
         found = [one for one in found if state in one.states]
     return f"there {'is' if len(found) == 1 else 'are'} {len(found)}"
+
+
+def _look(skills: Skills, theme: TypedArgument) -> str:
+    """Go there, look, and say how it is."""
+    one = skills.find(theme)
+    skills.go(one.id)
+    skills.attempt("look", theme=one.id)
+    now = skills.memory.get(one.id) or one
+    looks = f"; it is {' and '.join(now.attributes)}" if now.attributes and now.sort != "door" else ""
+    return f"{described(skills, now)}{looks}"
 
 
 def _property_of_a_person(skills: Skills, message: TypedArgument) -> str:

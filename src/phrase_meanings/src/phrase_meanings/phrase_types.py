@@ -7,10 +7,12 @@ from semantic_types.likelihood import UNLIKELY, combined, of_names, of_weights
 from utterance_passes.tree import DependencyTree, Word
 from word_classes import word_class
 
+_DEGREES = word_class("degrees")
 _MEASURE_NOUNS = word_class("measure_nouns")
 _PRONOUNS = word_class("pronouns")
 _PERSONS = word_class("pronouns_of_persons")
 _PERSONS_OR_THINGS = word_class("pronouns_of_persons_or_things")
+_TITLES = word_class("titles")
 #: Words of these parts of speech may be nouns, also when the tagger erred.
 _NOUNS = frozenset(["NOUN", "PROPN", "ADJ", "VERB", "X"])
 #: Relations of words inside a name or a compound to the head.
@@ -18,6 +20,7 @@ _IN_NAMES = frozenset(["compound", "amod", "flat", "nummod", "nmod", "goeswith"]
 #: Longest compound or name, in words.
 _LONGEST = 4
 _PERSON = of_names(["Human"])
+_QUANTITY = of_names(["Quantity"])
 _PERSON_OR_THING = of_weights({"Physical_object": 3.0, "Human": 1.0})
 #: A bare proper noun that no dictionary knows is rarely anything but a person; a capital makes it surer: "take Bill".
 _NAMED = of_names(["Human", "Location"])
@@ -84,9 +87,11 @@ class PhraseTypes:
             return _PERSON
         if form in _PERSONS_OR_THINGS:
             return _PERSON_OR_THING
+        if self._has_title(word):
+            return _PERSON
         if word.upos not in _NOUNS or form in _PRONOUNS:
             return UNTYPED
-        types = self._of_noun(word)
+        types = _QUANTITY if self._is_degree(word) else self._of_noun(word)
         # An unknown word with a capital is a name, whatever the tagger says.
         is_name = word.upos == "NOUN" and word.index > 1 and word.form.istitle() and not types.types
         if word.upos == "PROPN" or is_name:
@@ -95,6 +100,22 @@ class PhraseTypes:
         if complement:
             types = combined(((self.of(complement), _OF_COMPLEMENT), (types, 1.0 - _OF_COMPLEMENT)))
         return types
+
+    def _has_title(self, word: Word) -> bool:
+        """Whether a name begins with a title: "Mrs. Miller", "Dr. Chen"; the head of the name may be its title."""
+        near = [word, *(self._tree.word(index) for index in (word.index - 2, word.index - 1) if index > 0)]
+        title = next((one for one in near if one.form.lower().rstrip(".") in _TITLES), None)
+        if title is None or title.index == len(self._tree.words):
+            return False
+        name = self._tree.word(title.index + 1)
+        name = self._tree.word(title.index + 2) if name.form == "." and name.index < len(self._tree.words) else name
+        is_inside = name.index == word.index or name.head in (title.index, word.index)
+        return name.form[:1].isalpha() and is_inside and name.upos in _NOUNS
+
+    def _is_degree(self, word: Word) -> bool:
+        """Whether a noun says how much, "a bit"; "the bit" is a tool."""
+        before = [child.form.lower() for child in self._tree.children(word.index) if child.deprel == "det"]
+        return word.form.lower() in _DEGREES and before == ["a"]
 
     def _texts_around(self, head: int) -> Iterator[str]:
         """Return the texts that may be the name at a head: "coffee corner", "Anna Smith", and the head alone."""

@@ -33,10 +33,19 @@ MUG_AND_ANNA = phrase(
     "the the DET DT 2 det", "mug mug NOUN NN 0 obj", "and and CCONJ CC 4 cc", "Anna Anna PROPN NNP 2 conj"
 )
 
+MRS_MILLER = phrase("Lead lead VERB VB 0 root", "Mrs. Mrs. PROPN NNP 1 obj", "Miller Miller PROPN NNP 2 flat")
+DR_CHEN = phrase("Lead lead VERB VB 0 root", "Dr. Dr. PROPN NNP 3 nmod:desc", "Chen Chen PROPN NNP 1 obj")
+DOCTOR = phrase("take take VERB VB 0 root", "the the DET DT 3 det", "doctor doctor NOUN NN 1 obj")
+
 
 @pytest.mark.parametrize(
     ("tree", "head", "accepted", "kind"),
     [
+        (MRS_MILLER, 2, (), "Human"),
+        (DR_CHEN, 3, (), "Human"),
+        (DOCTOR, 3, (), "Human"),
+        (phrase("a a DET DT 2 det", "bit bit NOUN NN 0 obl"), 2, (), "Quantity"),
+        (phrase("the the DET DT 2 det", "bit bit NOUN NN 0 obj"), 2, ("Physical_object",), "Physical_object"),
         (COFFEE_CUP, 3, (), "Container"),
         (LIVING_ROOM, 3, (), "Room"),
         (LIGHT_SWITCH, 3, (), "Device"),

@@ -32,6 +32,8 @@ BEING_NAMED = "being_named"
 Arguments = Mapping[str, TypedArgument]
 _COLOURS = word_class("colours")
 _PERSONS = word_class("general_person_nouns")
+#: What other words for a state mean.
+_STATES = {**dict.fromkeys(word_class("words_for_on"), "on"), **dict.fromkeys(word_class("words_for_closed"), "closed")}
 
 
 def answer(frame_name: str, arguments: Sequence[TypedArgument], known: RobotKnowledge) -> str:
@@ -111,9 +113,14 @@ def _place(arguments: Arguments, known: RobotKnowledge) -> str:
 
 
 def _number(arguments: Arguments, known: RobotKnowledge) -> str:
+    location = arguments.get("location")
+    if location is not None and not location.relation and not location.direction:
+        # "How many lamps does the hall have": what a place has is in it.
+        inside = replace(location, relation="in", words=f"in {location.words}")
+        return _number({**arguments, "location": inside}, known)
     theme = arguments["theme"]
     found = _at(arguments, _found(theme, known, is_wide=True), known)
-    where = f" {arguments['location'].words}" if "location" in arguments else ""
+    where = f" {location.words[:1].lower()}{location.words[1:]}" if location is not None else ""
     if "state" in arguments:
         state = arguments["state"].text.lower()
         found = tuple(one for one in found if state in one.states)
@@ -155,7 +162,8 @@ def _who_is_there(arguments: Arguments, known: RobotKnowledge) -> str:
 
 
 def _state(arguments: Arguments, known: RobotKnowledge) -> str:
-    theme, state = arguments["theme"], arguments["state"].text.lower()
+    theme, said = arguments["theme"], arguments["state"].text.lower()
+    state = _STATES.get(said, said)
     found = _found(theme, known)
     if not found:
         return unknown_of(theme)

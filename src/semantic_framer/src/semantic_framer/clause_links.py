@@ -5,6 +5,7 @@ from typing import FrozenSet, List, Optional, Sequence, Tuple
 
 from semantic_framer.clock_times import ClockTime, clock_time_at
 from semantic_framer.conditions import ConditionPart, read_condition
+from semantic_framer.deed_orders import ItemOrder, deed_behind, item_order, times_at
 from semantic_framer.framed_lexicon import FramedLexicon
 from semantic_framer.link_file import Link, LinkKind, shipped_links
 from semantic_framer.sentence import Sentence
@@ -38,6 +39,10 @@ class Joint:
         words: of the link, as it was said
         limit_s: longest time that was said for it; 0 for none
         when: a time of the clock
+        verb: of the deed behind "before" or "after", its position; 0 for other words
+        number: a least or a largest number of times
+        order: of two items of a list
+        items: positions of the first item, of the word between, and of the second item, if these words are the list
     """
 
     kind: LinkKind
@@ -48,6 +53,10 @@ class Joint:
     words: str = ""
     limit_s: float = 0.0
     when: Optional[TimeExpression] = None
+    verb: int = 0
+    number: int = 0
+    order: Optional[ItemOrder] = None
+    items: Tuple[int, ...] = ()
 
 
 @dataclass(frozen=True)
@@ -111,7 +120,8 @@ class _Finder:
             joint, end = self._at(place, clock) if clock is not None else self._timed(place)
             # "After that" joins two deeds, though "after" stands before conditions too.
             links, joins = (at(self.forms[place:])[1] for at in (shipped_links().link_at, shipped_links().joiner_at))
-            for find in (self._joiner, self._linked) if joins > links else (self._linked, self._joiner):
+            finders = (self._joiner, self._linked) if joins > links else (self._linked, self._joiner)
+            for find in (self._manner, *finders, self._sequenced, self._beforehand, self._item_order):
                 if joint is None:
                     joint, end = find(place)
             if joint is not None:
@@ -155,8 +165,9 @@ class _Finder:
     def _linked(self, place: int) -> Tuple[Optional[Joint], int]:
         """Return the condition behind a link, and the place behind it: the most words that make a condition."""
         link, length = shipped_links().link_at(self.forms[place:])
-        if link is None:
-            return None, 0
+        return (None, 0) if link is None else self._condition(link, place, length)
+
+    def _condition(self, link: Link, place: int, length: int) -> Tuple[Optional[Joint], int]:
         start = place + length
         for end in range(len(self.words), start, -1):
             if not self._may_end(start, end):
@@ -174,6 +185,55 @@ class _Finder:
             if condition is not None:
                 return self._joint(link, place, end, length, condition), end
         return None, 0
+
+    def _manner(self, place: int) -> Tuple[Optional[Joint], int]:
+        """Return an order of a list or of deeds ("in any order"), or a least or largest number of times."""
+        times = times_at(self.forms[place:])
+        if times is not None:
+            end = place + times.length
+            joint = self._joint(Link(times.kind.value, times.kind), place, end, times.length, None)
+            return replace(joint, number=times.number), end
+        link, length = shipped_links().order_at(self.forms[place:])
+        if link is not None and self._may_end(place, place + length):
+            return self._joint(link, place, place + length, length, None), place + length
+        return None, 0
+
+    def _item_order(self, place: int) -> Tuple[Optional[Joint], int]:
+        """Return which item of a list comes before which: "but not the hall before the office"."""
+        order = item_order(self.words, place)
+        if order is None or (order.is_list and self._linked(order.border)[0] is not None):
+            return None, 0  # "Open the door after the bell rings" waits for the bell.
+        end = place + order.length
+        joint = self._joint(Link(LinkKind.IN_ORDER.value, LinkKind.IN_ORDER), place, end, order.length, None)
+        if not order.is_list:
+            return replace(joint, order=order), end
+        # The items of a new list stay in the sentence.
+        last = order.border - 1
+        only = frozenset([self.words[last].index] if self.words[last].upos == "ADV" else [])
+        items = (self.words[last - len(only)].index, self.words[order.border].index, self.words[end - 1].index)
+        return replace(joint, positions=only, first=items[1], order=order, items=items), end
+
+    def _sequenced(self, place: int) -> Tuple[Optional[Joint], int]:
+        """Return words before a deed that follows or precedes another one: "before you go", "after closing"."""
+        deed = deed_behind(self.words[place:], self.forms[place:], self.known)
+        if deed is None:
+            return None, 0
+        before = self.forms[place - 1] if place else "."
+        is_front = self.words[place - 1].upos == "PUNCT" or before in _BORDERS if place else True
+        if before == "," and "," not in self.forms[place:]:
+            is_front = False  # "Close the door, before you go."
+        kind = deed.kind
+        if is_front != (kind is LinkKind.BEFORE):
+            kind = LinkKind.THEN  # The deeds are said in the order in which they are done.
+        joint = self._joint(Link(kind.value, kind), place, place + deed.length, deed.length, None)
+        return replace(joint, verb=deed.verb), place + deed.length
+
+    def _beforehand(self, place: int) -> Tuple[Optional[Joint], int]:
+        """Return what may happen in the meantime: "close the door *before Anna comes in*"."""
+        link, length = shipped_links().deed_link_at(self.forms[place:])
+        if link is None or link.kind is not LinkKind.BEFORE:
+            return None, 0
+        return self._condition(Link(link.name, LinkKind.BEFOREHAND), place, length)
 
     def _joint(self, link: Link, place: int, end: int, length: int, condition: Optional[ConditionPart]) -> Joint:
         words = self.words[place:end]
@@ -196,7 +256,8 @@ class _Finder:
         word, form = self.words[end], self.forms[end]
         if word.upos in ("PUNCT", "CCONJ") or form in _BORDERS:
             return True
-        if shipped_links().link_at(self.forms[end:])[1] or shipped_links().joiner_at(self.forms[end:])[1]:
+        links = shipped_links()
+        if any(at(self.forms[end:])[1] for at in (links.link_at, links.joiner_at, links.deed_link_at, links.order_at)):
             return True
         if self._bound(end)[0] is not None or self._timed(end)[0] is not None:
             return True

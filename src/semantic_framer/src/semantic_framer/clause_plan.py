@@ -43,6 +43,11 @@ class PlanPart:
     clause: int = -1
     when: Optional[TimeExpression] = None
 
+    @property
+    def is_endless(self) -> bool:
+        """Whether it is done again and again until something else ends it."""
+        return self.kind == "REPEAT" and not (self.count or self.most or self.period_s or self.limit_s)
+
     def __str__(self) -> str:
         """Return the tree in one line: 'IF(the door is closed, open it)'."""
         if self.kind in LEAVES:
@@ -91,6 +96,8 @@ def part_of(reading: Reading, clause: int) -> PlanPart:
         part = PlanPart("UNTIL", words, (PlanPart("REPEAT", label, (part,)),), duration_s=control.duration_s)
     if control.count > 1:
         part = PlanPart("REPEAT", words, (part,), count=control.count, most=control.count)
+    elif control.is_kept_up and part.kind == "DO":
+        part = PlanPart("REPEAT", label, (part,))
     return part
 
 

@@ -354,6 +354,8 @@ def _argument(
     types = element.semantic_types if element is not None else ()
     if types and sentence.types.fit(argument.head_position, types) is Fit.WRONG:
         return None
+    if kind == "place" and _is_duration(argument.text):
+        return None  # "If I am not back *in ten minutes*" says when.
     new = renamed.get(argument.head_position)
     return replace(argument, text=new, words=new, head=new, lemma=new) if new else argument
 
@@ -399,6 +401,14 @@ def _is_phrase(sentence: Sentence, words: Sequence[Word], *, is_place: bool) -> 
 def _is_number_choice(word: Word) -> bool:
     """Whether a number is one of several: "two or *three* persons"."""
     return word.upos == "NUM" and word.deprel == "conj"
+
+
+def _is_duration(text: str) -> bool:
+    try:
+        parse_measure(text, quantity=Quantity.DURATION.value)
+    except QuantityError:
+        return False
+    return True
 
 
 def _amount(sentence: Sentence, name: str, positions: Sequence[int], quantity: Quantity) -> Optional[TypedArgument]:

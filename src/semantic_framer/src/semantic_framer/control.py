@@ -11,6 +11,7 @@ from spoken_quantities import QuantityError, parse_number
 from typed_arguments import Measure, Source, TypedArgument
 from utterance_passes.clauses import Clause
 from utterance_passes.measures import amounts_of
+from utterance_passes.tree import ASIDE
 from word_classes import word_class, word_list
 
 #: A larger number of times is rather a word that was heard wrongly.
@@ -27,6 +28,9 @@ _UNITS = {Quantity.LENGTH: "metres", Quantity.ANGLE: "radians"}
 _ADVERBS = word_list("iteration_adverbs")
 _NOUNS = word_class("iteration_nouns")
 _EXACT = word_class("exact_adverbs")
+_KEEPING = word_class("keeping_verbs")
+#: FrameNet's name of going somewhere, and its semantic type of places.
+_GOING, _PLACE = "Self_motion", "Location"
 #: Extra-thematic elements; a server that heeds one of them gets it as an argument.
 _DURATION, ITERATION = "Duration", "Iteration"
 
@@ -105,6 +109,23 @@ def with_duration(
         ),
         words,
     )
+
+
+def kept_up(sentence: Sentence, clause: Clause, reading: Reading, frame: SemanticFrame) -> Reading:
+    """Return a reading that says that the deed goes on: "*keep* saying hello".
+
+    "Keep going to the office" means to go on to the office, and "keep moving two metres" ends after two metres.
+    """
+    before = sentence.word(clause.verb - 1) if clause.verb > 1 else None
+    if before is None or before.form.lower() not in _KEEPING or before.deprel != ASIDE:
+        return reading
+    said = [argument for argument in reading.arguments if argument.positions]
+    has_end = any(argument.measure is not None for argument in said) or (
+        frame.framenet == _GOING and any(argument.semantic_type == _PLACE for argument in said)
+    )
+    if has_end or reading.control.is_said or reading.missing:
+        return reading
+    return replace(reading, control=replace(reading.control, is_kept_up=True))
 
 
 def going_on(reading: Reading, frame: SemanticFrame) -> Optional[Reading]:

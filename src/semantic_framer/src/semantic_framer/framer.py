@@ -10,11 +10,23 @@ from semantic_framer.choices import choices_of_amounts, choices_of_clauses, chos
 from semantic_framer.clause_links import Joints, find_joints
 from semantic_framer.clause_plan import answers_in_a_loop, without_unused
 from semantic_framer.dialogue import Context, Pending, is_no
+from semantic_framer.found_clauses import found_clauses
 from semantic_framer.framed_lexicon import FramedLexicon
 from semantic_framer.lexicon import Lexicon
-from semantic_framer.linked_plan import NoStructure, Open, linked_plan, with_persons
-from semantic_framer.linked_sentence import TELLING, joint_words, swallowed_joints, unknown_link, without_joints
+from semantic_framer.linked_clauses import NoStructure, Open
+from semantic_framer.linked_plan import linked_plan
+from semantic_framer.linked_sentence import (
+    TELLING,
+    asked_first,
+    doubtful_message,
+    joint_words,
+    manners,
+    swallowed_joints,
+    unknown_link,
+    without_joints,
+)
 from semantic_framer.mood_file import UtteranceKind
+from semantic_framer.named_persons import with_persons
 from semantic_framer.objections import against_what_runs
 from semantic_framer.outcome import (
     CAREFUL,
@@ -49,14 +61,12 @@ from semantic_framer.utterance_kind import KindVerdict
 from semantic_framer.verdicts import Case, case_of
 from semantic_framer.world_attachment import attached_by_world, is_better, question_of_goal
 from semantic_frames.frame import SemanticFrame
-from utterance_passes.clauses import Clause, find_clauses, whole_sentence
 from utterance_passes.running import run_tree_passes
 from utterance_passes.table import FRAMER_TREE_PASSES, REPHRASING_PASSES
 from utterance_passes.trace import Trace
 from utterance_passes.tree import DependencyTree
 from utterance_passes.tree_edits import NotATree
 from utterance_passes.utterance_pass import Choice, TreePass, Uncertain
-from utterance_passes.verb_matching import match_verbs
 from word_classes import word_class
 
 _WANTING = word_class("wanting_verbs")
@@ -276,9 +286,17 @@ class _Hearing:
             return heard
         known, outcome = self._now.known, heard.outcome
         if isinstance(outcome, Understood):
-            joints = swallowed_joints(sentence, known, [readings[0] for readings in outcome.clauses])
+            best = [readings[0] for readings in outcome.clauses]
+            doubt = doubtful_message(sentence, known, best)
+            if doubt is not None:
+                return Heard(doubt, context, sentence)
+            joints = swallowed_joints(sentence, known, best)
             swallowed = Refusal("CONDITION", f'I do not understand how "{joint_words(sentence, joints)}" is meant.')
             refused = Heard(swallowed, context, sentence)
+            how = Joints() if joints.found else manners(sentence, known)
+            if how.found:
+                swallowed = Refusal("CONDITION", f'I do not understand how "{joint_words(sentence, how)}" is meant.')
+                return self._linked(sentence, context, swallowed, how) or Heard(swallowed, context, sentence)
             return self._linked(sentence, context, swallowed, joints) or refused if joints.found else heard
         return self._linked(sentence, context, outcome, find_joints(sentence, known)) or heard
 
@@ -307,7 +325,7 @@ class _Hearing:
         for joint in joints.found:
             self._now.write("links", sentence.text(sorted(joint.positions)), joint.kind.value)
         bare = Sentence(left, self._now.known.types)
-        case = case_of(bare, self._clauses(bare), self._now.known, self._now.policy)
+        case = case_of(bare, found_clauses(bare, self._now.known, self._trace), self._now.known, self._now.policy)
         clauses = self._deeds(case)
         if isinstance(clauses, Refusal):
             return Heard(clauses, context, sentence) if clauses.code in TELLING and refused is None else refused
@@ -330,7 +348,13 @@ class _Hearing:
             self._now.write("links", sentence.tree.text, f"refused. {reason}")
             return refused
         self._now.write("plan", sentence.tree.text, str(plan))
-        return Heard(*resolve_and_confirm(kept, bare, context, self._now, plan=plan), sentence, clauses)
+        outcome, after = resolve_and_confirm(kept, bare, context, self._now, plan=plan)
+        doubt = asked_first(sentence, joints, plan) if isinstance(outcome, Understood) else None
+        if doubt is not None:
+            self._now.write("links", sentence.tree.text, f"asked. {doubt.sentence}")
+            pending = Pending(without_positions(kept), 0, (), self._now.expires_s, plan=plan, is_about_words=True)
+            outcome, after = doubt, replace(context, pending=pending)
+        return Heard(outcome, after, sentence, clauses)
 
     def _deeds_first(self, readings: Tuple[Reading, ...]) -> Tuple[Reading, ...]:
         """Return the readings that act, if one does: "proceed until ..." is no answer to what waits."""
@@ -349,7 +373,7 @@ class _Hearing:
             self._now.write("fragment", sentence.tree.text, change.note)
             return Heard(*self._changed(change, sentence, context), sentence)
         known, policy = self._now.known, self._now.policy
-        case = case_of(sentence, self._clauses(sentence), known, policy)
+        case = case_of(sentence, found_clauses(sentence, known, self._trace), known, policy)
         if self._trace is not None:
             for clause, kind in zip(case.clauses, case.kinds):
                 self._trace.add("utterance_kind", case.text_of(clause), after=str(kind), positions=clause.positions)
@@ -425,24 +449,3 @@ class _Hearing:
                     self._trace.add(verdict.name, after=f"refused. {verdict.reason}")
                 return refusal
         return None
-
-    def _clauses(self, sentence: Sentence) -> Tuple[Clause, ...]:
-        """Return the clauses of the sentence; if the parser found no verb, a verb of the lexicon at the front ("High
-        five!") makes a clause.
-        """
-        tree, known = sentence.tree, self._now.known
-        clauses = find_clauses(tree, known)
-        if clauses and any(match_verbs(tree, clause, known) for clause in clauses):
-            return clauses
-        words = [
-            word
-            for word in tree.words
-            if word.upos != "PUNCT" and (word.upos != "INTJ" or len(tree.words) < 3)
-            if word.index not in sentence.abandoned
-        ]
-        if words:
-            front = whole_sentence(tree, words[0].index)
-            if match_verbs(tree, front, known):
-                self._now.write("verb_at_the_front", tree.word(front.verb).form, "a verb, though the parser saw none")
-                return (front,)
-        return clauses

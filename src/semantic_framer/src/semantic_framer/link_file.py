@@ -13,7 +13,7 @@ from semantic_frames.source_files import read_text
 
 #: Next to this module in the source, devel and install space.
 LINKS_FILE = Path(__file__).resolve().parent / "links.yaml"
-_SECTIONS = ("links", "joiners", "bounds", "bounds_behind")
+_SECTIONS = ("links", "joiners", "deeds", "orders", "counts", "bounds", "bounds_behind")
 
 
 class LinkKind(Enum):
@@ -33,6 +33,15 @@ class LinkKind(Enum):
     OR_ELSE = "or else"  # if what was said before fails
     MEANWHILE = "meanwhile"  # at the same time as what was said before
     THEN = "then"  # after what was said before
+    BEFORE = "before"  # the deed behind it follows the others
+    AFTER = "after"  # the deed behind it comes before the others
+    BEFOREHAND = "beforehand"  # what may happen meanwhile, and nobody waits for: "before Anna comes in"
+    ANY_ORDER = "in any order"  # a list, or deeds, in any order
+    IN_ORDER = "in this order"  # in the order in which they are said
+    REVERSED = "in reverse order"  # the last one first
+    FOREVER = "again and again"  # until something else ends it
+    AT_LEAST = "at least"  # so many times or more
+    AT_MOST = "at most"  # so many times or fewer
 
 
 @dataclass(frozen=True)
@@ -57,12 +66,18 @@ class Links:
     Attributes:
         links: what stands before a condition, by its words
         joiners: what stands before a deed, by its words
+        deeds: what stands before a deed that another one precedes or follows, by its words
+        orders: what says how several deeds, or all of them, are done, by its words
+        counts: what stands before a number of times, by its words
         bounds: words before the longest time that something may take
         bounds_behind: words behind "for" and such a time: "for an hour *at most*"
     """
 
     links: Mapping[Tuple[str, ...], Link]
     joiners: Mapping[Tuple[str, ...], Link]
+    deeds: Mapping[Tuple[str, ...], Link]
+    orders: Mapping[Tuple[str, ...], Link]
+    counts: Mapping[Tuple[str, ...], Link]
     bounds: FrozenSet[Tuple[str, ...]]
     bounds_behind: FrozenSet[Tuple[str, ...]]
 
@@ -78,6 +93,22 @@ class Links:
         """Return the joiner that words in lower case begin with, and its number of words; None and 0 for none."""
         return _longest(self.joiners, forms)
 
+    def deed_link_at(self, forms: Sequence[str]) -> Tuple[Optional[Link], int]:
+        """Return the words before a deed that words in lower case begin with, and their number; None and 0 for none."""
+        return _longest(self.deeds, forms)
+
+    def order_at(self, forms: Sequence[str]) -> Tuple[Optional[Link], int]:
+        """Return the order that words in lower case begin with, and its number of words; None and 0 for none."""
+        return _longest(self.orders, forms)
+
+    def count_at(self, forms: Sequence[str]) -> Tuple[Optional[Link], int]:
+        """Return the words before a number of times that words in lower case begin with, and their number."""
+        return _longest(self.counts, forms)
+
+    def has_manner(self, forms: FrozenSet[str]) -> bool:
+        """Whether a phrase of an order, or before a number of times, may be among words in lower case."""
+        return any(forms.issuperset(words) for of in (self.orders, self.counts) for words in of)
+
     def bound_at(self, forms: Sequence[str]) -> int:
         """Return the number of words of a bound that words in lower case begin with; 0 for none."""
         return _length(self.bounds, forms)
@@ -92,7 +123,7 @@ def _length(of: FrozenSet[Tuple[str, ...]], forms: Sequence[str]) -> int:
 
 
 def _longest(of: Mapping[Tuple[str, ...], Link], forms: Sequence[str]) -> Tuple[Optional[Link], int]:
-    for length in range(min(8, len(forms)), 0, -1):
+    for length in range(min(9, len(forms)), 0, -1):
         found = of.get(tuple(forms[:length]))
         if found is not None:
             return found, length
@@ -110,13 +141,15 @@ def load_links(text: str, path: str) -> Links:
     """
     reader = Reader(path)
     sections = reader.mapping(reader.compose(text, "a mapping of links"), "", _SECTIONS, required=_SECTIONS)
-    links, joiners = (_entries(reader, sections.get(name), name) for name in ("links", "joiners"))
+    links, joiners, deeds, orders, counts = (
+        _entries(reader, sections.get(name), name) for name in ("links", "joiners", "deeds", "orders", "counts")
+    )
     bounds, behind = (
         frozenset(tuple(words.split()) for words in reader.texts(sections.get(name), name))
         for name in ("bounds", "bounds_behind")
     )
     reader.refuse_if_wrong()
-    return Links(links, joiners, bounds, behind)
+    return Links(links, joiners, deeds, orders, counts, bounds, behind)
 
 
 def _entries(reader: Reader, node: Optional[yaml.Node], section: str) -> Mapping[Tuple[str, ...], Link]:

@@ -5,25 +5,20 @@ deed belongs to that deed alone; where it could belong to the deed before as wel
 """
 
 from dataclasses import dataclass, replace
-from typing import FrozenSet, List, Mapping, NamedTuple, Optional, Sequence, Tuple
+from typing import FrozenSet, List, Optional, Sequence, Tuple
 
-from phrase_meanings.arguments import resolved
 from semantic_framer.clause_links import Joint
 from semantic_framer.clause_plan import Clauses, PlanPart, part_of
-from semantic_framer.conditions import ConditionPart
-from semantic_framer.control import going_on
+from semantic_framer.deed_orders import ItemOrder, sorted_by
 from semantic_framer.framed_lexicon import FramedLexicon
 from semantic_framer.link_file import LinkKind
+from semantic_framer.linked_clauses import JOINING, LinkedClauses, Node, NoStructure, Open, which_of_it
 from semantic_framer.reading import Reading
 from semantic_framer.sentence import Sentence
 from semantic_framer.standing_plan import NotAlone, with_orders_at_the_root
-from semantic_frames.frame import SemanticFrame
-from typed_arguments import TimeExpression, TypedArgument
+from typed_arguments import TimeExpression
 from utterance_passes.clauses import Clause
-from word_classes import word_class
 
-_CONTINUING = word_class("continuing_verbs")
-_JOINING = word_class("linking_conjunctions") | {";"}
 _SENTENCE_ENDS = frozenset([".", "!", "?", ";", "..."])
 _JOINERS = (LinkKind.OTHERWISE, LinkKind.OR_ELSE, LinkKind.MEANWHILE)
 #: Links that decide whether or when something begins. Behind several deeds, it is open to which of them they belong.
@@ -35,22 +30,14 @@ _BEGINNING = (
     LinkKind.WHENEVER,
     LinkKind.DELAY,
     LinkKind.CLOCK,
+    LinkKind.AFTER,
 )
-#: FrameNet's name of what only waits.
-_WAITING = "Waiting"
-#: FrameNet's semantic type of persons.
-_PERSON = "Human"
-_PERSONS = word_class("persons_of_the_sentence")
-_NO_NAMES = _PERSONS | word_class("participants") | word_class("pronouns")
-_HERE = word_class("place_adverbs_of_waiting")
-
-
-class NoStructure(ValueError):
-    """The parts of the sentence cannot be joined."""
-
-
-class Open(NoStructure):
-    """The person must say how the parts of the sentence are joined; the text is the question."""
+#: Words that are no unit of their own.
+_WITHOUT_UNIT = (LinkKind.THEN, LinkKind.BEFOREHAND, LinkKind.IN_ORDER)
+#: How the items of a list, or several deeds, are done.
+_ORDERS = (LinkKind.ANY_ORDER, LinkKind.REVERSED)
+#: How often a deed is done.
+_COUNTS = (LinkKind.FOREVER, LinkKind.AT_LEAST, LinkKind.AT_MOST)
 
 
 @dataclass(frozen=True)
@@ -84,11 +71,6 @@ class _Unit:
         return bool(self.before & _SENTENCE_ENDS)
 
 
-class _Node(NamedTuple):
-    part: PlanPart
-    positions: FrozenSet[int]
-
-
 def linked_plan(
     sentence: Sentence,
     known: FramedLexicon,
@@ -118,35 +100,21 @@ class _Builder:
         joints: Sequence[Joint],
     ) -> None:
         self._sentence = sentence
-        self._known = known
         if any(joint.kind is LinkKind.THEN and joint.limit_s for joint in joints):
             raise NoStructure("a longest time belongs to nothing that waits")
-        self._positions: List[FrozenSet[int]] = []
-        self._clauses: List[Tuple[Reading, ...]] = []
-        self._firsts: List[int] = []
-        for clause, readings in deeds:
-            self._positions.append(frozenset(self._content(clause.positions)))
-            self._clauses.append(readings)
-            self._firsts.append(min(self._positions[-1]))
+        self._orders: List[ItemOrder] = [joint.order for joint in joints if joint.order is not None]
+        self._table = LinkedClauses(sentence, known, deeds)
         self._units = self._in_order(joints)
         self._place = 0
 
-    def _content(self, positions: FrozenSet[int]) -> List[int]:
-        found = sorted(positions - self._sentence.abandoned)
-        words = [self._sentence.word(index) for index in found]
-        while len(words) > 1 and (words[0].deprel in ("punct", "cc") or words[0].form.lower() in _JOINING):
-            words.pop(0)
-        while len(words) > 1 and words[-1].deprel in ("punct", "cc"):
-            words.pop()
-        return [word.index for word in words]
-
     def _in_order(self, joints: Sequence[Joint]) -> List[_Unit]:
-        units = [_Unit(min(positions), max(positions), clause=place) for place, positions in enumerate(self._positions)]
+        said = enumerate(self._table.positions)
+        units = [_Unit(min(positions), max(positions), clause=place) for place, positions in said]
         units += [
-            _Unit(joint.first, max(joint.positions), joint) for joint in joints if joint.kind is not LinkKind.THEN
+            _Unit(joint.first, max(joint.positions), joint) for joint in joints if joint.kind not in _WITHOUT_UNIT
         ]
         units.sort(key=lambda unit: unit.first)
-        taken = frozenset().union(*self._positions, *(unit.joint.positions for unit in units if unit.joint))
+        taken = frozenset().union(*self._table.positions, *(unit.joint.positions for unit in units if unit.joint))
         then = frozenset().union(*(joint.positions for joint in joints if joint.kind is LinkKind.THEN))
         found: List[_Unit] = []
         for unit in units:
@@ -158,15 +126,20 @@ class _Builder:
         return found
 
     def build(self) -> Tuple[Clauses, PlanPart]:
-        nodes: List[_Node] = []
+        nodes: List[Node] = []
         while self._place < len(self._units):
-            nodes.append(self._statement())
+            if nodes and self._now is not None and self._now.kind in _ORDERS:
+                nodes = [self._ordered(self._take(), nodes)]
+            else:
+                nodes.append(self._statement())
+        if self._orders:
+            raise NoStructure("an order of what is in no list")
         try:
             plan = with_orders_at_the_root(self._sequence(nodes).part)
         except NotAlone as words:
             raise Open(f'I can keep only one order at a time. Say it alone: "{words}".') from words
-        order = sorted(range(len(self._clauses)), key=lambda place: self._firsts[place])
-        return tuple(self._clauses[place] for place in order), _with_places(plan, order)
+        order = sorted(range(len(self._table.readings)), key=lambda place: self._table.firsts[place])
+        return tuple(self._table.readings[place] for place in order), _with_places(plan, order)
 
     @property
     def _now(self) -> Optional[_Unit]:
@@ -180,16 +153,19 @@ class _Builder:
     def _is_now(self, kind: LinkKind) -> bool:
         return self._now is not None and self._now.kind is kind
 
-    def _statement(self) -> _Node:
+    def _statement(self) -> Node:
         """Read a link at the front with what it joins, or a deed."""
         unit = self._now
         if unit is None or unit.kind in _JOINERS:
             raise NoStructure("nothing stands before words that join")
         if not unit.is_link:
             return self._deed(is_conditional=False)
+        if unit.kind is LinkKind.BEFORE:
+            return self._before(self._take())
         links = [self._take()]
-        while self._now is not None and self._now.is_link and not self._now.before & _JOINING:
+        while self._now is not None and self._now.is_link and not self._now.before & JOINING:
             links.append(self._take())
+        links = _with_delays_outside(links)
         body = self._scope(is_conditional=True)
         if not body:
             words = self._sentence.text(sorted(links[-1].joint.positions if links[-1].joint else ()))
@@ -200,7 +176,32 @@ class _Builder:
             node = self._joined(link, [node], [])
         return node
 
-    def _otherwise(self, link: _Unit) -> List[_Node]:
+    def _before(self, link: _Unit) -> Node:
+        """Read a deed that follows those behind it: "before *you go to the kitchen*, close the door"."""
+        last, body = [self._next_deed()], []  # type: List[Node], List[Node]
+        while self._now is not None and self._now.joint is None and "," not in self._now.before:
+            last.append(self._next_deed())
+        if self._now is not None and self._now.joint is None:
+            body = self._scope(is_conditional=True)
+        if not body and len(last) == 2:
+            body = [last.pop()]
+        if not body:
+            raise Open(f"What should I do before I do this: {self._table.label(self._sequence(last).positions)}?")
+        return self._sequence(body + last)
+
+    def _ordered(self, link: _Unit, nodes: List[Node]) -> Node:
+        """Return deeds, or the items of a list of one deed, in any order or in reverse order."""
+        if len(nodes) == 1 and nodes[0].part.kind == "DO":
+            nodes = self._table.items(nodes[0])
+        elif len(nodes) == 1 and nodes[0].part.kind == "SEQUENCE":
+            nodes = [Node(part, nodes[0].positions) for part in nodes[0].part.children]
+        if len(nodes) < 2:
+            raise NoStructure("an order of one deed")
+        if link.kind is LinkKind.REVERSED:
+            return self._sequence(nodes[::-1])
+        return self._several("ANY_ORDER", nodes)
+
+    def _otherwise(self, link: _Unit) -> List[Node]:
         """Read what is to be done if the condition of a link does not hold."""
         if not self._is_now(LinkKind.OTHERWISE) and not self._is_now(LinkKind.OR_ELSE):
             return []
@@ -215,20 +216,25 @@ class _Builder:
             raise Open("What should I do otherwise?")
         return found
 
-    def _scope(self, *, is_conditional: bool) -> List[_Node]:
-        found: List[_Node] = []
+    def _scope(self, *, is_conditional: bool) -> List[Node]:
+        found: List[Node] = []
         while self._now is not None and self._now.joint is None and not (found and self._now.begins_sentence):
             found.append(self._deed(is_conditional=is_conditional))
         return found
 
-    def _deed(self, *, is_conditional: bool) -> _Node:
+    def _deed(self, *, is_conditional: bool) -> Node:
         """Read a deed with the links behind it."""
         unit = self._take()
-        node = _Node(part_of(self._clauses[unit.clause][0], unit.clause), self._positions[unit.clause])
+        node = Node(part_of(self._table.readings[unit.clause][0], unit.clause), self._table.positions[unit.clause])
+        node = self._sorted(node)
         while self._now is not None and self._now.is_link and self._is_behind():
             link = self._take()
             self._must_belong_to(unit, link)
-            if self._is_now(LinkKind.OTHERWISE) and link.kind in (LinkKind.IF, LinkKind.UNLESS):
+            if link.kind in _ORDERS:
+                node = self._ordered(link, [node])
+            elif link.kind is LinkKind.AFTER:
+                node = self._sequence([self._next_deed(), node])
+            elif self._is_now(LinkKind.OTHERWISE) and link.kind in (LinkKind.IF, LinkKind.UNLESS):
                 node = self._joined(link, [node], self._otherwise(link))
             else:
                 node = self._joined(link, [node], [])
@@ -241,12 +247,24 @@ class _Builder:
             raise NoStructure("otherwise, without an if")
         return node
 
-    def _next_deed(self) -> _Node:
+    def _sorted(self, node: Node) -> Node:
+        """Return a deed with the items of its list in the order that was said: "but not the hall before the office"."""
+        if not self._orders or node.part.kind != "DO":
+            return node
+        items = self._table.items(node)
+        names = [frozenset(self._sentence.word(index).form.lower() for index in item.positions) for item in items]
+        order = sorted_by(names, self._orders)
+        if order is None or len(items) < 2:
+            return node
+        self._orders = []
+        return self._sequence([items[place] for place in order])
+
+    def _next_deed(self) -> Node:
         if self._now is None or self._now.joint is not None:
             raise NoStructure("nothing stands behind words that join")
         return self._deed(is_conditional=False)
 
-    def _meanwhile(self, node: _Node) -> _Node:
+    def _meanwhile(self, node: Node) -> Node:
         joint = self._take()
         if self._now is None:
             # "Go to the kitchen and tell me a joke meanwhile": the deed before is already read.
@@ -262,21 +280,26 @@ class _Builder:
         is_last = following is None or following.begins_sentence or following.kind in _JOINERS
         if link.begins_sentence:
             return False
-        if link.before & _JOINING:
+        if link.kind in _ORDERS:
+            before = self._units[self._place - 1]
+            return before.joint is None and self._table.has_items(before.clause)
+        if link.kind in _COUNTS or link.kind is LinkKind.AFTER:
+            return True
+        if link.before & JOINING:
             if is_last:
                 raise NoStructure("a link stands behind a conjunction, and joins nothing")
             return False
-        if is_last or (following is not None and (following.is_link or following.before & _JOINING)):
+        if is_last or (following is not None and (following.is_link or following.before & JOINING)):
             return True
         if link.kind in (LinkKind.UNTIL, LinkKind.WHILE, LinkKind.PERIOD):
             return True
         raise Open(self._which(link))
 
     def _which(self, link: _Unit) -> str:
-        words = self._sentence.text(sorted(link.joint.positions)) if link.joint else ""
-        return (
-            f'Which of it do you mean by "{words}"? Say it first, for instance: "{words[0].upper()}{words[1:]}, ...".'
-        )
+        said = link.joint.positions if link.joint else frozenset()
+        if link.kind is LinkKind.AFTER and self._now is not None and self._now.joint is None:
+            said |= self._table.positions[self._now.clause]
+        return which_of_it(self._sentence.text(sorted(said)))
 
     def _must_belong_to(self, deed: _Unit, link: _Unit) -> None:
         """Ask if a link could belong to the deed before as well: "go to the hall and open the window if it is hot"."""
@@ -288,149 +311,103 @@ class _Builder:
 
     # --- nodes
 
-    def _joined(self, unit: _Unit, body: List[_Node], otherwise: List[_Node]) -> _Node:
+    def _joined(self, unit: _Unit, body: List[Node], otherwise: List[Node]) -> Node:
         """Return the node of a link with what it joins."""
         joint = unit.joint
         if joint is None:
             raise NoStructure("no link")
         positions = joint.positions.union(*(node.positions for node in body + otherwise))
-        label = self._label(positions)
+        label = self._table.label(positions)
         child = self._sequence(body)
         if joint.kind is LinkKind.DELAY:
-            when = TimeExpression("time", self._label(joint.positions), "in", offset_s=joint.seconds)
-            return _Node(PlanPart("AT", label, (child.part,), when=when), positions)
+            when = TimeExpression("time", self._table.label(joint.positions), "in", offset_s=joint.seconds)
+            return Node(PlanPart("AT", label, (child.part,), when=when), positions)
         if joint.kind is LinkKind.CLOCK:
-            return _Node(PlanPart("AT", label, (child.part,), when=joint.when), positions)
+            return Node(PlanPart("AT", label, (child.part,), when=joint.when), positions)
         if joint.kind is LinkKind.PERIOD:
             if child.part.kind in ("UNTIL", "WHILE") and not child.part.duration_s:
                 # "Every ten seconds say hello until ...": the end is that of the repetition.
                 until, deed = child.part, child.part.children[-1]
                 again = PlanPart("REPEAT", deed.label, (deed,), period_s=joint.seconds)
                 if deed.kind == "DO":
-                    return _Node(replace(until, label=label, children=(until.children[0], again)), positions)
+                    return Node(replace(until, label=label, children=(until.children[0], again)), positions)
             if child.part.kind in ("REPEAT", "WAIT", "UNTIL", "WHILE"):
                 raise NoStructure("two ways to repeat")
-            when = TimeExpression("set", self._label(joint.positions), "every", period_s=joint.seconds)
-            return _Node(PlanPart("AT", label, (child.part,), when=when), positions)
+            when = TimeExpression("set", self._table.label(joint.positions), "every", period_s=joint.seconds)
+            return Node(PlanPart("AT", label, (child.part,), when=when), positions)
+        if joint.kind in _ORDERS:
+            return self._ordered(unit, body)
+        if joint.kind in _COUNTS:
+            return Node(_repeated(child.part, label, joint), positions)
         if joint.condition is None:
             raise NoStructure("a link without a condition")
         if joint.limit_s and joint.kind not in (LinkKind.UNTIL, LinkKind.WHEN, LinkKind.ANEW):
             raise NoStructure("a longest time for what does not wait")
         is_opposite = joint.kind is LinkKind.UNLESS
-        condition = self._condition(joint.condition, is_opposite, joint.kind)
+        condition = self._table.condition(joint.condition, is_opposite, joint.kind)
         if joint.kind in (LinkKind.IF, LinkKind.UNLESS):
             parts = (condition, child.part) + ((self._sequence(otherwise).part,) if otherwise else ())
-            return _Node(PlanPart("IF", label, parts), positions)
+            return Node(PlanPart("IF", label, parts), positions)
         if joint.kind is LinkKind.WHENEVER:
-            return _Node(PlanPart("WHENEVER", label, (condition, child.part)), positions)
+            return Node(PlanPart("WHENEVER", label, (condition, child.part)), positions)
         if joint.kind in (LinkKind.WHEN, LinkKind.ANEW):
-            wait = PlanPart("WAIT", self._label(joint.positions), (condition,), limit_s=joint.limit_s)
-            return self._sequence([_Node(wait, joint.positions), *body])
-        return self._ended(joint, body, condition, _Node(child.part, positions))
+            wait = PlanPart("WAIT", self._table.label(joint.positions), (condition,), limit_s=joint.limit_s)
+            return self._sequence([Node(wait, joint.positions), *body])
+        return self._ended(joint, body, condition, Node(child.part, positions))
 
-    def _ended(self, joint: Joint, body: List[_Node], condition: PlanPart, whole: _Node) -> _Node:
+    def _ended(self, joint: Joint, body: List[Node], condition: PlanPart, whole: Node) -> Node:
         """Return what a condition ends: "follow me until ...", "wait until ..."."""
-        label = self._label(whole.positions)
+        label = self._table.label(whole.positions)
         is_until = joint.kind is LinkKind.UNTIL
-        if (
-            len(body) == 1
-            and body[0].part.kind == "DO"
-            and any(map(self._only_waits, self._clauses[body[0].part.clause]))
-        ):
+        if len(body) == 1 and body[0].part.kind == "DO" and self._table.only_waits(body[0].part.clause):
             held = condition if is_until else replace(condition, is_negated=not condition.is_negated)
-            return _Node(PlanPart("WAIT", label, (held,), limit_s=joint.limit_s), whole.positions)
+            return Node(PlanPart("WAIT", label, (held,), limit_s=joint.limit_s), whole.positions)
         last = body[-1].part
+        if last.is_endless:
+            last = last.children[0]
         if last.kind == "DO":
-            last = self._going_on(last)
+            last = self._table.going_on(last)
         parts = [node.part for node in body[:-1]] + [last]
         child = parts[0] if len(parts) == 1 else replace(whole.part, children=tuple(parts))
         if is_until:
-            return _Node(PlanPart("UNTIL", label, (condition, child), limit_s=joint.limit_s), whole.positions)
-        return _Node(PlanPart("WHILE", label, (condition, child)), whole.positions)
+            return Node(PlanPart("UNTIL", label, (condition, child), limit_s=joint.limit_s), whole.positions)
+        return Node(PlanPart("WHILE", label, (condition, child)), whole.positions)
 
-    def _only_waits(self, reading: Reading) -> bool:
-        frame = self._known.frames[reading.unit.frame_name]
-        said = [argument for argument in reading.arguments if argument.positions]
-        if frame.framenet != _WAITING or reading.left_over or reading.extra or reading.missing:
-            return False
-        return all(argument.text.lower() in _HERE for argument in said)
-
-    def _going_on(self, part: PlanPart) -> PlanPart:
-        """Return a deed that goes on until something ends it: as far as its frame allows, and again and again."""
-        readings = self._clauses[part.clause]
-        frames = self._known.frames
-        longest = [going_on(reading, frames[reading.unit.frame_name]) for reading in readings]
-        made = tuple(new or old for new, old in zip(longest, readings))
-        complete = tuple(reading for reading in made if not reading.missing)
-        readings = self._clauses[part.clause] = complete or made
-        is_open = going_on(readings[0], frames[readings[0].unit.frame_name]) is not None
-        first = min(self._positions[part.clause])
-        is_kept_up = first > 1 and self._sentence.word(first - 1).form.lower() in _CONTINUING
-        if is_kept_up or is_open:
-            return PlanPart("REPEAT", part.label, (part,))
-        return part
-
-    def _condition(self, of: ConditionPart, is_opposite: bool, kind: LinkKind) -> PlanPart:
-        is_anew = kind is LinkKind.ANEW or of.is_anew or any(child.is_anew for child in of.children)
-        if is_anew and kind not in (LinkKind.ANEW, LinkKind.WHEN, LinkKind.UNTIL, LinkKind.WHENEVER):
-            raise NoStructure("a condition that begins, where it must hold")
-        part = self._condition_part(of)
-        trigger = "BEGINS" if is_anew and kind is not LinkKind.WHENEVER else "HOLDS"
-        return replace(part, trigger=trigger, is_negated=part.is_negated != is_opposite)
-
-    def _condition_part(self, of: ConditionPart) -> PlanPart:
-        label = self._label(of.positions)
-        if of.reading is None:
-            children = tuple(self._condition_part(child) for child in of.children)
-            return PlanPart(of.kind, label, children, is_negated=of.is_negated)
-        self._clauses.append((replace(of.reading, clause_text=label),))
-        self._firsts.append(min(of.positions))
-        return PlanPart("CONDITION", label, is_negated=of.is_negated, clause=len(self._clauses) - 1)
-
-    def _sequence(self, nodes: Sequence[_Node]) -> _Node:
+    def _sequence(self, nodes: Sequence[Node]) -> Node:
         if len(nodes) == 1:
             return nodes[0]
         return self._several("SEQUENCE", nodes)
 
-    def _several(self, kind: str, nodes: Sequence[_Node]) -> _Node:
+    def _several(self, kind: str, nodes: Sequence[Node]) -> Node:
         positions = frozenset().union(*(node.positions for node in nodes))
         parts: List[PlanPart] = []
         for node in nodes:
             is_same = node.part.kind == kind and not node.part.limit_s
             parts += node.part.children if is_same else (node.part,)
-        return _Node(PlanPart(kind, self._label(positions), tuple(parts)), positions)
+        return Node(PlanPart(kind, self._table.label(positions), tuple(parts)), positions)
 
-    def _label(self, positions: FrozenSet[int]) -> str:
-        return self._sentence.text(sorted(positions)).strip(" ,;.!?")
+
+def _with_delays_outside(links: List[_Unit]) -> List[_Unit]:
+    """Put each delay right behind a condition before it: "if I am not back *in ten minutes*" is looked at then."""
+    found: List[_Unit] = []
+    for link in links:
+        is_of_condition = link.kind is LinkKind.DELAY and "," not in link.before
+        if found and is_of_condition and found[-1].kind in (LinkKind.IF, LinkKind.UNLESS):
+            found.insert(-1, link)
+        else:
+            found.append(link)
+    return found
+
+
+def _repeated(part: PlanPart, label: str, joint: Joint) -> PlanPart:
+    """Return a deed that is done so many times at least or at most, or again and again."""
+    if part.kind in ("REPEAT", "UNTIL", "WHILE"):
+        raise NoStructure("two ways to repeat")
+    least = joint.number if joint.kind is LinkKind.AT_LEAST else 0
+    return PlanPart("REPEAT", label, (part,), count=least, most=joint.number if joint.kind is LinkKind.AT_MOST else 0)
 
 
 def _with_places(part: PlanPart, order: Sequence[int]) -> PlanPart:
     """Return a tree with the new places of its clauses."""
     children = tuple(_with_places(child, order) for child in part.children)
     return replace(part, children=children, clause=order.index(part.clause) if part.clause >= 0 else -1)
-
-
-def with_persons(clauses: Clauses, frames: Mapping[str, SemanticFrame]) -> Clauses:
-    """Return clauses in which "she" and "him" are the person who was named last: "follow Anna until she sits down".
-
-    Raises:
-        Open: a condition is about a person who was not named
-    """
-    named: Optional[TypedArgument] = None
-    done: List[Tuple[Reading, ...]] = []
-    for readings in clauses:
-        is_condition = frames[readings[0].unit.frame_name].is_condition
-        made: List[Reading] = []
-        for reading in readings:
-            arguments: List[TypedArgument] = []
-            for argument in reading.arguments:
-                if argument.text.lower() in _PERSONS and named is not None:
-                    argument = resolved(argument, named.text)
-                elif argument.text.lower() in _PERSONS and is_condition:
-                    raise Open(f'Whom do you mean by "{argument.text}"?')
-                arguments.append(argument)
-            made.append(replace(reading, arguments=tuple(arguments)))
-        done.append(tuple(made))
-        persons = [argument for argument in made[0].arguments if argument.semantic_type == _PERSON]
-        named = next((one for one in persons if one.text.lower() not in _NO_NAMES), named)
-    return tuple(done)

@@ -1,18 +1,31 @@
 """The rest of a sentence without the words that join its deeds, and what to reply if these are not understood."""
 
-from typing import FrozenSet, Optional, Sequence, Union
+from typing import Optional, Sequence, Union
 
 from semantic_framer.clause_links import Joints, find_joints
+from semantic_framer.clause_plan import PlanPart, leaves_of
+from semantic_framer.frame_roles import MESSAGE
 from semantic_framer.framed_lexicon import FramedLexicon
-from semantic_framer.link_file import shipped_links
+from semantic_framer.link_file import LinkKind, shipped_links
+from semantic_framer.linked_clauses import which_of_it
 from semantic_framer.outcome import Question, Refusal
 from semantic_framer.reading import Reading
 from semantic_framer.sentence import Sentence
+from utterance_passes.quotations import QUOTATION_MARKS
 from utterance_passes.tree import ASIDE, DependencyTree, Word
 from utterance_passes.tree_edits import TreeEdit, mark_times, set_aside
 
 #: Codes of refusals of the deeds that say more than that the sentence has a condition.
 TELLING = frozenset(["UNKNOWN_VERB", "UNKNOWN_FRAME", "NO_READING", "LEFT_OVER_WORDS"])
+#: What is no part of a thing or place: "the hall and the office *in any order*".
+_MANNERS = (
+    LinkKind.ANY_ORDER,
+    LinkKind.IN_ORDER,
+    LinkKind.REVERSED,
+    LinkKind.FOREVER,
+    LinkKind.AT_LEAST,
+    LinkKind.AT_MOST,
+)
 #: Relations of a verb that depends on the one before it.
 _DEPENDENT = frozenset(["advcl", "xcomp", "ccomp", "acl", "dep"])
 
@@ -33,14 +46,33 @@ def without_joints(sentence: Sentence, joints: Joints, known: FramedLexicon) -> 
 
     # The times among the words that join are accounted for.
     times = tuple(time for time in tree.times if not time <= joints.positions)
-    made = set_aside(_with_deeds_apart(tree, joints.positions), joints.positions, ASIDE, is_verb)
+    made = set_aside(_with_deeds_apart(_with_lists(tree, joints), joints), joints.positions, ASIDE, is_verb)
     return mark_times(made, times)
 
 
-def _with_deeds_apart(tree: DependencyTree, joining: FrozenSet[int]) -> DependencyTree:
+def _with_lists(tree: DependencyTree, joints: Joints) -> DependencyTree:
+    """Make a list of two items whose order is said: "the office *after* the hall"."""
+    edit = TreeEdit(tree)
+    for joint in joints.found:
+        if joint.items:
+            one, border, other = joint.items
+            edit.respell(border, "and")
+            edit.retag(border, "CCONJ", "CC")
+            edit.rehang(border, other, "cc")
+            edit.rehang(other, one, "conj")
+    return edit.tree()
+
+
+def _with_deeds_apart(tree: DependencyTree, joints: Joints) -> DependencyTree:
     """Let each deed that hangs on words that join stand beside the others: "if that fails *bring* me the cup"."""
     edit = TreeEdit(tree)
+    joining = joints.positions
+    deeds = frozenset(joint.verb for joint in joints.found if joint.verb)
     for word in tree.words:
+        if word.index in deeds:
+            # "After *closing* the door" and "before you *close* it" command what "close it" commands.
+            edit.retag(word.index, "VERB", "VB")
+            edit.respell(word.index, word.lemma.lower(), word.lemma.lower())
         if word.index in joining or word.upos != "VERB" or word.deprel not in _DEPENDENT:
             continue
         marks = [child for child in tree.children(word.index) if child.index in joining and child.deprel == "mark"]
@@ -67,6 +99,75 @@ def swallowed_joints(sentence: Sentence, known: FramedLexicon, readings: Sequenc
         if not any(sentence.word(index).upos in ("VERB", "AUX") for index in argument.positions if index < joint.first)
     ]
     return Joints(tuple(found))
+
+
+def doubtful_message(sentence: Sentence, known: FramedLexicon, readings: Sequence[Reading]) -> Optional[Question]:
+    """Return a question about a condition at the end of a message that has a verb of its own; None if there is none.
+
+    "Say that dinner is ready when Bob comes home" may be said now, or when Bob comes home. In quotation marks it is a
+    message.
+    """
+    for reading in readings:
+        frame = known.frames[reading.unit.frame_name]
+        for argument in reading.arguments:
+            element = frame.element(argument.name)
+            if element is None or element.framenet != MESSAGE or len(argument.positions) < 2:
+                continue
+            words = [sentence.word(index) for index in sorted(argument.positions)]
+            place = _condition_behind(words)
+            if place and not _is_marked(sentence, words[-1].index):
+                said = sentence.text([word.index for word in words[place:]]).strip(" ,.!?")
+                return Question("AMBIGUOUS", which_of_it(said))
+    return None
+
+
+def _condition_behind(words: Sequence[Word]) -> int:
+    """Return the place of a link between two verbs: "dinner is ready *when* Bob comes"; 0 for none."""
+    verbs = [place for place, word in enumerate(words) if word.upos in ("VERB", "AUX")]
+    forms = [word.form.lower() for word in words]
+    for place, word in enumerate(words):
+        is_between = bool(verbs) and verbs[0] < place < verbs[-1]
+        is_link = word.upos == "SCONJ" or word.xpos == "WRB"
+        if is_between and is_link and shipped_links().link_at(forms[place:])[1]:
+            return place
+    return 0
+
+
+def _is_marked(sentence: Sentence, last: int) -> bool:
+    """Whether the last word of a message stands in quotation marks."""
+    behind = sentence.tree.words[last : last + 2]
+    return any(word.form in QUOTATION_MARKS for word in behind)
+
+
+def manners(sentence: Sentence, known: FramedLexicon) -> Joints:
+    """Return what joins the deeds of a sentence that says in which order they are done, or how often; nothing for
+    another sentence.
+    """
+    said = frozenset(word.form.lower() for word in sentence.tree.open_words)
+    links = shipped_links()
+    if not links.has_manner(said) and not any(links.deed_link_at([form])[1] for form in said):
+        return Joints()
+    joints = find_joints(sentence, known)
+    return joints if any(joint.kind in _MANNERS for joint in joints.found) else Joints()
+
+
+def asked_first(sentence: Sentence, joints: Joints, plan: PlanPart) -> Optional[Question]:
+    """Return what a person is asked before a plan is carried out; None if nothing is doubtful.
+
+    Args:
+        sentence: the sentence
+        joints: what joins its deeds
+        plan: how they are joined
+    """
+    meanwhile = [joint for joint in joints.found if joint.kind is LinkKind.BEFOREHAND]
+    if meanwhile:
+        words = sentence.text(sorted(meanwhile[0].positions))
+        text = f'I cannot take "{words[:1].lower()}{words[1:]}" into account. Shall I go on without it?'
+        return Question("LEFT_OVER_WORDS", text)
+    if any(joint.order is not None and joint.order.is_doubtful for joint in joints.found):
+        deeds = ", then ".join(leaf.label for leaf in leaves_of(plan))
+        return Question("CONFIRM", f'Shall I do this: "{deeds}"? Say yes or no.')
+    return None
 
 
 def joint_words(sentence: Sentence, joints: Joints) -> str:

@@ -34,16 +34,18 @@ class Control:
         count: number of times; 0 if none was said
         duration_s: seconds; 0 if no time was said
         phrase: the words that say so
+        is_kept_up: whether it goes on until something ends it: "keep visiting the hall"
     """
 
     count: int = 0
     duration_s: float = 0.0
     phrase: str = ""
+    is_kept_up: bool = False
 
     @property
     def is_said(self) -> bool:
         """Whether anything but "once" was said."""
-        return self.count > 1 or self.duration_s > 0.0
+        return self.count > 1 or self.duration_s > 0.0 or self.is_kept_up
 
 
 @dataclass(frozen=True)

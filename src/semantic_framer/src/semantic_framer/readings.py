@@ -3,7 +3,7 @@
 from dataclasses import dataclass, replace
 from typing import FrozenSet, Optional, Tuple, Union
 
-from semantic_framer.control import ITERATION, with_duration, with_times
+from semantic_framer.control import ITERATION, kept_up, with_duration, with_times
 from semantic_framer.extra_phrases import extra_arguments
 from semantic_framer.frame_roles import NAME
 from semantic_framer.heeding import FrameHeeding
@@ -156,7 +156,9 @@ def _with_extras(case: ClauseCase, reading: Reading, trace: Optional[Trace]) -> 
         found = _with_heeded(case, found, heeded, trace)
     how_long: FrozenSet[int] = frozenset()
     if is_careful:
-        found, how_long = with_duration(case.sentence, case.clause, found, case.of.known.frames[name])
+        frame = case.of.known.frames[name]
+        found, how_long = with_duration(case.sentence, case.clause, found, frame)
+        found = kept_up(case.sentence, case.clause, found, frame)
     words = sorted(how_often | how_long)
     if not words:
         return found

@@ -40,6 +40,7 @@ _PLACE_ADVERBS = word_class("destination_adverbs")
 _QUESTION_WORDS = word_class("question_words")
 _RENEWING = word_class("renewing_conjunctions")
 _SAID_AROUND = word_class("lead_in") | word_class("hedges")
+_SPEAKER_POSSESSORS = word_class("speaker_possessors")
 _SPEAKERS = word_class("speaker_subjects")
 _SUBJECTS = word_class("subject_pronouns")
 _SUBORDINATING = word_class("relative_adverbs")
@@ -107,10 +108,12 @@ def kinds_of_clauses(
             joined = None
         decided.setdefault(clause.verb, same or joined or front.verdict())
     if any(verdict.acts for verdict in decided.values()):
-        # "It's late, please open the door": "it" does not refer to a thing.
+        # "It's late, please open the door": "it" does not refer to a thing. "My hands are full, ..." is a reason.
         for verb, verdict in decided.items():
-            subjects = {child.form.lower() for child in tree.children(tops[verb]) if child.deprel.startswith("nsubj")}
-            if verdict.is_fact and "it" in subjects:
+            subjects = [child for child in tree.children(tops[verb]) if child.deprel.startswith("nsubj")]
+            owners = {child.form.lower() for subject in subjects for child in tree.children(subject.index)}
+            is_mine = tree.word(tops[verb]).upos == "ADJ" and bool(owners & _SPEAKER_POSSESSORS)
+            if verdict.is_fact and (is_mine or any(subject.form.lower() == "it" for subject in subjects)):
                 decided[verb] = replace(verdict, is_fact=False)
     return tuple(decided[clause.verb] for clause in clauses)
 
@@ -151,8 +154,12 @@ class _Front:
         hidden = tree.abandoned | tree.quoted
         in_front = tree.words[first - 1 : clause.verb - 1]
         self._before = [word for word in in_front if word.index not in hidden]
+        # "I'm thirsty, could you get me some water?" asks only at its end.
+        later = min((verb for verb, top in tops.items() if verb > clause.verb and _asks(tree, top)), default=0)
         self._is_asked = any(
-            word.form == "?" for word in tree.words[clause.verb :] if word.index in inside and word.index not in hidden
+            word.form == "?" and not 0 < later < word.index
+            for word in tree.words[clause.verb :]
+            if word.index in inside and word.index not in hidden
         )
         self._has_aside = any(word.deprel == ASIDE and word.form.lower() not in _PADDING for word in in_front)
         self._said = self._formula_words()
@@ -262,7 +269,9 @@ class _Front:
         is_verb = predicate.upos == "VERB" and self._verb.deprel == "cop"
         is_event = frozenset(said[:-1]) & (_AUXILIARIES | _BE | _NONFINITE_BE | {"not"}) or self._is_done(predicate)
         is_event = bool(is_event) or any(child.form.lower() == "being" for child in children)
-        is_fact = not (is_for_something or (has_clause and not is_noun) or is_verb or is_event)
+        # "The mug was on the table" does not say where it is.
+        is_past = self._verb.xpos == "VBD"
+        is_fact = not (is_for_something or (has_clause and not is_noun) or is_verb or is_event or is_past)
         return KindVerdict(UtteranceKind.REPORT, "fact" if is_fact else "statement", text, is_fact=is_fact)
 
     def _is_done(self, predicate: Word) -> bool:
@@ -354,6 +363,13 @@ class _Front:
             return "PAST" if word.xpos == "VBD" and self._clause.subject else "BASE"
         by_ending = "GERUND" if form.endswith("ing") else "PAST" if form.endswith("ed") else "BASE"
         return _FORM_OF_TAG.get(word.xpos, by_ending)
+
+
+def _asks(tree: DependencyTree, top: int) -> bool:
+    """Whether a part that is joined to another part has an auxiliary before a subject of its own: "could you ..."."""
+    children = tree.children(top) if tree.word(top).head else ()
+    subject = next((child.index for child in children if child.deprel.startswith("nsubj")), 0)
+    return any(child.upos == "AUX" and child.index < subject for child in children)
 
 
 def _is_decisive(text: str) -> bool:

@@ -11,6 +11,7 @@ from utterance_passes.clauses import find_clauses
 from utterance_passes.conllu import from_short
 from utterance_passes.vocabulary import Verbs
 
+TIRED = "i|PRON|3|nsubj am|AUX|3|cop|be tired|ADJ|0|root"
 VERBS = Verbs(frozenset(["turn", "open", "bring"]))
 RULES = [(table, rule) for table in ("acting", "telling") for rule in getattr(shipped_moods(), table)]
 
@@ -42,6 +43,15 @@ def test_rules_are_told_apart() -> None:
             "i|PRON|3|nsubj am|AUX|3|cop|be tired|ADJ|0|root so|ADV|5|advmod open|VERB|3|conj it|PRON|5|obj",
             ["talk: state", "command: imperative"],
         ),
+        (
+            f"{TIRED} could|AUX|6|aux you|PRON|6|nsubj turn|VERB|3|conj ?|PUNCT|3|punct",
+            ["talk: state", "request: modal_to_addressee"],
+        ),
+        (
+            f"{TIRED} and|CCONJ|6|cc you|PRON|6|nsubj turn|VERB|3|conj ?|PUNCT|3|punct",
+            ["question: question_mark", "command: imperative_with_subject"],
+        ),
+        ("the|DET|2|det lamp|NOUN|4|nsubj was|AUX|4|cop|be|VBD big|ADJ|0|root", ["report: statement"]),
         (
             "turn|VERB|0|root ,|PUNCT|1|punct are|AUX|1|parataxis|be you|PRON|3|nsubj",
             ["command: imperative", "question: inversion"],

@@ -11,8 +11,8 @@ class Unit:
 
     Attributes:
         name: singular English name
-        quantity: length, angle or duration
-        si_factor: metres, radians or seconds in one of it
+        quantity: length, angle, duration or speed
+        si_factor: metres, radians, seconds, or metres per second in one of it
     """
 
     name: str
@@ -37,6 +37,9 @@ _SPELLINGS: Tuple[Tuple[Unit, str], ...] = (
     (Unit("millisecond", "duration", 0.001), "millisecond milliseconds ms"),
     (Unit("minute", "duration", 60.0), "minute minutes min mins"),
     (Unit("hour", "duration", 3600.0), "hour hours h hr hrs"),
+    (Unit("metre per second", "speed", 1.0), "m/s mps"),
+    (Unit("kilometre per hour", "speed", 1.0 / 3.6), "km/h kmh kph"),
+    (Unit("mile per hour", "speed", 0.44704), "mph"),
 )
 _UNITS: Dict[str, Unit] = {spelling: unit for unit, spellings in _SPELLINGS for spelling in spellings.split()}
 

@@ -323,8 +323,10 @@ def test_any_text_is_a_finite_number_or_refused_with_a_reason(seed: int) -> None
 
 
 def test_every_quantity_has_units_and_each_is_found_by_its_name() -> None:
-    for quantity in ("length", "angle", "duration"):
-        assert all(find_unit(name) is not None for name in units_of(quantity))
+    for quantity, names in (("angle", ("degree", "radian", "turn")), ("length", ("metre", "centimetre", "millimetre"))):
+        assert units_of(quantity)[:3] == names
+        assert {unit.quantity for name in units_of(quantity) for unit in [find_unit(name)] if unit} == {quantity}
+    assert units_of("colour") == ()
 
 
 def test_steps_are_no_unit() -> None:

@@ -105,6 +105,7 @@ class StandingOrdersNode:
         self._sent: Dict[str, float] = {}
         self._is_resumed = False
         self._told: Optional[StandingOrders] = None
+        self._shown: object = None
         self._stage = Stage("standing_orders")
         self._due = HandOver("order_due", OrderDue)
         # What was missed is told, however long the command server takes to start.
@@ -310,7 +311,11 @@ class StandingOrdersNode:
         return {name: one.reason for name, one in self._watches.conditions().items() if one.holds is None}
 
     def _tell(self) -> None:
-        faults, due = self._faults(), self._book.due_ids
+        faults, due = self._faults(), frozenset(self._book.due_ids)
+        shown = (self._book.orders, faults, due)
+        if shown == self._shown:
+            return  # Messages of all orders, several times a second, would cost most of what the node costs.
+        self._shown = shown
         orders = [
             order_to_message(order, fault=faults.get(order.order_id, ""), is_due=order.order_id in due)
             for order in self._book.orders

@@ -1,17 +1,25 @@
-"""RFNServers that speak: the frames *saying* and *telling*."""
+"""RFNServers that speak: the frames *saying* and *telling*; and the voice of answers to questions."""
 
+import contextlib
 import datetime
+import queue
+import threading
 from dataclasses import dataclass
 from typing import Callable
 
 import rospy
-from roboframenet_msgs.msg import FilledSemanticFrame
+from roboframenet_msgs.msg import FilledSemanticFrame, Reply
 
 from rfnserver import RFNServer
 from roboframenet_ros.parameters import Parameters, parameter
 from roboframenet_ros.ros_node import read_parameters, run_node
 from utter.ros_voice import Voice
 from utter.speech import NothingToSay, spoken_text, told_fact
+
+#: Answers that wait to be said; more are not said.
+_MOST_WAITING = 5
+#: The stage that answers questions.
+_ANSWERING = "question_answering"
 
 
 def elements(frame: FilledSemanticFrame) -> dict:
@@ -26,6 +34,8 @@ class Settings(Parameters):
     Attributes:
         aloud: make sound with espeak-ng, if it is installed
         timeout_s: when a sound is cut off
+        serves: whether it carries the frames out; otherwise another node of the robot does
+        speaks_answers: whether it says the answers to questions
 
     Raises:
         ParameterError: a value of another type
@@ -33,6 +43,8 @@ class Settings(Parameters):
 
     aloud: bool = parameter(True)
     timeout_s: float = parameter(30.0)
+    serves: bool = parameter(True)
+    speaks_answers: bool = parameter(True)
 
 
 class UtterServer:
@@ -40,6 +52,8 @@ class UtterServer:
 
     Actions:
         saying, telling (roboframenet_msgs/FilledSemanticFrameAction)
+    Subscribes:
+        reply (Reply)
     Publishes:
         said (std_msgs/String)
     Parameters: see :class:`Settings`.
@@ -55,6 +69,14 @@ class UtterServer:
         """
         settings = read_parameters(Settings, prefix=parameters)
         self._voice = Voice(is_aloud=settings.aloud, timeout_s=settings.timeout_s)
+        # An answer that takes longer than the next question does not wait.
+        self._answers: queue.Queue[str] = queue.Queue(_MOST_WAITING)
+        if settings.speaks_answers:
+            self._thread = threading.Thread(target=self._speak, name="speak answers", daemon=True)
+            self._thread.start()
+            self._subscriber = rospy.Subscriber("reply", Reply, self._on_reply, queue_size=10)
+        if not settings.serves:
+            return
         self._servers = [
             self._serve(
                 "saying",
@@ -67,6 +89,22 @@ class UtterServer:
                 ),
             ),
         ]
+
+    def _on_reply(self, reply: Reply) -> None:
+        if reply.outcome == Reply.DONE and reply.stage == _ANSWERING:
+            with contextlib.suppress(queue.Full):
+                self._answers.put_nowait(reply.sentence)
+
+    def _speak(self) -> None:
+        while not rospy.is_shutdown():
+            try:
+                sentence = self._answers.get(timeout=0.5)
+            except queue.Empty:
+                continue
+            try:
+                self._voice.say(sentence, is_wanted=lambda: not rospy.is_shutdown())
+            except Exception as error:  # boundary: the next answer is spoken, whatever fails
+                rospy.logerr("an answer was not said: %s: %s", type(error).__name__, error)
 
     def _serve(self, name: str, sentence_of: Callable[[FilledSemanticFrame], str]) -> RFNServer:
         def callback(frame: FilledSemanticFrame) -> None:

@@ -20,6 +20,7 @@ _LEAD_IN = word_class("lead_in")
 _LEFT_AND_RIGHT = word_class("left_and_right")
 _NEGATIONS = word_class("negations")
 _NO_LONGER = word_class("no_longer")
+_ORDER = word_class("adverbs_of_order")
 _NO_THINGS = word_class("no_things")
 _QUESTION_WORDS = word_class("question_words")
 _REQUEST_VERBS = word_class("request_verbs")
@@ -124,7 +125,8 @@ def shares_a_verb(tree: DependencyTree, word: Word) -> bool:
     is_direction = word.form.lower() in _LEFT_AND_RIGHT and all(
         child.deprel in ("cc", "advmod", "punct", "discourse") for child in children
     )
-    is_phrase = word.deprel == "conj" and word.upos not in ("VERB", "AUX") and has_case(tree, word)
+    is_next = word.deprel == "obl" and any(_is_then(child) for child in children)
+    is_phrase = (word.deprel == "conj" or is_next) and word.upos not in ("VERB", "AUX") and has_case(tree, word)
     return is_phrase or (is_joined and is_direction)
 
 
@@ -133,7 +135,7 @@ def _is_shared(tree: DependencyTree, word: Word) -> bool:
 
 
 def _is_then(word: Word) -> bool:
-    return word.deprel == "advmod" and word.form.lower() == "then"
+    return word.deprel == "advmod" and word.form.lower() in _ORDER
 
 
 def has_case(tree: DependencyTree, word: Word) -> bool:

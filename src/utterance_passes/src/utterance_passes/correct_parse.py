@@ -5,7 +5,7 @@ from typing import Iterable, List
 from spoken_quantities import find_unit, number_words
 from utterance_passes.amounts import read_amounts
 from utterance_passes.tree import DependencyTree, Word
-from utterance_passes.tree_edits import TreeEdit
+from utterance_passes.tree_edits import NotATree, TreeEdit
 from utterance_passes.vocabulary import Vocabulary
 from word_classes import word_class
 
@@ -25,6 +25,7 @@ _TURNS = frozenset(["turn", "circle"])
 _SEVERAL_TURNS = frozenset(["turns", "circles"])
 #: Parts of speech that can precede a noun, and their relations to the noun.
 _OF_A_TURN = {"DET": "det", "NUM": "nummod", "NOUN": "compound", "ADJ": "amod", "ADV": "amod", "SYM": "punct"}
+_PER = word_class("words_for_each")
 _TO_PREPOSITIONS = word_class("to_prepositions")
 
 
@@ -126,6 +127,22 @@ def _has_object(tree: DependencyTree, verb: Word) -> bool:
 
 def _has_determiner(tree: DependencyTree, word: Word) -> bool:
     return any(child.deprel in ("det", "nmod:poss") for child in tree.children(word.index))
+
+
+def with_speeds_together(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
+    """Attach the time of a speed to its length: "two metres *a second*", "half a metre *per second*"."""
+    edit = TreeEdit(tree)
+    for length, per, time in zip(tree.words, tree.words[1:], tree.words[2:]):
+        units = (find_unit(length.form), find_unit(time.form))
+        is_speed = [unit.quantity for unit in units if unit is not None] == ["length", "duration"]
+        is_counted = any(child.index < length.index for child in tree.children(length.index))
+        if is_speed and per.form.lower() in _PER and is_counted and length.head not in (per.index, time.index):
+            edit.rehang(time.index, length.index, "nmod")
+            edit.rehang(per.index, time.index)
+    try:
+        return edit.tree()
+    except NotATree:
+        return tree
 
 
 def with_measured_turns(tree: DependencyTree, _: Vocabulary) -> DependencyTree:

@@ -42,6 +42,26 @@ PARSE_CORRECTING_PASSES: Tuple[TreePass, ...] = (
         places_ahead.with_ahead_as_preposition,
     ),
     TreePass(
+        "speeds_together",
+        "Attach the time of a speed to its length.",
+        Example(
+            "go|VERB|0|root two|NUM|3|nummod metres|NOUN|1|obl per|ADP|5|case second|NOUN|1|obl",
+            ("second: obl(go) -> nmod(metres)",),
+        ),
+        Stage.FRAMER,
+        correct_parse.with_speeds_together,
+    ),
+    TreePass(
+        "superlatives_at_nouns",
+        "Attach a superlative of place and the phrase behind it to the noun before it.",
+        Example(
+            "take|VERB|0|root chairs|NOUN|1|obj closest|ADV|1|advmod to|ADP|5|case doors|NOUN|1|obl",
+            ("closest: advmod(take) ADV/closest -> amod(chairs) ADJ/closest", "doors: obl(take) -> obl(closest)"),
+        ),
+        Stage.FRAMER,
+        places_ahead.with_superlatives_at_nouns,
+    ),
+    TreePass(
         "places_of_devices",
         'Attach a place after "on" or "off" to the object before it.',
         Example(
@@ -154,6 +174,20 @@ PARSE_CORRECTING_PASSES: Tuple[TreePass, ...] = (
         ),
         Stage.FRAMER,
         objects_behind.with_objects_behind,
+    ),
+    TreePass(
+        "inverted_places",
+        'Make a place before "is" the predicate: "behind the robot is a door".',
+        Example(
+            "behind|ADP|2|case robots|NOUN|4|obl are|AUX|4|cop|be doors|NOUN|0|root",
+            (
+                "robots: obl(doors) -> root",
+                "are: cop(doors) -> cop(robots)",
+                "doors: root -> nsubj(robots)",
+            ),
+        ),
+        Stage.FRAMER,
+        places_told.with_inverted_places,
     ),
     TreePass(
         "places_told",

@@ -38,6 +38,8 @@ _BOUNDS_BEFORE = frozenset(
 )
 #: Words after an amount that change it.
 _BEHIND = frozenset("percent % per max maximum minimum tops plus minus times squared cubed o'clock ish".split())
+#: Words between a length and the time that it takes: "two metres a second".
+_PER = word_class("words_for_each")
 #: Phrases after an amount that change it: "two metres or more", "two metres and a bit".
 _MORE_BEHIND = tuple(
     tuple(words.split())
@@ -75,7 +77,7 @@ def find_amounts(tree: DependencyTree, positions: Sequence[int]) -> Tuple[Amount
     amounts = list(read_amounts(tree, spoken))
     units = [index for index in spoken if _is_lone_unit(tree, index, amounts)]
     amounts = sorted(amounts + [_doubtful((index,), tree) for index in units], key=lambda one: one.positions)
-    amounts = _joined(tree, spoken, amounts)
+    amounts = _joined(tree, spoken, _with_speeds(tree, spoken, amounts))
     taken = frozenset(index for amount in amounts for index in amount.positions)
     amounts = [_beside(tree, spoken, amount, taken) for amount in amounts]
     return tuple(amount for amount in amounts if amount.is_doubtful or not counts_things(tree, amount))
@@ -99,6 +101,30 @@ def amounts_of(tree: DependencyTree, positions: AbstractSet[int], verb: int) -> 
             is_whole = len(inside) == len(amount.positions) and (verb not in inside or verb == amount.unit_position)
             found.append(amount if is_whole else replace(amount, is_doubtful=True, amount=math.nan))
     return tuple(found)
+
+
+def _with_speeds(tree: DependencyTree, spoken: Sequence[int], amounts: Sequence[Amount]) -> List[Amount]:
+    """Read a length and the time that it takes as one speed: "half a metre per second", "two metres a second"."""
+    found: List[Amount] = []
+    for amount in amounts:
+        if any(amount.positions[0] in speed.positions for speed in found):
+            continue
+        behind = [index for index in spoken if index > amount.positions[-1]][:2]
+        is_length = amount.quantity == "length" and bool(amount.unit) and not amount.is_doubtful
+        joint = tree.word(behind[0]).form.lower() if len(behind) == 2 else ""
+        time = find_unit(tree.word(behind[1]).form) if is_length and joint in _PER else None
+        is_next = len(behind) == 2 and behind == [amount.positions[-1] + 1, amount.positions[-1] + 2]
+        if time is not None and time.quantity == "duration" and is_next:
+            positions = (*amount.positions, *behind)
+            amount = replace(
+                amount,
+                positions=positions,
+                unit=tree.text_of(range(amount.unit_position, behind[1] + 1)),
+                quantity="speed",
+                si_amount=amount.si_amount / time.si_factor,
+            )
+        found.append(amount)
+    return found
 
 
 def _doubtful(

@@ -6,8 +6,11 @@ from utterance_passes.persons import is_person
 from utterance_passes.tree import DependencyTree, Word
 from utterance_passes.tree_edits import TreeEdit
 from utterance_passes.vocabulary import Vocabulary
+from word_classes import word_class
 
 _NOUNS = frozenset(["NOUN", "PROPN"])
+_GREETINGS = word_class("greetings") | word_class("greetings_alone") | word_class("courtesies")
+_SAYING = word_class("saying_verbs")
 #: Relations of a noun phrase without a preposition behind the words of a description.
 _UNMARKED = frozenset(["obl:unmarked", "obl", "obj", "nmod:unmarked"])
 #: Relations that the parser gives to such a phrase if it takes it for a part of the phrase before it.
@@ -28,11 +31,35 @@ def with_objects_behind(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
         if not objects:
             for word in _unjoined(tree, verb)[:1]:
                 edit.rehang(word.index, verb.index, "obj")
+        elif len(objects) == 1 and is_person(objects[0]) and _greeting_behind(tree, verb, objects[0]):
+            edit.relabel(objects[0].index, "iobj")
+            for word in _greeting_behind(tree, verb, objects[0]):
+                edit.retag(word.index, "NOUN", "NN")
+                edit.relabel(word.index, "obj")
         elif len(objects) == 1 and is_person(objects[0]):
             for word in _behind_description(tree, objects[0]):
                 edit.rehang(word.index, verb.index, "obj")
                 edit.relabel(objects[0].index, "iobj")
+        elif len(objects) == 2 and _are_person_and_thing(tree, *objects):
+            edit.relabel(objects[0].index, "iobj")
     return edit.tree()
+
+
+def _greeting_behind(tree: DependencyTree, verb: Word, person: Word) -> Tuple[Word, ...]:
+    """Return the greeting right behind the person to whom it shall be said: "tell the visitors *goodbye*"."""
+    behind = max(tree.subtree(person.index)) + 1
+    return tuple(
+        word
+        for word in tree.children(verb.index)
+        if word.index == behind and word.deprel == "discourse" and word.form.lower() in _GREETINGS
+        if verb.lemma.lower() in _SAYING and person.deprel in ("obj", "iobj")
+    )
+
+
+def _are_person_and_thing(tree: DependencyTree, first: Word, second: Word) -> bool:
+    """Whether the second object stands right behind the first, which is a person: "offer *the guests* some tea"."""
+    is_behind = max(tree.subtree(first.index)) + 1 == min(tree.subtree(second.index))
+    return is_behind and first.deprel == second.deprel == "obj" and is_person(first)
 
 
 def _unjoined(tree: DependencyTree, verb: Word) -> Tuple[Word, ...]:
@@ -40,10 +67,13 @@ def _unjoined(tree: DependencyTree, verb: Word) -> Tuple[Word, ...]:
     below = [
         index for child in tree.children(verb.index) if child.deprel == "obl" for index in tree.subtree(child.index)
     ]
+    lemmas = [tree.word(index).lemma.lower() for index in below]
+    # "Go to the cone on the right a red cone" names one thing again.
     return tuple(
         word
         for word in map(tree.word, sorted(below))
         if word.deprel in _OF_NOUNS and word.upos in _NOUNS and _begins_with_article(tree, word)
+        if lemmas.count(word.lemma.lower()) == 1
     )
 
 

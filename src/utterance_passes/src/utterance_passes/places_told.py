@@ -1,4 +1,4 @@
-"""Replaces a promise to the hearer by what it tells: "you will find her at the desk" means "she is at the desk"."""
+"""Brings what is told of a place into one form: "she is at the desk"."""
 
 from typing import Tuple
 
@@ -11,6 +11,9 @@ _FINDING = word_class("finding_verbs")
 _HEARERS = word_class("hearers")
 _MODALS = word_class("modals_of_promises")
 _PLACE_PREPOSITIONS = word_class("place_prepositions")
+_NOUNS = frozenset(["NOUN", "PROPN"])
+#: Relations of words that belong to a clause, not to the noun that is its predicate.
+_OF_CLAUSES = frozenset(["cop", "cc", "punct", "advmod", "discourse", "conj", "parataxis", "aux", "mark"])
 #: Subjects by objects.
 _SUBJECTS = {"him": "he", "her": "she", "them": "they", "it": "it"}
 
@@ -57,4 +60,26 @@ def _replaced(tree: DependencyTree, verb: Word, hearer: Word, thing: Word, place
     edit.rehang(verb.index, place.index, "cop")
     edit.tag(verb.index, "AUX", "VBZ", "Mood=Ind|Tense=Pres|VerbForm=Fin")
     edit.respell(verb.index, "is", lemma="be")
+    return edit.tree()
+
+
+def with_inverted_places(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
+    """Make a place before "is" the predicate of the thing behind it: "behind the robot is a door".
+
+    The parser takes the place for the subject of the thing.
+    """
+    edit = TreeEdit(tree)
+    for thing in tree.words:
+        children = tree.children(thing.index)
+        copula = next((child for child in children if child.deprel == "cop" and child.index < thing.index), None)
+        places = [child for child in children if child.deprel in ("obl", "nsubj", "nmod") and _is_place(tree, child)]
+        places = [child for child in places if copula is not None and child.index < copula.index]
+        has_subject = any(child.deprel.startswith(("nsubj", "expl")) and child not in places for child in children)
+        if copula is None or thing.upos not in _NOUNS or len(places) != 1 or has_subject:
+            continue
+        edit.rehang(places[0].index, thing.head, thing.deprel)
+        edit.rehang(thing.index, places[0].index, "nsubj")
+        for child in children:
+            if child.deprel in _OF_CLAUSES and child.index != places[0].index:
+                edit.rehang(child.index, places[0].index)
     return edit.tree()

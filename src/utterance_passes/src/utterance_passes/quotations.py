@@ -18,7 +18,7 @@ from utterance_passes.verb_matching import match_verbs
 from utterance_passes.vocabulary import Speech, Vocabulary
 from word_classes import word_class
 
-_MARKS = ('"', "“", "”", "«", "»", "``", "''")
+QUOTATION_MARKS = ('"', "“", "”", "«", "»", "``", "''")
 _AFTER_NO = word_class("after_no")
 _CONDITIONS = word_class("conditions")
 _NOUNS = frozenset(["NOUN", "PROPN"])
@@ -29,6 +29,7 @@ _NO_PRONOUNS = word_class("no_pronouns")
 _PERSONS_TOLD = word_class("persons_told")
 _SUBJECTS = word_class("subjects_told")
 _QUESTION_WORDS = word_class("question_words")
+_OTHERWISE = word_class("contrasting_adverbs")
 _PLACE_PREPOSITIONS = word_class("place_prepositions")
 #: These conjunctions are not quoted: they delay the saying ("tell me when dinner is ready").
 _PUTTING_OFF = _CONDITIONS - {"if"}
@@ -125,7 +126,7 @@ class _Quotation:
                 if child.form.lower() in _NEGATIONS and self._start <= child.index < self._requested:
                     edit.rehang(child.index, self._requested, "advmod")
             return edit.tree()
-        inside = self._without_addressee(self._between_marks() or self._governed())
+        inside = self._without_addressee(self._between_marks() or self._without_condition(self._governed()))
         if not inside or not inside <= self._tree.subtree(self._verb) or self._is_of_nothing(inside):
             return tree
         edit = TreeEdit(tree)
@@ -179,6 +180,14 @@ class _Quotation:
 
     def _next_command(self, clauses: Sequence[Clause], vocabulary: Vocabulary) -> int:
         """Return the position where the next command begins, its joining words included: "say hello and turn left"."""
+        for child in self._tree.children(self._verb):
+            spoken = (self._tree.word(index) for index in sorted(self._tree.subtree(child.index)))
+            first_word = next((word for word in spoken if word.upos != "PUNCT"), child)
+            is_other = child.deprel == "ccomp" and first_word.form.lower() in _OTHERWISE
+            if is_other and first_word.index > self._start:
+                # "Say yes, *otherwise say no*": the second verb is no part of what is said.
+                self._moved[child.index] = (self._verb, "parataxis")
+                return first_word.index
         for clause in clauses:
             word = self._tree.word(clause.verb)
             first = min(self._tree.subtree(word.index))
@@ -301,7 +310,7 @@ class _Quotation:
         return told
 
     def _between_marks(self) -> FrozenSet[int]:
-        marks = [word.index for word in self._tree.words if word.form in _MARKS and word.index >= self._start]
+        marks = [word.index for word in self._tree.words if word.form in QUOTATION_MARKS and word.index >= self._start]
         return frozenset(range(marks[0] + 1, marks[1])) if len(marks) > 1 else frozenset()
 
     def _governed(self) -> FrozenSet[int]:
@@ -319,6 +328,28 @@ class _Quotation:
                 inside |= positions
         spoken = [index for index in sorted(inside) if self._tree.word(index).upos != "PUNCT"]
         return frozenset(index for index in inside if spoken and spoken[0] <= index <= spoken[-1])
+
+    def _without_condition(self, inside: FrozenSet[int]) -> FrozenSet[int]:
+        """Remove a condition behind a message that is complete without it: "say hello *if somebody is in the room*".
+
+        A message with a verb may have a condition of its own: "say that I will come when I can".
+        """
+        for index in sorted(inside)[1:]:
+            word = self._tree.word(index)
+            before = frozenset(other for other in inside if other < index)
+            if self._has_verb(before):
+                break
+            if word.form.lower() not in _CONDITIONS or word.deprel not in ("mark", "advmod"):
+                continue
+            behind = inside - before
+            top = self._tree.word(word.head)
+            while top.head in behind:
+                top = self._tree.word(top.head)
+            has_subject = any(child.deprel.startswith("nsubj") for child in self._tree.children(top.index))
+            if top.index in behind and has_subject and self._has_verb(behind):
+                self._moved[top.index] = (self._verb, "advcl")
+                return before
+        return inside
 
     def _is_beside(self, child: Word, inside: Set[int]) -> bool:
         """Whether a phrase says how, when or to whom to say something, and is not a part of the message."""

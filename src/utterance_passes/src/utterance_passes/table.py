@@ -182,6 +182,13 @@ TAG_PASSES: Tuple[TagPass, ...] = (
         Stage.PARSER,
         tagging.adverbs,
     ),
+    TagPass(
+        "resulting_states",
+        "Tag a state behind a noun at the end as an adjective, not as a noun.",
+        Example("push|VERB the|DET drawer|NOUN shut|NOUN", ("4 ADJ JJ",), Verbs(frozenset(["push"]))),
+        Stage.PARSER,
+        tagging.resulting_states,
+    ),
 )
 
 #: Passes that the parser runs on its own tree before it publishes the tree.

@@ -17,6 +17,7 @@ _PREPOSITIONS = word_class("prepositions_taken_for_adverbs")
 #: Endings of words that compare; behind a noun they are adjectives: "the door furthest to the left".
 _COMPARING = tuple(word_class("comparing_endings"))
 _LEAD_IN = word_class("lead_in")
+_RESULTS = word_class("resulting_states")
 #: A name of one letter.
 _LETTER = re.compile("[A-Z][0-9]*")
 _NOUNS = {"NOUN", "PROPN", "PRON", "NUM", "ADJ", "DET"}
@@ -99,6 +100,18 @@ def adverbs(forms: Sequence[str], tags: Sequence[str], vocabulary: Vocabulary) -
         if not form.lower().endswith(_COMPARING)
         for parts in [parts_of_speech(form)]
         if ADVERB in parts and not parts & {NOUN, VERB}
+    )
+
+
+def resulting_states(forms: Sequence[str], tags: Sequence[str], _: Vocabulary) -> Tuple[Retag, ...]:
+    """Tag a state behind a noun as an adjective that the tagger took for a noun: "slide the drawer *shut*"."""
+    return tuple(
+        Retag(position, "ADJ", "JJ", "Degree=Pos")
+        for position, (form, tag) in enumerate(zip(forms, tags), start=1)
+        # "See the door open" has two verbs, "pull the door closed" has one.
+        if tag == "NOUN" or (tag == "VERB" and form.lower().endswith("ed"))
+        if form.lower() in _RESULTS and position > 2 and tags[position - 2] == "NOUN"
+        if position == len(forms) or tags[position] in ("PUNCT", "CCONJ", "INTJ")
     )
 
 

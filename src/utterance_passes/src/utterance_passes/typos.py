@@ -20,10 +20,20 @@ from word_classes.shipped import word_classes
 
 #: Shorter words have too many neighbours.
 _SHORTEST = 4
-_WORD = re.compile(r"(?<![\w'-])[A-Za-z]{4,}(?![\w'-])")
+_WORD = re.compile(r"(?<![\w'-])[A-Za-z]{3,}(?![\w'-])")
 _LETTERS = "abcdefghijklmnopqrstuvwxyz"
 _SAYING = word_class("saying_verbs")
 _BEFORE_NOUNS = word_class("only_before_nouns")
+#: Behind these prepositions stands no verb: "look at marco" has no "march".
+_BEFORE_NAMES = (word_class("directional_prepositions") | word_class("place_prepositions")) - {"to"}
+_BEFORE_VERBS = word_class("leading_verbs") | word_class("aspectual_verbs") | word_class("verbs_with_verbs")
+#: Words of three letters in which two often change places: "teh".
+_SHORT = frozenset(
+    word
+    for name in ("articles", "linking_conjunctions", "subject_pronouns", "only_before_nouns")
+    for word in word_class(name)
+    if len(word) == _SHORTEST - 1
+)
 
 
 def spellings_of(units: Iterable[LexicalUnit]) -> FrozenSet[str]:
@@ -73,12 +83,16 @@ def _meant(word: str, before: Sequence[str], vocabulary: Verbs) -> Optional[str]
         return None
     # A rare word of a closed class, such as a month, may be one letter from a name: "marco".
     meant_words = vocabulary.spellings | vocabulary.names | frozenset(unit_words())
+    if len(said) < _SHORTEST:
+        return _with_changed_places(said) if word.islower() else None
     found = sorted({near for near in _near(said) if near in meant_words})
     if before[-1:] and before[-1] in _BEFORE_NOUNS:
         nouns = [near for near in found if near not in vocabulary.words]
         found = [near for near in nouns if parts_of_speech(near) & {NOUN, ADJECTIVE}]
     elif before[-1:] and (before[-1].isdigit() or before[-1] in number_words()):
         found = [near for near in found if find_unit(near) is not None] or found
+    elif before[-1:] and (before[-1] in _BEFORE_NAMES or before[-1] in vocabulary.words - _BEFORE_VERBS):
+        found = [near for near in found if near not in vocabulary.words]
     found = [near for near in found if sorted(near) == sorted(said)] or found
     if len({_unit_name(near) for near in found}) != 1:
         return None
@@ -87,6 +101,13 @@ def _meant(word: str, before: Sequence[str], vocabulary: Verbs) -> Optional[str]
         return meant
     # A capital may be that of a name: "Rosie, turn left".
     return meant.capitalize() if not before and meant in vocabulary.words else None
+
+
+def _with_changed_places(said: str) -> Optional[str]:
+    """Return the function word of three letters that a word is if two of its letters change places: "teh"."""
+    swapped = {said[:place] + said[place + 1] + said[place] + said[place + 2 :] for place in range(len(said) - 1)}
+    found = sorted(swapped & _SHORT)
+    return found[0] if len(found) == 1 else None
 
 
 def _beginning(one: str, other: str) -> int:

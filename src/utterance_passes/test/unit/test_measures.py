@@ -53,6 +53,21 @@ def test_an_amount_is_read_from_the_characters_as_they_were_said(text: str, si_a
 
 
 @pytest.mark.parametrize(
+    "text, si_amount, unit",
+    [
+        ("move at 0.5 metres per second", 0.5, "metres per second"),
+        ("move two metres a second", 2.0, "metres a second"),
+        ("move three feet per minute", 3 * 0.3048 / 60.0, "feet per minute"),
+        ("move at 36 kmh", 10.0, "kmh"),
+    ],
+)
+def test_a_length_and_its_time_are_a_speed(text: str, si_amount: float, unit: str) -> None:
+    (amount,) = amounts_in(text)
+    assert (amount.quantity, amount.unit, amount.is_doubtful) == ("speed", unit, False)
+    assert amount.si_amount == pytest.approx(si_amount)
+
+
+@pytest.mark.parametrize(
     "text, words",
     [
         ("turn ten to fifteen degrees", "ten to fifteen degrees"),
@@ -72,7 +87,7 @@ def test_an_amount_is_read_from_the_characters_as_they_were_said(text: str, si_a
         ("turn 20%", "20 %"),
         ("turn e5 degrees", "degrees"),
         ("turn umpteen degrees", "degrees"),
-        ("move two metres per second", "two metres per"),
+        ("move two metres per person", "two metres per"),
         ("move twice two metres", "twice two metres"),
         ("turn quarter turns", "quarter turns"),
     ],

@@ -33,12 +33,14 @@ ORDER = (
     "transcribers_marks apostrophes quotation_marks dashes fraction_signs fraction_slash degree_sign units "
     "minus_sign negative_sign ratios false_starts repeated_starts hesitation contractions blanks ends typos "
     "surroundings run_ons "
-    "command_verb numbered_noun adverbs "
+    "command_verb numbered_noun adverbs resulting_states "
     "one_object particle_predicates verb_compounds infinitive_conjuncts reroot "
     "objection restarts corrections "
-    "modals_as_nouns particles_on_the_way ahead_of places_of_devices places_of_all measured_turns sides_apart "
+    "modals_as_nouns particles_on_the_way ahead_of speeds_together superlatives_at_nouns places_of_devices "
+    "places_of_all measured_turns sides_apart "
     "compass_apart around_apart degrees objects_of_vocatives letters_as_names participles objects_behind "
-    "places_told aspectual_verbs light_verbs quotations comparisons formulas argument_clusters shared_verbs times"
+    "inverted_places places_told aspectual_verbs light_verbs quotations comparisons formulas argument_clusters "
+    "shared_verbs times"
 ).split()
 PACKAGE = Path(__file__).resolve().parents[2] / "src" / "utterance_passes"
 

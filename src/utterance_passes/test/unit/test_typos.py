@@ -46,5 +46,25 @@ def test_typo(said: str, written: Optional[str]) -> None:
     assert made.origins[-1] == len(said)
 
 
+MARCHING = Verbs(frozenset(["turn", "march", "give", "go"]), spellings=frozenset(["turn", "march", "give", "go"]))
+
+
+@pytest.mark.parametrize(
+    "said, written",
+    [
+        ("look at marco", None),  # no verb stands behind a preposition
+        ("give marco the pen", None),  # nor right behind a verb
+        ("go marsh", None),  # an English word
+        ("go trun left", "go turn left"),  # behind "go", one does
+        ("bring me teh mug", "bring me the mug"),  # two changed places in a function word
+        ("turn left adn go", "turn left and go"),
+        ("Teh mug", None),
+        ("say teh", None),
+    ],
+)
+def test_a_typo_is_no_name(said: str, written: Optional[str]) -> None:
+    assert without_typos(as_said(said), MARCHING).text == (written or said)
+
+
 def test_nothing_is_corrected_without_a_lexicon() -> None:
     assert without_typos(as_said("trun left"), Verbs()).text == "trun left"

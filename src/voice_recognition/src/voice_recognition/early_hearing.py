@@ -7,30 +7,30 @@ heard is there at once.
 from dataclasses import dataclass
 from typing import Callable, Generic, Optional, TypeVar
 
-from voice_recognition.agreement import Heard
 from voice_recognition.endpointing import Utterance
 
 How = TypeVar("How")
+What = TypeVar("What")
 
 
 @dataclass(frozen=True)
-class _Early(Generic[How]):
+class _Early(Generic[How, What]):
     begin_s: float
     end_s: float
     how: How
-    heard: Heard
+    what: What
 
 
-class EarlyHearing(Generic[How]):
+class EarlyHearing(Generic[How, What]):
     """Keeps what was heard before a pause until it is certain that the pause ends the utterance.
 
     Not thread-safe: the thread of the searches owns it.
     """
 
     def __init__(self) -> None:
-        self._last: Optional[_Early[How]] = None
+        self._last: Optional[_Early[How, What]] = None
 
-    def listen(self, utterance: Utterance, how: How, hear: Callable[[bytes], Heard]) -> None:
+    def listen(self, utterance: Utterance, how: How, hear: Callable[[bytes], What]) -> None:
         """Hear an utterance that may have ended.
 
         Args:
@@ -40,9 +40,9 @@ class EarlyHearing(Generic[How]):
         """
         self._last = _Early(utterance.begin_s, utterance.end_s, how, hear(utterance.pcm))
 
-    def heard(self, utterance: Utterance, how: How, hear: Callable[[bytes], Heard]) -> Heard:
+    def heard(self, utterance: Utterance, how: How, hear: Callable[[bytes], What]) -> What:
         """Return what was heard in an utterance that has ended: what is there already, if nobody spoke on."""
         last, self._last = self._last, None
         if last is not None and (last.begin_s, last.end_s, last.how) == (utterance.begin_s, utterance.end_s, how):
-            return last.heard
+            return last.what
         return hear(utterance.pcm)

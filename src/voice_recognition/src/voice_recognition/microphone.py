@@ -7,7 +7,7 @@ from typing import Iterator, Optional, Sequence
 from voice_recognition.recogniser import RATE
 
 #: Seconds of a part of the stream.
-PART_S = 0.1
+PART_S = 0.04
 PART_BYTES = int(RATE * PART_S) * 2
 
 

@@ -88,7 +88,8 @@ class VoiceRecognition:
         self._speakers: Dict[str, float] = {}
         self._said = ""
         self._ears: Optional[Ears] = None
-        self._early: EarlyHearing[Tuple[dialogue.State, Ears]] = EarlyHearing()
+        self._early: EarlyHearing[Tuple[dialogue.State, Ears], Heard] = EarlyHearing()
+        self._early_stop: EarlyHearing[None, bool] = EarlyHearing()
         self._reply_ears: Optional[ReplyEars] = None
         self._knowledge = Knowledge()
         self._changed_at: Optional[float] = None
@@ -335,7 +336,9 @@ class VoiceRecognition:
                     self._later(lambda part=part: self._look_for_stop(spotter, part))
                 for utterance in endpointer.feed(part):
                     self._on_utterance(spotter, utterance)
-                self._on_pause(endpointer.take_pause())
+                pause = endpointer.take_pause()
+                if pause is not None:
+                    self._on_pause(spotter, pause)
         finally:
             microphone.close()
         return has_sound
@@ -349,8 +352,7 @@ class VoiceRecognition:
             self._happened(Stopped())
 
     def _on_utterance(self, spotter: StopSpotter, utterance: Utterance) -> None:
-        is_own = bool(self._speakers) and says_stop(self._said)
-        if utterance.end_s - utterance.begin_s <= LONGEST_S and not is_own:
+        if self._may_be_stop(utterance):
             self._later(lambda: self._check_for_stop(spotter, utterance))
         with self._lock:
             searches = self._searches()
@@ -360,13 +362,20 @@ class VoiceRecognition:
         how, hear = searches
         self._later(lambda: self._understand(utterance, how, hear))
 
-    def _on_pause(self, utterance: Optional[Utterance]) -> None:
+    def _on_pause(self, spotter: StopSpotter, utterance: Utterance) -> None:
         """Begin the searches when an utterance may have ended; what they hear counts if nobody speaks on."""
+        if self._may_be_stop(utterance):
+            self._later(lambda: self._early_stop.listen(utterance, None, spotter.is_stop))
         with self._lock:
             searches = self._searches()
-        if utterance is not None and searches is not None:
+        if searches is not None:
             how, hear = searches
             self._later(lambda: self._early.listen(utterance, how, hear))
+
+    def _may_be_stop(self, utterance: Utterance) -> bool:
+        """Whether an utterance is short enough for a stop, and not the robot's own."""
+        is_own = bool(self._speakers) and says_stop(self._said)
+        return utterance.end_s - utterance.begin_s <= LONGEST_S and not is_own
 
     def _searches(self) -> Optional[Tuple[Tuple[dialogue.State, Ears], Callable[[bytes], Heard]]]:
         """Return what a sound is heard for now, and the searches; None when nothing but a stop is heard."""
@@ -380,7 +389,7 @@ class VoiceRecognition:
         return (state, ears), hear
 
     def _check_for_stop(self, spotter: StopSpotter, utterance: Utterance) -> None:
-        if spotter.is_stop(utterance.pcm):
+        if self._early_stop.heard(utterance, None, spotter.is_stop):
             self._happened(Stopped())
 
     def _understand(

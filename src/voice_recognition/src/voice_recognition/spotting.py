@@ -2,6 +2,7 @@
 
 import re
 from collections import deque
+from types import MappingProxyType
 from typing import Deque
 
 from command_server.stop_words import is_stop
@@ -9,7 +10,9 @@ from voice_recognition.class_ngram import write_ngram
 from voice_recognition.denoising import without_noise
 from voice_recognition.pronunciation import Dictionary, pronounce
 from voice_recognition.recogniser import RATE, PocketSphinx
+from voice_recognition.spoken_language import Words
 from voice_recognition.voice_words import voice_words
+from word_classes import word_class
 
 #: Seconds of the longest utterance that can be nothing but a stop.
 LONGEST_S = 2.0
@@ -18,6 +21,9 @@ OTHER_SHARE = 0.02
 #: While the robot speaks, so many seconds of the stream are looked at, each time that so many have passed.
 WINDOW_S, PERIOD_S = 1.5, 0.5
 _SEARCH = "stop"
+#: Each utterance has its own mean of the spectrum, whatever was heard before it.
+_SETTINGS = MappingProxyType({"cmn": "batch"})
+_NEGATIONS = word_class("negations")
 
 
 class StopSpotter:
@@ -36,13 +42,13 @@ class StopSpotter:
         words = voice_words()
         dictionary, unknown = pronounce([*words.other_words, *(word for way in words.stop for word in way)], known)
         ngram = write_ngram(None, words.other_words, phrases=words.stop, without=unknown, other_share=OTHER_SHARE)
-        self._recogniser = PocketSphinx(dictionary, ngrams={_SEARCH: ngram})
+        self._recogniser = PocketSphinx(dictionary, ngrams={_SEARCH: ngram}, settings=_SETTINGS)
         self._stream: Deque[bytes] = deque()
         self._since_look = 0
 
     def is_stop(self, pcm: bytes) -> bool:
         """Whether an utterance stops the robot; one that is longer than ``LONGEST_S`` of speech does not."""
-        return is_stop(" ".join(self._recogniser.hear(_SEARCH, without_noise(pcm)).words))
+        return is_heard_stop(self._recogniser.hear(_SEARCH, without_noise(pcm)).words)
 
     def hears_stop_in_stream(self, part: bytes) -> bool:
         """Take the next part of the stream while the robot speaks; return whether its last seconds are a stop."""
@@ -58,6 +64,16 @@ class StopSpotter:
     def forget_stream(self) -> None:
         """Forget the stream: the robot is silent."""
         self._stream.clear()
+
+
+def is_heard_stop(words: Words) -> bool:
+    """Whether words that were heard stop the robot.
+
+    In noise, the other one of two words is misheard: "lead halt" was "please halt".
+    """
+    if is_stop(" ".join(words)):
+        return True
+    return len(words) == 2 and any(map(is_stop, words)) and not _NEGATIONS.intersection(words)
 
 
 def says_stop(text: str) -> bool:

@@ -30,7 +30,7 @@ def test_what_was_heard_early_counts_for_the_same_words_and_purpose(
         sounds.append(pcm)
         return Heard(Verdict.AGAIN, by_grammar=(pcm.decode(),))
 
-    early: EarlyHearing[str] = EarlyHearing()
+    early: EarlyHearing[str, Heard] = EarlyHearing()
     early.listen(SO_FAR, "a command", hear)
     assert early.heard(utterance, how, hear).by_grammar == (heard[-1].decode(),)
     assert sounds == heard

@@ -53,7 +53,7 @@ def test_no_wrong_motion_begins_in_noise(ears: Ears, spotter: StopSpotter, snr_d
 
 def test_a_stop_is_heard_in_noise(spotter: StopSpotter) -> None:
     heard, said = figures.stops_heard(spotter, 210, 10.0)
-    assert heard >= 0.95 * said
+    assert heard >= 0.97 * said
 
 
 def test_talk_and_silence_move_nothing(ears: Ears, spotter: StopSpotter) -> None:

@@ -10,7 +10,7 @@ import pytest
 
 from voice_recognition.endpointing import Endpointer
 from voice_recognition.recogniser import model_dictionary
-from voice_recognition.spotting import StopSpotter, says_stop
+from voice_recognition.spotting import StopSpotter, is_heard_stop, says_stop
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
 
@@ -39,6 +39,14 @@ def test_a_stop_is_heard_in_noise(spotter: StopSpotter, text: str, voice: Tuple[
 @pytest.mark.parametrize("text", ["good morning", "what a lovely day", "turn left", "the kitchen", "yes please", "no"])
 def test_other_words_are_no_stop(spotter: StopSpotter, text: str) -> None:
     assert not spotter.is_stop(with_silence(speech(text), before_s=0.5, after_s=0.4))
+
+
+@pytest.mark.parametrize(
+    "words, stops",
+    [("stop", True), ("lead halt", True), ("stop maybe", True), ("don't stop", False), ("now", False), ("", False)],
+)
+def test_a_stop_is_heard_beside_one_word_that_is_misheard(words: str, stops: bool) -> None:
+    assert is_heard_stop(tuple(words.split())) is stops
 
 
 def test_a_stop_is_heard_in_the_stream(spotter: StopSpotter) -> None:

@@ -14,6 +14,7 @@ from roboframenet_msgs.msg import (
     Procedure,
     Reply,
     StageEvent,
+    StandingOrders,
     StopReport,
 )
 from smach_msgs.msg import SmachContainerStatus
@@ -23,6 +24,7 @@ from web_console.history import History
 from web_console.ros_hearing import show
 from web_console.ros_values import (
     clause_views,
+    orders_view,
     parsed_words,
     plan_view,
     problem_view,
@@ -42,8 +44,8 @@ class Listener:
 
     Subscribes: ``status``, ``stage_events``, ``command_parse``, ``command_lexical_units``,
     ``command_semantic_frames``, ``procedure``, ``reply``, ``stop_report``, ``file_problems``,
-    ``executor/smach/container_status``. Not ``command_text`` and ``command_plan``: their publishers wait for the first
-    subscriber, which has to be the next stage.
+    ``executor/smach/container_status``, ``standing_orders``. Not ``command_text`` and ``command_plan``: their
+    publishers wait for the first subscriber, which has to be the next stage.
     """
 
     def __init__(
@@ -86,6 +88,7 @@ class Listener:
         self._hear("procedure", Procedure, self._on_procedure)
         self._hear("reply", Reply, self._on_reply)
         self._hear("status", CommandStatus, self._on_status)
+        self._hear("standing_orders", StandingOrders, self._on_orders)
         self._hear("executor/smach/container_status", SmachContainerStatus, self._on_container)
         self._subscribers.append(
             rospy.Subscriber(
@@ -171,6 +174,10 @@ class Listener:
                 self.show((*self._history.close_questions(), self._heard(command)))
         view = StatusView(status.sentence, tuple(command.id for command in status.active))
         if self._board.show("status", view):
+            self._on_change()
+
+    def _on_orders(self, message: StandingOrders) -> None:
+        if self._board.show("orders", orders_view(message)):
             self._on_change()
 
     def _on_problems(self, message: FileProblems) -> None:

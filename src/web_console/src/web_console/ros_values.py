@@ -19,6 +19,7 @@ from roboframenet_msgs.msg import (
     Procedure,
     Reply,
     StageEvent,
+    StandingOrders,
     World,
     WorldObject,
 )
@@ -36,6 +37,8 @@ from web_console.views import (
     KnownView,
     LandmarkView,
     MapView,
+    OrdersView,
+    OrderView,
     PlanView,
     ProblemView,
     ReadingView,
@@ -253,6 +256,15 @@ def world_view(world: World) -> WorldView:
         if one.sort != WorldObject.ROBOT
     ]
     return WorldView(tuple(known[:_MOST_KNOWN]), max(0, len(known) - _MOST_KNOWN) + world.left_out)
+
+
+def orders_view(message: StandingOrders) -> OrdersView:
+    """Return the standing orders that are kept."""
+    return OrdersView(
+        tuple(
+            OrderView(one.sentence, one.state, one.reason, seconds(one.next), int(one.count)) for one in message.orders
+        )
+    )
 
 
 def _name(one: WorldObject) -> str:

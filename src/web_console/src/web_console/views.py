@@ -313,6 +313,32 @@ class WorldView:
     more: int = 0
 
 
+@dataclass(frozen=True)
+class OrderView:
+    """A standing order.
+
+    Attributes:
+        sentence: what the robot will do
+        state: waits, due, runs, suspended or blind
+        reason: of the state; empty for none
+        next_s: when it is due next, seconds since 1970; 0 when it waits for a condition
+        count: how often it was carried out, or tried
+    """
+
+    sentence: str
+    state: str
+    reason: str = ""
+    next_s: float = 0.0
+    count: int = 0
+
+
+@dataclass(frozen=True)
+class OrdersView:
+    """What the robot will do later, or whenever something happens; the oldest order first."""
+
+    orders: Tuple[OrderView, ...] = ()
+
+
 def as_json(kind: str, view: Any) -> str:
     """Write a message for the page: the name of the view, and the view."""
     return json.dumps({"view": kind, "value": view}, default=vars, separators=(",", ":"), allow_nan=False)

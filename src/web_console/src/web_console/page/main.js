@@ -2,7 +2,7 @@
 
 import { drawMind } from "./mind.js";
 import { Ground } from "./ground.js";
-import { drawAbilities, drawHealth, drawProblems, drawWorld } from "./side.js";
+import { drawAbilities, drawHealth, drawOrders, drawProblems, drawWorld } from "./side.js";
 import { Talk } from "./talk.js";
 
 const MOST_COMMANDS = 50;
@@ -80,6 +80,7 @@ const views = {
   problems: drawProblems,
   health: drawHealth,
   world: drawWorld,
+  orders: drawOrders,
   pose: (view) => ground.move(view),
   ground: (view) => ground.surround(view),
   stop: showStop,

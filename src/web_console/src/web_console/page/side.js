@@ -46,6 +46,14 @@ export function drawWorld(view) {
   ]);
 }
 
+export function drawOrders(view) {
+  byId("orders-card").hidden = !view.orders.length;
+  const about = (one) => [one.state === "waits" ? "" : one.state, one.reason, one.next_s ? `next ${new Date(1000 * one.next_s).toLocaleString()}` : "",
+    one.count ? `done ${one.count} times` : ""].filter((part) => part).join(", ");
+  keep(byId("orders"), view, () => make("ul", { class: "nodes" }, ...view.orders.map((one) => make("li", { "data-state": one.state },
+    make("b", {}, one.sentence), make("span", { class: "quiet" }, about(one))))));
+}
+
 export function drawHealth(view) {
   keep(byId("health"), view, () => {
     if (!view.is_master_up) return make("p", { class: "bad" }, "The ROS master does not answer.");

@@ -1,0 +1,186 @@
+"""Finds words that say in which order deeds or the items of a list are done, and how often.
+
+"Before you go, close the door", "go to the hall after closing the door", "visit the hall and the office in any order",
+"visit the office only after the hall", "at least twice".
+"""
+
+from typing import FrozenSet, List, NamedTuple, Optional, Sequence, Tuple
+
+from semantic_framer.framed_lexicon import FramedLexicon
+from semantic_framer.link_file import LinkKind, shipped_links
+from spoken_quantities import QuantityError, parse_number
+from utterance_passes.tree import Word
+from word_classes import word_class, word_list
+
+_HEARERS = word_class("hearers")
+_HAVE = word_class("forms_of_have") | {"having"}
+_ADVERBS = word_list("iteration_adverbs")
+_NOUNS = word_class("iteration_nouns")
+_NEGATIONS = word_class("negations")
+_ONLY = word_class("restricting_adverbs")
+_JOINING = word_class("clause_borders") | {","}
+_CONTENT = frozenset(["NOUN", "PROPN", "ADJ", "NUM"])
+#: Tags of the verb behind "before you", "before you have" and "before".
+_BARE = frozenset(["VB", "VBP"])
+#: A larger number of times is rather a word that was heard wrongly.
+_MOST_TIMES = 100
+#: The longest phrase that names a thing, in words.
+_LONGEST_PHRASE = 5
+
+
+class DeedBehind(NamedTuple):
+    """Words before a deed that another deed precedes or follows.
+
+    Attributes:
+        kind: BEFORE or AFTER
+        length: number of the words: "before", "before you", "after having"
+        verb: position of the verb of the deed in the sentence
+    """
+
+    kind: LinkKind
+    length: int
+    verb: int
+
+
+class Times(NamedTuple):
+    """A least or a largest number of times, and the number of its words."""
+
+    kind: LinkKind
+    number: int
+    length: int
+
+
+class ItemOrder(NamedTuple):
+    """Which of two items of a list comes before the other.
+
+    Attributes:
+        length: number of words that say so
+        earlier, later: the content words of each item
+        is_list: whether these words are the list: "the office only after the hall"; else the items were said before
+        is_doubtful: whether they may say where a thing is: "the room before the office"
+        border: place of "before" or "after" among the words; only for a new list
+    """
+
+    length: int
+    earlier: FrozenSet[str]
+    later: FrozenSet[str]
+    is_list: bool = False
+    is_doubtful: bool = False
+    border: int = 0
+
+
+def deed_behind(words: Sequence[Word], forms: Sequence[str], known: FramedLexicon) -> Optional[DeedBehind]:
+    """Return the words before a deed that some words begin with; None if they begin with others.
+
+    Args:
+        words: from the first of them to the end of the sentence
+        forms: their forms in lower case
+        known: lexical units; the deed must begin with one of their verbs
+    """
+    link, place = shipped_links().deed_link_at(forms)
+    if link is None:
+        return None
+    tags: FrozenSet[str] = frozenset(["VBG"])
+    if forms[place : place + 1] and forms[place] in _HEARERS:
+        place, tags = place + 1, _BARE
+    if forms[place : place + 1] and forms[place] in _HAVE:
+        place, tags = place + 1, frozenset(["VBN", "VBD"])
+    if place >= len(words) or words[place].xpos not in tags:
+        return None
+    verb = words[place]
+    return DeedBehind(link.kind, place, verb.index) if known.verbs_beginning_with(verb.lemma.lower()) else None
+
+
+def times_at(forms: Sequence[str]) -> Optional[Times]:
+    """Return the least or the largest number of times that words in lower case begin with: "at least twice"."""
+    link, place = shipped_links().count_at(forms)
+    rest = list(forms[place : place + 2])
+    if link is None or not rest:
+        return None
+    if rest[0] in _ADVERBS:
+        return Times(link.kind, _ADVERBS.index(rest[0]) + 1, place + 1)
+    if len(rest) < 2 or rest[1] not in _NOUNS:
+        return None
+    try:
+        number = parse_number(rest[0])
+    except QuantityError:
+        return None
+    if number is None or number != int(number) or not 1 <= number <= _MOST_TIMES:
+        return None
+    return Times(link.kind, int(number), place + 2)
+
+
+def item_order(words: Sequence[Word], place: int) -> Optional[ItemOrder]:
+    """Return the order of two items that begins at a place: ", but not the hall before the office".
+
+    Args:
+        words: of the sentence
+        place: where the words may begin
+    """
+    start, is_denied = place, False
+    while start < len(words) and words[start].form.lower() in _JOINING | _NEGATIONS | _ONLY:
+        is_denied = is_denied or words[start].form.lower() in _NEGATIONS
+        start += 1
+    one = _phrase(words, start)
+    border = start + one
+    is_only = border < len(words) and words[border].form.lower() in _ONLY
+    border += is_only
+    if not one or border >= len(words):
+        return None
+    link, length = shipped_links().deed_link_at([word.form.lower() for word in words[border:]])
+    other = _phrase(words, border + length) if link is not None and length else 0
+    if link is None or not other:
+        return None
+    end = border + length + other
+    if end < len(words) and words[end].upos not in ("PUNCT", "CCONJ") and words[end].form.lower() not in _JOINING:
+        return None
+    first, second = _content(words[start : start + one]), _content(words[end - other : end])
+    if not first or not second or first == second:
+        return None
+    is_before = link.kind is LinkKind.BEFORE
+    earlier, later = (first, second) if is_before != is_denied else (second, first)
+    said = _content(words[:place])
+    if start > place and first <= said and second <= said:
+        return ItemOrder(end - place, earlier, later)
+    if start > place or not place or length > 1 or words[place - 1].upos not in ("VERB", "ADP"):
+        return None
+    return ItemOrder(end - place, earlier, later, True, is_before or not is_only, border)
+
+
+def _phrase(words: Sequence[Word], start: int) -> int:
+    """Return the number of words of the noun phrase with an article that begins at a place; 0 for none."""
+    if start >= len(words) or words[start].upos not in ("DET", "PROPN"):
+        return 0
+    end = start + 1
+    while end < len(words) and end - start < _LONGEST_PHRASE and words[end].upos in _CONTENT:
+        end += 1
+    return end - start if words[end - 1].upos in ("NOUN", "PROPN") else 0
+
+
+def _content(words: Sequence[Word]) -> FrozenSet[str]:
+    found: List[str] = [word.form.lower() for word in words if word.upos in _CONTENT]
+    return frozenset(found)
+
+
+def sorted_by(names: Sequence[FrozenSet[str]], orders: Sequence[ItemOrder]) -> Optional[Tuple[int, ...]]:
+    """Return the places of items in an order that obeys all orders; None if there is none, or an item is not there.
+
+    Args:
+        names: the content words of each item
+        orders: what must come before what
+    """
+    left: List[int] = list(range(len(names)))
+    done: List[int] = []
+    pairs = []
+    for order in orders:
+        pair = [[place for place, name in enumerate(names) if item <= name] for item in (order.earlier, order.later)]
+        if any(len(found) != 1 for found in pair):
+            return None
+        pairs.append((pair[0][0], pair[1][0]))
+    while left:
+        free = [place for place in left if not any(later == place and earlier in left for earlier, later in pairs)]
+        if not free:
+            return None
+        done.append(free[0])
+        left.remove(free[0])
+    return tuple(done)
