@@ -1,7 +1,7 @@
 """What people say of deeds and servers, and what the robot answers."""
 
 from dataclasses import replace
-from typing import Dict
+from typing import Dict, Optional
 
 import pytest
 
@@ -16,9 +16,9 @@ SERVERS = {"waving": frozenset(["/left_arm_waving", "/right_arm_waving"]), "gras
 WAVED = Trial("c1", "Wave at Anna.", 1.0, "waving", "/right_arm_waving", "", Circumstances(), 2.0, Outcome.SUCCEEDED)
 
 
-def said(name: str, memory: Memory, reasons: Dict[str, str] = {}, **elements: str) -> Answer:
+def said(name: str, memory: Memory, reasons: Optional[Dict[str, str]] = None, **elements: str) -> Answer:
     arguments = {key: TypedArgument(name=key, text=text, lemma=text.rstrip("s")) for key, text in elements.items()}
-    return TEACHING[name](Asked(memory, arguments, SERVERS, reasons, "what was said", 5.0))
+    return TEACHING[name](Asked(memory, arguments, SERVERS, reasons or {}, "what was said", 5.0))
 
 
 def test_praise_and_criticism_name_what_they_count() -> None:

@@ -36,7 +36,7 @@ COMMANDS = (
     (
         "experience",
         "experience.experience_command",
-        "list, explain, reset, export or import what the robot experienced",
+        "list, explain, reset, export or import what was tried",
     ),
     ("learn", "frame_learning.learn_command", "learn lexical units from annotated sentences"),
     ("score", "frame_learning.score_command", "score the understanding of a public corpus"),

@@ -1,4 +1,4 @@
-"""Reads questions and remarks by the patterns of lexical units; only frames that are questions are evoked: none acts."""
+"""Reads questions and remarks by the patterns of lexical units; the frames are questions: none acts."""
 
 from typing import List, Mapping, Optional, Sequence, Tuple
 
