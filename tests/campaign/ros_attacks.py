@@ -12,7 +12,7 @@ from offline_pipeline.knowledge import load_knowledge, shipped_domains
 from roboframenet_testing import comes_true
 
 from .demand import Demand, Figure, Trial, all_of, at_most, none_of, quantile, values
-from .ros_robot import NODES, STAGES, Launched, Robot, running_robot, suspended
+from .ros_robot import NODES, STAGES, Robot, running_robot, suspended
 from .words import odd_text
 
 _REPLY_S = 30.0
@@ -350,10 +350,3 @@ class LostMaster(Demand):
             *(none_of(key, trials, key) for key in ("moving", "unanswered")),
             Figure("master", ", ".join(str(trial["how"]) for trial in trials)),
         ]
-
-
-def master_pid(launched: Launched) -> int:
-    """Return the process id of the master of a launched robot."""
-    return next(
-        process.pid for process in launched.descendants() if any("rosmaster" in part for part in process.cmdline())
-    )

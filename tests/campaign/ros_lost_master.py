@@ -9,7 +9,6 @@ from typing import Any, Dict
 
 from roboframenet_testing import comes_true
 
-from .ros_attacks import master_pid
 from .ros_robot import running_robot
 
 _TIMEOUT_S = 400.0
@@ -29,11 +28,12 @@ def in_own_process(how: str) -> Dict[str, Any]:
 
 def lose(how: str) -> Dict[str, Any]:
     """Drive, take the master away, stop, and say something."""
-    with running_robot() as robot:
+    with running_robot(has_master_apart=True) as robot:
         robot.wait_until_ready()
         robot.drive()
         robot.forget()
-        pid = master_pid(robot.launched)
+        assert robot.launched.master is not None
+        pid = robot.launched.master.pid
         os.kill(pid, signal.SIGKILL if how == "kill" else signal.SIGSTOP)
         try:
             said_s = robot.say("Stop.")
@@ -47,6 +47,7 @@ def lose(how: str) -> Dict[str, Any]:
                 "zero_s": robot.zero_s[0] - said_s if is_zero else None,
                 "moving": int(not is_standing),
                 "unanswered": sum(not robot.replies(text=text) for text in texts),
+                "not_answered": [text for text in texts if not robot.replies(text=text)],
             }
         finally:
             if how == "hang":

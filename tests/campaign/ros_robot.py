@@ -196,15 +196,23 @@ def free_port() -> int:
 class Launched:
     """A roslaunch process with a master of its own."""
 
-    def __init__(self, arguments: Sequence[str], program: Sequence[str] = ("roslaunch",)) -> None:
+    def __init__(
+        self, arguments: Sequence[str], program: Sequence[str] = ("roslaunch",), *, has_master_apart: bool = False
+    ) -> None:
         """
         Args:
             arguments: of roslaunch
             program: what is run in its place
+            has_master_apart: the master is no child of roslaunch, which ends its nodes when its own master dies
         """
         self.port = free_port()
         self.uri = f"http://127.0.0.1:{self.port}"
         environment = dict(os.environ, ROS_MASTER_URI=self.uri)
+        self.master: Optional[subprocess.Popen[bytes]] = None
+        if has_master_apart:
+            self.master = subprocess.Popen(
+                ["rosmaster", "--core", "-p", str(self.port)], env=environment, stdout=subprocess.DEVNULL
+            )
         command = [*program, "-p", str(self.port), *arguments]
         self.process = subprocess.Popen(
             command, env=environment, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, start_new_session=True
@@ -232,21 +240,28 @@ class Launched:
             child.kill()
         if status is None:
             self.process.kill()
+        if self.master is not None:
+            self.master.kill()
+            self.master.wait()
         return {"exit_status": status, "exit_s": took_s, "orphans": len(left)}
 
 
 @contextmanager
-def running_robot(*arguments: str, file: str = "") -> Iterator[Robot]:
+def running_robot(*arguments: str, file: str = "", has_master_apart: bool = False) -> Iterator[Robot]:
     """Start a robot, and end it at the end; one per process, because rospy has one node per process.
 
     Args:
         arguments: of the launch file
         file: a launch file in place of robot.launch
+        has_master_apart: the robot outlives its master
     """
     # What the robot learns must not outlive the trials.
     with tempfile.TemporaryDirectory() as folder:
         launch_file = [file] if file else ["roboframenet_bringup", "robot.launch"]
-        launched = Launched([*launch_file, f"world_memory_file:={folder}/world.sqlite", "seed:=1", *arguments])
+        launched = Launched(
+            [*launch_file, f"world_memory_file:={folder}/world.sqlite", "seed:=1", *arguments],
+            has_master_apart=has_master_apart,
+        )
         os.environ["ROS_MASTER_URI"] = launched.uri
         try:
             import rosgraph

@@ -16,6 +16,7 @@ from offline_pipeline.pipeline import Pipeline
 from roboframenet_sim.home_arranging import arranged
 from roboframenet_sim.home_engine import Home
 from roboframenet_sim.home_file import load_home_file
+from roboframenet_sim.home_floor import Floor
 from roboframenet_sim.home_state import NO_FAULTS, Faults
 from roboframenet_sim.home_truth import truth_of
 
@@ -67,13 +68,15 @@ class DirectRun:
             knowledge.graph.register(frame, "home")
         self._pipeline = Pipeline(knowledge)
         self._speaker, self._seed, self._faults = speaker, seed, faults
+        self._plan, self._state = load_home_file(HOME_FILE)
+        self._floor = Floor(self._plan)
         self._count = 0
 
     def run(self, command: Command) -> Run:
         """Carry a command out in a home that is arranged for it."""
         self._count += 1
-        plan, state = load_home_file(HOME_FILE)
-        home = Home(plan, state, seed=self._seed + self._count, faults=self._faults)
+        plan, state = self._plan, self._state
+        home = Home(plan, state, seed=self._seed + self._count, faults=self._faults, floor=self._floor)
         home.start_anew(arranged(plan, home.floor, state, command.arranged))
         walk = Walk(command)
         body = _Body(home, walk, most_s=_MOST_S)

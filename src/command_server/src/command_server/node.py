@@ -43,6 +43,7 @@ from command_server.settings import Settings
 from command_server.stop_words import find_cry
 from command_server.withdrawals import Withdrawals, is_against_what_runs
 from roboframenet_ros.health import Health
+from roboframenet_ros.ros_robots import own_robot
 from roboframenet_ros.suspension import SuspensionWatch
 from robot_stop.braking import Finding, StopOrder
 from robot_stop.ros_brake import Brake, Braked
@@ -82,6 +83,7 @@ class CommandServerNode:
             private: prefix of its private names
         """
         self._settings = settings
+        self._robot = own_robot()
         self._brake_settings = brake_settings
         self._commands = OpenCommands(settings.stage_timeouts_s)
         self._stops = PendingStops(timeout_s=settings.stop_timeout_s)
@@ -422,7 +424,7 @@ class CommandServerNode:
     def _send(self) -> None:
         # A message that is published before the parser has connected would be lost; its deadline runs meanwhile.
         while self._unsent and self._command_text.get_num_connections() > 0:
-            self._command_text.publish(command_to_message(self._unsent.popleft()))
+            self._command_text.publish(command_to_message(self._unsent.popleft(), robot=self._robot))
 
     def _answer_all_at_shutdown(self) -> None:
         open_commands = self._commands.open_commands

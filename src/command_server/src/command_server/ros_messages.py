@@ -19,9 +19,9 @@ def command_from_message(message: Command) -> CommandText:
     return CommandText(command_id=message.id, stamp_ns=message.stamp.to_nsec(), text=message.text)
 
 
-def command_to_message(command: CommandText) -> Command:
-    """Turn a value into a message."""
-    return Command(id=command.command_id, stamp=time_from_ns(command.stamp_ns), text=command.text)
+def command_to_message(command: CommandText, *, robot: str = "") -> Command:
+    """Turn a value into a message, for a robot of a fleet or for the only one."""
+    return Command(id=command.command_id, stamp=time_from_ns(command.stamp_ns), text=command.text, robot=robot)
 
 
 def ending_from_message(message: Reply) -> Ending:

@@ -172,12 +172,18 @@ class FrameGraph:
         """Whether a server may be used: no check found it dead."""
         return server not in self._dead
 
-    def servers(self, frame_name: str, purpose: Purpose = Purpose.ACTS) -> Tuple[str, ...]:
-        """Return the live action servers of a frame that act, or those that watch, in the order of registration."""
+    def servers(self, frame_name: str, purpose: Purpose = Purpose.ACTS, robot: str = "") -> Tuple[str, ...]:
+        """Return the live action servers of a frame that act, or those that watch, in the order of registration.
+
+        Args:
+            frame_name: of a frame
+            purpose: what the goals of the servers do
+            robot: whose servers; those that belong to no robot are everybody's. Empty for the servers of all
+        """
         return tuple(
             server
             for server, profile in self._servers.get(frame_name, {}).items()
-            if server not in self._dead and profile.purpose is purpose
+            if server not in self._dead and profile.purpose is purpose and (not robot or profile.robot in ("", robot))
         )
 
     def profile(self, frame_name: str, server: str) -> ServerProfile:

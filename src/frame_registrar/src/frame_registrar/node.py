@@ -12,6 +12,7 @@ from roboframenet_msgs.msg import (
     CommandSemanticFrames,
     EmptySemanticFrame,
     FilledSemanticFrameListList,
+    Fleet,
     FrameCallback,
     FrameCatalogue,
     FrameServers,
@@ -51,6 +52,7 @@ from roboframenet_ros.health import Health, Level
 from roboframenet_ros.parameters import Parameters, parameter
 from roboframenet_ros.ros_node import read_parameters, run_node
 from roboframenet_ros.ros_place import Place
+from roboframenet_ros.ros_robots import PublisherOfEachRobot, is_robot_name
 from roboframenet_ros.ros_stage import Stage
 from semantic_frames import FileRefused, Problem, load_frame
 from semantic_frames.frame import SemanticFrame
@@ -84,7 +86,7 @@ class FrameRegistrar:
     """Keeps the graph of frames, and answers each command with the candidates of its clauses or a refusal.
 
     Subscribes:
-        command_lexical_units (CommandLexicalUnits)
+        command_lexical_units (CommandLexicalUnits), fleet (Fleet, latched)
     Publishes:
         command_semantic_frames (CommandSemanticFrames), filled_semantic_frames (FilledSemanticFrameListList),
         frame_catalogue (FrameCatalogue, latched), frame_servers (FrameServers, latched),
@@ -106,7 +108,9 @@ class FrameRegistrar:
         self._dead: FrozenSet[str] = frozenset()
         self._id = uuid.uuid4().hex
         self._catalogue = rospy.Publisher("frame_catalogue", FrameCatalogue, queue_size=1, latch=True)
-        self._servers = rospy.Publisher("frame_servers", FrameServers, queue_size=1, latch=True)
+        self._servers = PublisherOfEachRobot("frame_servers", FrameServers, queue_size=1, latch=True)
+        self._told: Dict[str, FrameServers] = {}
+        self._robots: FrozenSet[str] = frozenset()
         place.problems.advertise()
         self._candidates = CandidateTopics(self._is_question)
         self._candidates_2012 = rospy.Publisher("filled_semantic_frames", FilledSemanticFrameListList, queue_size=100)
@@ -115,6 +119,7 @@ class FrameRegistrar:
         self._subscriber = rospy.Subscriber(
             "command_lexical_units", CommandLexicalUnits, self._on_command, queue_size=100
         )
+        self._fleet = rospy.Subscriber("fleet", Fleet, self._on_fleet, queue_size=1)
         self._services = [
             rospy.Service("add_frame", AddFrame, self._on_add_frame),
             rospy.Service("get_empty_frame", GetEmptyFrame, self._on_get_empty_frame),
@@ -211,6 +216,8 @@ class FrameRegistrar:
             errors: Tuple[str, ...] = (
                 f"{server[:40]!r} is not the name of an action server: expected a graph name without '~'",
             )
+        elif profile.robot and not is_robot_name(profile.robot):
+            errors = (f"{profile.robot[:40]!r} is not the name of a robot: expected that of its namespace",)
         else:
             with self._lock:
                 errors = self._graph.register(frame_name, server, profile)
@@ -218,11 +225,21 @@ class FrameRegistrar:
             rospy.logerr("registration refused: %s", error)
         if errors:
             return errors, ""
+        self._candidates.prepare(profile.robot)
         self._publish_servers()
         remark = self._graph.remark(frame_name, server)
         if remark:
             rospy.logwarn("'%s' registered for a frame: %s", server, remark)
         return (), remark
+
+    def _on_fleet(self, fleet: Fleet) -> None:
+        """The servers of a robot that joins register when they hear of this registrar."""
+        robots = frozenset(member.name for member in fleet.members if is_robot_name(member.name))
+        if not robots <= self._robots:
+            self._robots |= robots
+            for robot in robots:
+                self._candidates.prepare(robot)
+            self._publish_servers()
 
     def _registered_servers(self) -> FrozenSet[str]:
         with self._lock:
@@ -254,7 +271,15 @@ class FrameRegistrar:
                 )
                 for frame, server in self._graph.registrations()
             ]
-            self._servers.publish(FrameServers(registrar_id=self._id, paths=list(self._texts), callbacks=callbacks))
+            paths = list(self._texts)
+            self._servers.publish("", FrameServers(registrar_id=self._id, paths=paths, callbacks=callbacks))
+            # Each robot hears of its own servers, when they change; those of no robot are for all.
+            for robot in sorted(self._robots.union(callback.profile.robot for callback in callbacks) - {""}):
+                own = [callback for callback in callbacks if callback.profile.robot in ("", robot)]
+                message = FrameServers(registrar_id=self._id, paths=paths, callbacks=own)
+                if message != self._told.get(robot):
+                    self._told[robot] = message
+                    self._servers.publish(robot, message)
 
     def _is_question(self, name: str) -> bool:
         """Whether a frame is a question."""
@@ -269,6 +294,7 @@ class FrameRegistrar:
                     self._graph,
                     to_clauses(message.clauses),
                     max_candidates=self._settings.max_candidates,
+                    robot=message.command.robot,
                     conditions=conditions_in(message.plan, message.clauses),
                 )
             if not isinstance(outcome, Refusal):

@@ -88,6 +88,7 @@ def search(
     clauses: Sequence[Sequence[Reading]],
     *,
     max_candidates: int,
+    robot: str = "",
     conditions: Optional[Mapping[int, str]] = None,
 ) -> Union[Tuple[Found, ...], Refusal]:
     """Find every way to carry out each clause of a sentence, and to watch each of its conditions.
@@ -96,11 +97,12 @@ def search(
         graph: frames and servers
         clauses: in the order in which they are carried out; the readings of each are alternatives
         max_candidates: the search for a clause ends at this number
+        robot: who is to do it; empty if there is one robot
         conditions: positions of the clauses that are watched instead of done, with their words
     Returns:
         what is found for each clause, its likeliest reading first; a refusal when a clause has nothing
     """
-    finder = SequenceFinder(graph)
+    finder = SequenceFinder(graph, robot=robot)
     by_clause: List[Found] = []
     for position, readings in enumerate(clauses):
         words = (conditions or {}).get(position)
@@ -108,7 +110,7 @@ def search(
         if words is None:
             found = _search_clause(finder, readings, max_candidates)
         else:
-            found = _search_condition(SequenceFinder(graph, condition=words), readings, max_candidates)
+            found = _search_condition(SequenceFinder(graph, robot=robot, condition=words), readings, max_candidates)
         if isinstance(found, Refusal):
             return found
         by_clause.append(found)

@@ -107,13 +107,15 @@ class SequenceFinder:
         is_truncated: whether the graph was too large to be searched completely
     """
 
-    def __init__(self, graph: FrameGraph, *, condition: Optional[str] = None) -> None:
+    def __init__(self, graph: FrameGraph, *, robot: str = "", condition: Optional[str] = None) -> None:
         """
         Args:
             graph: frames and servers
+            robot: whose servers; empty for those of all
             condition: the words of a condition, which servers watch; None for something to do
         """
         self.graph = graph
+        self._robot = robot
         self._condition = condition
         self._purpose = Purpose.ACTS if condition is None else Purpose.WATCHES
         self.is_truncated = False
@@ -201,7 +203,7 @@ class SequenceFinder:
 
     def _servers(self, filled: FilledFrame) -> Tuple[Tuple[str, ...], List[Refusal]]:
         """Return the servers of a frame that heed everything that was said, or why there are none."""
-        servers = self.graph.servers(filled.name, self._purpose)
+        servers = self.graph.servers(filled.name, self._purpose, self._robot)
         frame = self.graph.frame(filled.name)
         if frame is None or not servers:
             return servers, []
@@ -265,7 +267,10 @@ class SequenceFinder:
     def _is_offered(self, sequence: Sequence[RelatedFrame]) -> bool:
         """Whether every member or one of its descendants has a server: other arguments might work."""
         return all(
-            any(self.graph.servers(name, self._purpose) for name in (child.name,) + self.graph.descendants(child.name))
+            any(
+                self.graph.servers(name, self._purpose, self._robot)
+                for name in (child.name,) + self.graph.descendants(child.name)
+            )
             for child in sequence
         )
 

@@ -14,6 +14,12 @@ _NEAR_M = 1.3
 ROOMS = ("room", "place", "here")
 #: A look for somebody who comes, seconds.
 _LOOK_S = 2.0
+#: Who has walked, and has stood for so long, has arrived.
+_ARRIVED_S = 60.0
+#: Who does not walk for so long does not want to be followed any more.
+_STAYED_S = 180.0
+#: Who is seen so much farther has walked.
+_STEP_M = 0.5
 _MOST_LOOKS = 60
 
 
@@ -69,14 +75,20 @@ def face(skills: Skills, frame: FilledFrame) -> None:
 
 
 def follow(skills: Skills, frame: FilledFrame) -> None:
-    """Stay behind somebody until the goal is reached, or until the goal is preempted."""
+    """Stay behind somebody until the goal is reached, or they walk no more, or the goal is preempted."""
     person = skills.find(argument(frame, "cotheme"), "person")
     goal = goal_of(skills, frame) if said(frame, "goal") else None
+    at, has_walked, since_s = person, False, skills.body.now_s()
     while True:
         skills.go(person.id, reach_m=_NEAR_M)
         skills.attempt("look", theme=person.id)
         person = skills.memory.get(person.id) or person
         if goal is not None and _is_at(skills, goal):
+            return
+        now_s = skills.body.now_s()
+        if math.hypot(person.x_m - at.x_m, person.y_m - at.y_m) > _STEP_M:
+            at, has_walked, since_s = person, True, now_s
+        if goal is None and now_s - since_s >= (_ARRIVED_S if has_walked else _STAYED_S):
             return
         skills.wait(_LOOK_S / 2.0)
 

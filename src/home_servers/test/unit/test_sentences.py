@@ -15,6 +15,7 @@ from offline_pipeline.knowledge import load_knowledge, shipped_domains
 from offline_pipeline.pipeline import Pipeline
 from roboframenet_sim.home_engine import Home
 from roboframenet_sim.home_file import load_home_file
+from roboframenet_sim.home_floor import Floor
 from roboframenet_sim.home_truth import truth_of
 from semantic_frames.server_statement import stated_profile
 
@@ -23,6 +24,8 @@ HOME_FILE = os.path.join(HERE, "..", "..", "..", "roboframenet_sim", "config", "
 with open(os.path.join(HERE, "..", "sentences.yaml"), encoding="utf-8") as file:
     SENTENCES = yaml.safe_load(file)
 #: Some of them, another domain each; all of them take minutes.
+PLAN, STATE = load_home_file(HOME_FILE)
+FLOOR = Floor(PLAN)
 SAMPLE = random.Random(11).sample(SENTENCES, 18)
 
 
@@ -65,8 +68,8 @@ def carry_out(pipeline, skills, text, *, must_confirm=False):
 
 
 def check(pipeline, entry):
-    plan, state = load_home_file(HOME_FILE)
-    home = Home(plan, state)
+    plan, state = PLAN, STATE
+    home = Home(plan, state, floor=FLOOR)
     home.change(reason="test", **entry.get("before", {}))
     if "person" in entry:
         assert home.tell_person(*entry["person"].split()) is None

@@ -6,12 +6,13 @@ import pytest
 from direct_body import DirectBody
 
 from home_servers.body import CannotDo, Interrupted
+from home_servers.going import follow
 from home_servers.memory import Known, Memory
 from home_servers.skills import Skills
 from roboframenet_sim.home_engine import Home
 from roboframenet_sim.home_file import load_home_file
 from roboframenet_sim.home_state import NO_FAULTS, PR2, ROBOT, TURTLEBOT, Faults
-from typed_arguments import Modifier, TypedArgument
+from typed_arguments import FilledFrame, Modifier, TypedArgument
 
 HOME_FILE = os.path.join(os.path.dirname(__file__), "..", "..", "..", "roboframenet_sim", "config", "home.yaml")
 
@@ -134,3 +135,11 @@ def test_the_speaker_is_looked_for():
     assert skills.speaker().id == "alice"
     skills.join(skills.speaker())
     assert skills.company() is None
+
+
+def test_following_ends_where_somebody_has_arrived():
+    home, _, skills = make()
+    assert home.tell_person("alice", "walk", "kitchen_table") is None
+    follow(skills, FilledFrame("following", (phrase("Alice", name="cotheme"),)))
+    assert home.plan.room_at(home.plan.position(home.state, ROBOT)) == "kitchen"
+    assert home.state.people["alice"].posture == "standing"

@@ -42,6 +42,7 @@ from roboframenet_ros.parameters import ParameterError, Parameters, parameter
 from roboframenet_ros.pausable_clock import PausableClock
 from roboframenet_ros.ros_live_parameters import LiveParameters
 from roboframenet_ros.ros_node import read_parameters, run_node
+from roboframenet_ros.ros_place import Place
 from roboframenet_ros.ros_publishing import publish
 from typed_arguments import TypedArgument
 
@@ -241,7 +242,7 @@ class MoveActionServer:
     WAIT_S = 0.05
     FLUSH_S = 0.1
 
-    def __init__(self, settings: Settings) -> None:
+    def __init__(self, settings: Settings, *, namespace: str = "") -> None:
         self._settings = settings
         self._motion = settings.motion()
         self._claims = BaseClaims()
@@ -263,7 +264,7 @@ class MoveActionServer:
             )
             server.register_preempt_callback(self._odometry.wake)
             self._servers[frame_name] = server
-        self._live = LiveParameters(settings, self._tune)
+        self._live = LiveParameters(settings, self._tune, namespace=namespace)
 
     def start(self) -> None:
         """Offer the four servers, and register them with their frames: without a registrar, that takes seconds."""
@@ -377,14 +378,19 @@ class MoveActionServer:
         return Ending(Outcome.ABORTED, "the node is shut down")
 
 
-def _start() -> MoveActionServer:
-    settings = read_parameters(Settings)
+def start(place: Place) -> MoveActionServer:
+    """Start the server, as a node or with others in one process.
+
+    Raises:
+        ParameterError: a parameter is wrong
+    """
+    settings = read_parameters(Settings, prefix=place.private)
     rospy.loginfo("%s", settings)
-    server = MoveActionServer(settings)
+    server = MoveActionServer(settings, namespace=place.namespace)
     server.start()
     return server
 
 
 def main() -> None:
     """Run the node until ROS shuts down; exits with a sentence when a parameter is wrong."""
-    run_node("move_action_server", _start)
+    run_node("move_action_server", lambda: start(Place()))

@@ -2,6 +2,7 @@
 
 import threading
 import time
+from dataclasses import replace
 from typing import Any, Callable, Dict, List, Optional, Sequence, Set, Tuple
 
 import rospy
@@ -19,6 +20,7 @@ from rfnserver.registration import (
     file_state,
     missing_requests,
 )
+from roboframenet_ros.ros_robots import own_robot
 from roboframenet_ros.ros_service import ServiceError, call_service, is_offered
 from semantic_frames.ros_server_profile import profile_to_message
 from semantic_frames.server_profile import AS_IN_2012, Purpose, ServerProfile
@@ -33,8 +35,9 @@ FrameCheck = Callable[[str], FrameFit]
 
 
 def public_name(name: str) -> str:
-    """Return the name under which other nodes find a server: a private one ("~gripper") names its node."""
-    return str(rospy.resolve_name(name)) if name.startswith("~") else name
+    """Return the name under which other nodes find a server: a private one ("~gripper") names its node, and that of a
+    robot of a fleet its robot."""
+    return str(rospy.resolve_name(name)) if name.startswith("~") or own_robot() else name
 
 
 class Registration:
@@ -57,7 +60,8 @@ class Registration:
         """
         self._server_name = public_name(server_name)
         self._check = check
-        self._profile = profile
+        self._robot = own_robot()
+        self._profile = self._of_robot(profile)
         #: Profiles of frames that have one of their own; what was registered for each frame.
         self._profiles: Dict[str, ServerProfile] = {}
         self._registered: Dict[str, ServerProfile] = {}
@@ -99,7 +103,11 @@ class Registration:
 
     def state(self, frame_name: str, profile: ServerProfile) -> None:
         """Register for one frame with another profile."""
-        self._profiles[frame_name] = profile
+        self._profiles[frame_name] = self._of_robot(profile)
+
+    def _of_robot(self, profile: ServerProfile) -> ServerProfile:
+        """Return a profile with the robot of this namespace, unless it names one."""
+        return replace(profile, robot=profile.robot or self._robot)
 
     def close(self) -> None:
         """Repeat requests no more; return when the thread has ended."""

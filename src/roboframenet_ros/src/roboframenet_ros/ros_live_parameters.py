@@ -24,18 +24,19 @@ class LiveParameters(Generic[Kind]):
     A value that contradicts others changes nothing, and the log says why.
     """
 
-    def __init__(self, settings: Kind, on_change: Callable[[Kind], None]) -> None:
+    def __init__(self, settings: Kind, on_change: Callable[[Kind], None], *, namespace: str = "") -> None:
         """Offer the parameters; rospy must be initialised.
 
         Args:
             settings: as they were read at the start
             on_change: called with the new settings, in a thread of rospy
+            namespace: of the parameters; that of the node by default
         """
         self._settings = settings
         self._on_change = on_change
         self._names = [one.name for one in live_parameters(type(settings))]
         self._types = {one.name: type(one.default) for one in live_parameters(type(settings))}
-        self._server = Server(_description(live_parameters(type(settings))), self._change)
+        self._server = Server(_description(live_parameters(type(settings))), self._change, namespace)
 
     def _change(self, config: Any, _level: int) -> Any:
         try:

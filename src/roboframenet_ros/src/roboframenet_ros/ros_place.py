@@ -52,3 +52,9 @@ class Place:
 
     private: str = "~"
     problems: ProblemsTopic = field(default_factory=ProblemsTopic)
+
+    @property
+    def namespace(self) -> str:
+        """The namespace of its private names."""
+        name = rospy.resolve_name("~" if self.private == "~" else self.private)
+        return str(name).rstrip("/")

@@ -8,6 +8,7 @@ from roboframenet_msgs.msg import Command, Reply, StageEvent
 
 from roboframenet_ros.bounded_text import bounded, one_line
 from roboframenet_ros.recent import Recent
+from roboframenet_ros.ros_robots import PublisherOfEachRobot, own_robot, topic_of
 
 # In one process, all stages share the publisher of this topic and its buffer. rospy calls peer_subscribe() without the
 # lock of the publisher, so this lock keeps all ways of publishing apart.
@@ -21,8 +22,8 @@ _MAX_COUNT = 1000
 class Stage(rospy.SubscribeListener):
     """Reports what became of each command in a stage; one in a node.
 
-    Publishes: ``stage_events``. A final event is resent to every subscriber that connects within 15 s; otherwise it
-    would be lost, and the reply to the command with it.
+    Publishes: ``stage_events``, in the namespace of the robot of the command. A final event is resent to every
+    subscriber that connects within 15 s; otherwise it would be lost, and the reply to the command with it.
     """
 
     def __init__(self, name: str) -> None:
@@ -33,9 +34,10 @@ class Stage(rospy.SubscribeListener):
         """
         self._name = name
         self._final_events: Recent[StageEvent] = Recent(max_count=_MAX_COUNT, max_age_s=_MAX_AGE_S)
+        self._own = own_robot()
         # Resent events must not push newer ones out of the queue.
-        self._publisher = rospy.Publisher(
-            "stage_events", StageEvent, subscriber_listener=self, queue_size=2 * _MAX_COUNT
+        self._publisher = PublisherOfEachRobot(
+            "stage_events", StageEvent, own=self._own, subscriber_listener=self, queue_size=2 * _MAX_COUNT
         )
 
     def passes_on(self, command: Command, sentence: str, *, trace: str = "") -> None:
@@ -50,7 +52,7 @@ class Stage(rospy.SubscribeListener):
             command=command, stage=self._name, stamp=rospy.Time.now(), sentence=one_line(sentence), trace=bounded(trace)
         )
         with _PUBLISHING:
-            self._publisher.publish(event)
+            self._publisher.publish(command.robot, event)
 
     def ends(self, command: Command, *, outcome: int, code: str, sentence: str, trace: str = "") -> None:
         """Report a command that ends in this stage.
@@ -76,7 +78,7 @@ class Stage(rospy.SubscribeListener):
         )
         with _PUBLISHING:
             self._final_events.add(event)
-            self._publisher.publish(event)
+            self._publisher.publish(command.robot, event)
 
     def peer_subscribe(
         self, topic_name: str, topic_publish: Callable[[StageEvent], None], peer_publish: Callable[[StageEvent], None]
@@ -84,4 +86,6 @@ class Stage(rospy.SubscribeListener):
         """Resend the final events that a new subscriber may have missed; called by rospy."""
         with _PUBLISHING:
             for event in self._final_events.values():
-                peer_publish(event)
+                robot = event.command.robot
+                if rospy.resolve_name(topic_of(robot, "stage_events", own=self._own)) == topic_name:
+                    peer_publish(event)

@@ -77,14 +77,23 @@ class Home:
         state: what is at the beginning
         seed: of persons and faults; the same calls with the same seed lead to the same states
         faults: how often something goes wrong
+        floor: of the plan, with what another home has worked out of it; None for a new one
     """
 
     #: Longest step of persons and actions; longer ones are divided.
     MAX_STEP_S = 0.1
 
-    def __init__(self, plan: Plan, state: State, *, seed: int = 0, faults: Faults = NO_FAULTS) -> None:
+    def __init__(
+        self,
+        plan: Plan,
+        state: State,
+        *,
+        seed: int = 0,
+        faults: Faults = NO_FAULTS,
+        floor: Optional[Floor] = None,
+    ) -> None:
         self.plan = plan
-        self.floor = Floor(plan)
+        self.floor = floor or Floor(plan)
         self.faults = faults
         self._state = state
         self._random = random.Random(seed)

@@ -67,6 +67,13 @@ class BaseSettings(Parameters):
         return Pose(x_m=self.start_x_m, y_m=self.start_y_m, yaw_rad=self.start_yaw_rad)
 
 
+def tf_name(frame: str) -> str:
+    """Return the name of a frame of this robot: behind the searched parameter ``tf_prefix``, if there is one."""
+    parameter_name = rospy.search_param("tf_prefix")
+    prefix = str(rospy.get_param(parameter_name, "")).strip("/") if parameter_name else ""
+    return f"{prefix}/{frame}" if prefix and not frame.startswith("/") else frame
+
+
 def quaternion_of_yaw(yaw_rad: float) -> Quaternion:
     """Return the rotation about the vertical axis."""
     return Quaternion(z=math.sin(yaw_rad / 2.0), w=math.cos(yaw_rad / 2.0))

@@ -1,14 +1,17 @@
 """The node turtlebot_sim: a Turtlebot on the topics of the real one."""
 
+from dataclasses import replace
+
 import rospy
 
 from roboframenet_ros.ros_node import read_parameters, run_node
+from roboframenet_ros.ros_place import Place
 from roboframenet_sim.base import DifferentialBase
 from roboframenet_sim.occupancy_grid import grid_of_room
 from roboframenet_sim.person import Person
 from roboframenet_sim.point_cloud import NO_WALLS
 from roboframenet_sim.room import load_room_file
-from roboframenet_sim.ros_base import BaseSettings, RosBase
+from roboframenet_sim.ros_base import BaseSettings, RosBase, tf_name
 from roboframenet_sim.ros_camera import CameraSettings, RosPerson
 from roboframenet_sim.ros_sensors import RosBattery, RosLaser
 from roboframenet_sim.ros_stepping import Stepper, SteppingSettings
@@ -32,8 +35,11 @@ class TurtlebotSim:
         ``/clock`` under /use_sim_time
     """
 
-    def __init__(self) -> None:
-        settings, camera_settings = read_parameters(BaseSettings), read_parameters(CameraSettings)
+    def __init__(self, *, private: str = "~") -> None:
+        settings = read_parameters(BaseSettings, prefix=private)
+        camera_settings = read_parameters(CameraSettings, prefix=private)
+        settings = replace(settings, odom_frame=tf_name(settings.odom_frame), base_frame=tf_name(settings.base_frame))
+        camera_settings = replace(camera_settings, camera_frame=tf_name(camera_settings.camera_frame))
         rospy.loginfo("%s %s", settings, camera_settings)
         is_free, walls = None, NO_WALLS
         if settings.room:
@@ -59,14 +65,19 @@ class TurtlebotSim:
         self._battery.step(duration_s, stamp)
 
 
-def _start() -> Stepper:
-    settings = read_parameters(SteppingSettings)
+def start(place: Place) -> Stepper:
+    """Start the simulation, as a node or with others in one process.
+
+    Raises:
+        ParameterError: a parameter is wrong
+    """
+    settings = read_parameters(SteppingSettings, prefix=place.private)
     rospy.loginfo("%s", settings)
-    stepper = Stepper(settings, step=TurtlebotSim().step)
+    stepper = Stepper(settings, step=TurtlebotSim(private=place.private).step)
     stepper.start()
     return stepper
 
 
 def main() -> None:
     """Run the node until ROS shuts down; exits with a sentence when a parameter is wrong."""
-    run_node("turtlebot_sim", _start)
+    run_node("turtlebot_sim", lambda: start(Place()))

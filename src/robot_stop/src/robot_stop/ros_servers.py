@@ -145,6 +145,7 @@ class Servers:
             self._master.system_state().subscribers,
             registered=self._registered,
             others=self._also_cancel,
+            namespace=rospy.get_namespace(),
         )
         kept: Dict[Server, _Connection] = {
             server: connection for server, connection in self._connections.items() if server in servers

@@ -34,7 +34,12 @@ class Server:
 
 
 def find_servers(
-    topic_types: Mapping[str, str], listeners: Mapping[str, Nodes], *, registered: Iterable[str], others: Iterable[str]
+    topic_types: Mapping[str, str],
+    listeners: Mapping[str, Nodes],
+    *,
+    registered: Iterable[str],
+    others: Iterable[str],
+    namespace: str = "/",
 ) -> FrozenSet[Server]:
     """Find the action servers that a stop cancels.
 
@@ -46,6 +51,7 @@ def find_servers(
         listeners: nodes that hear each topic
         registered: names of servers that registered for a frame, whatever the type of their goals
         others: names of further servers to cancel
+        namespace: of the robot, with a slash behind it: other servers that take frames may belong to other robots
 
     Returns:
         those of them that hear cancels now
@@ -53,7 +59,7 @@ def find_servers(
     of_frames = {
         topic[: -len("/goal")]
         for topic, topic_type in topic_types.items()
-        if topic.endswith("/goal") and topic_type == FRAME_GOAL_TYPE
+        if topic.startswith(namespace) and topic.endswith("/goal") and topic_type == FRAME_GOAL_TYPE
     }
     of_frames.update(name.rstrip("/") for name in registered)
     found: Dict[str, bool] = {name.rstrip("/"): False for name in others}

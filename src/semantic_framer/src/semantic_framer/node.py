@@ -3,7 +3,8 @@
 import threading
 import time
 import uuid
-from typing import Dict, List, Mapping, Tuple
+from dataclasses import dataclass, field
+from typing import Dict, List, Mapping, Optional, Sequence, Tuple
 
 import rospy
 from roboframenet_msgs.msg import (
@@ -12,6 +13,7 @@ from roboframenet_msgs.msg import (
     CommandParse,
     FileProblem,
     FilledLexicalUnitList,
+    Fleet,
     FrameCatalogue,
     FrameServers,
     Reply,
@@ -34,7 +36,10 @@ from roboframenet_ros.health import Health, Level
 from roboframenet_ros.ros_hand_over import HandOver
 from roboframenet_ros.ros_node import StartError, read_parameters, run_node
 from roboframenet_ros.ros_place import Place
+from roboframenet_ros.ros_robots import OfEachRobot, topic_of
 from roboframenet_ros.ros_stage import Stage
+from robot_fleet.addressing import listed, others_addressed, spoken
+from robot_fleet.designators import Names
 from semantic_framer.behaviour_2012 import with_habits
 from semantic_framer.dialogue import Context
 from semantic_framer.framed_lexicon import FramedLexicon
@@ -64,12 +69,32 @@ ADDED_LEXICAL_UNITS = "_added_lexical_units"
 CATALOGUE_DELAY_S = 1.0
 
 
+@dataclass
+class _Talk:
+    """What the framer keeps of its dialogue with one robot.
+
+    Attributes:
+        context: what was said
+        stamp: of the last command
+        stop_stamp: of the last stop
+        heeded: what its servers heed; None when it is not known yet
+        subscriber: hears of its stops
+    """
+
+    context: Context = Context()
+    stamp: rospy.Time = field(default_factory=rospy.Time)
+    stop_stamp: rospy.Time = field(default_factory=rospy.Time)
+    heeded: Optional[Mapping[str, FrameHeeding]] = None
+    subscriber: Optional[rospy.Subscriber] = None
+
+
 class SemanticFramer:
-    """Understands commands, one at a time.
+    """Understands commands, one at a time. Each robot of a fleet has a dialogue of its own.
 
     Subscribes:
         command_parse (CommandParse), frame_catalogue (FrameCatalogue, latched), frame_servers (FrameServers, latched),
-        stop_report (StopReport), known_names (KnownNames, latched), world (World, latched)
+        stop_report (StopReport), known_names (KnownNames, latched), world (World, latched),
+        fleet (Fleet, latched)
     Publishes:
         command_lexical_units (CommandLexicalUnits), filled_lexical_units (FilledLexicalUnitList),
         lexicon (Lexicon, latched), file_problems (FileProblems, latched), stage_events (StageEvent)
@@ -85,10 +110,10 @@ class SemanticFramer:
         self._lexicon = Lexicon()
         self._frames: Dict[str, SemanticFrame] = {}
         self._servers = FrameServers()
-        self._heeded: Mapping[str, FrameHeeding] = {}
         self._frame_files: ReadOnce[SemanticFrame] = ReadOnce(load_frame)
-        self._context = Context()
-        self._context_stamp = self._stop_stamp = rospy.Time()
+        # Each robot has its own dialogue, and its own servers.
+        self._talks: OfEachRobot[_Talk] = OfEachRobot(self._meet)
+        self._talks.get("")
         self._id = uuid.uuid4().hex
         self._units = HandOver("command_lexical_units", CommandLexicalUnits)
         self._units_2012 = rospy.Publisher("filled_lexical_units", FilledLexicalUnitList, queue_size=100)
@@ -98,6 +123,7 @@ class SemanticFramer:
         self._configured = tuple(yaml_files(settings.lexical_unit_paths, LEXICAL_UNITS_FOLDER))
         self._added: List[str] = rospy.get_param(place.private + ADDED_LEXICAL_UNITS, [])
         self._is_announced = False
+        self._robots = Names({})
         self._world = World()
         self._speaker = ""
         self._problem_count = 0
@@ -110,8 +136,8 @@ class SemanticFramer:
             rospy.Subscriber("frame_catalogue", FrameCatalogue, self._on_catalogue, queue_size=1),
             rospy.Subscriber("frame_servers", FrameServers, self._on_servers, queue_size=1),
             rospy.Subscriber("command_parse", CommandParse, self._on_command, queue_size=100),
-            rospy.Subscriber("stop_report", StopReport, self._on_stop, queue_size=100),
             rospy.Subscriber("known_names", KnownNamesMessage, self._on_names, queue_size=1),
+            rospy.Subscriber("fleet", Fleet, self._on_fleet, queue_size=1),
             rospy.Subscriber("speaker", String, self._on_speaker, queue_size=1),
             rospy.Subscriber("world", WorldMessage, self._on_world, queue_size=1),
         ]
@@ -176,6 +202,10 @@ class SemanticFramer:
         if problems:
             rospy.logerr("the names are refused, the names before stay: %s", problems[0])
 
+    def _on_fleet(self, message: Fleet) -> None:
+        named: Dict[str, Sequence[str]] = {member.name: member.spoken_names for member in message.members}
+        self._robots = Names({**dict.fromkeys(message.absent, ()), **named})
+
     def _on_speaker(self, message: String) -> None:
         with self._lock:
             self._speaker = message.data
@@ -193,25 +223,59 @@ class SemanticFramer:
         frames = {frame.name: frame for frame in contents}
         with self._lock:
             self._frames = frames
-            self._heeded = heeded_elements(frames, acting_servers(self._servers))
+            self._forget_heeded()
             self._lock.notify_all()
 
     def _on_servers(self, message: FrameServers) -> None:
         with self._lock:
             self._servers = message
-            self._heeded = heeded_elements(self._frames, acting_servers(message))
+            self._forget_heeded()
 
-    def _on_stop(self, report: StopReport) -> None:
-        """Forget the open question and the last command: after a stop, nothing answers or repeats them."""
-        with self._lock:
-            self._stop_stamp = report.stop_stamp
-            if self._context_stamp <= report.stop_stamp:
-                self._context = self._context.stopped()
+    def _forget_heeded(self) -> None:
+        """The servers or the frames changed. Called with the lock."""
+        for robot in self._talks:
+            talk = self._talks.get(robot)
+            if talk is not None:
+                talk.heeded = None
+        # The next command of the only robot does not wait for it.
+        self._heeded_by(self._talk(""), "")
+
+    def _heeded_by(self, talk: _Talk, robot: str) -> Mapping[str, FrameHeeding]:
+        """Return what the servers of a robot heed. Called with the lock."""
+        if talk.heeded is None:
+            talk.heeded = heeded_elements(self._frames, acting_servers(self._servers, robot))
+        return talk.heeded
+
+    def _meet(self, robot: str) -> _Talk:
+        """A robot is heard of: its stops end its dialogue."""
+        talk = _Talk()
+
+        def on_stop(report: StopReport) -> None:
+            """Forget the open question and the last command: after a stop, nothing answers or repeats them."""
+            with self._lock:
+                talk.stop_stamp = report.stop_stamp
+                if talk.stamp <= report.stop_stamp:
+                    talk.context = talk.context.stopped()
+
+        talk.subscriber = rospy.Subscriber(topic_of(robot, "stop_report"), StopReport, on_stop, queue_size=100)
+        return talk
+
+    def _talk(self, robot: str) -> _Talk:
+        """Return the dialogue with a robot; that of the only one if this is no name of a robot."""
+        talk = self._talks.get(robot) or self._talks.get("")
+        assert talk is not None
+        return talk
 
     def _on_command(self, message: CommandParse) -> None:
+        robot = message.command.robot
+        others = others_addressed(message.command.text, robot, self._robots, self._lexicon.verbs) if robot else ()
+        if others:
+            sentence = f"That is for {listed(others)}. I am {spoken(robot)}."
+            self._end(message.command, outcome=Reply.REFUSED, code="NOT_ADDRESSED", sentence=sentence)
+            return
         try:
             tree = to_tree(message.command.text, message.words)
-            outcome, trace = self._read(tree, message.command.stamp)
+            outcome, trace = self._read(tree, message.command)
         except Exception as error:  # boundary: the command gets its reply even if anything fails here
             rospy.logerr("cmd=%s failed", message.command.id, exc_info=True)
             self._end(
@@ -227,17 +291,25 @@ class SemanticFramer:
             kind = getattr(Reply, reply_outcome(outcome))
             self._end(message.command, outcome=kind, code=outcome.code, sentence=outcome.sentence, trace=trace)
 
-    def _read(self, tree: DependencyTree, stamp: rospy.Time) -> Tuple[Outcome, str]:
+    def _read(self, tree: DependencyTree, command: Command) -> Tuple[Outcome, str]:
         """Return the outcome of an utterance, and the trace of the rules."""
         end = time.monotonic() + CATALOGUE_DELAY_S
+        stamp, talk = command.stamp, self._talk(command.robot)
         with self._lock:
             while True:
                 frames = self._frames
                 trace = Trace() if self._settings.trace else None
                 heard = hear(
                     tree,
-                    FramedLexicon(self._lexicon, frames, self._names.types, self._heeded, self._world, self._speaker),
-                    context=self._context,
+                    FramedLexicon(
+                        self._lexicon,
+                        frames,
+                        self._names.types,
+                        self._heeded_by(talk, command.robot),
+                        self._world,
+                        self._speaker,
+                    ),
+                    context=talk.context,
                     policy=self._settings.policy,
                     now_s=time.monotonic(),
                     said_s=stamp.to_sec(),
@@ -259,9 +331,9 @@ class SemanticFramer:
                         trace=trace,
                     )
                     # A stopped command asks nothing. A stop stamp in the future does not count: the clock was set back.
-                    is_stopped = stamp <= self._stop_stamp <= rospy.Time.now() and not self._stop_stamp.is_zero()
-                    self._context = context.stopped() if is_stopped else context
-                    self._context_stamp = stamp
+                    is_stopped = stamp <= talk.stop_stamp <= rospy.Time.now() and not talk.stop_stamp.is_zero()
+                    talk.context = context.stopped() if is_stopped else context
+                    talk.stamp = stamp
                     return outcome, str(trace) if trace is not None else ""
 
     def _pass_on(self, message: CommandParse, understood: Understood, tree: DependencyTree, trace: str) -> None:

@@ -24,11 +24,17 @@ from typed_arguments.ros_messages import time_to_message, to_message
 from utterance_passes.tree import DependencyTree
 
 
-def acting_servers(message: FrameServers) -> Mapping[str, Sequence[ServerProfile]]:
-    """Return the profiles of the live servers that act, for each frame that has one."""
+def acting_servers(message: FrameServers, robot: str = "") -> Mapping[str, Sequence[ServerProfile]]:
+    """Return the profiles of the live servers that act, for each frame that has one.
+
+    Args:
+        message: all servers
+        robot: whose; those that belong to no robot are everybody's. Empty for the servers of all
+    """
     found: Dict[str, List[ServerProfile]] = {}
     for callback in message.callbacks:
-        if callback.is_alive and callback.profile.purpose == Purpose.ACTS:
+        is_own = not robot or callback.profile.robot in ("", robot)
+        if callback.is_alive and is_own and callback.profile.purpose == Purpose.ACTS:
             found.setdefault(callback.frame_name, []).append(profile_from_message(callback.profile))
     return found
 

@@ -8,15 +8,18 @@ import threading
 import time
 import uuid
 from dataclasses import dataclass
-from typing import Dict, Optional
+from typing import Dict, Optional, Sequence
 
 import rospy
-from roboframenet_msgs.msg import Command, ExecuteCommandActionGoal, FrameServers, Reply, StopReport
+from roboframenet_msgs.msg import Command, ExecuteCommandActionGoal, Fleet, FrameServers, Reply, StopReport
 from std_msgs.msg import Empty, String
 
 from command_server.stop_words import is_stop
 from roboframenet_ros.ros_node import read_parameters, run_node
 from roboframenet_ros.ros_publishing import publish
+from roboframenet_ros.ros_robots import own_robot
+from robot_fleet.designators import Names
+from robot_fleet.stops import stops
 from robot_stop.braking import Finding, StopOrder
 from robot_stop.ros_brake import Brake, Braked
 from robot_stop.sentences import sentence_of
@@ -36,12 +39,16 @@ _MOST_TOLD = 1000
 
 @dataclass(frozen=True)
 class _StopHeard:
-    """A stop: `text` as it was said, `command_id` of a goal or empty, `findings` for one that came as a frame."""
+    """A stop: `text` as it was said, `command_id` of a goal or empty, `findings` for one that came as a frame.
+
+    `is_shared`: it was said to all robots of a fleet, and others reply to it.
+    """
 
     text: str
     stamp: rospy.Time
     command_id: str = ""
     findings: "Optional[queue.Queue[Finding]]" = None
+    is_shared: bool = False
 
 
 @dataclass(frozen=True)
@@ -56,9 +63,9 @@ class _Told:
 class StopServerNode:
     """Stops the robot.
 
-    Subscribes: ``text``, ``command/goal``, ``frame_servers``, ``reply``, ``text_taken``,
-    ``command_server_started``. Publishes: ``stop_report``, ``reply``,
-    ``<server>/cancel`` of the action servers, zero velocity. Actions: ``stopping``.
+    Subscribes: ``text``, ``command/goal``, ``frame_servers``, ``reply``, ``text_taken``, ``command_server_started``;
+    for a robot of a fleet also ``fleet_text``, ``fleet_command/goal``, ``fleet``. Publishes: ``stop_report``,
+    ``reply``, ``<server>/cancel`` of the action servers, zero velocity. Actions: ``stopping``.
     """
 
     def __init__(self, settings: BrakeSettings) -> None:
@@ -93,6 +100,18 @@ class StopServerNode:
             rospy.Subscriber("text_taken", String, lambda message: self._hear_taken(message.data)),
             rospy.Subscriber("command_server_started", Empty, lambda _: self._hear_start()),
         ]
+        self._robot = own_robot()
+        self._names = Names({self._robot: ()})
+        if self._robot:
+            self._subscribers += [
+                rospy.Subscriber("fleet_text", String, lambda message: self._hear_shared(message.data)),
+                rospy.Subscriber(
+                    "fleet_command/goal",
+                    ExecuteCommandActionGoal,
+                    lambda message: self._hear_shared(message.goal.text),
+                ),
+                rospy.Subscriber("fleet", Fleet, self._hear_fleet),
+            ]
         self._frame.start()
 
     def _shutdown(self) -> None:
@@ -105,6 +124,17 @@ class StopServerNode:
         elif not command_id:
             with self._lock:
                 self._unheard.hear(text)
+
+    def _hear_shared(self, text: str) -> None:
+        """Something was said to all robots: it may stop this one. Its reply is the business of others."""
+        if stops(text, self._robot, self._names):
+            self._stop(_StopHeard(text=text, stamp=rospy.Time.now(), is_shared=True))
+
+    def _hear_fleet(self, fleet: Fleet) -> None:
+        named: Dict[str, Sequence[str]] = {self._robot: ()}
+        named.update(dict.fromkeys(fleet.absent, ()))
+        named.update({member.name: member.spoken_names for member in fleet.members})
+        self._names = Names(named)
 
     def _hear_taken(self, text: str) -> None:
         with self._lock:
@@ -189,7 +219,7 @@ class StopServerNode:
                 told.heard.findings.put(finding)
         elif not finding.is_first or not self._is_answered(told):
             report = self._report_of(told, finding=finding, sentence=sentence)
-            if finding.is_first:
+            if finding.is_first and not told.heard.is_shared:
                 report.reply = Reply(
                     command=told.command,
                     stage=STAGE,
@@ -199,7 +229,7 @@ class StopServerNode:
                     code="DONE" if finding.obedience.is_complete else "NOT_STOPPED",
                 )
             self._report.publish(report)
-            if finding.is_first:
+            if finding.is_first and report.reply.command.id:
                 self._reply.publish(report.reply)
         if not finding.is_first or not finding.obedience.is_complete:
             rospy.logwarn("%s", sentence)

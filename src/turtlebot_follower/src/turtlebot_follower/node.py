@@ -17,6 +17,7 @@ from sensor_msgs.msg import PointCloud2
 from rfnserver import RFNServer
 from roboframenet_ros.parameters import ParameterError, Parameters, parameter
 from roboframenet_ros.ros_node import read_parameters, run_node
+from roboframenet_ros.ros_place import Place
 from roboframenet_ros.ros_publishing import publish
 from turtlebot_follower.centroid import Box, Centroid, CloudError, centroid, points_of
 from turtlebot_follower.cfg import FollowerConfig
@@ -121,7 +122,7 @@ class TurtlebotFollower:
     CLOUD_BUFFER_BYTES = 1 << 24
     """A cloud of 640x480 has five megabytes, and is read at once."""
 
-    def __init__(self, settings: Settings) -> None:
+    def __init__(self, settings: Settings, *, namespace: str = "") -> None:
         self._settings = settings
         self._condition = threading.Condition()
         self._picture: Optional[Picture] = None
@@ -132,7 +133,7 @@ class TurtlebotFollower:
         self._idle = threading.Event()
         self._idle.set()
         self._velocity = rospy.Publisher("cmd_vel", Twist, queue_size=1, tcp_nodelay=True)
-        self._reconfigure = ReconfigureServer(FollowerConfig, self._take_tuning)
+        self._reconfigure = ReconfigureServer(FollowerConfig, self._take_tuning, namespace)
         # The camera shows that somebody is there, and not who, where from or where to.
         self._server = RFNServer(
             FRAME_NAME,
@@ -309,14 +310,19 @@ class TurtlebotFollower:
                 rospy.logerr("the follower may still follow: %s", error)
 
 
-def _start() -> TurtlebotFollower:
-    settings = read_parameters(Settings)
+def start(place: Place) -> TurtlebotFollower:
+    """Start the server, as a node or with others in one process.
+
+    Raises:
+        ParameterError: a parameter is wrong
+    """
+    settings = read_parameters(Settings, prefix=place.private)
     rospy.loginfo("%s", settings)
-    follower = TurtlebotFollower(settings)
+    follower = TurtlebotFollower(settings, namespace=place.namespace)
     follower.start()
     return follower
 
 
 def main() -> None:
     """Run the node until ROS shuts down; exits with a sentence when a parameter is wrong."""
-    run_node("turtlebot_follower", _start)
+    run_node("turtlebot_follower", lambda: start(Place()))

@@ -1,0 +1,269 @@
+"""Splits an utterance by whom its parts address: "Alpha, go to the kitchen, and Beta, follow me"."""
+
+import re
+from dataclasses import dataclass, replace
+from typing import FrozenSet, List, Optional, Tuple
+
+from robot_fleet.address_words import address_words
+from robot_fleet.designators import Group, Kind, Names, group_at, tokens_of
+
+_MARKS = frozenset(",;:.!?…—–")
+_ENDS = frozenset(".!?;…")
+_CAPITALISED = re.compile(r"^[A-Z][a-z]+$")
+
+
+@dataclass(frozen=True)
+class Part:
+    """Words for certain robots.
+
+    Attributes:
+        group: who is addressed; None if the words do not say it
+        text: what is said to them, without the address; empty for an address alone
+        is_after: it is to be done after the parts before it
+        is_told: somebody else is asked to pass it on ("tell Beta to ..."): "you" in it means that one
+        told_by: who is asked to, if the words say it
+    """
+
+    group: Optional[Group]
+    text: str
+    is_after: bool = False
+    is_told: bool = False
+    told_by: Optional[Group] = None
+
+
+def split_by_address(text: str, names: Names, verbs: FrozenSet[str]) -> Tuple[Part, ...]:
+    """Split an utterance into parts, each for certain robots.
+
+    Args:
+        text: what was said
+        names: of the robots
+        verbs: words with which a command begins, in lower case
+    Returns:
+        at least one part, in the order in which they were said
+    """
+    return _Utterance(text, names, verbs).parts()
+
+
+def unknown_address(text: str, names: Names, verbs: FrozenSet[str]) -> str:
+    """Return the name that an utterance begins with like an address, if no robot has it: "Rosie, go home"; else ""."""
+    tokens = tokens_of(text)
+    known = address_words()
+    words = [token.word for token in tokens]
+    start = known.phrases["greetings"].length_at(words, 0)
+    rest = tokens[start:]
+    if (
+        group_at(words, start, names)[0] is not None
+        or len(rest) < 3
+        or rest[1].word != ","
+        or rest[2].word not in verbs
+    ):
+        return ""
+    name = text[rest[0].start : rest[0].end]
+    is_word = rest[0].word in verbs or rest[0].word in known.words["no_names"] or rest[0].word.endswith("ly")
+    return name if _CAPITALISED.match(name) and not is_word else ""
+
+
+class _Utterance:
+    def __init__(self, text: str, names: Names, verbs: FrozenSet[str]) -> None:
+        self._text = text
+        self._tokens = tokens_of(text)
+        self._words = [token.word for token in self._tokens]
+        self._names = names
+        self._verbs = verbs
+        known = address_words()
+        self._lists, self._single = known.phrases, known.words
+
+    def parts(self) -> Tuple[Part, ...]:
+        """Return the parts."""
+        parts: List[Part] = []
+        position = 0
+        while position < len(self._words):
+            behind = self._behind_address(position)
+            is_told = self._told_at(self._skip(position, len(self._words), "greetings")) is not None
+            end = self._next_address(behind, has_address=bool(parts) or behind > position or is_told)
+            parts.append(replace(self._part(position, end), is_after=bool(parts) and self._is_sequel(position)))
+            position = end
+        return tuple(part for part in parts if part.text or part.group) or (Part(None, self._text),)
+
+    # Where an address begins.
+
+    def _is_sequel(self, position: int) -> bool:
+        """Whether the part at a position is to be done after those before it."""
+        while self._words[position] in _MARKS:
+            position += 1
+        return self._lists["sequels"].length_at(self._words, position) > 0
+
+    def _behind_address(self, position: int) -> int:
+        """Return where the words behind an address begin, if one stands at a position; else that position."""
+        start = self._skip(position, len(self._words), "greetings")
+        start = (
+            start
+            if group_at(self._words, start, self._names)[0]
+            else self._skip(start, len(self._words), "kept_before")
+        )
+        behind = group_at(self._words, start, self._names)[1]
+        return behind if behind > start else position
+
+    def _next_address(self, position: int, *, has_address: bool) -> int:
+        """Return where the next part begins, behind the one at a position."""
+        for at in range(position + 1, len(self._words)):
+            before = self._words[at - 1]
+            is_set_off = before in _MARKS
+            links = self._links_at(at)
+            if not is_set_off and not links:
+                continue
+            if not is_set_off and not has_address:
+                continue
+            group, behind = group_at(self._words, at + links, self._names)
+            if group is not None and group.kinds & {Kind.NAME, Kind.OTHERS, Kind.OTHER_ONE, Kind.EVERYBODY}:
+                is_new_sentence = before in _ENDS and not links
+                is_last = behind >= len(self._words) or all(word in _MARKS for word in self._words[behind:])
+                if is_last or (not has_address and not is_new_sentence):
+                    continue
+                if self._is_addressed(behind, needs_verb=True):
+                    return at
+            elif links and self._told_at(at + links) is not None:
+                return at
+        return len(self._words)
+
+    def _links_at(self, at: int) -> int:
+        """Return the number of words at a position that link two orders: "and", "then"."""
+        return self._lists["sequels"].length_at(self._words, at) or self._lists["connectors"].length_at(self._words, at)
+
+    def _is_addressed(self, behind: int, *, needs_verb: bool = False) -> bool:
+        """Whether what stands before a position is addressed, by what follows it."""
+        if behind >= len(self._words):
+            return True
+        word = self._words[behind]
+        following = self._words[behind + 1] if behind + 1 < len(self._words) else ""
+        if word in _MARKS:
+            is_verb = following in self._verbs or following in self._single["behind_names"]
+            return not needs_verb or is_verb or self._lists["polite"].length_at(self._words, behind + 1) > 0
+        if word in self._single["before_you"]:
+            return following in self._single["you"]
+        return word in self._verbs or word in self._single["behind_names"]
+
+    # One part.
+
+    def _part(self, begin: int, end: int) -> Part:
+        position = begin
+        if begin:
+            while position < end and (self._words[position] in _MARKS or self._links_at(position)):
+                position += max(1, self._links_at(position))
+        kept = position
+        skipped = self._skip(position, end, "greetings")
+        for start in dict.fromkeys((skipped, self._skip(position, end, "kept_before"))):
+            part = self._leading(kept, start, end)
+            if part is not None:
+                return part
+        told = self._told_at(skipped)
+        if told is not None and told[1] < end:
+            group, vp, negation = told
+            return Part(group, negation + self._slice(vp, end), is_told=True)
+        return self._trailing(position, end) or self._inner(position, end) or Part(None, self._slice(position, end))
+
+    def _skip(self, position: int, end: int, name: str) -> int:
+        while position < end:
+            length = self._lists[name].length_at(self._words, position)
+            if not length and self._words[position] != ",":
+                break
+            position += max(1, length)
+        return position
+
+    def _leading(self, begin: int, start: int, end: int) -> Optional[Part]:
+        """An address before the words: "Hey Alpha, come here", "could somebody come here"."""
+        group, behind = group_at(self._words[:end], start, self._names)
+        if group is not None and self._is_addressed(min(behind, end)):
+            rest = behind
+            while rest < end and self._words[rest] in _MARKS:
+                rest += 1
+            told = self._told_at(self._skip(rest, end, "greetings")) if rest < end else None
+            if told is not None and told[1] < end:
+                return Part(told[0], told[2] + self._slice(told[1], end), is_told=True, told_by=group)
+            if all(word in _MARKS or word in self._lists["polite"] for word in self._words[rest:end]):
+                return Part(group, "")
+            is_kept = begin < start and self._words[begin] in self._single["kept_before"]
+            before = self._text[self._tokens[begin].start : self._tokens[start].start] if is_kept else ""
+            return Part(group, (before + self._slice(rest, end)).strip())
+        word = self._words[start] if start < end else ""
+        if word in self._single["auxiliaries"]:
+            group, behind = group_at(self._words[:end], start + 1, self._names)
+            if group is not None and behind < end and self._is_verb_at(behind):
+                return Part(group, f"{word} you {self._slice(behind, end)}")
+        return None
+
+    def _is_verb_at(self, position: int) -> bool:
+        position += self._lists["polite"].length_at(self._words, position)
+        return position < len(self._words) and self._words[position] in self._verbs
+
+    def _told_at(self, position: int) -> Optional[Tuple[Group, int, str]]:
+        """Return who is told something at a position, where that begins, and its negation: "tell Beta not to wait"."""
+        position += self._lists["polite"].length_at(self._words, position)
+        for name, needs_to in (("tell_to", True), ("want_to", True), ("have", False)):
+            length = self._lists[name].length_at(self._words, position)
+            if not length:
+                continue
+            group, behind = group_at(self._words, position + length, self._names)
+            if group is None or behind >= len(self._words):
+                continue
+            is_negated = self._words[behind] in self._single["negations"]
+            at = behind + is_negated
+            if at < len(self._words) and self._words[at] == "to" and at + 1 < len(self._words):
+                return group, at + 1, "don't " if is_negated else ""
+            if not needs_to and self._words[behind] in self._verbs:
+                return group, behind, ""
+            if needs_to and self._words[behind] == ":" and behind + 1 < len(self._words):
+                return group, behind + 1, ""
+        return None
+
+    def _trailing(self, begin: int, end: int) -> Optional[Part]:
+        """An address behind the words: "come here, Alpha"."""
+        last = end
+        while last > begin and (self._words[last - 1] in _MARKS or self._words[last - 1] in self._single["polite"]):
+            last -= 1
+        for start in range(begin + 1, last):
+            group, behind = group_at(self._words[:last], start, self._names)
+            if group is None or behind != last:
+                continue
+            if self._is_set_off_at(start, begin, group):
+                return Part(group, self._slice(begin, start))
+        return None
+
+    def _is_set_off_at(self, start: int, begin: int, group: Group) -> bool:
+        before = self._words[start - 1]
+        if before == ",":
+            # "To Alpha, Beta, Gamma" is a list.
+            is_list = start - 4 >= begin and self._words[start - 3] == "," and self._names.at(self._words, start - 4)[0]
+            return self._words[start - 2] not in self._single["prepositions"] and not is_list
+        if before in self._single["before_last_names"] or (
+            Kind.BOTH in group.kinds or (Kind.EVERYBODY in group.kinds and len(self._words[start:]) > 1)
+        ):
+            return before not in self._single["prepositions"] and before not in self._verbs
+        first = self._words[begin]
+        return before in self._single["pronouns"] and first not in self._single["ditransitives"]
+
+    def _inner(self, begin: int, end: int) -> Optional[Part]:
+        """An address between commas: "go to the kitchen, Alpha, and bring me a cup"."""
+        for start in range(begin + 2, end):
+            if self._words[start - 1] != ",":
+                continue
+            group, behind = group_at(self._words[:end], start, self._names)
+            if group is None or behind >= end or self._words[behind] != ",":
+                continue
+            if self._names.at(self._words, start - 2)[0] or self._words[start - 2] in self._single["prepositions"]:
+                continue
+            joined = " " if self._links_at(behind + 1) else ", "
+            return Part(group, f"{self._slice(begin, start)}{joined}{self._slice(behind + 1, end)}".strip(" ,"))
+        return None
+
+    def _slice(self, begin: int, end: int) -> str:
+        """Return the text of words, without the commas around it."""
+        while begin < end and self._words[begin] in (",", ":", "—", "–"):
+            begin += 1
+        while end > begin and self._words[end - 1] in (",", ":", ";", "—", "–"):
+            end -= 1
+        if begin >= end:
+            return ""
+        behind = self._tokens[end].start if end < len(self._tokens) else len(self._text)
+        text = self._text[self._tokens[begin].start : behind].strip(" ,:")
+        return text if text.count('"') % 2 == 0 else text.replace('"', "").strip()

@@ -1,0 +1,213 @@
+"""The node ``fleet``: knows the robots, and passes on what is said to all of them."""
+
+import threading
+import time
+import uuid
+from dataclasses import dataclass
+from typing import Dict, FrozenSet, Set, Tuple, Union
+
+import actionlib
+import rospy
+from roboframenet_msgs.msg import Fleet, FleetMember, Lexicon, Reply, World
+from std_msgs.msg import String
+
+from command_server.inbox import Inbox
+from command_server.ros_command_action import CommandActionServer
+from roboframenet_ros.health import Health, Level
+from roboframenet_ros.ros_node import read_parameters, run_node
+from roboframenet_ros.ros_robots import is_robot_name
+from robot_fleet.addressing import Company, Robot
+from robot_fleet.places import Place, place_in
+from robot_fleet.ros_robots import RobotLinks, ServiceWatch
+from robot_fleet.ros_utterances import Utterances
+from robot_fleet.roster import Roster
+from robot_fleet.settings import FleetSettings
+from semantic_frames import FileRefused, load_lexical_units
+
+_TURN_S = 0.1
+_SIGN_OF_LIFE_S = 1.0
+_JOIN_TIMEOUT_S = 2.0
+
+
+@dataclass(frozen=True)
+class _Said:
+    text: str
+    command_id: str
+    handle: "actionlib.ServerGoalHandle" = None
+
+
+@dataclass(frozen=True)
+class _Cancelled:
+    command_id: str
+
+
+@dataclass(frozen=True)
+class _Answered:
+    command_id: str
+    reply: Reply
+
+
+_Event = Union[_Said, _Cancelled, _Answered, FleetMember, None]
+
+
+class FleetNode:
+    """Knows who is there, decides who is meant, and answers once.
+
+    Subscribes: ``text``, ``fleet_member``, ``lexicon``, ``frame_catalogue``, ``parse``, ``world``,
+    ``<robot>/command/result``. Publishes: ``reply``, ``fleet`` (latched), ``<robot>/command/goal``,
+    ``<robot>/command/cancel``. Actions: ``command``.
+    """
+
+    def __init__(self, settings: FleetSettings) -> None:
+        self._settings = settings
+        self._events: Inbox[_Event] = Inbox()
+        self._roster: Roster[FleetMember] = Roster(silence_s=settings.member_silence_s)
+        self._links = RobotLinks(lambda command_id, reply: self._events.put(_Answered(command_id, reply)))
+        self._utterances = Utterances(settings, self._links, self._reply_to)
+        self._verbs: FrozenSet[str] = frozenset()
+        self._places: Tuple[Tuple[str, Place], ...] = ()
+        self._told_s = 0.0
+        self._was_up = False
+        self._tag = uuid.uuid4().hex[:8]
+        self._count = 0
+        self._reply = rospy.Publisher("reply", Reply, queue_size=1000)
+        self._fleet = rospy.Publisher("fleet", Fleet, queue_size=1, latch=True)
+        self._service = ServiceWatch(self._hear_verbs, _verbs_of)
+        self._action = CommandActionServer(
+            on_goal=lambda handle: self._events.put(_Said(handle.get_goal().text, handle.get_goal_id().id, handle)),
+            on_cancel=lambda command_id: self._events.put(_Cancelled(command_id)),
+        )
+        self._worker = threading.Thread(target=self._work, name="fleet")
+
+    def start(self) -> None:
+        """Take part."""
+        rospy.on_shutdown(self._shutdown)
+        self._worker.start()
+        self._subscribers = [
+            rospy.Subscriber("fleet_member", FleetMember, self._events.put, queue_size=1000),
+            rospy.Subscriber("world", World, self._hear_world, queue_size=1),
+            rospy.Subscriber("text", String, self._hear_text, queue_size=100),
+        ]
+        self._action.start()
+
+    def health(self) -> Health:
+        """How the node is."""
+        missing = self._service.missing()
+        values = {"robots": len(self._roster.members), "gone": len(self._roster.absent)}
+        return Health(Level.WARN, f"{missing} is not running.", values) if missing else Health(values=values)
+
+    def _shutdown(self) -> None:
+        self._events.put(None)
+        self._worker.join(_JOIN_TIMEOUT_S)
+        self._action.shutdown()
+
+    def _hear_text(self, message: String) -> None:
+        self._count += 1
+        self._events.put(_Said(message.data, f"text-{self._tag}-{self._count}"))
+
+    def _hear_verbs(self, verbs: Set[str]) -> None:
+        self._verbs = frozenset(verbs)
+
+    def _hear_world(self, message: World) -> None:
+        self._places = tuple(
+            (name.lower(), (one.pose.pose.position.x, one.pose.pose.position.y))
+            for one in message.objects
+            if one.pose.header.frame_id
+            for name in (one.name, *one.other_names, one.category)
+            if name
+        )
+
+    def _work(self) -> None:
+        while True:
+            for event in self._events.take(longest_wait_s=_TURN_S, deadlines_s=()):
+                if event is None:
+                    return
+                try:
+                    self._handle(event)
+                except Exception as error:  # boundary: one event must not keep the others from being handled
+                    rospy.logerr("fleet could not handle a %s: %s", type(event).__name__, error, exc_info=True)
+            changes = self._roster.turn(now_s=time.monotonic())
+            for robot in changes.left:
+                rospy.loginfo("%s has left", robot)
+                self._utterances.lose(robot)
+            self._utterances.send()
+            is_up = self._service.missing() is None
+            if changes or is_up != self._was_up or time.monotonic() - self._told_s >= _SIGN_OF_LIFE_S:
+                self._tell(is_up)
+
+    def _handle(self, event: _Event) -> None:
+        if isinstance(event, _Said):
+            if event.handle is not None:
+                self._action.accept(event.handle)
+            near = place_in(event.text, self._places)
+            self._utterances.say(event.text, self._company(), command_id=event.command_id, near=near)
+        elif isinstance(event, _Cancelled):
+            self._utterances.cancel(event.command_id)
+        elif isinstance(event, _Answered):
+            self._utterances.hear(event.command_id, event.reply)
+        elif isinstance(event, FleetMember) and is_robot_name(event.name):
+            if self._roster.hear(event.name, event, now_s=time.monotonic()):
+                rospy.loginfo("%s has joined", event.name)
+                self._links.prepare(event.name)
+                self._tell(self._service.missing() is None)
+
+    def _company(self) -> Company:
+        busy = self._utterances.busy
+        return Company(
+            robots=tuple(
+                Robot(
+                    name=member.name,
+                    spoken=tuple(member.spoken_names),
+                    is_free=not member.open_commands and member.name not in busy,
+                    place=_place_of(member),
+                )
+                for member in self._roster.members
+            ),
+            absent=self._roster.absent,
+            verbs=self._verbs,
+        )
+
+    def _reply_to(self, reply: Reply) -> None:
+        rospy.loginfo("cmd=%s %s: %s", reply.command.id, reply.code, reply.sentence)
+        self._reply.publish(reply)
+        self._action.finish(reply, command_id=reply.command.id)
+
+    def _tell(self, is_up: bool) -> None:
+        self._told_s, self._was_up = time.monotonic(), is_up
+        self._fleet.publish(
+            Fleet(
+                stamp=rospy.Time.now(),
+                is_service_up=is_up,
+                members=list(self._roster.members),
+                absent=list(self._roster.absent),
+            )
+        )
+
+
+def _place_of(member: FleetMember) -> Union[Place, None]:
+    position = member.pose.pose.position
+    return (position.x, position.y) if member.pose.header.frame_id else None
+
+
+def _verbs_of(message: Lexicon) -> Set[str]:
+    found: Dict[str, None] = {}
+    for file in message.files:
+        try:
+            units = load_lexical_units(file.text, file.path)
+        except FileRefused:
+            continue
+        found.update({verb.split()[0]: None for unit in units for verb in unit.verbs})
+    return set(found)
+
+
+def _start() -> FleetNode:
+    settings = read_parameters(FleetSettings)
+    rospy.loginfo("fleet: %s", settings)
+    node = FleetNode(settings)
+    node.start()
+    return node
+
+
+def main() -> None:
+    """Run the node until ROS shuts down; exits with a sentence when a parameter is wrong."""
+    run_node("fleet", _start)

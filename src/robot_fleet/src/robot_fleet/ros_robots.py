@@ -1,0 +1,102 @@
+"""The robots of a fleet as action servers of commands."""
+
+from typing import Callable, Dict, Optional, Set
+
+import rospy
+from actionlib_msgs.msg import GoalID
+from roboframenet_msgs.msg import (
+    ExecuteCommandActionGoal,
+    ExecuteCommandActionResult,
+    ExecuteCommandGoal,
+    FrameCatalogue,
+    Lexicon,
+    Reply,
+)
+
+from roboframenet_ros.ros_robots import OfEachRobot, topic_of
+
+#: Called with the id of a command and its reply.
+OnReply = Callable[[str, Reply], None]
+
+
+class _Link:
+    """The topics of one robot."""
+
+    def __init__(self, robot: str, on_reply: OnReply) -> None:
+        self.goal = rospy.Publisher(topic_of(robot, "command/goal"), ExecuteCommandActionGoal, queue_size=100)
+        self.cancel = rospy.Publisher(topic_of(robot, "command/cancel"), GoalID, queue_size=100)
+        self.result = rospy.Subscriber(
+            topic_of(robot, "command/result"),
+            ExecuteCommandActionResult,
+            lambda message: on_reply(message.status.goal_id.id, message.result.reply),
+            queue_size=100,
+        )
+
+
+class RobotLinks:
+    """Sends commands to robots; each command is sent once.
+
+    Publishes: ``<robot>/command/goal``, ``<robot>/command/cancel``. Subscribes: ``<robot>/command/result``.
+    """
+
+    def __init__(self, on_reply: OnReply) -> None:
+        """
+        Args:
+            on_reply: called with the id of a command and its reply, in a thread of rospy
+        """
+        self._links: OfEachRobot[_Link] = OfEachRobot(lambda robot: _Link(robot, on_reply))
+
+    def prepare(self, robot: str) -> None:
+        """Open the topics of a robot."""
+        self._links.get(robot)
+
+    def send(self, robot: str, text: str, *, command_id: str) -> bool:
+        """Send a command; returns False if the robot is not connected yet."""
+        link = self._links.get(robot)
+        if link is None or not link.goal.get_num_connections() or not link.result.get_num_connections():
+            return False
+        now = rospy.Time.now()
+        message = ExecuteCommandActionGoal(goal=ExecuteCommandGoal(text=text))
+        message.goal_id = GoalID(stamp=now, id=command_id)
+        message.header.stamp = now
+        link.goal.publish(message)
+        return True
+
+    def cancel(self, robot: str, *, command_id: str) -> None:
+        """Cancel a command."""
+        link = self._links.get(robot)
+        if link is not None:
+            link.cancel.publish(GoalID(id=command_id))
+
+
+class ServiceWatch:
+    """Whether framer, registrar and parser are running: they have published what they know, and are connected.
+
+    Subscribes: ``lexicon``, ``frame_catalogue``, ``parse``
+    """
+
+    def __init__(self, on_verbs: Callable[[Set[str]], None], read_verbs: Callable[[Lexicon], Set[str]]) -> None:
+        # Topics are advertised some time before a node takes commands.
+        self._has_lexicon = False
+
+        def hear_lexicon(message: Lexicon) -> None:
+            on_verbs(read_verbs(message))
+            self._has_lexicon = True
+
+        self._subscribers: Dict[str, rospy.Subscriber] = {
+            "semantic_framer": rospy.Subscriber("lexicon", Lexicon, hear_lexicon, queue_size=1),
+            "frame_registrar": rospy.Subscriber("frame_catalogue", FrameCatalogue, _ignore, queue_size=1),
+            # Whoever hears "command_parse" is taken for the framer.
+            "stanford_parser_ros": rospy.Subscriber("parse", rospy.AnyMsg, _ignore, queue_size=1),
+        }
+
+    def missing(self) -> Optional[str]:
+        """Return the name of a node that is not running; None if all are."""
+        gone = next((name for name, one in self._subscribers.items() if not one.get_num_connections()), None)
+        if gone == "semantic_framer":
+            self._has_lexicon = False
+        return gone if gone or self._has_lexicon else "semantic_framer"
+
+
+def _ignore(_message: object) -> None:
+    pass

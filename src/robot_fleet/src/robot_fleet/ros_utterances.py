@@ -1,0 +1,147 @@
+"""What was said to all robots: it is passed on to those who are meant, and answered once."""
+
+import time
+import uuid
+from dataclasses import dataclass, field
+from typing import Callable, Dict, List, Optional, Tuple
+
+import rospy
+from roboframenet_msgs.msg import Command, Reply
+
+from robot_fleet.addressing import Addressed, Company, Dialogue, Unaddressed, address
+from robot_fleet.answers import Answer, OpenUtterance, Outcome, Sending, missing_answer, robot_of_question
+from robot_fleet.places import Place
+from robot_fleet.ros_robots import RobotLinks
+from robot_fleet.settings import FleetSettings
+
+STAGE = "robot_fleet"
+#: The outcome of an utterance that nobody carries out, by its code.
+_OUTCOMES = {"WHO": Reply.NEEDS_INFORMATION, "ATTENTION": Reply.DONE}
+
+
+@dataclass
+class _Entry:
+    command: Command
+    utterance: OpenUtterance
+    unsent: List[Tuple[Sending, float]] = field(default_factory=list)
+
+
+class Utterances:
+    """The open utterances; one thread owns them."""
+
+    def __init__(self, settings: FleetSettings, links: RobotLinks, publish: Callable[[Reply], None]) -> None:
+        """
+        Args:
+            settings: of the node
+            links: to the robots
+            publish: called with each reply
+        """
+        self._settings, self._links, self._publish = settings, links, publish
+        self._entries: Dict[str, _Entry] = {}
+        self._sent: Dict[str, Tuple[str, Sending]] = {}
+        self._dialogue = Dialogue()
+        self._tag = uuid.uuid4().hex[:8]
+        self._count = 0
+
+    @property
+    def busy(self) -> Tuple[str, ...]:
+        """The robots whose answer is missing."""
+        return tuple(robot for entry in self._entries.values() for _, robot in entry.utterance.waiting)
+
+    def say(self, text: str, company: Company, *, command_id: str, near: Optional[Place]) -> None:
+        """Decide whom an utterance is for, and send it."""
+        command = Command(id=command_id, stamp=rospy.Time.now(), text=text)
+        now_s = time.monotonic()
+        decided = address(
+            text,
+            company,
+            self._dialogue,
+            now_s=now_s,
+            timeout_s=self._settings.dialogue_timeout_s,
+            answer_timeout_s=self._settings.answer_timeout_s,
+            near=near,
+        )
+        self._dialogue = decided.dialogue
+        if isinstance(decided, Unaddressed):
+            outcome = _OUTCOMES.get(decided.code, Reply.REFUSED)
+            self._reply(command, outcome=outcome, code=decided.code, sentence=decided.sentence)
+            return
+        self._open(command, decided, now_s)
+
+    def _open(self, command: Command, decided: Addressed, now_s: float) -> None:
+        rospy.loginfo("cmd=%s is for %s", command.id, "; ".join(", ".join(order.robots) for order in decided.orders))
+        entry = _Entry(command, OpenUtterance(decided.orders))
+        self._entries[command.id] = entry
+        entry.unsent += [(sending, now_s) for sending in entry.utterance.begin()]
+        self.send()
+
+    def cancel(self, command_id: str) -> None:
+        """The client takes an utterance back: each robot answers that."""
+        for sent_id, (whole_id, sending) in list(self._sent.items()):
+            if whole_id == command_id:
+                self._links.cancel(sending.robot, command_id=sent_id)
+
+    def send(self) -> None:
+        """Send what waits for a connection; a robot that is not connected in time answers nothing."""
+        for entry in list(self._entries.values()):
+            unsent, entry.unsent = entry.unsent, []
+            for sending, since_s in unsent:
+                self._count += 1
+                sent_id = f"fleet-{self._tag}-{self._count}"
+                self._sent[sent_id] = (entry.command.id, sending)
+                if self._links.send(sending.robot, sending.text, command_id=sent_id):
+                    continue
+                del self._sent[sent_id]
+                if time.monotonic() - since_s < self._settings.connection_timeout_s:
+                    entry.unsent.append((sending, since_s))
+                else:
+                    self._take(entry, sending, missing_answer(sending.robot, "I cannot reach it.", "ROBOT_LOST"))
+
+    def hear(self, sent_id: str, reply: Reply) -> None:
+        """A robot has answered."""
+        whole_id, sending = self._sent.pop(sent_id, ("", None))
+        entry = self._entries.get(whole_id)
+        if entry is None or sending is None:
+            return
+        answer = Answer(sending.robot, Outcome(reply.outcome), reply.code, reply.sentence, stage=reply.stage)
+        self._take(entry, sending, answer)
+
+    def lose(self, robot: str) -> None:
+        """A robot has left: it answers nothing any more."""
+        for sent_id, (whole_id, sending) in list(self._sent.items()):
+            if sending.robot == robot:
+                del self._sent[sent_id]
+                sentence = "It is gone; I do not know how far it came."
+                self._take(self._entries[whole_id], sending, missing_answer(robot, sentence, "ROBOT_LOST"))
+
+    def _take(self, entry: _Entry, sending: Sending, answer: Answer) -> None:
+        now_s = time.monotonic()
+        entry.unsent += [(following, now_s) for following in entry.utterance.hear(sending.order, answer)]
+        if not entry.utterance.is_complete:
+            return
+        del self._entries[entry.command.id]
+        asking = robot_of_question(entry.utterance.answers)
+        kept = tuple(robot for robot in self._dialogue.asking if robot not in asking)
+        self._dialogue = Dialogue(
+            # Of several that were asked, who does it is spoken to from now on.
+            last=(answer.robot,) if _is_one_of_several(entry.utterance, answer) else self._dialogue.last,
+            asking=kept + asking,
+            pending=self._dialogue.pending,
+            said_s=self._dialogue.said_s,
+        )
+        whole = entry.utterance.whole_answer()
+        self._reply(
+            entry.command,
+            outcome=int(whole.outcome),
+            code=whole.code,
+            sentence=whole.sentence,
+            stage=whole.stage or STAGE,
+        )
+
+    def _reply(self, command: Command, *, outcome: int, code: str, sentence: str, stage: str = STAGE) -> None:
+        now = rospy.Time.now()
+        self._publish(Reply(command=command, outcome=outcome, stage=stage, code=code, sentence=sentence, stamp=now))
+
+
+def _is_one_of_several(utterance: OpenUtterance, answer: Answer) -> bool:
+    return len(utterance.orders) == 1 and utterance.orders[0].is_any and answer.outcome is Outcome.DONE

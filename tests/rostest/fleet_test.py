@@ -1,0 +1,78 @@
+#!/usr/bin/python3
+"""Three robots with one language service: who acts, who stops, who is there, and what a robot does alone."""
+
+import unittest
+
+import rospy
+from roboframenet_msgs.msg import Reply
+
+from fleet_robots import ROBOTS, Robots, kill
+from roboframenet_testing import comes_true, wait_until
+
+
+class FleetTest(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls) -> None:
+        rospy.init_node("fleet_test")
+        cls.robots = Robots()
+        cls.robots.wait_until_ready()
+
+    def assert_moves(self, text: str, *robots: str, to: str = "") -> Reply:
+        before = self.robots.turned()
+        reply = self.robots.ask(text, to=to)
+        self.assertEqual((reply.outcome, reply.code), (Reply.DONE, "DONE"), reply.sentence)
+        wait_until(lambda: self.robots.who_moved(before) == robots)
+        return reply
+
+    def test_1_who_is_addressed_acts(self) -> None:
+        asked = self.robots.ask("Turn left 20 degrees.")
+        self.assertEqual((asked.outcome, asked.code), (Reply.NEEDS_INFORMATION, "WHO"), asked.sentence)
+        self.assert_moves("Beta.", "beta")
+        self.assert_moves("Turn right 20 degrees.", "beta")
+        reply = self.assert_moves("Alpha, turn left 20 degrees, and Gamma, turn right 20 degrees.", "alpha", "gamma")
+        self.assertEqual(reply.sentence, "Alpha and Gamma: Done.")
+        self.assert_moves("Everybody but Gamma, turn left 20 degrees.", "alpha", "beta")
+
+    def test_2_the_topic_of_a_robot_speaks_to_it_alone(self) -> None:
+        self.assert_moves("Turn left 20 degrees.", "gamma", to="gamma")
+        before = self.robots.turned()
+        reply = self.robots.ask("Beta, turn left 20 degrees.", to="gamma")
+        self.assertEqual((reply.outcome, reply.code), (Reply.REFUSED, "NOT_ADDRESSED"), reply.sentence)
+        self.assertEqual(self.robots.who_moved(before), ())
+
+    def test_3_a_stop_stops_whom_it_is_for(self) -> None:
+        for text, to, stopped in (
+            ("Stop.", "alpha", ("alpha",)),
+            ("Beta, stop.", "", ("beta",)),
+            ("Stop.", "", ROBOTS),
+        ):
+            self.robots.all_move()
+            reply = self.robots.ask(text, to=to)
+            self.assertEqual(reply.code, "DONE", reply.sentence)
+            self.assertTrue(self.robots.stand(stopped), text)
+            others = [robot for robot in ROBOTS if robot not in stopped]
+            for robot in others:
+                self.assertGreater(self.robots.seen[robot].speed, 0.1, f"{text} stopped {robot}")
+
+    def test_4_a_robot_that_dies_has_left(self) -> None:
+        kill("gamma/robot")
+        wait_until(lambda: self.robots.members() == ("alpha", "beta"))
+        reply = self.robots.ask("Gamma, turn left.")
+        self.assertEqual((reply.outcome, reply.sentence), (Reply.REFUSED, "Gamma is not here."))
+        self.assert_moves("Both of you, turn left 20 degrees.", "alpha", "beta")
+
+    def test_5_without_the_service_each_robot_follows_its_policy(self) -> None:
+        """Alpha is to stop, beta to finish: see fleet.test."""
+        self.robots.say("Everybody, turn left 3600 degrees.")
+        wait_until(lambda: all(self.robots.seen[robot].speed > 0.1 for robot in ("alpha", "beta")))
+        kill("fleet")
+        self.assertTrue(self.robots.stand(("alpha",), 30.0))
+        self.assertGreater(self.robots.seen["beta"].speed, 0.1)
+        self.robots.say("Stop.")
+        self.assertTrue(comes_true(lambda: self.robots.stand(("beta",), 1.0), 20.0))
+
+
+if __name__ == "__main__":
+    import rostest
+
+    rostest.rosrun("roboframenet_tests", "fleet_test", FleetTest)
