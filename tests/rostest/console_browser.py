@@ -135,8 +135,15 @@ class ConsoleBrowser:
     def reply(self, timeout_s: float = 60.0) -> str:
         """Wait for the reply to the newest command; returns its outcome."""
         newest = "#log li:last-child .robot:not(.waiting)"
-        wait_until(lambda: self.find(newest), timeout_s, lambda: self.texts("#log li"))
-        return str(self.run(f"document.querySelector('{newest}').className")).split()[-1]
+        classes: List[str] = []
+
+        def is_there() -> bool:
+            # At once: a row may come behind it at any time.
+            classes[:] = str(self.run(f"document.querySelector('{newest}')?.className ?? ''")).split()
+            return bool(classes)
+
+        wait_until(is_there, timeout_s, lambda: self.texts("#log li"))
+        return classes[-1]
 
     def pose(self) -> Dict[str, float]:
         """Return where the canvas shows the robot: metres, degrees."""

@@ -58,8 +58,9 @@ def turtlebot(browser: ConsoleBrowser, folder: Path) -> None:
     """The page while a command runs, a question on a telephone, and a command as an animated picture."""
     wait_for_pipeline(("turning", "saying"))
     wait_until(lambda: browser.texts("#abilities .frame"))
-    browser.say("Say hello to Alice.")
+    browser.say("Say hello to Alice in two hours.")
     browser.reply()
+    wait_until(lambda: browser.texts("#orders b"))
     browser.say("Turn left 120 degrees.")
     wait_until(lambda: browser.find(".box.active") and browser.pose()["heading"] > 50)
     browser.screenshot(str(folder / "console.png"))
@@ -69,6 +70,7 @@ def turtlebot(browser: ConsoleBrowser, folder: Path) -> None:
     browser.resize(*TELEPHONE)
     browser.screenshot(str(folder / "console_telephone.png"))
     browser.click("#answers button", "No")
+    wait_until(lambda: browser.texts("#log li:last-child .person") == ["No"])
     browser.reply()
     browser.resize(*SMALL, scale=SCALE)
     browser.find("#text")[0].send_keys("Turn right 160 degrees.")

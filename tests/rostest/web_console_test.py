@@ -108,6 +108,13 @@ class WebConsoleTest(unittest.TestCase):
             message=lambda: self.page.texts("#suggestions"),
         )
 
+    def test_3_what_it_waits_for_is_shown(self) -> None:
+        self.page.say("Say hello in two hours.")
+        self.assertEqual(self.page.reply(), "DONE")
+        wait_until(lambda: self.page.texts("#orders b"), message="no order is shown")
+        self.assertIn("hello", self.page.texts("#orders b")[0])
+        self.assertTrue(self.page.find("#orders")[0].is_displayed())
+
     def test_4_stop_button_stops(self) -> None:
         self.page.say("Move forward 10 metres.")
         wait_until(lambda: self.speed > 0.1, message="the robot does not move")

@@ -15,7 +15,7 @@ from arbitrator.watching import Observation
 from executor import goal_tracking as tracking
 from executor.goal_tracking import Goal, GoalDeadlines, Phase
 from executor.ros_action_clients import ActionClients
-from executor.ros_goal_news import Death, Feedback, Sign, WakeUp, apply, header_text, read_transition
+from executor.ros_goal_news import Death, Feedback, WakeUp, apply, header_text, read_transition
 from executor.ros_running_goals import RunningGoals
 from roboframenet_ros.ros_action_connection import ActionConnection, SentGoal
 from typed_arguments import FilledFrame
@@ -65,6 +65,7 @@ class ConditionWatch:
         self._inbox: queue.Queue[object] = queue.Queue()
         self._is_closed = threading.Event()
         self._holds: Optional[bool] = None
+        self._sign_s = 0.0
         threading.Thread(target=self._run, name="condition_watch", daemon=True).start()
 
     def close(self) -> None:
@@ -108,7 +109,8 @@ class ConditionWatch:
 
     def _follow(self, frame: FilledFrame, connection: ActionConnection) -> str:
         def on_sign() -> None:
-            self._inbox.put(Sign())
+            # It wakes nobody: each status message of a server reaches the watches of all its conditions.
+            self._sign_s = time.monotonic()
 
         def on_feedback(feedback: Any) -> None:
             age_s = (rospy.Time.now() - connection.feedback_stamp).to_sec()
@@ -141,6 +143,8 @@ class ConditionWatch:
             now_s = time.monotonic()
             if self._is_closed.is_set():
                 goal = tracking.ask_preempt(goal, now_s=now_s)
+            if self._sign_s > goal.heard_s:
+                goal = tracking.hear_sign(goal, now_s=self._sign_s)
             step = tracking.tick(goal, now_s=now_s)
             goal = step.goal
             if step.is_cancel_due:

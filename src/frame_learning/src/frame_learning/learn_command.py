@@ -15,6 +15,7 @@ from frame_learning.unit_induction import LearnedUnit, learn
 from offline_pipeline.knowledge import Knowledge, load_knowledge, load_texts, shipped_domains
 from semantic_framer.framer import Understood, read
 from semantic_framer.lexicon import Lexicon
+from semantic_framer.outcome import MEANING_ONLY
 from semantic_frames import FileRefused
 from semantic_frames.frame import SemanticFrame
 from semantic_frames.source_files import FRAMES_FOLDER, LEXICAL_UNITS_FOLDER, read_text
@@ -213,7 +214,7 @@ def _understood(
 
     This many readings of a clause count, the best first.
     """
-    outcome, _ = read(parse(lesson.sentence.text), lexicon, frames)
+    outcome, _ = read(parse(lesson.sentence.text), lexicon, frames, policy=MEANING_ONLY)
     if not isinstance(outcome, Understood):
         return None
     for readings in outcome.clauses:

@@ -160,7 +160,7 @@ def _in_folds(
         units = {path: text for path, text in files.items() if path.startswith(LEXICAL_UNITS_FOLDER)}
         learned = learned_knowledge(known.frames, {}, units)
         pretend_servers(learned.graph)
-        taught = Pipeline(learned, pipeline.parser)
+        taught = Pipeline(learned, pipeline.parser, parameters=Parameters(policy=MEANING_ONLY))
         found += [
             (command, understand(taught, mapping, command))
             for number, command in enumerate(commands)

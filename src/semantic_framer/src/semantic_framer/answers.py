@@ -1,9 +1,12 @@
 """Questions about missing elements, and the values with which the next utterance answers them."""
 
+from dataclasses import replace
 from typing import Dict, List, Optional, Sequence, Tuple
 
 from phrase_meanings.arguments import amount_argument, unit_argument
 from semantic_framer.chosen_things import chosen
+from semantic_framer.clause_plan import PlanPart
+from semantic_framer.clock_times import clock_time_at
 from semantic_framer.dialogue import Pending, is_yes
 from semantic_framer.frame_roles import MESSAGE
 from semantic_framer.framed_lexicon import FramedLexicon
@@ -78,6 +81,26 @@ def answer(
         (complete or tuple(filled)) if position == pending.clause else readings
         for position, readings in enumerate(pending.clauses)
     )
+
+
+def time_answered(sentence: Sentence, pending: Pending) -> Optional[PlanPart]:
+    """Return the plan of the open question with the time that the person says; None if the utterance is no time.
+
+    Args:
+        sentence: the utterance: "at nine", "nine o'clock", "in the morning"
+        pending: the question: "At what time tomorrow?"
+    """
+    plan = pending.plan
+    fillers = sentence.tree.fillers
+    said = [word.form.lower() for word in sentence.tree.words if word.upos != "PUNCT" and word.index not in fillers]
+    if plan is None or plan.kind != "AT" or not said:
+        return None
+    for between in ((), ("at",)):
+        forms = (*pending.open_time, *between, *said)
+        clock = clock_time_at(forms)
+        if clock is not None and clock.when is not None and clock.length == len(forms):
+            return replace(plan, when=clock.when)
+    return None
 
 
 def _values(

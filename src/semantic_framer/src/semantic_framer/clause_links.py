@@ -67,11 +67,13 @@ class Joints:
         found: in the order of the sentence
         question: asks for what is missing behind the last link: "Until when?"; empty if nothing is missing
         unknown: positions of the words behind the first link whose condition is not understood
+        open_time: the words of a time that the question asks about: "tomorrow"
     """
 
     found: Tuple[Joint, ...] = ()
     question: str = ""
     unknown: Tuple[int, ...] = ()
+    open_time: Optional[Joint] = None
 
     @property
     def positions(self) -> FrozenSet[int]:
@@ -102,6 +104,7 @@ class _Finder:
         limits: List[Joint] = []
         question = ""
         unknown: Tuple[int, ...] = ()
+        open_time: Optional[Joint] = None
         place = 0
         while place < len(self.words):
             if self.words[place].index in self.sentence.tree.quoted:
@@ -114,7 +117,8 @@ class _Finder:
                 continue
             clock = self._clock(place)
             if clock is not None and clock.when is None:
-                question = question or clock.question
+                if not question:
+                    question, (open_time, _) = clock.question, self._at(place, clock)
                 place += clock.length
                 continue
             joint, end = self._at(place, clock) if clock is not None else self._timed(place)
@@ -139,7 +143,7 @@ class _Finder:
         for joint in joints:
             if joint.condition is not None and self._is_cut_short(joint, joints):
                 return Joints((), question, unknown or tuple(sorted(joint.positions)))
-        return Joints(tuple(joints), question, unknown)
+        return Joints(tuple(joints), question, unknown, open_time)
 
     def _is_cut_short(self, joint: Joint, joints: Sequence[Joint]) -> bool:
         """Whether a condition has more words than were understood: "if the door is open *and you are tired*"."""

@@ -32,6 +32,7 @@ class Pending:
         plan: how the clauses are joined; None if they are done one after the other
         is_about_words: whether a yes only agrees to go on without some words; a frame may want another yes
         beginning: what happens to the command that runs: REPLACE, FOLLOW or BESIDE
+        open_time: words of the time that the question asks about, which stands at the root of the plan: "tomorrow"
     """
 
     clauses: Tuple[Tuple[Reading, ...], ...]
@@ -44,6 +45,7 @@ class Pending:
     is_about_words: bool = False
     plan: Optional[PlanPart] = None
     beginning: str = "REPLACE"
+    open_time: Tuple[str, ...] = ()
 
 
 @dataclass(frozen=True)

@@ -1,10 +1,10 @@
 """Understands a parsed utterance: the result is clauses of readings, a refusal, or a question."""
 
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import FrozenSet, Mapping, Optional, Sequence, Tuple, Union
 
 from semantic_framer.amending import Change, change_of, last_command
-from semantic_framer.answers import answer
+from semantic_framer.answers import answer, time_answered
 from semantic_framer.beginnings import beginning_of, without_beginning
 from semantic_framer.choices import choices_of_amounts, choices_of_clauses, chosen
 from semantic_framer.clause_links import Joints, find_joints
@@ -23,6 +23,7 @@ from semantic_framer.linked_sentence import (
     manners,
     swallowed_joints,
     unknown_link,
+    with_open_time,
     without_joints,
 )
 from semantic_framer.mood_file import UtteranceKind
@@ -47,7 +48,7 @@ from semantic_framer.outcome import (
 )
 from semantic_framer.questions import question_readings, remark_readings
 from semantic_framer.reading import Reading
-from semantic_framer.readings import ClauseReadings, as_wish, readings_of_clause
+from semantic_framer.readings import ClauseReadings, Heard, as_wish, readings_of_clause
 from semantic_framer.sentence import Sentence
 from semantic_framer.sentence_verdicts import (
     REST_VERDICTS,
@@ -84,25 +85,6 @@ __all__ = [
     "read",
     "restructured",
 ]
-
-
-@dataclass(frozen=True)
-class Heard:
-    """The result of an utterance.
-
-    Attributes:
-        outcome: what to do, why nothing is done, or what to ask
-        context: what to remember
-        sentence: the sentence that was read; None if the person must first say what was meant
-        clauses: the clauses of the sentence with their readings; empty if no clause was read
-        is_small_talk: whether it is small talk from end to end, which is against nothing that runs
-    """
-
-    outcome: Outcome
-    context: Context
-    sentence: Optional[Sentence] = None
-    clauses: Tuple[ClauseReadings, ...] = ()
-    is_small_talk: bool = False
 
 
 def read(
@@ -217,6 +199,12 @@ class _Hearing:
                 clauses = without_positions(heard.outcome.clauses)
                 heard = replace(heard, outcome=replace(heard.outcome, clauses=clauses))
             return heard
+        if pending.open_time:
+            plan = time_answered(meant, pending)
+            if plan is None:
+                return self._read_in_world(meant, context)
+            self._now.write("answer", tree.text, str(plan))
+            return Heard(*resolve_and_confirm(pending.clauses, meant, context, self._now, plan=plan), meant)
         is_strict = policy.left_over_words in CAREFUL
         answered = answer(meant, pending, known, is_strict=is_strict)
         if answered is None:
@@ -312,6 +300,8 @@ class _Hearing:
         """
         unknown = unknown_link(sentence, joints, before)
         refused = Heard(unknown, context, sentence) if unknown is not None else None
+        if refused is not None and joints.open_time is not None:
+            return self._with_open_time(sentence, before, joints, refused)
         if not joints.found:
             return refused
         try:
@@ -354,6 +344,18 @@ class _Hearing:
             pending = Pending(without_positions(kept), 0, (), self._now.expires_s, plan=plan, is_about_words=True)
             outcome, after = doubt, replace(context, pending=pending)
         return Heard(outcome, after, sentence, clauses)
+
+    def _with_open_time(
+        self, sentence: Sentence, before: Union[Refusal, Question], joints: Joints, refused: Heard
+    ) -> Heard:
+        """Ask for a time ("At what time tomorrow?"), and remember what is to be done then."""
+        whole, words = with_open_time(sentence, joints)
+        heard = self._linked(sentence, refused.context, before, whole)
+        if heard is None or not isinstance(heard.outcome, Understood) or heard.outcome.plan is None:
+            return refused
+        clauses = without_positions(heard.outcome.clauses)
+        pending = Pending(clauses, 0, (), self._now.expires_s, plan=heard.outcome.plan, open_time=words)
+        return replace(heard, outcome=refused.outcome, context=replace(heard.context, pending=pending))
 
     def _deeds_first(self, readings: Tuple[Reading, ...]) -> Tuple[Reading, ...]:
         """Return the readings that act, if one does: "proceed until ..." is no answer to what waits."""

@@ -1,6 +1,7 @@
 """The rest of a sentence without the words that join its deeds, and what to reply if these are not understood."""
 
-from typing import Optional, Sequence, Union
+from dataclasses import replace
+from typing import Optional, Sequence, Tuple, Union
 
 from semantic_framer.clause_links import Joints, find_joints
 from semantic_framer.clause_plan import PlanPart, leaves_of
@@ -11,6 +12,7 @@ from semantic_framer.linked_clauses import which_of_it
 from semantic_framer.outcome import Question, Refusal
 from semantic_framer.reading import Reading
 from semantic_framer.sentence import Sentence
+from typed_arguments import TimeExpression
 from utterance_passes.quotations import QUOTATION_MARKS
 from utterance_passes.tree import ASIDE, DependencyTree, Word
 from utterance_passes.tree_edits import TreeEdit, mark_times, set_aside
@@ -165,9 +167,20 @@ def asked_first(sentence: Sentence, joints: Joints, plan: PlanPart) -> Optional[
         text = f'I cannot take "{words[:1].lower()}{words[1:]}" into account. Shall I go on without it?'
         return Question("LEFT_OVER_WORDS", text)
     if any(joint.order is not None and joint.order.is_doubtful for joint in joints.found):
-        deeds = ", then ".join(leaf.label for leaf in leaves_of(plan))
+        labels = [leaf.label for leaf in leaves_of(plan)]
+        deeds = ", then ".join([*labels[:1], *(f"{label[:1].lower()}{label[1:]}" for label in labels[1:])])
         return Question("CONFIRM", f'Shall I do this: "{deeds}"? Say yes or no.')
     return None
+
+
+def with_open_time(sentence: Sentence, joints: Joints) -> Tuple[Joints, Tuple[str, ...]]:
+    """Return the joints of a sentence as if its open time were known, and the words of that time in lower case."""
+    time = joints.open_time
+    if time is None:
+        return joints, ()
+    words = tuple(sentence.word(index).form.lower() for index in sorted(time.positions))
+    known = replace(time, when=TimeExpression("time", " ".join(words), relation="at", value="T00:00"))
+    return Joints(tuple(sorted((*joints.found, known), key=lambda joint: joint.first))), words
 
 
 def joint_words(sentence: Sentence, joints: Joints) -> str:

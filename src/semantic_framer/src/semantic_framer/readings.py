@@ -4,11 +4,12 @@ from dataclasses import dataclass, replace
 from typing import FrozenSet, Optional, Tuple, Union
 
 from semantic_framer.control import ITERATION, kept_up, with_duration, with_times
+from semantic_framer.dialogue import Context
 from semantic_framer.extra_phrases import extra_arguments
 from semantic_framer.frame_roles import NAME
 from semantic_framer.heeding import FrameHeeding
 from semantic_framer.matching import read_clause
-from semantic_framer.outcome import CAREFUL, Refusal
+from semantic_framer.outcome import CAREFUL, Outcome, Refusal
 from semantic_framer.reading import Reading, rank, without_duplicates
 from semantic_framer.sentence import Sentence
 from semantic_framer.things import is_indefinite
@@ -57,6 +58,25 @@ class ClauseReadings:
     plausible: Tuple[Reading, ...]
     kept: Tuple[Reading, ...]
     refusal: Optional[Refusal] = None
+
+
+@dataclass(frozen=True)
+class Heard:
+    """The result of an utterance.
+
+    Attributes:
+        outcome: what to do, why nothing is done, or what to ask
+        context: what to remember
+        sentence: the sentence that was read; None if the person must first say what was meant
+        clauses: the clauses of the sentence with their readings; empty if no clause was read
+        is_small_talk: whether it is small talk from end to end, which is against nothing that runs
+    """
+
+    outcome: Outcome
+    context: Context
+    sentence: Optional[Sentence] = None
+    clauses: Tuple[ClauseReadings, ...] = ()
+    is_small_talk: bool = False
 
 
 def as_wish(read: ClauseReadings) -> ClauseReadings:

@@ -1,6 +1,6 @@
 """Corrects parses that a command cannot mean: "go up" before "to", "can" without a verb."""
 
-from typing import Iterable, List
+from typing import Iterable, List, Sequence
 
 from spoken_quantities import find_unit, number_words
 from utterance_passes.amounts import read_amounts
@@ -161,7 +161,7 @@ def with_measured_turns(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
         # No command ends with "turn": it would not say where to.
         is_last = all(word.upos == "PUNCT" for word in tree.words[turn.index :])
         is_share = phrase[-1].form.lower() in _PARTS_OF_A_TURN or is_ratio
-        is_said = is_share or is_last or turn.form.lower() in _SEVERAL_TURNS
+        is_said = is_share or is_last or turn.form.lower() in _SEVERAL_TURNS or _is_one_turn(tree, phrase)
         verb = before if is_made else _verb_before(tree, phrase[0], turn)
         if verb.upos != "VERB" or verb.index >= turn.index or not (is_made or is_said):
             continue
@@ -175,6 +175,12 @@ def with_measured_turns(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
                 edit.rehang(word.index, turn.index, _OF_A_TURN.get(word.upos, word.deprel))
         tree = edit.tree()
     return tree
+
+
+def _is_one_turn(tree: DependencyTree, phrase: Sequence[Word]) -> bool:
+    """Whether the words before "turn" are "one" behind a verb of turning: "rotate (almost) one turn clockwise"."""
+    before = [word for word in tree.words[: phrase[0].index - 1] if word.upos not in ("ADV", "DET")]
+    return phrase[-1].form.lower() == "one" and bool(before) and before[-1].lemma.lower() in _TURNING
 
 
 def _verb_before(tree: DependencyTree, phrase: Word, turn: Word) -> Word:

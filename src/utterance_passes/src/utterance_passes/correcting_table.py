@@ -2,7 +2,16 @@
 
 from typing import Tuple
 
-from utterance_passes import compass, correct_parse, names, objects_behind, participles, places_ahead, places_told
+from utterance_passes import (
+    compass,
+    correct_parse,
+    names,
+    objects_behind,
+    participles,
+    places_ahead,
+    places_told,
+    relations,
+)
 from utterance_passes.utterance_pass import Example, Stage, TreePass
 
 #: Attach words where they can belong in a command; the words stay the same.
@@ -16,6 +25,16 @@ PARSE_CORRECTING_PASSES: Tuple[TreePass, ...] = (
         ),
         Stage.FRAMER,
         correct_parse.with_modals_as_nouns,
+    ),
+    TreePass(
+        "asked_clauses",
+        "Make a clause behind the person who is asked a question, not a condition.",
+        Example(
+            "ask|VERB|0|root Bob|PROPN|1|obj if|SCONJ|5|mark he|PRON|5|nsubj|he sees|VERB|1|advcl",
+            ("Bob: obj(ask) -> iobj(ask)", "sees: advcl(ask) -> ccomp(ask)"),
+        ),
+        Stage.FRAMER,
+        relations.with_asked_clauses,
     ),
     TreePass(
         "particles_on_the_way",

@@ -6,6 +6,10 @@ A parser labels each arc by itself; these passes correct labels that contradict 
 from utterance_passes.tree import DependencyTree, Word
 from utterance_passes.tree_edits import TreeEdit
 from utterance_passes.vocabulary import Vocabulary
+from word_classes import word_class
+
+_ASKING = word_class("asking_verbs")
+_WHETHER = word_class("whether_words")
 
 
 def with_one_object(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
@@ -56,3 +60,20 @@ def without_infinitive_conjuncts(tree: DependencyTree, _: Vocabulary) -> Depende
 
 def _is_infinitive(tree: DependencyTree, word: Word) -> bool:
     return any(child.deprel == "mark" and child.form.lower() == "to" for child in tree.children(word.index))
+
+
+def with_asked_clauses(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
+    """Make a clause behind the person who is asked the question: "ask Bob *if he has seen Anna*" has no condition."""
+    edit = TreeEdit(tree)
+    for verb in tree.words:
+        if verb.lemma.lower() not in _ASKING:
+            continue
+        children = tree.children(verb.index)
+        asked = [child for child in children if child.deprel in ("obj", "iobj") and child.index > verb.index]
+        for clause in children:
+            marks = [child.index for child in tree.children(clause.index) if child.form.lower() in _WHETHER]
+            is_behind = bool(asked and marks) and marks[0] == max(tree.subtree(asked[0].index)) + 1
+            if clause.deprel == "advcl" and is_behind:
+                edit.relabel(clause.index, "ccomp")
+                edit.relabel(asked[0].index, "iobj")
+    return edit.tree()

@@ -108,6 +108,7 @@ _BROKEN_OFF = re.compile(rf"(?<![\w-])(?!{_NUMBER}-)[^\W\d_]+-,?(?=\s+(?!(?:or|a
 _SAID = re.compile(r"[\w']+")
 _PHRASE = any_of(shipped_formulas()["phrases_of_hesitation"]).pattern
 _SET_OFF = f"{_PHRASE}|{any_of(shipped_formulas()['fillers']).pattern}|like"
+_NUMERAL = re.compile(rf"\d+|{_NUMBER}", re.IGNORECASE)
 _BETWEEN_COMMAS = re.compile(rf",\s*(?:{_SET_OFF})\s*,", re.IGNORECASE)
 _OBJECT = "|".join(word_list("objects_of_knowing"))
 _HESITATION = re.compile(rf"(?<![\w'-])(?:{_PHRASE})(?![\w'-])(?!\s*(?:{_OBJECT})\b)", re.IGNORECASE)
@@ -149,11 +150,18 @@ def without_repeated_starts(spelling: Spelling) -> Spelling:
     return spelling
 
 
+def _without_filler(found: "re.Match[str]") -> str:
+    """Return nothing for a filler between commas; between two numbers it stays, because one may correct the other."""
+    before = re.findall(r"[^\W_]+", found.string[: found.start()])[-1:]
+    behind = re.findall(r"[^\W_]+", found.string[found.end() :])[:1]
+    return found.group() if len([word for word in before + behind if _NUMERAL.fullmatch(word)]) == 2 else ""
+
+
 def without_hesitation(spelling: Spelling) -> Spelling:
     """Remove phrases that people say while they think, unless somebody is to say them: "the, you know, kitchen"."""
     if _SAYING & {word.group().lower() for word in _SAID.finditer(spelling.text)}:
         return spelling  # They may be part of the message.
-    spelling = replaced(spelling, _BETWEEN_COMMAS, "")
+    spelling = replaced(spelling, _BETWEEN_COMMAS, _without_filler)
     found = _HESITATION.finditer(spelling.text)
     match = next((one for one in found if not _BEFORE_KNOWING.search(spelling.text[: one.start()])), None)
     if match is None or not spelling.text[match.end() :].strip(" .!?,"):

@@ -47,7 +47,9 @@ def spellings_of(units: Iterable[LexicalUnit]) -> FrozenSet[str]:
             *(example.text for example in unit.examples),
         )
     )
-    return frozenset(word for text in texts for word in re.findall(r"[a-z]+", text) if len(word) >= _SHORTEST)
+    words = (word for text in texts for word in re.findall(r"[A-Za-z]+", text))
+    # "Alice" is a name, and no "lice".
+    return frozenset(word for word in words if word.islower() and len(word) >= _SHORTEST)
 
 
 def without_typos(spelling: Spelling, vocabulary: Verbs) -> Spelling:

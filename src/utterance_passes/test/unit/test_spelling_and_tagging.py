@@ -4,7 +4,8 @@ from typing import Optional
 
 import pytest
 
-from utterance_passes.conllu import from_conllu
+from utterance_passes.conllu import from_conllu, from_short
+from utterance_passes.correct_parse import with_measured_turns
 from utterance_passes.running import run_text_passes
 from utterance_passes.spelling import (
     Spelling,
@@ -156,3 +157,26 @@ def test_repeated_starts(said: str, written: str) -> None:
 )
 def test_hesitation(said: str, written: str) -> None:
     assert " ".join(without_hesitation(as_said(said)).text.split()) == written
+
+
+@pytest.mark.parametrize(
+    "said, left",
+    [
+        ("move two, uh, metres", "move two metres"),
+        ("move two, uh, eleven metres", "move two, uh, eleven metres"),  # the second number may correct the first
+    ],
+)
+def test_a_filler_between_two_numbers_stays(said: str, left: str) -> None:
+    assert without_hesitation(as_said(said)).text == left
+
+
+@pytest.mark.parametrize(
+    "tree, is_noun",
+    [
+        ("rotate|VERB|0|root one|NUM|1|obj turn|VERB|1|conj left|ADV|3|advmod", True),
+        ("open|VERB|0|root one|NUM|1|obj turn|VERB|1|conj left|ADV|3|advmod", False),
+    ],
+)
+def test_one_turn_behind_a_verb_of_turning_is_an_amount(tree: str, is_noun: bool) -> None:
+    made = with_measured_turns(from_short(tree), Verbs(frozenset(["rotate", "open", "turn"])))
+    assert (made.word(3).upos == "NOUN") is is_noun

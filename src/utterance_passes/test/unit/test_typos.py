@@ -4,8 +4,9 @@ from typing import Optional
 
 import pytest
 
+from semantic_frames import load_lexical_units
 from utterance_passes.spelling import as_said
-from utterance_passes.typos import without_typos
+from utterance_passes.typos import spellings_of, without_typos
 from utterance_passes.vocabulary import Verbs
 
 KNOWN = Verbs(
@@ -64,6 +65,13 @@ MARCHING = Verbs(frozenset(["turn", "march", "give", "go"]), spellings=frozenset
 )
 def test_a_typo_is_no_name(said: str, written: Optional[str]) -> None:
     assert without_typos(as_said(said), MARCHING).text == (written or said)
+
+
+def test_the_end_of_a_name_is_no_word() -> None:
+    unit = load_lexical_units("{frame_name: greeting, verb: greet, examples: [{text: Greet Alice kindly.}]}", "x.yaml")[
+        0
+    ]
+    assert spellings_of([unit]) == frozenset(["greet", "kindly"])
 
 
 def test_nothing_is_corrected_without_a_lexicon() -> None:
