@@ -2,12 +2,12 @@
 
 from typing import List, Mapping, Optional, Sequence, Tuple
 
-from semantic_framer.framed_lexicon import FramedLexicon
 from semantic_framer.mood_file import UtteranceKind
 from semantic_framer.question_orders import direct_orders, length_of_opening
 from semantic_framer.question_words import compiled
 from semantic_framer.reading import Reading, rank
 from semantic_framer.sentence import Sentence
+from semantic_framer.settling import Now
 from semantic_framer.utterance_kind import kind_without_clause
 from semantic_framer.verdicts import Case
 from semantic_framer.word_patterns import argument_of, heads
@@ -37,15 +37,15 @@ def question_readings(case: Case) -> Tuple[Reading, ...]:
     return _readings(case, orders)
 
 
-def remark_readings(sentence: Sentence, known: FramedLexicon) -> Tuple[Reading, ...]:
+def remark_readings(sentence: Sentence, now: Now) -> Tuple[Reading, ...]:
     """Return the readings of a sentence of which all words fit a remark, whatever kind of sentence it is.
 
     "Well done." is talk, "never use the left arm" a prohibition, "next time use the other arm" a command without a verb
     that anybody carries out; a unit that lists these words knows better. A frame that no server answers is left out.
     """
+    known, frames = now.known, now.known.frames
     if not known.lexicon.remark_units:
         return ()
-    frames = known.frames
     # "Well" and "now" may also be words around a sentence.
     orders = ([word for word in sentence.tree.words if word.upos != "PUNCT"], _words(sentence))
     found = [
@@ -58,7 +58,10 @@ def remark_readings(sentence: Sentence, known: FramedLexicon) -> Tuple[Reading, 
         for read in [_read(sentence, unit, frames[unit.frame_name], pattern, words)]
         if read is not None
     ]
-    return tuple(sorted(found, key=lambda reading: (-len(reading.verb_positions), rank(reading)))[:1])
+    best = tuple(sorted(found, key=lambda reading: (-len(reading.verb_positions), rank(reading)))[:1])
+    if best:
+        now.write("remark", str(best[0]), f'answered, by "{best[0].verb}"')
+    return best
 
 
 def _readings(case: Case, orders: Sequence[Sequence[Word]]) -> Tuple[Reading, ...]:
