@@ -21,13 +21,16 @@ ROBOTS = ("alpha", "beta", "gamma")
 #: Slower is standing: metres or radians a second.
 STANDING = 0.01
 _WAIT_S = 90.0
+_REST_S = 0.5
+_AGAIN_S = 5.0
 
 
 @dataclass
 class Seen:
-    """What a robot did: its speed, and when it last moved, monotonic seconds."""
+    """What a robot did: its speed, when it was last heard, and when it last moved; monotonic seconds."""
 
     speed: float = 0.0
+    heard_s: float = 0.0
     moved_s: float = 0.0
     pose: Tuple[float, float, float, float] = (0.0, 0.0, 0.0, 1.0)
     replies: List[Reply] = field(default_factory=list)
@@ -66,8 +69,9 @@ class Robots:
         position, turn = message.pose.pose.position, message.pose.pose.orientation
         seen.speed = max(abs(twist.linear.x), abs(twist.angular.z))
         seen.pose = (position.x, position.y, turn.z, turn.w)
+        seen.heard_s = time.monotonic()
         if seen.speed > STANDING:
-            seen.moved_s = time.monotonic()
+            seen.moved_s = seen.heard_s
 
     def members(self) -> Tuple[str, ...]:
         """The robots that take part."""
@@ -110,14 +114,26 @@ class Robots:
         )
 
     def all_move(self) -> None:
-        """Return when all robots are moving: they are told to if they are not."""
-        if not comes_true(lambda: all(seen.speed > 0.1 for seen in self.seen.values()), 0.3):
-            self.say("Everybody, turn left 3600 degrees.")
-        wait_until(lambda: all(seen.speed > 0.1 for seen in self.seen.values()), _WAIT_S, "they do not move")
+        """Return when all robots are moving: those that stand are told to; the others go on undisturbed."""
+        told_s: Dict[str, float] = {}
+
+        def are_moving() -> bool:
+            for robot in ROBOTS:
+                if self.stands(robot) and time.monotonic() - told_s.get(robot, 0.0) > _AGAIN_S:
+                    told_s[robot] = time.monotonic()
+                    self.say("Turn left 3600 degrees.", to=robot)
+            return all(seen.speed > 0.2 and not self.stands(robot) for robot, seen in self.seen.items())
+
+        wait_until(are_moving, _WAIT_S, "they do not move")
+
+    def stands(self, robot: str) -> bool:
+        """Whether a robot has stood for some time: a server that drives against a stop moves it again."""
+        seen = self.seen[robot]
+        return seen.heard_s - seen.moved_s > _REST_S
 
     def stand(self, robots: Tuple[str, ...], timeout_s: float = 10.0) -> bool:
         """Whether robots stand before a deadline."""
-        return comes_true(lambda: all(self.seen[robot].speed <= STANDING for robot in robots), timeout_s)
+        return comes_true(lambda: all(map(self.stands, robots)), timeout_s)
 
 
 def kill(node: str) -> None:

@@ -16,7 +16,7 @@ ROOMS = ("room", "place", "here")
 _LOOK_S = 2.0
 #: Who has walked, and has stood for so long, has arrived.
 _ARRIVED_S = 60.0
-#: Who does not walk for so long does not want to be followed any more.
+#: Who does not walk for so long goes nowhere.
 _STAYED_S = 180.0
 #: Who is seen so much farther has walked.
 _STEP_M = 0.5
@@ -78,7 +78,8 @@ def follow(skills: Skills, frame: FilledFrame) -> None:
     """Stay behind somebody until the goal is reached, or they walk no more, or the goal is preempted."""
     person = skills.find(argument(frame, "cotheme"), "person")
     goal = goal_of(skills, frame) if said(frame, "goal") else None
-    at, has_walked, since_s = person, False, skills.body.now_s()
+    # They may have begun to walk since the robot has met them.
+    at, has_walked, since_s = skills.memory.met_at.get(person.id, (person.x_m, person.y_m)), False, skills.body.now_s()
     while True:
         skills.go(person.id, reach_m=_NEAR_M)
         skills.attempt("look", theme=person.id)
@@ -86,10 +87,12 @@ def follow(skills: Skills, frame: FilledFrame) -> None:
         if goal is not None and _is_at(skills, goal):
             return
         now_s = skills.body.now_s()
-        if math.hypot(person.x_m - at.x_m, person.y_m - at.y_m) > _STEP_M:
-            at, has_walked, since_s = person, True, now_s
-        if goal is None and now_s - since_s >= (_ARRIVED_S if has_walked else _STAYED_S):
+        if math.hypot(person.x_m - at[0], person.y_m - at[1]) > _STEP_M:
+            at, has_walked, since_s = (person.x_m, person.y_m), True, now_s
+        if goal is None and has_walked and now_s - since_s >= _ARRIVED_S:
             return
+        if goal is None and now_s - since_s >= _STAYED_S:
+            raise CannotDo(f"{person.name} does not go anywhere.")
         skills.wait(_LOOK_S / 2.0)
 
 

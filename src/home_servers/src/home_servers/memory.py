@@ -74,6 +74,8 @@ class Memory:
         self.opened: Dict[str, str] = {}
         #: The id of the person whom the robot has met last, and when.
         self.met: Tuple[str, float] = ("", -math.inf)
+        #: Where the robot has met persons last: by id, metres.
+        self.met_at: Dict[str, Tuple[float, float]] = {}
 
     def update(self, objects: Iterable[Known]) -> None:
         """Take in what was perceived; an object with an older stamp than what is known is left out."""

@@ -331,7 +331,9 @@ class Skills:
         found = self.find(argument, "person", near=near)
         self.go(found.id)
         self.attempt("look", theme=found.id)
-        return self.memory.get(found.id) or found
+        now = self.memory.get(found.id) or found
+        self.memory.met_at[now.id] = now.x_m, now.y_m
+        return now
 
     def company(self) -> Optional[Known]:
         """Return whom the robot is with: whom it met last, a short time ago and near; None for nobody."""

@@ -139,7 +139,14 @@ def test_the_speaker_is_looked_for():
 
 def test_following_ends_where_somebody_has_arrived():
     home, _, skills = make()
+    skills.person(phrase("Alice"))
     assert home.tell_person("alice", "walk", "kitchen_table") is None
     follow(skills, FilledFrame("following", (phrase("Alice", name="cotheme"),)))
     assert home.plan.room_at(home.plan.position(home.state, ROBOT)) == "kitchen"
     assert home.state.people["alice"].posture == "standing"
+
+
+def test_whoever_does_not_walk_is_not_followed():
+    _, _, skills = make()
+    with pytest.raises(CannotDo, match="Alice does not go anywhere"):
+        follow(skills, FilledFrame("following", (phrase("Alice", name="cotheme"),)))

@@ -63,16 +63,35 @@ def run(arguments: argparse.Namespace) -> int:
     except (ImportError, LookupError) as error:
         print(f"rfn list: the running graph is not counted: {error}", file=sys.stderr)
     print(table(count(knowledge, live.graph if live else None), robots))
+    of_robots = table_of_robots(live.graph) if live else ""
+    if of_robots:
+        print(f"\n{of_robots}")
     return 0
 
 
-def is_grounded(graph: FrameGraph, name: str) -> bool:
-    """Whether live servers can carry a frame out: a server of its own, or those of one of its sequences of children."""
+def is_grounded(graph: FrameGraph, name: str, robot: str = "") -> bool:
+    """Whether live servers can carry a frame out: a server of its own, or those of one of its sequences of children.
+
+    Args:
+        graph: frames and servers
+        name: of a frame
+        robot: whose servers; empty for those of all
+    """
     frame = graph.frame(name)
-    return bool(graph.servers(name)) or (
+    return bool(graph.servers(name, robot=robot)) or (
         frame is not None
-        and any(all(is_grounded(graph, child.name) for child in sequence) for sequence in frame.children)
+        and any(all(is_grounded(graph, child.name, robot) for child in sequence) for sequence in frame.children)
     )
+
+
+def table_of_robots(graph: FrameGraph) -> str:
+    """Return which robot of a fleet can carry out which frames, for a terminal; empty if no server names its robot."""
+    robots = sorted({graph.profile(frame, server).robot for frame, server in graph.registrations()} - {""})
+    rows: List[Tuple[str, ...]] = [("robots", "grounded", "frames")]
+    for robot in robots:
+        frames = sorted(name for name in graph.frames if is_grounded(graph, name, robot))
+        rows.append((robot, str(len(frames)), ", ".join(frames)))
+    return _aligned(rows) if robots else ""
 
 
 def count(knowledge: Knowledge, live: Optional[FrameGraph]) -> Tuple[Domain, ...]:

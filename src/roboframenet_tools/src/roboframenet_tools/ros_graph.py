@@ -15,6 +15,7 @@ from offline_pipeline.pipeline import Parameters
 from roboframenet_ros.parameters import ParameterError
 from roboframenet_ros.ros_node import read_parameters
 from semantic_framer.settings import Settings as SemanticFramerSettings
+from semantic_frames.ros_server_profile import profile_from_message
 from world_model import World
 from world_model.ros_messages import world_from_message
 
@@ -63,7 +64,8 @@ def live_knowledge(*, timeout_s: float) -> Knowledge:
     )
     for callback in servers.callbacks:
         if callback.is_alive:
-            knowledge.graph.register(callback.frame_name, callback.callback_topic)
+            profile = profile_from_message(callback.profile)
+            knowledge.graph.register(callback.frame_name, callback.callback_topic, profile)
     return knowledge
 
 

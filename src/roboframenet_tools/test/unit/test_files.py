@@ -7,14 +7,17 @@ from xml.etree import ElementTree
 
 import pytest
 
+from frame_registrar.graph import FrameGraph
 from offline_pipeline.file_checks import find_problems, load_paths
 from roboframenet_tools import doctor
 from roboframenet_tools.cli import COMMANDS, OUTPUT_CLOSED, main
 from roboframenet_tools.completion import script
 from roboframenet_tools.graph import LEGEND, dot, layers, svg
-from roboframenet_tools.listing import count, is_grounded, table
+from roboframenet_tools.listing import count, is_grounded, table, table_of_robots
 from roboframenet_tools.registrations import Registered, registration_findings
 from roboframenet_tools.verb_forms import verb_of
+from semantic_frames import load_frame
+from semantic_frames.server_profile import ServerProfile
 
 
 def write(folder, name, text):
@@ -221,3 +224,19 @@ def test_help_is_a_command_too(capsys, words):
         main(words)
     assert ended.value.code == 0
     assert "usage: rfn" in capsys.readouterr().out
+
+
+def test_list_shows_which_robot_can_do_what() -> None:
+    graph = FrameGraph()
+    for name in ("turning", "dancing", "pinging"):
+        graph.add(load_frame(f"name: {name}\n", f"{name}.yaml"))
+    graph.register("turning", "/alpha/turning", ServerProfile(robot="alpha"))
+    graph.register("turning", "/beta/turning", ServerProfile(robot="beta"))
+    graph.register("dancing", "/beta/dancing", ServerProfile(robot="beta"))
+    graph.register("pinging", "ping")
+    assert [line.split(None, 2) for line in table_of_robots(graph).splitlines()] == [
+        ["robots", "grounded", "frames"],
+        ["alpha", "2", "pinging, turning"],
+        ["beta", "3", "dancing, pinging, turning"],
+    ]
+    assert not table_of_robots(FrameGraph())
