@@ -223,7 +223,7 @@ class _Hearing:
 
     def _read_in_world(self, sentence: Sentence, context: Context) -> Heard:
         """Understand a sentence that is not an answer; what the robot knows attaches the places in it."""
-        if told := remark_readings(sentence, self._now):
+        if told := remark_readings(sentence, self._now.known, self._trace):
             return Heard(*resolve_and_confirm((told,), sentence, context, self._now), sentence)
         attached = attached_by_world(sentence, self._now.known, context)
         if attached is None:

@@ -2,18 +2,19 @@
 
 from typing import List, Mapping, Optional, Sequence, Tuple
 
+from semantic_framer.framed_lexicon import FramedLexicon
 from semantic_framer.mood_file import UtteranceKind
 from semantic_framer.question_orders import direct_orders, length_of_opening
 from semantic_framer.question_words import compiled
 from semantic_framer.reading import Reading, rank
 from semantic_framer.sentence import Sentence
-from semantic_framer.settling import Now
 from semantic_framer.utterance_kind import kind_without_clause
 from semantic_framer.verdicts import Case
 from semantic_framer.word_patterns import argument_of, heads
 from semantic_frames.frame import SemanticFrame
 from semantic_frames.lexical_unit import LexicalUnit, WordPattern
 from typed_arguments import Source, TypedArgument
+from utterance_passes.trace import Trace
 from utterance_passes.tree import Word
 from word_classes import word_class
 
@@ -37,13 +38,13 @@ def question_readings(case: Case) -> Tuple[Reading, ...]:
     return _readings(case, orders)
 
 
-def remark_readings(sentence: Sentence, now: Now) -> Tuple[Reading, ...]:
+def remark_readings(sentence: Sentence, known: FramedLexicon, trace: Optional[Trace] = None) -> Tuple[Reading, ...]:
     """Return the readings of a sentence of which all words fit a remark, whatever kind of sentence it is.
 
     "Well done." is talk, "never use the left arm" a prohibition, "next time use the other arm" a command without a verb
     that anybody carries out; a unit that lists these words knows better. A frame that no server answers is left out.
     """
-    known, frames = now.known, now.known.frames
+    frames = known.frames
     if not known.lexicon.remark_units:
         return ()
     # "Well" and "now" may also be words around a sentence.
@@ -59,8 +60,8 @@ def remark_readings(sentence: Sentence, now: Now) -> Tuple[Reading, ...]:
         if read is not None
     ]
     best = tuple(sorted(found, key=lambda reading: (-len(reading.verb_positions), rank(reading)))[:1])
-    if best:
-        now.write("remark", str(best[0]), f'answered, by "{best[0].verb}"')
+    if best and trace is not None:
+        trace.add("remark", str(best[0]), after=f'answered, by "{best[0].verb}"')
     return best
 
 
