@@ -55,6 +55,7 @@ NO_SPEECH: Dict[str, Tuple[str, str]] = {
         "keys of a file",
         "frame, name, topic, type, entries, where, field, comparison, value, element, default, values, factor",
     ),
+    "experience/experience_command.py": ("words of a command line", "list, explain, reset, export, import"),
     "experience/node.py": ("keys of a diagnostic", "trials, rules, lost"),
     "location_memorizer/locations.py": ("keys of a file", "x, y, heading"),
     "offline_pipeline/pipeline.py": (
@@ -199,8 +200,8 @@ NO_SPEECH: Dict[str, Tuple[str, str]] = {
     "roboframenet_tools/cli.py": (
         "commands of rfn",
         (
-            "bind, check, completion, doctor, explain, graph, learn, list, new, passes, port, record, replay, say, "
-            "score, voice"
+            "bind, check, completion, doctor, experience, explain, graph, learn, list, new, passes, port, record, "
+            "replay, say, score, voice"
         ),
     ),
     "roboframenet_tools/listing.py": (
@@ -287,7 +288,7 @@ NO_SPEECH: Dict[str, Tuple[str, str]] = {
     "semantic_frames/lexical_unit.py": ("kinds of slots", "word, state, measure, destination, place"),
     "semantic_frames/lexical_unit_file.py": (
         "keys of a file",
-        "name, relation, argument, words, required, verb, question, condition, values, examples",
+        "name, relation, argument, words, required, verb, question, remark, condition, values, examples",
     ),
     "semantic_frames/marked_yaml.py": ("values of YAML", "true, yes, false, no"),
     "semantic_frames/server_statement.py": (

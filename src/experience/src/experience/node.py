@@ -12,7 +12,15 @@ import uuid
 from typing import Dict, FrozenSet, List, Union
 
 import rospy
-from roboframenet_msgs.msg import Experience, FrameCatalogue, FrameServers, TriedFrame, World
+from roboframenet_msgs.msg import (
+    Experience,
+    FilledSemanticFrameResult,
+    FrameCatalogue,
+    FrameServers,
+    StageEvent,
+    TriedFrame,
+    World,
+)
 from std_srvs.srv import Trigger, TriggerRequest, TriggerResponse
 
 from experience.explorable import explorable
@@ -21,8 +29,10 @@ from experience.ros_messages import snapshot_to_message, trial_from_message
 from experience.settings import Settings
 from experience.snapshot import Snapshot
 from experience.store import Store
+from experience.teaching import TEACHING, Answer, Asked
 from experience.trial import Outcome, Trial
 from experience.whereabouts import Sequences, Whereabouts
+from rfnserver import RFNServer, TypedFrame
 from roboframenet_ros.health import Health, Level
 from roboframenet_ros.ros_node import StartError, read_parameters, run_node
 from roboframenet_ros.ros_place import Place
@@ -38,7 +48,9 @@ _MOST_WAITING = 1000
 #: Trials that are stored in one change.
 _MOST_AT_ONCE = 200
 _TURN_S = 0.5
-_ANSWER_S = 5.0
+_ANSWER_S = 4.0
+#: Commands of which it is known why a server was asked first.
+_MOST_REASONS = 200
 
 
 class _Reload:
@@ -49,14 +61,24 @@ class _Reload:
         self.problem = ""
 
 
-_Event = Union[TriedFrame, World, FrameCatalogue, FrameServers, _Reload, None]
+class _Request:
+    """What a person says to the server; the worker sets the answer."""
+
+    def __init__(self, frame: TypedFrame) -> None:
+        self.frame = frame
+        self.is_answered = threading.Event()
+        self.answer = ""
+
+
+_Event = Union[TriedFrame, StageEvent, World, FrameCatalogue, FrameServers, _Reload, _Request, None]
 
 
 class ExperienceNode:
     """Remembers what was tried.
 
-    Subscribes: ``tried_frames``, ``world``, ``frame_catalogue``, ``frame_servers``.
+    Subscribes: ``tried_frames``, ``stage_events``, ``world``, ``frame_catalogue``, ``frame_servers``.
     Publishes: ``experience`` (latched). Services: ``reload_experience`` (std_srvs/Trigger).
+    Actions: ``experience_server``: every frame of :data:`experience.teaching.TEACHING`.
     Parameters: see :class:`experience.settings.Settings`.
     """
 
@@ -80,10 +102,14 @@ class ExperienceNode:
         self._whereabouts = Whereabouts()
         self._sequences = Sequences()
         self._robots: Dict[str, str] = {}
+        self._servers: Dict[str, FrozenSet[str]] = {}
+        self._reasons: Dict[str, str] = {}
+        self._said = ""
         self._frame_files: ReadOnce[SemanticFrame] = ReadOnce(load_frame)
         self._explorable: FrozenSet[str] = frozenset()
         self._start_name, self._version, self._is_new, self._told_s = uuid.uuid4().hex[:8], 0, True, 0.0
         self._experience = rospy.Publisher("experience", Experience, queue_size=1, latch=True)
+        self._server = RFNServer("experience_server", self._on_request)
         self._worker = threading.Thread(target=self._work, name="experience")
 
     def start(self) -> None:
@@ -94,12 +120,17 @@ class ExperienceNode:
             rospy.Subscriber(name, kind, self._hear, queue_size=size)
             for name, kind, size in (
                 ("tried_frames", TriedFrame, _MOST_WAITING),
+                ("stage_events", StageEvent, _MOST_WAITING),
                 ("world", World, 1),
                 ("frame_catalogue", FrameCatalogue, 1),
                 ("frame_servers", FrameServers, 1),
             )
         ]
         self._service = rospy.Service("reload_experience", Trigger, self._on_reload)
+        # A registrar that is not there yet is waited for; the memory is not.
+        self._server.start()
+        for name in TEACHING:
+            self._server.register_with_frame(name)
         rospy.loginfo("ready: %d trials, %d rules", len(self._memory.trials), len(self._memory.rules))
 
     def health(self) -> Health:
@@ -168,6 +199,16 @@ class ExperienceNode:
             self._explorable, self._is_new = frozenset(explorable(contents)), True
         elif isinstance(event, FrameServers):
             self._robots = {one.callback_topic: one.profile.robot for one in event.callbacks}
+            names = {one.frame_name for one in event.callbacks}
+            self._servers = {
+                name: frozenset(one.callback_topic for one in event.callbacks if one.frame_name == name)
+                for name in names
+            }
+        elif isinstance(event, StageEvent):
+            self._hear_stage(event)
+        elif isinstance(event, _Request):
+            event.answer = self._answer(event.frame)
+            event.is_answered.set()
         elif isinstance(event, _Reload):
             self._reload(event)
 
@@ -188,6 +229,51 @@ class ExperienceNode:
         if dropped:
             self._write()
             self._store.write_rules((), dropped)
+
+    def _hear_stage(self, event: StageEvent) -> None:
+        """Remember what was said last, and why the arbitrator asked a server first."""
+        self._said = event.command.text
+        lines = event.trace.split("\n") if event.stage == "arbitrator" else []
+        reasons = [line.partition(": ")[2] for line in lines if line.startswith("policy: ")]
+        reasons += [line.partition(": ")[2] for line in lines if line.startswith("rule: I ")]
+        if reasons:
+            self._reasons[event.command.id] = reasons[-1]
+            if len(self._reasons) > _MOST_REASONS:
+                del self._reasons[next(iter(self._reasons))]
+
+    def _on_request(self, frame: TypedFrame) -> None:
+        request = _Request(frame)
+        self._hear(request)
+        if not request.is_answered.wait(_ANSWER_S):
+            self._server.set_aborted(FilledSemanticFrameResult(success=False), "is busy")
+            return
+        self._server.set_succeeded(FilledSemanticFrameResult(success=True), request.answer)
+
+    def _answer(self, frame: TypedFrame) -> str:
+        asked = Asked(
+            self._memory,
+            {argument.name: argument for argument in frame.arguments},
+            self._servers,
+            self._reasons,
+            self._said,
+            rospy.Time.now().to_sec(),
+        )
+        answer = TEACHING[frame.name](asked)
+        self._is_new |= answer.is_change
+        return answer.sentence if self._is_stored(answer) else f"{answer.sentence} But I cannot write it down."
+
+    def _is_stored(self, answer: Answer) -> bool:
+        self._write()
+        try:
+            if answer.judged is not None:
+                self._store.judge(*answer.judged)
+            if answer.kept or answer.dropped:
+                self._store.write_rules(answer.kept, [rule.rule_id for rule in answer.dropped])
+        except StoreError as error:
+            self._problem = str(error)
+            rospy.logerr_throttle(10.0, str(error))
+            return False
+        return True
 
     def _reload(self, event: _Reload) -> None:
         try:

@@ -33,6 +33,11 @@ COMMANDS = (
     ("replay", "roboframenet_tools.replay", "read recorded sentences with this version, and show the differences"),
     ("voice", "voice_recognition.voice_command", "show what is heard in a sound file, and why"),
     ("doctor", "roboframenet_tools.doctor", "find out why the system does not work"),
+    (
+        "experience",
+        "experience.experience_command",
+        "list, explain, reset, export or import what was tried",
+    ),
     ("learn", "frame_learning.learn_command", "learn lexical units from annotated sentences"),
     ("score", "frame_learning.score_command", "score the understanding of a public corpus"),
     ("completion", "roboframenet_tools.completion", "print the completion of rfn for bash"),

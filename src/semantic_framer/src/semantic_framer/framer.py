@@ -46,7 +46,7 @@ from semantic_framer.outcome import (
     Refusal,
     Understood,
 )
-from semantic_framer.questions import question_readings
+from semantic_framer.questions import question_readings, remark_readings
 from semantic_framer.reading import Reading
 from semantic_framer.readings import ClauseReadings, Heard, as_wish, readings_of_clause
 from semantic_framer.sentence import Sentence
@@ -223,14 +223,15 @@ class _Hearing:
 
     def _read_in_world(self, sentence: Sentence, context: Context) -> Heard:
         """Understand a sentence that is not an answer; what the robot knows attaches the places in it."""
+        if told := remark_readings(sentence, self._now.known, self._trace):
+            return Heard(*resolve_and_confirm((told,), sentence, context, self._now), sentence)
         attached = attached_by_world(sentence, self._now.known, context)
         if attached is None:
             return self._read(sentence, context)
         trace = Trace() if self._trace is not None else None
         heard = _Hearing(replace(self._now, trace=trace), self._without)._read(attached.sentence, context)
         plain = _Hearing(replace(self._now, trace=None), self._without)._read(sentence, context)
-        best = [read.kept[0] for read in heard.clauses if read.kept]
-        before = [read.kept[0] for read in plain.clauses if read.kept]
+        best, before = ([read.kept[0] for read in one.clauses if read.kept] for one in (heard, plain))
         is_whole = len(best) == len(heard.clauses)
         if not is_whole or not is_better(attached, best, before, self._now.known):
             return self._read(sentence, context)

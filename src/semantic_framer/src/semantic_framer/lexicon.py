@@ -16,6 +16,7 @@ class Lexicon:
         self._by_verb: Dict[str, List[LexicalUnit]] = defaultdict(list)
         self._by_first_word: Dict[str, List[str]] = defaultdict(list)
         self._questions: Dict[str, List[LexicalUnit]] = defaultdict(list)
+        self._remarks: Dict[str, List[LexicalUnit]] = defaultdict(list)
         self._conditions: Dict[str, List[LexicalUnit]] = defaultdict(list)
         self._by_spelling: Dict[str, Set[str]] = defaultdict(set)
 
@@ -60,6 +61,7 @@ class Lexicon:
                     del self._by_verb[verb]
                     self._by_first_word[verb.split()[0]].remove(verb)
         self._questions.pop(path, None)
+        self._remarks.pop(path, None)
         self._conditions.pop(path, None)
         self._files[path] = (text, units)
         self._index(units)
@@ -68,6 +70,8 @@ class Lexicon:
         for unit in units:
             if unit.questions:
                 self._questions[unit.path].append(unit)
+            if unit.remarks:
+                self._remarks[unit.path].append(unit)
             if unit.conditions:
                 self._conditions[unit.path].append(unit)
             for verb in dict.fromkeys(unit.verbs):
@@ -86,6 +90,11 @@ class Lexicon:
     def question_units(self) -> Tuple[LexicalUnit, ...]:
         """The units that have questions in place of verbs, in the order of the files."""
         return tuple(unit for units in self._questions.values() for unit in units)
+
+    @property
+    def remark_units(self) -> Tuple[LexicalUnit, ...]:
+        """The units that have remarks in place of verbs, in the order of the files."""
+        return tuple(unit for units in self._remarks.values() for unit in units)
 
     @property
     def condition_units(self) -> Tuple[LexicalUnit, ...]:

@@ -1,16 +1,20 @@
-"""Reads questions by the patterns of lexical units; only frames that are questions are evoked, and they never act."""
+"""Reads questions and remarks by the patterns of lexical units; the frames are questions: none acts."""
 
 from typing import List, Mapping, Optional, Sequence, Tuple
 
+from semantic_framer.framed_lexicon import FramedLexicon
 from semantic_framer.mood_file import UtteranceKind
 from semantic_framer.question_orders import direct_orders, length_of_opening
 from semantic_framer.question_words import compiled
 from semantic_framer.reading import Reading, rank
+from semantic_framer.sentence import Sentence
 from semantic_framer.utterance_kind import kind_without_clause
 from semantic_framer.verdicts import Case
 from semantic_framer.word_patterns import argument_of, heads
 from semantic_frames.frame import SemanticFrame
 from semantic_frames.lexical_unit import LexicalUnit, WordPattern
+from typed_arguments import Source, TypedArgument
+from utterance_passes.trace import Trace
 from utterance_passes.tree import Word
 from word_classes import word_class
 
@@ -26,12 +30,39 @@ def question_readings(case: Case) -> Tuple[Reading, ...]:
 
     A frame that no server answers is left out while other frames have servers.
     """
-    words = _words(case)
+    words = _words(case.sentence)
     length = length_of_opening([_spelling(word) for word in words])
     orders = list(direct_orders(words[length:])) if length else []
     if not case.acts and (length or _is_question(case)):
         orders.append(tuple(words))
     return _readings(case, orders)
+
+
+def remark_readings(sentence: Sentence, known: FramedLexicon, trace: Optional[Trace] = None) -> Tuple[Reading, ...]:
+    """Return the readings of a sentence of which all words fit a remark, whatever kind of sentence it is.
+
+    "Well done." is talk, "never use the left arm" a prohibition, "next time use the other arm" a command without a verb
+    that anybody carries out; a unit that lists these words knows better. A frame that no server answers is left out.
+    """
+    frames = known.frames
+    if not known.lexicon.remark_units:
+        return ()
+    # "Well" and "now" may also be words around a sentence.
+    orders = ([word for word in sentence.tree.words if word.upos != "PUNCT"], _words(sentence))
+    found = [
+        read
+        for words in orders
+        for unit in known.lexicon.remark_units
+        if unit.frame_name in frames and frames[unit.frame_name].is_question
+        if not known.heeded or unit.frame_name in known.heeded
+        for pattern in unit.remarks
+        for read in [_read(sentence, unit, frames[unit.frame_name], pattern, words)]
+        if read is not None
+    ]
+    best = tuple(sorted(found, key=lambda reading: (-len(reading.verb_positions), rank(reading)))[:1])
+    if best and trace is not None:
+        trace.add("remark", str(best[0]), after=f'answered, by "{best[0].verb}"')
+    return best
 
 
 def _readings(case: Case, orders: Sequence[Sequence[Word]]) -> Tuple[Reading, ...]:
@@ -51,7 +82,13 @@ def _readings_in_order(case: Case, words: Sequence[Word]) -> Tuple[Reading, ...]
         if frame is None or not frame.is_question or (known.heeded and frame.name not in known.heeded):
             continue
         reading = next(
-            (read for pattern in unit.questions for read in [_read(case, unit, frame, pattern, words)] if read), None
+            (
+                read
+                for pattern in unit.questions
+                for read in [_read(case.sentence, unit, frame, pattern, words)]
+                if read
+            ),
+            None,
         )
         if reading is not None:
             found.append(reading)
@@ -65,9 +102,9 @@ def _is_question(case: Case) -> bool:
     return any(kind.kind is UtteranceKind.QUESTION for kind in case.kinds)
 
 
-def _words(case: Case) -> List[Word]:
+def _words(sentence: Sentence) -> List[Word]:
     """Return the words of a sentence without the words around a question."""
-    tree = case.sentence.tree
+    tree = sentence.tree
     hidden = tree.abandoned | tree.fillers
     words = [word for word in tree.words if word.index not in hidden and word.upos != "PUNCT"]
     while words and words[0].form.lower() in _PADDING:
@@ -78,7 +115,7 @@ def _words(case: Case) -> List[Word]:
 
 
 def _read(
-    case: Case, unit: LexicalUnit, frame: SemanticFrame, question: WordPattern, words: Sequence[Word]
+    sentence: Sentence, unit: LexicalUnit, frame: SemanticFrame, question: WordPattern, words: Sequence[Word]
 ) -> Optional[Reading]:
     """Return the reading of words that are all in a pattern; None for other words."""
     forms = [_spelling(word) for word in words]
@@ -92,12 +129,13 @@ def _read(
             continue
         first = len(match.string[: match.start(name)].split())
         positions = [word.index for word in words[first : first + len(match.group(name).split())]]
-        if not kind and len(heads(case.sentence.tree, positions)) > 1:
+        if not kind and len(heads(sentence.tree, positions)) > 1:
             return None  # "is the door heavy to open": these words are no phrase
-        if any(case.sentence.word(index).form.lower() in _NEGATIONS for index in positions):
+        if any(sentence.word(index).form.lower() in _NEGATIONS for index in positions):
             return None  # "who is not in the kitchen" asks for the others
         inside += positions
-        arguments.append(argument_of(case.sentence, name, positions))
+        arguments.append(argument_of(sentence, name, positions))
+    arguments += [TypedArgument(name, text, Source.INFERRED) for name, text in unit.values.items()]
     filled = {argument.name for argument in arguments}
     own = tuple(word.index for word in words if word.index not in inside)
     return Reading(
@@ -110,7 +148,7 @@ def _read(
         missing=tuple(element for element in frame.frame_elements if element.is_core and element.name not in filled),
         left_over=(),
         coverage=1.0,
-        clause_text=case.sentence.tree.text.strip(),
+        clause_text=sentence.tree.text.strip(),
     )
 
 

@@ -91,7 +91,7 @@ _SLOT = re.compile(r"<(\w+)(?::(\w+))?>")
 
 @dataclass(frozen=True)
 class WordPattern:
-    """The words of a question, or of a condition.
+    """The words of a question, a remark or a condition.
 
     Attributes:
         text: as the file has it: "where (is|are) <theme>", "(is|are) <theme> <location:place>"
@@ -125,7 +125,7 @@ class WordPattern:
 
 @dataclass(frozen=True)
 class LexicalUnit:
-    """Verbs, or words of questions or conditions, that evoke a frame in the same way.
+    """Verbs, or words of questions, remarks or conditions, that evoke a frame in the same way.
 
     Attributes:
         frame_name: the frame that is evoked
@@ -133,6 +133,7 @@ class LexicalUnit:
         relations: how the elements are filled
         examples: utterances that the unit understands
         questions: patterns of whole questions, which are tried in this order
+        remarks: patterns of whole sentences of any kind, which are tried in this order: "well done"
         conditions: patterns of whole clauses that say how things are, which are tried in this order
         values: arguments that the words of a pattern stand for, by element: "open" for "the door opens"
         path: the file that it came from
@@ -145,6 +146,7 @@ class LexicalUnit:
     examples: Tuple[Example, ...] = ()
     questions: Tuple[WordPattern, ...] = ()
     conditions: Tuple[WordPattern, ...] = ()
+    remarks: Tuple[WordPattern, ...] = ()
     values: Mapping[str, str] = field(default_factory=dict)
     path: str = ""
     line: int = 0

@@ -24,13 +24,14 @@ UNIT_KEYS = (
     "frame_name",
     "verb",
     "question",
+    "remark",
     "condition",
     "values",
     "frame_element_grammatical_relations",
     "examples",
 )
 #: What may stand in the place of verbs.
-PATTERN_KEYS = ("question", "condition")
+PATTERN_KEYS = ("question", "remark", "condition")
 RELATION_KEYS = ("name", "relation", "argument", "words", "semantic_type", "required", "after_place")
 EXAMPLE_KEYS = ("text", "frame_elements")
 
@@ -77,6 +78,7 @@ def _unit(reader: Reader, node: yaml.Node, key: str) -> LexicalUnit:
             for item_key, item in reader.sequence(entries.get("examples"), f"{prefix}examples")
         ),
         questions=_patterns(reader, entries.get("question"), f"{prefix}question"),
+        remarks=_patterns(reader, entries.get("remark"), f"{prefix}remark"),
         conditions=_patterns(reader, entries.get("condition"), f"{prefix}condition"),
         values=_arguments(reader, entries.get("values"), f"{prefix}values"),
         path=reader.path,
@@ -202,6 +204,7 @@ def check_lexical_unit(unit: LexicalUnit, frames: Mapping[str, SemanticFrame]) -
     names = [element.name for element in frame.frame_elements]
     named = [(relation.line, "frame_element_grammatical_relations", relation.name) for relation in unit.relations]
     named += [(pattern.line, "question", name) for pattern in unit.questions for name in pattern.elements]
+    named += [(pattern.line, "remark", name) for pattern in unit.remarks for name in pattern.elements]
     named += [(pattern.line, "condition", name) for pattern in unit.conditions for name in pattern.elements]
     named += [(unit.line, "values", name) for name in unit.values]
     named += [(example.line, "examples", name) for example in unit.examples for name in example.frame_elements]
@@ -219,18 +222,18 @@ def check_lexical_unit(unit: LexicalUnit, frames: Mapping[str, SemanticFrame]) -
         if name not in names
     ]
     filled = {relation.name for relation in unit.relations} | set(unit.values)
-    patterns = unit.questions + unit.conditions
+    patterns = unit.questions + unit.remarks + unit.conditions
     if patterns:
         filled |= frozenset.intersection(*(frozenset(pattern.elements) for pattern in patterns))
-    if unit.questions and not frame.is_question:
+    if (unit.questions or unit.remarks) and not frame.is_question:
         problems.append(
             Problem(
                 "NOT_A_QUESTION",
                 unit.path,
                 unit.line,
-                "question",
+                "question" if unit.questions else "remark",
                 f"the frame {frame.name}, which acts",
-                "a frame with 'is_question: True': a question never acts",
+                "a frame with 'is_question: True': a question or a remark never acts",
             )
         )
     if unit.conditions and not frame.is_condition:
