@@ -29,10 +29,9 @@ def meanings(launch_file: str) -> Dict[str, str]:
 
 def readme_meanings() -> Dict[str, str]:
     """Return the meaning of each argument of robot.launch in the README."""
-    rows = re.findall(
-        r"^\| `(\w+)` \|.*\| ([^|]+) \|$", (BRINGUP / "README.md").read_text(encoding="utf-8"), re.MULTILINE
-    )
-    return dict(rows)
+    # A later section has the arguments of fleet.launch.
+    text = (BRINGUP / "README.md").read_text(encoding="utf-8").partition("## Several robots")[0]
+    return dict(re.findall(r"^\| `(\w+)` \|.*\| ([^|]+) \|$", text, re.MULTILINE))
 
 
 def listed(text: str) -> Set[str]:
