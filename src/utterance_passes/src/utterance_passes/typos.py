@@ -22,6 +22,7 @@ from word_classes.shipped import word_classes
 _SHORTEST = 4
 _WORD = re.compile(r"(?<![\w'-])[A-Za-z]{3,}(?![\w'-])")
 _LETTERS = "abcdefghijklmnopqrstuvwxyz"
+_GERUND = "ing"
 _SAYING = word_class("saying_verbs")
 _BEFORE_NOUNS = word_class("only_before_nouns")
 #: Behind these prepositions stands no verb: "look at marco" has no "march".
@@ -93,7 +94,11 @@ def _meant(word: str, before: Sequence[str], vocabulary: Verbs) -> Optional[str]
         found = [near for near in nouns if parts_of_speech(near) & {NOUN, ADJECTIVE}]
     elif before[-1:] and (before[-1].isdigit() or before[-1] in number_words()):
         found = [near for near in found if find_unit(near) is not None] or found
-    elif before[-1:] and (before[-1] in _BEFORE_NAMES or before[-1] in vocabulary.words - _BEFORE_VERBS):
+    elif before[-1:] and (
+        before[-1] in _BEFORE_NAMES
+        or before[-1] in vocabulary.words - _BEFORE_VERBS
+        or before[-1].endswith(_GERUND)  # "following alice" has no "slice"
+    ):
         found = [near for near in found if near not in vocabulary.words]
     found = [near for near in found if sorted(near) == sorted(said)] or found
     if len({_unit_name(near) for near in found}) != 1:
