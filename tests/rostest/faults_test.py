@@ -150,9 +150,11 @@ class FaultsTest(unittest.TestCase):
             text = f"Greet the victim {stage}."
             # A text that is said while the command server starts again is lost, and then it is not taken.
             wait_until(lambda: is_pipeline_complete() and subscriber.get_num_connections() > 0, 60.0)
+            # Looked up now: the command must not have ended when its stage is killed.
+            old = self.pid(node)
             self.text.publish(String(data=text))
             wait_until(lambda text=text: text in taken, message=f"{text!r} was not taken")
-            old = self.kill(node)
+            os.kill(old, signal.SIGKILL)
             wait_until(
                 lambda text=text: any(reply.command.text == text for reply in self.replies),
                 90.0,
