@@ -96,7 +96,9 @@ class StandingOrdersTest(unittest.TestCase):
 
     def give(self, text: str, plan: Plan) -> Reply:
         self.events.pop(text, None)
-        self.given.publish(CommandPlan(Command(id=f"given-{time.monotonic()}", stamp=rospy.Time.now(), text=text), plan))
+        self.given.publish(
+            CommandPlan(Command(id=f"given-{time.monotonic()}", stamp=rospy.Time.now(), text=text), plan)
+        )
         wait_until(lambda: text in self.events)
         return self.events[text]
 
