@@ -14,8 +14,6 @@ Plan = TypeVar("Plan")
 
 QUESTION = "CONFIRM"
 DECLINED = "DECLINED"
-#: What one stop ended may end this much later or earlier, seconds: each server needs its time.
-_SAME_STOP_S = 15.0
 #: How long the question waits for its answer, seconds.
 _ANSWER_S = 60.0
 _MOST_KEPT = 20
@@ -31,14 +29,14 @@ class Stopped(Generic[Plan]):
         stamp_ns: when it was said, nanoseconds of ROS time
         plan: what was not done
         said: its clauses, as they were said
-        heard_s: when it was told, monotonic seconds
+        heard_ns: when it was told, nanoseconds of ROS time
     """
 
     command_id: str
     stamp_ns: int
     plan: Plan
     said: str
-    heard_s: float = 0.0
+    heard_ns: int
 
 
 class GoingOn(Generic[Plan]):
@@ -56,10 +54,9 @@ class GoingOn(Generic[Plan]):
         self._asked_s = 0.0
 
     def hear_stopped(self, stopped: Stopped[Plan]) -> None:
-        """A plan was ended before it was done. What an earlier stop has ended is forgotten."""
-        now_s = self._now()
-        kept = [one for one in self._stopped if now_s - one.heard_s <= _SAME_STOP_S]
-        self._stopped = sorted([*kept, replace(stopped, heard_s=now_s)], key=lambda one: one.stamp_ns)[-_MOST_KEPT:]
+        """A plan was ended before it was done. What had been ended before it was said is forgotten."""
+        kept = [one for one in self._stopped if one.heard_ns > stopped.stamp_ns]
+        self._stopped = sorted([*kept, stopped], key=lambda one: one.stamp_ns)[-_MOST_KEPT:]
 
     def hear_cancelled(self, command_id: str) -> None:
         """A person has cancelled or forbidden a command: it is no command that a stop has interrupted."""

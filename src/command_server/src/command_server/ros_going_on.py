@@ -27,7 +27,8 @@ class StoppedPlans:
     def hear(self, message: StoppedPlan) -> None:
         """The executor has ended a plan."""
         command = message.command
-        self.going_on.hear_stopped(Stopped(command.id, command.stamp.to_nsec(), message.plan, message.said))
+        stamp_ns, now_ns = command.stamp.to_nsec(), rospy.Time.now().to_nsec()
+        self.going_on.hear_stopped(Stopped(command.id, stamp_ns, message.plan, message.said, now_ns))
 
     def takes(self, command: CommandText) -> bool:
         """Open and carry out a command that answers the question whether to go on; returns whether it does."""

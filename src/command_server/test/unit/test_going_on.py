@@ -11,8 +11,8 @@ STOP_NS = 1000
 GO_ON = Ending(
     CommandText("text-9", 2000, "Go on."), Outcome.DONE, "question_answering", "DONE", "No standing order is suspended."
 )
-KITCHEN = Stopped("text-1", 10, "a plan", '"go to the kitchen"')
-HELLO = Stopped("text-2", 20, "another plan", '"say hello"')
+KITCHEN = Stopped("text-1", 10, "a plan", '"go to the kitchen"', heard_ns=900)
+HELLO = Stopped("text-2", 20, "another plan", '"say hello"', heard_ns=950)
 
 
 @pytest.fixture
@@ -77,18 +77,16 @@ def test_what_was_forbidden_is_not_offered_after_a_later_stop(going_on):
     assert ask(going_on) == GO_ON
 
 
-def test_one_stop_may_end_several(going_on, clock):
+def test_one_stop_may_end_several(going_on):
     going_on.hear_stopped(HELLO)
-    clock.now_s += 2.0
     going_on.hear_stopped(KITCHEN)
     assert ask(going_on).sentence.endswith('Shall I go on with "go to the kitchen", and then with "say hello"?')
     assert going_on.answered("yes") == ("a plan", "another plan")
 
 
-def test_later_stop_replaces_an_earlier_one(going_on, clock):
+def test_later_stop_replaces_an_earlier_one(going_on):
     going_on.hear_stopped(KITCHEN)
-    clock.now_s += 60.0
-    going_on.hear_stopped(HELLO)
+    going_on.hear_stopped(replace(HELLO, stamp_ns=901))
     assert ask(going_on).sentence.endswith('Shall I go on with "say hello"?')
 
 
