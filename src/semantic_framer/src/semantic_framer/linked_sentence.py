@@ -6,6 +6,7 @@ from typing import Optional, Sequence, Tuple, Union
 from semantic_framer.choices import choices_of_amounts, choices_of_clauses
 from semantic_framer.clause_links import Joints, find_joints
 from semantic_framer.clause_plan import PlanPart, answers_in_a_loop, leaves_of, without_unused
+from semantic_framer.deeds import deeds_of
 from semantic_framer.dialogue import Context, Pending
 from semantic_framer.found_clauses import found_clauses
 from semantic_framer.frame_roles import MESSAGE
@@ -15,7 +16,6 @@ from semantic_framer.linked_clauses import NoStructure, Open, which_of_it
 from semantic_framer.linked_plan import linked_plan
 from semantic_framer.named_persons import with_persons
 from semantic_framer.outcome import QUESTION, TALK, Question, Refusal, Understood
-from semantic_framer.plain_sentence import deeds_of
 from semantic_framer.reading import Reading
 from semantic_framer.readings import Heard
 from semantic_framer.sentence import Sentence
@@ -27,7 +27,7 @@ from utterance_passes.tree import ASIDE, DependencyTree, Word
 from utterance_passes.tree_edits import NotATree, TreeEdit, mark_times, set_aside
 
 #: Codes of refusals of the deeds that say more than that the sentence has a condition.
-TELLING = frozenset(["UNKNOWN_VERB", "UNKNOWN_FRAME", "NO_READING", "LEFT_OVER_WORDS"])
+_TELLING = frozenset(["UNKNOWN_VERB", "UNKNOWN_FRAME", "NO_READING", "LEFT_OVER_WORDS"])
 #: What is no part of a thing or place: "the hall and the office *in any order*".
 _MANNERS = (
     LinkKind.ANY_ORDER,
@@ -53,14 +53,14 @@ def read_linked(
         before: why the sentence cannot be understood as it is
         joints: what joins its deeds
     """
-    unknown = unknown_link(sentence, joints, before)
+    unknown = _unknown_link(sentence, joints, before)
     refused = Heard(unknown, context, sentence) if unknown is not None else None
     if refused is not None and joints.open_time is not None:
         return _with_open_time(sentence, now, before, joints, refused)
     if not joints.found:
         return refused
     try:
-        left = without_joints(sentence, joints, now.known)
+        left = _without_joints(sentence, joints, now.known)
     except NotATree:
         return None
     if left is None:
@@ -70,9 +70,9 @@ def read_linked(
         now.write("links", sentence.text(sorted(joint.positions)), joint.kind.value)
     bare = Sentence(left, now.known.types)
     case = case_of(bare, found_clauses(bare, now.known, now.trace), now.known, now.policy)
-    clauses = deeds_of(case, now)
-    if isinstance(clauses, Refusal):
-        return Heard(clauses, context, sentence) if clauses.code in TELLING and refused is None else refused
+    refusal, clauses = deeds_of(case, now.trace)
+    if refusal is not None:
+        return Heard(refusal, context, sentence) if refusal.code in _TELLING and refused is None else refused
     clauses = tuple(replace(read, kept=_deeds_first(read.kept, now)) for read in clauses)
     best = [read.kept[0] for read in clauses]
     is_open = choices_of_clauses(bare, [read.clause for read in clauses], now.known) or choices_of_amounts(
@@ -93,7 +93,7 @@ def read_linked(
         return refused
     now.write("plan", sentence.tree.text, str(plan))
     outcome, after = resolve_and_confirm(kept, bare, context, now, plan=plan)
-    doubt = asked_first(sentence, joints, plan) if isinstance(outcome, Understood) else None
+    doubt = _asked_first(sentence, joints, plan) if isinstance(outcome, Understood) else None
     if doubt is not None:
         now.write("links", sentence.tree.text, f"asked. {doubt.sentence}")
         pending = Pending(without_positions(kept), 0, (), now.expires_s, plan=plan, is_about_words=True)
@@ -105,7 +105,7 @@ def _with_open_time(
     sentence: Sentence, now: Now, before: Union[Refusal, Question], joints: Joints, refused: Heard
 ) -> Heard:
     """Ask for a time ("At what time tomorrow?"), and remember what is to be done then."""
-    whole, words = with_open_time(sentence, joints)
+    whole, words = _as_if_timed(sentence, joints)
     heard = read_linked(sentence, refused.context, now, before, whole)
     if heard is None or not isinstance(heard.outcome, Understood) or heard.outcome.plan is None:
         return refused
@@ -120,7 +120,7 @@ def _deeds_first(readings: Tuple[Reading, ...], now: Now) -> Tuple[Reading, ...]
     return tuple(reading for reading in readings if not frames[reading.unit.frame_name].is_question) or readings
 
 
-def without_joints(sentence: Sentence, joints: Joints, known: FramedLexicon) -> Optional[DependencyTree]:
+def _without_joints(sentence: Sentence, joints: Joints, known: FramedLexicon) -> Optional[DependencyTree]:
     """Return the tree of a sentence with the words that join set aside; None if no other words are left.
 
     Raises:
@@ -241,7 +241,7 @@ def manners(sentence: Sentence, known: FramedLexicon) -> Joints:
     return joints if any(joint.kind in _MANNERS for joint in joints.found) else Joints()
 
 
-def asked_first(sentence: Sentence, joints: Joints, plan: PlanPart) -> Optional[Question]:
+def _asked_first(sentence: Sentence, joints: Joints, plan: PlanPart) -> Optional[Question]:
     """Return what a person is asked before a plan is carried out; None if nothing is doubtful.
 
     Args:
@@ -261,7 +261,7 @@ def asked_first(sentence: Sentence, joints: Joints, plan: PlanPart) -> Optional[
     return None
 
 
-def with_open_time(sentence: Sentence, joints: Joints) -> Tuple[Joints, Tuple[str, ...]]:
+def _as_if_timed(sentence: Sentence, joints: Joints) -> Tuple[Joints, Tuple[str, ...]]:
     """Return the joints of a sentence as if its open time were known, and the words of that time in lower case."""
     time = joints.open_time
     if time is None:
@@ -277,7 +277,7 @@ def joint_words(sentence: Sentence, joints: Joints) -> str:
     return words[:1].lower() + words[1:]
 
 
-def unknown_link(
+def _unknown_link(
     sentence: Sentence, joints: Joints, before: Union[Refusal, Question]
 ) -> Optional[Union[Refusal, Question]]:
     """Return what to reply if nothing is understood behind a link: "until when?", or which condition it is.
