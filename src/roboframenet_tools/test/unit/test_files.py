@@ -17,7 +17,7 @@ from roboframenet_tools.listing import count, is_grounded, table, table_of_robot
 from roboframenet_tools.registrations import Registered, registration_findings
 from roboframenet_tools.verb_forms import verb_of
 from semantic_frames import load_frame
-from semantic_frames.server_profile import ServerProfile
+from semantic_frames.server_profile import Purpose, ServerProfile
 
 
 def write(folder, name, text):
@@ -171,6 +171,12 @@ def test_grounded_through_a_child(chain):
     (domain,) = count(knowledge, knowledge.graph)
     assert (domain.frames, domain.units, domain.grounded) == (2, 0, 2)
     assert "52" in table([domain], ("pr2",))
+
+
+def test_grounded_by_who_watches(chain):
+    knowledge, _ = load_paths([str(chain)])
+    knowledge.graph.register("b", "b", ServerProfile(purpose=Purpose.WATCHES))
+    assert is_grounded(knowledge.graph, "b")
 
 
 def test_drawings(chain):
