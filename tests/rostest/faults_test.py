@@ -146,11 +146,10 @@ class FaultsTest(unittest.TestCase):
         subscriber = rospy.Subscriber("text_taken", String, lambda message: taken.append(message.data))
         for stage in STAGES:
             node = self.node_of(stage)
-            # Nobody else says that, so every reply to it is counted.
+            # Nobody else says that, so every reply to it is counted. It takes a second, so its stage dies first.
             text = f"Greet the victim {stage}."
             # A text that is said while the command server starts again is lost, and then it is not taken.
             wait_until(lambda: is_pipeline_complete() and subscriber.get_num_connections() > 0, 60.0)
-            # Looked up now: the command must not have ended when its stage is killed.
             old = self.pid(node)
             self.text.publish(String(data=text))
             wait_until(lambda text=text: text in taken, message=f"{text!r} was not taken")

@@ -276,7 +276,7 @@ def levels(imports: Dict[str, Set[str]]) -> Dict[str, int]:
     return found
 
 
-@pytest.mark.parametrize("name, most", [("semantic_framer", 7), ("utterance_passes", 7), ("offline_pipeline", 3)])
+@pytest.mark.parametrize("name, most", [("semantic_framer", 9), ("utterance_passes", 7), ("offline_pipeline", 3)])
 def test_packages_have_few_levels(name: str, most: int) -> None:
     floors = levels(internal_imports(REPOSITORY / "src" / name / "src" / name))
     assert max(floors.values()) <= most, sorted(floors.items(), key=lambda item: item[1])

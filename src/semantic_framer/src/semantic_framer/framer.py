@@ -3,31 +3,22 @@
 from dataclasses import replace
 from typing import FrozenSet, Mapping, Optional, Sequence, Tuple, Union
 
-from semantic_framer.amending import Change, change_of, last_command
+from semantic_framer.amending import last_command
 from semantic_framer.answers import answer, time_answered
 from semantic_framer.beginnings import beginning_of, without_beginning
-from semantic_framer.choices import choices_of_amounts, choices_of_clauses, chosen
+from semantic_framer.choices import chosen
 from semantic_framer.clause_links import Joints, find_joints
-from semantic_framer.clause_plan import answers_in_a_loop, without_unused
 from semantic_framer.dialogue import Context, Pending, is_no
-from semantic_framer.found_clauses import found_clauses
 from semantic_framer.framed_lexicon import FramedLexicon
 from semantic_framer.lexicon import Lexicon
-from semantic_framer.linked_clauses import NoStructure, Open
-from semantic_framer.linked_plan import linked_plan
 from semantic_framer.linked_sentence import (
-    TELLING,
-    asked_first,
     doubtful_message,
     joint_words,
     manners,
+    read_linked,
     swallowed_joints,
-    unknown_link,
-    with_open_time,
-    without_joints,
 )
 from semantic_framer.mood_file import UtteranceKind
-from semantic_framer.named_persons import with_persons
 from semantic_framer.objections import against_what_runs
 from semantic_framer.outcome import (
     CAREFUL,
@@ -35,9 +26,6 @@ from semantic_framer.outcome import (
     DECLINED,
     MEANING_ONLY,
     PROHIBITION,
-    QUESTION,
-    REPORT,
-    TALK,
     Alternatives,
     LeftOverWords,
     Outcome,
@@ -46,31 +34,19 @@ from semantic_framer.outcome import (
     Refusal,
     Understood,
 )
-from semantic_framer.questions import question_readings, remark_readings
-from semantic_framer.reading import Reading
-from semantic_framer.readings import ClauseReadings, Heard, as_wish, readings_of_clause
+from semantic_framer.plain_sentence import read_plain
+from semantic_framer.questions import remark_readings
+from semantic_framer.readings import Heard
 from semantic_framer.sentence import Sentence
-from semantic_framer.sentence_verdicts import (
-    REST_VERDICTS,
-    SENTENCE_VERDICTS,
-    SentenceVerdict,
-    words_outside,
-)
 from semantic_framer.settling import Now, ask_which, resolve_and_confirm, without_positions
-from semantic_framer.small_talk import answer_small_talk, small_talk_of
 from semantic_framer.utterance_kind import KindVerdict
-from semantic_framer.verdicts import Case, case_of
 from semantic_framer.world_attachment import attached_by_world, is_better, question_of_goal
 from semantic_frames.frame import SemanticFrame
 from utterance_passes.running import run_tree_passes
 from utterance_passes.table import FRAMER_TREE_PASSES, REPHRASING_PASSES
 from utterance_passes.trace import Trace
 from utterance_passes.tree import DependencyTree
-from utterance_passes.tree_edits import NotATree
 from utterance_passes.utterance_pass import Choice, TreePass, Uncertain
-from word_classes import word_class
-
-_WANTING = word_class("wanting_verbs")
 
 __all__ = [
     "Alternatives",
@@ -266,7 +242,7 @@ class _Hearing:
 
     def _read_command(self, sentence: Sentence, context: Context) -> Heard:
         """Understand a command; one that cannot be understood as it is may have conditions."""
-        heard = self._read_plainly(sentence, context)
+        heard = read_plain(sentence, context, self._now)
         if heard.is_small_talk or self._now.policy.left_over_words not in CAREFUL:
             return heard
         known, outcome = self._now.known, heard.outcome
@@ -281,170 +257,6 @@ class _Hearing:
             how = Joints() if joints.found else manners(sentence, known)
             if how.found:
                 swallowed = Refusal("CONDITION", f'I do not understand how "{joint_words(sentence, how)}" is meant.')
-                return self._linked(sentence, context, swallowed, how) or Heard(swallowed, context, sentence)
-            return self._linked(sentence, context, swallowed, joints) or refused if joints.found else heard
-        return self._linked(sentence, context, outcome, find_joints(sentence, known)) or heard
-
-    def _linked(
-        self, sentence: Sentence, context: Context, before: Union[Refusal, Question], joints: Joints
-    ) -> Optional[Heard]:
-        """Understand a sentence whose deeds are joined by conditions and times; None if it is none.
-
-        Args:
-            sentence: the sentence
-            context: what the framer remembers
-            before: why the sentence cannot be understood as it is
-            joints: what joins its deeds
-        """
-        unknown = unknown_link(sentence, joints, before)
-        refused = Heard(unknown, context, sentence) if unknown is not None else None
-        if refused is not None and joints.open_time is not None:
-            return self._with_open_time(sentence, before, joints, refused)
-        if not joints.found:
-            return refused
-        try:
-            left = without_joints(sentence, joints, self._now.known)
-        except NotATree:
-            return None
-        if left is None:
-            question = Question("MISSING_ELEMENT", f"What should I do {joint_words(sentence, joints)}?")
-            return None if before.code in (QUESTION, TALK) else Heard(question, context, sentence)
-        for joint in joints.found:
-            self._now.write("links", sentence.text(sorted(joint.positions)), joint.kind.value)
-        bare = Sentence(left, self._now.known.types)
-        case = case_of(bare, found_clauses(bare, self._now.known, self._trace), self._now.known, self._now.policy)
-        clauses = self._deeds(case)
-        if isinstance(clauses, Refusal):
-            return Heard(clauses, context, sentence) if clauses.code in TELLING and refused is None else refused
-        clauses = tuple(replace(read, kept=self._deeds_first(read.kept)) for read in clauses)
-        best = [read.kept[0] for read in clauses]
-        is_open = choices_of_clauses(bare, [read.clause for read in clauses], self._now.known) or choices_of_amounts(
-            bare, best, self._now.known
-        )
-        if is_open or not all(case.kind_of(read.clause).acts for read in clauses):
-            return refused
-        try:
-            deeds = [(read.clause, read.kept) for read in clauses]
-            kept, plan = without_unused(*linked_plan(sentence, self._now.known, deeds, joints.found))
-            kept = with_persons(kept, self._now.known.frames)
-            if answers_in_a_loop(plan, kept, self._now.known.frames):
-                raise NoStructure("what is answered at once does not go on")
-        except Open as question_of:
-            return Heard(Question("AMBIGUOUS", str(question_of)), context, sentence)
-        except NoStructure as reason:
-            self._now.write("links", sentence.tree.text, f"refused. {reason}")
-            return refused
-        self._now.write("plan", sentence.tree.text, str(plan))
-        outcome, after = resolve_and_confirm(kept, bare, context, self._now, plan=plan)
-        doubt = asked_first(sentence, joints, plan) if isinstance(outcome, Understood) else None
-        if doubt is not None:
-            self._now.write("links", sentence.tree.text, f"asked. {doubt.sentence}")
-            pending = Pending(without_positions(kept), 0, (), self._now.expires_s, plan=plan, is_about_words=True)
-            outcome, after = doubt, replace(context, pending=pending)
-        return Heard(outcome, after, sentence, clauses)
-
-    def _with_open_time(
-        self, sentence: Sentence, before: Union[Refusal, Question], joints: Joints, refused: Heard
-    ) -> Heard:
-        """Ask for a time ("At what time tomorrow?"), and remember what is to be done then."""
-        whole, words = with_open_time(sentence, joints)
-        heard = self._linked(sentence, refused.context, before, whole)
-        if heard is None or not isinstance(heard.outcome, Understood) or heard.outcome.plan is None:
-            return refused
-        clauses = without_positions(heard.outcome.clauses)
-        pending = Pending(clauses, 0, (), self._now.expires_s, plan=heard.outcome.plan, open_time=words)
-        return replace(heard, outcome=refused.outcome, context=replace(heard.context, pending=pending))
-
-    def _deeds_first(self, readings: Tuple[Reading, ...]) -> Tuple[Reading, ...]:
-        """Return the readings that act, if one does: "proceed until ..." is no answer to what waits."""
-        frames = self._now.known.frames
-        return tuple(reading for reading in readings if not frames[reading.unit.frame_name].is_question) or readings
-
-    def _read_plainly(self, sentence: Sentence, context: Context) -> Heard:
-        """Understand a sentence without conditions: small talk, a change of the last command, or a command."""
-        talk = small_talk_of(sentence.tree)
-        if talk is not None:
-            kind = KindVerdict(UtteranceKind.TALK, talk.name)
-            self._now.write("utterance_kind", sentence.tree.text, str(kind))
-            return Heard(answer_small_talk(talk), context, sentence, is_small_talk=True)
-        change = change_of(sentence, context, self._now.known) if self._now.policy.fragment_timeout_s else None
-        if change is not None:
-            self._now.write("fragment", sentence.tree.text, change.note)
-            return Heard(*self._changed(change, sentence, context), sentence)
-        known, policy = self._now.known, self._now.policy
-        case = case_of(sentence, found_clauses(sentence, known, self._trace), known, policy)
-        if self._trace is not None:
-            for clause, kind in zip(case.clauses, case.kinds):
-                self._trace.add("utterance_kind", case.text_of(clause), after=str(kind), positions=clause.positions)
-        asked = question_readings(case)
-        if asked:
-            self._now.write("question", str(asked[0]), f'answered, by "{asked[0].verb}"')
-            return Heard(*resolve_and_confirm((asked,), sentence, context, self._now), sentence)
-        refusal = self._refusal(SENTENCE_VERDICTS, case)
-        if refusal is not None:
-            return Heard(refusal, context, sentence)
-        clauses = self._readings(case)
-        refusal = self._rest_refusal(case, clauses)
-        if refusal is not None:
-            return Heard(refusal, context, sentence, clauses)
-        best = [read.kept[0] for read in clauses]
-        choices = choices_of_clauses(sentence, [read.clause for read in clauses], known) or choices_of_amounts(
-            sentence, best, known
-        )
-        if choices:
-            offered = " or ".join(choice.text for choice in choices)
-            self._now.write("choices", offered, "asked. The person left it open.")
-            return Heard(*ask_which(choices, context, self._now), sentence, clauses)
-        kept = tuple(read.kept for read in clauses)
-        outcome, context = resolve_and_confirm(kept, sentence, context, self._now)
-        words = words_outside(sentence, case.clauses)
-        if isinstance(outcome, Understood) and words and policy.left_over_words is LeftOverWords.WARN:
-            ignored = " ".join(sentence.word(index).form for index in words)
-            outcome = replace(outcome, warning=f"{outcome.warning or 'ignored:'} {ignored}")
-        return Heard(outcome, context, sentence, clauses)
-
-    def _changed(self, change: Change, sentence: Sentence, context: Context) -> Tuple[Outcome, Context]:
-        """Carry out a changed command, or ask first."""
-        if change.outcome is not None:
-            return change.outcome, context
-        if not change.wants_yes:
-            return resolve_and_confirm(change.clauses, sentence, context, self._now)
-        act = change.clauses[0][0].clause_text
-        self._now.write("confirm", act, "asked. The amount would be done again.")
-        pending = Pending(change.clauses, 0, (), self._now.expires_s)
-        return Question("CONFIRM", f'Shall I do this: "{act}"? Say yes or no.'), replace(context, pending=pending)
-
-    def _readings(self, case: Case) -> Tuple[ClauseReadings, ...]:
-        """Read each clause except the clauses that only tell something."""
-        found = []
-        has_order = any(word.form.lower() == "then" for word in case.sentence.tree.words)
-        for clause, kind in zip(case.clauses, case.kinds):
-            is_read = kind.is_read or clause.is_negated
-            read = readings_of_clause(case, clause, self._trace) if is_read else None
-            is_told = read is None or (read.refusal is not None and read.refusal.code == REPORT)
-            if read is not None and not (is_told and case.is_background(clause)):
-                found.append(as_wish(read) if clause.lemma in _WANTING and not has_order else read)
-            elif self._trace is not None:
-                self._trace.add("told", case.text_of(clause), after="no step", positions=clause.positions)
-        return tuple(found)
-
-    def _deeds(self, case: Case) -> Union[Refusal, Tuple[ClauseReadings, ...]]:
-        """Return the readings of the clauses of a sentence, or why it is refused."""
-        refusal = self._refusal(SENTENCE_VERDICTS, case)
-        if refusal is not None:
-            return refusal
-        clauses = self._readings(case)
-        return self._rest_refusal(case, clauses) or clauses
-
-    def _rest_refusal(self, case: Case, clauses: Tuple[ClauseReadings, ...]) -> Optional[Refusal]:
-        refused = next((read.refusal for read in clauses if read.refusal), None)
-        return refused or self._refusal(REST_VERDICTS, case)
-
-    def _refusal(self, verdicts: Sequence[SentenceVerdict], case: Case) -> Optional[Refusal]:
-        for verdict in verdicts:
-            refusal = verdict.refuse(case)
-            if refusal is not None:
-                if self._trace is not None:
-                    self._trace.add(verdict.name, after=f"refused. {verdict.reason}")
-                return refusal
-        return None
+                return read_linked(sentence, context, self._now, swallowed, how) or Heard(swallowed, context, sentence)
+            return read_linked(sentence, context, self._now, swallowed, joints) or refused if joints.found else heard
+        return read_linked(sentence, context, self._now, outcome, find_joints(sentence, known)) or heard

@@ -1,24 +1,33 @@
-"""The rest of a sentence without the words that join its deeds, and what to reply if these are not understood."""
+"""Understands a sentence whose deeds are joined by conditions and times: "wait until Anna comes, then greet her"."""
 
 from dataclasses import replace
 from typing import Optional, Sequence, Tuple, Union
 
+from semantic_framer.choices import choices_of_amounts, choices_of_clauses
 from semantic_framer.clause_links import Joints, find_joints
-from semantic_framer.clause_plan import PlanPart, leaves_of
+from semantic_framer.clause_plan import PlanPart, answers_in_a_loop, leaves_of, without_unused
+from semantic_framer.deeds import deeds_of
+from semantic_framer.dialogue import Context, Pending
+from semantic_framer.found_clauses import found_clauses
 from semantic_framer.frame_roles import MESSAGE
 from semantic_framer.framed_lexicon import FramedLexicon
 from semantic_framer.link_file import LinkKind, shipped_links
-from semantic_framer.linked_clauses import which_of_it
-from semantic_framer.outcome import Question, Refusal
+from semantic_framer.linked_clauses import NoStructure, Open, which_of_it
+from semantic_framer.linked_plan import linked_plan
+from semantic_framer.named_persons import with_persons
+from semantic_framer.outcome import QUESTION, TALK, Question, Refusal, Understood
 from semantic_framer.reading import Reading
+from semantic_framer.readings import Heard
 from semantic_framer.sentence import Sentence
+from semantic_framer.settling import Now, resolve_and_confirm, without_positions
+from semantic_framer.verdicts import case_of
 from typed_arguments import TimeExpression
 from utterance_passes.quotations import QUOTATION_MARKS
 from utterance_passes.tree import ASIDE, DependencyTree, Word
-from utterance_passes.tree_edits import TreeEdit, mark_times, set_aside
+from utterance_passes.tree_edits import NotATree, TreeEdit, mark_times, set_aside
 
 #: Codes of refusals of the deeds that say more than that the sentence has a condition.
-TELLING = frozenset(["UNKNOWN_VERB", "UNKNOWN_FRAME", "NO_READING", "LEFT_OVER_WORDS"])
+_TELLING = frozenset(["UNKNOWN_VERB", "UNKNOWN_FRAME", "NO_READING", "LEFT_OVER_WORDS"])
 #: What is no part of a thing or place: "the hall and the office *in any order*".
 _MANNERS = (
     LinkKind.ANY_ORDER,
@@ -32,7 +41,86 @@ _MANNERS = (
 _DEPENDENT = frozenset(["advcl", "xcomp", "ccomp", "acl", "dep"])
 
 
-def without_joints(sentence: Sentence, joints: Joints, known: FramedLexicon) -> Optional[DependencyTree]:
+def read_linked(
+    sentence: Sentence, context: Context, now: Now, before: Union[Refusal, Question], joints: Joints
+) -> Optional[Heard]:
+    """Understand a sentence whose deeds are joined by conditions and times; None if it is none.
+
+    Args:
+        sentence: the sentence
+        context: what the framer remembers of earlier utterances
+        now: the circumstances of the utterance
+        before: why the sentence cannot be understood as it is
+        joints: what joins its deeds
+    """
+    unknown = _unknown_link(sentence, joints, before)
+    refused = Heard(unknown, context, sentence) if unknown is not None else None
+    if refused is not None and joints.open_time is not None:
+        return _with_open_time(sentence, now, before, joints, refused)
+    if not joints.found:
+        return refused
+    try:
+        left = _without_joints(sentence, joints, now.known)
+    except NotATree:
+        return None
+    if left is None:
+        question = Question("MISSING_ELEMENT", f"What should I do {joint_words(sentence, joints)}?")
+        return None if before.code in (QUESTION, TALK) else Heard(question, context, sentence)
+    for joint in joints.found:
+        now.write("links", sentence.text(sorted(joint.positions)), joint.kind.value)
+    bare = Sentence(left, now.known.types)
+    case = case_of(bare, found_clauses(bare, now.known, now.trace), now.known, now.policy)
+    refusal, clauses = deeds_of(case, now.trace)
+    if refusal is not None:
+        return Heard(refusal, context, sentence) if refusal.code in _TELLING and refused is None else refused
+    clauses = tuple(replace(read, kept=_deeds_first(read.kept, now)) for read in clauses)
+    best = [read.kept[0] for read in clauses]
+    is_open = choices_of_clauses(bare, [read.clause for read in clauses], now.known) or choices_of_amounts(
+        bare, best, now.known
+    )
+    if is_open or not all(case.kind_of(read.clause).acts for read in clauses):
+        return refused
+    try:
+        deeds = [(read.clause, read.kept) for read in clauses]
+        kept, plan = without_unused(*linked_plan(sentence, now.known, deeds, joints.found))
+        kept = with_persons(kept, now.known.frames)
+        if answers_in_a_loop(plan, kept, now.known.frames):
+            raise NoStructure("what is answered at once does not go on")
+    except Open as question_of:
+        return Heard(Question("AMBIGUOUS", str(question_of)), context, sentence)
+    except NoStructure as reason:
+        now.write("links", sentence.tree.text, f"refused. {reason}")
+        return refused
+    now.write("plan", sentence.tree.text, str(plan))
+    outcome, after = resolve_and_confirm(kept, bare, context, now, plan=plan)
+    doubt = _asked_first(sentence, joints, plan) if isinstance(outcome, Understood) else None
+    if doubt is not None:
+        now.write("links", sentence.tree.text, f"asked. {doubt.sentence}")
+        pending = Pending(without_positions(kept), 0, (), now.expires_s, plan=plan, is_about_words=True)
+        outcome, after = doubt, replace(context, pending=pending)
+    return Heard(outcome, after, sentence, clauses)
+
+
+def _with_open_time(
+    sentence: Sentence, now: Now, before: Union[Refusal, Question], joints: Joints, refused: Heard
+) -> Heard:
+    """Ask for a time ("At what time tomorrow?"), and remember what is to be done then."""
+    whole, words = _as_if_timed(sentence, joints)
+    heard = read_linked(sentence, refused.context, now, before, whole)
+    if heard is None or not isinstance(heard.outcome, Understood) or heard.outcome.plan is None:
+        return refused
+    clauses = without_positions(heard.outcome.clauses)
+    pending = Pending(clauses, 0, (), now.expires_s, plan=heard.outcome.plan, open_time=words)
+    return replace(heard, outcome=refused.outcome, context=replace(heard.context, pending=pending))
+
+
+def _deeds_first(readings: Tuple[Reading, ...], now: Now) -> Tuple[Reading, ...]:
+    """Return the readings that act, if one does: "proceed until ..." is no answer to what waits."""
+    frames = now.known.frames
+    return tuple(reading for reading in readings if not frames[reading.unit.frame_name].is_question) or readings
+
+
+def _without_joints(sentence: Sentence, joints: Joints, known: FramedLexicon) -> Optional[DependencyTree]:
     """Return the tree of a sentence with the words that join set aside; None if no other words are left.
 
     Raises:
@@ -153,7 +241,7 @@ def manners(sentence: Sentence, known: FramedLexicon) -> Joints:
     return joints if any(joint.kind in _MANNERS for joint in joints.found) else Joints()
 
 
-def asked_first(sentence: Sentence, joints: Joints, plan: PlanPart) -> Optional[Question]:
+def _asked_first(sentence: Sentence, joints: Joints, plan: PlanPart) -> Optional[Question]:
     """Return what a person is asked before a plan is carried out; None if nothing is doubtful.
 
     Args:
@@ -173,7 +261,7 @@ def asked_first(sentence: Sentence, joints: Joints, plan: PlanPart) -> Optional[
     return None
 
 
-def with_open_time(sentence: Sentence, joints: Joints) -> Tuple[Joints, Tuple[str, ...]]:
+def _as_if_timed(sentence: Sentence, joints: Joints) -> Tuple[Joints, Tuple[str, ...]]:
     """Return the joints of a sentence as if its open time were known, and the words of that time in lower case."""
     time = joints.open_time
     if time is None:
@@ -189,7 +277,7 @@ def joint_words(sentence: Sentence, joints: Joints) -> str:
     return words[:1].lower() + words[1:]
 
 
-def unknown_link(
+def _unknown_link(
     sentence: Sentence, joints: Joints, before: Union[Refusal, Question]
 ) -> Optional[Union[Refusal, Question]]:
     """Return what to reply if nothing is understood behind a link: "until when?", or which condition it is.

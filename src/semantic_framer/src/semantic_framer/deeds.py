@@ -1,0 +1,52 @@
+"""Reads the clauses of a sentence that are to be done, or refuses the sentence."""
+
+from typing import List, Optional, Sequence, Tuple
+
+from semantic_framer.outcome import REPORT, Refusal
+from semantic_framer.readings import ClauseReadings, as_wish, readings_of_clause
+from semantic_framer.sentence_verdicts import REST_VERDICTS, SENTENCE_VERDICTS, SentenceVerdict
+from semantic_framer.verdicts import Case
+from utterance_passes.trace import Trace
+from word_classes import word_class
+
+_WANTING = word_class("wanting_verbs")
+
+
+def deeds_of(case: Case, trace: Optional[Trace]) -> Tuple[Optional[Refusal], Tuple[ClauseReadings, ...]]:
+    """Return why a sentence is refused (None if it is not), and the readings of its clauses.
+
+    Args:
+        case: the sentence with its clauses
+        trace: receives a line for each unit, verdict and rank; None for no trace
+    """
+    refusal = _refusal(SENTENCE_VERDICTS, case, trace)
+    if refusal is not None:
+        return refusal, ()
+    clauses = _readings(case, trace)
+    refused = next((read.refusal for read in clauses if read.refusal), None)
+    return refused or _refusal(REST_VERDICTS, case, trace), clauses
+
+
+def _readings(case: Case, trace: Optional[Trace]) -> Tuple[ClauseReadings, ...]:
+    """Read each clause except the clauses that only tell something."""
+    found: List[ClauseReadings] = []
+    has_order = any(word.form.lower() == "then" for word in case.sentence.tree.words)
+    for clause, kind in zip(case.clauses, case.kinds):
+        is_read = kind.is_read or clause.is_negated
+        read = readings_of_clause(case, clause, trace) if is_read else None
+        is_told = read is None or (read.refusal is not None and read.refusal.code == REPORT)
+        if read is not None and not (is_told and case.is_background(clause)):
+            found.append(as_wish(read) if clause.lemma in _WANTING and not has_order else read)
+        elif trace is not None:
+            trace.add("told", case.text_of(clause), after="no step", positions=clause.positions)
+    return tuple(found)
+
+
+def _refusal(verdicts: Sequence[SentenceVerdict], case: Case, trace: Optional[Trace]) -> Optional[Refusal]:
+    for verdict in verdicts:
+        refusal = verdict.refuse(case)
+        if refusal is not None:
+            if trace is not None:
+                trace.add(verdict.name, after=f"refused. {verdict.reason}")
+            return refusal
+    return None

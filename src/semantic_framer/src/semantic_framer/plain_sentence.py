@@ -1,0 +1,80 @@
+"""Understands a sentence without conditions: small talk, a question, a change of the last command, or a command."""
+
+from dataclasses import replace
+from typing import Tuple
+
+from semantic_framer.amending import Change, change_of
+from semantic_framer.choices import choices_of_amounts, choices_of_clauses
+from semantic_framer.deeds import deeds_of
+from semantic_framer.dialogue import Context, Pending
+from semantic_framer.found_clauses import found_clauses
+from semantic_framer.mood_file import UtteranceKind
+from semantic_framer.outcome import LeftOverWords, Outcome, Question, Understood
+from semantic_framer.questions import question_readings
+from semantic_framer.readings import Heard
+from semantic_framer.sentence import Sentence
+from semantic_framer.sentence_verdicts import (
+    words_outside,
+)
+from semantic_framer.settling import Now, ask_which, resolve_and_confirm
+from semantic_framer.small_talk import answer_small_talk, small_talk_of
+from semantic_framer.utterance_kind import KindVerdict
+from semantic_framer.verdicts import case_of
+
+
+def read_plain(sentence: Sentence, context: Context, now: Now) -> Heard:
+    """Understand a sentence that has no conditions.
+
+    Args:
+        sentence: the sentence
+        context: what the framer remembers of earlier utterances
+        now: the circumstances of the utterance
+    """
+    talk = small_talk_of(sentence.tree)
+    if talk is not None:
+        kind = KindVerdict(UtteranceKind.TALK, talk.name)
+        now.write("utterance_kind", sentence.tree.text, str(kind))
+        return Heard(answer_small_talk(talk), context, sentence, is_small_talk=True)
+    change = change_of(sentence, context, now.known) if now.policy.fragment_timeout_s else None
+    if change is not None:
+        now.write("fragment", sentence.tree.text, change.note)
+        return Heard(*_changed(change, sentence, context, now), sentence)
+    known, policy = now.known, now.policy
+    case = case_of(sentence, found_clauses(sentence, known, now.trace), known, policy)
+    if now.trace is not None:
+        for clause, kind in zip(case.clauses, case.kinds):
+            now.trace.add("utterance_kind", case.text_of(clause), after=str(kind), positions=clause.positions)
+    asked = question_readings(case)
+    if asked:
+        now.write("question", str(asked[0]), f'answered, by "{asked[0].verb}"')
+        return Heard(*resolve_and_confirm((asked,), sentence, context, now), sentence)
+    refusal, clauses = deeds_of(case, now.trace)
+    if refusal is not None:
+        return Heard(refusal, context, sentence, clauses)
+    best = [read.kept[0] for read in clauses]
+    choices = choices_of_clauses(sentence, [read.clause for read in clauses], known) or choices_of_amounts(
+        sentence, best, known
+    )
+    if choices:
+        offered = " or ".join(choice.text for choice in choices)
+        now.write("choices", offered, "asked. The person left it open.")
+        return Heard(*ask_which(choices, context, now), sentence, clauses)
+    kept = tuple(read.kept for read in clauses)
+    outcome, context = resolve_and_confirm(kept, sentence, context, now)
+    words = words_outside(sentence, case.clauses)
+    if isinstance(outcome, Understood) and words and policy.left_over_words is LeftOverWords.WARN:
+        ignored = " ".join(sentence.word(index).form for index in words)
+        outcome = replace(outcome, warning=f"{outcome.warning or 'ignored:'} {ignored}")
+    return Heard(outcome, context, sentence, clauses)
+
+
+def _changed(change: Change, sentence: Sentence, context: Context, now: Now) -> Tuple[Outcome, Context]:
+    """Carry out a changed command, or ask first."""
+    if change.outcome is not None:
+        return change.outcome, context
+    if not change.wants_yes:
+        return resolve_and_confirm(change.clauses, sentence, context, now)
+    act = change.clauses[0][0].clause_text
+    now.write("confirm", act, "asked. The amount would be done again.")
+    pending = Pending(change.clauses, 0, (), now.expires_s)
+    return Question("CONFIRM", f'Shall I do this: "{act}"? Say yes or no.'), replace(context, pending=pending)
