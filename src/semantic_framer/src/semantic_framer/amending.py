@@ -46,6 +46,7 @@ from word_classes import word_class, word_list
 #: Types with much in common.
 _ALIKE = (("Sentient",), ("Location",), ("Physical_object", "Substance"), ("Information",))
 _HEARERS = word_class("hearers")
+_NEGATIONS = word_class("negations")
 _PERSONS = word_class("pronouns_of_persons")
 _PAIRS = word_list("opposite_sides")
 #: The other side of each side.
@@ -406,7 +407,8 @@ def change_of(sentence: Sentence, context: Context, known: FramedLexicon) -> Opt
         return None
     said = sentence.tree.text.strip(_MARKS)
     if context.last is None:
-        if not fragment.needs_command:
+        # "Not so fast" is said to whatever runs.
+        if not fragment.needs_command or sentence.word(fragment.positions[0]).form.lower() in _NEGATIONS:
             return None
         question = Question("AMBIGUOUS", f'What do you mean by "{said}"? Say it in a whole sentence.')
         return Change("asked. No command was said before it.", question)
