@@ -4,7 +4,7 @@ from typing import Any, Dict, List, Tuple
 
 import pytest
 
-from semantic_framer.framer import LeftOverWords, Policy, Question, Refusal, Understood, read
+from semantic_framer.framer import LeftOverWords, Policy, Refusal, Understood, read
 from semantic_framer.lexicon import Lexicon
 
 
