@@ -146,6 +146,8 @@ def portal(element: str, kind: str) -> Skill:
     """Return the skill that opens, closes, locks or unlocks what an element names."""
 
     def act(skills: Skills, frame: FilledFrame) -> None:
+        if said(frame, "key"):
+            skills.take(skills.find(argument(frame, "key"), "thing"))
         whole = argument(frame, "containing_object")
         words = argument(frame, element)
         if whole.text:
