@@ -29,6 +29,7 @@ class TestHomeReferee(unittest.TestCase):
             self.skipTest(f"no grammars in {folder}")
         slots = slots_of(folder, speaker=SPEAKER)
         count, only = rospy.get_param("~count", 5), rospy.get_param("~only", "")
+        first, last = rospy.get_param("~first", 0), rospy.get_param("~last", -1)
         if folder:
             commands, _ = draw(folder, slots, count=count, seed=rospy.get_param("~seed", 11))
         else:
@@ -36,12 +37,13 @@ class TestHomeReferee(unittest.TestCase):
         wait_for_pipeline(["navigating_to_location", "bringing", "placing", "guiding", "telling"])
         runs = RosRuns(SPEAKER)
         judged = []
-        for command in commands:
-            if only.lower() not in command.text.lower():
+        for index, command in enumerate(commands):
+            if only.lower() not in command.text.lower() or index < first or index > last >= 0:
                 continue
             judged.append(judge(runs.run(command), slots))
-            last = judged[-1]
-            print(f"{last.verdict.value}: {command.text}: {last.run.outcome}: {' | '.join(last.reasons)}", flush=True)
+            now = judged[-1]
+            reasons = " | ".join(now.reasons)
+            print(f"{index} {now.verdict.value}: {command.text}: {now.run.outcome}: {reasons}", flush=True)
         print(table(judged), flush=True)
         wrong = [one.run.command.text for one in judged if one.verdict is Verdict.WRONG]
         untold = [one.run.command.text for one in judged if one.verdict is Verdict.UNTOLD]

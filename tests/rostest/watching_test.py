@@ -35,7 +35,7 @@ from roboframenet_rostest import say, wait_for_pipeline
 from roboframenet_testing.waiting import wait_until
 
 #: What is published on each topic.
-TYPES = {"battery/charge": Float32, "text": String, "person/act": String, "home/person": String}
+TYPES = {"battery/charge": Float32, "text": String, "person/act": String, "home/person": String, "home/weather": String}
 
 
 @dataclass

@@ -81,7 +81,7 @@ def test_every_kind_is_answered_in_some_scenes(pipeline: Pipeline) -> None:
 
 
 @pytest.mark.acceptance
-@pytest.mark.parametrize("share", ["tune", "held", "fresh"])
+@pytest.mark.parametrize("share", ["tune", "held", "fresh", "spoken"])
 def test_a_hundred_questions_about_twenty_scenes(share: str, pipeline: Pipeline) -> None:
     results, _ = run(pipeline, share, range(20))
     assert len(results) == 100

@@ -132,7 +132,7 @@ NO_SPEECH: Dict[str, Tuple[str, str]] = {
         ("robot.arm, robot.holds, robot.room"),
     ),
     "roboframenet_sim/home_looks.py": ("values of WorldObject", "clean, dirty, folded, full, off, on, wet"),
-    "roboframenet_sim/ros_world_objects.py": ("kinds of the home file", "door, furniture, person, room"),
+    "roboframenet_sim/ros_world_objects.py": ("kinds of the home file", "door, furniture, person, robot, room"),
     "home_servers/frames.py": (
         "names of frames; settings of devices: not yet in words.yaml",
         (

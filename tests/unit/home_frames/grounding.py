@@ -15,8 +15,6 @@ from semantic_frames.frame import SemanticFrame
 _ROOT = Path(__file__).resolve().parents[3]
 #: Tables of sentences with the frame that each carries out: without ROS, and in the running graph.
 TABLES = ("src/home_servers/test/sentences.yaml", "tests/rostest/watching/home_frames.yaml")
-#: Frames that nothing in the home carries out, with the reason.
-LEFT_OUT: Mapping[str, str] = {"condition_of_event": "nothing in the home happens by itself: no rain, no accident"}
 
 
 @dataclass(frozen=True)

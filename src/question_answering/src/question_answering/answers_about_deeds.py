@@ -7,6 +7,8 @@ from typed_arguments import TypedArgument
 from word_classes import word_class
 
 Arguments = Mapping[str, TypedArgument]
+#: How the reply to a command begins that was carried out.
+_DONE = "Done."
 #: Deeds that an answer names.
 MOST_NAMED = 3
 _GENERAL = word_class("general_deeds")
@@ -27,7 +29,16 @@ def reason(arguments: Arguments, known: RobotKnowledge) -> str:
     about = about or _last_ended(known.deeds)
     if about is None:
         return "I have not done anything yet."
+    if deed is None and about.outcome is Outcome.DONE:
+        # "Why did you stop?", of what has come to its end.
+        return f'I carried out "{about.text}", because you asked me to.{_what_else(about)}'
     return _why(about, known.deeds)
+
+
+def _what_else(deed: Deed) -> str:
+    """Return what the reply said beyond "Done.": what was not done, and why."""
+    rest = deed.sentence[len(_DONE) :].strip() if deed.sentence.startswith(_DONE) else ""
+    return f" {rest}" if rest else ""
 
 
 def _why(deed: Deed, deeds: Sequence[Deed]) -> str:
@@ -59,7 +70,7 @@ def deeds(_: Arguments, known: RobotKnowledge) -> str:
     if last is None:
         return doing.strip() or "I have not done anything yet."
     if last.outcome is Outcome.DONE:
-        return f'I carried out "{last.text}".{doing}'
+        return f'I carried out "{last.text}".{_what_else(last)}{doing}'
     if last.outcome is Outcome.SUPERSEDED:
         return f'I began "{last.text}", and did not finish it.{doing}'
     return f'I did not do it: "{last.text}". {last.sentence}{doing}'

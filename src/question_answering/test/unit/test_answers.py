@@ -133,6 +133,8 @@ def test_the_speaker_is_known(pipeline: Pipeline, home: World) -> None:
 WENT = Deed("Go to the kitchen.", Outcome.DONE, "Done.")
 STOPPED = Deed("Follow me.", Outcome.SUPERSEDED, "A stop ended it.")
 CRY = Deed("Stop!", Outcome.DONE, "I stand still.", is_stop=True)
+NOT_SAID = 'I did not do "say hello", because "it is noon" did not hold.'
+IN_PART = Deed("If it is noon, say hello.", Outcome.DONE, f"Done. {NOT_SAID}")
 FAILED = Deed("Bring me the mug.", Outcome.FAILED, "I have not seen a mug.")
 
 
@@ -141,6 +143,9 @@ FAILED = Deed("Bring me the mug.", Outcome.FAILED, "I have not seen a mug.")
     [
         ("Why did you stop?", (STOPPED, CRY), "", 'I was carrying out "Follow me.", and then you said "Stop!".'),
         ("Why did you stop?", (FAILED,), "", '"Bring me the mug." did not work: I have not seen a mug.'),
+        ("Why did you stop?", (WENT,), "", 'I carried out "Go to the kitchen.", because you asked me to.'),
+        ("What went wrong?", (IN_PART,), "", f'I carried out "{IN_PART.text}", because you asked me to. {NOT_SAID}'),
+        ("What did you do?", (IN_PART,), "", f'I carried out "{IN_PART.text}". {NOT_SAID}'),
         ("Why did you stop?", (), "", "I have not done anything yet."),
         ("Why did you stop?", (WENT,), "Follow me.", 'I am still carrying out "Follow me.", because you asked me to.'),
         ("Why did you not do it?", (WENT, FAILED), "", '"Bring me the mug." did not work: I have not seen a mug.'),

@@ -81,16 +81,17 @@ def wait_for_pipeline(frames: Iterable[str] = (), *, unit_files: Iterable[str] =
             raise AssertionError(f"after {timeout_s:g} s: {'; '.join(missing())}")
 
 
-def say(text: str, *, timeout_s: float = 60.0) -> Reply:
+def say(text: str, *, timeout_s: float = 60.0, robot: str = "") -> Reply:
     """Say a sentence and return the reply to it.
 
     Args:
         text: the sentence
         timeout_s: how long to wait for the command server, and again for the reply
+        robot: the namespace of its command server; empty for that of this node
     Raises:
         AssertionError: no command server, or no reply, within the time
     """
-    client = actionlib.SimpleActionClient("command", ExecuteCommandAction)
+    client = actionlib.SimpleActionClient(f"{robot}/command" if robot else "command", ExecuteCommandAction)
     timeout = rospy.Duration(timeout_s)
     assert client.wait_for_server(timeout), f"no command server within {timeout_s:g} s"
     client.send_goal(ExecuteCommandGoal(text=text))

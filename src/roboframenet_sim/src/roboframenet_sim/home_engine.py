@@ -78,6 +78,7 @@ class Home:
         seed: of persons and faults; the same calls with the same seed lead to the same states
         faults: how often something goes wrong
         floor: of the plan, with what another home has worked out of it; None for a new one
+        people: the persons, if another home moves them; None for own ones
     """
 
     #: Longest step of persons and actions; longer ones are divided.
@@ -91,6 +92,7 @@ class Home:
         seed: int = 0,
         faults: Faults = NO_FAULTS,
         floor: Optional[Floor] = None,
+        people: Optional[People] = None,
     ) -> None:
         self.plan = plan
         self.floor = floor or Floor(plan)
@@ -100,7 +102,8 @@ class Home:
         self._running: Dict[str, _Running] = {}
         self._driving: Optional[_Driving] = None
         self._blocked_until_s: Dict[str, float] = {}
-        self._people = People(plan, self.floor, seed=seed)
+        self._moves_people = people is None
+        self._people = people or People(plan, self.floor, seed=seed)
         self._outcomes: List[Outcome] = []
         self._seed = seed
         self.base = self._base_at(state.robot.pose)
@@ -115,6 +118,15 @@ class Home:
         self._blocked_until_s = {}
         self._people = People(replace(self.plan, habits={}), self.floor, seed=self._seed)
         self.base = self._base_at(state.robot.pose)
+
+    @property
+    def people(self) -> People:
+        """Whoever moves the persons."""
+        return self._people
+
+    def adopt(self, state: State) -> None:
+        """Take over what another robot of the home, or the persons, have changed."""
+        self._state = state
 
     @property
     def state(self) -> State:
@@ -202,6 +214,8 @@ class Home:
         self._state = self._state.with_event("said", who, text, heard)
         if who == ROBOT:
             for person in heard:
+                if self.plan.entities[person].kind != "person":
+                    continue
                 self._state, reply = self._people.hear(self._state, person, text)
                 if reply:
                     self.say(person, reply)
@@ -269,7 +283,8 @@ class Home:
             self._advance(kind, self._running[kind], duration_s)
         if self._state.robot.is_docked and self._state.robot.battery < 1.0:
             self._state = self._state.with_robot(battery=min(1.0, self._state.robot.battery + duration_s / 600.0))
-        self._state = self._people.step(self._state, duration_s)
+        if self._moves_people:
+            self._state = self._people.step(self._state, duration_s)
         self._unblock()
 
     def _advance(self, kind: str, running: _Running, duration_s: float) -> None:

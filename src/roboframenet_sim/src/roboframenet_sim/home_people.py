@@ -60,7 +60,7 @@ class People:
 
     def order(self, state: State, person: str, order: str, target: str) -> Union[State, Failure]:
         """Begin what a person is told: stand, sit, walk, follow, take, put."""
-        if person not in state.people:
+        if person not in state.people or self._plan.entities[person].kind != "person":
             return Failure("unknown", f"There is nobody called {person}.")
         name = self._plan.entities[person].name
         if target and target not in self._plan.entities and target != "robot":

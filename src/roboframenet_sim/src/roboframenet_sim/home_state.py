@@ -25,7 +25,7 @@ class Entity:
 
     Attributes:
         id: unique in the home
-        kind: room, door, furniture, thing or person
+        kind: room, door, furniture, thing, person, or robot for another robot
         names: what people call it, the usual name first
         category: what it is: cup, fruit, table; for persons "person"
         traits: what can be done with it, and what it is good for: surface, container, switch, food, cloth, ...
@@ -60,7 +60,7 @@ class Entity:
     @property
     def the_name(self) -> str:
         """The name in a sentence: "the mug", "Anna"."""
-        return self.name if self.kind == "person" else f"the {self.name}"
+        return self.name if self.kind in ("person", "robot") else f"the {self.name}"
 
     @property
     def centre(self) -> Point:

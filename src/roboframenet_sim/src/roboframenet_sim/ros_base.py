@@ -85,14 +85,16 @@ class RosBase:
     Subscribes:
         the command topic (geometry_msgs/Twist): linear.x in m/s and angular.z in rad/s are used, the rest is ignored
     Publishes:
-        ``odom`` (nav_msgs/Odometry), ``/tf`` from the odometry frame to the base frame
+        the odometry topic (nav_msgs/Odometry), ``/tf`` from the odometry frame to the base frame
     """
 
-    def __init__(self, settings: BaseSettings, *, base: DifferentialBase, command_topic: str) -> None:
+    def __init__(
+        self, settings: BaseSettings, *, base: DifferentialBase, command_topic: str, odometry_topic: str = "odom"
+    ) -> None:
         self._settings = settings
         self._base = base
         self._lock = threading.Lock()
-        self._odom = rospy.Publisher("odom", Odometry, queue_size=10)
+        self._odom = rospy.Publisher(odometry_topic, Odometry, queue_size=10)
         self._tf = tf2_ros.TransformBroadcaster()
         self._subscriber = rospy.Subscriber(command_topic, Twist, self._take_command, queue_size=1, tcp_nodelay=True)
 

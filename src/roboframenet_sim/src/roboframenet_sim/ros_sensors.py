@@ -30,17 +30,18 @@ class RosLaser:
         ``scan`` (sensor_msgs/LaserScan), while there are subscribers
     """
 
-    def __init__(self, sight: Sight, *, frame: str = "base_link") -> None:
+    def __init__(self, sight: Sight, *, frame: str = "base_link", topic: str = "scan") -> None:
         """
         Args:
             sight: returns what there is to be seen
             frame: of the laser
+            topic: where it publishes
         """
         self._sight = sight
         self._frame = frame
         self._angles = angles(_RAYS)
         self._since_s = math.inf
-        self._publisher = rospy.Publisher("scan", LaserScan, queue_size=1)
+        self._publisher = rospy.Publisher(topic, LaserScan, queue_size=1)
 
     def step(self, duration_s: float, stamp: rospy.Time, *, robot: Pose) -> None:
         """Advance the time.
@@ -81,17 +82,20 @@ class RosBattery:
         ``battery_state`` (sensor_msgs/BatteryState)
     """
 
-    def __init__(self, charge: float, on_charge: Callable[[float], None] = lambda charge: None) -> None:
+    def __init__(
+        self, charge: float, on_charge: Callable[[float], None] = lambda charge: None, *, space: str = ""
+    ) -> None:
         """
         Args:
             charge: the first one, 0 to 1
             on_charge: called when somebody sets it
+            space: before the names of its topics
         """
         self._lock = threading.Lock()
         self._charge, self._on_charge = charge, on_charge
         self._since_s = math.inf
-        self._publisher = rospy.Publisher("battery_state", BatteryState, queue_size=1)
-        self._subscriber = rospy.Subscriber("battery/charge", Float32, self._set, queue_size=5)
+        self._publisher = rospy.Publisher(f"{space}battery_state", BatteryState, queue_size=1)
+        self._subscriber = rospy.Subscriber(f"{space}battery/charge", Float32, self._set, queue_size=5)
 
     def _set(self, message: Float32) -> None:
         if not 0.0 <= message.data <= 1.0:

@@ -14,7 +14,12 @@ SOURCE = "home_sim"
 
 def _object(entity: Entity, point: Any, yaw_rad: float = 0.0) -> WorldObject:
     one = WorldObject(id=entity.id, source=SOURCE, other_names=list(entity.names[1:]), category=entity.category)
-    sorts = {"room": WorldObject.PLACE, "door": WorldObject.DOOR, "person": WorldObject.PERSON}
+    sorts = {
+        "room": WorldObject.PLACE,
+        "door": WorldObject.DOOR,
+        "person": WorldObject.PERSON,
+        "robot": WorldObject.ROBOT,
+    }
     one.sort = sorts.get(entity.kind, WorldObject.DEVICE if "switch" in entity.traits else WorldObject.THING)
     if entity.kind == "thing":
         # One of many mugs has no name of its own.

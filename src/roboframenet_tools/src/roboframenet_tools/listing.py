@@ -9,6 +9,7 @@ from typing import Dict, List, Optional, Sequence, Tuple
 from frame_registrar.graph import FrameGraph
 from offline_pipeline.knowledge import Knowledge, load_knowledge, shipped_domains
 from roboframenet_tools.folders import folders_of
+from semantic_frames.server_profile import Purpose
 
 EXAMPLES = """examples:
   rfn list
@@ -70,7 +71,7 @@ def run(arguments: argparse.Namespace) -> int:
 
 
 def is_grounded(graph: FrameGraph, name: str, robot: str = "") -> bool:
-    """Whether live servers can carry a frame out: a server of its own, or those of one of its sequences of children.
+    """Whether live servers can carry a frame out, or watch it: its own, or those of one of its sequences of children.
 
     Args:
         graph: frames and servers
@@ -78,7 +79,7 @@ def is_grounded(graph: FrameGraph, name: str, robot: str = "") -> bool:
         robot: whose servers; empty for those of all
     """
     frame = graph.frame(name)
-    return bool(graph.servers(name, robot=robot)) or (
+    return any(graph.servers(name, purpose, robot) for purpose in Purpose) or (
         frame is not None
         and any(all(is_grounded(graph, child.name, robot) for child in sequence) for sequence in frame.children)
     )

@@ -5,6 +5,7 @@ from typing import Optional, Tuple
 
 from semantic_framer.clause_plan import PlanPart
 from semantic_framer.reading import Reading
+from typed_arguments import TypedArgument
 from utterance_passes.utterance_pass import Choice
 from word_classes import word_class
 
@@ -62,6 +63,19 @@ class LastCommand:
 
 
 @dataclass(frozen=True)
+class Mention:
+    """Something that was spoken of.
+
+    Attributes:
+        id: of the object; empty while it is not known which one is meant
+        phrase: what was said of it, to be looked up again when the robot knows more; None if the id is known
+    """
+
+    id: str = ""
+    phrase: Optional[TypedArgument] = None
+
+
+@dataclass(frozen=True)
 class Context:
     """What the framer remembers.
 
@@ -70,14 +84,19 @@ class Context:
         last: the last command; None if there is none, or if it may not be repeated
         thing: the last thing mentioned, "the mug"; empty if there is none
         place: the last place mentioned, "the kitchen"; empty if there is none
-        spoken_of: ids of the things that were mentioned, the last one first
+        spoken_of: the things that were mentioned, the last one first
     """
 
     pending: Optional[Pending] = None
     last: Optional[LastCommand] = None
     thing: str = ""
     place: str = ""
-    spoken_of: Tuple[str, ...] = ()
+    spoken_of: Tuple[Mention, ...] = ()
+
+    @property
+    def ids_spoken_of(self) -> Tuple[str, ...]:
+        """The ids of what was spoken of, the last one first; empty ones stand for what is not known."""
+        return tuple(mention.id for mention in self.spoken_of)
 
     def at(self, now_s: float) -> "Context":
         """Return the context at a time: without a question that has expired."""

@@ -6,7 +6,7 @@ from typing import List, Optional, Tuple
 from referring_expressions import Referents, Situation, question_of, resolve, with_referents
 from referring_expressions.describing import noun_of, question_of_speaker
 from referring_expressions.fitting import is_of_unknown_speaker
-from semantic_framer.dialogue import Context
+from semantic_framer.dialogue import PRONOUNS, Context, Mention
 from semantic_framer.frame_roles import MESSAGE, NAME, NO_THINGS, PLACES
 from semantic_framer.framed_lexicon import FramedLexicon
 from semantic_framer.reading import Reading
@@ -23,9 +23,8 @@ _NO_REFERENTS = (NO_THINGS | {MESSAGE, NAME, "Time", "State", "Topic", "Category
     "Addressee",
     "Agent",
 }
-#: Stands for something that was spoken of and is not known: "it" does not refer to what was spoken of before.
-_UNKNOWN = ""
 _PRONOUNS = word_class("pronouns") | word_class("here_and_there")
+_PERSONS = word_class("pronouns_of_persons")
 _STANDINS = word_class("noun_standins")
 
 
@@ -49,7 +48,7 @@ def refer(reading: Reading, known: FramedLexicon, context: Context) -> Tuple[Rea
     if not known.world.objects:
         return reading, None
     frame = known.frames[reading.unit.frame_name]
-    situation = Situation(known.world, context.spoken_of, speaker=known.speaker)
+    situation = Situation(known.world, context.ids_spoken_of, speaker=known.speaker)
     arguments: List[TypedArgument] = []
     unclear: Optional[Unclear] = None
     for argument in reading.arguments:
@@ -89,18 +88,53 @@ def _unclear(argument: TypedArgument, found: Referents, situation: Situation) ->
 
 
 def spoken_of(reading: Reading, known: FramedLexicon, context: Context) -> Context:
-    """Return a context that remembers what a reading refers to, things before places."""
+    """Return a context that remembers what a reading refers to, things before places.
+
+    What is not known is remembered, too: "it" does not refer to what was spoken of before it.
+    """
     if not known.world.objects:
         return context
     frame = known.frames[reading.unit.frame_name]
-    things: List[str] = []
-    places: List[str] = []
+    things: List[Mention] = []
+    places: List[Mention] = []
     for argument in reading.arguments:
         element = frame.element(argument.name)
-        if not _may_refer(element, argument) or element is None:
+        if not _may_refer(element, argument) or element is None or argument.head.lower() in _PERSONS:
             continue
-        is_one = len(argument.referents) == 1 and argument.referent_count == 1
-        (places if element.framenet in PLACES else things).append(argument.referents[0] if is_one else _UNKNOWN)
-    names = [*things, *(name for name in places if name != _UNKNOWN)]
-    rest = [name for name in context.spoken_of if name not in names]
-    return replace(context, spoken_of=tuple([*names, *rest][:MOST_SPOKEN_OF]))
+        mention = Mention(phrase=argument)
+        if len(argument.referents) == 1 and argument.referent_count == 1:
+            mention = Mention(argument.referents[0])
+        elif argument.head.lower() in PRONOUNS and context.spoken_of:
+            # It is still what it was, whatever that is.
+            mention = context.spoken_of[0]
+        (places if element.framenet in PLACES else things).append(mention)
+    mentions = [*things, *(mention for mention in places if mention.id)]
+    rest = [mention for mention in context.spoken_of if mention not in mentions]
+    return replace(context, spoken_of=tuple([*mentions, *rest][:MOST_SPOKEN_OF]))
+
+
+def looked_up_again(context: Context, known: FramedLexicon) -> Context:
+    """Return a context in which the things have ids that were spoken of before the robot knew which they are.
+
+    "Take the red mug", said of a mug that it has never seen, is about the red mug that it knows by now. Of several
+    that fit, it is the one that it has taken.
+    """
+    mentions: List[Mention] = []
+    # The oldest first: each may refer to those before it.
+    for mention in reversed(context.spoken_of):
+        if mention.phrase is not None and mention.phrase.world_version != known.world.version:
+            before = tuple(one.id for one in mentions)
+            mention = _looked_up(mention.phrase, Situation(known.world, before, speaker=known.speaker))
+        mentions.insert(0, mention)
+    return replace(context, spoken_of=tuple(mentions))
+
+
+def _looked_up(phrase: TypedArgument, situation: Situation) -> Mention:
+    found = resolve(phrase, situation)
+    if found is None or found.count != 1:
+        return Mention(phrase=phrase)
+    held = situation.world.held
+    fitting = found.objects if len(found.objects) == 1 else [one for one in found.objects if one in held]
+    if len(fitting) == 1:
+        return Mention(fitting[0].id)
+    return Mention(phrase=replace(phrase, world_version=situation.world.version))

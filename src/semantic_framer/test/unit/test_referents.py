@@ -1,5 +1,6 @@
 """What the arguments of commands refer to, the question which thing is meant, and its answer."""
 
+from dataclasses import replace
 from typing import Tuple
 
 import pytest
@@ -42,6 +43,10 @@ class Home:
         self._verbs = frozenset(verb.split()[0] for verb in knowledge.lexicon.verbs)
         self._context = Context()
 
+    def see(self, text: str) -> None:
+        """The robot knows something else from now on."""
+        self._known = replace(self._known, world=world_of(text, str(len(text))))
+
     def hear(self, text: str) -> Outcome:
         heard = hear(shipped_parser().parse(text, self._verbs), self._known, context=self._context)
         self._context = heard.context
@@ -55,9 +60,13 @@ class Home:
         return found
 
 
+def world_of(text: str, version: str) -> World:
+    return snapshot(version, {one.id: one for one in load_world_file(text, "home.yaml")})
+
+
 @pytest.fixture
 def home(knowledge: Knowledge) -> Home:
-    return Home(knowledge, snapshot("7", {one.id: one for one in load_world_file(HOME, "home.yaml")}))
+    return Home(knowledge, world_of(HOME, "7"))
 
 
 @pytest.mark.parametrize(
@@ -105,6 +114,45 @@ def test_it_is_not_an_older_thing_if_the_last_one_is_unknown(home: Home) -> None
     home.hear("Take the blue mug.")
     home.hear("Take the spoon.")
     assert home.argument("Bring it to the kitchen.", "theme").referents == ()
+
+
+UNSEEN = """
+places:
+  kitchen:
+things:
+  table_1: {in: kitchen}
+"""
+TAKEN = HOME.replace("mug_1: {on: table_1", "mug_1: {held_by: robot") + "robots:\n  robot: {in: kitchen}\n"
+
+
+@pytest.mark.parametrize("said", ["Take the red mug.", "Take the mug.", "Take a mug."])
+def test_what_was_named_before_it_was_seen_is_known_by_now(said: str, home: Home) -> None:
+    home.see(UNSEEN)
+    assert home.argument(said, "theme").referents == ()
+    home.see(TAKEN)
+    assert home.argument("Put the mug on the table.", "theme").referents == ("mug_1",)
+
+
+def test_of_any_mug_the_one_was_meant_that_the_robot_has_taken(home: Home) -> None:
+    assert home.argument("Take a mug.", "theme").referent_count == 1
+    home.see(TAKEN)
+    assert home.argument("Put the mug on the table.", "theme").referents == ("mug_1",)
+
+
+def test_several_that_were_seen_later_are_asked_about(home: Home) -> None:
+    home.see(UNSEEN)
+    home.hear("Take the mug.")
+    home.see(HOME)
+    assert home.hear("Put the mug on the table.") == Question("AMBIGUOUS", QUESTION)
+
+
+def test_it_is_what_was_named_before_it_was_seen(home: Home) -> None:
+    home.see(UNSEEN)
+    home.hear("Take the red mug.")
+    assert home.argument("Bring it to the kitchen.", "theme").referents == ()
+    home.see(TAKEN)
+    assert home.argument("Bring it to the kitchen.", "theme").referents == ("mug_1",)
+    assert home.argument("Put the mug on the table.", "theme").referents == ("mug_1",)
 
 
 def test_without_a_world_words_remain_words(knowledge: Knowledge) -> None:

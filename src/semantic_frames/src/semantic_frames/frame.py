@@ -35,8 +35,8 @@ class FrameElement:
         answer: an example of an answer ("three feet"); empty for none
         framenet: name of the frame element in FrameNet; empty when FrameNet has none
         semantic_types: what may fill it: something of one of these types, or of a type below them; empty for anything
-        confirmed_values: texts or semantic types of an argument with which a person must say yes before the frame is
-            carried out, in lower case
+        confirmed_values: texts, nouns or semantic types of an argument with which a person must say yes before the
+            frame is carried out, in lower case
     """
 
     name: str
@@ -159,11 +159,11 @@ class SemanticFrame:
         """Return the element of that name, or None."""
         return next((element for element in self.frame_elements if element.name == name), None)
 
-    def wants_yes(self, arguments: Mapping[str, Tuple[str, str]]) -> bool:
+    def wants_yes(self, arguments: Mapping[str, Tuple[str, ...]]) -> bool:
         """Return whether a person must say yes first.
 
         Args:
-            arguments: text and semantic type by the name of the element
+            arguments: text, noun and semantic type by the name of the element
         """
         return self.is_confirmed or any(
             part.lower() in element.confirmed_values

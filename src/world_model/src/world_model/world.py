@@ -68,6 +68,12 @@ class World:
         """The robot itself."""
         return self.get(ROBOT_ID)
 
+    @property
+    def held(self) -> Tuple["WorldObject", ...]:
+        """What the robot holds."""
+        mine = (name for relation, name in self._related.get(ROBOT_ID, ()) if relation == _HELD)
+        return tuple(self.by_id[name] for name in mine)
+
     @cached_property
     def _by_name(self) -> Mapping[str, Tuple[WorldObject, ...]]:
         found: Dict[str, List[WorldObject]] = {}
