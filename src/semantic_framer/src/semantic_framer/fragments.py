@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from enum import Enum
 from functools import lru_cache
 from pathlib import Path
-from typing import Mapping, Optional, Pattern, Sequence, Tuple
+from typing import List, Mapping, Optional, Pattern, Sequence, Tuple
 
 from semantic_framer.framed_lexicon import FramedLexicon
 from semantic_framer.mood_file import UtteranceKind
@@ -19,7 +19,7 @@ from semantic_frames.source_files import read_text
 from utterance_passes.clauses import find_clauses
 from utterance_passes.formula_file import Formula, any_of, is_filler, load_formulas
 from utterance_passes.objections import plain
-from utterance_passes.tree import ABANDONED
+from utterance_passes.tree import ABANDONED, DependencyTree, Word
 from utterance_passes.verb_matching import match_verbs
 from word_classes import word_class
 
@@ -29,6 +29,7 @@ KINDS = ("openings", "endings", "whole_command", "as_much_again", "a_bit_more", 
 #: The most words of an opening or an ending.
 _LONGEST = 6
 _AGREEMENTS = word_class("agreements")
+_NOT = word_class("not")
 _LEFT_AND_RIGHT = word_class("left_and_right")
 _MORE = word_class("more_words")
 #: Alone, they name nothing that was not said already.
@@ -107,13 +108,14 @@ def fragment_of(sentence: Sentence, known: FramedLexicon) -> Optional[Fragment]:
     tree = sentence.tree
     hidden = {word.index for word in tree.words if word.deprel == ABANDONED}
     said = [word for word in tree.words if word.upos != "PUNCT" and not is_filler(word.form)]
-    said = [word for word in said if word.index not in hidden]
+    whole = [word for word in said if word.index not in hidden]
+    said = _behind_contrast(tree, whole)
     forms = [plain(word) for word in said]
     first, last = _core(forms)
     core = " ".join(forms[first:last])
     positions = tuple(word.index for word in said[first:last])
     # "Right" alone agrees; "now right" and "no, right" do not.
-    if not core or (core in _AGREEMENTS and last - first == len(forms)):
+    if not core or (core in _AGREEMENTS and last - first == len(whole)):
         return None
     kind = next((kind for kind, pattern in _WHOLE if pattern.fullmatch(core)), None)
     if kind is not None:
@@ -137,6 +139,15 @@ def fragment_of(sentence: Sentence, known: FramedLexicon) -> Optional[Fragment]:
         positions = tuple(index for index in positions if index not in slight or plain(tree.word(index)) not in _MORE)
         is_more = False
     return Fragment(FragmentKind.ELEMENTS, positions, is_more)
+
+
+def _behind_contrast(tree: DependencyTree, said: Sequence[Word]) -> List[Word]:
+    """Return the words behind what is not meant: "not the kitchen, *the office*"."""
+    if not said or plain(said[0]) not in _NOT:
+        return list(said)
+    pauses = [word.index for word in tree.words if word.form == "," and word.index > said[0].index]
+    behind = [word for word in said if pauses and word.index > pauses[0]]
+    return behind or list(said)
 
 
 def _core(forms: Sequence[str]) -> Tuple[int, int]:
