@@ -7,7 +7,7 @@ from .commands import Command
 #: Where somebody walks to when the command does not say; to the second when they are at the first.
 _ANYWHERE = ("living_room", "kitchen")
 #: They are asked so often whether they go before they do: the robot has to have met them.
-_WAITS = 8
+_WAITS = 20
 
 
 class Walk:
