@@ -6,8 +6,12 @@ extensions = ["sphinx.ext.autodoc", "sphinx.ext.napoleon"]
 html_theme = "alabaster"
 html_theme_options = {"page_width": "1100px"}
 html_copy_source = False
-autodoc_default_options = {"members": True, "show-inheritance": True}
+# What a module exports from another one is described there.
+autodoc_default_options = {"members": True, "show-inheritance": True, "ignore-module-all": True}
 autodoc_typehints = "description"
 autodoc_member_order = "bysource"
 # Examples in docstrings are indented blocks of several languages.
 highlight_language = "none"
+# Nodes list their names in sections of their own; the fields of a NamedTuple are described once.
+napoleon_custom_sections = ["Subscribes", "Publishes", "Services", "Actions", "Actions called"]
+napoleon_use_ivar = True

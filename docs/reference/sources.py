@@ -1,4 +1,4 @@
-"""Writes the sources of the reference: a page for each package with its modules, and one for each set of messages.
+"""Writes the sources of the reference: a page for each package with its parameters, modules and messages.
 
 python3 docs/reference/sources.py build/docs/source
 """
@@ -8,6 +8,10 @@ import sys
 import textwrap
 from pathlib import Path
 from typing import Dict, Iterator, List
+
+sys.path.insert(0, str(Path(__file__).resolve().parent))
+
+from parameters import classes_of, table_of
 
 REPOSITORY = Path(__file__).resolve().parents[2]
 #: Folders of definitions, and what they hold.
@@ -35,9 +39,14 @@ def description(package: Path) -> str:
 
 
 def page_of(package: Path) -> str:
-    """Return the page of a package: its modules, and its definitions of messages as they are; empty without both."""
+    """Return the page of a package: parameters, modules, and definitions of messages as they are; empty without all."""
     names = modules(package)
-    parts = [f"{titled(name, '-')}\n.. automodule:: {name}\n" for name in names]
+    kinds = classes_of(package)
+    parts = [titled("Parameters", "-")] if kinds else []
+    for kind in kinds:
+        summary = (kind.__doc__ or "").partition("\n")[0]
+        parts.append(f"{titled(f'{kind.__module__}.{kind.__name__}', '~')}\n{summary}\n\n{table_of(kind)}")
+    parts += [f"{titled(name, '-')}\n.. automodule:: {name}\n" for name in names]
     for folder, title in KINDS.items():
         paths = sorted(package.glob(f"{folder}/*.{folder}"))
         if paths:

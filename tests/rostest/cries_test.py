@@ -58,6 +58,7 @@ NO_CRIES = (
     "no keep moving forward",
 )
 STANDING = 0.001
+SHALL_I_GO_ON = 'Shall I go on with "Move forward 15 metres" from its beginning and "turn left 10 degrees"?'
 
 
 class CriesTest(unittest.TestCase):
@@ -222,6 +223,34 @@ class CriesTest(unittest.TestCase):
         self.assertFalse(self.replies_to(DRIVE, since))
         self.assertEqual(self.say("Stop.").outcome, Reply.DONE)
         self.assertEqual(self.wait_for_reply(DRIVE, since).code, "STOPPED")
+
+    def test_stopped_plan_goes_on_after_a_yes_and_not_after_a_no(self) -> None:
+        for answer in ("yes", "no"):
+            self.start("Move forward 15 metres and turn left 10 degrees.")
+            self.assertEqual(self.say("Stop.").outcome, Reply.DONE)
+            self.wait_for_rest()
+            asked = self.say("Go on.")
+            self.assertEqual((asked.outcome, asked.code), (Reply.NEEDS_INFORMATION, "CONFIRM"), asked.sentence)
+            self.assertTrue(asked.sentence.endswith(SHALL_I_GO_ON), asked.sentence)
+            self.assertLess(self.speed(), STANDING)
+            if answer == "yes":
+                since = self.start(answer)
+                self.assertEqual(self.say("Stop!").outcome, Reply.DONE)
+                self.assertEqual(self.wait_for_reply(answer, since).code, "STOPPED")
+                self.wait_for_rest()
+            else:
+                self.assertEqual(self.say(answer).code, "DECLINED")
+                self.fence()
+                self.assertLess(self.speed(), STANDING)
+
+    def test_forget_that_takes_back_the_order_that_was_given(self) -> None:
+        order = "Whenever I say banana, turn left 5 degrees."
+        given = self.say(order)
+        self.assertEqual((given.outcome, given.stage), (Reply.DONE, "standing_orders"), given.sentence)
+        self.assertEqual(self.say("Forget that.").sentence, f'I forget "{order[:-1]}".')
+        self.assertEqual(self.say("What are you waiting for?").sentence, "I have no standing order.")
+        # At any other time it is a cry.
+        self.assertEqual(self.say("Forget that!").stage, "stop_server")
 
 
 if __name__ == "__main__":

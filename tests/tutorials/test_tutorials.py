@@ -20,9 +20,18 @@ PAGES = (REPOSITORY / "README.md", *sorted((REPOSITORY / "docs" / "tutorials").g
 SYSTEM_PATH = "/usr/local/sbin:/usr/local/bin:/usr/sbin:/usr/bin:/sbin:/bin"
 #: The whole of a page, and the start of the pipeline, on a busy machine; seconds.
 PAGE_TIMEOUT_S = 600.0
-START_TIMEOUT_S = 180.0
+START_TIMEOUT_S = 300.0
 #: Deadlines of the pipeline, seconds; a test machine that is busy is slower than a robot.
-PATIENT = {"/command_server/stop_timeout_s": "30.0", "/command_server/stage_timeout_s": "60.0"}
+PATIENT = {
+    "/command_server/stop_timeout_s": "30.0",
+    "/command_server/stage_timeout_s": "60.0",
+    "/semantic_framer/question_timeout_s": "300.0",
+    "/frame_registrar/liveness_timeout_s": "10.0",
+    "/executor/acceptance_timeout_s": "30.0",
+    "/executor/silence_timeout_s": "30.0",
+    "/move_action_server/odometry_timeout_s": "30.0",
+    "/move_action_server/stall_timeout_s": "30.0",
+}
 _COLOURS = re.compile("\x1b\\[[0-9;]*m")
 
 
@@ -53,37 +62,57 @@ def end(process: "subprocess.Popen[bytes]") -> None:
             continue
 
 
+class PatientMaster:
+    """A master whose pipeline has longer deadlines, and the programs that are started under it.
+
+    Attributes:
+        environment: of the programs
+    """
+
+    def __init__(self, folder: Path) -> None:
+        self.environment = environment()
+        self._log = folder / "log"
+        self._processes: List[subprocess.Popen[bytes]] = []
+        self.start("roscore", "-p", self.environment["ROS_MASTER_URI"].rpartition(":")[2])
+        try:
+            for name, value in PATIENT.items():
+                self.wait_for("rosparam", "set", name, value)
+        except AssertionError:
+            self.close()
+            raise
+
+    def start(self, *command: str) -> None:
+        """Start a program."""
+        with open(self._log, "ab") as file:
+            self._processes.append(
+                subprocess.Popen(
+                    command, env=self.environment, stdout=file, stderr=subprocess.STDOUT, start_new_session=True
+                )
+            )
+
+    def wait_for(self, *command: str) -> None:
+        """Repeat a command until it succeeds."""
+        deadline_s = time.monotonic() + START_TIMEOUT_S
+        while subprocess.run(command, env=self.environment, capture_output=True, check=False).returncode:
+            alive = self._processes[-1].poll() is None
+            assert alive and time.monotonic() < deadline_s, self._log.read_text()[-3000:]
+
+    def close(self) -> None:
+        """End the programs, the last first."""
+        for process in reversed(self._processes):
+            end(process)
+
+
 @pytest.fixture(scope="module")
 def running(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Dict[str, str]]:
     """The environment of the pages that need a running pipeline; it runs as ``make run`` runs it."""
-    surroundings = environment()
-    log = tmp_path_factory.mktemp("make_run") / "log"
-    processes: List[subprocess.Popen[bytes]] = []
-
-    def start(*command: str) -> "subprocess.Popen[bytes]":
-        with open(log, "ab") as file:
-            processes.append(
-                subprocess.Popen(
-                    command, env=surroundings, stdout=file, stderr=subprocess.STDOUT, start_new_session=True
-                )
-            )
-        return processes[-1]
-
-    def wait_for(*command: str) -> None:
-        deadline_s = time.monotonic() + START_TIMEOUT_S
-        while subprocess.run(command, env=surroundings, capture_output=True, check=False).returncode:
-            assert processes[-1].poll() is None and time.monotonic() < deadline_s, log.read_text()[-3000:]
-
+    master = PatientMaster(tmp_path_factory.mktemp("make_run"))
     try:
-        start("roscore", "-p", surroundings["ROS_MASTER_URI"].rpartition(":")[2])
-        for name, value in PATIENT.items():
-            wait_for("rosparam", "set", name, value)
-        start(str(REPOSITORY / "scripts" / "run"))
-        wait_for("rfn", "say", "Ping.")
-        yield surroundings
+        master.start(str(REPOSITORY / "scripts" / "run"))
+        master.wait_for("rfn", "say", "Ping.")
+        yield master.environment
     finally:
-        for process in reversed(processes):
-            end(process)
+        master.close()
 
 
 def without_make(text: str) -> str:
@@ -129,4 +158,10 @@ def test_page(page: Path, running: Dict[str, str], tmp_path: Path) -> None:
 
 def test_your_own_robot(tmp_path: Path) -> None:
     assert shutil.which("catkin_make", path=SYSTEM_PATH)
-    run_page(PAGES[-1], PAGES[-1].read_text(encoding="utf-8"), environment(), tmp_path)
+    folder = tmp_path / "master"
+    folder.mkdir()
+    master = PatientMaster(folder)
+    try:
+        run_page(PAGES[-1], PAGES[-1].read_text(encoding="utf-8"), master.environment, tmp_path)
+    finally:
+        master.close()

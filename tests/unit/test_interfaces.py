@@ -68,6 +68,7 @@ SUMS = {
     "roboframenet_msgs/StageEvent": "4737efc7f5e5bbb6fbd1c5736b40ebdf",
     "roboframenet_msgs/StandingOrder": "16998fd1acd6bafcc3682cabe78c2c92",
     "roboframenet_msgs/StandingOrders": "95d902e910c748b513b9b83b3b0d32d3",
+    "roboframenet_msgs/StoppedPlan": "8b51e0df2f86a7ce943c6840f8653875",
     "roboframenet_msgs/StopReport": "5c2bbe89a2e1a04d707f491c0ac31dd5",
     "roboframenet_msgs/TimeExpression": "63b35963cf0bd5db3a699e1df77d1eb2",
     "roboframenet_msgs/TriedFrame": "e47996af1a88dd8bb610e557c46241f3",

@@ -14,7 +14,7 @@ from collections import Counter
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Counter as CounterType
-from typing import Dict, List, Optional, Sequence, Tuple
+from typing import Dict, Iterable, Iterator, List, Optional, Sequence, Tuple
 
 from synthetic_speech import silence, speech, voices, with_noise, with_silence
 
@@ -49,6 +49,9 @@ PERSONS = "Alice Bob Anna"
 STOPS = ("stop", "stop now", "stop stop", "halt", "stop it", "please stop", "robot stop")
 SETTINGS = DialogueSettings()
 _STOPS = re.compile("stop|halt", re.IGNORECASE)
+_WORD = re.compile(r"[A-Za-z]{2,}")
+#: Seconds of talk, and sentences, after which the figures so far are printed: a run that is cut off still has some.
+PART_S, PART = 60.0, 120
 _MARKUP = re.compile(r"```.*?```|\|.*?\n|`[^`]*`|\[|\]\([^)]*\)|[#*_<>]", re.DOTALL)
 
 
@@ -209,37 +212,60 @@ def stops_heard(spotter: StopSpotter, count: int, snr_db: float) -> Tuple[int, i
     return heard, count
 
 
-def talk(seconds: float, folder: Path) -> bytes:
-    """Return talk that is not for the robot: sentences of the project's pages without a word that stops it."""
+def talk(seconds: float, folder: Path, *, are_short: bool = False) -> Iterator[bytes]:
+    """Yield talk that is not for the robot, a minute at a time: the project's pages without a word that stops it.
+
+    Args:
+        seconds: how long
+        folder: of the pages
+        are_short: phrases of at most six words with a pause behind each, in place of sentences
+    """
     text = " ".join(path.read_text(encoding="utf-8") for path in sorted(folder.glob("**/*.md")))
-    lines = [re.sub(r"\s+", " ", line).strip() for line in re.split(r"(?<=[.:;?!])\s", _MARKUP.sub(" ", text))]
-    lines = [line for line in lines if 2 <= len(line.split()) <= 25 and not _STOPS.search(line)]
+    ends = r"(?<=[.:;?!,])\s" if are_short else r"(?<=[.:;?!])\s"
+    lines = [re.sub(r"\s+", " ", line).strip() for line in re.split(ends, _MARKUP.sub(" ", text))]
+    fewest, most = (1, 6) if are_short else (2, 25)
+    lines = [one for one in lines if fewest <= len(_WORD.findall(one)) <= most and not _STOPS.search(one)]
     random.Random(1).shuffle(lines)
-    found: List[bytes] = []
+    part: List[bytes] = []
     total = 0.0
     for number, line in enumerate(lines * 20):
-        found.append(with_silence(speech(line, voices()[number % len(voices())]), before_s=0.1, after_s=0.7))
-        total += duration_s(found[-1])
+        part.append(with_silence(speech(line, voices()[number % len(voices())]), before_s=0.1, after_s=0.7))
+        total += duration_s(part[-1])
+        if total >= seconds or sum(map(len, part)) >= PART_S * RATE * 2:
+            yield b"".join(part)
+            part = []
         if total >= seconds:
-            break
-    return b"".join(found)
+            return
 
 
-def false_alarms(ears: Ears, spotter: StopSpotter, pcm: bytes) -> CounterType[str]:
-    """Count what a robot that always listens does with talk; nobody answers its questions."""
+def quiet(seconds: float) -> Iterator[bytes]:
+    """Yield silence, a minute at a time."""
+    for number in range(int(seconds / PART_S)):
+        yield silence(PART_S, seed=number)
+
+
+def false_alarms(ears: Ears, spotter: StopSpotter, parts: Iterable[bytes]) -> Iterator[CounterType[str]]:
+    """Count what a robot that always listens does with talk; nobody answers its questions. Yields after each part."""
     endpointer = Endpointer()
-    settings = DialogueSettings(always_listening=True)
     counts: CounterType[str] = Counter()
-    for one in endpointer.feed(pcm) + endpointer.finish():
+    for pcm in parts:
+        counts["seconds"] += round(duration_s(pcm))
+        _add_alarms(ears, spotter, endpointer.feed(pcm), counts)
+        yield counts
+
+
+def _add_alarms(ears: Ears, spotter: StopSpotter, found: Iterable[Utterance], counts: CounterType[str]) -> None:
+    settings = DialogueSettings(always_listening=True)
+    for one in found:
         counts["utterances"] += 1
         if one.end_s - one.begin_s <= LONGEST_S:
+            counts["short ones"] += 1
             counts["false stops"] += spotter.is_stop(one.pcm)
         state, _ = step(begin(settings), SpeechEnded(), 0.0, settings)
         state, actions = step(state, Understood(ears.hear(one.pcm)), 0.0, settings)
         counts["questions"] += isinstance(state, Confirming)
         moves = [a for a in actions if isinstance(a, Command) and a.frame not in settings.frames_without_motion]
         counts["motions"] += len(moves)
-    return counts
 
 
 def read_by_pipeline(ears: Ears, count: int) -> Tuple[int, List[str]]:
@@ -268,6 +294,7 @@ def main(argv: Optional[Sequence[str]] = None) -> int:
     parser.add_argument("--read", type=int, default=300, help="sentences that the pipeline reads")
     parser.add_argument("--stops", type=int, default=210)
     parser.add_argument("--talk-s", type=float, default=1200.0)
+    parser.add_argument("--phrases-s", type=float, default=600.0, help="of talk in phrases of at most six words")
     parser.add_argument("--silence-s", type=float, default=1200.0)
     arguments = parser.parse_args(argv)
     ears, spotter = turtlebot(), StopSpotter(model_dictionary())
@@ -279,8 +306,11 @@ def main(argv: Optional[Sequence[str]] = None) -> int:
     ):
         if not size:
             continue
-        count = Count()
-        Person(ears, spotter, snr_db, seed=7).talk(drawn(ears, size, seed=2026), count)
+        count, person, said = Count(), Person(ears, spotter, snr_db, seed=7), drawn(ears, size, seed=2026)
+        for at in range(0, size, PART):
+            person.talk(said[at : at + PART], count)
+            if at + PART < size:
+                print(f"  so far: {dict(count.outcomes)}, {count.wrong_motions} wrong motions", flush=True)
         late = sorted(count.seconds)
         print(
             f"{name:7} {count.total:4} {count.share('right'):5.1%} {count.share('choice'):6.1%} "
@@ -295,12 +325,18 @@ def main(argv: Optional[Sequence[str]] = None) -> int:
     if arguments.stops:
         heard, said = stops_heard(spotter, arguments.stops, 10.0)
         print(f"stops heard at 10 dB: {heard} of {said}", flush=True)
-    if arguments.talk_s:
-        sound = talk(arguments.talk_s, Path(__file__).resolve().parents[3])
-        print(f"{duration_s(sound):.0f} s of talk: {dict(false_alarms(ears, spotter, sound))}", flush=True)
-    if arguments.silence_s:
-        sound = silence(arguments.silence_s)
-        print(f"{duration_s(sound):.0f} s of silence: {dict(false_alarms(ears, spotter, sound))}", flush=True)
+    folder = Path(__file__).resolve().parents[3]
+    for what, seconds, parts in (
+        ("talk", arguments.talk_s, talk(arguments.talk_s, folder)),
+        ("short phrases", arguments.phrases_s, talk(arguments.phrases_s, folder, are_short=True)),
+        ("silence", arguments.silence_s, quiet(arguments.silence_s)),
+    ):
+        counts: CounterType[str] = Counter()
+        for number, counts in enumerate(false_alarms(ears, spotter, parts if seconds else ())):
+            if number % 5 == 4:
+                print(f"  {what} so far: {dict(counts)}", flush=True)
+        if seconds:
+            print(f"{what}: {dict(counts)}", flush=True)
     return 0
 
 

@@ -2,6 +2,10 @@
 
 At each instant it asks the tree from the root down, the first child first, until nothing changes any more; then it
 goes to the next instant at which something may change. Whoever is cancelled begins nothing more.
+
+What happens at the same instant has an order: of all parts that can go on, the first one in the tree goes on first. So
+when a branch decides, the branches before it end what they can end at that instant, and then the node around them goes
+on, before a later branch begins anything.
 """
 
 import math
@@ -182,13 +186,16 @@ class Interpreter:
         children = [Task(self, lambda inner, one=one: self.node(inner, one)) for one in part.children]
         verdict, succeeded, began_s = "", 0, self.now_s
         while any(child.end is None for child in children):
+            was = verdict
             for child in children:
                 if child.end is None and child.ask(task.is_cancelled or bool(verdict)) and not verdict:
                     succeeded += child.end == "succeeded"
                     is_enough = succeeded == (part.count or len(children))
                     verdict = child.end if child.end != "succeeded" or is_enough else ""
                     self.has_race |= bool(verdict) and self.now_s == began_s and len(children) > 1
-            if any(child.end is None for child in children):
+                if verdict != was:
+                    break  # The first ones end first.
+            if verdict == was and any(child.end is None for child in children):
                 yield
         return verdict
 

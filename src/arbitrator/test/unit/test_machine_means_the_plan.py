@@ -39,6 +39,7 @@ from typed_arguments import FilledFrame
 
 DEEPEST = 4
 KINDS = "do sequence fallback parallel any_order if until for while repeat wait"
+OUTCOMES = st.sampled_from(("succeeded", "succeeded", "succeeded", "aborted", "preempted"))
 
 
 @pytest.fixture(autouse=True, scope="module")
@@ -62,8 +63,10 @@ def _primes():
 class Draw:
     """Draws the parts of a case. No two times, nor sums of times, are equal: at each instant one thing happens."""
 
-    def __init__(self, draw):
+    def __init__(self, draw, kinds=KINDS, *, is_plain=False):
+        """`is_plain`: without conditions, limits and endless repetitions, and everything succeeds."""
         self.draw = draw
+        self.kinds, self.is_plain = kinds, is_plain
         self.primes = _primes()
         self.names = 0
         self.world = World({}, {})
@@ -79,14 +82,14 @@ class Draw:
         return f"{kind}{self.names}"
 
     def limit(self):
-        return Limit(self.time(10)) if self.chance(5) else Limit()
+        return Limit(self.time(10)) if not self.is_plain and self.chance(5) else Limit()
 
     def frame(self):
         name = self.name("f")
         self.world.attempts[name] = tuple(
             Attempt(
                 self.time(5),
-                self.draw(st.sampled_from(("succeeded", "succeeded", "succeeded", "aborted", "preempted"))),
+                "succeeded" if self.is_plain else self.draw(OUTCOMES),
                 cancel_s=0.0 if self.chance(2) else self.time(1),
                 heeds_cancel=not self.chance(6),
             )
@@ -137,9 +140,7 @@ class Draw:
         )
 
     def plan(self, level=0):
-        kinds = (
-            "do wait" if level >= DEEPEST else "do sequence fallback parallel any_order if until for while repeat wait"
-        )
+        kinds = "do wait" if level >= DEEPEST else self.kinds
         kind = self.draw(st.sampled_from(kinds.split()))
         label = self.name(kind)
         if kind == "do":
@@ -150,7 +151,8 @@ class Draw:
             return Fallback(label, self.children(level), self.limit())
         if kind == "parallel":
             children = self.children(level)
-            return InParallel(label, children, self.draw(st.integers(0, len(children))), self.limit())
+            count = 0 if self.is_plain else self.draw(st.integers(0, len(children)))
+            return InParallel(label, children, count, self.limit())
         if kind == "any_order":
             children = self.children(level)
             after = self.after(len(children))
@@ -165,19 +167,19 @@ class Draw:
         if kind == "while":
             return While(label, self.condition(may_begin=False), self.plan(level + 1), self.limit())
         if kind == "repeat":
-            count = self.draw(st.integers(0, 3))
+            count = self.draw(st.integers(int(self.is_plain), 3))
             most = self.draw(st.sampled_from((0, count, count + 2)))
             return Repeat(
                 label, self.plan(level + 1), count, most, self.time(4) if self.chance(3) else 0.0, self.limit()
             )
-        if self.chance(3):
+        if self.is_plain or self.chance(3):
             return Wait(label, None, self.time(5), self.limit())
         return Wait(label, self.condition(may_begin=True), limit=self.limit())
 
 
 @st.composite
-def cases(draw):
-    drawing = Draw(draw)
+def cases(draw, kinds=KINDS, *, is_plain=False):
+    drawing = Draw(draw, kinds, is_plain=is_plain)
     plan = drawing.plan()
     drawing.world.preempt_s = drawing.time(40)
     return plan, drawing.world

@@ -12,6 +12,7 @@ from dataclasses import dataclass, field
 from typing import Callable, Dict, List, Tuple
 
 import smach
+from arbitrator.node_runs import NodeEvent
 from arbitrator.scopes import Clock
 from arbitrator.state_machine import OUTCOMES, build_state_machine
 from arbitrator.watching import Observation
@@ -186,8 +187,17 @@ class ScriptedStep(smach.State):
 class Stage:
     """Runs a plan in a world, and writes down what happens."""
 
-    def __init__(self, plan, world: World, clock: Clock, *, longest_wait_s: float = 1000.0) -> None:
+    def __init__(
+        self,
+        plan,
+        world: World,
+        clock: Clock,
+        *,
+        longest_wait_s: float = 1000.0,
+        also_observe: Callable[[NodeEvent], None] = lambda event: None,
+    ) -> None:
         self.clock = clock
+        self._also_observe = also_observe
         self.world = world
         self.log: List[Tuple[float, str]] = []
         self.running: List[str] = []
@@ -222,6 +232,7 @@ class Stage:
     def observe(self, event) -> None:
         ending = f"{event.outcome} by {event.ended_by.value}" if event.outcome else "begins"
         self.write(f"{event.number} {ending}")
+        self._also_observe(event)
 
     def carry_out(self, name: str, rank: int, scope) -> str:
         scope.tick()

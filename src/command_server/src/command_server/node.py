@@ -6,12 +6,11 @@ Callbacks only enqueue; one worker thread owns the commands.
 import threading
 import time
 import uuid
-from collections import deque
 from dataclasses import replace
-from typing import Deque, Dict, Tuple, Union
+from typing import Dict, Tuple, Union
 
 import rospy
-from roboframenet_msgs.msg import Command, OrderDue, Reply, StageEvent, StopReport
+from roboframenet_msgs.msg import OrderDue, Reply, StageEvent, StoppedPlan, StopReport
 from std_msgs.msg import String
 
 from command_server.command_behind import command_behind
@@ -30,20 +29,22 @@ from command_server.open_commands import (
     refusal_of_text,
     stamp_after,
 )
+from command_server.orders_back import FORGET_THAT
 from command_server.pending_stops import PendingStops
 from command_server.ros_cancel_topic import CancelTopic
 from command_server.ros_command_action import CommandActionServer
 from command_server.ros_events import Braking, GoalCancelled, Said
+from command_server.ros_going_on import StoppedPlans
 from command_server.ros_left_over import EXECUTOR_TIMEOUT_S, LeftOver
-from command_server.ros_messages import command_to_message, ending_of_event, reply_of_stopped
+from command_server.ros_messages import ending_of_event, reply_of_stopped
 from command_server.ros_open_commands import OpenCommandStore
 from command_server.ros_orders_due import OrdersDue
 from command_server.ros_replies import Replies
+from command_server.ros_texts_out import TextsOut
 from command_server.settings import Settings
 from command_server.stop_words import find_cry
 from command_server.withdrawals import Withdrawals, is_against_what_runs
 from roboframenet_ros.health import Health
-from roboframenet_ros.ros_robots import own_robot
 from roboframenet_ros.suspension import SuspensionWatch
 from robot_stop.braking import Finding, StopOrder
 from robot_stop.ros_brake import Brake, Braked
@@ -64,15 +65,15 @@ _FLUSH_S = 0.1
 _RESTART_KEY = "restart"
 
 
-_Event = Union[Said, GoalCancelled, StageEvent, StopReport, OrderDue, Braked, Finding, None]
+_Event = Union[Said, GoalCancelled, StageEvent, StopReport, OrderDue, StoppedPlan, Braked, Finding, None]
 
 
 class CommandServerNode:
     """Owns the commands.
 
-    Subscribes: ``text``, ``stage_events``, ``stop_report``, ``order_due``. Publishes: ``command_text``, ``reply``,
-    ``command_cancel``, ``command_plan``, ``status``, ``command_server_started`` (latched), ``text_taken``, and what a
-    `Brake` does. Actions: ``command``.
+    Subscribes: ``text``, ``stage_events``, ``stop_report``, ``order_due``, ``stopped_plan``. Publishes:
+    ``command_text``, ``reply``, ``command_cancel``, ``command_plan``, ``status``, ``command_server_started`` (latched),
+    ``text_taken``, and what a `Brake` does. Actions: ``command``.
     """
 
     def __init__(self, settings: Settings, brake_settings: BrakeSettings, *, private: str = "~") -> None:
@@ -83,7 +84,6 @@ class CommandServerNode:
             private: prefix of its private names
         """
         self._settings = settings
-        self._robot = own_robot()
         self._brake_settings = brake_settings
         self._commands = OpenCommands(settings.stage_timeouts_s)
         self._stops = PendingStops(timeout_s=settings.stop_timeout_s)
@@ -92,7 +92,6 @@ class CommandServerNode:
         self._withdrawals = Withdrawals(timeout_s=settings.cancel_timeout_s)
         self._store = OpenCommandStore(private + "open_commands")
         self._saved: Tuple[CommandText, ...] = ()
-        self._unsent: Deque[CommandText] = deque()
         self._run_tag = uuid.uuid4().hex[:8]
         self._text_count = 0
         self._last_stamp_ns = 0
@@ -100,8 +99,9 @@ class CommandServerNode:
         self._suspension = SuspensionWatch(longest_turn_s=_LONGEST_TURN_S)
         self._worker = threading.Thread(target=self._work, name="command_server_worker")
 
-        self._command_text = rospy.Publisher("command_text", Command, queue_size=1000)
+        self._texts = TextsOut()
         self._orders_due = OrdersDue(self._commands)
+        self._stopped_plans = StoppedPlans(self._commands, on_declined=self._conclude)
         self._cancels = CancelTopic()
         self._replies = Replies()
         self._brake = Brake(brake_settings, on_braked=self._events.put, on_finding=self._events.put)
@@ -127,6 +127,7 @@ class CommandServerNode:
             rospy.Subscriber("stage_events", StageEvent, self._events.put),
             rospy.Subscriber("stop_report", StopReport, self._events.put),
             rospy.Subscriber("order_due", OrderDue, self._events.put),
+            rospy.Subscriber("stopped_plan", StoppedPlan, self._events.put),
             rospy.Subscriber("text", String, lambda message: self._events.put(Said(message.data, _now_ns()))),
         ]
         self._replies.tell_start()
@@ -172,7 +173,7 @@ class CommandServerNode:
             self._stop_in_place()
             for command in self._follow_ups.take_due():
                 self._commands.begin(command)
-                self._unsent.append(command)
+                self._texts.add(command)
             for ending in self._withdrawals.take_overdue():
                 self._conclude(ending)
             if self._left_over.take_brake(is_executor_connected=self._cancels.is_heard):
@@ -180,7 +181,7 @@ class CommandServerNode:
             for ending in self._left_over.take_answers():
                 self._answer(ending)
             self._save()
-            self._send()
+            self._texts.send()
             self._replies.publish_status(self._commands.open_commands)
 
     def _handle(self, event: _Event) -> None:
@@ -196,6 +197,8 @@ class CommandServerNode:
             ending = self._orders_due.begin(event, stop_stamp_ns=self._last_stop_ns)
             if ending is not None:
                 self._conclude(ending)
+        elif isinstance(event, StoppedPlan):
+            self._stopped_plans.hear(event)
         elif isinstance(event, Braked):
             if event.order.key in self._brakings:
                 self._brakings[event.order.key] = Braking(braked=event)
@@ -217,7 +220,10 @@ class CommandServerNode:
         )
         rospy.loginfo("cmd=%s heard %r", command_id, command.text)
         cry = find_cry(said.text)
-        if cry is not None:
+        if not self._commands.open_commands and self._replies.are_taken_back_by(said.text):
+            self._commands.open(command)
+            self._texts.add(replace(command, text=FORGET_THAT))
+        elif cry is not None:
             # Of a text that was cut, the rest is no command.
             self._hear_stop(
                 command,
@@ -231,9 +237,9 @@ class CommandServerNode:
             self._answer_at_once(
                 command, Outcome.FAILED, code="STAGE_ERROR", sentence="Too many commands are waiting already."
             )
-        else:
+        elif not self._stopped_plans.takes(command):
             self._commands.open(command)
-            self._unsent.append(command)
+            self._texts.add(command)
             self._replies.note(f"Heard {command.text!r}.")
 
     def _hear_stop(self, command: CommandText, *, behind: str, is_action: bool, heard_s: float) -> None:
@@ -296,6 +302,7 @@ class CommandServerNode:
         if entry is None:
             return
         self._cancels.cancel(entry.command)
+        self._stopped_plans.going_on.hear_cancelled(command_id)
         if entry.may_have_started:
             # The executor ends it when the robot has stopped; its deadline still holds.
             return
@@ -313,6 +320,8 @@ class CommandServerNode:
             self._replies.note(event.sentence)
             return
         ending = replace(ending_of_event(event), command=entry.command)
+        if not entry.may_have_started:
+            ending = self._stopped_plans.going_on.asked(ending, stop_stamp_ns=self._last_stop_ns)
         if entry.verdict is not None or not self._withdraw(ending):
             self._conclude(ending)
 
@@ -412,7 +421,7 @@ class CommandServerNode:
             self._conclude(held)
 
     def _publish_reply(self, ending: Ending) -> None:
-        self._unsent = deque(command for command in self._unsent if command != ending.command)
+        self._texts.drop(ending.command.command_id)
         self._action.finish(self._replies.publish(ending), command_id=ending.command.command_id)
 
     def _save(self) -> None:
@@ -420,11 +429,6 @@ class CommandServerNode:
         if commands != self._saved:
             self._store.save(commands)
         self._saved = commands
-
-    def _send(self) -> None:
-        # A message that is published before the parser has connected would be lost; its deadline runs meanwhile.
-        while self._unsent and self._command_text.get_num_connections() > 0:
-            self._command_text.publish(command_to_message(self._unsent.popleft(), robot=self._robot))
 
     def _answer_all_at_shutdown(self) -> None:
         open_commands = self._commands.open_commands

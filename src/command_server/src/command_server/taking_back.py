@@ -137,6 +137,16 @@ def tells_to_go_on(text: str) -> bool:
         # More than one thing may be said after a pause, an "and" or a "not".
         if activity.endswith("ing") and activity not in NO_ACTIVITIES and not _ENDS_ACTIVITY & set(behind):
             return True
+    return _asks_to_go_on(words, front)
+
+
+def asks_to_go_on(text: str) -> bool:
+    """Whether an utterance says to go on, and not with what: "go on", "carry on as before", but not "keep driving"."""
+    words = [token.word for token in tokens_of(plain_text(text)[1])]
+    return _asks_to_go_on(words, _behind(words, 0, phrases=_INTRODUCTIONS, fillers=_PAUSES | SOFT | FILLERS))
+
+
+def _asks_to_go_on(words: Sequence[str], front: int) -> bool:
     going_on = _phrase_at(words, front, GOING_ON)
     if going_on is None:
         return False

@@ -15,11 +15,15 @@ import rostest
 from actionlib_msgs.msg import GoalStatus
 from roboframenet_msgs.msg import (
     Command,
+    CommandPlan,
     CommandStatus,
     ExecuteCommandAction,
     ExecuteCommandGoal,
+    Plan,
+    PlanNode,
     Reply,
     StageEvent,
+    StoppedPlan,
     StopReport,
 )
 from std_msgs.msg import String
@@ -244,6 +248,48 @@ class CommandServerNodeTest(unittest.TestCase):
 
     def active_texts(self):
         return [command.text for status in self.statuses[-1:] for command in status.active]
+
+    def test_stopped_plan_goes_on_after_a_question_and_a_yes(self):
+        plans = []
+        stopped = rospy.Publisher("stopped_plan", StoppedPlan, queue_size=10)
+        planned = rospy.Subscriber("command_plan", CommandPlan, plans.append)
+        wait_until(lambda: stopped.get_num_connections() == 1 and planned.get_num_connections() == 1)
+        self.addCleanup(planned.unregister)
+        self.addCleanup(stopped.unregister)
+        self.say("silent until the stop")
+        wait_until(lambda: [c for c in self.heard if c.text == "silent until the stop"])
+        command = next(c for c in self.heard if c.text == "silent until the stop")
+        self.say("Halt!")
+        self.report_stop("of_a_stop", "Halt!")
+        self.fence()
+        plan = Plan(nodes=[PlanNode(kind=PlanNode.DO, label="wave")])
+        stopped.publish(StoppedPlan(command=command, plan=plan, said='"wave"'))
+        self.fence()
+        for text in ("Go on.", "Carry on."):
+            self.say(text)
+            asked = self.wait_for_reply(text)
+            self.assertEqual((Reply.NEEDS_INFORMATION, "CONFIRM"), (asked.outcome, asked.code))
+            self.assertTrue(asked.sentence.endswith('Shall I go on with "wave"?'), asked.sentence)
+            self.say("Yes." if text == "Carry on." else "fence, and no answer")
+        wait_until(lambda: plans)
+        self.assertEqual((plans[0].command.text, plans[0].plan.nodes[0].label), ("Yes.", "wave"))
+        self.send_event(plans[0].command, "executor", is_final=True)
+        self.assertEqual(self.wait_for_reply("Yes.").stage, "executor")
+        self.assertFalse([c for c in self.heard if c.text == "Yes."])
+
+    def test_forget_that_right_after_an_order_is_no_stop(self):
+        self.say("an order is given")
+        self.wait_for_reply("an order is given")
+        # The reply of the stage that keeps orders.
+        self.say("silent order")
+        wait_until(lambda: [c for c in self.heard if c.text == "silent order"])
+        order = next(c for c in self.heard if c.text == "silent order")
+        self.send_event(order, "standing_orders", is_final=True, sentence="I will wave at noon.")
+        self.wait_for_reply("silent order")
+        self.say("Oh, forget it!")
+        reply = self.wait_for_reply("Oh, forget it!")
+        self.assertEqual((Reply.DONE, "executor"), (reply.outcome, reply.stage))
+        self.assertTrue([c for c in self.heard if c.text == "Forget that."])
 
     def test_prohibition_ends_what_runs_and_says_so(self):
         command = self.run_in_executor("hang in the executor, forbidden")

@@ -11,14 +11,15 @@ from dataclasses import dataclass
 from typing import Dict, FrozenSet, Optional, Set, Union
 
 import rospy
-from roboframenet_msgs.msg import Command, CommandPlan, StopReport, TriedFrame
+from roboframenet_msgs.msg import Command, CommandPlan, StoppedPlan, StopReport, TriedFrame
 
 import smach
 from arbitrator.plan import Do, Plan, walk
-from arbitrator.ros_messages import plan_from_message
+from arbitrator.rest_of_plan import Rest, said
+from arbitrator.ros_messages import plan_from_message, plan_to_message
 from arbitrator.state_machine import plan_label
 from executor import command_queue
-from executor.command_queue import Beginning, CommandKey, CommandQueue, Order, Preempt, Start, Step, Supersede
+from executor.command_queue import Beginning, Cause, CommandKey, CommandQueue, Order, Preempt, Start, Step, Supersede
 from executor.goal_tracking import GoalDeadlines
 from executor.patience import Patience
 from executor.quarantine import Quarantine
@@ -40,6 +41,7 @@ from executor.ros_server_profiles import ServerProfiles
 from executor.ros_tried_frames import tried_frame
 from roboframenet_ros.health import Health, Level
 from roboframenet_ros.parameters import Parameters, parameter
+from roboframenet_ros.ros_hand_over import HandOver
 from roboframenet_ros.ros_node import read_parameters, run_node
 from roboframenet_ros.ros_place import Place
 from roboframenet_ros.ros_stage import Stage
@@ -154,7 +156,7 @@ class ExecutorNode:
     """Carries out plans.
 
     Subscribes: ``command_plan``, ``command_cancel``, ``stop_report``, ``frame_servers``. Publishes: ``stage_events``,
-    ``tried_frames``. Calls the action servers that the plans name.
+    ``stopped_plan``, ``tried_frames``. Calls the action servers that the plans name.
     """
 
     def __init__(self, settings: Settings, *, private: str = "~") -> None:
@@ -179,6 +181,7 @@ class ExecutorNode:
         self._next_event_s = 0.0
         self._inbox: queue.Queue[_Event] = queue.Queue()
         self._tried = rospy.Publisher("tried_frames", TriedFrame, queue_size=1000)
+        self._stopped = HandOver("stopped_plan", StoppedPlan)
         self._stage = Stage("executor")
         self._worker = threading.Thread(target=self._work, name="executor_worker")
 
@@ -291,6 +294,8 @@ class ExecutorNode:
             error=result.error,
             is_without_master=result.is_without_master,
         )
+        if cause is Cause.STOPPED:
+            self._offer(order.job.command, result.rest)
         self._end(order.job.command, ending)
         is_done = ending.outcome is ReplyOutcome.DONE
         self._follow(command_queue.finish(self._commands, command_id, is_done=is_done))
@@ -309,8 +314,15 @@ class ExecutorNode:
                 rospy.loginfo("cmd=%s is preempted: %s", action.order.key.command_id, action.cause.value)
                 self._runs[action.order.key.command_id].preempt()
             elif isinstance(action, Supersede):
+                if action.cause is Cause.STOPPED:
+                    self._offer(action.order.job.command, Rest(action.order.job.plan, said(action.order.job.plan)))
                 blocking = "" if action.blocking is None else plan_label(action.blocking.job.plan)
                 self._end(action.order.job.command, ending_of_unstarted(action.cause, blocking=blocking))
+
+    def _offer(self, command: Command, rest: Optional[Rest]) -> None:
+        """Tell what a stop has left undone: a person may say to go on with it."""
+        if rest is not None:
+            self._stopped.publish(StoppedPlan(command=command, plan=plan_to_message(rest.plan), said=rest.said))
 
     def _start_run(self, order: "Order[_Job]") -> None:
         rospy.loginfo("cmd=%s starts", order.key.command_id)

@@ -8,7 +8,9 @@ from typing import Callable, Dict, Optional, Tuple
 import rospy
 
 import smach
+from arbitrator.node_runs import NodeEvent
 from arbitrator.plan import Condition, Do, Plan, walk
+from arbitrator.rest_of_plan import Progress, Rest
 from arbitrator.scopes import Scope
 from arbitrator.state_machine import build_state_machine, plan_label
 from arbitrator.watching import Observation
@@ -39,12 +41,14 @@ class RunResult:
         records: what became of each node of the plan
         error: why the machine broke, empty if it did not
         is_without_master: whether it ended because the master is gone
+        rest: what was not done; None for nothing
     """
 
     outcome: str
     records: Tuple[NodeRecord, ...]
     error: str = ""
     is_without_master: bool = False
+    rest: Optional[Rest] = None
 
 
 class CommandRun:
@@ -95,6 +99,7 @@ class CommandRun:
         self._on_end = on_end
         self._introspection = introspection
         self._record = RunRecord(plan)
+        self._progress = Progress(plan)
         self._lock = threading.Lock()
         # What runs now, and since when; several frames at a time in branches of the plan.
         self._steps: Dict[FilledFrame, float] = {}
@@ -182,6 +187,10 @@ class CommandRun:
     def _watch(self, condition: Condition, on_observation: Callable[[Observation], None]) -> Callable[[], None]:
         return ConditionWatch(condition, on_observation, self._watches).close
 
+    def _observe(self, event: NodeEvent) -> None:
+        self._record.hear(event)
+        self._progress.hear(event)
+
     def _run(self) -> None:
         outcome, error = "", ""
         try:
@@ -189,7 +198,7 @@ class CommandRun:
                 self._plan,
                 self._make_step,
                 watch=self._watch,
-                observe=self._record.hear,
+                observe=self._observe,
                 longest_wait_s=self._longest_wait_s,
             )
             if self._is_preempt_asked.is_set():
@@ -200,7 +209,8 @@ class CommandRun:
             rospy.logerr("the machine broke: %s: %s", type(fault).__name__, fault)
             error = f"{type(fault).__name__}: {fault}"
         finally:
-            self._on_end(self, RunResult(outcome, self._record.records(), error, self._is_without_master))
+            result = RunResult(outcome, self._record.records(), error, self._is_without_master, self._progress.rest())
+            self._on_end(self, result)
             self._introspection.hide()
 
     def _show(self, machine: smach.Container) -> None:

@@ -21,6 +21,7 @@ from roboframenet_msgs.msg import (
     Reply,
     ServerProfile,
     StageEvent,
+    StoppedPlan,
     StopReport,
 )
 from smach_msgs.msg import SmachContainerStructure
@@ -260,6 +261,29 @@ class ExecutorNodeTest(unittest.TestCase):
         self.assertNotIn("two begins succeed", self.log)
         after = self.send([[frame("succeed", "two")]])
         self.assert_reply(after, Reply.DONE, "DONE")
+
+    def test_stop_tells_what_is_left(self):
+        offered = []
+        subscriber = rospy.Subscriber("stopped_plan", StoppedPlan, offered.append)
+        wait_until(lambda: subscriber.get_num_connections() == 1)
+        self.addCleanup(subscriber.unregister)
+        clauses = [
+            ("ping", [[frame("succeed", "one")]]),
+            ("run", [[frame("run", "one")]]),
+            ("wave", [[frame("succeed", "two")]]),
+        ]
+        command = self.send_clauses(*clauses)
+        self.wait_for_log("one begins run")
+        self.stops.publish(StopReport(stop_stamp=rospy.Time.now()))
+        self.assert_reply(command, Reply.SUPERSEDED, "STOPPED", 'I did "ping"')
+        wait_until(lambda: [one for one in offered if one.command.id == command.id])
+        (left,) = [one for one in offered if one.command.id == command.id]
+        self.assertEqual(left.said, '"run" and "wave"')
+        self.assertEqual([node.label for node in left.plan.nodes], ["do it all", "run", "wave"])
+        # What a newer command ends is over.
+        replaced = self.send([[frame("run", "one")]])
+        self.assert_reply(self.send([[frame("succeed", "two")]]), Reply.DONE, "DONE")
+        self.assertFalse([one for one in offered if one.command.id == replaced.id])
 
     def test_stop_while_the_server_does_not_accept(self):
         command = self.send([[frame("accept_late", "one", "60")]])

@@ -21,10 +21,13 @@ _ARTICLES = word_class("articles") | {"some"}
 class Verdict(Enum):
     """What became of a command.
 
-    RIGHT: the right frames in the right order, each slot in the right element with the right semantic type; or a
-        question where something lacks
-    WRONG: would be carried out with another frame, or with a slot in another element or none
-    ASKED: leads to a question; REFUSED: is refused; UNMAPPED: the mapping has no meaning for it
+    Attributes:
+        RIGHT: the right frames in the right order, each slot in the right element with the right semantic type; or a
+            question where something lacks
+        WRONG: would be carried out with another frame, or with a slot in another element or none
+        ASKED: leads to a question
+        REFUSED: is refused
+        UNMAPPED: the mapping has no meaning for it
     """
 
     RIGHT = "right"

@@ -139,8 +139,16 @@ def plan_goal(
     for name in known:
         if name in used:
             continue
-        fitting = [field for field in fields if field.name == name and field.path not in taken]
-        exact = [field for field in fitting if field.path == name] or fitting
+        fitting = [field for field in fields if name in (field.name, field.element) and field.path not in taken]
+        exact = (
+            [field for field in fitting if field.path == name]
+            or [field for field in fitting if "." not in field.path]
+            or fitting
+        )
+        if len(exact) == 1 and exact[0].filling is None:
+            # A message around one value, as of std_msgs.
+            inner = [field for field in fields if field.path.startswith(f"{exact[0].path}.")]
+            exact = inner if len(inner) == 1 else exact
         if len(exact) > 1:
             problems.append(f"the element '{name}' fits {' and '.join(field.path for field in exact)}: map one of them")
         elif exact and exact[0].filling is None:
@@ -321,7 +329,8 @@ def _argument_value(source: FieldSource, argument: TypedArgument, unit: str, loc
     """Return the value of a whole argument; its members and its measure need no second reading."""
     field = source.field
     if field.is_list and argument.members:
-        return [_argument_value_of_one(source, member, "", locate) for member in argument.members]
+        members = [_argument_value_of_one(source, member, "", locate) for member in argument.members]
+        return _of_length(source, members)
     if field.is_list:
         return _value(source, f"{argument.text} {unit}".strip(), locate=locate)
     return _argument_value_of_one(source, argument, unit, locate)
@@ -362,8 +371,16 @@ def _looked_up(source: FieldSource, words: str) -> str:
 def _value(source: FieldSource, words: str, *, locate: Callable[[str], Any]) -> Any:
     if source.field.is_list:
         items = [item.strip() for part in words.split(",") for item in part.split(" and ")]
-        return [_single(source, item, locate=locate) for item in items if item]
+        return _of_length(source, [_single(source, item, locate=locate) for item in items if item])
     return _single(source, words, locate=locate)
+
+
+def _of_length(source: FieldSource, values: List[Any]) -> List[Any]:
+    """Return the values of an array, if it may have so many."""
+    length = source.field.length
+    if length is not None and len(values) != length:
+        raise ArgumentError(f"it takes {length} values, not {len(values)}.")
+    return values
 
 
 def _single(source: FieldSource, words: str, *, locate: Callable[[str], Any]) -> Any:
@@ -395,17 +412,11 @@ def _integer(source: FieldSource, words: str) -> int:
 
 
 def _constant(field: GoalField, words: str, kind: type, otherwise: Any) -> Any:
-    """Return the constant that words name: "fast" is FAST, or SPEED_FAST in a field called speed."""
-    wanted = "_".join(words.upper().replace("-", " ").split())
-    for name in (wanted, f"{field.name.upper()}_{wanted}"):
-        value = field.constants.get(name)
-        if isinstance(value, kind) and not isinstance(value, bool):
-            return value
-    if otherwise is None and not _is_number(words):
-        offered = [name.lower().replace("_", " ") for name, value in field.constants.items() if isinstance(value, kind)]
-        if offered:
-            raise ArgumentError(f'"{words}" is none of {", ".join(offered)}.')
-    return otherwise
+    """Return the constant that words name; without one, what stands for it, or an error that names the constants."""
+    found = field.constant(words, kind)
+    if found is None and otherwise is None and field.choices and not _is_number(words):
+        raise ArgumentError(f'"{words}" is none of {", ".join(field.choices)}.')
+    return otherwise if found is None else found
 
 
 def _is_number(words: str) -> bool:

@@ -7,7 +7,7 @@ import genpy
 import roslib.message
 from geometry_msgs.msg import PoseStamped
 
-from rfnserver.goal_types import FILLING_OF_TYPE, PLACE_TYPES, Constant, Filling, GoalField
+from rfnserver.goal_types import FILLING_OF_TYPE, PLACE_TYPES, Constant, Filling, GoalField, base_type
 
 
 def is_action_type(candidate: Any) -> bool:
@@ -64,7 +64,7 @@ def fill(message: Any, values: Mapping[str, Any]) -> Any:
 
 def _converted(type_name: str, value: Any) -> Any:
     if isinstance(value, List):
-        return [_converted(type_name[:-2], item) for item in value]
+        return [_converted(base_type(type_name), item) for item in value]
     filling = FILLING_OF_TYPE[type_name]
     if filling is Filling.DURATION:
         return genpy.Duration.from_sec(value)

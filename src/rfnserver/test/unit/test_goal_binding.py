@@ -93,7 +93,7 @@ def test_values(mapping: Dict[str, Any], arguments: Dict[str, str], expected: Di
         ("order", "99999999999", "between"),
         ("distance", "far", "far"),
         ("distance", "1e400 metres", ""),
-        ("speed", "furious", "speed slow"),
+        ("speed", "furious", "none of slow, fast"),
         ("is_loud", "perhaps", "neither yes nor no"),
         ("pause", "three feet", "no duration"),
     ],
@@ -130,6 +130,47 @@ def test_a_name_that_fits_two_fields_has_to_be_mapped() -> None:
         plan_goal(fields, [BoundElement("speed", is_core=True)])
     plan = plan_goal(fields, [BoundElement("speed", is_core=True)], mapping={"second.speed": "speed"})
     assert [source.field.path for source in plan.sources] == ["second.speed"]
+
+
+@pytest.mark.parametrize(
+    "field, words, expected",
+    [
+        (GoalField("rgb", "int32[3]", {}), "1, 2 and 3", [1, 2, 3]),
+        (GoalField("patrolMode", "int8", {"MODE_FAST": 1, "MODE_VERY_SLOW": 2}), "very slow", 2),
+        (GoalField("state", "uint8", {"STATE_OPEN": 1, "LIMIT": 9}), "open", 1),
+        (GoalField("gripper_state", "uint8", {"OPEN_GRIPPER": 4}), "open", 4),
+    ],
+)
+def test_shapes_of_fields(field: GoalField, words: str, expected: Any) -> None:
+    plan = plan_goal([field], [BoundElement(field.element, is_core=True)])
+    typed = {field.element: TypedArgument(field.element, words)}
+    assert goal_values(plan, typed) == {field.path: expected}
+
+
+def test_array_of_another_length_is_refused() -> None:
+    plan = plan_goal([GoalField("rgb", "int32[3]", {})], [BoundElement("rgb", is_core=True)])
+    with pytest.raises(ArgumentError, match="takes 3 values, not 2"):
+        goal_values(plan, {"rgb": TypedArgument("rgb", "1 and 2")})
+
+
+@pytest.mark.parametrize(
+    "name, element",
+    [("holdTime", "hold_time"), ("maxRPMLimit", "max_rpm_limit"), ("speed_", "speed"), ("Arm2Name", "arm2_name")],
+)
+def test_elements_are_named_as_elements_are(name: str, element: str) -> None:
+    assert GoalField(f"limits.{name}", "string", {}).element == element
+    plan = plan_goal([GoalField(f"limits.{name}", "string", {})], [BoundElement(element, is_core=True)])
+    assert [source.field.path for source in plan.sources] == [f"limits.{name}"]
+
+
+def test_message_around_one_value_is_filled() -> None:
+    fields = (GoalField("height", "std_msgs/Float64", {}), GoalField("height.data", "float64", {}))
+    plan = plan_goal(fields, [BoundElement("height", is_core=True)])
+    assert [source.field.path for source in plan.sources] == ["height.data"]
+
+
+def test_goal_without_fields_fits_a_frame_without_elements() -> None:
+    assert plan_goal((), ()).sources == ()
 
 
 def test_core_elements_can_be_ignored_and_others_need_not_be_mapped() -> None:

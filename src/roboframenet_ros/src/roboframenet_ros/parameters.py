@@ -19,6 +19,8 @@ from typing import Any, Mapping, Optional, Tuple, Type, Union
 #: Suffixes of names, and how the error says the unit.
 _UNITS: Mapping[str, str] = {"s": " s", "hz": " Hz", "m": " m", "rad": " rad"}
 _RANGE = "range"
+#: Types of values, and how a person calls them; a bool is an int, too.
+_TYPES = ((bool, "bool"), (int, "int"), (float, "float"), (str, "string"), (tuple, "list of strings"))
 
 
 class ParameterError(ValueError):
@@ -120,6 +122,39 @@ def live_parameters(kind: "Type[Parameters]") -> Tuple[LiveParameter, ...]:
                 choices=tuple(member.value for member in members),
             )
         )
+    return tuple(found)
+
+
+@dataclass(frozen=True)
+class DeclaredParameter:
+    """What a person has to know of a parameter in order to set it; its meaning is in the docstring of its class.
+
+    Attributes:
+        name: of the parameter
+        type: "bool", "int", "float", "string" or "list of strings"
+        default: its value when it is not set, as the parameter server holds it
+        allowed: what it may be: "0.1 to 60", "own, service, launch"; empty for anything of its type
+        is_live: whether it can be changed while the node runs
+    """
+
+    name: str
+    type: str
+    default: Union[bool, int, float, str, Tuple[str, ...]]
+    allowed: str
+    is_live: bool
+
+
+def declared_parameters(kind: "Type[Parameters]") -> Tuple[DeclaredParameter, ...]:
+    """Return the parameters of a class, in their order."""
+    found = []
+    for declared in fields(kind):  # type: ignore[arg-type]  # subclasses are dataclasses
+        if is_parameter(declared):
+            default: Any = declared.default
+            allowed: _Range = declared.metadata[_RANGE]
+            choices = ", ".join(member.value for member in type(default)) if isinstance(default, enum.Enum) else ""
+            value = plain(default)
+            name = next(text for type_, text in _TYPES if isinstance(value, type_))
+            found.append(DeclaredParameter(declared.name, name, value, choices or str(allowed), allowed.is_live))
     return tuple(found)
 
 

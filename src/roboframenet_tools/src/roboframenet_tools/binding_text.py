@@ -13,11 +13,11 @@ _RESPONSE = (("success_field", "success"), ("text_field", "message"))
 
 def guessed_fields(fields: Sequence[GoalField], elements: Iterable[BoundElement]) -> Dict[str, str]:
     """Return the fields, by path, that elements of other names fill: a place, or the one that is left over."""
-    names = {field.name for field in fields}
+    names = {name for field in fields for name in (field.name, field.element)}
     left = [element for element in elements if element.name not in names]
     taken: Dict[str, str] = {}
     known = {element.name for element in elements}
-    free = [field for field in fields if field.filling is not None and field.name not in known]
+    free = [field for field in fields if field.filling is not None and not known & {field.name, field.element}]
     places = [field for field in free if field.filling is Filling.PLACE]
     wanted = [element for element in left if element.name in _PLACES]
     if len(places) == 1 and len(wanted) == 1:
@@ -80,7 +80,8 @@ def binding_text(
     except BindingError as error:
         fault = str(error)
         names = {element.name for element in elements}
-        filled = {**mapping, **{field.path: field.name for field in fields if field.name in names}}
+        alike = {field.path: one for field in fields for one in (field.element, field.name) if one in names}
+        filled = {**mapping, **alike}
         unfilled = tuple(field.path for field in fields if field.filling is not None and field.path not in filled)
     if filled or unfilled:
         lines.append("    fields:" if filled else "    fields: {}")

@@ -1,6 +1,6 @@
 """Elements of a frame for the goals of an action type."""
 
-from typing import Any, List, Tuple
+from typing import Any, List, Sequence, Tuple
 
 import roslib.message
 
@@ -40,29 +40,43 @@ def action_class(text: str) -> Tuple[Tuple[str, str], Any]:
 def elements_of(kind: Any) -> Tuple[Element, ...]:
     """Return an element for each field of a goal that words can fill; the first is core, and has examples.
 
+    A goal without fields gives a frame without elements.
+
     Raises:
         UnknownAction: words can fill no field
     """
-    fields = [field for field in fields_of(goal_type_of(kind)) if field.filling is not None]
-    if not fields:
+    everything = fields_of(goal_type_of(kind))
+    fields = [field for field in everything if field.filling is not None]
+    if everything and not fields:
         raise UnknownAction("words can fill no field of its goals: write a frame_callback (docs/porting.md)")
     words_first = sorted(fields, key=lambda field: field.filling not in (Filling.STRING, Filling.PLACE))
     elements: List[Element] = []
     for field in words_first:
-        if field.name not in [element.name for element in elements]:
-            elements.append(_element(field, is_first=not elements))
+        if field.element not in [element.name for element in elements]:
+            elements.append(_element(field, _choices(field, fields), is_first=not elements))
     return tuple(elements)
 
 
-def _element(field: GoalField, *, is_first: bool) -> Element:
-    is_number = field.filling in (Filling.INTEGER, Filling.FLOAT)
+def _choices(field: GoalField, fields: Sequence[GoalField]) -> Tuple[str, ...]:
+    """Return the words for the constants of a field; none if they may be those of another field of its message."""
+    holder = field.path.rpartition(".")[0]
+    others = [one for one in fields if one.filling is Filling.INTEGER and one.path.rpartition(".")[0] == holder]
+    return tuple(field.own_choices or (field.choices if len(others) == 1 else ()))
+
+
+def _element(field: GoalField, choices: Tuple[str, ...], *, is_first: bool) -> Element:
+    is_number = field.filling in (Filling.INTEGER, Filling.FLOAT) and not choices
     quantity = "number" if is_number else "duration" if field.filling is Filling.DURATION else ""
-    values = ("on", "off") if field.filling is Filling.BOOLEAN else ()
+    values = ("on", "off") if field.filling is Filling.BOOLEAN else choices
     if not is_first:
-        return Element(field.name, is_core=False, quantity=quantity, values=values, relations=())
+        return Element(field.element, is_core=False, quantity=quantity, values=values, relations=())
+    if choices:
+        texts = tuple(f"{start} to {choice}{end}" for start, choice, end in zip(_STARTS, choices, _ENDS))
+        relations = ("prep_to", "advmod", "dobj")
+        return Element(field.element, values=values, relations=relations, arguments=choices, examples=texts)
     if is_number:
         return Element(
-            field.name,
+            field.element,
             quantity=quantity,
             relations=("prep_to", "prep_by"),
             arguments=_NUMBERS,
@@ -71,7 +85,7 @@ def _element(field: GoalField, *, is_first: bool) -> Element:
     if field.filling is Filling.DURATION:
         texts = ("ten seconds", "two minutes", "an hour")
         return Element(
-            field.name,
+            field.element,
             quantity=quantity,
             relations=("measure",),
             arguments=texts,
@@ -79,13 +93,13 @@ def _element(field: GoalField, *, is_first: bool) -> Element:
         )
     if field.filling is Filling.BOOLEAN:
         return Element(
-            field.name,
+            field.element,
             values=values,
             relations=("prt", "advmod"),
             arguments=("on", "off"),
             examples=("{Verb} on.", "please {verb} off"),
         )
-    return Element(field.name)
+    return Element(field.element)
 
 
 _STARTS = ("{Verb}", "please {verb}", "Could you {verb}")

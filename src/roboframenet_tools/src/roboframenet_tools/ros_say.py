@@ -49,7 +49,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         type=float,
         default=10.0,
         metavar="SECONDS",
-        help="how long to wait for the master and the command server (default 10)",
+        help="how long to wait for the master, and again for the command server (default 10)",
     )
 
 
@@ -69,7 +69,8 @@ def run(arguments: argparse.Namespace) -> int:
     except rospy.ROSException as error:
         return _complain(f"no ROS master: {error}")
     client = actionlib.ActionClient("command", ExecuteCommandAction)
-    if not client.wait_for_server(rospy.Duration(max(_POLL_S, end - time.monotonic()))):
+    # The start of the node may have taken most of the time on a busy machine.
+    if not client.wait_for_server(rospy.Duration(max(_POLL_S, arguments.wait))):
         return _complain(f"no command server within {arguments.wait:g} s: is the pipeline up ('make run')?")
     arrived: queue.Queue[Union[Stage, Tuple[int, Reply]]] = queue.Queue()
 

@@ -44,7 +44,7 @@ class Ability:
     Attributes:
         name: of the frame
         verb: that evokes it, base form, with a particle if it has one
-        elements: of the frame, the one of the examples first
+        elements: of the frame, the one of the examples first; none for a frame that needs no words but its verb
         action: package and name of an action type ("nav_msgs", "GetMapAction"); None for a server of frames
         package: the catkin package; empty for a plain folder
 
@@ -114,7 +114,15 @@ def _said(text: str, verb: str) -> str:
 
 def _sentence(ability: Ability) -> str:
     """Return a sentence that asks for the ability."""
-    return _said(ability.elements[0].examples[0], ability.verb)
+    return _said(_examples(ability)[0][0], ability.verb)
+
+
+def _examples(ability: Ability) -> List[Tuple[str, str]]:
+    """Return the examples of the unit, each with the elements that it fills."""
+    if not ability.elements:
+        return [(text, "{}") for text in ("{Verb}.", "please {verb}", "Could you {verb}?")]
+    first = ability.elements[0]
+    return [(text, f"{{{first.name}: {argument}}}") for text, argument in zip(first.examples, first.arguments)]
 
 
 def _frame(ability: Ability) -> str:
@@ -129,7 +137,7 @@ def _frame(ability: Ability) -> str:
             words = element.name.replace("_", " ")
             question = f"What should I {ability.verb}?" if element == THEME else f"What is the {words}?"
             lines += [f"    question: {question}", f"    answer: {element.arguments[0]}"]
-    return templates.FRAME.format(name=ability.name, verb=ability.verb, elements="\n".join(lines))
+    return templates.FRAME.format(name=ability.name, verb=ability.verb, elements="\n".join(lines or ["  []"]))
 
 
 def _unit(ability: Ability) -> str:
@@ -141,18 +149,23 @@ def _unit(ability: Ability) -> str:
                 relations.append("    argument: phrase")
         else:
             relations.append(f"  # which words fill {element.name}? 'rfn explain' shows the relations of a sentence")
-    first = ability.elements[0]
     examples = [
-        f"  - text: {_said(text, ability.verb)}\n    frame_elements: {{{first.name}: {argument}}}"
-        for text, argument in zip(first.examples, first.arguments)
+        f"  - text: {_said(text, ability.verb)}\n    frame_elements: {filled}" for text, filled in _examples(ability)
     ]
     return templates.UNIT.format(
-        name=ability.name, verb=ability.verb, relations="\n".join(relations), examples="\n".join(examples)
+        name=ability.name,
+        verb=ability.verb,
+        relations="\n".join(relations or ["  []"]),
+        examples="\n".join(examples),
     )
 
 
 def _server(ability: Ability) -> str:
-    words = {"name": ability.name, "verb": ability.verb, "element": ability.elements[0].name}
+    words = {
+        "name": ability.name,
+        "verb": ability.verb,
+        "element": ability.elements[0].name if ability.elements else "",
+    }
     imports = ["import rospkg", "import rospy"] if ability.package else ["import rospy"]
     folder = 'os.path.join(os.path.dirname(os.path.realpath(__file__)), "..")'
     if ability.package:

@@ -104,6 +104,25 @@ def test_new_from_an_action_fills_its_fields(tmp_path):
     assert 'RFNServer("counting", FibonacciAction, execute_cb=execute' in server
 
 
+def test_new_from_an_action_without_fields_needs_no_elements(tmp_path):
+    words = ["new", "mapping", "--from-action", "nav_msgs/GetMap.action", "--package", str(tmp_path / "mapper")]
+    assert main(words) == 0
+    knowledge, checked = load_paths([str(tmp_path)])
+    assert find_problems(knowledge, checked) == []
+    assert knowledge.frames["mapping"].frame_elements == ()
+    (unit,) = [unit for unit in knowledge.lexicon.units if unit.frame_name == "mapping"]
+    assert [example.text for example in unit.examples] == ["Map.", "please map", "Could you map?"]
+
+
+def test_new_from_an_action_takes_constants_as_values(tmp_path):
+    words = ["new", "testing", "--from-action", "actionlib/TestRequest.action", "--folder", str(tmp_path)]
+    assert main(words) == 0
+    knowledge, _ = load_paths([str(tmp_path)])
+    elements = {element.name: element for element in knowledge.frames["testing"].frame_elements}
+    assert "aborted" in elements["terminate_status"].values
+    assert elements["the_result"].quantity is not None and not elements["the_result"].values
+
+
 def test_new_from_no_action_is_wrong_usage(tmp_path, capsys):
     words = ["new", "counting", "--folder", str(tmp_path), "--from-action"]
     assert main([*words, "actionlib_tutorials/Nothing.action"]) == 2

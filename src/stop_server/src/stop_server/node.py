@@ -11,9 +11,18 @@ from dataclasses import dataclass
 from typing import Dict, Optional, Sequence
 
 import rospy
-from roboframenet_msgs.msg import Command, ExecuteCommandActionGoal, Fleet, FrameServers, Reply, StopReport
+from roboframenet_msgs.msg import (
+    Command,
+    CommandStatus,
+    ExecuteCommandActionGoal,
+    Fleet,
+    FrameServers,
+    Reply,
+    StopReport,
+)
 from std_msgs.msg import Empty, String
 
+from command_server.orders_back import takes_order_back
 from command_server.stop_words import is_stop
 from roboframenet_ros.ros_node import read_parameters, run_node
 from roboframenet_ros.ros_publishing import publish
@@ -63,9 +72,10 @@ class _Told:
 class StopServerNode:
     """Stops the robot.
 
-    Subscribes: ``text``, ``command/goal``, ``frame_servers``, ``reply``, ``text_taken``, ``command_server_started``;
-    for a robot of a fleet also ``fleet_text``, ``fleet_command/goal``, ``fleet``. Publishes: ``stop_report``,
-    ``reply``, ``<server>/cancel`` of the action servers, zero velocity. Actions: ``stopping``.
+    Subscribes: ``text``, ``command/goal``, ``frame_servers``, ``reply``, ``status``, ``text_taken``,
+    ``command_server_started``; for a robot of a fleet also ``fleet_text``, ``fleet_command/goal``, ``fleet``.
+    Publishes: ``stop_report``, ``reply``, ``<server>/cancel`` of the action servers, zero velocity. Actions:
+    ``stopping``.
     """
 
     def __init__(self, settings: BrakeSettings) -> None:
@@ -78,6 +88,7 @@ class StopServerNode:
         self._told: Dict[str, _Told] = {}
         self._others = OtherAnswers()
         self._unheard = UnheardTexts()
+        self._status = CommandStatus()
         self._reply = rospy.Publisher("reply", Reply, queue_size=100)
         self._report = rospy.Publisher("stop_report", StopReport, queue_size=100)
         self._brake = Brake(settings, on_braked=self._report_stop, on_finding=self._report_finding)
@@ -90,6 +101,7 @@ class StopServerNode:
         self._brake.start()
         self._subscribers = [
             rospy.Subscriber("reply", Reply, self._hear_reply),
+            rospy.Subscriber("status", CommandStatus, self._hear_status),
             rospy.Subscriber("text", String, lambda message: self._hear(message.data, "")),
             rospy.Subscriber(
                 "command/goal",
@@ -119,11 +131,25 @@ class StopServerNode:
         self._frame.close(timeout_s=_JOIN_TIMEOUT_S)
 
     def _hear(self, text: str, command_id: str) -> None:
-        if is_stop(text):
+        if is_stop(text) and not self._takes_order_back(text):
             self._stop(_StopHeard(text=text, stamp=rospy.Time.now(), command_id=command_id))
         elif not command_id:
             with self._lock:
                 self._unheard.hear(text)
+
+    def _takes_order_back(self, text: str) -> bool:
+        status = self._status
+        last = status.last_reply
+        return takes_order_back(
+            text,
+            is_free=not status.active,
+            stage=last.stage,
+            outcome=last.outcome,
+            age_s=(rospy.Time.now() - last.stamp).to_sec(),
+        )
+
+    def _hear_status(self, status: CommandStatus) -> None:
+        self._status = status
 
     def _hear_shared(self, text: str) -> None:
         """Something was said to all robots: it may stop this one. Its reply is the business of others."""

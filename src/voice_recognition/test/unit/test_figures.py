@@ -10,7 +10,6 @@ import pytest
 sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
 
 import figures
-from synthetic_speech import silence
 
 from voice_recognition.ears import Ears
 from voice_recognition.recogniser import model_dictionary
@@ -57,7 +56,10 @@ def test_a_stop_is_heard_in_noise(spotter: StopSpotter) -> None:
 
 
 def test_talk_and_silence_move_nothing(ears: Ears, spotter: StopSpotter) -> None:
-    talk = figures.false_alarms(ears, spotter, figures.talk(1200.0, Path(__file__).resolve().parents[4]))
+    folder = Path(__file__).resolve().parents[4]
+    *_, talk = figures.false_alarms(ears, spotter, figures.talk(1200.0, folder))
     assert talk["utterances"] > 50 and talk["motions"] == 0 and talk["false stops"] <= 1
-    quiet = figures.false_alarms(ears, spotter, silence(1200.0))
+    *_, phrases = figures.false_alarms(ears, spotter, figures.talk(600.0, folder, are_short=True))
+    assert phrases["short ones"] > 100 and phrases["motions"] == 0 and phrases["false stops"] <= 1
+    *_, quiet = figures.false_alarms(ears, spotter, figures.quiet(1200.0))
     assert quiet["motions"] == quiet["false stops"] == 0

@@ -6,7 +6,6 @@ import hmac
 import json
 import time
 from dataclasses import dataclass, field
-from pathlib import Path
 from typing import Callable, Dict, Optional, Sequence, Set, Tuple, Union
 
 from tornado.httpserver import HTTPServer
@@ -15,27 +14,18 @@ from tornado.websocket import WebSocketClosedError, WebSocketHandler
 
 from web_console.access import host_pattern, is_token
 from web_console.outbox import Outbox
+from web_console.page_files import PageFile, read_page
 from web_console.rate_limit import Rate, RateLimit
 from web_console.requests import LONGEST_MESSAGE, BadRequest, Request, Stop, read_request
 
-#: Nothing from elsewhere, no script or style in the text, in no frame of another page.
+#: Beside the policy of `page_files`: in no frame of another page, and nothing told to another.
 HEADERS = {
-    "Content-Security-Policy": (
-        "default-src 'self'; base-uri 'none'; form-action 'none'; frame-ancestors 'none'; object-src 'none'"
-    ),
     "X-Content-Type-Options": "nosniff",
     "X-Frame-Options": "DENY",
     "Referrer-Policy": "no-referrer",
     "Cross-Origin-Opener-Policy": "same-origin",
     "Cross-Origin-Resource-Policy": "same-origin",
     "Cache-Control": "no-cache",
-}
-FOLDER = Path(__file__).resolve().parent / "page"
-_TYPES = {
-    ".html": "text/html; charset=utf-8",
-    ".css": "text/css; charset=utf-8",
-    ".js": "text/javascript; charset=utf-8",
-    ".svg": "image/svg+xml",
 }
 _COOKIE = "web_console"
 _PING_S = 20.0
@@ -88,7 +78,8 @@ class _Shared:
 
     settings: SiteSettings
     callbacks: Callbacks
-    files: Dict[str, Tuple[str, bytes]]
+    files: Dict[str, PageFile]
+    policy: str
     cookie: str
     pages: "Set[PageSocket]" = field(default_factory=set)
     pictures: Dict[str, bytes] = field(default_factory=dict)
@@ -108,12 +99,9 @@ class Site:
             settings: what is offered
             callbacks: what happens when a page asks
         """
-        files = {
-            path.name: (_TYPES[path.suffix], path.read_bytes()) for path in FOLDER.iterdir() if path.suffix in _TYPES
-        }
-        files[""] = files["index.html"]
+        files, policy = read_page()
         cookie = hmac.new(settings.token.encode(), b"web_console", hashlib.sha256).hexdigest()
-        self._shared = _Shared(settings, callbacks, files, cookie)
+        self._shared = _Shared(settings, callbacks, files, policy, cookie)
         now_s = time.monotonic()
         for name, rate in (("request", ALL_RATE), ("stop", STOP_RATE), ("token", _TOKEN_RATE)):
             self._shared.limits[name] = RateLimit(rate, now_s)
@@ -201,6 +189,7 @@ class _Guarded(RequestHandler):
         self.clear_header("Server")
 
     def prepare(self) -> None:
+        self.set_header("Content-Security-Policy", self.shared.policy)
         if _knows_token(self, self.shared):
             return
         said = self.get_query_argument("token", "")
@@ -223,13 +212,19 @@ class _File(_Guarded):
     """The files of the page."""
 
     def get(self, name: str) -> None:
-        kind, data = self.shared.files.get(name, ("", b""))
-        if not kind:
+        file = self.shared.files.get(name)
+        if file is None:
             self.set_status(404)
             self.finish("There is no such page.\n")
             return
-        self.set_header("Content-Type", kind)
-        self.finish(data)
+        self.set_header("Content-Type", file.kind)
+        self.set_header("Vary", "Accept-Encoding")
+        accepted = self.request.headers.get("Accept-Encoding", "")
+        if "gzip" in [one.partition(";")[0].strip() for one in accepted.split(",")]:
+            self.set_header("Content-Encoding", "gzip")
+            self.finish(file.packed)
+        else:
+            self.finish(file.data)
 
 
 class _Picture(_Guarded):

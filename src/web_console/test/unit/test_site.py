@@ -1,7 +1,10 @@
 """Each line of the table of dangers in the README, against the real server: sockets, headers, websockets."""
 
 import asyncio
+import base64
 import contextlib
+import gzip
+import hashlib
 import json
 import re
 import socket
@@ -10,8 +13,9 @@ import pytest
 from tornado.httpclient import AsyncHTTPClient, HTTPClientError, HTTPRequest
 from tornado.websocket import websocket_connect
 
+from web_console.page_files import FOLDER
 from web_console.requests import LONGEST_MESSAGE, Cancel, Say, Stop
-from web_console.site import FOLDER, MOST_PAGES, PAGE_RATE, Callbacks, Site, SiteSettings
+from web_console.site import MOST_PAGES, PAGE_RATE, Callbacks, Site, SiteSettings
 
 TOKEN = "0123456789abcdef"
 LIMIT_S = 20.0
@@ -171,6 +175,33 @@ def test_every_file_has_the_policy():
             assert answer.headers["Content-Security-Policy"].startswith("default-src 'self';")
             assert "unsafe" not in answer.headers["Content-Security-Policy"]
             assert answer.headers["X-Content-Type-Options"] == "nosniff"
+
+    with_console(test)
+
+
+def test_page_comes_with_its_style_and_asks_for_its_modules_at_once():
+    async def test(console):
+        text = (await console.fetch()).body.decode()
+        style = (FOLDER / "style.css").read_text(encoding="utf-8")
+        assert f"<style>{style}</style>" in text and "stylesheet" not in text
+        modules = {path.name for path in FOLDER.glob("*.js")} - {"main.js"}
+        assert set(re.findall(r'rel="modulepreload" href="(.*?)"', text)) == modules
+        digest = base64.b64encode(hashlib.sha256(style.encode()).digest()).decode()
+        policy = (await console.fetch()).headers["Content-Security-Policy"]
+        assert f"; style-src 'sha256-{digest}';" in policy
+
+    with_console(test)
+
+
+def test_files_are_compressed_for_those_that_can_read_it():
+    async def test(console):
+        name, plain = "/main.js", (FOLDER / "main.js").read_bytes()
+        url = f"http://127.0.0.1:{console.port}{name}"
+        packed = HTTPRequest(url, headers={"Accept-Encoding": "br, gzip;q=0.8"}, decompress_response=False)
+        answer = await AsyncHTTPClient().fetch(packed)
+        assert answer.headers["Content-Encoding"] == "gzip" and gzip.decompress(answer.body) == plain
+        answer = await AsyncHTTPClient().fetch(HTTPRequest(url, decompress_response=False))
+        assert "Content-Encoding" not in answer.headers and answer.body == plain
 
     with_console(test)
 

@@ -1,0 +1,42 @@
+"""Right after a standing order was given, "forget that" means the order. At any other time it stops the robot."""
+
+import pytest
+
+from command_server.open_commands import Outcome
+from command_server.orders_back import takes_order_back
+
+GIVEN = {"is_free": True, "stage": "standing_orders", "outcome": Outcome.DONE, "age_s": 2.0}
+
+
+@pytest.mark.parametrize(
+    "text", "Forget that.; forget it; Oh, forget it!; never mind; cancel that; Scratch that.".split("; ")
+)
+def test_takes_the_order_back(text):
+    assert takes_order_back(text, **GIVEN)
+
+
+@pytest.mark.parametrize(
+    "text", "Stop.; stop, forget it; Wait!; Halt!; Don't move!; hold on; enough; Go on.".split("; ")
+)
+def test_other_cries_stop(text):
+    assert not takes_order_back(text, **GIVEN)
+
+
+@pytest.mark.parametrize("text", ["Forget it, come back.", "forget it and go home", "forget it, stop!"])
+def test_another_command_behind_it_is_a_stop_and_that_command(text):
+    assert not takes_order_back(text, **GIVEN)
+
+
+@pytest.mark.parametrize(
+    "other",
+    [
+        {"is_free": False},
+        {"stage": "executor"},
+        {"stage": ""},
+        {"outcome": Outcome.REFUSED},
+        {"age_s": 61.0},
+        {"age_s": -5.0},
+    ],
+)
+def test_at_any_other_time_it_is_a_stop(other):
+    assert not takes_order_back("Forget that.", **{**GIVEN, **other})
