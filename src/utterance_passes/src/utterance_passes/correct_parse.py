@@ -112,6 +112,9 @@ def with_objects_of_vocatives(tree: DependencyTree, _: Vocabulary) -> Dependency
             edit.relabel(word.index, "obl")  # "follow behind Bob"
         elif determiners and min(child.index for child in determiners) > verb.index and not _has_object(tree, verb):
             edit.rehang(word.index, verb.index, "obj")
+        elif before.upos == "DET" and before.deprel == "obj" and before.head == word.head:
+            edit.rehang(word.index, verb.index, "obj")  # "follow that robot"
+            edit.rehang(before.index, word.index, "det")
         elif before.upos == "ADJ" and before.deprel in _NOMINAL and before.head and _has_determiner(tree, before):
             edit.rehang(word.index, before.head, before.deprel)
             edit.rehang(before.index, word.index, "amod")

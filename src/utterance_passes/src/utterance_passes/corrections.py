@@ -119,9 +119,12 @@ def _takes_back(tree: DependencyTree, vocabulary: Vocabulary, first: int, behind
     """
     if len(terms) > 1 or behind == len(tree.words):
         return len(terms) > 1 or tree.words[first - 1].upos not in _BEFORE_NO_EDITING_TERM
+    following = tree.words[behind]
+    if tree.words[first - 1].upos in ("DET", "ADP") and _is_verb(following, vocabulary):
+        # "Bring me the no bring me the cup": nobody says "the no", so the phrase breaks off.
+        return True
     if tree.words[first - 1].upos in _BEFORE_NO_EDITING_TERM:
         return False
-    following = tree.words[behind]
     is_determiner = following.upos in ("NOUN", "ADJ") or following.form.lower() in ("one", "body")
     if tree.words[behind - 1].form.lower() == "no" and is_determiner:
         before = tree.words[:first]
