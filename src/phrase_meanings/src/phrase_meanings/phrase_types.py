@@ -2,6 +2,7 @@
 
 from typing import Dict, Iterator, Sequence, Tuple
 
+from semantic_frames.semantic_type import with_parents
 from semantic_types import UNTYPED, Fit, Likelihoods, WordTypes
 from semantic_types.likelihood import UNLIKELY, combined, of_names, of_weights
 from utterance_passes.tree import DependencyTree, Word
@@ -21,6 +22,7 @@ _IN_NAMES = frozenset(["compound", "amod", "flat", "nummod", "nmod", "goeswith"]
 _LONGEST = 4
 _PERSON = of_names(["Human"])
 _QUANTITY = of_names(["Quantity"])
+_OPEN_TYPES = frozenset(["Physical_object", "Human"])
 _PERSON_OR_THING = of_weights({"Physical_object": 3.0, "Human": 1.0})
 #: A bare proper noun that no dictionary knows is rarely anything but a person; a capital makes it surer: "take Bill".
 _NAMED = of_names(["Human", "Location"])
@@ -65,8 +67,14 @@ class PhraseTypes:
         """
         key = (head, tuple(accepted))
         if key not in self._fits:
-            self._fits[key] = max(self.of(item).fit(accepted) for item in self.items(head))
+            self._fits[key] = max(self._fit(item, accepted) for item in self.items(head))
         return self._fits[key]
+
+    def _fit(self, item: int, accepted: Sequence[str]) -> Fit:
+        fit = self.of(item).fit(accepted)
+        is_open = fit is Fit.WRONG and self._tree.word(item).form.lower() in _PERSONS_OR_THINGS
+        # "Iron them": what they are was said before.
+        return Fit.UNKNOWN if is_open and any(with_parents(one) & _OPEN_TYPES for one in accepted) else fit
 
     def items(self, head: int) -> Tuple[int, ...]:
         """Return the heads of the items of a list; of any other phrase, its head."""
