@@ -95,7 +95,7 @@ DOMAINS: Dict[str, Dict[str, Skill]] = {
         "giving": handling.give,
         "giving_drink": handling.give_drink,
         "grasping": handling.grasp,
-        "lifting": handling.lift,
+        "lifting": handling.take,
         "locking": handling.portal("container_portal", "lock"),
         "lowering": handling.raise_thing("down"),
         "opening": handling.portal("container_portal", "open"),

@@ -28,16 +28,6 @@ def take(skills: Skills, frame: FilledFrame) -> None:
         skills.take(thing)
 
 
-def lift(skills: Skills, frame: FilledFrame) -> None:
-    """Lift things: the robot holds up what it can take, and raises the rest."""
-    near = argument(frame, "source") if said(frame, "source") else None
-    for one in skills.find_all(argument(frame, "theme"), "thing", "furniture", near=near):
-        if one.sort == "thing":
-            skills.take(one)
-        else:
-            skills.attempt("raise", theme=one.id, value="up")
-
-
 def grasp(skills: Skills, frame: FilledFrame) -> None:
     """Grasp a thing."""
     for thing in things(skills, frame, "entity", "source" if said(frame, "source") else "location"):
