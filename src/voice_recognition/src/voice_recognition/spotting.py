@@ -14,8 +14,8 @@ from voice_recognition.spoken_language import Words
 from voice_recognition.voice_words import voice_words
 from word_classes import word_class
 
-#: Seconds of the longest utterance that can be nothing but a stop.
-LONGEST_S = 2.0
+#: Seconds of the longest utterance that can be nothing but a stop: "stop stop", slowly.
+LONGEST_S = 1.6
 #: Share of the words of talk in the search.
 OTHER_SHARE = 0.02
 #: While the robot speaks, so many seconds of the stream are looked at, each time that so many have passed.
