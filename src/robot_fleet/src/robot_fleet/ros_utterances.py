@@ -3,7 +3,7 @@
 import time
 import uuid
 from dataclasses import dataclass, field
-from typing import Callable, Dict, List, Optional, Tuple
+from typing import Callable, Dict, List, Optional, Set, Tuple
 
 import rospy
 from roboframenet_msgs.msg import Command, Reply
@@ -39,6 +39,7 @@ class Utterances:
         self._settings, self._links, self._publish = settings, links, publish
         self._entries: Dict[str, _Entry] = {}
         self._sent: Dict[str, Tuple[str, Sending]] = {}
+        self._begun: Set[str] = set()
         self._dialogue = Dialogue()
         self._tag = uuid.uuid4().hex[:8]
         self._count = 0
@@ -97,8 +98,14 @@ class Utterances:
                 else:
                     self._take(entry, sending, missing_answer(sending.robot, "I cannot reach it.", "ROBOT_LOST"))
 
+    def hear_of(self, sent_id: str) -> None:
+        """A robot has begun what it was told."""
+        if sent_id in self._sent:
+            self._begun.add(sent_id)
+
     def hear(self, sent_id: str, reply: Reply) -> None:
         """A robot has answered."""
+        self._begun.discard(sent_id)
         whole_id, sending = self._sent.pop(sent_id, ("", None))
         entry = self._entries.get(whole_id)
         if entry is None or sending is None:
@@ -107,11 +114,18 @@ class Utterances:
         self._take(entry, sending, answer)
 
     def lose(self, robot: str) -> None:
-        """A robot has left: it answers nothing any more."""
+        """A robot has left: it answers nothing any more.
+
+        What it has not begun may still be on its way to it, and arrive when the network is back; so it is taken back.
+        """
         for sent_id, (whole_id, sending) in list(self._sent.items()):
             if sending.robot == robot:
                 del self._sent[sent_id]
                 sentence = "It is gone; I do not know how far it came."
+                if sent_id not in self._begun:
+                    self._links.cancel(robot, command_id=sent_id)
+                    sentence = "It is gone; I have taken that back."
+                self._begun.discard(sent_id)
                 self._take(self._entries[whole_id], sending, missing_answer(robot, sentence, "ROBOT_LOST"))
 
     def _take(self, entry: _Entry, sending: Sending, answer: Answer) -> None:
