@@ -19,7 +19,7 @@ from typed_arguments import TypedArgument
 SOURCES = Path(__file__).resolve().parents[2] / "src"
 DOMAINS = SOURCES / "roboframenet_domains" / "domains"
 GOING = DOMAINS / "navigation" / "frames" / "navigating_to_location.yaml"
-EXTENDING = DOMAINS / "pick_and_place" / "frames" / "extending_arm.yaml"
+ARMS = tuple(DOMAINS / "pick_and_place" / "frames" / f"{name}.yaml" for name in ("extending_arm", "retracting_arm"))
 BINDING = SOURCES / "frame_bindings" / "config" / "move_base.yaml"
 #: Relations that say the same to a robot that knows one pose for each place: it will be there.
 BEING_THERE = {"to", "into", "in", "at"}
@@ -51,10 +51,11 @@ def test_place_is_gone_to_or_the_relation_is_refused(relation: str) -> None:
         assert isinstance(found, Refusal) and f'"{words}"' in found.sentence
 
 
-@pytest.mark.parametrize("count", [*declared(EXTENDING, "limb", "counts"), 3])
-def test_number_of_arms_is_the_number_that_move(count: int) -> None:
+@pytest.mark.parametrize("path", ARMS, ids=lambda path: path.stem)
+@pytest.mark.parametrize("count", [*declared(ARMS[0], "limb", "counts"), 3])
+def test_number_of_arms_is_the_number_that_move(count: int, path: Path) -> None:
     argument = TypedArgument("limb", "arm", count=count, is_plural=count > 1, words=f"{count} arms")
-    found = outcome(EXTENDING, STATEMENTS["extending_arm"], argument)
+    found = outcome(path, STATEMENTS[path.stem], argument)
     if count in (1, 2):
         assert not isinstance(found, Refusal)
         assert len(named_arms(argument) or (Arm.RIGHT,)) == count
@@ -62,10 +63,11 @@ def test_number_of_arms_is_the_number_that_move(count: int) -> None:
         assert isinstance(found, Refusal) and '"3 arms"' in found.sentence
 
 
-@pytest.mark.parametrize("quantifier", [*declared(EXTENDING, "limb", "quantifiers"), "no", "another"])
-def test_quantifier_chooses_the_arms_or_is_refused(quantifier: str) -> None:
+@pytest.mark.parametrize("path", ARMS, ids=lambda path: path.stem)
+@pytest.mark.parametrize("quantifier", [*declared(ARMS[0], "limb", "quantifiers"), "no", "another"])
+def test_quantifier_chooses_the_arms_or_is_refused(quantifier: str, path: Path) -> None:
     argument = TypedArgument("limb", "arm", quantifier=quantifier, words=f"{quantifier} arm")
-    found = outcome(EXTENDING, STATEMENTS["extending_arm"], argument)
+    found = outcome(path, STATEMENTS[path.stem], argument)
     if quantifier in ("no", "another"):
         assert isinstance(found, Refusal) and f'"{quantifier} arm"' in found.sentence
         return
@@ -73,7 +75,8 @@ def test_quantifier_chooses_the_arms_or_is_refused(quantifier: str) -> None:
     assert len(named_arms(argument)) == (2 if quantifier in ("each", "every", "both", "all") else 0)
 
 
+@pytest.mark.parametrize("path", ARMS, ids=lambda path: path.stem)
 @pytest.mark.parametrize("noun", [*ARM_NOUNS, "leg"])
-def test_other_limbs_are_refused(noun: str) -> None:
-    found = outcome(EXTENDING, STATEMENTS["extending_arm"], TypedArgument("limb", noun, words=f"your {noun}"))
+def test_other_limbs_are_refused(noun: str, path: Path) -> None:
+    found = outcome(path, STATEMENTS[path.stem], TypedArgument("limb", noun, words=f"your {noun}"))
     assert isinstance(found, Refusal) is (noun == "leg")

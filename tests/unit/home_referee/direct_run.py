@@ -9,7 +9,7 @@ import sys
 from typing import Any, List, Tuple
 
 from home_servers.body import CannotDo, Interrupted
-from home_servers.frames import FRAMES
+from home_servers.frames import FRAMES, STATEMENTS
 from home_servers.skills import Skills
 from offline_pipeline.knowledge import load_knowledge, shipped_domains
 from offline_pipeline.pipeline import Pipeline
@@ -19,6 +19,7 @@ from roboframenet_sim.home_file import load_home_file
 from roboframenet_sim.home_floor import Floor
 from roboframenet_sim.home_state import NO_FAULTS, Faults
 from roboframenet_sim.home_truth import truth_of
+from semantic_frames.server_statement import stated_profile
 
 from .annotated import HOME_FILE
 from .commands import Command
@@ -65,7 +66,7 @@ class DirectRun:
     def __init__(self, *, speaker: str, seed: int = 0, faults: Faults = NO_FAULTS) -> None:
         knowledge = load_knowledge([shipped_domains()])
         for frame in FRAMES:
-            knowledge.graph.register(frame, "home")
+            assert knowledge.graph.register(frame, "home", stated_profile(STATEMENTS.get(frame, {}))) == ()
         self._pipeline = Pipeline(knowledge)
         self._speaker, self._seed, self._faults = speaker, seed, faults
         self._plan, self._state = load_home_file(HOME_FILE)

@@ -1,17 +1,15 @@
 """Which skill carries out which frame: one table for each domain."""
 
-from typing import Dict, Sequence
+import os
+from typing import Any, Dict, Mapping
+
+import yaml
 
 from home_servers import going, handling, housework, looking, talking
 from home_servers.skills import Skill
 
 #: Settings, and the devices that they are of.
 SETTINGS: Dict[str, str] = {"volume": "radio", "music": "radio", "temperature": "thermostat", "heat": "thermostat"}
-#: By frame, the elements that its skill does not heed; the robot asks before it leaves them out.
-UNHEEDED: Dict[str, Sequence[str]] = {
-    "moving_along_path": ("direction", "distance", "source", "manner"),
-    "photographing": ("direction", "place", "recipient"),
-}
 #: By domain and frame. A frame that the frame graph composes of others is here only where the graph drops an element.
 DOMAINS: Dict[str, Dict[str, Skill]] = {
     "aliveness": {"waiting": going.wait},
@@ -137,6 +135,9 @@ DOMAINS: Dict[str, Dict[str, Skill]] = {
 }
 #: By frame.
 FRAMES: Dict[str, Skill] = {frame: skill for skills in DOMAINS.values() for frame, skill in skills.items()}
+with open(os.path.join(os.path.dirname(os.path.realpath(__file__)), "statements.yaml"), encoding="utf-8") as _file:
+    #: By frame, what its server states when it registers; nothing for a frame that is missing.
+    STATEMENTS: Mapping[str, Mapping[str, Any]] = yaml.safe_load(_file)
 #: Frames that need no hand: what a robot without arms can do.
 WITHOUT_HANDS = frozenset(
     [

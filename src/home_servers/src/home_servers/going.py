@@ -5,6 +5,7 @@ from typing import Optional
 
 from home_servers.body import CannotDo
 from home_servers.memory import Known
+from home_servers.places import is_beside, is_inside
 from home_servers.skills import HEARERS, HERE, SPEAKERS, Skills, argument, said
 from typed_arguments import FilledFrame, TypedArgument
 
@@ -32,12 +33,16 @@ def goal_of(skills: Skills, frame: FilledFrame, element: str = "goal") -> Known:
 
 
 def navigate(skills: Skills, frame: FilledFrame) -> None:
-    """Drive to a place, a thing or a person."""
-    skills.go(goal_of(skills, frame).id)
+    """Drive into a room, or to the edge of a thing or a person."""
+    goal, relation = goal_of(skills, frame), argument(frame, "goal").relation
+    # Of rooms the robot knows only the inside, and it fits into no thing.
+    if is_beside(relation) if goal.sort == "room" else is_inside(relation):
+        raise CannotDo(f"I cannot go {relation.replace('_', ' ')} {goal.the_name}.")
+    skills.go(goal.id)
 
 
 def depart(skills: Skills, frame: FilledFrame) -> None:
-    """Drive out of a room, through the door that was named or the nearest."""
+    """Drive out of a room, to the hall or the nearest other room."""
     words = argument(frame, "source")
     here = skills.room_here()
     is_here = here is not None and (words.lemma or words.text).lower() in ROOMS
@@ -151,16 +156,18 @@ def wait(skills: Skills, frame: FilledFrame) -> None:
 
 
 def patrol(skills: Skills, frame: FilledFrame) -> None:
-    """Drive around an area three times, and look."""
-    area = skills.find(argument(frame, "ground"), "room", "furniture", "door")
+    """Drive to each of the areas three times, and look."""
+    areas = skills.find_all(argument(frame, "ground"), "room", "furniture", "door")
     for _ in range(3):
-        skills.go(area.id)
-        skills.attempt("look")
+        for area in areas:
+            skills.go(area.id)
+            skills.attempt("look")
 
 
-def dock(skills: Skills, _frame: FilledFrame) -> None:
+def dock(skills: Skills, frame: FilledFrame) -> None:
     """Drive to the charging station, and connect."""
-    station = skills.find(TypedArgument(text="charging station"), "furniture")
+    named = argument(frame, "station")
+    station = skills.find(named if named.text else TypedArgument(text="charging station"), "furniture")
     skills.go(station.id)
     skills.attempt("dock", theme=station.id)
 

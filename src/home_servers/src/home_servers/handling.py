@@ -1,7 +1,7 @@
 """Frames of taking, putting, giving, opening, switching and moving things."""
 
 import math
-from typing import Dict, List
+from typing import Dict, List, Optional
 
 from home_servers.body import CannotDo
 from home_servers.memory import Known
@@ -30,7 +30,7 @@ def take(skills: Skills, frame: FilledFrame) -> None:
 
 def grasp(skills: Skills, frame: FilledFrame) -> None:
     """Grasp a thing."""
-    for thing in things(skills, frame, "entity"):
+    for thing in things(skills, frame, "entity", "source" if said(frame, "source") else "location"):
         skills.take(thing)
 
 
@@ -66,7 +66,7 @@ def let_go(skills: Skills, frame: FilledFrame) -> None:
     theme, goal = argument(frame, "theme"), argument(frame, "goal")
     if theme.text:
         meant = [one.id for one in skills.memory.find(theme, "thing")]
-        held = [thing for thing in held if thing in meant]
+        held = [thing for thing in meant if thing in held]
     if not held:
         raise CannotDo(f"I do not hold {theme.text or 'anything'}.")
     for thing in held[:1]:
@@ -103,29 +103,30 @@ def serve(skills: Skills, frame: FilledFrame) -> None:
 
 def offer(skills: Skills, frame: FilledFrame) -> None:
     """Hold something out to somebody, who takes it."""
-    thing = things(skills, frame)[0]
-    skills.take(thing)
-    person = skills.person(argument(frame, "recipient"))
-    skills.say(f"{person.name}, would you like {thing.the_name}?")
-    skills.put(thing.id, person, "to")
+    for thing in things(skills, frame):
+        skills.take(thing)
+        person = skills.person(argument(frame, "recipient"))
+        skills.say(f"{person.name}, would you like {thing.the_name}?")
+        skills.put(thing.id, person, "to")
 
 
 def discard(skills: Skills, frame: FilledFrame) -> None:
-    """Put things into the bin."""
+    """Put things into the bin, or into what was named."""
+    goal = argument(frame, "goal") if said(frame, "goal") else TypedArgument(text="bin")
     for thing in things(skills, frame):
         skills.take(thing)
-        skills.put(thing.id, skills.find(TypedArgument(text="bin"), "furniture"), "into")
+        skills.put(thing.id, skills.find(goal, "furniture", "thing"), "into")
 
 
 def throw(skills: Skills, frame: FilledFrame) -> None:
     """Throw a thing, to somebody or away from the robot."""
-    thing = things(skills, frame)[0]
     whom = argument(frame, "recipient") if said(frame, "recipient") else argument(frame, "goal")
-    skills.take(thing)
-    target = skills.find(whom).id if whom.text else ""
-    if target:
-        skills.go(target, reach_m=2.5)
-    skills.attempt("throw", theme=thing.id, goal=target)
+    for thing in things(skills, frame):
+        skills.take(thing)
+        target = skills.find(whom).id if whom.text else ""
+        if target:
+            skills.go(target, reach_m=2.5)
+        skills.attempt("throw", theme=thing.id, goal=target)
 
 
 def stack(skills: Skills, frame: FilledFrame) -> None:
@@ -134,9 +135,8 @@ def stack(skills: Skills, frame: FilledFrame) -> None:
     least = 1 if said(frame, "goal") else 2
     found = skills.find_all(argument(frame, "theme"), "thing", near=near, least=least)
     if said(frame, "goal"):
-        goal = argument(frame, "goal")
         skills.take(found[0])
-        skills.put(found[0].id, goal_of(skills, goal), "on")
+        skills.put(found[0].id, goal_of(skills, argument(frame, "goal")), "on")
     for below, thing in zip(found, found[1:]):
         skills.take(thing)
         skills.put(thing.id, below, "on")
@@ -146,7 +146,15 @@ def portal(element: str, kind: str) -> Skill:
     """Return the skill that opens, closes, locks or unlocks what an element names."""
 
     def act(skills: Skills, frame: FilledFrame) -> None:
-        for one in skills.find_all(argument(frame, element), "door", "furniture", "thing"):
+        if said(frame, "key"):
+            skills.take(skills.find(argument(frame, "key"), "thing"))
+        whole = argument(frame, "containing_object")
+        words = argument(frame, element)
+        if whole.text:
+            # "The door of the cupboard" is opened with the cupboard; a room has a door of its own.
+            named = TypedArgument(element, f"{words.lemma or words.text} of {whole.text}")
+            words = named if skills.memory.find(named, "door", "furniture", "thing") else whole
+        for one in skills.find_all(words, "door", "furniture", "thing"):
             skills.attempt(kind, theme=one.id)
 
     return act
@@ -155,7 +163,11 @@ def portal(element: str, kind: str) -> Skill:
 def switch(skills: Skills, frame: FilledFrame) -> None:
     """Switch a device on or off, or to a level or a setting."""
     device, wanted = argument(frame, "device"), argument(frame, "operational_state")
-    one = skills.find(device, "furniture", "thing")
+    for one in skills.find_all(device, "furniture", "thing"):
+        _switch_one(skills, one, wanted)
+
+
+def _switch_one(skills: Skills, one: Known, wanted: TypedArgument) -> None:
     words = wanted.text.lower()
     if words in ("on", "off"):
         skills.attempt("switch", theme=one.id, value=words)
@@ -184,41 +196,61 @@ def level(change: float, names: "Dict[str, str]", element: str = "item") -> Skil
         element: that names the device or the setting
     """
 
+    sign = math.copysign(1.0, change)
+
     def act(skills: Skills, frame: FilledFrame) -> None:
-        item, value = argument(frame, element), argument(frame, "value")
+        item = argument(frame, element)
         wanted = names.get((item.lemma or item.text).lower())
-        one = skills.find(TypedArgument(text=wanted) if wanted else item, "furniture", "thing")
-        skills.go(one.id)
-        skills.attempt("look", theme=one.id)
-        one = skills.memory.get(one.id) or one
-        if value.text and any(word in value.text for word in ("minimum", "maximum")):
-            skills.attempt("switch", theme=one.id, amount=0.0 if "minimum" in value.text else 100.0)
-        else:
-            _change_level(skills, one, change)
+        by, to = _per_cent(argument(frame, "difference")), _per_cent(argument(frame, "value"))
+        for one in skills.find_all(TypedArgument(text=wanted) if wanted else item, "furniture", "thing"):
+            skills.go(one.id)
+            skills.attempt("look", theme=one.id)
+            if to is not None:
+                skills.attempt("switch", theme=one.id, amount=to)
+            else:
+                _change_level(skills, skills.memory.get(one.id) or one, change if by is None else by * sign)
 
     return act
+
+
+def _per_cent(argument: TypedArgument) -> Optional[float]:
+    """Return the level that was said ("30 percent", "the maximum"); None if none was.
+
+    Raises:
+        CannotDo: it is no number
+    """
+    if not argument.text:
+        return None
+    if "minimum" in argument.text or "maximum" in argument.text:
+        return 0.0 if "minimum" in argument.text else 100.0
+    number = argument.text.split()[0]
+    amount = argument.count if argument.count is not None else argument.si
+    if amount is None and not number.isdigit():
+        raise CannotDo(f'I do not know how much "{argument.text}" is.')
+    return float(number if amount is None else amount)
 
 
 def press(skills: Skills, frame: FilledFrame) -> None:
     """Press a button."""
     near = argument(frame, "place") if said(frame, "place") else None
-    skills.attempt("press", theme=skills.find(argument(frame, "entity"), "furniture", "thing", near=near).id)
+    for one in skills.find_all(argument(frame, "entity"), "furniture", "thing", near=near):
+        skills.attempt("press", theme=one.id)
 
 
 def restart(skills: Skills, frame: FilledFrame) -> None:
     """Switch a device off and on."""
     if not said(frame, "device"):
         raise CannotDo("I cannot restart myself.")
-    one = skills.find(argument(frame, "device"), "furniture", "thing")
-    skills.attempt("switch", theme=one.id, value="off")
-    skills.wait(2.0)
-    skills.attempt("switch", theme=one.id, value="on")
+    for one in skills.find_all(argument(frame, "device"), "furniture", "thing"):
+        skills.attempt("switch", theme=one.id, value="off")
+        skills.wait(2.0)
+        skills.attempt("switch", theme=one.id, value="on")
 
 
 def cancel(skills: Skills, frame: FilledFrame) -> None:
     """Switch an alarm off."""
-    one = skills.find(argument(frame, "activity"), "furniture", "thing")
-    skills.attempt("switch", theme=one.id, value="off")
+    for one in skills.find_all(argument(frame, "activity"), "furniture", "thing"):
+        skills.attempt("switch", theme=one.id, value="off")
 
 
 def rotate(skills: Skills, frame: FilledFrame) -> None:
@@ -229,23 +261,26 @@ def rotate(skills: Skills, frame: FilledFrame) -> None:
         amount = math.radians(float(angle.text))
     direction = argument(frame, "direction")
     sign = -1.0 if (direction.direction or direction.text) in ("right", "clockwise") else 1.0
-    skills.attempt("rotate", theme=skills.find(argument(frame, "theme")).id, amount=sign * amount)
+    for one in skills.find_all(argument(frame, "theme")):
+        skills.attempt("rotate", theme=one.id, amount=sign * amount)
 
 
 def push(way: str) -> Skill:
     """Return the skill that pushes ("forward"), pulls ("nearer") or slides a thing."""
 
     def act(skills: Skills, frame: FilledFrame) -> None:
-        thing = things(skills, frame)[0]
         goal, direction = argument(frame, "goal"), argument(frame, "direction")
         word = direction.direction or goal.direction or direction.text or goal.text
-        if goal.text and word not in _AWAY:
-            place = goal_of(skills, goal)
-            skills.go(thing.id)
-            relation = goal.relation if goal.relation in ("under", "behind", "in_front_of") else "beside"
-            _move_to(skills, thing, place, relation)
-            return
-        skills.attempt("push", theme=thing.id, value=word if word in _AWAY else way)
+        for thing in things(skills, frame):
+            if goal.text and word not in _AWAY:
+                place = goal_of(skills, goal)
+                skills.go(thing.id)
+                relation = goal.relation if goal.relation in ("under", "behind", "in_front_of") else "beside"
+                _move_to(skills, thing, place, relation)
+            elif word and word not in _AWAY:
+                raise CannotDo(f"I cannot move {thing.the_name} {word}.")
+            else:
+                skills.attempt("push", theme=thing.id, value=word or way)
 
     return act
 
@@ -266,27 +301,29 @@ def _move_to(skills: Skills, thing: Known, place: Known, relation: str) -> None:
 
 def detach(skills: Skills, frame: FilledFrame) -> None:
     """Unplug or detach something."""
-    skills.attempt("detach", theme=skills.find(argument(frame, "item")).id)
+    for one in skills.find_all(argument(frame, "item")):
+        skills.attempt("detach", theme=one.id)
 
 
 def attach(skills: Skills, frame: FilledFrame) -> None:
     """Plug something in, or attach it to something."""
-    item = skills.find(argument(frame, "item"))
     goal = argument(frame, "goal")
-    if not goal.text:
-        skills.attempt("attach", theme=item.id)
-        return
-    place = skills.find(goal)
-    skills.take(item)
-    skills.go(place.id)
-    skills.attempt("attach", theme=item.id, goal=place.id)
+    for item in skills.find_all(argument(frame, "item")):
+        if not goal.text:
+            skills.attempt("attach", theme=item.id)
+            continue
+        place = skills.find(goal)
+        skills.take(item)
+        skills.go(place.id)
+        skills.attempt("attach", theme=item.id, goal=place.id)
 
 
 def raise_thing(way: str) -> Skill:
     """Return the skill that raises or lowers something."""
 
     def act(skills: Skills, frame: FilledFrame) -> None:
-        skills.attempt("raise", theme=skills.find(argument(frame, "theme")).id, value=way)
+        for one in skills.find_all(argument(frame, "theme")):
+            skills.attempt("raise", theme=one.id, value=way)
 
     return act
 
@@ -294,7 +331,10 @@ def raise_thing(way: str) -> Skill:
 def arm(way: str) -> Skill:
     """Return the skill that extends or tucks the arm."""
 
-    def act(skills: Skills, _frame: FilledFrame) -> None:
+    def act(skills: Skills, frame: FilledFrame) -> None:
+        limb = argument(frame, "limb")
+        if limb.modifiers or limb.is_plural or (limb.count or 1) > 1:
+            raise CannotDo(f'I move one arm, and cannot choose "{limb.words or limb.text}".')
         skills.attempt("arm", value=way)
 
     return act
@@ -345,6 +385,6 @@ def load(skills: Skills, frame: FilledFrame) -> None:
             found = [one for one in skills.memory.all("thing") if one.is_a(category) and "dirty" in one.states]
     if not found:
         raise CannotDo(f"I have seen nothing to put into {machine.the_name}.")
-    for thing in found[:3]:
+    for thing in found:
         skills.take(thing)
         skills.put(thing.id, machine, "into")

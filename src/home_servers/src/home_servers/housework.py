@@ -50,11 +50,26 @@ def treat(treatment: str, element: str, tool_element: str = "instrument") -> Ski
         targets = targets_of(skills, argument(frame, element), treatment)
         tool = fetch_tool(skills, treatment, argument(frame, tool_element))
         for target in targets:
-            treat_one(skills, treatment, target, container=argument(frame, "container"))
+            if treatment == "mix" and said(frame, "container"):
+                _put_together(skills, target, argument(frame, "container"))
+            treat_one(skills, treatment, target, container=argument(frame, "container"), least_s=_duration_s(frame))
         if tool is not None and treatment == "sweep":
             skills.put_down(tool.id)
 
     return act
+
+
+def _put_together(skills: Skills, part: Known, container: TypedArgument) -> None:
+    """Put what is mixed into its container, unless it is there."""
+    vessel = skills.find(container, "thing", "furniture")
+    if not skills.is_at(skills.memory.get(part.id) or part, vessel):
+        skills.take(part)
+        skills.put(part.id, vessel, "into")
+
+
+def _duration_s(frame: FilledFrame) -> float:
+    """Return how long something was said to take, seconds; 0 when nothing was said."""
+    return argument(frame, "duration").si or 0.0
 
 
 def targets_of(skills: Skills, words: TypedArgument, treatment: str) -> List[Known]:
@@ -67,7 +82,7 @@ def targets_of(skills: Skills, words: TypedArgument, treatment: str) -> List[Kno
         if found:
             return found
     if treatment == "sweep":
-        return [_floor(skills, words)]
+        return _floors(skills, words)
     return skills.find_all(words, "thing", "furniture")
 
 
@@ -86,14 +101,14 @@ def _of_kind(skills: Skills, category: str) -> List[Known]:
     return seen()
 
 
-def _floor(skills: Skills, words: TypedArgument) -> Known:
-    rooms = skills.memory.find(words, "room")
-    if rooms:
-        return rooms[0]
+def _floors(skills: Skills, words: TypedArgument) -> List[Known]:
+    """Return the rooms that were named, or the room where the robot is: "the floor"."""
+    if skills.memory.find(words, "room"):
+        return skills.find_all(words, "room")
     here = skills.room_here()
     if here is None:
         raise CannotDo("I do not know where I am.")
-    return here
+    return [here]
 
 
 def fetch_tool(skills: Skills, treatment: str, named: TypedArgument) -> Optional[Known]:
@@ -130,8 +145,15 @@ def _search_tool(skills: Skills, names: Tuple[str, ...]) -> Known:
     return skills.find(TypedArgument(text=names[0]), "thing")
 
 
-def treat_one(skills: Skills, treatment: str, target: Known, *, container: Optional[TypedArgument] = None) -> None:
-    """Treat one thing, at its station when it has one."""
+def treat_one(
+    skills: Skills,
+    treatment: str,
+    target: Known,
+    *,
+    container: Optional[TypedArgument] = None,
+    least_s: float = 0.0,
+) -> None:
+    """Treat one thing, at its station when it has one; it stays there for so long at least."""
     station_name, relation = STATIONS.get(treatment, ("", ""))
     if not station_name:
         skills.go(target.id)
@@ -145,20 +167,29 @@ def treat_one(skills: Skills, treatment: str, target: Known, *, container: Optio
     if treatment in HEATED:
         skills.attempt("switch", theme=station.id, value="on")
     skills.go(target.id if target.sort == "thing" else station.id)
+    begin_s = skills.body.now_s()
     try:
         skills.attempt("treat", theme=target.id, value=treatment)
+        if least_s > skills.body.now_s() - begin_s:
+            skills.wait(least_s - (skills.body.now_s() - begin_s))
     finally:
         if treatment in HEATED:
             skills.attempt("switch", theme=station.id, value="off")
 
 
 def _vessel(skills: Skills, station: Known, container: Optional[TypedArgument]) -> Optional[Known]:
-    """Return the pot or pan that was named, on the station."""
+    """Return the pot or pan that was named, on the station.
+
+    Raises:
+        CannotDo: other furniture was named
+    """
     if container is None or not container.text:
         return None
     found = [one for one in skills.find_all(container, "thing", "furniture") if one.id != station.id]
-    if not found or found[0].sort != "thing":
+    if not found:
         return None
+    if found[0].sort != "thing":
+        raise CannotDo(f"I can do that only with {station.the_name}, not with {found[0].the_name}.")
     if not skills.is_at(found[0], station):
         skills.take(found[0])
         skills.put(found[0].id, station, "on")
@@ -167,10 +198,13 @@ def _vessel(skills: Skills, station: Known, container: Optional[TypedArgument]) 
 
 def cook(skills: Skills, frame: FilledFrame) -> None:
     """Cook food as its container says; boil it when nothing is said."""
+    heater, heaters = argument(frame, "heating_instrument"), ("dish", STATIONS["boil"][0], STATIONS["bake"][0])
+    if heater.text and skills.find(heater, "furniture", "thing").category not in heaters:
+        raise CannotDo(f"I cannot cook with {heater.text}.")
     words = f"{frame.text('container')} {frame.text('heating_instrument')}"
     how = "bake" if "oven" in words else "fry" if any(one in words for one in ("pan", "wok", "skillet")) else "boil"
     for target in targets_of(skills, argument(frame, "food"), how):
-        treat_one(skills, how, target, container=argument(frame, "container"))
+        treat_one(skills, how, target, container=argument(frame, "container"), least_s=_duration_s(frame))
 
 
 def clean(skills: Skills, frame: FilledFrame) -> None:
@@ -208,7 +242,8 @@ def hang(skills: Skills, frame: FilledFrame) -> None:
             else skills.find(TypedArgument(text="clothes line"), "furniture")
         )
         skills.take(one)
-        skills.put(one.id, place, argument(frame, "goal").relation or "on")
+        relation = argument(frame, "goal").relation
+        skills.put(one.id, place, "on" if relation in ("", "over") else relation)
 
 
 def sort_laundry(skills: Skills, frame: FilledFrame) -> None:

@@ -45,26 +45,30 @@ def sentence(words: str) -> str:
 
 
 def locate(skills: Skills, frame: FilledFrame) -> None:
-    """Look for something, go there and say where it is; bring it when it is for somebody."""
+    """Look for something, go there and say where it is."""
     near = argument(frame, "ground") if said(frame, "ground") else None
-    one = skills.find(argument(frame, "sought_entity"), near=near)
-    skills.go(one.id)
-    skills.attempt("look", theme=one.id)
-    skills.say(sentence(described(skills, skills.memory.get(one.id) or one)))
+    for one in skills.find_all(argument(frame, "sought_entity"), near=near):
+        skills.go(one.id)
+        skills.attempt("look", theme=one.id)
+        skills.say(sentence(described(skills, skills.memory.get(one.id) or one)))
 
 
 def perceive(skills: Skills, frame: FilledFrame) -> None:
     """Go to something and look at it, or listen to it."""
-    one = skills.find(argument(frame, "phenomenon"))
-    skills.go(one.id)
-    skills.attempt("look", theme=one.id)
+    for one in skills.find_all(argument(frame, "phenomenon")):
+        skills.go(one.id)
+        skills.attempt("look", theme=one.id)
 
 
 def inspect(skills: Skills, frame: FilledFrame) -> None:
     """Go to something, look at it, and say how it is."""
-    one = skills.find(argument(frame, "ground"))
+    for one in skills.find_all(argument(frame, "ground")):
+        _inspect_one(skills, one, frame)
+
+
+def _inspect_one(skills: Skills, one: Known, frame: FilledFrame) -> None:
     skills.go(one.id)
-    if one.sort == "room":
+    if one.sort == "room" and not said(frame, "desired_state"):
         skills.attempt("look")
         _say_list(skills, [thing for thing in skills.memory.all("thing") if thing.room == one.id], f"In {one.the_name}")
         return
@@ -139,7 +143,7 @@ def counted(skills: Skills, theme: TypedArgument, place: TypedArgument) -> List[
     skills.look_in(ground) if place.text else skills.attempt("look")
     is_of_people = bool(PERSONS.intersection((theme.lemma.lower(), theme.head.lower(), theme.text.lower())))
     found = skills.memory.all("person") if is_of_people else skills.memory.find(theme, "thing", "furniture")
-    return [one for one in found if skills.is_at(one, ground)]
+    return [one for one in found if skills.is_at(one, ground, place.relation)]
 
 
 def list_things(skills: Skills, frame: FilledFrame) -> None:
@@ -148,7 +152,7 @@ def list_things(skills: Skills, frame: FilledFrame) -> None:
     if said(frame, "place"):
         place = skills.find(argument(frame, "place"))
         skills.look_in(place)
-        found = [one for one in skills.memory.all() if skills.is_at(one, place)]
+        found = [one for one in skills.memory.all() if skills.is_at(one, place, argument(frame, "place").relation)]
     else:
         place = None
         skills.attempt("look")
@@ -168,11 +172,10 @@ def _say_list(skills: Skills, found: List[Known], begin: str) -> None:
 def identify(skills: Skills, frame: FilledFrame) -> None:
     """Look at somebody or something, and say who or what it is."""
     words = argument(frame, "entity")
-    if said(frame, "place"):
-        skills.look_in(skills.find(argument(frame, "place")))
-    one = skills.find(words)
-    skills.attempt("look", theme=one.id)
-    skills.say(f"This is {one.name}." if one.sort == "person" else f"This is a {one.name}: {', '.join(one.names)}.")
+    for one in skills.find_all(words, near=argument(frame, "place") if said(frame, "place") else None):
+        skills.go(one.id)
+        skills.attempt("look", theme=one.id)
+        skills.say(f"This is {one.name}." if one.sort == "person" else f"This is a {one.name}: {', '.join(one.names)}.")
 
 
 def compare(skills: Skills, frame: FilledFrame) -> None:
@@ -197,8 +200,14 @@ def compare(skills: Skills, frame: FilledFrame) -> None:
 
 
 def find_out(skills: Skills, frame: FilledFrame) -> None:
-    """Look for what is asked: where something is."""
+    """Look for what is asked: where something is.
+
+    Raises:
+        CannotDo: something else is asked, or it was not found
+    """
     words = argument(frame, "content")
+    if "where" not in (words.text.lower().partition(" ")[0], frame.text("question_word").lower()):
+        raise CannotDo("I can only find out where something is.")
     names = [one for one in skills.memory.all("thing", "furniture", "person") if _is_named(one, words.text)]
     if not names:
         for room in skills.memory.all("room"):
@@ -243,7 +252,8 @@ def photograph(skills: Skills, frame: FilledFrame) -> None:
 
 def be_located(skills: Skills, frame: FilledFrame) -> None:
     """Remember where something is said to be."""
-    theme, place = argument(frame, "theme"), skills.find(argument(frame, "location"))
+    near = argument(frame, "place") if said(frame, "place") else None
+    theme, place = argument(frame, "theme"), skills.find(argument(frame, "location"), near=near)
     for name in {theme.head.lower(), theme.lemma.lower(), theme.text.lower()} - {""}:
         skills.memory.tell(name, place.id)
     meant = skills.memory.find(theme, "thing")

@@ -10,7 +10,7 @@ from std_msgs.msg import String
 from home_servers.body import CannotDo, Interrupted
 from home_servers.conditions import FRAMES as CONDITIONS
 from home_servers.conditions import CannotTell, Conditions
-from home_servers.frames import DOMAINS, UNHEEDED, WITHOUT_HANDS
+from home_servers.frames import DOMAINS, STATEMENTS, WITHOUT_HANDS
 from home_servers.ros_body import RosBody
 from home_servers.skills import Skill, Skills
 from rfnserver import ConditionServer, ConditionUnknown, Observed, RFNServer
@@ -108,7 +108,7 @@ class HomeServers:
 
         server = RFNServer(name, callback)
         for frame in skills:
-            server.register_with_frame(frame, **({"unheeded": UNHEEDED[frame]} if frame in UNHEEDED else {}))
+            server.register_with_frame(frame, **STATEMENTS.get(frame, {}))
         server.start()
         return server
 

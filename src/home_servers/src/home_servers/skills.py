@@ -1,10 +1,11 @@
 """What a robot in a home can do with things, persons and places that were named in words."""
 
 import math
-from typing import Callable, Dict, List, Optional, Sequence, Tuple
+from typing import Callable, Dict, Iterator, List, Optional, Sequence, Tuple
 
 from home_servers.body import Body, CannotDo
 from home_servers.memory import Known
+from home_servers.places import RELATIONS, Place
 from roboframenet_sim.home_actions import Action, Failure
 from typed_arguments import FilledFrame, TypedArgument
 from word_classes import word_class
@@ -24,8 +25,6 @@ _COMPANY_M = 2.5
 _COMPANY_S = 300.0
 #: How persons are, as a description says it.
 POSTURES = ("sitting", "standing", "walking")
-#: A person is at furniture whose middle is so near, metres.
-_AT_M = 2.0
 HEARERS = frozenset("you yourself robot".split())
 HERE = frozenset("here over here".split()) | {"over here", "down here"}
 #: Hand height above which the lift is raised.
@@ -185,13 +184,13 @@ class Skills:
             self.memory.met = (found[0].id, self.body.now_s())
         return found if wants_all else found[:need]
 
-    def _matching(self, argument: TypedArgument, sorts: Sequence[str], place: Optional[Known]) -> List[Known]:
+    def _matching(self, argument: TypedArgument, sorts: Sequence[str], place: Optional[Place]) -> List[Known]:
         here = self.body.place()
         found = [one for one in self.memory.find(argument, *sorts, here=here) if one.sort != "thing" or one.relation]
         inner = self._inner_place(argument)
         for limit in (place, inner):
             if limit is not None:
-                found = [one for one in found if self.is_at(one, limit)]
+                found = [one for one in found if limit.has(one, self.memory)]
         postures = frozenset(POSTURES).intersection(
             word for frame in argument.frames for word in frame.words.lower().split()
         )
@@ -202,7 +201,7 @@ class Skills:
         found.sort(key=lambda one: one.id not in held)
         return found
 
-    def _inner_place(self, argument: TypedArgument) -> Optional[Known]:
+    def _inner_place(self, argument: TypedArgument) -> Optional[Place]:
         """Return the place inside a phrase: "the mug on the table"."""
         for frame in argument.frames:
             for element in frame.frame_elements:
@@ -212,35 +211,24 @@ class Skills:
                 ):
                     found = self.memory.find(element, "furniture", "room", "thing", "door", here=self.body.place())
                     if found:
-                        return found[0]
+                        return Place(found[0], element.relation)
         return None
 
-    def _place_of(self, argument: TypedArgument) -> Optional[Known]:
+    def _place_of(self, argument: TypedArgument) -> Optional[Place]:
         found = self.memory.find(argument, "room", "furniture", "door", "thing", here=self.body.place())
-        return found[0] if found else None
+        return Place(found[0], argument.relation) if found else None
 
-    def is_at(self, one: Known, place: Known) -> bool:
-        """Whether something is in a room, or on, in, ... something; a person is at what is near."""
-        if place.sort == "room":
-            return one.room == place.id
-        if one.sort == "person":
-            return one.room == place.room and math.hypot(one.x_m - place.x_m, one.y_m - place.y_m) <= _AT_M
-        holder: Optional[Known] = one
-        for _ in range(6):
-            if holder is None:
-                return False
-            if holder.holder == place.id:
-                return True
-            holder = self.memory.get(holder.holder)
-        return False
+    def is_at(self, one: Known, place: Known, relation: str = "") -> bool:
+        """Whether something is in a room, or on, in, under, ... something; a person is at what is near."""
+        return Place(place, relation).has(one, self.memory)
 
-    def _seek(self, argument: TypedArgument, sorts: Sequence[str], place: Optional[Known], need: int) -> None:
+    def _seek(self, argument: TypedArgument, sorts: Sequence[str], place: Optional[Place], need: int) -> None:
         """Look where the thing is said to be, or else in every room, until it is seen."""
         if sorts and not {"thing", "person"}.intersection(sorts):
             return
         told = self.memory.get(self.memory.told_place(argument))
         inner = self._inner_place(argument)
-        targets = [one for one in (place, inner, told) if one is not None]
+        targets = [one.known for one in (place, inner) if one is not None] + ([told] if told is not None else [])
 
         def is_seen() -> bool:
             return len(self._matching(argument, sorts, place)) >= need
@@ -287,9 +275,9 @@ class Skills:
             self.attempt("look", theme=place.id)
         self.attempt("look")
 
-    def _unseen(self, argument: TypedArgument, place: Optional[Known]) -> str:
+    def _unseen(self, argument: TypedArgument, place: Optional[Place]) -> str:
         words = argument.text or argument.head
-        where = f" at {place.the_name}" if place is not None else ""
+        where = f" {place.words}" if place is not None else ""
         person = argument.semantic_type in ("Human", "Sentient") or words[:1].isupper()
         return f"I have not seen {'' if person or ' ' in words else 'any '}{words}{where}."
 
@@ -328,10 +316,16 @@ class Skills:
 
     def person(self, argument: TypedArgument, *, near: Optional[TypedArgument] = None) -> Known:
         """Return the person whom an argument means, and go there."""
-        found = self.find(argument, "person", near=near)
-        self.go(found.id)
-        self.attempt("look", theme=found.id)
-        now = self.memory.get(found.id) or found
+        return self._meet(self.find(argument, "person", near=near))
+
+    def persons(self, argument: TypedArgument, *, near: Optional[TypedArgument] = None) -> Iterator[Known]:
+        """Go to each person whom an argument means; see :meth:`person`."""
+        return map(self._meet, self.find_all(argument, "person", near=near))
+
+    def _meet(self, person: Known) -> Known:
+        self.go(person.id)
+        self.attempt("look", theme=person.id)
+        now = self.memory.get(person.id) or person
         self.memory.met_at[now.id] = now.x_m, now.y_m
         return now
 
@@ -381,8 +375,15 @@ class Skills:
             self.put_down(held[0])
 
     def put(self, thing: str, place: Known, relation: str) -> None:
-        """Put a held thing on, in, under, beside a place; "to" and "at" are on or in, whatever goes."""
-        if place.sort == "person":
+        """Put a held thing on, in, under, beside a place; "to" and "at" are on or in, whatever goes.
+
+        Raises:
+            CannotDo: the relation is none of these
+        """
+        relations = RELATIONS.get(relation, ())
+        if not relations or (place.sort == "room" and len(relations) == 1 and relations[0] not in ("on", "in")):
+            raise CannotDo(f"I cannot put anything {relation.replace('_', ' ')} {place.the_name}.")
+        if place.sort == "person" and ("on" in relations or "in" in relations):
             self.go(place.id)
             self.attempt("give", theme=thing, goal=place.id)
             return
@@ -390,7 +391,6 @@ class Skills:
             self.go(place.id)
             self.attempt("put", theme=thing, goal=place.id, relation="on")
             return
-        relations = PUT_RELATIONS.get(relation, ("on", "in"))
         for index, one in enumerate(relations):
             try:
                 self.go(place.id)
@@ -414,22 +414,6 @@ class Skills:
 
 #: Furniture in which things are kept, by its category.
 HOLDING = frozenset("basket cupboard drawer fridge wardrobe box machine sink oven dishwasher".split())
-#: The relations that are tried for each relation that was said.
-PUT_RELATIONS: Dict[str, Tuple[str, ...]] = {
-    "on": ("on",),
-    "onto": ("on",),
-    "in": ("in", "on"),
-    "into": ("in",),
-    "under": ("under",),
-    "below": ("under",),
-    "behind": ("behind",),
-    "in_front_of": ("in_front_of",),
-    "beside": ("beside",),
-    "next_to": ("beside",),
-    "near": ("beside",),
-    "by": ("beside",),
-}
-
 Skill = Callable[[Skills, FilledFrame], None]
 
 

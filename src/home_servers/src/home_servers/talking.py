@@ -11,10 +11,10 @@ from typed_arguments import FilledFrame, TypedArgument
 
 
 def greet(skills: Skills, frame: FilledFrame) -> None:
-    """Go to somebody and greet them."""
+    """Go to somebody and greet them, one by one."""
     near = argument(frame, "place") if said(frame, "place") else None
-    person = skills.person(argument(frame, "addressee"), near=near)
-    skills.say(f"Hello, {person.name}.")
+    for person in skills.persons(argument(frame, "addressee"), near=near):
+        skills.say(f"Hello, {person.name}.")
 
 
 def part(skills: Skills, frame: FilledFrame) -> None:
@@ -26,10 +26,10 @@ def part(skills: Skills, frame: FilledFrame) -> None:
 
 
 def meet(skills: Skills, frame: FilledFrame) -> None:
-    """Go to somebody and introduce oneself."""
+    """Go to somebody and introduce oneself, one by one."""
     near = argument(frame, "place") if said(frame, "place") else None
-    person = skills.person(argument(frame, "person"), near=near)
-    skills.say(f"Hello, {person.name}. I am the robot of this home.")
+    for person in skills.persons(argument(frame, "person"), near=near):
+        skills.say(f"Hello, {person.name}. I am the robot of this home.")
 
 
 def introduce(skills: Skills, frame: FilledFrame) -> None:

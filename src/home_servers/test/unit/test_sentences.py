@@ -9,7 +9,7 @@ import yaml
 from direct_body import DirectBody
 
 from home_servers.body import CannotDo, Interrupted
-from home_servers.frames import DOMAINS, FRAMES, UNHEEDED
+from home_servers.frames import DOMAINS, FRAMES, STATEMENTS
 from home_servers.skills import Skills
 from offline_pipeline.knowledge import load_knowledge, shipped_domains
 from offline_pipeline.pipeline import Pipeline
@@ -37,8 +37,7 @@ def ids(entry):
 def pipeline():
     knowledge = load_knowledge([shipped_domains()])
     for frame in FRAMES:
-        profile = stated_profile({"unheeded": UNHEEDED[frame]} if frame in UNHEEDED else {})
-        assert knowledge.graph.register(frame, "home", profile) == ()
+        assert knowledge.graph.register(frame, "home", stated_profile(STATEMENTS.get(frame, {}))) == ()
     return Pipeline(knowledge)
 
 

@@ -1,4 +1,4 @@
-"""RFNServers for the props: high five, low five, pound and hug."""
+"""RFNServers for the props: high five, low five, pound, hug, and an arm that is stretched out or taken back."""
 
 import threading
 from dataclasses import dataclass
@@ -22,17 +22,20 @@ SERVERS: Tuple[Tuple[str, str], ...] = (
     ("pound", "pounding"),
     ("hug", "hugging"),
     ("extend_arm", "extending_arm"),
+    ("retract_arm", "retracting_arm"),
 )
 #: The arms do not see whom they greet, so they greet the speaker.
 PARTNERS = ["me", "us"]
 #: What the server of each frame heeds: "with your left hand".
 _GREETING: Mapping[str, Any] = {"heeds": {"Instrument": ARM_NOUNS, "partner": PARTNERS}}
+_LIMB: Mapping[str, Any] = {"heeds": {"limb": {"values": ARM_NOUNS, "most": 2}}}
 STATEMENTS: Mapping[str, Mapping[str, Any]] = {
     "high_fiving": _GREETING,
     "low_fiving": _GREETING,
     "pounding": _GREETING,
     "hugging": {"heeds": {"partner": PARTNERS}},
-    "extending_arm": {"heeds": {"limb": {"values": ARM_NOUNS, "most": 2}}, "unheeded": ["goal"]},
+    "extending_arm": {**_LIMB, "unheeded": ["goal"]},
+    "retracting_arm": _LIMB,
 }
 #: Elements that name an arm; the extra-thematic one is in every frame.
 _NAMING = ("limb", "instrument")
@@ -60,7 +63,7 @@ class PropsServer:
     """One RFNServer for each prop, with one pair of arms for all.
 
     Actions:
-        high_five, low_five, pound, hug, extend_arm (roboframenet_msgs/FilledSemanticFrameAction)
+        high_five, low_five, pound, hug, extend_arm, retract_arm (roboframenet_msgs/FilledSemanticFrameAction)
     Parameters: see :class:`Settings`.
     """
 

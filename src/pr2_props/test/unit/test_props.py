@@ -22,7 +22,9 @@ def test_every_joint_of_both_arms_has_a_limit() -> None:
     assert set(LIMITS) == {name for arm in Arm for name in joint_names(arm)}
 
 
-@pytest.mark.parametrize("name", ["high_fiving", "low_fiving", "pounding", "hugging", "extending_arm"])
+@pytest.mark.parametrize(
+    "name", ["high_fiving", "low_fiving", "pounding", "hugging", "extending_arm", "retracting_arm"]
+)
 def test_prop_ends_in_the_safe_pose(name: str) -> None:
     for arm, poses in PROPS.trajectories[name].items():
         assert poses[-1].positions_rad == PROPS.safe_rad[arm]
