@@ -20,7 +20,9 @@ from rfnserver.ros_typed_frame import TypedFrame, typed_frame
 from semantic_frames.server_statement import stated_profile
 
 #: What holds is said again after this time, seconds: silence means that the source is dead.
-REPETITION_S = 0.5
+REPETITION_S = 1.0
+#: How often it is said within the time after which the source is dead.
+_REPETITIONS = 3.0
 #: A change is told with its own stamp for so long, ROS time.
 _FRESH = rospy.Duration(1)
 
@@ -96,6 +98,8 @@ class ConditionServer(_Registering, QuietActionServer):
         """
         self._holds = holds
         self._period_s = period_s
+        silence_s = float(statement.get("longest_silence_s") or 0.0)
+        self._repetition_s = min(REPETITION_S, silence_s / _REPETITIONS) if silence_s else REPETITION_S
         self._while_watched = while_watched
         self._watched: Dict[str, _Watched] = {}
         self._condition = threading.Condition()
@@ -174,7 +178,7 @@ class ConditionServer(_Registering, QuietActionServer):
             return ""
         observed = said if isinstance(said, Observed) else Observed(bool(said), rospy.Time.now())
         now_s = time.monotonic()
-        if observed.holds is watched.holds and now_s - watched.said_s < REPETITION_S:
+        if observed.holds is watched.holds and now_s - watched.said_s < self._repetition_s:
             return ""
         watched.holds, watched.said_s = observed.holds, now_s
         message: Any = self.ActionFeedback()

@@ -5,7 +5,7 @@ from typing import FrozenSet, List, Optional, Sequence, Tuple
 
 from semantic_framer.clock_times import ClockTime, clock_time_at
 from semantic_framer.conditions import ConditionPart, read_condition
-from semantic_framer.deed_orders import ItemOrder, deed_behind, item_order, times_at
+from semantic_framer.deed_orders import ItemOrder, deed_behind, end_order, item_order, times_at
 from semantic_framer.framed_lexicon import FramedLexicon
 from semantic_framer.link_file import Link, LinkKind, shipped_links
 from semantic_framer.sentence import Sentence
@@ -20,6 +20,7 @@ _DELAYS = word_class("delay_prepositions")
 _PERIODS = word_class("period_determiners")
 _BORDERS = word_class("clause_borders")
 _LIMITS = word_class("limits_before_times")
+_MANY, _WHO = word_class("persons_among_many"), word_class("relative_persons")
 #: Relations of a verb that belongs to what is before it.
 _INNER = frozenset(["amod", "compound", "xcomp", "aux", "aux:pass", "cop"])
 #: Words behind a delay that do not change it.
@@ -43,6 +44,7 @@ class Joint:
         number: a least or a largest number of times
         order: of two items of a list
         items: positions of the first item, of the word between, and of the second item, if these words are the list
+        is_of_persons: whether they say what each of many persons does: "everybody *who comes in*"
     """
 
     kind: LinkKind
@@ -57,6 +59,7 @@ class Joint:
     number: int = 0
     order: Optional[ItemOrder] = None
     items: Tuple[int, ...] = ()
+    is_of_persons: bool = False
 
 
 @dataclass(frozen=True)
@@ -125,7 +128,14 @@ class _Finder:
             # "After that" joins two deeds, though "after" stands before conditions too.
             links, joins = (at(self.forms[place:])[1] for at in (shipped_links().link_at, shipped_links().joiner_at))
             finders = (self._joiner, self._linked) if joins > links else (self._linked, self._joiner)
-            for find in (self._manner, *finders, self._sequenced, self._beforehand, self._item_order):
+            for find in (
+                self._manner,
+                self._of_persons,
+                *finders,
+                self._sequenced,
+                self._beforehand,
+                self._item_order,
+            ):
                 if joint is None:
                     joint, end = find(place)
             if joint is not None:
@@ -133,7 +143,8 @@ class _Finder:
                 place = end
                 continue
             link, length = shipped_links().link_at(self.forms[place:])
-            if link is not None and self._is_subordinating(place, length):
+            is_last = all(word.upos == "PUNCT" for word in self.words[place + length :])
+            if link is not None and (is_last or self._is_subordinating(place, length)):
                 rest = [word.index for word in self.words[place:] if word.upos != "PUNCT"]
                 if not question and not unknown and len(rest) == length:
                     question = link.question
@@ -202,8 +213,28 @@ class _Finder:
             return self._joint(link, place, place + length, length, None), place + length
         return None, 0
 
+    def _of_persons(self, place: int) -> Tuple[Optional[Joint], int]:
+        """Return what each of many persons does: "greet everybody *who comes in*", "greet whoever *comes in*"."""
+        if not place or self.forms[place - 1] not in _MANY:
+            return None, 0
+        person = self.words[place - 1].index
+        start = place + (self.forms[place] in _WHO)
+        for end in range(len(self.words), start, -1):
+            words = [word.index for word in self.words[start:end] if word.upos != "PUNCT"]
+            if not words or not self._may_end(start, end):
+                continue
+            condition = read_condition(self.sentence, self.known, [person, *words], somebody=person)
+            if condition is not None:
+                link = Link(LinkKind.WHENEVER.value, LinkKind.WHENEVER)
+                return replace(self._joint(link, place, end, end - place, condition), is_of_persons=True), end
+        return None, 0
+
     def _item_order(self, place: int) -> Tuple[Optional[Joint], int]:
         """Return which item of a list comes before which: "but not the hall before the office"."""
+        of_all = end_order(self.words, place, frozenset(word.lemma.lower() for word in self.words[:place]))
+        if of_all is not None:
+            link, behind = Link(LinkKind.IN_ORDER.value, LinkKind.IN_ORDER), place + of_all.length
+            return replace(self._joint(link, place, behind, of_all.length, None), order=of_all), behind
         order = item_order(self.words, place)
         if order is None or (order.is_list and self._linked(order.border)[0] is not None):
             return None, 0  # "Open the door after the bell rings" waits for the bell.

@@ -36,6 +36,7 @@ _NO_NOUNS = frozenset(["VERB", "AUX", "SCONJ", "INTJ"])
 _NOUNS = frozenset(["NOUN", "PROPN", "PRON", "NUM"])
 _OF_BARE_PHRASES = frozenset(["ADJ", "NOUN", "PROPN", "NUM"])
 _ADJECTIVES = frozenset(["JJ", "VBN", "VBD", "JJR"])
+_ALTERNATIVE = word_class("words_before_alternatives")
 #: FrameNet's names of what happens in a moment.
 _MOMENTARY = frozenset(["Arriving", "Departing", "Impact", "Process_end", "Process_start", "Statement"])
 #: What somebody can come to.
@@ -88,6 +89,7 @@ def read_condition(
     *,
     is_until: bool = False,
     must_last: bool = False,
+    somebody: int = 0,
 ) -> Optional[ConditionPart]:
     """Read some words as a condition.
 
@@ -97,15 +99,25 @@ def read_condition(
         positions: of the words, in order
         is_until: whether "until" stands before them, so that a place means to be there: "until the wall"
         must_last: whether "while" stands before them: what happens in a moment cannot go on
+        somebody: position of a word that means one of many: "greet *everybody* who comes in"; 0 for none
     Returns:
         None if one of the words is not understood
     """
     if _has_foreign_comma(sentence, positions):
         return None
+    if somebody:
+        one = _read_one(sentence, known, positions, is_until, somebody)
+        return one if one is not None and happens(one, sentence, known) else None
     read = _read_whole(
         sentence, known, [index for index in positions if sentence.word(index).upos != "PUNCT"], is_until
     )
     return None if read is None or (must_last and _is_momentary(read, known)) else read
+
+
+def happens(part: ConditionPart, sentence: Sentence, known: FramedLexicon) -> bool:
+    """Whether a condition happens in a moment: "if Anna comes", but not "if Anna has come" or "if nobody comes"."""
+    forms = {sentence.word(index).lemma.lower() for index in part.positions if sentence.word(index).upos == "AUX"}
+    return _is_momentary(part, known) and not part.is_negated and not forms & _HAVE
 
 
 def _is_momentary(part: ConditionPart, known: FramedLexicon) -> bool:
@@ -146,11 +158,11 @@ def _read_whole(
 
 
 def _read_one(
-    sentence: Sentence, known: FramedLexicon, positions: Sequence[int], is_until: bool
+    sentence: Sentence, known: FramedLexicon, positions: Sequence[int], is_until: bool, somebody: int = 0
 ) -> Optional[ConditionPart]:
     if positions and sentence.word(positions[0]).upos == "AUX":
         return None  # "When does Anna come" is a question.
-    said = _words(sentence, positions)
+    said = _words(sentence, positions, somebody)
     if said is None or not said.forms:
         return None
     found = [
@@ -193,7 +205,7 @@ def _distributed(reading: Reading, said: _Words, positions: FrozenSet[int]) -> O
     return ConditionPart(kind, positions, children=items)
 
 
-def _words(sentence: Sentence, positions: Sequence[int]) -> Optional[_Words]:
+def _words(sentence: Sentence, positions: Sequence[int], somebody: int = 0) -> Optional[_Words]:
     """Return the words of a clause as patterns have them; None if its tense or mood is none of a condition."""
     forms: List[str] = []
     words: List[Word] = []
@@ -209,7 +221,7 @@ def _words(sentence: Sentence, positions: Sequence[int]) -> Optional[_Words]:
             negations += 1
         elif form == "again":
             is_anew = True
-        elif (form in _PADDING and word.upos == "ADV") or _is_empty_auxiliary(sentence, word):
+        elif (form in _PADDING and word.upos == "ADV") or _is_empty_auxiliary(sentence, word) or form in _ALTERNATIVE:
             continue
         else:
             is_denied = form == "one" and index > 1 and sentence.word(index - 1).form.lower() == "no"
@@ -218,7 +230,7 @@ def _words(sentence: Sentence, positions: Sequence[int]) -> Optional[_Words]:
             elif form in _NOBODY | _NOTHING:
                 negations += 1
                 renamed[index] = "somebody" if form in _NOBODY else "something"
-            elif form in _ANYBODY:
+            elif form in _ANYBODY or index == somebody:
                 renamed[index] = "somebody"
             spelled = renamed.get(index) or _spelled(sentence, word)
             if spelled is None:
@@ -346,13 +358,14 @@ def _argument(
     quantity = element.quantity if element is not None else None
     if quantity is not None:
         return _amount(sentence, name, positions, quantity)
-    if not _is_phrase(sentence, words, is_place=kind == "place"):
+    is_renamed = len(words) == 1 and words[0].index in renamed
+    if not is_renamed and not _is_phrase(sentence, words, is_place=kind == "place"):
         return None
     argument = argument_of(sentence, name, positions)
     if argument.is_negated or (kind == "destination" and not (is_until and _is_destination(sentence, argument))):
         return None
     types = element.semantic_types if element is not None else ()
-    if types and sentence.types.fit(argument.head_position, types) is Fit.WRONG:
+    if types and not is_renamed and sentence.types.fit(argument.head_position, types) is Fit.WRONG:
         return None
     if kind == "place" and _is_duration(argument.text):
         return None  # "If I am not back *in ten minutes*" says when.

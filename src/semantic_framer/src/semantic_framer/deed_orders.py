@@ -18,6 +18,7 @@ _ADVERBS = word_list("iteration_adverbs")
 _NOUNS = word_class("iteration_nouns")
 _NEGATIONS = word_class("negations")
 _ONLY = word_class("restricting_adverbs")
+_FIRST, _LAST = word_class("first_of_all"), word_class("last_of_all")
 _JOINING = word_class("clause_borders") | {","}
 _CONTENT = frozenset(["NOUN", "PROPN", "ADJ", "NUM"])
 #: Tags of the verb behind "before you", "before you have" and "before".
@@ -55,7 +56,7 @@ class ItemOrder(NamedTuple):
 
     Attributes:
         length: number of words that say so
-        earlier, later: the content words of each item
+        earlier, later: the content words of each item; empty for all other items: "visit the office *last*"
         is_list: whether these words are the list: "the office only after the hall"; else the items were said before
         is_doubtful: whether they may say where a thing is: "the room before the office"
         border: place of "before" or "after" among the words; only for a new list
@@ -110,6 +111,32 @@ def times_at(forms: Sequence[str]) -> Optional[Times]:
     return Times(link.kind, int(number), place + 2)
 
 
+def end_order(words: Sequence[Word], place: int, verbs: FrozenSet[str]) -> Optional[ItemOrder]:
+    """Return which item is the first or the last one: ", the kitchen first", "and visit the office last".
+
+    Args:
+        words: of the sentence
+        place: where the words may begin
+        verbs: of the sentence, in their base form; one may be said again
+    """
+    start = place
+    while start < len(words) and words[start].form.lower() in _JOINING:
+        start += 1
+    if start == place or not place:
+        return None
+    if start < len(words) and words[start].lemma.lower() in verbs:
+        start += 1
+    item = _phrase(words, start, before=_FIRST | _LAST)
+    end = start + item
+    if not item or end >= len(words) or words[end].form.lower() not in _FIRST | _LAST:
+        return None
+    if end + 1 < len(words) and words[end + 1].upos != "PUNCT":
+        return None
+    name, none = _content(words[start:end]), frozenset()  # type: FrozenSet[str], FrozenSet[str]
+    is_first = words[end].form.lower() in _FIRST
+    return ItemOrder(end + 1 - place, name if is_first else none, none if is_first else name) if name else None
+
+
 def item_order(words: Sequence[Word], place: int) -> Optional[ItemOrder]:
     """Return the order of two items that begins at a place: ", but not the hall before the office".
 
@@ -147,12 +174,20 @@ def item_order(words: Sequence[Word], place: int) -> Optional[ItemOrder]:
     return ItemOrder(end - place, earlier, later, True, is_before or not is_only, border)
 
 
-def _phrase(words: Sequence[Word], start: int) -> int:
-    """Return the number of words of the noun phrase with an article that begins at a place; 0 for none."""
+def _phrase(words: Sequence[Word], start: int, *, before: FrozenSet[str] = frozenset()) -> int:
+    """Return the number of words of the noun phrase with an article that begins at a place; 0 for none.
+
+    Args:
+        words: of the sentence
+        start: the place
+        before: words that the phrase ends before
+    """
     if start >= len(words) or words[start].upos not in ("DET", "PROPN"):
         return 0
     end = start + 1
     while end < len(words) and end - start < _LONGEST_PHRASE and words[end].upos in _CONTENT:
+        if words[end].form.lower() in before:
+            break
         end += 1
     return end - start if words[end - 1].upos in ("NOUN", "PROPN") else 0
 
@@ -173,10 +208,14 @@ def sorted_by(names: Sequence[FrozenSet[str]], orders: Sequence[ItemOrder]) -> O
     done: List[int] = []
     pairs = []
     for order in orders:
-        pair = [[place for place, name in enumerate(names) if item <= name] for item in (order.earlier, order.later)]
-        if any(len(found) != 1 for found in pair):
+        pair = [
+            [place for place, name in enumerate(names) if item and item <= name]
+            for item in (order.earlier, order.later)
+        ]
+        if any(item and len(found) != 1 for found, item in zip(pair, (order.earlier, order.later))):
             return None
-        pairs.append((pair[0][0], pair[1][0]))
+        earlier, later = (found or [place for place in left if place not in pair[0] + pair[1]] for found in pair)
+        pairs += [(one, other) for one in earlier for other in later]
     while left:
         free = [place for place in left if not any(later == place and earlier in left for earlier, later in pairs)]
         if not free:

@@ -6,6 +6,7 @@ from typing import Optional, Tuple
 from semantic_framer.clause_plan import PlanPart
 from semantic_framer.reading import Reading
 from typed_arguments import TypedArgument
+from utterance_passes.tree import DependencyTree
 from utterance_passes.utterance_pass import Choice
 from word_classes import word_class
 
@@ -33,6 +34,7 @@ class Pending:
         plan: how the clauses are joined; None if they are done one after the other
         is_about_words: whether a yes only agrees to go on without some words; a frame may want another yes
         beginning: what happens to the command that runs: REPLACE, FOLLOW or BESIDE
+        unfinished: the sentence that lacks something behind its last word: "wait until"; None for none
         open_time: words of the time that the question asks about, which stands at the root of the plan: "tomorrow"
     """
 
@@ -47,6 +49,7 @@ class Pending:
     plan: Optional[PlanPart] = None
     beginning: str = "REPLACE"
     open_time: Tuple[str, ...] = ()
+    unfinished: Optional[DependencyTree] = None
 
 
 @dataclass(frozen=True)

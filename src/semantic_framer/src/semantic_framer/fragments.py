@@ -8,26 +8,28 @@ from dataclasses import dataclass
 from enum import Enum
 from functools import lru_cache
 from pathlib import Path
-from typing import Mapping, Optional, Pattern, Sequence, Tuple
+from typing import List, Mapping, Optional, Pattern, Sequence, Tuple
 
 from semantic_framer.framed_lexicon import FramedLexicon
 from semantic_framer.mood_file import UtteranceKind
 from semantic_framer.sentence import Sentence
+from semantic_framer.slight_amounts import slight_words
 from semantic_framer.utterance_kind import kind_without_clause
 from semantic_frames.source_files import read_text
 from utterance_passes.clauses import find_clauses
 from utterance_passes.formula_file import Formula, any_of, is_filler, load_formulas
 from utterance_passes.objections import plain
-from utterance_passes.tree import ABANDONED
+from utterance_passes.tree import ABANDONED, DependencyTree, Word
 from utterance_passes.verb_matching import match_verbs
 from word_classes import word_class
 
 #: Next to this module in the source, devel and install space.
 FRAGMENTS_FILE = Path(__file__).resolve().parent / "fragments.yaml"
-KINDS = ("openings", "endings", "whole_command", "as_much_again", "a_bit_more", "other_side")
+KINDS = ("openings", "endings", "whole_command", "as_much_again", "a_bit_more", "faster", "slower", "other_side")
 #: The most words of an opening or an ending.
 _LONGEST = 6
 _AGREEMENTS = word_class("agreements")
+_NOT = word_class("not")
 _LEFT_AND_RIGHT = word_class("left_and_right")
 _MORE = word_class("more_words")
 #: Alone, they name nothing that was not said already.
@@ -41,6 +43,8 @@ class FragmentKind(Enum):
     REPEAT = "repeats it"
     MORE = "does as much again"
     BIT = "does a bit more"
+    FASTER = "goes faster"
+    SLOWER = "goes slower"
     OPPOSITE = "takes the other side"
     ELEMENTS = "changes elements"
 
@@ -62,7 +66,12 @@ class Fragment:
     @property
     def needs_command(self) -> bool:
         """Whether the words mean nothing without an earlier command, so that the robot asks what is meant."""
-        return self.kind in (FragmentKind.REPEAT, FragmentKind.MORE, FragmentKind.BIT)
+        return self.kind in _NEEDING_A_COMMAND
+
+
+_NEEDING_A_COMMAND = frozenset(
+    [FragmentKind.REPEAT, FragmentKind.MORE, FragmentKind.BIT, FragmentKind.FASTER, FragmentKind.SLOWER]
+)
 
 
 @lru_cache(maxsize=None)
@@ -82,6 +91,8 @@ _WHOLE: Tuple[Tuple[FragmentKind, Pattern[str]], ...] = tuple(
         (FragmentKind.REPEAT, "whole_command"),
         (FragmentKind.MORE, "as_much_again"),
         (FragmentKind.BIT, "a_bit_more"),
+        (FragmentKind.FASTER, "faster"),
+        (FragmentKind.SLOWER, "slower"),
         (FragmentKind.OPPOSITE, "other_side"),
     )
 )
@@ -97,13 +108,14 @@ def fragment_of(sentence: Sentence, known: FramedLexicon) -> Optional[Fragment]:
     tree = sentence.tree
     hidden = {word.index for word in tree.words if word.deprel == ABANDONED}
     said = [word for word in tree.words if word.upos != "PUNCT" and not is_filler(word.form)]
-    said = [word for word in said if word.index not in hidden]
+    whole = [word for word in said if word.index not in hidden]
+    said = _behind_contrast(tree, whole)
     forms = [plain(word) for word in said]
     first, last = _core(forms)
     core = " ".join(forms[first:last])
     positions = tuple(word.index for word in said[first:last])
     # "Right" alone agrees; "now right" and "no, right" do not.
-    if not core or (core in _AGREEMENTS and last - first == len(forms)):
+    if not core or (core in _AGREEMENTS and last - first == len(whole)):
         return None
     kind = next((kind for kind, pattern in _WHOLE if pattern.fullmatch(core)), None)
     if kind is not None:
@@ -119,9 +131,23 @@ def fragment_of(sentence: Sentence, known: FramedLexicon) -> Optional[Fragment]:
     if kind_without_clause(tree).kind is not UtteranceKind.ANSWER:
         return None
     is_more = bool(_MORE & frozenset(forms[first:last]))
+    slight = slight_words(tree, positions)
     if forms[last - 1] in _MORE and last - first > 1:
         positions = positions[:-1]
+    elif is_more and slight:
+        # "A bit more to the left" is "a bit to the left", from where the robot is.
+        positions = tuple(index for index in positions if index not in slight or plain(tree.word(index)) not in _MORE)
+        is_more = False
     return Fragment(FragmentKind.ELEMENTS, positions, is_more)
+
+
+def _behind_contrast(tree: DependencyTree, said: Sequence[Word]) -> List[Word]:
+    """Return the words behind what is not meant: "not the kitchen, *the office*"."""
+    if not said or plain(said[0]) not in _NOT:
+        return list(said)
+    pauses = [word.index for word in tree.words if word.form == "," and word.index > said[0].index]
+    behind = [word for word in said if pauses and word.index > pauses[0]]
+    return behind or list(said)
 
 
 def _core(forms: Sequence[str]) -> Tuple[int, int]:

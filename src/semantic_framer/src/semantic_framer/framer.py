@@ -46,6 +46,7 @@ from utterance_passes.running import run_tree_passes
 from utterance_passes.table import FRAMER_TREE_PASSES, REPHRASING_PASSES
 from utterance_passes.trace import Trace
 from utterance_passes.tree import DependencyTree
+from utterance_passes.tree_edits import continued
 from utterance_passes.utterance_pass import Choice, TreePass, Uncertain
 
 __all__ = [
@@ -175,6 +176,8 @@ class _Hearing:
                 clauses = without_positions(heard.outcome.clauses)
                 heard = replace(heard, outcome=replace(heard.outcome, clauses=clauses))
             return heard
+        if pending.unfinished is not None:
+            return self._finished(pending.unfinished, meant, context)
         if pending.open_time:
             plan = time_answered(meant, pending)
             if plan is None:
@@ -192,6 +195,16 @@ class _Hearing:
         heard = Heard(*settled, meant)
         if isinstance(heard.outcome, Understood):
             return replace(heard, outcome=replace(heard.outcome, beginning=pending.beginning))
+        return heard
+
+    def _finished(self, unfinished: DependencyTree, said: Sentence, context: Context) -> Heard:
+        """Understand what is said behind an unfinished sentence; a sentence of its own if it does not finish that."""
+        link = max(word.index for word in unfinished.words if word.upos != "PUNCT")
+        whole = Sentence(continued(unfinished, link, said.tree), self._now.known.types)
+        heard = self._read(whole, context)
+        if not isinstance(heard.outcome, Understood):
+            return self._read_in_world(said, context)
+        self._now.write("answer", said.tree.text, "finishes the sentence before")
         return heard
 
     def _restructured(self, tree: DependencyTree, passes: Sequence[TreePass]) -> Union[Sentence, Tuple[Choice, ...]]:

@@ -4,7 +4,7 @@ from dataclasses import replace
 from typing import FrozenSet, List, NamedTuple, Sequence, Tuple
 
 from semantic_framer.clause_plan import PlanPart
-from semantic_framer.conditions import ConditionPart
+from semantic_framer.conditions import ConditionPart, happens
 from semantic_framer.control import going_on
 from semantic_framer.framed_lexicon import FramedLexicon
 from semantic_framer.item_lists import has_items, items_apart
@@ -122,6 +122,10 @@ class LinkedClauses:
     def has_items(self, clause: int) -> bool:
         """Whether a clause has a list of things or places."""
         return has_items(self.readings[clause])
+
+    def happens(self, condition: ConditionPart) -> bool:
+        """Whether a condition happens in a moment, so that "if" means when: "if the door opens"."""
+        return happens(condition, self._sentence, self._known)
 
     def condition(self, of: ConditionPart, is_opposite: bool, kind: LinkKind) -> PlanPart:
         """Return the node of a condition.

@@ -339,12 +339,15 @@ class _Builder:
             return self._ordered(unit, body)
         if joint.kind in _COUNTS:
             return Node(_repeated(child.part, label, joint), positions)
-        if joint.condition is None:
+        said = joint.condition
+        if said is None:
             raise NoStructure("a link without a condition")
+        if joint.kind is LinkKind.IF and not otherwise and self._table.happens(said):
+            joint = replace(joint, kind=LinkKind.WHEN)
         if joint.limit_s and joint.kind not in (LinkKind.UNTIL, LinkKind.WHEN, LinkKind.ANEW):
             raise NoStructure("a longest time for what does not wait")
         is_opposite = joint.kind is LinkKind.UNLESS
-        condition = self._table.condition(joint.condition, is_opposite, joint.kind)
+        condition = self._table.condition(said, is_opposite, joint.kind)
         if joint.kind in (LinkKind.IF, LinkKind.UNLESS):
             parts = (condition, child.part) + ((self._sequence(otherwise).part,) if otherwise else ())
             return Node(PlanPart("IF", label, parts), positions)

@@ -5,7 +5,7 @@ from typing import Optional, Sequence, Tuple, Union
 
 from semantic_framer.choices import choices_of_amounts, choices_of_clauses
 from semantic_framer.clause_links import Joints, find_joints
-from semantic_framer.clause_plan import PlanPart, answers_in_a_loop, leaves_of, without_unused
+from semantic_framer.clause_plan import Clauses, PlanPart, answers_in_a_loop, leaves_of, without_unused
 from semantic_framer.deeds import deeds_of
 from semantic_framer.dialogue import Context, Pending
 from semantic_framer.found_clauses import found_clauses
@@ -15,16 +15,18 @@ from semantic_framer.link_file import LinkKind, shipped_links
 from semantic_framer.linked_clauses import NoStructure, Open, which_of_it
 from semantic_framer.linked_plan import linked_plan
 from semantic_framer.named_persons import with_persons
-from semantic_framer.outcome import QUESTION, TALK, Question, Refusal, Understood
+from semantic_framer.outcome import QUESTION, REPORT, TALK, Question, Refusal, Understood
 from semantic_framer.reading import Reading
 from semantic_framer.readings import Heard
 from semantic_framer.sentence import Sentence
 from semantic_framer.settling import Now, resolve_and_confirm, without_positions
+from semantic_framer.standing_plan import with_wait
 from semantic_framer.verdicts import case_of
 from typed_arguments import TimeExpression
 from utterance_passes.quotations import QUOTATION_MARKS
 from utterance_passes.tree import ASIDE, DependencyTree, Word
 from utterance_passes.tree_edits import NotATree, TreeEdit, mark_times, set_aside
+from word_classes import word_class
 
 #: Codes of refusals of the deeds that say more than that the sentence has a condition.
 _TELLING = frozenset(["UNKNOWN_VERB", "UNKNOWN_FRAME", "NO_READING", "LEFT_OVER_WORDS"])
@@ -37,6 +39,11 @@ _MANNERS = (
     LinkKind.AT_LEAST,
     LinkKind.AT_MOST,
 )
+#: FrameNet's name of the end of what the robot does.
+_STOPPING = "Halt"
+_ENDS_OF_ORDER = word_class("first_of_all") | word_class("last_of_all")
+_MANY = word_class("persons_among_many")
+_PERSONS = word_class("persons_of_the_sentence")
 #: Relations of a verb that depends on the one before it.
 _DEPENDENT = frozenset(["advcl", "xcomp", "ccomp", "acl", "dep"])
 
@@ -54,6 +61,9 @@ def read_linked(
         joints: what joins its deeds
     """
     unknown = _unknown_link(sentence, joints, before)
+    if isinstance(unknown, Question) and joints.open_time is None:
+        pending = Pending((), 0, (), now.expires_s, unfinished=sentence.tree)
+        return Heard(unknown, replace(context, pending=pending), sentence)
     refused = Heard(unknown, context, sentence) if unknown is not None else None
     if refused is not None and joints.open_time is not None:
         return _with_open_time(sentence, now, before, joints, refused)
@@ -92,13 +102,40 @@ def read_linked(
         now.write("links", sentence.tree.text, f"refused. {reason}")
         return refused
     now.write("plan", sentence.tree.text, str(plan))
+    deeds_said = [kept[leaf.clause] for leaf in leaves_of(plan) if leaf.kind == "DO"]
+    is_stop = bool(deeds_said) and all(_is_stop(readings, now) for readings in deeds_said)
+    plan = with_wait(plan) if is_stop else plan
     outcome, after = resolve_and_confirm(kept, bare, context, now, plan=plan)
+    if is_stop and isinstance(outcome, Understood) and plan.kind not in ("AT", "WHENEVER"):
+        # What is to be stopped runs until then.
+        outcome = replace(outcome, beginning="BESIDE")
+    if isinstance(outcome, Question) and after.pending is not None:
+        outcome = _asked_of_condition(sentence, joints, kept, after.pending, outcome)
     doubt = _asked_first(sentence, joints, plan) if isinstance(outcome, Understood) else None
     if doubt is not None:
         now.write("links", sentence.tree.text, f"asked. {doubt.sentence}")
         pending = Pending(without_positions(kept), 0, (), now.expires_s, plan=plan, is_about_words=True)
         outcome, after = doubt, replace(context, pending=pending)
     return Heard(outcome, after, sentence, clauses)
+
+
+def _asked_of_condition(
+    sentence: Sentence, joints: Joints, clauses: Clauses, pending: Pending, asked: Question
+) -> Question:
+    """Return a question what a pronoun in a condition means: "If what is open?"."""
+    name = pending.elements[0] if asked.code == "AMBIGUOUS" and pending.elements and not pending.offered else ""
+    value = clauses[pending.clause][0].argument(name) if name else None
+    if value is None or pending.choices:
+        return asked
+    joint = next((one for one in joints.found if one.condition and set(value.positions) <= one.positions), None)
+    if joint is None or not value.positions:
+        return asked
+    what = "whom" if value.text.lower() in _PERSONS else "what"
+    before = sentence.text([index for index in sorted(joint.positions) if index < min(value.positions)])
+    behind = sentence.text([index for index in sorted(joint.positions) if index > max(value.positions)])
+    space = "" if behind[:1] in ("'", "\u2019") else " "
+    said = f"{before} {what}{space}{behind}".strip()
+    return replace(asked, sentence=f"{said[0].upper()}{said[1:]}?")
 
 
 def _with_open_time(
@@ -112,6 +149,10 @@ def _with_open_time(
     clauses = without_positions(heard.outcome.clauses)
     pending = Pending(clauses, 0, (), now.expires_s, plan=heard.outcome.plan, open_time=words)
     return replace(heard, outcome=refused.outcome, context=replace(heard.context, pending=pending))
+
+
+def _is_stop(readings: Tuple[Reading, ...], now: Now) -> bool:
+    return now.known.frames[readings[0].unit.frame_name].framenet == _STOPPING
 
 
 def _deeds_first(readings: Tuple[Reading, ...], now: Now) -> Tuple[Reading, ...]:
@@ -235,10 +276,12 @@ def manners(sentence: Sentence, known: FramedLexicon) -> Joints:
     """
     said = frozenset(word.form.lower() for word in sentence.tree.open_words)
     links = shipped_links()
-    if not links.has_manner(said) and not any(links.deed_link_at([form])[1] for form in said):
+    has_order = any(links.deed_link_at([form])[1] for form in said) or said & _ENDS_OF_ORDER
+    if not links.has_manner(said) and not has_order and not said & _MANY:
         return Joints()
     joints = find_joints(sentence, known)
-    return joints if any(joint.kind in _MANNERS for joint in joints.found) else Joints()
+    is_meant = any(joint.kind in _MANNERS or joint.is_of_persons for joint in joints.found)
+    return joints if is_meant else Joints()
 
 
 def _asked_first(sentence: Sentence, joints: Joints, plan: PlanPart) -> Optional[Question]:
@@ -287,11 +330,22 @@ def _unknown_link(
         joints: what joins its deeds
         before: why the sentence cannot be understood as it is
     """
-    if before.code != "CONDITION":
+    if before.code == REPORT and joints.unknown and _is_front(sentence, joints.unknown):
+        before = replace(before, code="CONDITION")  # "Once the water boils, turn off the stove" reports nothing.
+    if before.code not in ("CONDITION", "LEFT_OVER_WORDS"):
         return None
     if joints.question:
         return Question("MISSING_ELEMENT", joints.question)
-    if not joints.unknown:
+    if not joints.unknown or before.code != "CONDITION":
         return None
     words = sentence.text(joints.unknown)
     return Refusal("CONDITION", f'I do not understand "{words}" as a condition, so I do nothing.')
+
+
+def _is_front(sentence: Sentence, positions: Sequence[int]) -> bool:
+    """Whether words begin a sentence, and a deed stands behind a mark: "once the water boils, *turn* off the stove"."""
+    words = sentence.tree.open_words
+    if not words or positions[0] != words[0].index:
+        return False
+    behind = next((place for place, word in enumerate(words) if word.form == ","), len(words)) + 1
+    return behind < len(words) and words[behind].upos == "VERB" and words[behind].xpos in ("VB", "VBP")

@@ -20,6 +20,12 @@ def with_orders_at_the_root(plan: PlanPart) -> PlanPart:
     return replace(plan, children=_flat(children) if plan.kind == "SEQUENCE" else children)
 
 
+def with_wait(plan: PlanPart) -> PlanPart:
+    """Return a plan that waits in the place of an order for a span of time: "stop in ten seconds"."""
+    is_span = plan.kind == "AT" and plan.when is not None and not plan.when.value and plan.when.period_s is None
+    return _inside(plan) if is_span else plan
+
+
 def _flat(children: Iterable[PlanPart]) -> Tuple[PlanPart, ...]:
     """Return the parts of a sequence, without sequences inside it."""
     return tuple(one for child in children for one in (child.children if child.kind == "SEQUENCE" else (child,)))

@@ -3,6 +3,7 @@
 Callbacks only enqueue; one worker thread owns the orders and their file.
 """
 
+import math
 import os
 import queue
 import threading
@@ -47,6 +48,8 @@ from standing_orders.store import Store
 #: The frames of the server, which answers beside what runs.
 LISTING, FORGETTING, RESUMING = "question_of_standing_orders", "forgetting_an_order", "resuming_orders"
 _TURN_S = 0.5
+#: While nothing is due: the clock may be set at any time.
+_LONGEST_TURN_S = 2.0
 #: How long a command that was sent may take to be open or to be answered; it has been lost after that.
 _SENT_S = 10.0
 _ANSWER_S = 4.0
@@ -59,6 +62,11 @@ class _Happened:
     order_id: str
 
 
+@dataclass(frozen=True)
+class _Seen:
+    """What is known of a condition has changed."""
+
+
 @dataclass
 class _Request:
     """What a person asks of the server; the worker sets the answer."""
@@ -68,7 +76,7 @@ class _Request:
     answer: str = ""
 
 
-_Event = Union[CommandPlan, CommandStatus, Reply, StopReport, _Happened, _Request, None]
+_Event = Union[CommandPlan, CommandStatus, Reply, StopReport, _Happened, _Seen, _Request, None]
 
 
 class StandingOrdersNode:
@@ -114,6 +122,7 @@ class StandingOrdersNode:
         self._orders = rospy.Publisher("standing_orders", StandingOrders, queue_size=1, latch=True)
         self._watches = Watches(
             lambda order_id: self._inbox.put(_Happened(order_id)),
+            lambda: self._inbox.put(_Seen()),
             retry_s=settings.retry_s,
             silence_s=settings.silence_s,
             max_clients=_MAX_CLIENTS,
@@ -161,7 +170,7 @@ class StandingOrdersNode:
         while True:
             event: Optional[_Event] = None
             try:
-                event = self._inbox.get(timeout=_TURN_S)
+                event = self._inbox.get(timeout=self._pause_s())
                 if event is None:
                     return
             except queue.Empty:
@@ -172,6 +181,16 @@ class StandingOrdersNode:
                 self._turn()
             except Exception as error:  # boundary: one message must not end the work on all others
                 rospy.logerr("standing_orders: %s: %s", type(error).__name__, error)
+
+    def _pause_s(self) -> float:
+        """Return how long nothing is to be done, if nothing happens: until the next order is due."""
+        orders = self._book.orders
+        is_busy = self._sent or self._missed or self._book.due_ids or any(order.begun for order in orders)
+        if is_busy or not self._is_resumed or self._watches.is_any_blind:
+            return _TURN_S
+        next_s = min((order.next_s for order in orders if order.next_s is not None), default=math.inf)
+        left_s = next_s - time.time()
+        return min(left_s, _LONGEST_TURN_S) if left_s > 0.0 else _TURN_S
 
     def _handle(self, event: _Event) -> None:
         if isinstance(event, CommandPlan):

@@ -33,15 +33,24 @@ class _Watch:
 class Watches:
     """Watches conditions, each again a while after its source has died."""
 
-    def __init__(self, on_event: Callable[[str], None], *, retry_s: float, silence_s: float, max_clients: int) -> None:
+    def __init__(
+        self,
+        on_event: Callable[[str], None],
+        on_change: Callable[[], None],
+        *,
+        retry_s: float,
+        silence_s: float,
+        max_clients: int,
+    ) -> None:
         """
         Args:
             on_event: called with the id of an order when its condition begins to hold, from any thread
+            on_change: called when something else is known of a condition, from any thread
             retry_s: from the death of a source to the next try
             silence_s: between two observations, unless the server states another time
             max_clients: connections to servers that are kept
         """
-        self._on_event = on_event
+        self._on_event, self._on_change = on_event, on_change
         self._retry_s = retry_s
         self._lock = threading.RLock()
         self._watches: Dict[object, _Watch] = {}
@@ -84,6 +93,12 @@ class Watches:
         with self._lock:
             return {name: _known(watch.watching) for watch in self._watches.values() for name in watch.orders}
 
+    @property
+    def is_any_blind(self) -> bool:
+        """Whether nobody can tell whether a condition holds: its source is tried again soon."""
+        with self._lock:
+            return any(watch.watching.fault or watch.watching.holds is None for watch in self._watches.values())
+
     def turn(self) -> None:
         """Watch again what nobody watches any more."""
         now_s = time.monotonic()
@@ -121,6 +136,7 @@ class Watches:
             orders = tuple(watch.orders) if has_begun else ()
         for order_id in orders:
             self._on_event(order_id)
+        self._on_change()
 
 
 def _known(watching: Watching) -> Condition:

@@ -7,7 +7,8 @@ from typing import Any, Callable
 import rospy
 
 SERVER = "stopping"
-FRAMES = ("stopping", "waiting")
+STOPPING = "stopping"
+FRAMES = (STOPPING, "waiting")
 #: How often a robot that waits checks for another command, seconds.
 POLL_S = 0.05
 
@@ -42,7 +43,9 @@ class StoppingFrame:
 
             server = RFNServer(SERVER, lambda frame: self._carry_out(server, frame))
             for frame_name in FRAMES:
-                server.register_with_frame(frame_name)
+                # "Stop when you see a wall" is said while something runs, and waits beside it.
+                statement = {"occupies": ["nothing"]} if frame_name == STOPPING else {}
+                server.register_with_frame(frame_name, **statement)
             server.start()
         except Exception as error:  # boundary: a fault of the pipeline must not keep stops from working
             rospy.logwarn("the frames %s are not offered: %s: %s", ", ".join(FRAMES), type(error).__name__, error)

@@ -50,6 +50,7 @@ class Amount:
         ends: for a doubtful amount, the words of each amount that a person can choose: "two or three metres"
         is_of_noun: whether it names the noun before it, replaces a noun, or says how often: "room 5", "the next
             one", "5 times"
+        is_assumed: whether the words have no number, and the amount is a stated default: "a bit"
     """
 
     positions: Tuple[int, ...]
@@ -62,6 +63,7 @@ class Amount:
     is_doubtful: bool = False
     ends: Tuple[Tuple[int, ...], ...] = ()
     is_of_noun: bool = False
+    is_assumed: bool = False
 
     def digits(self) -> str:
         """Return the number in digits, without needless zeros; a number that is not finite stays as it was said."""

@@ -279,3 +279,41 @@ def _relation_of_top(tree: DependencyTree, word: Word, kept: AbstractSet[int]) -
 
 def _unsaid(index: int, form: str, upos: str, xpos: str, head: int, deprel: str, start: int) -> Word:
     return Word(index, form, form, upos, xpos, "", head, deprel, start, start + len(form))
+
+
+def continued(tree: DependencyTree, link: int, answer: DependencyTree) -> DependencyTree:
+    """Return the tree of an unfinished sentence with the words that a person says behind it: "wait until" and "noon".
+
+    Args:
+        tree: of the sentence
+        link: position of the last word that joins, behind which something is missing
+        answer: what was said then; a link at its front that was said already is left out
+    """
+    first = list(tree.words[:link])
+    said = list(answer.words)
+    if len(said) > 1 and said[0].form.lower() == tree.word(link).form.lower():
+        said.pop(0)
+    kept = {word.index: link + place for place, word in enumerate(said, start=1)}
+    head = next((kept[word.index] for word in said if word.head not in kept), link + 1)
+    root = next(word.index for word in first if word.head == 0 or word.head > link)
+    shift = len(tree.text) + 1
+    words = [
+        replace(word, head=0 if word.index == root else word.head if 0 < word.head <= link else root) for word in first
+    ]
+    if link != root:
+        words[link - 1] = replace(words[link - 1], upos="SCONJ", xpos="IN", head=head, deprel="mark")
+    for word in said:
+        place = kept[word.index]
+        is_head = place == head
+        words.append(
+            replace(
+                word,
+                index=place,
+                head=root if is_head else kept.get(word.head, head),
+                deprel="advcl" if is_head else word.deprel,
+                start_character=word.start_character + shift,
+                end_character=word.end_character + shift,
+            )
+        )
+    times = tuple(time for time in tree.times if max(time) <= link)
+    return DependencyTree(f"{tree.text} {answer.text}", tuple(words), times=times)
