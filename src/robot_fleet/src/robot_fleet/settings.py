@@ -16,7 +16,6 @@ class FleetSettings(Parameters):
         dialogue_timeout_s: how long the robot that was last spoken to is meant
         answer_timeout_s: how long the answer to "Who should do that?" is waited for
         connection_timeout_s: how long a robot may take to be connected before it counts as gone
-
         delivery_timeout_s: what a robot that is gone has not begun after this time is answered as lost; longer than
             `longest_delay_s` of the robots, which refuse what reaches them later
 
