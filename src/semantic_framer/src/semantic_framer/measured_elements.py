@@ -8,6 +8,7 @@ from semantic_framer.slight_amounts import slight_amount, slight_words
 from semantic_frames.frame import FrameElement, Quantity, SemanticFrame
 from semantic_frames.lexical_unit import LexicalUnit, RelationPath
 from semantic_frames.relation_names import MEASURE
+from spoken_quantities import find_unit
 from utterance_passes.measures import Amount
 
 _OF_SPACE = frozenset([Quantity.LENGTH.value, Quantity.ANGLE.value])
@@ -102,6 +103,10 @@ def _is_of_the_verb(sentence: Sentence, amount: Amount, verb_positions: Sequence
         for position in amount.positions
         if position != amount.unit_position and sentence.word(position).form.lower() not in ("a", "an")
     ]
+    unit = find_unit(amount.unit)
+    if unit is not None and unit.is_assumed:
+        # "Take a step" says how far.
+        return False
     return not amount.is_doubtful and bool(verb & frozenset(amount.positions)) and verb >= frozenset(own)
 
 

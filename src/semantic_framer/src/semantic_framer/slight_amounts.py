@@ -5,7 +5,7 @@ The person hears the amount, because it stands behind the words of the clause: "
 
 from typing import Iterable, List, Mapping, Optional, Sequence, Tuple
 
-from spoken_quantities import parse_measure
+from spoken_quantities import find_unit, parse_measure
 from typed_arguments import TypedArgument
 from utterance_passes.measures import Amount
 from utterance_passes.tree import DependencyTree
@@ -76,6 +76,12 @@ def stated(arguments: Iterable[TypedArgument]) -> str:
     found: List[str] = []
     for argument in arguments:
         measure = argument.measure
-        if measure is not None and measure.is_assumed and measure.kind in ASSUMED:
+        if measure is None or not measure.is_assumed or measure.kind not in ASSUMED:
+            continue
+        unit = find_unit(measure.unit)
+        if unit is not None and unit.is_assumed and measure.si is not None:
+            # "Two steps" are a metre.
+            found.append("1 metre" if measure.si == 1.0 else f"{measure.si:g} metres")
+        else:
             found.append(ASSUMED[measure.kind])
     return f" ({', '.join(dict.fromkeys(found))})" if found else ""

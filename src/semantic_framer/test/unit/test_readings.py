@@ -87,6 +87,14 @@ def test_how_far_a_bit_is_is_stated(understand: Any) -> None:
     assert outcome.clauses[0][0].clause_text == "scoot back a little (20 centimetres)"
 
 
+def test_how_far_a_step_is_is_stated(understand: Any) -> None:
+    outcome, _ = understand("take three steps back")
+    reading = outcome.clauses[0][0]
+    assert reading.clause_text == "take three steps back (1.5 metres)"
+    distance = reading.argument("distance")
+    assert distance.si == pytest.approx(1.5) and distance.measure.is_assumed
+
+
 @pytest.mark.parametrize("text", ["bring me a bit of cake", "bring me a little milk", "go a bit closer to the table"])
 def test_a_bit_of_something_is_no_amount(understand: Any, text: str) -> None:
     outcome, _ = understand(text)
