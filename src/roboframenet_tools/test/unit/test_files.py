@@ -126,7 +126,8 @@ def test_new_from_an_action_takes_constants_as_values(tmp_path):
     elements = {element.name: element for element in knowledge.frames["testing"].frame_elements}
     assert "aborted" in elements["terminate_status"].values
     assert elements["the_result"].quantity is not None and not elements["the_result"].values
-    assert "- name: pause_status\n    relation: [measure]\n" in (tmp_path / "lexical_units" / "testing.yaml").read_text()
+    unit = (tmp_path / "lexical_units" / "testing.yaml").read_text()
+    assert "- name: pause_status\n    relation: [measure]\n" in unit
 
 
 def test_new_from_no_action_is_wrong_usage(tmp_path, capsys):
