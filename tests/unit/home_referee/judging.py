@@ -8,6 +8,7 @@ from typing import Dict, List, Mapping, Optional, Sequence, Tuple, Union
 from .commands import Command
 from .home_slots import HomeSlots
 from .logical_forms import Description, Form
+from .walking import Walk
 
 Truth = Mapping[str, Union[str, bool, float]]
 ROBOT = "robot"
@@ -291,6 +292,9 @@ class _Referee:
         sentence = self._run.sentence.lower()
         if any(_core(reason) in sentence for reason in self._run.reasons):
             return True
+        if "does not go anywhere" in sentence:
+            person = Walk(self._run.command).person
+            return bool(person) and self._run.after[f"{person}.posture"] != "walking"
         return any(words in sentence for words in ("have not seen", "did not come", "have lost", "i do not see"))
 
 

@@ -6,6 +6,8 @@ from .commands import Command
 
 #: Where somebody walks to when the command does not say; to the second when they are at the first.
 _ANYWHERE = ("living_room", "kitchen")
+#: They are asked so often whether they go before they do: the robot has to have met them.
+_WAITS = 20
 
 
 class Walk:
@@ -23,6 +25,7 @@ class Walk:
         #: Whether the robot follows to a goal of its own knowledge; otherwise whoever is followed ends it.
         self._has_goal = bool(command.destination) or command.form.predicate == "sequence"
         self._is_part = command.form.predicate == "sequence"
+        self._waits = _WAITS
         self._has_begun = False
         self._has_walked = False
         self.is_over = False
@@ -35,7 +38,8 @@ class Walk:
         is_near = bool(truth[f"{self.person}.is_near"])
         is_walking = truth[f"{self.person}.posture"] == "walking"
         self._has_walked = self._has_walked or (self._has_begun and is_walking)
-        if not self._has_begun and is_near:
+        self._waits -= is_near
+        if not self._has_begun and is_near and self._waits <= 0:
             self._has_begun = True
             anywhere = next(room for room in _ANYWHERE if room != truth[f"{self.person}.room"])
             return f"{self.person} walk {self._goal or anywhere}"

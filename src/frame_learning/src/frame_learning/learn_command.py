@@ -10,6 +10,7 @@ from frame_learning.annotated_commands import CorpusError
 from frame_learning.annotated_sentences import AnnotatedSentence, read_sentences, sentences_of
 from frame_learning.corpora import CORPORA
 from frame_learning.evidence import Lesson
+from frame_learning.similar_verbs import add_similar_verbs
 from frame_learning.unit_files import frame_yaml, names_of_new_frames, to_yaml
 from frame_learning.unit_induction import LearnedUnit, learn
 from offline_pipeline.knowledge import Knowledge, load_knowledge, load_texts, shipped_domains
@@ -105,6 +106,7 @@ def lexicon_files(
     units, report = learn(readable, parse, known.frames)
     lessons = [lesson for unit in units for lesson in unit.lessons]
     units = _useful(units, parse, known)
+    add_similar_verbs(units)
     new = _new_frames(units, known)
     by_frame = _by_frame(units)
     learned = _draft(units, known)

@@ -1,5 +1,6 @@
 """Writes learned units as files that a person can read and edit."""
 
+import textwrap
 from typing import Callable, List, Mapping, Sequence, Tuple
 
 from frame_learning.evidence import Lesson
@@ -19,7 +20,7 @@ def to_yaml(units: Sequence[LearnedUnit], is_understood: Callable[[Lesson], bool
     """
     lines: List[str] = []
     for unit in units:
-        lines += [f"- frame_name: {unit.frame_name}", f"  verb: [{', '.join(unit.verbs)}]"]
+        lines += [f"- frame_name: {unit.frame_name}", *_verbs(unit)]
         if unit.open_relations or unit.closed_relations:
             lines.append("  frame_element_grammatical_relations:")
         for name, relations in list(unit.closed_relations.items()) + list(unit.open_relations.items()):
@@ -59,6 +60,17 @@ def frame_yaml(name: str, lessons: Sequence[Lesson]) -> str:
 def names_of_new_frames(frames: Mapping[str, SemanticFrame], units: Sequence[LearnedUnit]) -> Tuple[str, ...]:
     """Return the names of frames that units evoke but no file describes."""
     return tuple(sorted({unit.frame_name for unit in units} - set(frames)))
+
+
+def _verbs(unit: LearnedUnit) -> List[str]:
+    if not unit.verbs_alike:
+        return [f"  verb: [{', '.join(unit.verbs)}]"]
+    alike = textwrap.wrap(", ".join(unit.verbs_alike), width=100, break_on_hyphens=False)
+    return ["  verb:", f"    [{', '.join(unit.verbs)},", "     # Like them, by WordNet.", *_indented(alike, "]")]
+
+
+def _indented(lines: Sequence[str], end: str) -> List[str]:
+    return [f"     {line}" for line in lines[:-1]] + [f"     {lines[-1]}{end}"]
 
 
 def _quoted(text: str) -> str:

@@ -19,7 +19,7 @@ from utterance_passes.correcting_table import PARSE_CORRECTING_PASSES
 from utterance_passes.running import run_tree_passes
 from utterance_passes.tree import DependencyTree
 from utterance_passes.vocabulary import Verbs
-from word_classes import word_list
+from word_classes import word_class, word_list
 
 #: Prepositions with the same meaning for a frame element; one of a group stands for the whole group.
 PREPOSITION_GROUPS: Tuple[Tuple[str, ...], ...] = tuple(
@@ -37,6 +37,8 @@ _WAYS, _BY_DOING = frozenset(["prep_through", "prep_via", "prep_by"]), "prepc_by
 WORD_GROUPS: Tuple[Tuple[str, ...], ...] = tuple(
     word_list(name) for name in ("manner_adverbs", "left_and_right", "forward_and_backward", "portals")
 )
+_SIDES = word_class("left_and_right")
+_OF_SIDES = frozenset(["advmod", "prep_to"])
 #: Share of the sentences of a verb and a frame.
 _NEARLY_ALWAYS = 0.8
 #: FrameNet's names of elements that the same adverbs fill: "quickly".
@@ -50,6 +52,7 @@ class LearnedUnit:
     Attributes:
         frame_name: the frame that it evokes
         verbs: lemmas, particles included
+        verbs_alike: other verbs that mean the same as those, or ways to do it
         open_relations: relations by element, for any word
         closed_relations: relations by element, only for the words that were seen
         words: those words, by element
@@ -61,6 +64,7 @@ class LearnedUnit:
 
     frame_name: str
     verbs: List[str] = field(default_factory=list)
+    verbs_alike: List[str] = field(default_factory=list)
     open_relations: Dict[str, List[str]] = field(default_factory=dict)
     closed_relations: Dict[str, List[str]] = field(default_factory=dict)
     words: Dict[str, List[str]] = field(default_factory=dict)
@@ -216,6 +220,9 @@ def _fill_closed(unit: LearnedUnit, name: str, relation: str, said: Sequence[str
     for group in WORD_GROUPS:
         if any(word in group for word in words):
             words += [word for word in group if word not in words]
+    if _SIDES & frozenset(words) and _OF_SIDES & frozenset(seen):
+        # "Turn left" and "turn to the left" mean the same.
+        seen += [other for other in sorted(_OF_SIDES) if other not in seen]
 
 
 def _share_between_frames(
@@ -243,9 +250,10 @@ def _share_between_frames(
         for name, shared in _peripheral(frames.get(unit.frame_name)).items():
             if name in unit.required:
                 continue
-            taken = {relation for other, found in unit.closed_relations.items() if other != name for relation in found}
+            # "Turn left quickly": the words tell a direction from a manner.
+            others = {word for other, listed in unit.words.items() if other != name for word in listed}
             for (other, relation), said in sorted(words.items()):
-                if other == shared and name not in unit.open_relations and relation not in taken:
+                if other == shared and name not in unit.open_relations and not others.intersection(said):
                     _fill_closed(unit, name, relation, said)
             taken = {relation for relations in unit.open_relations.values() for relation in relations}
             new = [relation for relation in dict.fromkeys(prepositions[shared]) if relation not in taken]

@@ -62,8 +62,11 @@ def fill(frame: SemanticFrame, arguments: Mapping[str, TypedArgument]) -> Filled
                     element.question or f"The {spoken_name(element.name)} of {spoken_name(frame.name)} is missing.",
                 )
             continue
+        allowed = [value.lower() for value in element.values]
+        if allowed and found[element.name].text.lower() not in allowed:
+            found[element.name] = _without_article(found[element.name])
         text = found[element.name].text
-        if element.values and text.lower() not in [value.lower() for value in element.values]:
+        if allowed and text.lower() not in allowed:
             raise Unfillable(
                 "VALUE_NOT_ALLOWED",
                 f'The {spoken_name(element.name)} cannot be "{text}", only {join_with_or(element.values)}.',
@@ -73,6 +76,12 @@ def fill(frame: SemanticFrame, arguments: Mapping[str, TypedArgument]) -> Filled
             found[element.name] = _measured(frame, element, element.quantity, found)
     extra = extra_thematic_arguments(frame, arguments.values())
     return FilledFrame(name=frame.name, arguments=(*found.values(), *extra))
+
+
+def _without_article(argument: TypedArgument) -> TypedArgument:
+    """Return an argument whose text is its head: "left" for "the left", but "the left door" stays as it is."""
+    text = word_classes.without_determiner(argument.text)
+    return replace(argument, text=text) if text.lower() == argument.head.lower() else argument
 
 
 def check_expressible(frame: SemanticFrame, element: FrameElement, argument: TypedArgument) -> None:

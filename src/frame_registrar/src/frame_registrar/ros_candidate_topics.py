@@ -1,8 +1,9 @@
 """The topics on which plans go on: questions are answered beside what the robot does, and preempt nothing."""
 
-from typing import Any, Callable
+import copy
+from typing import Any, Callable, Optional
 
-from roboframenet_msgs.msg import CommandPlan, CommandSemanticFrames
+from roboframenet_msgs.msg import CommandPlan, CommandSemanticFrames, Plan, PlanCandidate
 
 from roboframenet_ros.ros_hand_over import HandOver
 from roboframenet_ros.ros_robots import OfEachRobot, topic_of
@@ -35,14 +36,35 @@ class CandidateTopics:
         self._questions.get(robot)
 
     def publish(self, message: CommandSemanticFrames) -> None:
-        """Publish a plan: as a question if all of its frames are questions."""
-        names = {
-            frame.name for node in message.plan.nodes for candidate in node.candidates for frame in candidate.frames
-        }
-        if names and all(map(self._is_question, names)):
-            _publish(self._questions, message.command.robot, CommandPlan(command=message.command, plan=message.plan))
+        """Publish a plan: as a question if all that it most likely means are questions."""
+        question = question_of(message.plan, self._is_question)
+        if question is not None:
+            _publish(self._questions, message.command.robot, CommandPlan(command=message.command, plan=question))
         else:
             _publish(self._candidates, message.command.robot, message)
+
+
+def question_of(plan: Plan, is_question: Callable[[str], bool]) -> Optional[Plan]:
+    """Return a plan without what is no question; None if the likeliest reading of a clause is none.
+
+    "I am Anna" says who speaks, and less likely of what kind somebody is.
+    """
+    clauses = [node for node in plan.nodes if node.candidates]
+    for node in clauses:
+        best = min(candidate.preference for candidate in node.candidates)
+        likeliest = [candidate for candidate in node.candidates if candidate.preference == best]
+        if not all(_asks(candidate, is_question) for candidate in likeliest):
+            return None
+    if not clauses:
+        return None
+    question = copy.deepcopy(plan)
+    for node in question.nodes:
+        node.candidates = [candidate for candidate in node.candidates if _asks(candidate, is_question)]
+    return question
+
+
+def _asks(candidate: PlanCandidate, is_question: Callable[[str], bool]) -> bool:
+    return all(is_question(frame.name) for frame in candidate.frames)
 
 
 def _publish(topics: OfEachRobot[HandOver], robot: str, message: Any) -> None:

@@ -58,6 +58,7 @@ def measure_of(tree: DependencyTree, amount: Amount) -> Measure:
         si=_finite(amount.si_amount),
         bound=shipped_meanings().bound(before),
         change="more" if _MORE & frozenset(forms + before[-1:]) else "",
+        is_assumed=amount.is_assumed or (unit is not None and unit.is_assumed),
     )
 
 

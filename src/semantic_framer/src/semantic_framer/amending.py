@@ -9,7 +9,7 @@ import re
 from dataclasses import dataclass, replace
 from typing import Dict, FrozenSet, List, Optional, Sequence, Tuple
 
-from phrase_meanings.arguments import ONES, of_same_kind, on_other_side
+from phrase_meanings.arguments import ONES, amount_argument, of_same_kind, on_other_side, unit_argument
 from semantic_framer.dialogue import Context, LastCommand
 from semantic_framer.fragments import Fragment, FragmentKind, fragment_of
 from semantic_framer.framed_lexicon import FramedLexicon
@@ -27,8 +27,10 @@ from semantic_framer.outcome import (
     Understood,
     join_with_or,
 )
+from semantic_framer.paces import FASTER, SLOWER, at_pace, has_amount, pace_element
 from semantic_framer.reading import Reading
 from semantic_framer.sentence import Sentence
+from semantic_framer.slight_amounts import slight_amount, stated
 from semantic_framer.type_fits import with_types
 from semantic_framer.unheeded import without_unheeded
 from semantic_frames.frame import FrameElement, SemanticFrame
@@ -44,6 +46,7 @@ from word_classes import word_class, word_list
 #: Types with much in common.
 _ALIKE = (("Sentient",), ("Location",), ("Physical_object", "Substance"), ("Information",))
 _HEARERS = word_class("hearers")
+_NEGATIONS = word_class("negations")
 _PERSONS = word_class("pronouns_of_persons")
 _PAIRS = word_list("opposite_sides")
 #: The other side of each side.
@@ -51,6 +54,9 @@ _OPPOSITES: Dict[str, str] = {
     **dict(zip(_PAIRS[::2], _PAIRS[1::2])),
     **dict(zip(_PAIRS[1::2], _PAIRS[::2])),
 }
+
+#: What fragments of a pace make of a deed.
+PACES = {FragmentKind.FASTER: FASTER, FragmentKind.SLOWER: SLOWER}
 
 Clauses = Tuple[Tuple[Reading, ...], ...]
 #: After these refusals, a fragment still means the command before: no other command was said.
@@ -123,7 +129,9 @@ class _Amending:
         if kind is FragmentKind.MORE:
             return _unsaid(self._reading) if self._measured() else None
         if kind is FragmentKind.BIT:
-            return self._with_open_amount()
+            return self._with_a_bit()
+        if kind in PACES:
+            return self._at_pace(PACES[kind])
         is_one = self._tree.word(self._fragment.positions[-1]).form.lower() in ONES
         if kind is FragmentKind.OPPOSITE or is_one:
             found = self._of_a_side() or self._replaced()
@@ -148,7 +156,8 @@ class _Amending:
             before,
             arguments=arguments,
             missing=tuple(element for element in before.missing if element.name not in new),
-            clause_text=" ".join([before.verb, *(words for words in said if words.lower() not in _HEARERS)]),
+            clause_text=" ".join([before.verb, *(words for words in said if words.lower() not in _HEARERS)])
+            + stated(arguments),
         )
 
     def _measured(self) -> List[FrameElement]:
@@ -156,18 +165,35 @@ class _Amending:
         filled = {argument.name for argument in self._reading.arguments}
         return [element for element in self._frame.frame_elements if element.quantity and element.name in filled]
 
-    def _with_open_amount(self) -> Optional[Reading]:
-        """Return the reading without its amount: the person must say how much a bit is."""
+    def _with_a_bit(self) -> Optional[Reading]:
+        """Return the reading with the amount that is assumed for "a bit"; without one, the person must say it."""
         measured = self._measured()
-        if len(measured) != 1:
+        if len(measured) != 1 or measured[0].quantity is None:
             return None
         names = {measured[0].name, measured[0].unit_element}
+        amount = slight_amount(self._fragment.positions, measured[0].quantity.value)
+        if amount is not None and measured[0].unit_element:
+            value = amount_argument(self._tree, measured[0].name, amount, is_whole=False)
+            return self._with([value, unit_argument(self._tree, measured[0].unit_element, amount)])
         before = _unsaid(self._reading)
         return replace(
             before,
             arguments=tuple(one for one in before.arguments if one.name not in names),
             missing=tuple(element for element in self._frame.frame_elements if element.name in names),
         )
+
+    def _at_pace(self, pace: str) -> Optional[Reading]:
+        """Return the reading at another pace; None if no server heeds one, or there is none beyond."""
+        heeded = self._known.heeded.get(self._frame.name)
+        name = pace_element(self._frame, heeded)
+        words = self._tree.text_of(self._fragment.positions)
+        found = at_pace(self._reading, name, pace, words, self._fragment.positions) if name else None
+        if found is None:
+            return None
+        if found.text:
+            return self._with([found])
+        usual = self._with(())
+        return replace(usual, arguments=tuple(one for one in usual.arguments if one.name != name))
 
     def _of_a_side(self) -> Tuple[TypedArgument, ...]:
         """Return the only argument with a side, on the other side, or on the side that the fragment names ("the right
@@ -381,7 +407,8 @@ def change_of(sentence: Sentence, context: Context, known: FramedLexicon) -> Opt
         return None
     said = sentence.tree.text.strip(_MARKS)
     if context.last is None:
-        if not fragment.needs_command:
+        # "Not so fast" is said to whatever runs.
+        if not fragment.needs_command or sentence.word(fragment.positions[0]).form.lower() in _NEGATIONS:
             return None
         question = Question("AMBIGUOUS", f'What do you mean by "{said}"? Say it in a whole sentence.')
         return Change("asked. No command was said before it.", question)
@@ -394,7 +421,10 @@ def change_of(sentence: Sentence, context: Context, known: FramedLexicon) -> Opt
     if not found:
         if not fragment.needs_command:
             return None
-        refusal = Refusal("NO_VERB", f'I do not know what "{said}" means after my last command.')
+        reason = f'I do not know what "{said}" means after my last command.'
+        if fragment.kind in PACES:
+            reason = f"I cannot do that {PACES[fragment.kind]}."
+        refusal = Refusal("NO_VERB", reason)
         return Change(f"refused. It says nothing about {before}.", refusal)
     clauses = found[0]
     after = "; ".join(str(readings[0]) for readings in clauses)
@@ -404,10 +434,12 @@ def change_of(sentence: Sentence, context: Context, known: FramedLexicon) -> Opt
 
 def _is_manner_of_amount(fragment: Fragment, clauses: Clauses, known: FramedLexicon) -> bool:
     """Whether a fragment says only how to do something that has an amount: "faster" after "move forward two metres"."""
-    if fragment.kind is not FragmentKind.ELEMENTS:
-        return False
     reading = clauses[0][0]
     frame = known.frames[reading.unit.frame_name]
+    if fragment.kind in PACES:
+        return has_amount(reading, frame)
+    if fragment.kind is not FragmentKind.ELEMENTS:
+        return False
     said = {argument.name for argument in reading.arguments if argument.positions}
     core = {element.name for element in frame.frame_elements if element.is_core}
     return not said & core and any(argument.measure is not None for argument in reading.arguments)

@@ -13,6 +13,7 @@ from typing import List, Mapping, Optional, Pattern, Sequence, Tuple
 from semantic_framer.framed_lexicon import FramedLexicon
 from semantic_framer.mood_file import UtteranceKind
 from semantic_framer.sentence import Sentence
+from semantic_framer.slight_amounts import slight_words
 from semantic_framer.utterance_kind import kind_without_clause
 from semantic_frames.source_files import read_text
 from utterance_passes.clauses import find_clauses
@@ -24,7 +25,7 @@ from word_classes import word_class
 
 #: Next to this module in the source, devel and install space.
 FRAGMENTS_FILE = Path(__file__).resolve().parent / "fragments.yaml"
-KINDS = ("openings", "endings", "whole_command", "as_much_again", "a_bit_more", "other_side")
+KINDS = ("openings", "endings", "whole_command", "as_much_again", "a_bit_more", "faster", "slower", "other_side")
 #: The most words of an opening or an ending.
 _LONGEST = 6
 _AGREEMENTS = word_class("agreements")
@@ -42,6 +43,8 @@ class FragmentKind(Enum):
     REPEAT = "repeats it"
     MORE = "does as much again"
     BIT = "does a bit more"
+    FASTER = "goes faster"
+    SLOWER = "goes slower"
     OPPOSITE = "takes the other side"
     ELEMENTS = "changes elements"
 
@@ -63,7 +66,12 @@ class Fragment:
     @property
     def needs_command(self) -> bool:
         """Whether the words mean nothing without an earlier command, so that the robot asks what is meant."""
-        return self.kind in (FragmentKind.REPEAT, FragmentKind.MORE, FragmentKind.BIT)
+        return self.kind in _NEEDING_A_COMMAND
+
+
+_NEEDING_A_COMMAND = frozenset(
+    [FragmentKind.REPEAT, FragmentKind.MORE, FragmentKind.BIT, FragmentKind.FASTER, FragmentKind.SLOWER]
+)
 
 
 @lru_cache(maxsize=None)
@@ -83,6 +91,8 @@ _WHOLE: Tuple[Tuple[FragmentKind, Pattern[str]], ...] = tuple(
         (FragmentKind.REPEAT, "whole_command"),
         (FragmentKind.MORE, "as_much_again"),
         (FragmentKind.BIT, "a_bit_more"),
+        (FragmentKind.FASTER, "faster"),
+        (FragmentKind.SLOWER, "slower"),
         (FragmentKind.OPPOSITE, "other_side"),
     )
 )
@@ -121,8 +131,13 @@ def fragment_of(sentence: Sentence, known: FramedLexicon) -> Optional[Fragment]:
     if kind_without_clause(tree).kind is not UtteranceKind.ANSWER:
         return None
     is_more = bool(_MORE & frozenset(forms[first:last]))
+    slight = slight_words(tree, positions)
     if forms[last - 1] in _MORE and last - first > 1:
         positions = positions[:-1]
+    elif is_more and slight:
+        # "A bit more to the left" is "a bit to the left", from where the robot is.
+        positions = tuple(index for index in positions if index not in slight or plain(tree.word(index)) not in _MORE)
+        is_more = False
     return Fragment(FragmentKind.ELEMENTS, positions, is_more)
 
 

@@ -103,7 +103,7 @@ class _Filling:
         self._fits: Dict[str, Fit] = {}
         self._heads: Dict[str, int] = {}
         self._listed: Dict[str, FrozenSet[int]] = {}
-        measured = measured_elements(sentence, unit, frame, match.positions, amounts)
+        measured = measured_elements(sentence, unit, frame, match.positions, amounts, clause.positions)
         self._amount_of = measured.amount_of
         self._unread = measured.unread
         #: Words of phrases without a noun; the framer asks for the elements that these phrases began.
@@ -372,6 +372,8 @@ class _Filling:
         if not has_postmodifiers(self._sentence.tree, head):
             return frozenset()
         noun = self._sentence.subtree(head) - left_out
+        if not noun:
+            return frozenset()
         # "Say hello in the kitchen" says where to say it; "the name of the man in the kitchen" says which man is meant.
         if element.framenet == MESSAGE and not is_of_something(self._sentence.tree, head):
             return frozenset()

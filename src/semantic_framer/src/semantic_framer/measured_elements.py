@@ -1,12 +1,14 @@
 """Assigns the amounts of a clause to the elements of a frame."""
 
 from dataclasses import dataclass
-from typing import Dict, Optional, Sequence, Tuple
+from typing import AbstractSet, Dict, Optional, Sequence, Tuple
 
 from semantic_framer.sentence import Sentence
-from semantic_frames.frame import Quantity, SemanticFrame
+from semantic_framer.slight_amounts import slight_amount, slight_words
+from semantic_frames.frame import FrameElement, Quantity, SemanticFrame
 from semantic_frames.lexical_unit import LexicalUnit, RelationPath
 from semantic_frames.relation_names import MEASURE
+from spoken_quantities import find_unit
 from utterance_passes.measures import Amount
 
 _OF_SPACE = frozenset([Quantity.LENGTH.value, Quantity.ANGLE.value])
@@ -33,6 +35,7 @@ def measured_elements(
     frame: SemanticFrame,
     verb_positions: Sequence[int],
     amounts: Sequence[Amount],
+    positions: AbstractSet[int] = frozenset(),
 ) -> MeasuredElements:
     """Give each amount to the first element that asks for a measure of its quantity.
 
@@ -45,6 +48,7 @@ def measured_elements(
         frame: the frame of the unit
         verb_positions: words of the verb
         amounts: the amounts of the clause
+        positions: the words of the clause; "a bit" among them stands for an amount
     """
     free = [amount for amount in amounts if not _is_of_the_verb(sentence, amount, verb_positions)]
     amount_of: Dict[str, Amount] = {}
@@ -78,7 +82,17 @@ def measured_elements(
         is_open = relation.name not in amount_of and relation.name not in unread
         if misplaced and is_open and element is not None and element.quantity and element.quantity.value in _OF_SPACE:
             unread[relation.name] = misplaced
+        slight = _slight(sentence, element, positions - frozenset(verb_positions)) if is_open and not free else None
+        if slight is not None and element is not None:
+            amount_of[relation.name] = amount_of[element.unit_element] = slight
     return MeasuredElements(amount_of, unread)
+
+
+def _slight(sentence: Sentence, element: Optional[FrameElement], positions: AbstractSet[int]) -> Optional[Amount]:
+    """Return the amount that "a bit" stands for; None if nobody said so, or the element asks for no measure."""
+    if element is None or element.quantity is None or not element.unit_element:
+        return None
+    return slight_amount(slight_words(sentence.tree, positions), element.quantity.value)
 
 
 def _is_of_the_verb(sentence: Sentence, amount: Amount, verb_positions: Sequence[int]) -> bool:
@@ -89,6 +103,10 @@ def _is_of_the_verb(sentence: Sentence, amount: Amount, verb_positions: Sequence
         for position in amount.positions
         if position != amount.unit_position and sentence.word(position).form.lower() not in ("a", "an")
     ]
+    unit = find_unit(amount.unit)
+    if unit is not None and unit.is_assumed:
+        # "Take a step" says how far.
+        return False
     return not amount.is_doubtful and bool(verb & frozenset(amount.positions)) and verb >= frozenset(own)
 
 

@@ -19,6 +19,7 @@ from utterance_passes.tree import Word
 from word_classes import word_class
 
 _PADDING = word_class("question_padding")
+_ENDINGS = tuple(tuple(ending.split()) for ending in sorted(word_class("question_endings")))
 _NEGATIONS = word_class("negations")
 #: Spellings that patterns do not have, if the word is a verb.
 _VERBS_IN_FULL: Mapping[str, str] = {"'s": "is", "'re": "are", "'m": "am", "'d": "would"}
@@ -99,7 +100,9 @@ def _readings_in_order(case: Case, words: Sequence[Word]) -> Tuple[Reading, ...]
 def _is_question(case: Case) -> bool:
     if not case.clauses:
         return kind_without_clause(case.sentence.tree).kind is UtteranceKind.QUESTION
-    return any(kind.kind is UtteranceKind.QUESTION for kind in case.kinds)
+    # "Where has Bob gone?" is parsed like the clause of a report.
+    is_marked = case.sentence.tree.text.rstrip().endswith("?")
+    return is_marked or any(kind.kind is UtteranceKind.QUESTION for kind in case.kinds)
 
 
 def _words(sentence: Sentence) -> List[Word]:
@@ -109,8 +112,12 @@ def _words(sentence: Sentence) -> List[Word]:
     words = [word for word in tree.words if word.index not in hidden and word.upos != "PUNCT"]
     while words and words[0].form.lower() in _PADDING:
         words.pop(0)
-    while words and words[-1].form.lower() in _PADDING:
-        words.pop()
+    while words:
+        forms = tuple(word.form.lower() for word in words)
+        ending = next((one for one in _ENDINGS if forms[-len(one) :] == one), ())
+        if not ending and forms[-1] not in _PADDING:
+            break
+        del words[-len(ending or forms[-1:]) :]
     return words
 
 

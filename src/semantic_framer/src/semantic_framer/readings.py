@@ -12,6 +12,7 @@ from semantic_framer.matching import read_clause
 from semantic_framer.outcome import CAREFUL, Outcome, Refusal
 from semantic_framer.reading import Reading, rank, without_duplicates
 from semantic_framer.sentence import Sentence
+from semantic_framer.slight_amounts import stated
 from semantic_framer.things import is_indefinite
 from semantic_framer.unheeded import with_heeded_extras, without_unheeded
 from semantic_framer.verdicts import (
@@ -147,9 +148,11 @@ def plausible_readings(case: ClauseCase, trace: Optional[Trace] = None) -> Tuple
     plausible = drop(PLAUSIBILITY, case, readings, readings, trace)
     listed = frozenset().union(*(reading.listed for reading in plausible))
     text = _clause_text(case.sentence.tree, case.clause)
+    kept = drop(DOMINATED, case, plausible, plausible, trace)
+    said = ((reading, text + stated(reading.arguments)) for reading in kept)
     judged = (
-        _with_extras(case, replace(reading, unlikely=_unlikely(case, reading, listed), clause_text=text), trace)
-        for reading in drop(DOMINATED, case, plausible, plausible, trace)
+        _with_extras(case, replace(reading, unlikely=_unlikely(case, reading, listed), clause_text=words), trace)
+        for reading, words in said
     )
     return tuple(sorted(judged, key=rank))
 
@@ -186,7 +189,8 @@ def _with_extras(case: ClauseCase, reading: Reading, trace: Optional[Trace]) -> 
         trace.add("control", str(found), "", f"how often or how long: {case.sentence.text(words)}", words)
     around = replace(case.clause, positions=case.clause.positions.difference(words))
     control = replace(found.control, phrase=case.sentence.text(words))
-    return replace(found, control=control, clause_text=_clause_text(case.sentence.tree, around))
+    text = _clause_text(case.sentence.tree, around) + stated(found.arguments)
+    return replace(found, control=control, clause_text=text)
 
 
 def _with_heeded(case: ClauseCase, found: Reading, heeded: FrameHeeding, trace: Optional[Trace]) -> Reading:

@@ -1,7 +1,7 @@
 """Fragments and repeats change or repeat the last command while it is fresh."""
 
 from dataclasses import replace
-from typing import Dict, Tuple
+from typing import Dict, List, Tuple
 
 import pytest
 
@@ -84,11 +84,58 @@ def test_a_fragment_can_be_changed_again(talk: Talk) -> None:
     assert talk.frames("again") == ("turning(direction=right, angle=10, angle_unit=degrees)",)
 
 
-def test_a_bit_more_asks_how_much(talk: Talk) -> None:
-    talk.say("Move forward two metres.")
-    outcome = talk.say("a bit more")
-    assert isinstance(outcome, Question) and outcome.code == "MISSING_ELEMENT"
-    assert talk.frames("ten feet") == ("moving(direction=forward, distance=10, distance_unit=feet)",)
+@pytest.mark.parametrize(
+    ("before", "said", "frame"),
+    [
+        ("Move forward two metres.", "a bit more", "moving(direction=forward, distance=20, distance_unit=centimetres)"),
+        ("Turn left 30 degrees.", "a bit more", "turning(direction=left, angle=15, angle_unit=degrees)"),
+        ("Turn left.", "a bit more to the right", "turning(direction=right, angle=15, angle_unit=degrees)"),
+        ("Turn left.", "a bit to the right", "turning(direction=right, angle=15, angle_unit=degrees)"),
+    ],
+)
+def test_a_bit_is_a_stated_amount(talk: Talk, before: str, said: str, frame: str) -> None:
+    talk.say(before)
+    outcome = talk.say(said)
+    assert isinstance(outcome, Understood)
+    reading = outcome.clauses[0][0]
+    assert str(reading) == frame
+    amounts = [one.measure for one in reading.arguments if one.measure is not None]
+    assert amounts and all(measure.is_assumed for measure in amounts)
+    assert reading.clause_text.endswith("(20 centimetres)" if "metres" in frame else "(15 degrees)")
+
+
+@pytest.mark.parametrize(
+    ("before", "said", "frame"),
+    [
+        ("Follow me.", ["faster"], "following(cotheme=me, manner=faster)"),
+        ("Follow me.", ["a bit slower please"], "following(cotheme=me, manner=slower)"),
+        ("Follow me.", ["not so fast"], "following(cotheme=me, manner=slower)"),
+        ("Follow me.", ["hurry up", "slow down a little"], "following(cotheme=me)"),
+        ("Go to the kitchen.", ["go a bit faster"], "navigating_to_location(goal=the kitchen, speed=faster)"),
+    ],
+)
+def test_a_deed_goes_on_faster_or_slower(talk: Talk, before: str, said: List[str], frame: str) -> None:
+    talk.say(before)
+    found = [talk.frames(text) for text in said]
+    assert found[-1] == (frame,)
+
+
+def test_what_is_done_fast_cannot_be_done_faster(talk: Talk) -> None:
+    talk.say("Follow me.")
+    talk.say("faster")
+    outcome = talk.say("even faster")
+    assert isinstance(outcome, Refusal) and outcome.sentence == "I cannot do that faster."
+
+
+def test_an_amount_is_not_done_again_faster_without_a_yes(talk: Talk) -> None:
+    talk.say("Turn left.")
+    outcome = talk.say("faster")
+    assert isinstance(outcome, Question) and outcome.code == "CONFIRM"
+
+
+def test_faster_alone_means_nothing(talk: Talk) -> None:
+    outcome = talk.say("faster")
+    assert isinstance(outcome, Question) and outcome.code == "AMBIGUOUS"
 
 
 def test_how_to_do_an_amount_again_wants_a_yes(talk: Talk) -> None:

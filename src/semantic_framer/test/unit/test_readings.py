@@ -4,7 +4,7 @@ from typing import Any, Dict, List, Tuple
 
 import pytest
 
-from semantic_framer.framer import LeftOverWords, Policy, Question, Refusal, Understood, read
+from semantic_framer.framer import LeftOverWords, Policy, Refusal, Understood, read
 from semantic_framer.lexicon import Lexicon
 
 
@@ -80,11 +80,26 @@ def test_statement_is_no_question(understand: Any, text: str) -> None:
     assert isinstance(understand(text)[0], Understood)
 
 
-def test_how_far_a_bit_is_is_asked_for(understand: Any) -> None:
-    question, context = understand("scoot back a little")
-    assert isinstance(question, Question) and question.code == "MISSING_ELEMENT"
-    ((frame, arguments),) = meant(understand("two feet", context)[0])
-    assert (frame, arguments["direction"], arguments["distance"]) == ("moving", "back", "2")
+def test_how_far_a_bit_is_is_stated(understand: Any) -> None:
+    outcome, _ = understand("scoot back a little")
+    ((frame, arguments),) = meant(outcome)
+    assert (frame, arguments["direction"], arguments["distance"]) == ("moving", "back", "20")
+    assert outcome.clauses[0][0].clause_text == "scoot back a little (20 centimetres)"
+
+
+def test_how_far_a_step_is_is_stated(understand: Any) -> None:
+    outcome, _ = understand("take three steps back")
+    reading = outcome.clauses[0][0]
+    assert reading.clause_text == "take three steps back (1.5 metres)"
+    distance = reading.argument("distance")
+    assert distance.si == pytest.approx(1.5) and distance.measure.is_assumed
+
+
+@pytest.mark.parametrize("text", ["bring me a bit of cake", "bring me a little milk", "go a bit closer to the table"])
+def test_a_bit_of_something_is_no_amount(understand: Any, text: str) -> None:
+    outcome, _ = understand(text)
+    clauses = outcome.clauses if isinstance(outcome, Understood) else ()
+    assert not [one for readings in clauses for one in readings[0].arguments if one.measure is not None]
 
 
 @pytest.mark.parametrize(

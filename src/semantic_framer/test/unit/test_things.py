@@ -12,7 +12,6 @@ take a photo southwards
 take a picture from the door
 make a step towards the wall
 take two steps to the left
-take a step back
 have a nap
 take a nap on the sofa
 take the lift
@@ -29,7 +28,6 @@ take your time
 take part in the game
 take an order from the guest
 take the temperature
-walk a dozen steps
 take a stroll around the garden
 go get some rest
 fetch me some sleep

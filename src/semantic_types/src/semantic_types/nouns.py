@@ -47,7 +47,9 @@ class Nouns:
             return of_names(self._file.words[key])
         senses = self._wordnet.senses(noun)
         if is_name:
-            senses = tuple(sense for sense in senses if _is_spelled_alike(sense.spelling, noun))
+            # "Maria" is a tree, too, but nobody says so with its name.
+            alike = (sense for sense in senses if _is_spelled_alike(sense.spelling, noun))
+            senses = tuple(sense for sense in alike if "Plant" not in self._of_synset(sense.synset))
         weights: Dict[str, float] = {}
         total = 0.0
         for place, sense in enumerate(senses, start=1):

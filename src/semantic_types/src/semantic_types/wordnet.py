@@ -1,4 +1,4 @@
-"""Reads the nouns of WordNet 3.0 from its own database files, whose format is described in wndb(5WN).
+"""Reads the nouns or verbs of WordNet 3.0 from its own database files, whose format is described in wndb(5WN).
 
 The files are sorted. They stay on disk and are searched by bisection, so nothing is loaded.
 """
@@ -7,14 +7,14 @@ import os
 from dataclasses import dataclass
 from functools import lru_cache
 from pathlib import Path
-from typing import Iterator, Optional, Tuple
+from typing import FrozenSet, Iterator, List, Optional, Tuple
 
 #: Where Debian's package wordnet-base has the database.
 FOLDER = Path("/usr/share/wordnet")
-INDEX_FILE = "index.noun"
-DATA_FILE = "data.noun"
 COUNT_FILE = "cntlist.rev"
-EXCEPTION_FILE = "noun.exc"
+NOUN, VERB = "noun", "verb"
+#: Their numbers in the keys of senses.
+_NUMBERS = {NOUN: 1, VERB: 2}
 #: Endings of regular plurals with what stands in their place in the singular, as in WordNet's morphy(7WN).
 _PLURALS = (
     ("ies", "y"),
@@ -28,6 +28,10 @@ _PLURALS = (
 )
 #: Pointers to the more general synset: of a class, and of an instance ("Paris" is a city).
 _HYPERNYMS = frozenset(["@", "@i"])
+#: Pointers to the more special synset: "veer" is a way to turn.
+_HYPONYMS = frozenset(["~", "~i"])
+#: Pointers to a synset of verbs with nearly the same meaning.
+_ALIKE = frozenset(["$"])
 
 
 class NoWordNet(LookupError):
@@ -36,12 +40,12 @@ class NoWordNet(LookupError):
 
 @dataclass(frozen=True)
 class Sense:
-    """One sense of a noun.
+    """One sense of a word.
 
     Attributes:
         synset: offset of its synset in the data file
-        spelling: the noun as the synset spells it, "Coke", "coffee cup"
-        count: how often texts that were tagged with senses use the noun in this sense
+        spelling: the word as the synset spells it, "Coke", "coffee cup"
+        count: how often texts that were tagged with senses use the word in this sense
     """
 
     synset: int
@@ -53,60 +57,81 @@ class Sense:
 class _Synset:
     words: Tuple[Tuple[str, int], ...]
     lexicographer_file: int
-    hypernyms: Tuple[int, ...]
+    pointers: Tuple[Tuple[str, int], ...]
 
 
 class WordNet:
-    """The nouns of WordNet: senses by noun, and hypernyms by synset."""
+    """The nouns or the verbs of WordNet: senses by word, and relations between synsets."""
 
-    def __init__(self, folder: Path = FOLDER) -> None:
+    def __init__(self, folder: Path = FOLDER, part: str = NOUN) -> None:
         """
         Args:
             folder: the folder with the database files
+            part: ``NOUN`` or ``VERB``
         Raises:
             NoWordNet: the files cannot be read
         """
+        self._part = part
+        self._index, self._data, self._exceptions = f"index.{part}", f"data.{part}", f"{part}.exc"
         try:
             self._files = {
-                name: SortedFile(folder / name) for name in (INDEX_FILE, DATA_FILE, COUNT_FILE, EXCEPTION_FILE)
+                name: SortedFile(folder / name) for name in (self._index, self._data, COUNT_FILE, self._exceptions)
             }
         except OSError as error:
             reason = f"{folder} has no WordNet database ({error}): install the Debian package wordnet-base"
             raise NoWordNet(reason) from error
 
-    def senses(self, noun: str) -> Tuple[Sense, ...]:
-        """Return the senses of a noun, the most frequent one first; none for an unknown noun.
+    def senses(self, word: str) -> Tuple[Sense, ...]:
+        """Return the senses of a word, the most frequent one first; none for an unknown word.
 
         A plural that is a noun of its own has both senses: "glasses" are spectacles, or several glasses.
 
         Args:
-            noun: singular or plural; upper and lower case mean the same, and words are separated by blanks
+            word: a noun, singular or plural, or the base form of a verb; upper and lower case mean the same, and words
+                are separated by blanks
         """
         found = []
-        for key, line in self._entries(noun):
+        for key, line in self._entries(word):
             fields = line.split()
             found += [self._sense(key, int(offset)) for offset in fields[-int(fields[2]) :]]
         return tuple(sorted(found, key=lambda sense: -sense.count))
 
-    def _entries(self, noun: str) -> Iterator[Tuple[str, str]]:
-        """Return the entries of a noun in the index, and of what may be its singular."""
-        word = "_".join(noun.lower().split())
-        irregular = self._line(EXCEPTION_FILE, word) if word else None
-        singulars = irregular.split()[1:] if irregular else []
-        regular = [word[: -len(ending)] + base for ending, base in _PLURALS if word.endswith(ending)]
-        for key in dict.fromkeys(filter(None, [word, *singulars, *regular])):
-            line = self._line(INDEX_FILE, key)
+    def _entries(self, said: str) -> Iterator[Tuple[str, str]]:
+        """Return the entries of a word in the index, and of what may be its singular."""
+        word = "_".join(said.lower().split())
+        bases: List[str] = []
+        if word and self._part == NOUN:
+            irregular = self._line(self._exceptions, word)
+            bases += irregular.split()[1:] if irregular else []
+            bases += [word[: -len(ending)] + base for ending, base in _PLURALS if word.endswith(ending)]
+        for key in dict.fromkeys(filter(None, [word, *bases])):
+            line = self._line(self._index, key)
             if line is not None:
                 yield key, line
 
+    def words(self, synset: int) -> Tuple[str, ...]:
+        """Return the words of a synset, as it spells them."""
+        return tuple(word.replace("_", " ") for word, _ in self._synset(synset).words)
+
     def hypernyms(self, synset: int) -> Tuple[int, ...]:
         """Return the more general synsets of a synset."""
-        return self._synset(synset).hypernyms
+        return self._pointed(synset, _HYPERNYMS)
+
+    def hyponyms(self, synset: int) -> Tuple[int, ...]:
+        """Return the more special synsets of a synset."""
+        return self._pointed(synset, _HYPONYMS)
+
+    def alike(self, synset: int) -> Tuple[int, ...]:
+        """Return the synsets of verbs with nearly the same meaning."""
+        return self._pointed(synset, _ALIKE)
+
+    def _pointed(self, synset: int, kinds: FrozenSet[str]) -> Tuple[int, ...]:
+        return tuple(target for kind, target in self._synset(synset).pointers if kind in kinds)
 
     def synset(self, name: str) -> Optional[int]:
-        """Return the synset of a name such as "coffee_cup.n.01", the first sense of the noun; None if there is none."""
+        """Return the synset of a name such as "coffee_cup.n.01", the first sense of the word; None if there is none."""
         noun, kind, number = (name.rsplit(".", 2) + ["", ""])[:3]
-        line = self._line(INDEX_FILE, noun) if noun and kind == "n" and number.isdigit() else None
+        line = self._line(self._index, noun) if noun and kind == self._part[0] and number.isdigit() else None
         fields = line.split() if line else []
         offsets = fields[-int(fields[2]) :] if fields else []
         place = int(number) - 1 if offsets else -1
@@ -115,16 +140,17 @@ class WordNet:
     def _sense(self, key: str, offset: int) -> Sense:
         synset = self._synset(offset)
         spelling, number = next((word, place) for word, place in synset.words if word.lower() == key)
-        line = self._line(COUNT_FILE, f"{key}%1:{synset.lexicographer_file:02d}:{number:02d}::")
+        line = self._line(COUNT_FILE, f"{key}%{_NUMBERS[self._part]}:{synset.lexicographer_file:02d}:{number:02d}::")
         return Sense(offset, spelling.replace("_", " "), int(line.split()[2]) if line else 0)
 
     def _synset(self, offset: int) -> _Synset:
-        fields = self._files[DATA_FILE].line_at(offset).partition(" | ")[0].split()
+        fields = self._files[self._data].line_at(offset).partition(" | ")[0].split()
         count = int(fields[3], 16)
         words = tuple((fields[4 + 2 * place], int(fields[5 + 2 * place], 16)) for place in range(count))
-        pointers = fields[5 + 2 * count :]
-        hypernyms = tuple(int(target) for kind, target in zip(pointers[0::4], pointers[1::4]) if kind in _HYPERNYMS)
-        return _Synset(words, int(fields[1]), hypernyms)
+        first = 5 + 2 * count
+        last = first + 4 * int(fields[first - 1])
+        pointers = tuple((fields[place], int(fields[place + 1])) for place in range(first, last, 4))
+        return _Synset(words, int(fields[1]), pointers)
 
     def _line(self, name: str, key: str) -> Optional[str]:
         return self._files[name].line_of(key)
@@ -175,10 +201,12 @@ class SortedFile:
 
 
 @lru_cache(maxsize=None)
-def shipped_wordnet() -> WordNet:
-    """Return the database of the machine.
+def shipped_wordnet(part: str = NOUN) -> WordNet:
+    """Return the nouns or the verbs of the machine's database.
 
+    Args:
+        part: ``NOUN`` or ``VERB``
     Raises:
         NoWordNet: it is not installed
     """
-    return WordNet()
+    return WordNet(part=part)

@@ -2,7 +2,7 @@ import random
 
 import pytest
 
-from semantic_types.wordnet import FOLDER, INDEX_FILE, NoWordNet, WordNet, shipped_wordnet
+from semantic_types.wordnet import FOLDER, VERB, NoWordNet, WordNet, shipped_wordnet
 
 
 @pytest.fixture(scope="module")
@@ -23,7 +23,7 @@ def test_a_plural_that_is_a_noun_of_its_own_has_the_senses_of_its_singular_too(w
 
 
 def test_every_noun_of_the_index_is_found(wordnet):
-    lines = [line for line in (FOLDER / INDEX_FILE).read_text().split("\n") if line and not line.startswith(" ")]
+    lines = [line for line in (FOLDER / "index.noun").read_text().split("\n") if line and not line.startswith(" ")]
     sample = lines[:3] + lines[-3:] + random.Random(1).sample(lines, 500)
     for line in sample:
         key, _, count = line.split()[:3]
@@ -72,3 +72,17 @@ def test_an_instance_has_a_hypernym(wordnet):
 def test_without_the_database_the_error_says_what_to_install(tmp_path):
     with pytest.raises(NoWordNet, match="wordnet-base"):
         WordNet(tmp_path)
+
+
+def test_a_verb_has_senses_and_more_general_verbs():
+    verbs = shipped_wordnet(VERB)
+    (veer, *_) = verbs.senses("veer")
+    assert veer.count == 8
+    assert {"turn"} <= {word for above in verbs.hypernyms(veer.synset) for word in verbs.words(above)}
+    assert "bring" in verbs.words(verbs.senses("fetch")[0].synset)
+    assert not verbs.senses("veers")
+
+
+def test_nouns_and_verbs_are_apart(wordnet):
+    assert wordnet.synset("veer.v.01") is None
+    assert shipped_wordnet(VERB).synset("cup.n.01") is None

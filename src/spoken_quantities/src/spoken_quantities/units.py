@@ -13,11 +13,13 @@ class Unit:
         name: singular English name
         quantity: length, angle, duration or speed
         si_factor: metres, radians, seconds, or metres per second in one of it
+        is_assumed: whether nobody knows how much it is, and the factor is a stated default: a step
     """
 
     name: str
     quantity: str
     si_factor: float
+    is_assumed: bool = False
 
 
 _SPELLINGS: Tuple[Tuple[Unit, str], ...] = (
@@ -30,6 +32,7 @@ _SPELLINGS: Tuple[Tuple[Unit, str], ...] = (
     (Unit("inch", "length", 0.0254), 'inch inches in "'),
     (Unit("yard", "length", 0.9144), "yard yards yd"),
     (Unit("mile", "length", 1609.344), "mile miles mi"),
+    (Unit("step", "length", 0.5, is_assumed=True), "step steps"),
     (Unit("degree", "angle", math.pi / 180.0), "degree degrees deg °"),
     (Unit("radian", "angle", 1.0), "radian radians rad"),
     (Unit("turn", "angle", 2.0 * math.pi), "turn turns revolution revolutions rotation rotations circle circles"),

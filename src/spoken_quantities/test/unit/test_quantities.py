@@ -6,7 +6,7 @@ from typing import List
 
 import pytest
 
-from spoken_quantities import QuantityError, find_unit, number_words, parse_measure, parse_number, units_of
+from spoken_quantities import QuantityError, find_unit, number_words, parse_measure, parse_number, unit_words, units_of
 
 ONES = (
     "zero one two three four five six seven eight nine ten eleven twelve thirteen fourteen fifteen sixteen seventeen "
@@ -329,5 +329,7 @@ def test_every_quantity_has_units_and_each_is_found_by_its_name() -> None:
     assert units_of("colour") == ()
 
 
-def test_steps_are_no_unit() -> None:
-    assert find_unit("steps") is None
+def test_only_a_step_has_an_assumed_length() -> None:
+    units = {word: find_unit(word) for word in unit_words()}
+    assert [word for word, unit in units.items() if unit is not None and unit.is_assumed] == ["step", "steps"]
+    assert parse_measure("two steps").si_amount == pytest.approx(1.0)

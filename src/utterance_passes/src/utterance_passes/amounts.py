@@ -50,6 +50,7 @@ class Amount:
         ends: for a doubtful amount, the words of each amount that a person can choose: "two or three metres"
         is_of_noun: whether it names the noun before it, replaces a noun, or says how often: "room 5", "the next
             one", "5 times"
+        is_assumed: whether the words have no number, and the amount is a stated default: "a bit"
     """
 
     positions: Tuple[int, ...]
@@ -62,6 +63,7 @@ class Amount:
     is_doubtful: bool = False
     ends: Tuple[Tuple[int, ...], ...] = ()
     is_of_noun: bool = False
+    is_assumed: bool = False
 
     def digits(self) -> str:
         """Return the number in digits, without needless zeros; a number that is not finite stays as it was said."""
@@ -170,10 +172,20 @@ def unit_at(tree: DependencyTree, index: int) -> Optional[Unit]:
         return unit if is_glued_on or tree.word(word.head).upos == "ADV" else None
     if unit.name == "second" and word.upos == "ADJ":
         return None
+    if unit.is_assumed and (word.upos != "NOUN" or _is_place(tree, word.index)):
+        # "Step back", "the book on two steps".
+        return None
     if word.form in ("'", '"'):
         marks = sum(1 for other in tree.words[: index - 1] if other.form == word.form)
         return unit if index > 1 and is_glued(tree, index - 1, index) and marks % 2 == 0 else None
     return unit
+
+
+def _is_place(tree: DependencyTree, index: int) -> bool:
+    """Whether a noun has a preposition or a determiner that no amount has: "on a step", "the three steps"."""
+    children = tree.children(index)
+    has_place = any(child.deprel == "case" and child.form.lower() not in ("by", "of") for child in children)
+    return has_place or any(child.deprel == "det" and child.form.lower() not in _ARTICLES for child in children)
 
 
 def _may_be_inside(tree: DependencyTree, index: int) -> bool:
