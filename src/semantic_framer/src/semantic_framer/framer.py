@@ -17,6 +17,7 @@ from semantic_framer.linked_sentence import (
     manners,
     read_linked,
     swallowed_joints,
+    swallowed_words,
 )
 from semantic_framer.mood_file import UtteranceKind
 from semantic_framer.objections import against_what_runs
@@ -287,5 +288,10 @@ class _Hearing:
             if how.found:
                 swallowed = Refusal("CONDITION", f'I do not understand how "{joint_words(sentence, how)}" is meant.')
                 return read_linked(sentence, context, self._now, swallowed, how) or Heard(swallowed, context, sentence)
-            return read_linked(sentence, context, self._now, swallowed, joints) or refused if joints.found else heard
+            if joints.found:
+                return read_linked(sentence, context, self._now, swallowed, joints) or refused
+            words = swallowed_words(sentence, known, best)
+            if words:
+                return Heard(Refusal("CONDITION", f'I do not understand how "{words}" is meant.'), context, sentence)
+            return heard
         return read_linked(sentence, context, self._now, outcome, find_joints(sentence, known)) or heard
