@@ -57,8 +57,6 @@ GOAL_OF_FRAME: Mapping[str, GoalOf] = {
 """How to read the arguments of each frame."""
 HEEDED: Mapping[str, Sequence[str]] = {"Manner": PACES, "Speed": SPEEDS}
 """What the servers heed beside the elements of their frames."""
-#: Elements that a server does not heed.
-UNHEEDED: Mapping[str, Sequence[str]] = {"moving_backward": ["degree"]}
 
 _STRAIGHT, _TURN = MotionSettings.straight, MotionSettings.turn
 
@@ -259,7 +257,6 @@ class MoveActionServer:
                 frame_name,
                 self._callback(frame_name, goal_of),
                 heeds=HEEDED,
-                unheeded=UNHEEDED.get(frame_name, ()),
                 occupies=["base"],
             )
             server.register_preempt_callback(self._odometry.wake)

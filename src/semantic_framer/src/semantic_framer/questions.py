@@ -100,7 +100,9 @@ def _readings_in_order(case: Case, words: Sequence[Word]) -> Tuple[Reading, ...]
 def _is_question(case: Case) -> bool:
     if not case.clauses:
         return kind_without_clause(case.sentence.tree).kind is UtteranceKind.QUESTION
-    return any(kind.kind is UtteranceKind.QUESTION for kind in case.kinds)
+    # "Where has Bob gone?" is parsed like the clause of a report.
+    is_marked = case.sentence.tree.text.rstrip().endswith("?")
+    return is_marked or any(kind.kind is UtteranceKind.QUESTION for kind in case.kinds)
 
 
 def _words(sentence: Sentence) -> List[Word]:
