@@ -27,7 +27,7 @@ ODD = (
     ("Turn the radio off.", "says_less: switching_device(device=the radio): dropped."),
     ("take a look", "noun_of_another_verb: taking(theme=a look): dropped."),
     ("set the thermostat to 20", "number_is_no_place: placing(theme=the thermostat, goal=20): dropped."),
-    ("lift a bit", "degree_is_no_thing: taking(theme=a bit): dropped."),
+    ("lift a bit", "degree_is_no_thing: lifting(theme=a bit): dropped."),
     ("no, the office", "utterance_kind: correction: against_what_runs"),
     ("Bob turned left", "utterance_kind: Bob turned left: report: statement"),
     ("how many guests are in the hall", "utterance_kind: how many guests are in the hall: question: question_word"),
