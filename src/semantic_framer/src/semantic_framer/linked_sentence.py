@@ -286,6 +286,16 @@ def _is_deed(word: Word) -> bool:
     return word.upos == "VERB" and word.xpos in ("VBZ", "VBP") and word.lemma.lower() not in _LASTING
 
 
+def has_lost_link(sentence: Sentence, readings: Sequence[Reading]) -> bool:
+    """Whether a link before a thing was lost: "turn left *until* the bell rings", read as "turn the rings"."""
+    said = frozenset(index for reading in readings for argument in reading.arguments for index in argument.positions)
+    return any(
+        word.deprel == "mark" and word.upos == "SCONJ" and word.index not in said and word.head in said
+        for word in sentence.tree.open_words
+        if shipped_links().link_at([word.form.lower()])[1]
+    )
+
+
 def doubtful_message(sentence: Sentence, known: FramedLexicon, readings: Sequence[Reading]) -> Optional[Question]:
     """Return a question about a condition at the end of a message that has a verb of its own; None if there is none.
 
