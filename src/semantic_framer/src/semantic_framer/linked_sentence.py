@@ -289,11 +289,10 @@ def _is_deed(word: Word) -> bool:
 def has_lost_link(sentence: Sentence, readings: Sequence[Reading]) -> bool:
     """Whether a link before a thing was lost: "turn left *until* the bell rings", read as "turn the rings"."""
     said = frozenset(index for reading in readings for argument in reading.arguments for index in argument.positions)
-    return any(
-        word.deprel == "mark" and word.upos == "SCONJ" and word.index not in said and word.head in said
-        for word in sentence.tree.open_words
-        if shipped_links().link_at([word.form.lower()])[1]
-    )
+    marks = [word for word in sentence.tree.open_words if word.deprel == "mark" and word.index not in said]
+    links = [shipped_links().link_at([word.form.lower()])[0] for word in marks if word.head in said]
+    # "Check *if* the lights are off" asks; an end is no question.
+    return any(link is not None and link.kind is LinkKind.UNTIL for link in links)
 
 
 def doubtful_message(sentence: Sentence, known: FramedLexicon, readings: Sequence[Reading]) -> Optional[Question]:
