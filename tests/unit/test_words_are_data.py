@@ -70,7 +70,7 @@ NO_SPEECH: Dict[str, Tuple[str, str]] = {
         ),
     ),
     "pr2_props/named_arms.py": ("names of quantifiers", "each, every, all, both"),
-    "pr2_props/node.py": ("names of props", "hug, hugging, pound, pounding"),
+    "pr2_props/node.py": ("names of props", "hug, hugging, pound, pounding, wave, waving"),
     "question_answering/answers.py": (
         "words of the answers: days, nouns with an article",
         "today, tomorrow, yesterday, any, some, a",
@@ -140,12 +140,12 @@ NO_SPEECH: Dict[str, Tuple[str, str]] = {
             "cancelling, charging, cheffing, chopping, cleaning, closing, comparing, cooking, counting, dancing, "
             "decreasing, departing, describing, detaching, devices, dimming, discarding, docking, emptying, "
             "fetching, folding, following, frying, gesturing, giving, grasping, greeting, heat, identifying, "
-            "increasing, inspecting, introducing, ironing, laundering, listing, loading, locating, locking, "
+            "increasing, inspecting, introducing, ironing, laundering, lifting, listing, loading, locating, locking, "
             "lowering, meeting, mixing, moving, music, navigation, nodding, observing, offering, opening, "
             "parting, patrolling, peeling, perceiving, photographing, placing, playing, pointing, pouring, "
             "pressing, props, pulling, pushing, raising, reminding, reporting, requesting, restarting, rinsing, "
             "rotating, saying, scouring, scrubbing, serving, slicing, sliding, socializing, speaking, stacking, "
-            "sweeping, taking, telling, temperature, throwing, ungrasping, unlocking, verifying, volume, wiping"
+            "sweeping, taking, telling, temperature, throwing, ungrasping, unlocking, verifying, volume, waving, wiping"
         ),
     ),
     "home_servers/going.py": (

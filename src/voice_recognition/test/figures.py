@@ -137,7 +137,10 @@ def heard_in_time(pcm: bytes, ears: Ears, spotter: StopSpotter) -> Optional[Tupl
 class Person:
     """Says commands in one voice after the other, and answers truly."""
 
-    def __init__(self, ears: Ears, spotter: StopSpotter, snr_db: Optional[float], seed: int) -> None:
+    def __init__(
+        self, ears: Ears, spotter: StopSpotter, snr_db: Optional[float], seed: int, *, is_timed: bool = True
+    ) -> None:
+        self._is_timed = is_timed
         self._ears = ears
         self._spotter = spotter
         self._snr_db = snr_db
@@ -154,13 +157,19 @@ class Person:
             self._answers[text, voice] = self._sound(text, voice)
         return self._answers[text, voice]
 
+    def _heard(self, pcm: bytes) -> Optional[Tuple[Heard, float]]:
+        if self._is_timed:
+            return heard_in_time(pcm, self._ears, self._spotter)
+        utterance = utterance_in(pcm)
+        return None if utterance is None else (self._ears.hear(utterance), 0.0)
+
     def talk(self, said: Sequence[Words], count: Count) -> None:
         """Have a dialogue about each sentence, and count what comes of it."""
         for number, words in enumerate(said):
             voice = voices()[number % len(voices())]
             meant = self._ears.finder.find(words)
             assert meant is not None
-            found = heard_in_time(self._sound(" ".join(words), voice), self._ears, self._spotter)
+            found = self._heard(self._sound(" ".join(words), voice))
             if found is None:
                 count.outcomes["not heard"] += 1
                 continue
@@ -201,14 +210,14 @@ def _outcome(offers: Sequence[Offer], verdict: Verdict, meant: Offer, *, is_stop
 
 
 def stops_heard(spotter: StopSpotter, count: int, snr_db: float) -> Tuple[int, int]:
-    """Return how many stops were heard, and how many were said."""
+    """Return how many stops the node would hear, and how many were said; the noise goes on before and after."""
     heard = 0
     for number in range(count):
         voice = voices()[number % len(voices())]
         text = STOPS[number // len(voices()) % len(STOPS)]
-        pcm = with_noise(with_silence(speech(text, voice), before_s=0.8), snr_db, seed=number)
-        endpointer = Endpointer()
-        heard += any(spotter.is_stop(one.pcm) for one in endpointer.feed(pcm) + endpointer.finish())
+        pcm = with_noise(with_silence(speech(text, voice), before_s=0.8, after_s=2.0), snr_db, seed=number)
+        found = Endpointer().feed(pcm)
+        heard += any(spotter.is_stop(one.pcm) for one in found if one.end_s - one.begin_s <= LONGEST_S)
     return heard, count
 
 
@@ -290,6 +299,8 @@ def main(argv: Optional[Sequence[str]] = None) -> int:
     """Print the table; return 0."""
     parser = argparse.ArgumentParser(description="How well synthetic voices are heard.")
     parser.add_argument("--sentences", type=int, default=400, help="without noise")
+    parser.add_argument("--seed", type=int, default=2026, help="which sentences")
+    parser.add_argument("--untimed", action="store_true", help="no time to the question, which takes more searches")
     parser.add_argument("--noisy", type=int, default=200, help="at each of 20, 10 and 5 dB")
     parser.add_argument("--read", type=int, default=300, help="sentences that the pipeline reads")
     parser.add_argument("--stops", type=int, default=210)
@@ -306,7 +317,8 @@ def main(argv: Optional[Sequence[str]] = None) -> int:
     ):
         if not size:
             continue
-        count, person, said = Count(), Person(ears, spotter, snr_db, seed=7), drawn(ears, size, seed=2026)
+        count, said = Count(), drawn(ears, size, seed=arguments.seed)
+        person = Person(ears, spotter, snr_db, seed=7, is_timed=not arguments.untimed)
         for at in range(0, size, PART):
             person.talk(said[at : at + PART], count)
             if at + PART < size:

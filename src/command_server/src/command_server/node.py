@@ -26,6 +26,7 @@ from command_server.open_commands import (
     ending_at_shutdown,
     ending_of_cancelled,
     ending_of_silent_stop,
+    refusal_of_delay,
     refusal_of_text,
     stamp_after,
 )
@@ -33,7 +34,7 @@ from command_server.orders_back import FORGET_THAT
 from command_server.pending_stops import PendingStops
 from command_server.ros_cancel_topic import CancelTopic
 from command_server.ros_command_action import CommandActionServer
-from command_server.ros_events import Braking, GoalCancelled, Said
+from command_server.ros_events import Braking, GoalCancelled, Said, said_by_goal
 from command_server.ros_going_on import StoppedPlans
 from command_server.ros_left_over import EXECUTOR_TIMEOUT_S, LeftOver
 from command_server.ros_messages import ending_of_event, reply_of_stopped
@@ -114,7 +115,7 @@ class CommandServerNode:
             self._commands.adopt(command, timeout_s=EXECUTOR_TIMEOUT_S + self._brake_answer_s)
             self._cancels.cancel(command)
         self._action = CommandActionServer(
-            on_goal=lambda handle: self._events.put(Said(handle.get_goal().text, _now_ns(), handle)),
+            on_goal=lambda handle: self._events.put(said_by_goal(handle)),
             on_cancel=lambda command_id: self._events.put(GoalCancelled(command_id)),
         )
 
@@ -214,7 +215,9 @@ class CommandServerNode:
             self._text_count += 1
             command_id = f"text-{self._run_tag}-{self._text_count}"
             self._replies.note_taken(said.text)
-        refusal = refusal_of_text(said.text, max_length=self._settings.max_text_length)
+        refusal = refusal_of_text(said.text, max_length=self._settings.max_text_length) or refusal_of_delay(
+            said.delay_s, longest_s=self._settings.longest_delay_s
+        )
         command = CommandText(
             command_id=command_id, stamp_ns=self._last_stamp_ns, text=said.text[: self._settings.max_text_length]
         )

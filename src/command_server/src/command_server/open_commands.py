@@ -126,6 +126,17 @@ def refusal_of_text(text: str, *, max_length: int) -> Optional[Tuple[str, str]]:
     return None
 
 
+def refusal_of_delay(delay_s: float, *, longest_s: float) -> Optional[Tuple[str, str]]:
+    """Return why a command that was on its way for some seconds is refused: whoever sent it has given it up.
+
+    Returns:
+        code and sentence; None when it is accepted
+    """
+    if delay_s <= longest_s:
+        return None
+    return "LATE", f"That was said {delay_s:.0f} s ago. Say it again if you still want it."
+
+
 def stamp_after(arrival_ns: int, last_ns: int, *, clock_reset_ns: int = 1_000_000_000) -> int:
     """Return the stamp of a command: its arrival, but later than the previous stamp, so that stamps order commands.
 

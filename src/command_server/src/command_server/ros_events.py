@@ -5,19 +5,38 @@ from dataclasses import dataclass, field
 from typing import Optional
 
 import actionlib
+import rospy
 
+from roboframenet_ros.ros_robots import own_robot
 from robot_stop.braking import Finding
 from robot_stop.ros_brake import Braked
 
 
 @dataclass(frozen=True)
 class Said:
-    """A text or a goal, with the time of its arrival."""
+    """A text or a goal.
+
+    Attributes:
+        text: as it was said
+        arrival_ns: nanoseconds of ROS time
+        handle: of the goal; None for a text
+        delay_s: how long the goal of a fleet was on its way, by the clocks of both ends; 0 without a fleet
+        arrival_s: monotonic seconds
+    """
 
     text: str
     arrival_ns: int
     handle: Optional[actionlib.ServerGoalHandle] = None
+    delay_s: float = 0.0
     arrival_s: float = field(default_factory=time.monotonic)
+
+
+def said_by_goal(handle: actionlib.ServerGoalHandle) -> Said:
+    """Return what a goal says."""
+    now, sent = rospy.Time.now(), handle.get_goal_id().stamp
+    # The clients of a single robot may have any clock.
+    delay_s = (now - sent).to_sec() if sent and own_robot() else 0.0
+    return Said(handle.get_goal().text, now.to_nsec(), handle, delay_s)
 
 
 @dataclass(frozen=True)

@@ -17,6 +17,8 @@ class Settings(Parameters):
         stop_timeout_s: how long the stop server may take to answer "Stop."
         cancel_timeout_s: deadline for the end of a command that is forbidden or corrected
         pause_after_stop_s: from a stop to the command after it ("Stop and come back."); the robot comes to rest
+        longest_delay_s: a robot of a fleet refuses a goal that took longer to reach it; its clock and that of the fleet
+            must agree
         max_text_length: most characters of a command
         max_open_commands: most commands without a reply
 
@@ -29,6 +31,7 @@ class Settings(Parameters):
     stop_timeout_s: float = parameter(2.0, least=0.1, most=60.0)
     cancel_timeout_s: float = parameter(10.0, least=0.1, most=600.0)
     pause_after_stop_s: float = parameter(1.0, least=0.0, most=60.0)
+    longest_delay_s: float = parameter(3.0, least=0.1, most=600.0)
     max_text_length: int = parameter(1000, least=1, most=100_000)
     max_open_commands: int = parameter(1000, least=1, most=100_000)
 

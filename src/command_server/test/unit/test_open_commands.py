@@ -11,6 +11,7 @@ from command_server.open_commands import (
     Ending,
     OpenCommands,
     Outcome,
+    refusal_of_delay,
     refusal_of_text,
     stage_after,
     stamp_after,
@@ -162,6 +163,14 @@ def test_next_deadline(commands, clock):
 def test_texts_that_are_no_commands(text, code):
     found, sentence = refusal_of_text(text, max_length=10)
     assert found == code and sentence
+
+
+def test_a_goal_that_was_long_on_its_way_is_refused():
+    assert refusal_of_delay(3.0, longest_s=3.0) is None
+    assert refusal_of_delay(12.4, longest_s=3.0) == (
+        "LATE",
+        "That was said 12 s ago. Say it again if you still want it.",
+    )
 
 
 def test_text_of_the_greatest_length_passes():

@@ -147,6 +147,8 @@ class PlacesWatch:
     def __init__(self) -> None:
         self._places = Places()
         self._pose: Optional[PoseWithCovarianceStamped] = None
+        # Poses arrive while the server registers.
+        self._on_change: Callable[[], None] = lambda: None
         self._subscriber = rospy.Subscriber("amcl_pose", PoseWithCovarianceStamped, self._on_pose, queue_size=1)
         me = {"theme": _me()}
         self.server = _serve(
@@ -158,10 +160,11 @@ class PlacesWatch:
                 "condition_of_departing": {"heeds": me},
             },
         )
+        self._on_change = self.server.changed
 
     def _on_pose(self, message: PoseWithCovarianceStamped) -> None:
         self._pose = message
-        self.server.changed()
+        self._on_change()
 
     def _holds(self, frame: TypedFrame) -> Optional[Observed]:
         if not self._subscriber.get_num_connections():

@@ -78,7 +78,6 @@ PLANS: Dict[str, List[PlanNode]] = {
 }
 #: Kinds that watch while the leaf goes on.
 WATCHING = ("UNTIL", "WHILE", "WAIT")
-VICTIMS = ("executor", "source", "master")
 
 
 class Graph(contextlib.ExitStack):

@@ -43,6 +43,7 @@ DOMAINS: Dict[str, Dict[str, Skill]] = {
         "nodding": talking.gesture("nod", "addressee"),
         "playing": talking.play,
         "pointing": talking.gesture("point", "target"),
+        "waving": talking.gesture("wave", "addressee"),
     },
     "kitchen_cleaning": {
         "cleaning": housework.clean,
@@ -94,6 +95,7 @@ DOMAINS: Dict[str, Dict[str, Skill]] = {
         "giving": handling.give,
         "giving_drink": handling.give_drink,
         "grasping": handling.grasp,
+        "lifting": handling.take,
         "locking": handling.portal("container_portal", "lock"),
         "lowering": handling.raise_thing("down"),
         "opening": handling.portal("container_portal", "open"),

@@ -23,6 +23,7 @@ SERVERS: Tuple[Tuple[str, str], ...] = (
     ("hug", "hugging"),
     ("extend_arm", "extending_arm"),
     ("retract_arm", "retracting_arm"),
+    ("wave", "waving"),
 )
 #: The arms do not see whom they greet, so they greet the speaker.
 PARTNERS = ["me", "us"]
@@ -36,9 +37,10 @@ STATEMENTS: Mapping[str, Mapping[str, Any]] = {
     "hugging": {"heeds": {"partner": PARTNERS}},
     "extending_arm": {**_LIMB, "unheeded": ["goal"]},
     "retracting_arm": _LIMB,
+    "waving": {"heeds": {"body_part": {"values": ARM_NOUNS, "most": 2}, "addressee": PARTNERS}},
 }
 #: Elements that name an arm; the extra-thematic one is in every frame.
-_NAMING = ("limb", "instrument")
+_NAMING = ("limb", "body_part", "instrument")
 
 
 @dataclass(frozen=True)
@@ -63,7 +65,7 @@ class PropsServer:
     """One RFNServer for each prop, with one pair of arms for all.
 
     Actions:
-        high_five, low_five, pound, hug, extend_arm, retract_arm (roboframenet_msgs/FilledSemanticFrameAction)
+        high_five, low_five, pound, hug, extend_arm, retract_arm, wave (roboframenet_msgs/FilledSemanticFrameAction)
     Parameters: see :class:`Settings`.
     """
 

@@ -23,7 +23,7 @@ def test_every_joint_of_both_arms_has_a_limit() -> None:
 
 
 @pytest.mark.parametrize(
-    "name", ["high_fiving", "low_fiving", "pounding", "hugging", "extending_arm", "retracting_arm"]
+    "name", ["high_fiving", "low_fiving", "pounding", "hugging", "extending_arm", "retracting_arm", "waving"]
 )
 def test_prop_ends_in_the_safe_pose(name: str) -> None:
     for arm, poses in PROPS.trajectories[name].items():

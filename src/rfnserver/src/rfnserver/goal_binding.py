@@ -177,7 +177,7 @@ def plan_goal(
 
 
 def heeded_by(plan: GoalPlan, own: Container[str]) -> Tuple[HeededElement, ...]:
-    """Return the extra-thematic elements that fill fields, with the words of their table.
+    """Return the extra-thematic elements that fill fields, with the words of their table, or of the constants.
 
     Args:
         plan: see :func:`plan_goal`
@@ -185,7 +185,7 @@ def heeded_by(plan: GoalPlan, own: Container[str]) -> Tuple[HeededElement, ...]:
     """
     names = extra_thematic_of_arguments()
     return tuple(
-        HeededElement(names[source.element], values=() if source.part else tuple(source.values))
+        HeededElement(names[source.element], values=() if source.part else tuple(source.values or source.field.choices))
         for source in plan.sources
         if source.element in names and source.element not in own
     )
@@ -413,7 +413,8 @@ def _integer(source: FieldSource, words: str) -> int:
 
 def _constant(field: GoalField, words: str, kind: type, otherwise: Any) -> Any:
     """Return the constant that words name; without one, what stands for it, or an error that names the constants."""
-    found = field.constant(words, kind)
+    values = [field.constant(form, kind) for form in (words, *sorted(spellings(_key(words))))]
+    found = next((value for value in values if value is not None), None)
     if found is None and otherwise is None and field.choices and not _is_number(words):
         raise ArgumentError(f'"{words}" is none of {", ".join(field.choices)}.')
     return otherwise if found is None else found

@@ -48,6 +48,7 @@ def values(mapping: Dict[str, Any], **arguments: str) -> Dict[str, Any]:
         ({"angle": {"element": "angle", "unit": "degree"}}, {"angle": "90"}, {"angle": 90.0}),
         ({}, {"angle": "180 degrees"}, {"angle": math.pi}),
         ({}, {"speed": "fast"}, {"speed": 2}),
+        ({}, {"speed": "slowly"}, {"speed": 0}),
         ({}, {"speed": "speed slow"}, {"speed": 0}),
         ({}, {"speed": "1"}, {"speed": 1}),
         ({}, {"planner": "NavFn"}, {"planner": "navfn"}),
@@ -271,6 +272,8 @@ def test_extra_thematic_element_that_is_mapped_is_heeded() -> None:
     assert plan.unheeded == ("duration",)
     assert heeded_by(plan, own) == (HeededElement("Manner", values=("slow", "quick")), HeededElement("Degree"))
     assert heeded_by(plan, ["manner"]) == (HeededElement("Degree"),)
+    constants = plan_goal([GoalField("speed", "uint8", SPEEDS)], [], mapping={"speed": "manner"})
+    assert heeded_by(constants, []) == (HeededElement("Manner", values=("slow", "fast")),)
     with pytest.raises(BindingError, match="no element 'maner'"):
         plan_goal(FIELDS, elements, mapping={**mapping, "order": "maner"})
 

@@ -65,11 +65,12 @@ def _choices(field: GoalField, fields: Sequence[GoalField]) -> Tuple[str, ...]:
 
 
 def _element(field: GoalField, choices: Tuple[str, ...], *, is_first: bool) -> Element:
-    is_number = field.filling in (Filling.INTEGER, Filling.FLOAT) and not choices
+    is_number = field.filling in (Filling.INTEGER, Filling.FLOAT) and not choices and not field.is_list
     quantity = "number" if is_number else "duration" if field.filling is Filling.DURATION else ""
     values = ("on", "off") if field.filling is Filling.BOOLEAN else choices
     if not is_first:
-        return Element(field.element, is_core=False, quantity=quantity, values=values, relations=())
+        relations = ("measure",) if field.filling is Filling.DURATION else ("advmod", "acomp") if values else ()
+        return Element(field.element, is_core=False, quantity=quantity, values=values, relations=relations)
     if choices:
         texts = tuple(f"{start} to {choice}{end}" for start, choice, end in zip(_STARTS, choices, _ENDS))
         relations = ("prep_to", "advmod", "dobj")
@@ -99,7 +100,7 @@ def _element(field: GoalField, choices: Tuple[str, ...], *, is_first: bool) -> E
             arguments=("on", "off"),
             examples=("{Verb} on.", "please {verb} off"),
         )
-    return Element(field.element)
+    return Element(field.element, is_list=field.is_list)
 
 
 _STARTS = ("{Verb}", "please {verb}", "Could you {verb}")

@@ -19,6 +19,7 @@ class Element:
         is_core: whether the frame cannot be understood without it
         quantity: "number", "duration"; empty for words
         values: the only arguments; empty for any
+        is_list: whether it holds several things
         relations: that fill it; empty when a person has to choose them
         arguments: of the examples
         examples: sentences, with the verb as "{verb}" or "{Verb}"
@@ -31,6 +32,7 @@ class Element:
     relations: Tuple[str, ...] = ("dobj",)
     arguments: Tuple[str, ...] = ("the box", "the ball", "the red mug")
     examples: Tuple[str, ...] = ("{Verb} the box.", "please {verb} the ball", "Could you {verb} the red mug?")
+    is_list: bool = False
 
 
 #: The element of a frame about which nothing else is known.
@@ -135,17 +137,28 @@ def _frame(ability: Ability) -> str:
             lines.append(f"    values: [{', '.join(element.values)}]")
         if element.is_core:
             words = element.name.replace("_", " ")
-            question = f"What should I {ability.verb}?" if element == THEME else f"What is the {words}?"
+            question = (
+                f"What should I {ability.verb}?"
+                if element == THEME
+                else f"What {'are' if element.is_list else 'is'} the {words}?"
+            )
             lines += [f"    question: {question}", f"    answer: {element.arguments[0]}"]
     return templates.FRAME.format(name=ability.name, verb=ability.verb, elements="\n".join(lines or ["  []"]))
 
 
 def _unit(ability: Ability) -> str:
     relations: List[str] = []
+    particle = ability.verb.rpartition(" ")[2]
     for element in ability.elements:
-        if element.relations:
-            relations += [f"  - name: {element.name}", f"    relation: [{', '.join(element.relations)}]"]
-            if not element.quantity:
+        found = list(element.relations)
+        if found[:1] == ["dobj"] and particle != ability.verb:
+            # "Look after the box": the parser may take the particle for a preposition.
+            found.append(f"prep_{particle}")
+        if found:
+            relations += [f"  - name: {element.name}", f"    relation: [{', '.join(found)}]"]
+            if element.values:
+                relations.append(f"    words: [{', '.join(element.values)}]")
+            elif not element.quantity:
                 relations.append("    argument: phrase")
         else:
             relations.append(f"  # which words fill {element.name}? 'rfn explain' shows the relations of a sentence")

@@ -114,6 +114,11 @@ def test_new_from_an_action_without_fields_needs_no_elements(tmp_path):
     assert [example.text for example in unit.examples] == ["Map.", "please map", "Could you map?"]
 
 
+def test_particle_of_a_new_verb_may_be_a_preposition(tmp_path):
+    assert main(["new", "looking_after", "--verb", "look after", "--folder", str(tmp_path)]) == 0
+    assert "relation: [dobj, prep_after]" in (tmp_path / "lexical_units" / "looking_after.yaml").read_text()
+
+
 def test_new_from_an_action_takes_constants_as_values(tmp_path):
     words = ["new", "testing", "--from-action", "actionlib/TestRequest.action", "--folder", str(tmp_path)]
     assert main(words) == 0
@@ -121,6 +126,8 @@ def test_new_from_an_action_takes_constants_as_values(tmp_path):
     elements = {element.name: element for element in knowledge.frames["testing"].frame_elements}
     assert "aborted" in elements["terminate_status"].values
     assert elements["the_result"].quantity is not None and not elements["the_result"].values
+    unit = (tmp_path / "lexical_units" / "testing.yaml").read_text()
+    assert "- name: pause_status\n    relation: [measure]\n" in unit
 
 
 def test_new_from_no_action_is_wrong_usage(tmp_path, capsys):

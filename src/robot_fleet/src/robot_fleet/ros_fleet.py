@@ -42,27 +42,35 @@ class _Cancelled:
 
 
 @dataclass(frozen=True)
+class _Begun:
+    command_id: str
+
+
+@dataclass(frozen=True)
 class _Answered:
     command_id: str
     reply: Reply
 
 
-_Event = Union[_Said, _Cancelled, _Answered, FleetMember, None]
+_Event = Union[_Said, _Cancelled, _Begun, _Answered, FleetMember, None]
 
 
 class FleetNode:
     """Knows who is there, decides who is meant, and answers once.
 
     Subscribes: ``text``, ``fleet_member``, ``lexicon``, ``frame_catalogue``, ``parse``, ``world``,
-    ``<robot>/command/result``. Publishes: ``reply``, ``fleet`` (latched), ``<robot>/command/goal``,
-    ``<robot>/command/cancel``. Actions: ``command``.
+    ``<robot>/command/result``, ``<robot>/command/feedback``. Publishes: ``reply``, ``fleet`` (latched),
+    ``<robot>/command/goal``, ``<robot>/command/cancel``. Actions: ``command``.
     """
 
     def __init__(self, settings: FleetSettings) -> None:
         self._settings = settings
         self._events: Inbox[_Event] = Inbox()
         self._roster: Roster[FleetMember] = Roster(silence_s=settings.member_silence_s)
-        self._links = RobotLinks(lambda command_id, reply: self._events.put(_Answered(command_id, reply)))
+        self._links = RobotLinks(
+            lambda command_id, reply: self._events.put(_Answered(command_id, reply)),
+            lambda command_id: self._events.put(_Begun(command_id)),
+        )
         self._utterances = Utterances(settings, self._links, self._reply_to)
         self._verbs: FrozenSet[str] = frozenset()
         self._places: Tuple[Tuple[str, Place], ...] = ()
@@ -130,6 +138,7 @@ class FleetNode:
             for robot in changes.left:
                 rospy.loginfo("%s has left", robot)
                 self._utterances.lose(robot)
+            self._utterances.end_undelivered()
             self._utterances.send()
             is_up = self._service.missing() is None
             if changes or is_up != self._was_up or time.monotonic() - self._told_s >= _SIGN_OF_LIFE_S:
@@ -143,11 +152,14 @@ class FleetNode:
             self._utterances.say(event.text, self._company(), command_id=event.command_id, near=near)
         elif isinstance(event, _Cancelled):
             self._utterances.cancel(event.command_id)
+        elif isinstance(event, _Begun):
+            self._utterances.hear_of(event.command_id)
         elif isinstance(event, _Answered):
             self._utterances.hear(event.command_id, event.reply)
         elif isinstance(event, FleetMember) and is_robot_name(event.name):
             if self._roster.hear(event.name, event, now_s=time.monotonic()):
                 rospy.loginfo("%s has joined", event.name)
+                self._utterances.meet(event.name)
                 self._links.prepare(event.name)
                 self._tell(self._service.missing() is None)
 

@@ -5,6 +5,7 @@ from typing import Callable, Dict, Optional, Set
 import rospy
 from actionlib_msgs.msg import GoalID
 from roboframenet_msgs.msg import (
+    ExecuteCommandActionFeedback,
     ExecuteCommandActionGoal,
     ExecuteCommandActionResult,
     ExecuteCommandGoal,
@@ -17,12 +18,14 @@ from roboframenet_ros.ros_robots import OfEachRobot, topic_of
 
 #: Called with the id of a command and its reply.
 OnReply = Callable[[str, Reply], None]
+#: Called with the id of a command that a robot has begun.
+OnBegun = Callable[[str], None]
 
 
 class _Link:
     """The topics of one robot."""
 
-    def __init__(self, robot: str, on_reply: OnReply) -> None:
+    def __init__(self, robot: str, on_reply: OnReply, on_begun: OnBegun) -> None:
         self.goal = rospy.Publisher(topic_of(robot, "command/goal"), ExecuteCommandActionGoal, queue_size=100)
         self.cancel = rospy.Publisher(topic_of(robot, "command/cancel"), GoalID, queue_size=100)
         self.result = rospy.Subscriber(
@@ -31,20 +34,28 @@ class _Link:
             lambda message: on_reply(message.status.goal_id.id, message.result.reply),
             queue_size=100,
         )
+        self.feedback = rospy.Subscriber(
+            topic_of(robot, "command/feedback"),
+            ExecuteCommandActionFeedback,
+            lambda message: on_begun(message.status.goal_id.id),
+            queue_size=100,
+        )
 
 
 class RobotLinks:
     """Sends commands to robots; each command is sent once.
 
-    Publishes: ``<robot>/command/goal``, ``<robot>/command/cancel``. Subscribes: ``<robot>/command/result``.
+    Publishes: ``<robot>/command/goal``, ``<robot>/command/cancel``. Subscribes: ``<robot>/command/result``,
+    ``<robot>/command/feedback``.
     """
 
-    def __init__(self, on_reply: OnReply) -> None:
+    def __init__(self, on_reply: OnReply, on_begun: OnBegun) -> None:
         """
         Args:
             on_reply: called with the id of a command and its reply, in a thread of rospy
+            on_begun: called with the id of a command when its robot tells of it, again and again, in a thread of rospy
         """
-        self._links: OfEachRobot[_Link] = OfEachRobot(lambda robot: _Link(robot, on_reply))
+        self._links: OfEachRobot[_Link] = OfEachRobot(lambda robot: _Link(robot, on_reply, on_begun))
 
     def prepare(self, robot: str) -> None:
         """Open the topics of a robot."""

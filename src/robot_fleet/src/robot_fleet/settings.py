@@ -16,6 +16,8 @@ class FleetSettings(Parameters):
         dialogue_timeout_s: how long the robot that was last spoken to is meant
         answer_timeout_s: how long the answer to "Who should do that?" is waited for
         connection_timeout_s: how long a robot may take to be connected before it counts as gone
+        delivery_timeout_s: what a robot that is gone has not begun after this time is answered as lost; longer than
+            `longest_delay_s` of the robots, which refuse what reaches them later
 
     Raises:
         ParameterError: a value out of its range
@@ -25,6 +27,7 @@ class FleetSettings(Parameters):
     dialogue_timeout_s: float = parameter(600.0, least=1.0, most=86_400.0)
     answer_timeout_s: float = parameter(60.0, least=1.0, most=3600.0)
     connection_timeout_s: float = parameter(3.0, least=0.1, most=60.0)
+    delivery_timeout_s: float = parameter(3.5, least=0.1, most=60.0)
 
 
 @dataclass(frozen=True)

@@ -258,7 +258,9 @@ class _Finder:
         if before == "," and "," not in self.forms[place:]:
             is_front = False  # "Close the door, before you go."
         kind = deed.kind
-        if is_front != (kind is LinkKind.BEFORE):
+        if kind is LinkKind.MEANWHILE and is_front:
+            return None, 0  # "While you drive, sing": which of them ends the other?
+        if kind is not LinkKind.MEANWHILE and is_front != (kind is LinkKind.BEFORE):
             kind = LinkKind.THEN  # The deeds are said in the order in which they are done.
         joint = self._joint(Link(kind.value, kind), place, place + deed.length, deed.length, None)
         return replace(joint, verb=deed.verb), place + deed.length
@@ -299,7 +301,13 @@ class _Finder:
         if is_clock and self._clock(end) is not None:
             return True
         is_verb = bool(self.known.verbs_beginning_with(word.lemma.lower()) or self.known.verbs_beginning_with(form))
-        return is_verb and word.deprel not in _INNER and word.upos in ("VERB", "NOUN", "ADJ", "PROPN", "INTJ", "X")
+        # "If you see a mug *bring* it to me": without a comma the parser takes the deed for a part of the condition.
+        is_deed = word.xpos == "VB" and word.deprel == "xcomp" and self.forms[end - 1] != "to"
+        return (
+            is_verb
+            and (is_deed or word.deprel not in _INNER)
+            and word.upos in ("VERB", "NOUN", "ADJ", "PROPN", "INTJ", "X")
+        )
 
     def _clock(self, place: int) -> Optional[ClockTime]:
         """Return the time of the clock that begins at a place: "at eight", not "at eight tables" or "until noon"."""

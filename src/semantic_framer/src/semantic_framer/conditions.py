@@ -259,9 +259,11 @@ def _spelled(sentence: Sentence, word: Word) -> Optional[str]:
     form = word.form.lower()
     if form in _CLITIC_BE and _stands_before_a_state(sentence, word):
         return "be"
+    children = sentence.children(word.index)
+    if word.xpos == "NNS" and word.deprel == "acl:relcl" and any(child.deprel == "nsubj" for child in children):
+        return word.lemma.lower()  # "Everybody who leaves": the tagger takes it for the plural of a noun.
     if word.upos not in ("VERB", "AUX"):
         return form
-    children = sentence.children(word.index)
     is_perfect = any(
         child.deprel == "aux" and child.lemma.lower() == "have" and child.xpos != "VBD" for child in children
     )

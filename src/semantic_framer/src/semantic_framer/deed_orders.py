@@ -33,7 +33,7 @@ class DeedBehind(NamedTuple):
     """Words before a deed that another deed precedes or follows.
 
     Attributes:
-        kind: BEFORE or AFTER
+        kind: BEFORE, AFTER or MEANWHILE
         length: number of the words: "before", "before you", "after having"
         verb: position of the verb of the deed in the sentence
     """
@@ -156,7 +156,7 @@ def item_order(words: Sequence[Word], place: int) -> Optional[ItemOrder]:
         return None
     link, length = shipped_links().deed_link_at([word.form.lower() for word in words[border:]])
     other = _phrase(words, border + length) if link is not None and length else 0
-    if link is None or not other:
+    if link is None or link.kind is LinkKind.MEANWHILE or not other:
         return None
     end = border + length + other
     if end < len(words) and words[end].upos not in ("PUNCT", "CCONJ") and words[end].form.lower() not in _JOINING:

@@ -35,6 +35,7 @@ class Pending:
         is_about_words: whether a yes only agrees to go on without some words; a frame may want another yes
         beginning: what happens to the command that runs: REPLACE, FOLLOW or BESIDE
         unfinished: the sentence that lacks something behind its last word: "wait until"; None for none
+        asked: id of the person who was asked; empty when anybody may answer
         open_time: words of the time that the question asks about, which stands at the root of the plan: "tomorrow"
     """
 
@@ -50,6 +51,11 @@ class Pending:
     beginning: str = "REPLACE"
     open_time: Tuple[str, ...] = ()
     unfinished: Optional[DependencyTree] = None
+    asked: str = ""
+
+    def may_be_answered_by(self, speaker: str) -> bool:
+        """Whether the answer of a person counts; that of somebody who is not known does."""
+        return not self.asked or not speaker or self.asked == speaker
 
 
 @dataclass(frozen=True)

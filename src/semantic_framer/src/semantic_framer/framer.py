@@ -17,6 +17,7 @@ from semantic_framer.linked_sentence import (
     manners,
     read_linked,
     swallowed_joints,
+    swallowed_words,
 )
 from semantic_framer.mood_file import UtteranceKind
 from semantic_framer.objections import against_what_runs
@@ -89,10 +90,14 @@ def hear(
     policy: Policy = Policy(),
     now_s: float = 0.0,
     said_s: float = 0.0,
+    is_at_page: bool = False,
     without: FrozenSet[str] = frozenset(),
     trace: Optional[Trace] = None,
 ) -> Heard:
     """Understand an utterance.
+
+    A spoken question is answered by the person who was asked, or by anybody at the page. When another person says
+    something, the question stays open.
 
     Args:
         tree: its parse
@@ -101,11 +106,23 @@ def hear(
         policy: how careful the framer is
         now_s: time on the caller's clock, seconds; it decides when questions expire
         said_s: stamp of the command, seconds; it decides which commands a fragment ("again") may repeat
+        is_at_page: whether the utterance comes from the page or from a program, and not from the person who speaks
         without: names of passes to switch off, which shows what a pass does
         trace: receives a line from every rule that changes or settles something; None for no trace
     """
     context = context.at(now_s).fresh(said_s, policy.fragment_timeout_s)
-    heard = _Hearing(Now(known, policy, now_s, trace), without).hear(tree, context)
+    now, question, speaker = Now(known, policy, now_s, trace), context.pending, "" if is_at_page else known.speaker
+    is_of_another = question is not None and not question.may_be_answered_by(speaker)
+    if question is not None and is_of_another:
+        now.write("answer", tree.text, f"is none. {question.asked} was asked, not {speaker}")
+        context = replace(context, pending=None)
+    heard = _Hearing(now, without).hear(tree, context)
+    pending = heard.context.pending
+    if pending is not None and pending is not question:
+        pending = replace(pending, asked=speaker)
+    elif is_of_another:
+        pending = question
+    heard = replace(heard, context=replace(heard.context, pending=pending))
     outcome = heard.outcome if heard.is_small_talk else against_what_runs(heard.outcome, tree)
     heard = replace(heard, context=replace(heard.context, last=last_command(outcome, heard.context.last, said_s)))
     if trace is not None:
@@ -271,5 +288,10 @@ class _Hearing:
             if how.found:
                 swallowed = Refusal("CONDITION", f'I do not understand how "{joint_words(sentence, how)}" is meant.')
                 return read_linked(sentence, context, self._now, swallowed, how) or Heard(swallowed, context, sentence)
-            return read_linked(sentence, context, self._now, swallowed, joints) or refused if joints.found else heard
+            if joints.found:
+                return read_linked(sentence, context, self._now, swallowed, joints) or refused
+            words = swallowed_words(sentence, known, best)
+            if words:
+                return Heard(Refusal("CONDITION", f'I do not understand how "{words}" is meant.'), context, sentence)
+            return heard
         return read_linked(sentence, context, self._now, outcome, find_joints(sentence, known)) or heard

@@ -16,13 +16,13 @@ from semantic_framer.linked_clauses import NoStructure, Open, which_of_it
 from semantic_framer.linked_plan import linked_plan
 from semantic_framer.named_persons import with_persons
 from semantic_framer.outcome import QUESTION, REPORT, TALK, Question, Refusal, Understood
-from semantic_framer.reading import Reading
+from semantic_framer.reading import Reading, with_argument
 from semantic_framer.readings import Heard
 from semantic_framer.sentence import Sentence
 from semantic_framer.settling import Now, resolve_and_confirm, without_positions
 from semantic_framer.standing_plan import with_wait
 from semantic_framer.verdicts import case_of
-from typed_arguments import TimeExpression
+from typed_arguments import Source, TimeExpression, TypedArgument
 from utterance_passes.quotations import QUOTATION_MARKS
 from utterance_passes.tree import ASIDE, DependencyTree, Word
 from utterance_passes.tree_edits import NotATree, TreeEdit, mark_times, set_aside
@@ -42,7 +42,12 @@ _MANNERS = (
 #: FrameNet's name of the end of what the robot does.
 _STOPPING = "Halt"
 _ENDS_OF_ORDER = word_class("first_of_all") | word_class("last_of_all")
-_MANY = word_class("persons_among_many")
+_MANY, _WHO = word_class("persons_among_many"), word_class("relative_persons")
+_DOWNWARD = word_class("directions_of_sitting")
+_LASTING = word_class("lasting_verbs")
+#: Links before news that somebody wants to hear: "tell me *when* the oven is off".
+_OF_NEWS = (LinkKind.WHEN, LinkKind.ANEW, LinkKind.WHENEVER)
+_PARTICIPANTS = word_class("participants") | word_class("possessives_of_participants")
 _PERSONS = word_class("persons_of_the_sentence")
 #: Relations of a verb that depends on the one before it.
 _DEPENDENT = frozenset(["advcl", "xcomp", "ccomp", "acl", "dep"])
@@ -93,7 +98,7 @@ def read_linked(
     try:
         deeds = [(read.clause, read.kept) for read in clauses]
         kept, plan = without_unused(*linked_plan(sentence, now.known, deeds, joints.found))
-        kept = with_persons(kept, now.known.frames)
+        kept = _with_news(with_persons(kept, now.known.frames), sentence, joints, now)
         if answers_in_a_loop(plan, kept, now.known.frames):
             raise NoStructure("what is answered at once does not go on")
     except Open as question_of:
@@ -149,6 +154,25 @@ def _with_open_time(
     clauses = without_positions(heard.outcome.clauses)
     pending = Pending(clauses, 0, (), now.expires_s, plan=heard.outcome.plan, open_time=words)
     return replace(heard, outcome=refused.outcome, context=replace(heard.context, pending=pending))
+
+
+def _with_news(clauses: Clauses, sentence: Sentence, joints: Joints, now: Now) -> Clauses:
+    """Return clauses in which what the robot waits for is what it tells: "tell me when the oven is off"."""
+    news = [joint for joint in joints.found if joint.kind in _OF_NEWS and joint.condition is not None]
+    if len(news) != 1 or news[0].condition is None:
+        return clauses
+    positions = sorted(news[0].condition.positions)
+    said = sentence.text(positions).strip(" ,.!?")
+    if _PARTICIPANTS & {sentence.word(index).form.lower() for index in positions}:
+        return clauses  # "You see Anna" would be said of the person.
+    return tuple(tuple(_told(reading, said, now) for reading in readings) for readings in clauses)
+
+
+def _told(reading: Reading, said: str, now: Now) -> Reading:
+    frame = now.known.frames[reading.unit.frame_name]
+    if frame.is_condition or [element.framenet for element in reading.missing] != [MESSAGE]:
+        return reading
+    return with_argument(reading, TypedArgument(reading.missing[0].name, said, Source.INFERRED, words=said))
 
 
 def _is_stop(readings: Tuple[Reading, ...], now: Now) -> bool:
@@ -232,6 +256,36 @@ def swallowed_joints(sentence: Sentence, known: FramedLexicon, readings: Sequenc
     return Joints(tuple(found))
 
 
+def swallowed_words(sentence: Sentence, known: FramedLexicon, readings: Sequence[Reading]) -> str:
+    """Return words that join and were taken for a part of an argument: "a glass, *otherwise a mug*"; empty for none."""
+    for reading in readings:
+        frame = known.frames[reading.unit.frame_name]
+        for argument in reading.arguments:
+            element = frame.element(argument.name)
+            words = [sentence.word(index) for index in sorted(argument.positions)]
+            forms = [word.form.lower() for word in words]
+            if element is not None and element.framenet == MESSAGE:
+                # "Tell everyone *who asks* that I am at lunch" is no message.
+                before = sentence.word(words[0].index - 1).form.lower() if words and words[0].index > 1 else ""
+                if before in _MANY and forms[0] in _WHO:
+                    return sentence.text([word.index for word in words])
+                continue
+            for place in range(2, len(words)):
+                is_person = forms[place - 2] in _MANY and forms[place - 1] in _WHO
+                if is_person and (_is_deed(words[place]) or set(forms[place + 1 : place + 2]) & _DOWNWARD):
+                    return sentence.text([word.index for word in words[place - 1 :]])
+            for place in range(1, len(words)):
+                joiner, _ = shipped_links().joiner_at(forms[place:])
+                if joiner is not None and joiner.kind in (LinkKind.OTHERWISE, LinkKind.OR_ELSE):
+                    return sentence.text([word.index for word in words[place:]])
+    return ""
+
+
+def _is_deed(word: Word) -> bool:
+    """Whether somebody who does that does it now and then: "everyone who *sits* down", but not "who lives here"."""
+    return word.upos == "VERB" and word.xpos in ("VBZ", "VBP") and word.lemma.lower() not in _LASTING
+
+
 def doubtful_message(sentence: Sentence, known: FramedLexicon, readings: Sequence[Reading]) -> Optional[Question]:
     """Return a question about a condition at the end of a message that has a verb of its own; None if there is none.
 
@@ -253,11 +307,14 @@ def doubtful_message(sentence: Sentence, known: FramedLexicon, readings: Sequenc
 
 
 def _condition_behind(words: Sequence[Word]) -> int:
-    """Return the place of a link between two verbs: "dinner is ready *when* Bob comes"; 0 for none."""
-    verbs = [place for place, word in enumerate(words) if word.upos in ("VERB", "AUX")]
+    """Return the place of a link before a verb: "dinner is ready *when* Bob comes", "hello *until* somebody answers";
+    0 for none.
+    """
+    # The tagger may take a verb for a noun: "until someone answers".
+    verbs = [place for place, word in enumerate(words) if word.upos in ("VERB", "AUX") or word.deprel == "ccomp"]
     forms = [word.form.lower() for word in words]
     for place, word in enumerate(words):
-        is_between = bool(verbs) and verbs[0] < place < verbs[-1]
+        is_between = bool(verbs) and 0 < place < verbs[-1]
         is_link = word.upos == "SCONJ" or word.xpos == "WRB"
         if is_between and is_link and shipped_links().link_at(forms[place:])[1]:
             return place

@@ -62,6 +62,8 @@ from utterance_passes.tree import DependencyTree
 from world_model import World
 from world_model.ros_messages import world_from_message
 
+#: Ids of commands that were heard on the topic `text` begin so; others come from the page and from programs.
+_SPOKEN = "text-"
 #: The node keeps the files that were added while it ran in this private parameter.
 #: Private parameter.
 ADDED_LEXICAL_UNITS = "_added_lexical_units"
@@ -313,6 +315,7 @@ class SemanticFramer:
                     policy=self._settings.policy,
                     now_s=time.monotonic(),
                     said_s=stamp.to_sec(),
+                    is_at_page=not command.id.startswith(_SPOKEN),
                     trace=trace,
                 )
                 outcome = heard.outcome

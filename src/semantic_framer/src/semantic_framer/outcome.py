@@ -7,6 +7,7 @@ from typing import Iterable, Optional, Sequence, Tuple, Union
 from semantic_framer.clause_plan import PlanPart
 from semantic_framer.reading import Reading
 from semantic_framer.sentence import Sentence
+from typed_arguments import TypedArgument
 
 #: Codes of refusals of objections to something that runs.
 PROHIBITION = "NEGATED"
@@ -115,10 +116,19 @@ def join_with_and(parts: Sequence[str]) -> str:
     return " and ".join(filter(None, (", ".join(parts[:-1]), *parts[-1:])))
 
 
-def left_over_refusal(sentence: Sentence, positions: Sequence[int]) -> Refusal:
-    """Return the refusal of a sentence with left-over words."""
+def left_over_refusal(sentence: Sentence, positions: Sequence[int], unheeded: Sequence[TypedArgument] = ()) -> Refusal:
+    """Return the refusal of a sentence with left-over words.
+
+    Args:
+        sentence: the sentence
+        positions: of the words
+        unheeded: what was understood, but reaches no server
+    """
     left = (sentence.word(index) for index in positions)
     words = tuple(word.form for word in left if word.upos != "PUNCT")
+    if unheeded and set(positions) <= {index for argument in unheeded for index in argument.positions}:
+        said = join_with_and([f'"{argument.words or argument.text}"' for argument in unheeded])
+        return Refusal("LEFT_OVER_WORDS", f"I cannot take {said} into account, so I do nothing.", left_over=words)
     return Refusal(
         "LEFT_OVER_WORDS",
         f'I do not understand "{" ".join(words)}" in "{sentence.tree.text.strip()}", so I do nothing.',

@@ -64,6 +64,7 @@ class Reading:
         unlikely: number of words that are unlikely to be meant for the element that they fill
         clause_text: the words of the clause, as they were said
         extra: extra-thematic phrases among the left-over words, if they hold all of them; None if not
+        unheeded: arguments that were taken out because they reach no server; their words are left over
         unread: amounts that elements ask for but that must not be acted on: "two or three metres"
         wrong_types: values of another semantic type than their frame element: "carry Anna"
         doubtful_types: number of values whose words have the type that the unit asks for in a rare sense, or no type
@@ -82,6 +83,7 @@ class Reading:
     unlikely: int = 0
     clause_text: str = ""
     extra: Optional[Tuple[TypedArgument, ...]] = None
+    unheeded: Tuple[TypedArgument, ...] = ()
     unread: Tuple[Amount, ...] = ()
     wrong_types: Tuple[WrongType, ...] = ()
     doubtful_types: int = 0

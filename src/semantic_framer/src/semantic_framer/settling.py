@@ -120,7 +120,7 @@ def _settled(
             if readings[0].left_over and not is_asked:
                 words = sentence.text(readings[0].left_over)
                 now.write("left_over_words", words, "refused. No element has these words.")
-                return left_over_refusal(sentence, readings[0].left_over), context
+                return left_over_refusal(sentence, readings[0].left_over, readings[0].unheeded), context
         extra = [argument for readings in clauses for argument in readings[0].extra or ()]
         if extra:
             said = join_with_and([f'"{argument.words}"' for argument in extra])

@@ -42,7 +42,7 @@ def without_unheeded(
     words = {index for argument in lost for index in argument.positions if _tells_something(sentence, index)}
     kept = tuple(argument for argument in reading.arguments if argument not in lost)
     left_over = tuple(sorted(words.union(reading.left_over)))
-    return replace(reading, arguments=kept, left_over=left_over), tuple(sorted(words))
+    return replace(reading, arguments=kept, left_over=left_over, unheeded=lost), tuple(sorted(words))
 
 
 def with_heeded_extras(sentence: Sentence, reading: Reading, heeded: FrameHeeding) -> Reading:

@@ -66,6 +66,15 @@ def test_what_no_server_gets_is_asked_about(parser: Any, lexicon: Any, frames: A
     assert isinstance(outcome_of(text, parser, everything), Understood)
 
 
+def test_what_was_understood_but_reaches_no_server_is_refused_by_its_words(
+    parser: Any, lexicon: Any, frames: Any
+) -> None:
+    known = FramedLexicon(lexicon, frames, heeded={"pushing": {"theme": EVERYTHING}})
+    refused = outcome_of("Push the chair onto the table.", parser, known)
+    assert isinstance(refused, Refusal) and refused.left_over == ("table",)
+    assert refused.sentence == 'I cannot take "onto the table" into account, so I do nothing.'
+
+
 def profiled(known: Any, frames: Any, frame: str, **statement: Any) -> FramedLexicon:
     return FramedLexicon(known, frames, heeded=heeded_elements(frames, {frame: [stated_profile(statement)]}))
 

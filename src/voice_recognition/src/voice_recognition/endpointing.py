@@ -7,7 +7,7 @@ from typing import Deque, List, Optional, Tuple
 import numpy as np
 
 from voice_recognition.recogniser import RATE
-from voice_recognition.sound import level_db, to_samples
+from voice_recognition.sound import speech_level_db, to_samples
 
 #: Seconds of a frame.
 FRAME_S = 0.02
@@ -34,12 +34,12 @@ class EndpointSettings:
         quietest_db: below full scale; anything below is quiet
     """
 
-    begin_db: float = 7.0
-    end_db: float = 4.5
+    begin_db: float = 6.0
+    end_db: float = 4.0
     end_s: float = 0.4
     pause_s: float = 0.2
     before_s: float = 0.5
-    shortest_s: float = 0.15
+    shortest_s: float = 0.1
     longest_s: float = 12.0
     noise_s: float = 6.0
     quietest_db: float = -62.0
@@ -127,7 +127,7 @@ class Endpointer:
     def _take(self, frame: bytes) -> Optional[Utterance]:
         settings = self._settings
         self._frames += 1
-        level = max(level_db(to_samples(frame)), settings.quietest_db - settings.begin_db)
+        level = max(speech_level_db(to_samples(frame)), settings.quietest_db - settings.begin_db)
         self._levels.append(level)
         noise = self.noise_db
         if not self._said:

@@ -13,6 +13,8 @@ Samples = npt.NDArray[np.float64]
 
 #: Taps on each side of the low pass.
 _TAPS = 24
+#: Lowest frequency of a voice that counts for its level, Hz.
+LOWEST_HZ = 150.0
 #: Longest file, seconds.
 LONGEST_S = 3600.0
 
@@ -92,4 +94,19 @@ def duration_s(pcm: bytes) -> float:
 def level_db(samples: Samples) -> float:
     """Return the level below full scale in decibels: 0 for the loudest square wave, -100 for silence."""
     power = float(np.mean(samples**2)) if len(samples) else 0.0
+    return max(-100.0, 10.0 * float(np.log10(power / 32768.0**2 + 1e-10)))
+
+
+def speech_level_db(samples: Samples) -> float:
+    """Return the level of what may be speech, decibels below full scale: without hum and rumble.
+
+    The noise of a room lies mostly below a voice. There its level also changes from one moment to the next as much as
+    that of somebody who begins and ends to speak.
+    """
+    if not len(samples):
+        return -100.0
+    window = np.hanning(len(samples))
+    spectrum = np.abs(np.fft.rfft(samples * window)) ** 2
+    first = int(np.ceil(LOWEST_HZ * len(samples) / RATE))
+    power = 2.0 * float(np.sum(spectrum[first:])) / (len(samples) * float(np.sum(window**2)))
     return max(-100.0, 10.0 * float(np.log10(power / 32768.0**2 + 1e-10)))

@@ -3,24 +3,38 @@
 import re
 from collections import deque
 from types import MappingProxyType
-from typing import Deque
+from typing import Deque, Tuple
+
+import numpy as np
 
 from command_server.stop_words import is_stop
 from voice_recognition.class_ngram import write_ngram
 from voice_recognition.denoising import without_noise
+from voice_recognition.endpointing import FRAME_S, EndpointSettings
 from voice_recognition.pronunciation import Dictionary, pronounce
 from voice_recognition.recogniser import RATE, PocketSphinx
+from voice_recognition.sound import speech_level_db, to_samples
 from voice_recognition.spoken_language import Words
 from voice_recognition.voice_words import voice_words
 from word_classes import word_class
 
-#: Seconds of the longest utterance that can be nothing but a stop.
-LONGEST_S = 2.0
-#: Share of the words of talk in the search.
-OTHER_SHARE = 0.02
+#: Seconds of the longest utterance that can be nothing but a stop: "stop stop", slowly.
+LONGEST_S = 1.6
+#: Share of the words of talk in the search, in noise and in a quiet room, where a stop is heard clearly or was none.
+OTHER_SHARE, CLEAR_OTHER_SHARE = 0.02, 0.8
+#: Speech that is so many decibels above the noise is clear.
+CLEAR_DB = 30.0
+#: Seconds that a stop takes at most: with no word, and more for each word.
+SLOWEST_S, SLOWEST_WORD_S = 0.6, 0.4
+#: Words of a stop at most, with one that is misheard.
+MOST_WORDS = 3
+#: Seconds around an utterance in noise that are left away when it is heard again.
+BEFORE_S, BEHIND_S = 0.25, 0.1
 #: While the robot speaks, so many seconds of the stream are looked at, each time that so many have passed.
 WINDOW_S, PERIOD_S = 1.5, 0.5
-_SEARCH = "stop"
+_SEARCH, _CLEAR_SEARCH = "stop", "clear_stop"
+#: Share of the frames of an utterance that are taken for the noise around it, and for its loudest part, percent.
+_QUIET_SHARE, _LOUD_SHARE = 15, 95
 #: Each utterance has its own mean of the spectrum, whatever was heard before it.
 _SETTINGS = MappingProxyType({"cmn": "batch"})
 _NEGATIONS = word_class("negations")
@@ -41,14 +55,29 @@ class StopSpotter:
         """
         words = voice_words()
         dictionary, unknown = pronounce([*words.other_words, *(word for way in words.stop for word in way)], known)
-        ngram = write_ngram(None, words.other_words, phrases=words.stop, without=unknown, other_share=OTHER_SHARE)
-        self._recogniser = PocketSphinx(dictionary, ngrams={_SEARCH: ngram}, settings=_SETTINGS)
+        ngrams = {
+            name: write_ngram(None, words.other_words, phrases=words.stop, without=unknown, other_share=share)
+            for name, share in ((_SEARCH, OTHER_SHARE), (_CLEAR_SEARCH, CLEAR_OTHER_SHARE))
+        }
+        self._recogniser = PocketSphinx(dictionary, ngrams=ngrams, settings=_SETTINGS)
         self._stream: Deque[bytes] = deque()
         self._since_look = 0
 
     def is_stop(self, pcm: bytes) -> bool:
         """Whether an utterance stops the robot; one that is longer than ``LONGEST_S`` of speech does not."""
-        return is_heard_stop(self._recogniser.hear(_SEARCH, without_noise(pcm)).words)
+        clearness_db, spoken_s = clearness_and_length(pcm)
+        if clearness_db >= CLEAR_DB:
+            words = self._words(_CLEAR_SEARCH, pcm, spoken_s)
+            return is_stop(" ".join(words))
+        # What is before and behind a word in noise is sometimes heard as a part of it.
+        closer = pcm[_bytes(BEFORE_S) : len(pcm) - _bytes(BEHIND_S)]
+        return any(is_heard_stop(self._words(_SEARCH, part, spoken_s)) for part in (pcm, closer) if part)
+
+    def _words(self, search: str, pcm: bytes, spoken_s: float) -> Words:
+        """Return what a search hears; nothing if there are too many words for a stop, or too few for their time."""
+        words = self._recogniser.hear(search, without_noise(pcm)).words
+        is_likely = len(words) <= MOST_WORDS and spoken_s <= SLOWEST_S + SLOWEST_WORD_S * len(words)
+        return words if is_likely else ()
 
     def hears_stop_in_stream(self, part: bytes) -> bool:
         """Take the next part of the stream while the robot speaks; return whether its last seconds are a stop."""
@@ -64,6 +93,28 @@ class StopSpotter:
     def forget_stream(self) -> None:
         """Forget the stream: the robot is silent."""
         self._stream.clear()
+
+
+def _bytes(seconds: float) -> int:
+    return int(seconds * RATE) * 2
+
+
+def clearness_and_length(pcm: bytes) -> Tuple[float, float]:
+    """Return how far speech stands out of the noise, decibels, and how long it is, seconds.
+
+    Args:
+        pcm: an utterance with some of the quiet around it
+    """
+    step = int(RATE * FRAME_S)
+    samples = to_samples(pcm)
+    levels = np.array([speech_level_db(samples[at : at + step]) for at in range(0, len(samples) - step + 1, step)])
+    if not len(levels):
+        return 0.0, 0.0
+    noise_db, voice_db = np.percentile(levels, [_QUIET_SHARE, _LOUD_SHARE])
+    settings = EndpointSettings()
+    (loud,) = np.nonzero(levels > max(noise_db + settings.begin_db, settings.quietest_db))
+    length_s = (loud[-1] - loud[0] + 1) * FRAME_S if len(loud) else 0.0
+    return float(voice_db - noise_db), float(length_s)
 
 
 def is_heard_stop(words: Words) -> bool:

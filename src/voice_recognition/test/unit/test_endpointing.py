@@ -1,11 +1,18 @@
 """Where somebody speaks."""
 
+import sys
+from pathlib import Path
+
 import numpy as np
 import pytest
 
+sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
+
+from synthetic_speech import noise_like_a_room
+
 from voice_recognition.endpointing import Endpointer, EndpointSettings
 from voice_recognition.recogniser import RATE
-from voice_recognition.sound import to_pcm
+from voice_recognition.sound import speech_level_db, to_pcm, to_samples
 
 DEFAULT = EndpointSettings()
 
@@ -34,6 +41,23 @@ def test_one_utterance_is_found_in_any_room(level: float, seed: int) -> None:
     assert found.begin_s == pytest.approx(1.5, abs=0.1)
     assert found.end_s == pytest.approx(2.5, abs=0.15)
     assert not found.is_cut
+
+
+@pytest.mark.parametrize("seed", range(6))
+def test_an_utterance_ends_although_the_room_rumbles_on(seed: int) -> None:
+    samples = 800.0 * noise_like_a_room(8.0, seed)
+    said = to_samples(voice(0.5, 2500.0, seed))
+    samples[3 * RATE : 3 * RATE + len(said)] += said
+    (found,) = utterances(to_pcm(samples))
+    assert found.begin_s == pytest.approx(3.0, abs=0.1)
+    assert found.end_s == pytest.approx(3.5, abs=0.15)
+
+
+def test_hum_is_no_speech() -> None:
+    times = np.arange(RATE // 50) / RATE
+    hum, tone = (3000.0 * np.sin(2 * np.pi * hz * times) for hz in (50.0, 500.0))
+    assert speech_level_db(hum) < speech_level_db(tone) - 20.0
+    assert speech_level_db(tone) == pytest.approx(20.0 * np.log10(3000.0 / 32768.0) - 3.0, abs=0.5)
 
 
 def test_a_pause_is_told_before_the_end_with_the_same_times() -> None:

@@ -10,7 +10,7 @@ import pytest
 
 from voice_recognition.endpointing import Endpointer
 from voice_recognition.recogniser import model_dictionary
-from voice_recognition.spotting import StopSpotter, is_heard_stop, says_stop
+from voice_recognition.spotting import CLEAR_DB, StopSpotter, clearness_and_length, is_heard_stop, says_stop
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
 
@@ -36,7 +36,25 @@ def test_a_stop_is_heard_in_noise(spotter: StopSpotter, text: str, voice: Tuple[
     assert any(spotter.is_stop(one.pcm) for one in found)
 
 
-@pytest.mark.parametrize("text", ["good morning", "what a lovely day", "turn left", "the kitchen", "yes please", "no"])
+@pytest.mark.parametrize("text", ["stop", "robot stop"])
+def test_speech_is_clear_in_a_quiet_room_and_its_length_is_that_of_the_words(text: str) -> None:
+    said = with_silence(speech(text), before_s=0.5, after_s=0.4)
+    clear_db, length_s = clearness_and_length(said)
+    noisy_db, noisy_length_s = clearness_and_length(with_noise(said, 10.0, seed=1))
+    assert clear_db > CLEAR_DB > noisy_db > 5.0
+    assert 0.2 < noisy_length_s <= length_s < 1.2
+    assert clearness_and_length(b"") == (0.0, 0.0)
+
+
+def test_what_lasts_longer_than_its_words_is_no_stop(spotter: StopSpotter) -> None:
+    said = speech("stop")
+    assert spotter.is_stop(with_silence(said, before_s=0.5, after_s=0.4))
+    assert not spotter.is_stop(silence(0.5) + said + silence(0.6) + said + silence(0.6) + said + silence(0.4))
+
+
+@pytest.mark.parametrize(
+    "text", ["good morning", "what a lovely day", "turn left", "the kitchen", "yes please", "no", "a report"]
+)
 def test_other_words_are_no_stop(spotter: StopSpotter, text: str) -> None:
     assert not spotter.is_stop(with_silence(speech(text), before_s=0.5, after_s=0.4))
 
