@@ -28,6 +28,8 @@ CLEAR_DB = 30.0
 SLOWEST_S, SLOWEST_WORD_S = 0.6, 0.4
 #: Words of a stop at most, with one that is misheard.
 MOST_WORDS = 3
+#: Seconds around an utterance in noise that are left away when it is heard again.
+BEFORE_S, BEHIND_S = 0.25, 0.1
 #: While the robot speaks, so many seconds of the stream are looked at, each time that so many have passed.
 WINDOW_S, PERIOD_S = 1.5, 0.5
 _SEARCH, _CLEAR_SEARCH = "stop", "clear_stop"
@@ -64,11 +66,18 @@ class StopSpotter:
     def is_stop(self, pcm: bytes) -> bool:
         """Whether an utterance stops the robot; one that is longer than ``LONGEST_S`` of speech does not."""
         clearness_db, spoken_s = clearness_and_length(pcm)
-        is_clear = clearness_db >= CLEAR_DB
-        words = self._recogniser.hear(_CLEAR_SEARCH if is_clear else _SEARCH, without_noise(pcm)).words
-        if len(words) > MOST_WORDS or spoken_s > SLOWEST_S + SLOWEST_WORD_S * len(words):
-            return False
-        return is_stop(" ".join(words)) if is_clear else is_heard_stop(words)
+        if clearness_db >= CLEAR_DB:
+            words = self._words(_CLEAR_SEARCH, pcm, spoken_s)
+            return is_stop(" ".join(words))
+        # What is before and behind a word in noise is sometimes heard as a part of it.
+        closer = pcm[_bytes(BEFORE_S) : len(pcm) - _bytes(BEHIND_S)]
+        return any(is_heard_stop(self._words(_SEARCH, part, spoken_s)) for part in (pcm, closer) if part)
+
+    def _words(self, search: str, pcm: bytes, spoken_s: float) -> Words:
+        """Return what a search hears; nothing if there are too many words for a stop, or too few for their time."""
+        words = self._recogniser.hear(search, without_noise(pcm)).words
+        is_likely = len(words) <= MOST_WORDS and spoken_s <= SLOWEST_S + SLOWEST_WORD_S * len(words)
+        return words if is_likely else ()
 
     def hears_stop_in_stream(self, part: bytes) -> bool:
         """Take the next part of the stream while the robot speaks; return whether its last seconds are a stop."""
@@ -84,6 +93,10 @@ class StopSpotter:
     def forget_stream(self) -> None:
         """Forget the stream: the robot is silent."""
         self._stream.clear()
+
+
+def _bytes(seconds: float) -> int:
+    return int(seconds * RATE) * 2
 
 
 def clearness_and_length(pcm: bytes) -> Tuple[float, float]:
