@@ -145,11 +145,11 @@ def _by_head(argument: TypedArgument, situation: Situation, is_wide: bool) -> Ob
 def _general(head: str, lemma: str, world: World) -> Optional[Objects]:
     """Return the objects of a noun that names a whole sort: "thing", "person", "room"; None for another noun."""
     if {head, lemma} & _GENERAL_THINGS or head in _STANDINS:
-        return tuple(one for one in world.objects if one.sort in (Sort.THING, Sort.DEVICE))
+        return world.of_sorts(Sort.THING, Sort.DEVICE)
     if {head, lemma} & _PERSON_NOUNS:
-        return tuple(one for one in world.objects if one.sort is Sort.PERSON)
+        return world.of_sorts(Sort.PERSON)
     if {head, lemma} & _PLACE_NOUNS:
-        return tuple(one for one in world.objects if one.sort is Sort.PLACE)
+        return world.of_sorts(Sort.PLACE)
     return None
 
 
@@ -202,17 +202,14 @@ def at_place(objects: Objects, place: TypedArgument, situation: Situation) -> Ob
 def _outermost(objects: Objects, side: str, situation: Situation) -> Objects:
     """Return the leftmost or the rightmost of some objects, as the robot sees them."""
     robot = situation.world.robot
-    if robot is None or robot.pose is None or not all(one.pose for one in objects):
+    poses = [one.pose for one in objects if one.pose is not None]
+    if robot is None or robot.pose is None or not objects or len(poses) < len(objects):
         return ()
     viewer = robot.pose
     cosine, sine = math.cos(viewer.heading_rad), math.sin(viewer.heading_rad)
-
-    def to_the_left(one: WorldObject) -> float:
-        return one.pose.y_m * cosine - one.pose.x_m * sine if one.pose is not None else 0.0
-
-    if not objects:
-        return ()
-    return ((max if side == "left" else min)(objects, key=to_the_left),)
+    to_the_left_m = [pose.y_m * cosine - pose.x_m * sine for pose in poses]
+    most_m = max(to_the_left_m) if side == "left" else min(to_the_left_m)
+    return (objects[to_the_left_m.index(most_m)],)
 
 
 def is_superlative(modifier: Modifier) -> bool:

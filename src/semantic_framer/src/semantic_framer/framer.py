@@ -13,6 +13,7 @@ from semantic_framer.framed_lexicon import FramedLexicon
 from semantic_framer.lexicon import Lexicon
 from semantic_framer.linked_sentence import (
     doubtful_message,
+    has_lost_link,
     joint_words,
     manners,
     read_linked,
@@ -281,14 +282,15 @@ class _Hearing:
             doubt = doubtful_message(sentence, known, best)
             if doubt is not None:
                 return Heard(doubt, context, sentence)
-            joints = swallowed_joints(sentence, known, best)
+            is_lost = has_lost_link(sentence, best)
+            joints = find_joints(sentence, known) if is_lost else swallowed_joints(sentence, known, best)
             swallowed = Refusal("CONDITION", f'I do not understand how "{joint_words(sentence, joints)}" is meant.')
             refused = Heard(swallowed, context, sentence)
             how = Joints() if joints.found else manners(sentence, known)
             if how.found:
                 swallowed = Refusal("CONDITION", f'I do not understand how "{joint_words(sentence, how)}" is meant.')
                 return read_linked(sentence, context, self._now, swallowed, how) or Heard(swallowed, context, sentence)
-            if joints.found:
+            if joints.found or is_lost:
                 return read_linked(sentence, context, self._now, swallowed, joints) or refused
             words = swallowed_words(sentence, known, best)
             if words:

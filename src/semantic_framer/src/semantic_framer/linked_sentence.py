@@ -286,6 +286,15 @@ def _is_deed(word: Word) -> bool:
     return word.upos == "VERB" and word.xpos in ("VBZ", "VBP") and word.lemma.lower() not in _LASTING
 
 
+def has_lost_link(sentence: Sentence, readings: Sequence[Reading]) -> bool:
+    """Whether a link before a thing was lost: "turn left *until* the bell rings", read as "turn the rings"."""
+    said = frozenset(index for reading in readings for argument in reading.arguments for index in argument.positions)
+    marks = [word for word in sentence.tree.open_words if word.deprel == "mark" and word.index not in said]
+    links = [shipped_links().link_at([word.form.lower()])[0] for word in marks if word.head in said]
+    # "Check *if* the lights are off" asks; an end is no question.
+    return any(link is not None and link.kind is LinkKind.UNTIL for link in links)
+
+
 def doubtful_message(sentence: Sentence, known: FramedLexicon, readings: Sequence[Reading]) -> Optional[Question]:
     """Return a question about a condition at the end of a message that has a verb of its own; None if there is none.
 

@@ -103,6 +103,17 @@ class World:
                 found.setdefault(key, []).append(category)
         return {key: tuple(categories) for key, categories in found.items()}
 
+    def of_sorts(self, *sorts: Sort) -> Tuple[WorldObject, ...]:
+        """Return the objects of some sorts."""
+        if sorts not in self._of_sorts:
+            self._of_sorts[sorts] = tuple(one for one in self.objects if one.sort in sorts)
+        return self._of_sorts[sorts]
+
+    @cached_property
+    def _of_sorts(self) -> Dict[Tuple[Sort, ...], Tuple[WorldObject, ...]]:
+        """The objects of sorts that somebody asked for."""
+        return {}
+
     def named(self, name: str) -> Tuple[WorldObject, ...]:
         """Return the objects with a name; upper and lower case mean the same."""
         return self._by_name.get(spoken(name), ())
