@@ -29,7 +29,7 @@ PATIENT = {
     "/frame_registrar/liveness_timeout_s": "10.0",
     "/executor/acceptance_timeout_s": "30.0",
     "/executor/silence_timeout_s": "30.0",
-    "/move_action_server/odometry_timeout_s": "30.0",
+    "/move_action_server/odometry_timeout_s": "2.0",
     "/move_action_server/stall_timeout_s": "30.0",
 }
 _COLOURS = re.compile("\x1b\\[[0-9;]*m")

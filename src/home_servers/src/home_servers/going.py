@@ -111,7 +111,8 @@ def _is_at(skills: Skills, goal: Known) -> bool:
 def guide(skills: Skills, frame: FilledFrame) -> None:
     """Fetch somebody, drive ahead, and wait when they stay behind."""
     words = argument(frame, "cotheme")
-    person = skills.find(words, "person") if words.text else skills.speaker()
+    near = argument(frame, "source") if said(frame, "source") else None
+    person = skills.find(words, "person", near=near) if words.text else skills.speaker()
     goal = goal_of(skills, frame)
     skills.go(person.id, reach_m=_NEAR_M)
     skills.say(f"{person.name}, please follow me.")

@@ -25,6 +25,8 @@ with open(os.path.join(HERE, "..", "heeded.yaml"), encoding="utf-8") as file:
 KNOWLEDGE = load_knowledge([shipped_domains()])
 #: Elements whose words name what the frame is about anyway: "take a *picture*", "give me a *hug*", "wait *here*".
 IN_THE_FRAME = {
+    # Where somebody is looked for, if it is said who (the next test).
+    ("guiding", "source"),
     ("photographing", "representation"),
     ("high_fiving", "hand"),
     ("low_fiving", "hand"),
@@ -89,6 +91,12 @@ def cores(frame):
 def test_what_is_said_of_an_element_changes_what_is_done(frame, name):
     said = argument(frame, KNOWLEDGE.frames[frame].element(name))
     assert done(frame, [*cores(frame), said]) != done(frame, cores(frame))
+
+
+def test_who_is_guided_is_looked_for_where_it_is_said():
+    words = {"cotheme": "person", "source": "living room", "goal": "desk"}
+    said = [TypedArgument(name, text, head=text.split()[-1], lemma=text.split()[-1]) for name, text in words.items()]
+    assert done("guiding", said) != done("guiding", [one for one in said if one.name != "source"])
 
 
 RELATED = [
