@@ -13,7 +13,7 @@ from offline_pipeline.knowledge import load_knowledge, shipped_domains
 from semantic_framer.framer import read
 from semantic_framer.lexicon import Lexicon
 from semantic_frames.frame import SemanticFrame
-from semantic_frames.lexical_unit import LexicalUnit
+from semantic_frames.lexical_unit import LexicalUnit, WordPattern
 from stanford_parser_ros.model import shipped_parser
 from utterance_passes.tree import DependencyTree
 
@@ -32,10 +32,28 @@ def made_up_verb(number: int) -> str:
     return "".join(SYLLABLES[int(digit)] for digit in f"{number:05d}")
 
 
+def renamed(model: LexicalUnit, verb: str) -> LexicalUnit:
+    """Return a unit like another one, with an invented verb, or with this word in each of its patterns."""
+
+    def with_verb(patterns: Tuple[WordPattern, ...]) -> Tuple[WordPattern, ...]:
+        return tuple(dataclasses.replace(pattern, text=f"{verb} {pattern.text}") for pattern in patterns)
+
+    return dataclasses.replace(
+        model,
+        frame_name=verb,
+        verbs=(verb,) if model.verbs else (),
+        questions=with_verb(model.questions),
+        remarks=with_verb(model.remarks),
+        conditions=with_verb(model.conditions),
+        examples=(),
+    )
+
+
 def scales() -> Tuple[Dict[int, Scale], Scale, List[str], List[str]]:
     """Return lexicons and frames by their size, those of the domains, sentences for all sizes, and for the domains.
 
-    The added units have verbs and frames of their own: the lexicon grows, but not the number of meanings of a verb.
+    The added units have verbs, words in their patterns, and frames of their own: the lexicon grows, but not the number
+    of meanings of a verb.
     """
     knowledge = load_knowledge([shipped_domains()])
     units = list(knowledge.lexicon.units)
@@ -48,7 +66,7 @@ def scales() -> Tuple[Dict[int, Scale], Scale, List[str], List[str]]:
             model = shipped[len(grown) % len(shipped)]
             verb = made_up_verb(len(grown))
             frames[verb] = dataclasses.replace(frames[model.frame_name], name=verb)
-            grown.append(dataclasses.replace(model, frame_name=verb, verbs=(verb,), examples=()))
+            grown.append(renamed(model, verb))
         made[count] = Lexicon.of_units(grown), frames
     examples = [example.text for unit in units for example in unit.examples]
     sample = random.Random(SEED).sample(examples, SAMPLE)

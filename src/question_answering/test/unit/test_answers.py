@@ -254,7 +254,7 @@ def test_examples_are_those_of_frames_that_can_be_carried_out(pipeline: Pipeline
 def test_every_question_of_the_domain_has_an_answer(pipeline: Pipeline, home: World) -> None:
     # Others are answered by servers of their own, such as those about standing orders.
     assert set(ANSWERS) <= {frame.name for frame in pipeline.knowledge.frames.values() if frame.is_question}
-    for unit in pipeline.knowledge.lexicon.question_units:
+    for unit in pipeline.knowledge.lexicon.units:
         for example in unit.examples if unit.frame_name in ANSWERS else ():
             assert answered(example.text, pipeline, replace(KNOWN, world=home)), example.text
 

@@ -167,7 +167,7 @@ def _read_one(
         return None
     found = [
         reading
-        for unit in known.lexicon.condition_units
+        for unit in known.lexicon.condition_units(said.forms)
         for frame in [known.frames.get(unit.frame_name)]
         if frame is not None and frame.is_condition
         for reading in [_first_match(sentence, unit, frame, said, is_until)]

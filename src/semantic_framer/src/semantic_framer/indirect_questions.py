@@ -49,7 +49,7 @@ def _fitted(
     said: EmbeddedFrame, words: str, lemmas: Mapping[str, Word], known: FramedLexicon
 ) -> Optional[EmbeddedFrame]:
     found: List[Tuple[int, int, EmbeddedFrame]] = []
-    for unit in known.lexicon.question_units:
+    for unit in known.lexicon.question_units(words.lower().split()):
         for pattern in unit.questions:
             match = compiled(pattern.text).fullmatch(words.lower())
             if match is None:

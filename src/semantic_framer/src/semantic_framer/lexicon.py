@@ -2,10 +2,17 @@
 
 import difflib
 from collections import defaultdict
-from typing import Dict, FrozenSet, Iterable, List, Mapping, Sequence, Set, Tuple
+from typing import Collection, Dict, FrozenSet, Iterable, List, Mapping, NamedTuple, Optional, Sequence, Set, Tuple
 
+from semantic_framer.pattern_index import PatternIndex
 from semantic_frames import load_lexical_units
 from semantic_frames.lexical_unit import LexicalUnit
+
+
+class _Indices(NamedTuple):
+    questions: PatternIndex
+    remarks: PatternIndex
+    conditions: PatternIndex
 
 
 class Lexicon:
@@ -15,9 +22,9 @@ class Lexicon:
         self._files: Dict[str, Tuple[str, Tuple[LexicalUnit, ...]]] = {}
         self._by_verb: Dict[str, List[LexicalUnit]] = defaultdict(list)
         self._by_first_word: Dict[str, List[str]] = defaultdict(list)
-        self._questions: Dict[str, List[LexicalUnit]] = defaultdict(list)
-        self._remarks: Dict[str, List[LexicalUnit]] = defaultdict(list)
-        self._conditions: Dict[str, List[LexicalUnit]] = defaultdict(list)
+        self._with_patterns: Dict[str, List[LexicalUnit]] = defaultdict(list)
+        # Made when they are needed, and made again when a file with patterns has changed.
+        self._indices: Optional[_Indices] = None
         self._by_spelling: Dict[str, Set[str]] = defaultdict(set)
 
     @property
@@ -60,20 +67,16 @@ class Lexicon:
                 if not self._by_verb[verb]:
                     del self._by_verb[verb]
                     self._by_first_word[verb.split()[0]].remove(verb)
-        self._questions.pop(path, None)
-        self._remarks.pop(path, None)
-        self._conditions.pop(path, None)
+        if self._with_patterns.pop(path, None):
+            self._indices = None
         self._files[path] = (text, units)
         self._index(units)
 
     def _index(self, units: Iterable[LexicalUnit]) -> None:
         for unit in units:
-            if unit.questions:
-                self._questions[unit.path].append(unit)
-            if unit.remarks:
-                self._remarks[unit.path].append(unit)
-            if unit.conditions:
-                self._conditions[unit.path].append(unit)
+            if unit.questions or unit.remarks or unit.conditions:
+                self._with_patterns[unit.path].append(unit)
+                self._indices = None
             for verb in dict.fromkeys(unit.verbs):
                 if verb not in self._by_verb:
                     first = verb.split()[0]
@@ -86,20 +89,27 @@ class Lexicon:
         """Return the units of a verb; the particle is part of the verb."""
         return tuple(self._by_verb.get(verb, ()))
 
-    @property
-    def question_units(self) -> Tuple[LexicalUnit, ...]:
-        """The units that have questions in place of verbs, in the order of the files."""
-        return tuple(unit for units in self._questions.values() for unit in units)
+    def question_units(self, words: Collection[str]) -> List[LexicalUnit]:
+        """Return the units of which a question may fit some words, in the order of the files."""
+        return self._indexed().questions.may_fit(words)
 
-    @property
-    def remark_units(self) -> Tuple[LexicalUnit, ...]:
-        """The units that have remarks in place of verbs, in the order of the files."""
-        return tuple(unit for units in self._remarks.values() for unit in units)
+    def remark_units(self, words: Collection[str]) -> List[LexicalUnit]:
+        """Return the units of which a remark may fit some words, in the order of the files."""
+        return self._indexed().remarks.may_fit(words)
 
-    @property
-    def condition_units(self) -> Tuple[LexicalUnit, ...]:
-        """The units that have conditions in place of verbs, in the order of the files."""
-        return tuple(unit for units in self._conditions.values() for unit in units)
+    def condition_units(self, words: Collection[str]) -> List[LexicalUnit]:
+        """Return the units of which a condition may fit some words, in the order of the files."""
+        return self._indexed().conditions.may_fit(words)
+
+    def _indexed(self) -> _Indices:
+        if self._indices is None:
+            units = [unit for units in self._with_patterns.values() for unit in units]
+            self._indices = _Indices(
+                PatternIndex(units, lambda unit: unit.questions),
+                PatternIndex(units, lambda unit: unit.remarks),
+                PatternIndex(units, lambda unit: unit.conditions),
+            )
+        return self._indices
 
     def lists_of(self, verb: str) -> Tuple[Tuple[str, ...], ...]:
         """Return the words that units of a verb list for an element, one entry for each such element."""

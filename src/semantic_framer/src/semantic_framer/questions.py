@@ -46,14 +46,12 @@ def remark_readings(sentence: Sentence, known: FramedLexicon, trace: Optional[Tr
     that anybody carries out; a unit that lists these words knows better. A frame that no server answers is left out.
     """
     frames = known.frames
-    if not known.lexicon.remark_units:
-        return ()
     # "Well" and "now" may also be words around a sentence.
     orders = ([word for word in sentence.tree.words if word.upos != "PUNCT"], _words(sentence))
     found = [
         read
         for words in orders
-        for unit in known.lexicon.remark_units
+        for unit in known.lexicon.remark_units([_spelling(word) for word in words])
         if unit.frame_name in frames and frames[unit.frame_name].is_question
         if not known.heeded or unit.frame_name in known.heeded
         for pattern in unit.remarks
@@ -78,7 +76,7 @@ def _readings(case: Case, orders: Sequence[Sequence[Word]]) -> Tuple[Reading, ..
 def _readings_in_order(case: Case, words: Sequence[Word]) -> Tuple[Reading, ...]:
     known = case.known
     found: List[Reading] = []
-    for unit in known.lexicon.question_units:
+    for unit in known.lexicon.question_units([_spelling(word) for word in words]):
         frame = known.frames.get(unit.frame_name)
         if frame is None or not frame.is_question or (known.heeded and frame.name not in known.heeded):
             continue
