@@ -91,8 +91,8 @@ endfunction()
 
 # _roboframenet_label_tests(<label> [<test>...])
 #
-# Label the tests of this folder that are not among the given ones; scripts/test chooses by labels, and runs five jobs on two
-# cores. A test counts as two unless it says otherwise; what takes longest begins first.
+# Label the tests of this folder that are not among the given ones; scripts/test chooses by labels, and runs two jobs on each
+# core. A test counts as two unless it says otherwise; what takes longest begins first.
 function(_roboframenet_label_tests label)
   get_property(tests DIRECTORY PROPERTY TESTS)
   if(ARGN)
