@@ -3,7 +3,7 @@
 import threading
 import time
 from dataclasses import dataclass, replace
-from typing import Callable, Dict, List, Optional, Tuple, Union, cast
+from typing import Callable, Dict, Iterable, List, Optional, Tuple, Union, cast
 
 from arbitrator.node_runs import ABORTED, SUCCEEDED, NodeEvent
 from arbitrator.plan import (
@@ -203,13 +203,17 @@ def _has_amount(part: Part) -> bool:
 
 def said(plan: Part) -> str:
     """Return the clauses of a plan as they were said: '"say hello" and "turn left" 2 times'."""
-    if isinstance(plan, (Do, Wait)):
+    if isinstance(plan, (Do, Wait, If, Until, While)):
         return f'"{plan.label.strip(" .!?,")}"'
     if isinstance(plan, Repeat):
         return f"{said(plan.child)} {plan.times} times" if plan.times > 1 else said(plan.child)
-    if isinstance(plan, (If, Until, While)):
-        return f'"{plan.label.strip(" .!?,")}"'
     words = list(dict.fromkeys(said(child) for child in parts_of(plan)))
     if isinstance(plan, Fallback):
         return " or else ".join(words)
-    return ", ".join(words[:-1]) + " and " + words[-1] if len(words) > 1 else "".join(words)
+    return join_with_and(words)
+
+
+def join_with_and(words: Iterable[str]) -> str:
+    """Return words as a list in a sentence: "a, b and c"."""
+    parts = list(words)
+    return ", ".join(parts[:-1]) + " and " + parts[-1] if len(parts) > 1 else "".join(parts)

@@ -39,6 +39,7 @@ from command_server.ros_going_on import StoppedPlans
 from command_server.ros_left_over import EXECUTOR_TIMEOUT_S, LeftOver
 from command_server.ros_messages import ending_of_event, reply_of_stopped
 from command_server.ros_open_commands import OpenCommandStore
+from command_server.ros_orders_back import takes_back
 from command_server.ros_orders_due import OrdersDue
 from command_server.ros_replies import Replies
 from command_server.ros_texts_out import TextsOut
@@ -64,7 +65,6 @@ _BRAKE_SLACK_S = 1.0
 _FLUSH_S = 0.1
 # Key of the stop for commands of the previous run; other stops have the id of their command.
 _RESTART_KEY = "restart"
-
 
 _Event = Union[Said, GoalCancelled, StageEvent, StopReport, OrderDue, StoppedPlan, Braked, Finding, None]
 
@@ -223,7 +223,7 @@ class CommandServerNode:
         )
         rospy.loginfo("cmd=%s heard %r", command_id, command.text)
         cry = find_cry(said.text)
-        if not self._commands.open_commands and self._replies.are_taken_back_by(said.text):
+        if takes_back(said.text, self._replies.last_reply, is_free=not self._commands.open_commands):
             self._commands.open(command)
             self._texts.add(replace(command, text=FORGET_THAT))
         elif cry is not None:

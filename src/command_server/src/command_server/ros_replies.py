@@ -7,7 +7,6 @@ from roboframenet_msgs.msg import CommandStatus, Reply
 from std_msgs.msg import Empty, String
 
 from command_server.open_commands import Ending, OpenCommand
-from command_server.orders_back import takes_order_back
 from command_server.ros_messages import command_to_message, ending_to_message
 from roboframenet_ros.bounded_text import one_line
 
@@ -37,12 +36,6 @@ class Replies:
     def note_taken(self, text: str) -> None:
         """A text was heard; this is told with the next status, when its command is saved and will be answered."""
         self._untold.append(text)
-
-    def are_taken_back_by(self, text: str) -> bool:
-        """Whether an utterance takes back a standing order, if nothing is open: the last reply was to its giving."""
-        last = self.last_reply
-        age_s = (rospy.Time.now() - last.stamp).to_sec()
-        return takes_order_back(text, is_free=True, stage=last.stage, outcome=last.outcome, age_s=age_s)
 
     def publish(self, ending: Ending) -> Reply:
         """Publish the reply to a command, and return it."""

@@ -6,6 +6,7 @@ from typing import Iterable, List, Optional, Sequence, Tuple, Union
 
 from arbitrator.node_runs import ABORTED, PREEMPTED, SUCCEEDED, EndedBy
 from arbitrator.plan import CONDITIONS, AnyCondition, Do, If, Part, Plan, Repeat, Until, Wait, While, parts_of, walk
+from arbitrator.rest_of_plan import join_with_and
 from executor.command_queue import Cause
 from executor.goal_tracking import Goal, Outcome, describe_failures
 from executor.run_record import NodeRecord
@@ -207,7 +208,7 @@ class _Story:
 
     def _done(self) -> str:
         done = [(part.label, record.done) for part, record in self._clauses if record.done]
-        return _joined(f'"{label}"' + (f" {times} times" if times > 1 else "") for label, times in done)
+        return join_with_and(f'"{label}"' + (f" {times} times" if times > 1 else "") for label, times in done)
 
 
 def _end_of_work(part: Union[Until, While], record: NodeRecord, child: NodeRecord) -> str:
@@ -253,9 +254,4 @@ def _text(*sentences: str) -> str:
 
 
 def _labels(clauses: Iterable[Do]) -> str:
-    return _joined(f'"{clause.label}"' for clause in clauses)
-
-
-def _joined(words: Iterable[str]) -> str:
-    parts = list(words)
-    return ", ".join(parts[:-1]) + " and " + parts[-1] if len(parts) > 1 else "".join(parts)
+    return join_with_and(f'"{clause.label}"' for clause in clauses)

@@ -1,6 +1,6 @@
 """Which skill carries out which frame: one table for each domain."""
 
-import os
+from pathlib import Path
 from typing import Any, Dict, Mapping
 
 import yaml
@@ -137,9 +137,10 @@ DOMAINS: Dict[str, Dict[str, Skill]] = {
 }
 #: By frame.
 FRAMES: Dict[str, Skill] = {frame: skill for skills in DOMAINS.values() for frame, skill in skills.items()}
-with open(os.path.join(os.path.dirname(os.path.realpath(__file__)), "statements.yaml"), encoding="utf-8") as _file:
-    #: By frame, what its server states when it registers; nothing for a frame that is missing.
-    STATEMENTS: Mapping[str, Mapping[str, Any]] = yaml.safe_load(_file)
+#: By frame, what its server states when it registers; nothing for a frame that is missing.
+STATEMENTS: Mapping[str, Mapping[str, Any]] = yaml.safe_load(
+    Path(__file__).resolve().with_name("statements.yaml").read_text(encoding="utf-8")
+)
 #: Frames that need no hand: what a robot without arms can do.
 WITHOUT_HANDS = frozenset(
     [

@@ -1,17 +1,21 @@
 """Where things and persons are: "under the table", "in the kitchen"."""
 
 import math
-import os
 from dataclasses import dataclass
+from pathlib import Path
 from typing import Mapping, Tuple
 
 import yaml
 
 from home_servers.memory import Known, Memory
 
-with open(os.path.join(os.path.dirname(os.path.realpath(__file__)), "relations.yaml"), encoding="utf-8") as _file:
-    #: The relations that a thing may have to a place for each relation that is said; the likeliest first.
-    RELATIONS: Mapping[str, Tuple[str, ...]] = {said: tuple(meant) for said, meant in yaml.safe_load(_file).items()}
+#: The relations that a thing may have to a place for each relation that is said; the likeliest first.
+RELATIONS: Mapping[str, Tuple[str, ...]] = {
+    said: tuple(meant)
+    for said, meant in yaml.safe_load(
+        Path(__file__).resolve().with_name("relations.yaml").read_text(encoding="utf-8")
+    ).items()
+}
 #: A person is at furniture whose middle is so near, metres.
 _AT_M = 2.0
 #: What is meant by "on the table" and by "in the sink" is not told apart of things that are there.

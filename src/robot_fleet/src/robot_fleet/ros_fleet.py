@@ -138,7 +138,7 @@ class FleetNode:
             for robot in changes.left:
                 rospy.loginfo("%s has left", robot)
                 self._utterances.lose(robot)
-            self._utterances.end_undelivered()
+            self._utterances.end_undelivered(self._roster.absent)
             self._utterances.send()
             is_up = self._service.missing() is None
             if changes or is_up != self._was_up or time.monotonic() - self._told_s >= _SIGN_OF_LIFE_S:
@@ -153,13 +153,12 @@ class FleetNode:
         elif isinstance(event, _Cancelled):
             self._utterances.cancel(event.command_id)
         elif isinstance(event, _Begun):
-            self._utterances.hear_of(event.command_id)
+            self._utterances.hear_begun(event.command_id)
         elif isinstance(event, _Answered):
             self._utterances.hear(event.command_id, event.reply)
         elif isinstance(event, FleetMember) and is_robot_name(event.name):
             if self._roster.hear(event.name, event, now_s=time.monotonic()):
                 rospy.loginfo("%s has joined", event.name)
-                self._utterances.meet(event.name)
                 self._links.prepare(event.name)
                 self._tell(self._service.missing() is None)
 

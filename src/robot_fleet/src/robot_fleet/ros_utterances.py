@@ -3,7 +3,7 @@
 import time
 import uuid
 from dataclasses import dataclass, field
-from typing import Callable, Dict, List, Optional, Set, Tuple
+from typing import Callable, Collection, Dict, List, Optional, Tuple
 
 import rospy
 from roboframenet_msgs.msg import Command, Reply
@@ -41,7 +41,6 @@ class Utterances:
         self._sent: Dict[str, Tuple[str, Sending]] = {}
         # What robots have not begun yet: until when they may, monotonic seconds.
         self._may_begin_s: Dict[str, float] = {}
-        self._gone: Set[str] = set()
         self._dialogue = Dialogue()
         self._tag = uuid.uuid4().hex[:8]
         self._count = 0
@@ -101,13 +100,13 @@ class Utterances:
                 else:
                     self._take(entry, sending, missing_answer(sending.robot, "I cannot reach it.", "ROBOT_LOST"))
 
-    def hear_of(self, sent_id: str) -> None:
+    def hear_begun(self, sent_id: str) -> None:
         """A robot has begun what it was told."""
         self._may_begin_s.pop(sent_id, None)
 
     def hear(self, sent_id: str, reply: Reply) -> None:
         """A robot has answered."""
-        self.hear_of(sent_id)
+        self.hear_begun(sent_id)
         whole_id, sending = self._sent.pop(sent_id, ("", None))
         entry = self._entries.get(whole_id)
         if entry is None or sending is None:
@@ -115,23 +114,18 @@ class Utterances:
         answer = Answer(sending.robot, Outcome(reply.outcome), reply.code, reply.sentence, stage=reply.stage)
         self._take(entry, sending, answer)
 
-    def meet(self, robot: str) -> None:
-        """A robot has joined."""
-        self._gone.discard(robot)
-
     def lose(self, robot: str) -> None:
         """A robot has left: what it has begun has no answer any more."""
-        self._gone.add(robot)
         for sent_id, (_, sending) in list(self._sent.items()):
             if sending.robot == robot and sent_id not in self._may_begin_s:
                 self._answer_for(sent_id, "It is gone; I do not know how far it came.")
 
-    def end_undelivered(self) -> None:
-        """Answer what a robot that is gone did not begin in time: when the network delivers it later, it is refused."""
+    def end_undelivered(self, gone: Collection[str]) -> None:
+        """Answer what robots that are gone did not begin in time: when the network delivers it later, it is refused."""
         now_s = time.monotonic()
         for sent_id, until_s in list(self._may_begin_s.items()):
             _, sending = self._sent[sent_id]
-            if now_s >= until_s and sending.robot in self._gone:
+            if now_s >= until_s and sending.robot in gone:
                 self._links.cancel(sending.robot, command_id=sent_id)
                 self._answer_for(sent_id, "It was gone before it began.")
 

@@ -27,7 +27,7 @@ from semantic_framer.outcome import (
     Understood,
     join_with_or,
 )
-from semantic_framer.paces import FASTER, SLOWER, at_pace, has_amount, pace_element
+from semantic_framer.paces import FASTER, SLOWER, at_pace, pace_element
 from semantic_framer.reading import Reading
 from semantic_framer.sentence import Sentence
 from semantic_framer.slight_amounts import slight_amount, stated
@@ -127,7 +127,7 @@ class _Amending:
         """Return the changed reading; None if the fragment does not fit it."""
         kind = self._fragment.kind
         if kind is FragmentKind.MORE:
-            return _unsaid(self._reading) if self._measured() else None
+            return _unsaid(self._reading) if _measured(self._reading, self._frame) else None
         if kind is FragmentKind.BIT:
             return self._with_a_bit()
         if kind in PACES:
@@ -160,14 +160,9 @@ class _Amending:
             + stated(arguments),
         )
 
-    def _measured(self) -> List[FrameElement]:
-        """Return the elements of the frame that have an amount."""
-        filled = {argument.name for argument in self._reading.arguments}
-        return [element for element in self._frame.frame_elements if element.quantity and element.name in filled]
-
     def _with_a_bit(self) -> Optional[Reading]:
         """Return the reading with the amount that is assumed for "a bit"; without one, the person must say it."""
-        measured = self._measured()
+        measured = _measured(self._reading, self._frame)
         if len(measured) != 1 or measured[0].quantity is None:
             return None
         names = {measured[0].name, measured[0].unit_element}
@@ -354,7 +349,7 @@ class _Amending:
 
     def _unit(self) -> str:
         """Return the unit of the amount in the last command; empty if it has none, or several."""
-        measured = self._measured()
+        measured = _measured(self._reading, self._frame)
         value = self._reading.argument(measured[0].unit_element) if len(measured) == 1 else None
         return value.text if value is not None else ""
 
@@ -432,12 +427,18 @@ def change_of(sentence: Sentence, context: Context, known: FramedLexicon) -> Opt
     return Change(note, clauses=clauses, wants_yes=_is_manner_of_amount(fragment, clauses, known))
 
 
+def _measured(reading: Reading, frame: SemanticFrame) -> List[FrameElement]:
+    """Return the elements of a frame that have an amount in a reading."""
+    filled = {argument.name for argument in reading.arguments}
+    return [element for element in frame.frame_elements if element.quantity and element.name in filled]
+
+
 def _is_manner_of_amount(fragment: Fragment, clauses: Clauses, known: FramedLexicon) -> bool:
     """Whether a fragment says only how to do something that has an amount: "faster" after "move forward two metres"."""
     reading = clauses[0][0]
     frame = known.frames[reading.unit.frame_name]
     if fragment.kind in PACES:
-        return has_amount(reading, frame)
+        return bool(_measured(reading, frame))
     if fragment.kind is not FragmentKind.ELEMENTS:
         return False
     said = {argument.name for argument in reading.arguments if argument.positions}

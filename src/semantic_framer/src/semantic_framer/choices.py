@@ -31,7 +31,22 @@ def question_of_choices(choices: Sequence[Choice]) -> str:
     return f"Do you mean {quoted[0]}?" if len(quoted) == 1 else f"Which do you mean: {join_with_or(quoted)}?"
 
 
-def choices_of_clauses(sentence: Sentence, clauses: Sequence[Clause], vocabulary: Vocabulary) -> Tuple[Choice, ...]:
+def choices_left_open(
+    sentence: Sentence, clauses: Sequence[Tuple[Clause, Reading]], vocabulary: Vocabulary
+) -> Tuple[Choice, ...]:
+    """Return what a person left open, as choices: clauses that "or" joins, or the ends of a range; none for nothing.
+
+    Args:
+        sentence: the sentence
+        clauses: each with its best reading
+        vocabulary: its verbs decide which word is the root
+    """
+    return _choices_of_clauses(sentence, [clause for clause, _ in clauses], vocabulary) or _choices_of_amounts(
+        sentence, [reading for _, reading in clauses], vocabulary
+    )
+
+
+def _choices_of_clauses(sentence: Sentence, clauses: Sequence[Clause], vocabulary: Vocabulary) -> Tuple[Choice, ...]:
     """Return the clauses that "or" joins ("turn left or go back"), as choices; nothing if there is no such "or"."""
     verbs = {clause.verb for clause in clauses}
     if not any(
@@ -47,7 +62,7 @@ def choices_of_clauses(sentence: Sentence, clauses: Sequence[Clause], vocabulary
     return tuple(choices)
 
 
-def choices_of_amounts(sentence: Sentence, readings: Sequence[Reading], vocabulary: Vocabulary) -> Tuple[Choice, ...]:
+def _choices_of_amounts(sentence: Sentence, readings: Sequence[Reading], vocabulary: Vocabulary) -> Tuple[Choice, ...]:
     """Return the ends of a range ("ten to fifteen degrees") as choices; nothing unless there is exactly one range.
 
     Args:

@@ -43,6 +43,7 @@ from semantic_framer.sentence import Sentence
 from semantic_framer.settling import Now, ask_which, resolve_and_confirm, without_positions
 from semantic_framer.utterance_kind import KindVerdict
 from semantic_framer.world_attachment import attached_by_world, is_better, question_of_goal
+from semantic_framer.world_references import looked_up_again
 from semantic_frames.frame import SemanticFrame
 from utterance_passes.running import run_tree_passes
 from utterance_passes.table import FRAMER_TREE_PASSES, REPHRASING_PASSES
@@ -111,7 +112,7 @@ def hear(
         without: names of passes to switch off, which shows what a pass does
         trace: receives a line from every rule that changes or settles something; None for no trace
     """
-    context = context.at(now_s).fresh(said_s, policy.fragment_timeout_s)
+    context = looked_up_again(context.at(now_s).fresh(said_s, policy.fragment_timeout_s), known)
     now, question, speaker = Now(known, policy, now_s, trace), context.pending, "" if is_at_page else known.speaker
     is_of_another = question is not None and not question.may_be_answered_by(speaker)
     if question is not None and is_of_another:

@@ -3,7 +3,7 @@
 from dataclasses import replace
 from typing import Optional, Sequence, Tuple, Union
 
-from semantic_framer.choices import choices_of_amounts, choices_of_clauses
+from semantic_framer.choices import choices_left_open
 from semantic_framer.clause_links import Joints, find_joints
 from semantic_framer.clause_plan import Clauses, PlanPart, answers_in_a_loop, leaves_of, without_unused
 from semantic_framer.deeds import deeds_of
@@ -89,10 +89,7 @@ def read_linked(
     if refusal is not None:
         return Heard(refusal, context, sentence) if refusal.code in _TELLING and refused is None else refused
     clauses = tuple(replace(read, kept=_deeds_first(read.kept, now)) for read in clauses)
-    best = [read.kept[0] for read in clauses]
-    is_open = choices_of_clauses(bare, [read.clause for read in clauses], now.known) or choices_of_amounts(
-        bare, best, now.known
-    )
+    is_open = choices_left_open(bare, [(read.clause, read.kept[0]) for read in clauses], now.known)
     if is_open or not all(case.kind_of(read.clause).acts for read in clauses):
         return refused
     try:

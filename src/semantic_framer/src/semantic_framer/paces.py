@@ -50,9 +50,3 @@ def at_pace(reading: Reading, name: str, pace: str, words: str, positions: Tuple
     return TypedArgument(
         name, pace, words=words, positions=positions, head=pace, lemma=pace, head_position=positions[-1]
     )
-
-
-def has_amount(reading: Reading, frame: SemanticFrame) -> bool:
-    """Whether a reading says how much is done, so that doing it at another pace would do as much again."""
-    filled = {argument.name for argument in reading.arguments}
-    return any(element.quantity is not None and element.name in filled for element in frame.frame_elements)

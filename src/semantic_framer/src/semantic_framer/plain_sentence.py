@@ -4,7 +4,7 @@ from dataclasses import replace
 from typing import Tuple
 
 from semantic_framer.amending import Change, change_of
-from semantic_framer.choices import choices_of_amounts, choices_of_clauses
+from semantic_framer.choices import choices_left_open
 from semantic_framer.deeds import deeds_of
 from semantic_framer.dialogue import Context, Pending
 from semantic_framer.found_clauses import found_clauses
@@ -13,9 +13,7 @@ from semantic_framer.outcome import LeftOverWords, Outcome, Question, Understood
 from semantic_framer.questions import question_readings
 from semantic_framer.readings import Heard
 from semantic_framer.sentence import Sentence
-from semantic_framer.sentence_verdicts import (
-    words_outside,
-)
+from semantic_framer.sentence_verdicts import words_outside
 from semantic_framer.settling import Now, ask_which, resolve_and_confirm
 from semantic_framer.small_talk import answer_small_talk, small_talk_of
 from semantic_framer.utterance_kind import KindVerdict
@@ -51,10 +49,7 @@ def read_plain(sentence: Sentence, context: Context, now: Now) -> Heard:
     refusal, clauses = deeds_of(case, now.trace)
     if refusal is not None:
         return Heard(refusal, context, sentence, clauses)
-    best = [read.kept[0] for read in clauses]
-    choices = choices_of_clauses(sentence, [read.clause for read in clauses], known) or choices_of_amounts(
-        sentence, best, known
-    )
+    choices = choices_left_open(sentence, [(read.clause, read.kept[0]) for read in clauses], known)
     if choices:
         offered = " or ".join(choice.text for choice in choices)
         now.write("choices", offered, "asked. The person left it open.")

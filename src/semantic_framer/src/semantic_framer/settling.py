@@ -28,7 +28,7 @@ from semantic_framer.reading import Reading
 from semantic_framer.references import remember, resolve, resolve_in_parallel
 from semantic_framer.sentence import Sentence
 from semantic_framer.wishes import without_granted_wishes
-from semantic_framer.world_references import looked_up_again, refer, spoken_of, unknown_arguments
+from semantic_framer.world_references import refer, spoken_of, unknown_arguments
 from semantic_frames.frame import UnknownPolicy
 from semantic_frames.semantic_type import SEMANTIC_TYPES
 from typed_arguments import TypedArgument
@@ -129,7 +129,6 @@ def _settled(
             text = f"I cannot take {said} into account. Shall I go on without it?"
             return Question("LEFT_OVER_WORDS", text), replace(context, pending=pending)
     ignored = [sentence.word(index).form for readings in clauses for index in readings[0].left_over]
-    context = looked_up_again(context, now.known)
     done: List[Tuple[Reading, ...]] = []
     for readings in clauses:
         readings = tuple(with_indirect_questions(reading, sentence.tree, now.known) for reading in readings)

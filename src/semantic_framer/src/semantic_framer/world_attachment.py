@@ -13,7 +13,6 @@ from semantic_framer.framed_lexicon import FramedLexicon
 from semantic_framer.outcome import Question
 from semantic_framer.reading import Reading
 from semantic_framer.sentence import Sentence
-from semantic_framer.world_references import looked_up_again
 from typed_arguments import TypedArgument
 from utterance_passes.clauses import find_clauses
 from utterance_passes.tree import DependencyTree
@@ -65,7 +64,7 @@ def attached_by_world(sentence: Sentence, known: FramedLexicon, context: Context
     """
     if not known.world.objects:
         return None
-    situation = Situation(known.world, looked_up_again(context, known).ids_spoken_of, speaker=known.speaker)
+    situation = Situation(known.world, context.ids_spoken_of, speaker=known.speaker)
     tree = sentence.tree
     for clause in find_clauses(tree, known):
         for noun in tree.children(clause.verb):

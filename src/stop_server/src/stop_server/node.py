@@ -22,7 +22,7 @@ from roboframenet_msgs.msg import (
 )
 from std_msgs.msg import Empty, String
 
-from command_server.orders_back import takes_order_back
+from command_server.ros_orders_back import takes_back
 from command_server.stop_words import is_stop
 from roboframenet_ros.ros_node import read_parameters, run_node
 from roboframenet_ros.ros_publishing import publish
@@ -131,22 +131,12 @@ class StopServerNode:
         self._frame.close(timeout_s=_JOIN_TIMEOUT_S)
 
     def _hear(self, text: str, command_id: str) -> None:
-        if is_stop(text) and not self._takes_order_back(text):
+        status = self._status
+        if is_stop(text) and not takes_back(text, status.last_reply, is_free=not status.active):
             self._stop(_StopHeard(text=text, stamp=rospy.Time.now(), command_id=command_id))
         elif not command_id:
             with self._lock:
                 self._unheard.hear(text)
-
-    def _takes_order_back(self, text: str) -> bool:
-        status = self._status
-        last = status.last_reply
-        return takes_order_back(
-            text,
-            is_free=not status.active,
-            stage=last.stage,
-            outcome=last.outcome,
-            age_s=(rospy.Time.now() - last.stamp).to_sec(),
-        )
 
     def _hear_status(self, status: CommandStatus) -> None:
         self._status = status

@@ -93,8 +93,7 @@ def duration_s(pcm: bytes) -> float:
 
 def level_db(samples: Samples) -> float:
     """Return the level below full scale in decibels: 0 for the loudest square wave, -100 for silence."""
-    power = float(np.mean(samples**2)) if len(samples) else 0.0
-    return max(-100.0, 10.0 * float(np.log10(power / 32768.0**2 + 1e-10)))
+    return _decibels(float(np.mean(samples**2)) if len(samples) else 0.0)
 
 
 def speech_level_db(samples: Samples) -> float:
@@ -108,5 +107,8 @@ def speech_level_db(samples: Samples) -> float:
     window = np.hanning(len(samples))
     spectrum = np.abs(np.fft.rfft(samples * window)) ** 2
     first = int(np.ceil(LOWEST_HZ * len(samples) / RATE))
-    power = 2.0 * float(np.sum(spectrum[first:])) / (len(samples) * float(np.sum(window**2)))
+    return _decibels(2.0 * float(np.sum(spectrum[first:])) / (len(samples) * float(np.sum(window**2))))
+
+
+def _decibels(power: float) -> float:
     return max(-100.0, 10.0 * float(np.log10(power / 32768.0**2 + 1e-10)))

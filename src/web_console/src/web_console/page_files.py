@@ -41,9 +41,10 @@ def read_page(folder: Path = FOLDER) -> Tuple[Dict[str, PageFile], str]:
     data = {path.name: path.read_bytes() for path in folder.iterdir() if path.suffix in _TYPES}
     style = data["style.css"]
     assert data["index.html"].count(_STYLE_LINK) == 1
-    data[""] = data["index.html"] = data["index.html"].replace(_STYLE_LINK, b"<style>" + style + b"</style>")
+    data["index.html"] = data["index.html"].replace(_STYLE_LINK, b"<style>" + style + b"</style>")
     digest = base64.b64encode(hashlib.sha256(style).digest()).decode("ascii")
-    files = {name: _file(_TYPES[Path(name or "index.html").suffix], content) for name, content in data.items()}
+    files = {name: _file(_TYPES[Path(name).suffix], content) for name, content in data.items()}
+    files[""] = files["index.html"]
     return files, (
         f"default-src 'self'; style-src 'sha256-{digest}'; base-uri 'none'; form-action 'none'; "
         "frame-ancestors 'none'; object-src 'none'"
