@@ -263,6 +263,11 @@ PLAUSIBILITY: Tuple[ReadingVerdict, ...] = (
         _of_any_value(plausibility.is_subject_of_a_question),
     ),
     ReadingVerdict(
+        "way_of_doing_is_no_place",
+        'Words that say how something is done are taken for a place: "drive in a square".',
+        _of_any_value(plausibility.is_way_of_doing),
+    ),
+    ReadingVerdict(
         "degree_is_no_thing", 'A degree is taken for a thing: "move a bit".', _of_any_value(plausibility.is_degree)
     ),
     ReadingVerdict(
