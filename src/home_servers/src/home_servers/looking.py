@@ -175,7 +175,8 @@ def identify(skills: Skills, frame: FilledFrame) -> None:
     for one in skills.find_all(words, near=argument(frame, "place") if said(frame, "place") else None):
         skills.go(one.id)
         skills.attempt("look", theme=one.id)
-        skills.answer(f"This is {one.name}." if one.sort == "person" else f"This is a {one.name}: {', '.join(one.names)}.")
+        what = one.name if one.sort == "person" else f"a {one.name}: {', '.join(one.names)}"
+        skills.answer(f"This is {what}.")
 
 
 def compare(skills: Skills, frame: FilledFrame) -> None:
