@@ -17,8 +17,6 @@ WAKE_UP_S = 5.0
 #: Stamps further in the future are from before the clock was set back, even where nobody saw that happen; less is a
 #: difference between hosts. Seconds.
 CLOCK_RESET_S = 1.0
-#: Older than whatever is said since, and not zero, which would mean "no stamp".
-_LONG_AGO = rospy.Time(0, 1)
 #: Goals in these states are over.
 _OVER = (
     GoalStatus.PREEMPTED,
@@ -141,7 +139,8 @@ class QuietActionServer(actionlib.ActionServer):
                 self.last_cancel = rospy.Time()
             for tracker in self.status_list:
                 if tracker.status.goal_id.stamp > latest:
-                    tracker.status.goal_id.stamp = _LONG_AGO
+                    # Older than whatever is said since, even while no clock has arrived and all stamps are zero.
+                    tracker.status.goal_id.stamp = rospy.Time()
                 if tracker.handle_destruction_time > latest:
                     tracker.handle_destruction_time = now
 
@@ -200,7 +199,7 @@ class QuietSimpleActionServer(actionlib.SimpleActionServer):
         with self.execute_condition:
             for last in (self.current_goal, self.next_goal):
                 if last.goal is not None and last.status_tracker.status.status in _OVER:
-                    last.status_tracker.status.goal_id.stamp = _LONG_AGO
+                    last.status_tracker.status.goal_id.stamp = rospy.Time()
         super().internal_goal_callback(goal)
 
     def executeLoop(self) -> None:  # noqa: N802 (the name is the base class's)
