@@ -83,9 +83,9 @@ def _inspect_denied(skills: Skills, statement: Statement) -> None:
     for one in _meant(skills, statement):
         skills.go(one.id)
         skills.attempt("look", theme=one.id)
-        is_so = _has_state(skills.memory.get(one.id) or one, statement.state)
-        not_so = f"{one.the_name} is {'' if is_so else 'not '}{statement.state}"
-        skills.say("I cannot see that." if is_so is None else f"{'No' if is_so else 'Yes'}, {not_so}.")
+        has_state = _has_state(skills.memory.get(one.id) or one, statement.state)
+        words = f"{one.the_name} is {'' if has_state else 'not '}{statement.state}"
+        skills.say("I cannot see that." if has_state is None else f"{'No' if has_state else 'Yes'}, {words}.")
 
 
 def _inspect_one(skills: Skills, one: Known, frame: FilledFrame) -> None:

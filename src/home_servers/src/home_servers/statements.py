@@ -13,6 +13,7 @@ _NOT = word_class("not")
 _BE = word_class("forms_of_be")
 _ALL = word_class("determiners_of_all")
 _OPENING = word_class("before_statements")
+_NOWHERE = TypedArgument()
 
 
 @dataclass(frozen=True)
@@ -33,7 +34,7 @@ class Statement:
     is_negated: bool = False
     is_of_all: bool = False
     state: str = ""
-    place: TypedArgument = TypedArgument()
+    place: TypedArgument = _NOWHERE
 
 
 def statement_of(text: str) -> Optional[Statement]:
@@ -45,8 +46,8 @@ def statement_of(text: str) -> Optional[Statement]:
     subject, behind = [word for word in words[:at] if word not in _OPENING], words[at + 1 :]
     if not subject:
         # "There is nobody in the garage": what is there stands behind the verb.
-        place = next((index for index, word in enumerate(behind) if word in RELATIONS), len(behind))
-        subject, behind = behind[:place], behind[place:]
+        cut = next((index for index, word in enumerate(behind) if word in RELATIONS), len(behind))
+        subject, behind = behind[:cut], behind[cut:]
     is_negated = bool(behind) and behind[0] in _NOT
     behind = behind[1:] if is_negated else behind
     if not subject or not behind:
@@ -74,8 +75,8 @@ def _without_denial(subject: List[str]) -> Tuple[bool, List[str]]:
 def _predicate(behind: List[str]) -> Tuple[str, TypedArgument]:
     """Return the state or the place that is said: "closed", "on the table"."""
     if len(behind) == 1:
-        return behind[0], TypedArgument()
+        return behind[0], _NOWHERE
     if behind[0] not in RELATIONS:
-        return "", TypedArgument()
+        return "", _NOWHERE
     place = " ".join(behind[1:])
     return "", TypedArgument(text=place, relation=behind[0])

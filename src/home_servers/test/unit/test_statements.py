@@ -40,7 +40,8 @@ def test_statement(text, about, state, place, flags):
 
 
 @pytest.mark.parametrize(
-    "text", ["nobody enters the kitchen", "nothing falls", "not all doors are open", "the lights in the hall are on", "is"]
+    "text",
+    ["nobody enters the kitchen", "nothing falls", "not all doors are open", "the lights in the hall are on", "is"],
 )
 def test_other_clauses_are_no_statements(text):
     assert statement_of(text) is None
