@@ -19,8 +19,10 @@ _LEADING_VERBS = word_class("leading_verbs")
 _LEAD_IN = word_class("lead_in")
 _LEFT_AND_RIGHT = word_class("left_and_right")
 _NEGATIONS = word_class("negations")
+_OF_NEGATIONS = frozenset(["advmod", "aux", "det", "discourse", "mark", "cc", "cc:preconj", "dep"])
 _NO_LONGER = word_class("no_longer")
 _ORDER = word_class("adverbs_of_order")
+_JOINING = _ORDER | {"and"}
 _NO_THINGS = word_class("no_things")
 _QUESTION_WORDS = word_class("question_words")
 _REQUEST_VERBS = word_class("request_verbs")
@@ -113,6 +115,11 @@ def _expand_shared_verb(tree: DependencyTree, clause: Clause) -> Tuple[Clause, .
         positions = (tree.subtree(word.index) - joining | shared) & clause.positions
         found.append(replace(clause, positions=positions))
     return tuple(found)
+
+
+def may_share_a_verb(tree: DependencyTree) -> bool:
+    """Whether a sentence has any word that joins; without one, no two phrases share a verb."""
+    return any(word.deprel == "conj" or word.form.lower() in _JOINING for word in tree.words)
 
 
 def shares_a_verb(tree: DependencyTree, word: Word) -> bool:
@@ -256,8 +263,7 @@ def _has_negation(tree: DependencyTree, word: Word) -> bool:
     return any(
         child.form.lower() in _NEGATIONS or child.lemma.lower() in _NEGATIONS
         for child in tree.children(word.index)
-        if child.deprel in ("advmod", "aux", "det", "discourse", "mark", "cc", "cc:preconj", "dep")
-        or (child.deprel.startswith("nsubj") and child.form.lower() in _NEGATIONS)
+        if child.deprel in _OF_NEGATIONS or (child.deprel.startswith("nsubj") and child.form.lower() in _NEGATIONS)
     )
 
 
@@ -267,16 +273,17 @@ def _is_of_nothing(tree: DependencyTree, positions: FrozenSet[int]) -> bool:
     In "say no", the word is quoted and negates nothing.
     """
     words = [tree.word(index) for index in sorted(positions - tree.quoted)]
-    if any(f"{word.form} {after.form}".lower() in _NO_LONGER for word, after in zip(words, words[1:])):
+    forms = [word.form.lower() for word in words]
+    if any(f"{form} {after}" in _NO_LONGER for form, after in zip(forms, forms[1:])):
         return True
     # "Go to the office and not to the kitchen", "turn right then not left": a part of the clause is forbidden.
-    if any((word.deprel == "conj" or _is_shared(tree, word)) and _has_negation(tree, word) for word in words):
+    if any(_has_negation(tree, word) and (word.deprel == "conj" or _is_shared(tree, word)) for word in words):
         return True
     return any(
-        word.form.lower() in _NO_THINGS
+        form in _NO_THINGS
         and word.upos != "INTJ"
         and (word.deprel == "det" or word.deprel.split(":")[0] in ("obj", "iobj", "obl", "nsubj", "conj"))
-        for word in words
+        for word, form in zip(words, forms)
     )
 
 
