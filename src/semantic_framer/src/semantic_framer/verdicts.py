@@ -35,7 +35,7 @@ _RENEWING = word_class("renewing_conjunctions")
 
 
 _REPLIES = {
-    QUESTION: 'I can only carry out commands, and "{said}" is a question.',
+    QUESTION: 'I do not know how to answer "{said}".',
     REPORT: '"{said}" does not ask me to do anything.',
     WISH: '"{said}" is something that you want to do. Tell me what I should do.',
     TALK: "I hear you. There is nothing for me to do.",
