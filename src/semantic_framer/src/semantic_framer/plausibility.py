@@ -167,7 +167,7 @@ def is_subject_of_a_question(filled: Filled) -> bool:
     return is_asked or filled.tree.word(head.head).form.lower() in _QUESTION_WORDS
 
 
-def is_way_of_doing(filled: Filled) -> bool:
+def is_way(filled: Filled) -> bool:
     """Whether words that say how something is done are taken for a place: "drive in a square", but not "stand in the
     square", which is a place.
     """

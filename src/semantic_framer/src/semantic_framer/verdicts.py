@@ -32,8 +32,6 @@ from word_classes import word_class
 
 _CONDITIONS = word_class("conditions")
 _RENEWING = word_class("renewing_conjunctions")
-
-
 _REPLIES = {
     QUESTION: 'I do not know how to answer "{said}".',
     REPORT: '"{said}" does not ask me to do anything.',
@@ -268,8 +266,8 @@ PLAUSIBILITY: Tuple[ReadingVerdict, ...] = (
     ),
     ReadingVerdict(
         "way_of_doing_is_no_place",
-        'Words that say how something is done are taken for a place: "drive in a square".',
-        _of_any_value(plausibility.is_way_of_doing),
+        'A way of doing something is taken for a place: "drive in a square".',
+        _of_any_value(plausibility.is_way),
     ),
     ReadingVerdict(
         "degree_is_no_thing", 'A degree is taken for a thing: "move a bit".', _of_any_value(plausibility.is_degree)
