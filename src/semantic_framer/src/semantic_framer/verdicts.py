@@ -265,9 +265,7 @@ PLAUSIBILITY: Tuple[ReadingVerdict, ...] = (
         _of_any_value(plausibility.is_subject_of_a_question),
     ),
     ReadingVerdict(
-        "way_of_doing_is_no_place",
-        'A way of doing something is taken for a place: "drive in a square".',
-        _of_any_value(plausibility.is_way),
+        "way_is_no_place", 'A way to do it is taken for a place: "go in circles".', _of_any_value(plausibility.is_way)
     ),
     ReadingVerdict(
         "degree_is_no_thing", 'A degree is taken for a thing: "move a bit".', _of_any_value(plausibility.is_degree)
