@@ -135,7 +135,7 @@ class KilledNodes(OnRobot):
         parser = [trial for trial in trials if trial["node"] == "stanford_parser_ros"]
         others = [trial for trial in trials if trial["node"] != "stanford_parser_ros"]
         figures += [
-            at_most("... the parser, which loads its models", parser, "next_done_s", 8.0),
+            at_most("... the parser, which loads its models", parser, "next_done_s", 5.0),
             at_most("... all others", others, "next_done_s", 5.0),
         ]
         figures += [none_of(key, trials, key) for key in keys]
