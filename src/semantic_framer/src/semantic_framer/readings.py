@@ -256,4 +256,4 @@ def _with_phrases_left_over(sentence: Sentence, reading: Reading) -> Reading:
         )
         said = frozenset(value.positions) & behind.union(*phrases)
         left_over |= {index for index in said - elsewhere if sentence.is_content(index)}
-    return replace(reading, left_over=tuple(sorted(left_over)))
+    return reading if left_over == set(reading.left_over) else replace(reading, left_over=tuple(sorted(left_over)))

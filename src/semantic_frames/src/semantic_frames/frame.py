@@ -2,6 +2,7 @@
 
 from dataclasses import dataclass
 from enum import Enum
+from functools import cached_property
 from typing import Mapping, Optional, Tuple, Union
 
 
@@ -157,7 +158,11 @@ class SemanticFrame:
 
     def element(self, name: str) -> Optional[FrameElement]:
         """Return the element of that name, or None."""
-        return next((element for element in self.frame_elements if element.name == name), None)
+        return self._by_name.get(name)
+
+    @cached_property
+    def _by_name(self) -> Mapping[str, FrameElement]:
+        return {element.name: element for element in self.frame_elements}
 
     def wants_yes(self, arguments: Mapping[str, Tuple[str, ...]]) -> bool:
         """Return whether a person must say yes first.
