@@ -3,7 +3,7 @@
 from dataclasses import dataclass
 from enum import Enum
 from functools import cached_property
-from typing import Mapping, Optional, Tuple, Union
+from typing import FrozenSet, Mapping, Optional, Tuple, Union
 
 
 class Quantity(Enum):
@@ -159,6 +159,11 @@ class SemanticFrame:
     def element(self, name: str) -> Optional[FrameElement]:
         """Return the element of that name, or None."""
         return self._by_name.get(name)
+
+    @cached_property
+    def roles(self) -> FrozenSet[str]:
+        """FrameNet's names of its elements."""
+        return frozenset(element.framenet for element in self.frame_elements)
 
     @cached_property
     def _by_name(self) -> Mapping[str, FrameElement]:
