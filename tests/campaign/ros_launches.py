@@ -8,7 +8,7 @@ import sys
 import threading
 import time
 from pathlib import Path
-from typing import Any, Dict, List, Mapping, Sequence
+from typing import Any, Dict, FrozenSet, List, Mapping, Sequence
 
 from roboframenet_testing import comes_true
 
@@ -126,6 +126,15 @@ class _Clock:
             self._publisher.publish(self._message(clock=self._rospy.Time.from_sec(self.now_s)))
 
 
+def _other_clocks() -> FrozenSet[str]:
+    """Return the names of the other nodes that publish time."""
+    import rospy
+
+    from roboframenet_ros.ros_master import TimedMaster
+
+    return TimedMaster(timeout_s=10.0).system_state().publishers.get("/clock", frozenset()) - {rospy.get_name()}
+
+
 def odd_clock(way: str) -> Mapping[str, Any]:
     """Drive while simulated time does something odd.
 
@@ -135,6 +144,9 @@ def odd_clock(way: str) -> Mapping[str, Any]:
     with running_robot(file=str(_SIMULATED_TIME)) as robot:
         clock = None if way == "absent" else _Clock()
         robot.wait_until_ready()
+        stray = _other_clocks()
+        if stray:
+            raise AssertionError(f"time has another source: {', '.join(sorted(stray))}")
         before = robot.pids()
         robot.forget()
         text = "Move forward 1 metre."

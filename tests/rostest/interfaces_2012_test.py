@@ -90,7 +90,7 @@ class Interfaces2012Test(unittest.TestCase):
         cls.errors: List[str] = []
         cls.goals: List[bytes] = []
         cls.heard: List[Tuple[str, Any]] = []
-        cls.text = rospy.Publisher("text", String, queue_size=10)
+        cls.text = rospy.Publisher("text", String, queue_size=100)
         cls.subscribers = [
             rospy.Subscriber("reply", Reply, cls.replies.append, queue_size=100),
             rospy.Subscriber("goals_2012", String, lambda message: cls.goals.append(bytes.fromhex(message.data))),
@@ -138,17 +138,18 @@ class Interfaces2012Test(unittest.TestCase):
         self.assertEqual(elements, [("addressee", "", True), ("manner", "plainly", False)])
 
     def test_client_of_2012_runs_an_rfnserver(self) -> None:
-        client = actionlib.SimpleActionClient("salute_rfn", definitions_2012.FilledSemanticFrameAction)
+        # The simple client logs an error, and may miss the end, of a goal that ends before its send_goal has returned.
+        client = actionlib.ActionClient("salute_rfn", definitions_2012.FilledSemanticFrameAction)
         self.assertTrue(client.wait_for_server(rospy.Duration(60.0)))
-        client.send_goal(goal_of(definitions_2012, "salute_rfn"))
-        self.assertTrue(client.wait_for_result(rospy.Duration(60.0)))
-        self.assertTrue(client.get_result().success)
+        handle = client.send_goal(goal_of(definitions_2012, "salute_rfn"))
+        wait_until(lambda: handle.get_comm_state() == actionlib.CommState.DONE)
+        self.assertTrue(handle.get_result().success)
         text, frame = self.heard[0]
         said = [(element.name, element.argument) for element in frame.frame_elements]
         found = from_goal_text(text, said)
         self.assertEqual(found.arguments, tuple(TypedArgument(name, argument) for name, argument in said))
         self.assertEqual(found.reason, "")
-        client.stop_tracking_goal()
+        client.stop()
 
     def test_typed_arguments_reach_a_server_of_2012_unharmed(self) -> None:
         client = TypedClient("salute_2012")

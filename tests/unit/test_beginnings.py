@@ -29,6 +29,7 @@ BEGINNINGS = {
     "Say hello meanwhile.": "BESIDE",
     "While you do that say hello.": "BESIDE",
     "Go to the kitchen.": "REPLACE",
+    "Go to Anna's.": "REPLACE",  # "'s" ends like "afterwards"
     "Go to the kitchen, then say hello.": "REPLACE",
 }
 

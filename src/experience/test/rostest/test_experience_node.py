@@ -72,7 +72,7 @@ class ExperienceTest(unittest.TestCase):
     @classmethod
     def meet_teacher(cls) -> None:
         """Connect to the node's server; a client that has seen its server die loses goals while it reconnects."""
-        cls.teacher = actionlib.SimpleActionClient("experience_server", FilledSemanticFrameAction)
+        cls.teacher = actionlib.ActionClient("experience_server", FilledSemanticFrameAction)
         assert cls.teacher.wait_for_server(rospy.Duration(60.0))
 
     @classmethod
@@ -119,12 +119,11 @@ class ExperienceTest(unittest.TestCase):
 
     def teach(self, frame: str, **elements: str) -> str:
         filled = [FilledFrameElement(name, text) for name, text in elements.items()]
-        state = self.teacher.send_goal_and_wait(
-            FilledSemanticFrameGoal(frame=FilledSemanticFrame(name=frame, frame_elements=filled)),
-            rospy.Duration(30.0),
-        )
-        self.assertEqual(state, actionlib.GoalStatus.SUCCEEDED)
-        return self.teacher.get_goal_status_text()
+        goal = FilledSemanticFrameGoal(frame=FilledSemanticFrame(name=frame, frame_elements=filled))
+        handle = self.teacher.send_goal(goal)
+        wait_until(lambda: handle.get_comm_state() == actionlib.CommState.DONE)
+        self.assertEqual(handle.get_goal_status(), actionlib.GoalStatus.SUCCEEDED)
+        return handle.get_goal_status_text()
 
     def known(self, server: str) -> int:
         """Trials of a server that the last snapshot knows, at most 20."""

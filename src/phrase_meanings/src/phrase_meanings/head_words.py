@@ -5,7 +5,7 @@ from dataclasses import dataclass
 from typing import FrozenSet, Iterable, Optional, Tuple
 
 from phrase_meanings.meaning_file import shipped_meanings
-from spoken_quantities import QuantityError, parse_number
+from spoken_quantities import find_number
 from typed_arguments import Modifier
 from utterance_passes.amounts import read_amounts
 from utterance_passes.tree import QUOTED, DependencyTree, Word
@@ -86,9 +86,8 @@ def _count(tree: DependencyTree, numeral: Word) -> Optional[int]:
 
 
 def _number(form: str) -> Optional[int]:
-    try:
-        number = parse_number(form)
-    except QuantityError:
+    number = find_number(form)
+    if number is None:
         return None
     return int(number) if 0 <= number < 2**31 and number == int(number) else None
 

@@ -7,15 +7,25 @@ from typing import Any, Callable, Optional
 
 import actionlib
 import rospy
-from actionlib_msgs.msg import GoalID
+from actionlib_msgs.msg import GoalID, GoalStatus
 
 from roboframenet_ros.ros_log import log_from_threads
 from roboframenet_ros.ros_publishing import is_shutting_down
 
 #: The waiting thread wakes up at this period without a notification, seconds; it is only a safeguard.
 WAKE_UP_S = 5.0
-#: Stamps further in the future are from before the clock was set back; less is a difference between hosts, seconds.
+#: Stamps further in the future are from before the clock was set back, even where nobody saw that happen; less is a
+#: difference between hosts. Seconds.
 CLOCK_RESET_S = 1.0
+#: Goals in these states are over.
+_OVER = (
+    GoalStatus.PREEMPTED,
+    GoalStatus.SUCCEEDED,
+    GoalStatus.ABORTED,
+    GoalStatus.REJECTED,
+    GoalStatus.RECALLED,
+    GoalStatus.LOST,
+)
 #: Changes of the status within this time are published in one message, seconds.
 STATUS_PAUSE_S = 0.02
 
@@ -50,6 +60,8 @@ class QuietActionServer(actionlib.ActionServer):
     #: Publishes a change that came too soon after the last message; None when there is none.
     _deferred: Optional[threading.Timer] = None
     _published_s = float("-inf")
+    #: The latest time that this server has seen.
+    _seen = rospy.Time()
 
     def initialize(self) -> None:
         """Set up the topics, without the status timer, and a log that never delays a goal."""
@@ -113,24 +125,22 @@ class QuietActionServer(actionlib.ActionServer):
         self.follow_clock()
         super().internal_cancel_callback(goal_id)
 
-    def follow_clock(self, *handles: actionlib.ServerGoalHandle) -> None:
+    def follow_clock(self) -> None:
         """Forget stamps of the future: the clock was set back, as simulators do.
 
         actionlib compares stamps: new goals would be refused, and goals would not be cancelled by stamp, until the
         clock has reached the old time again.
-
-        Args:
-            handles: goals that are compared with others although they have left the status
         """
-        now = rospy.Time.now()
-        latest = now + rospy.Duration.from_sec(CLOCK_RESET_S)
         with self.lock:
+            now = rospy.Time.now()
+            latest = now if now < self._seen else now + rospy.Duration.from_sec(CLOCK_RESET_S)
+            self._seen = now
             if self.last_cancel > latest:
                 self.last_cancel = rospy.Time()
-            for tracker in self.status_list + [handle.status_tracker for handle in handles if handle.goal is not None]:
+            for tracker in self.status_list:
                 if tracker.status.goal_id.stamp > latest:
-                    # Older than whatever is said since, and not zero, which would mean "no stamp".
-                    tracker.status.goal_id.stamp = rospy.Time(0, 1)
+                    # Older than whatever is said since, even while no clock has arrived and all stamps are zero.
+                    tracker.status.goal_id.stamp = rospy.Time()
                 if tracker.handle_destruction_time > latest:
                     tracker.handle_destruction_time = now
 
@@ -181,9 +191,15 @@ class QuietSimpleActionServer(actionlib.SimpleActionServer):
             self.start()
 
     def internal_goal_callback(self, goal: actionlib.ServerGoalHandle) -> None:
-        """Take a goal; it preempts the current one unless it is older."""
+        """Take a goal; it preempts the current one unless it is older.
+
+        The stock server refuses a goal that is older than the last one, even when that is long over: the clocks of two
+        hosts differ.
+        """
         with self.execute_condition:
-            self.action_server.follow_clock(self.current_goal, self.next_goal)
+            for last in (self.current_goal, self.next_goal):
+                if last.goal is not None and last.status_tracker.status.status in _OVER:
+                    last.status_tracker.status.goal_id.stamp = rospy.Time()
         super().internal_goal_callback(goal)
 
     def executeLoop(self) -> None:  # noqa: N802 (the name is the base class's)

@@ -189,6 +189,25 @@ class RFNServerTest(unittest.TestCase):
             wait_until(lambda: not server.action_server.last_cancel.is_zero())
         self.assertEqual(Goal("resting", FilledSemanticFrame()).wait(), GoalStatus.SUCCEEDED)
 
+    def test_goal_that_is_over_stands_in_nobodys_way(self) -> None:
+        self.serve("hurrying", lambda _frame: None)
+        now = rospy.Time.now()
+        # The clock of one host is half a second ahead of the other's; and no clock has arrived.
+        for stamp in (now + rospy.Duration.from_sec(0.5), now, rospy.Time(), rospy.Time()):
+            with mock.patch.object(rospy.Time, "now", lambda stamp=stamp: rospy.Time(stamp.secs, stamp.nsecs)):
+                self.assertEqual(Goal("hurrying", FilledSemanticFrame()).wait(), GoalStatus.SUCCEEDED)
+
+    def test_clock_set_back_by_less_than_a_second_is_noticed(self) -> None:
+        asked = threading.Event()
+        server = self.serve("dawdling", lambda frame: frame.name == "long" and asked.wait(60.0))
+        server.register_preempt_callback(asked.set)
+        ahead = rospy.Duration.from_sec(0.9)
+        with mock.patch.object(rospy.Time, "now", lambda now=rospy.Time.now: now() + ahead):
+            running = Goal("dawdling", FilledSemanticFrame(name="long"))
+            wait_until(server.is_active)
+        self.assertEqual(Goal("dawdling", FilledSemanticFrame()).wait(), GoalStatus.SUCCEEDED)
+        self.assertEqual(running.wait(), GoalStatus.PREEMPTED)
+
     def test_idle_server_is_silent_and_still_found(self) -> None:
         self.serve("sleeping", lambda _frame: None)
         statuses: List[GoalStatusArray] = []

@@ -11,7 +11,11 @@ import rospy
 from rosgraph_msgs.msg import Clock
 
 from roboframenet_ros.parameters import ParameterError, Parameters, parameter
+from roboframenet_ros.ros_master import NO_ANSWER, TimedMaster
 from roboframenet_ros.ros_publishing import is_shutting_down, publish
+
+#: How long the master may take to answer, seconds.
+_MASTER_S = 2.0
 
 
 @dataclass(frozen=True)
@@ -59,6 +63,8 @@ class Stepper:
                 f"~rate_factor other than 1 needs /use_sim_time and ~publish_clock, got {settings.rate_factor!r}"
             )
         self._clock = rospy.Publisher("/clock", Clock, queue_size=10) if is_clock else None
+        if is_clock:
+            _warn_of_other_clocks()
 
     def start(self) -> None:
         """Step from now until shutdown."""
@@ -105,6 +111,19 @@ class Stepper:
             yield now_s
             due_s = max(due_s + period_s, now_s - self.MAX_LAG_S)
             time.sleep(max(0.0, due_s - time.monotonic()))
+
+
+def _warn_of_other_clocks() -> None:
+    """Tell in the log when another node publishes /clock, too."""
+    try:
+        nodes = TimedMaster(timeout_s=_MASTER_S).system_state().publishers.get("/clock", frozenset())
+    except NO_ANSWER:
+        return
+    others = sorted(nodes - {rospy.get_name()})
+    if others:
+        rospy.logerr(
+            "%s publishes /clock, too: time jumps between the two. Set ~publish_clock to false.", ", ".join(others)
+        )
 
 
 def start_loop(loop: Callable[[], None]) -> None:

@@ -9,7 +9,8 @@ import rospy
 from roboframenet_msgs.msg import FileProblem, FileProblems, FrameCatalogue, FrameServers
 
 from offline_pipeline.knowledge import load_texts
-from roboframenet_tools.finding import Finding
+from roboframenet_ros.ros_master import TimedMaster
+from roboframenet_tools.finding import Finding, clock_finding
 from roboframenet_tools.registrations import Registered, registration_findings
 
 #: How long to wait for the latched catalogue, and then for latched problems of files; seconds.
@@ -103,4 +104,4 @@ def _time() -> Finding:
             f"simulated, but no clock arrives: {error}",
             "start the publisher of /clock, or set /use_sim_time to false",
         )
-    return Finding("time", "simulated, the clock runs")
+    return clock_finding(TimedMaster(timeout_s=_TIMEOUT_S).system_state().publishers.get("/clock", ()))

@@ -38,7 +38,7 @@ from semantic_frames.semantic_type import with_parents
 from semantic_types import Fit
 from typed_arguments import Source, TypedArgument
 from typed_arguments.positions import with_moved_positions, without_any_position
-from utterance_passes.clauses import find_clauses
+from utterance_passes.clauses import Clause, find_clauses
 from utterance_passes.measures import find_amounts
 from utterance_passes.tree_edits import behind_verb
 from word_classes import word_class, word_list
@@ -387,17 +387,18 @@ class Change:
     wants_yes: bool = False
 
 
-def change_of(sentence: Sentence, context: Context, known: FramedLexicon) -> Optional[Change]:
+def change_of(sentence: Sentence, parsed: Sequence[Clause], context: Context, known: FramedLexicon) -> Optional[Change]:
     """Apply a fragment to the last command.
 
     Args:
         sentence: the utterance
+        parsed: its clauses
         context: what the framer remembers
         known: lexical units and frames
     Returns:
         the change; None if the utterance is to be read as a command
     """
-    fragment = fragment_of(sentence, known)
+    fragment = fragment_of(sentence, parsed, known)
     if fragment is None:
         return None
     said = sentence.tree.text.strip(_MARKS)

@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import FrozenSet, List, Mapping, Optional, Sequence, Tuple
 
 from semantic_framer.framed_lexicon import FramedLexicon
+from semantic_framer.phrase_table import PhraseTable
 from semantic_framer.sentence import Sentence
 from semantic_frames.marked_yaml import Reader
 from semantic_frames.source_files import read_text
@@ -22,7 +23,8 @@ BEGINNINGS_FILE = Path(__file__).resolve().parent / "beginnings.yaml"
 _KINDS = ("follow", "beside")
 _PLACES = ("front", "behind")
 
-_Phrases = Mapping[Tuple[str, str], FrozenSet[Tuple[str, ...]]]
+#: By kind and place. A phrase behind a command is kept by its last word first: that word ends the utterance.
+_Phrases = Mapping[Tuple[str, str], PhraseTable[str]]
 
 
 @dataclass(frozen=True)
@@ -54,7 +56,7 @@ def load_beginnings(text: str, path: str) -> _Phrases:
         places = reader.mapping(kinds[kind], kind, _PLACES, required=_PLACES)
         for place in places:
             phrases = reader.texts(places[place], f"{kind}.{place}")
-            found[kind, place] = frozenset(tuple(phrase.split()) for phrase in phrases)
+            found[kind, place] = PhraseTable({_from(place, phrase.split()): phrase for phrase in phrases})
     reader.refuse_if_wrong()
     return found
 
@@ -72,14 +74,14 @@ def shipped_beginnings() -> _Phrases:
 def beginning_of(tree: DependencyTree) -> Optional[Beginning]:
     """Return when a command begins; None if nothing is said about it, or nothing else is said."""
     words = [word for word in tree.words if word.upos != "PUNCT" and word.index not in tree.quoted]
-    while words and is_filler(words[0].form) and (plain(words[0]),) not in shipped_beginnings()["follow", "front"]:
+    while words and is_filler(words[0].form) and not shipped_beginnings()["follow", "front"].at([plain(words[0])])[1]:
         words.pop(0)
     while words and is_filler(words[-1].form):
         words.pop()
     forms = [plain(word) for word in words]
     for kind in _KINDS:
         for place in _PLACES:
-            length = _longest(forms, shipped_beginnings()[kind, place], is_behind=place == "behind")
+            length = _length(shipped_beginnings()[kind, place], _from(place, forms))
             if 0 < length < len(words):
                 said: List[Word] = words[-length:] if place == "behind" else words[:length]
                 return Beginning(kind.upper(), frozenset(word.index for word in said))
@@ -102,10 +104,15 @@ def without_beginning(sentence: Sentence, beginning: Beginning, known: FramedLex
     return Sentence(mark_times(made, times), known.types)
 
 
-def _longest(forms: List[str], phrases: FrozenSet[Tuple[str, ...]], *, is_behind: bool) -> int:
-    """Return the number of words of the longest phrase at an end; 0 for none."""
-    ends = ((phrase, forms[-len(phrase) :] if is_behind else forms[: len(phrase)]) for phrase in phrases)
-    return max((len(phrase) for phrase, said in ends if _are_same(said, phrase)), default=0)
+def _from(place: str, words: Sequence[str]) -> Tuple[str, ...]:
+    """Return words as they are counted from the end of the utterance at which a phrase stands."""
+    return tuple(reversed(words)) if place == "behind" else tuple(words)
+
+
+def _length(phrases: PhraseTable[str], forms: Sequence[str]) -> int:
+    """Return the number of words of the longest phrase that words begin with; 0 for none."""
+    near = phrases.begins_with(forms[0]) if forms else ()
+    return next((len(phrase) for phrase, _ in near if _are_same(forms[: len(phrase)], phrase)), 0)
 
 
 def _are_same(forms: Sequence[str], phrase: Tuple[str, ...]) -> bool:

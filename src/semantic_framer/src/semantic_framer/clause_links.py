@@ -89,6 +89,24 @@ def find_joints(sentence: Sentence, known: FramedLexicon) -> Joints:
     return _Finder(sentence, known).find()
 
 
+def condition_places(sentence: Sentence) -> FrozenSet[int]:
+    """Return the positions at which a joint with a condition may begin; at most of them none does."""
+    links = shipped_links()
+    words = _spoken(sentence)
+    forms = [word.form.lower() for word in words]
+    return frozenset(
+        word.index
+        for place, word in enumerate(words)
+        if any(at(forms[place:])[1] for at in (links.link_at, links.deed_link_at))
+        or (place and forms[place - 1] in _MANY)
+    )
+
+
+def _spoken(sentence: Sentence) -> List[Word]:
+    hidden = sentence.tree.abandoned | sentence.tree.fillers
+    return [word for word in sentence.tree.words if word.index not in hidden]
+
+
 @dataclass
 class _Finder:
     sentence: Sentence
@@ -97,9 +115,7 @@ class _Finder:
     forms: List[str] = field(default_factory=list)
 
     def __post_init__(self) -> None:
-        tree = self.sentence.tree
-        hidden = tree.abandoned | tree.fillers
-        self.words = [word for word in tree.words if word.index not in hidden]
+        self.words = _spoken(self.sentence)
         self.forms = [word.form.lower() for word in self.words]
 
     def find(self) -> Joints:

@@ -7,7 +7,7 @@ from semantic_framer.extra_phrases import left_over_groups
 from semantic_framer.reading import Reading, with_argument
 from semantic_framer.sentence import Sentence
 from semantic_frames.frame import Quantity, SemanticFrame
-from spoken_quantities import QuantityError, parse_number
+from spoken_quantities import find_number
 from typed_arguments import Measure, Source, TypedArgument
 from utterance_passes.clauses import Clause
 from utterance_passes.measures import amounts_of
@@ -66,10 +66,7 @@ def _times(sentence: Sentence, root: int, words: FrozenSet[int]) -> int:
         return _ADVERBS.index(forms[0]) + 1
     if len(forms) != 2 or forms[1] not in _NOUNS or sentence.word(root).form.lower() != forms[1]:
         return 0
-    try:
-        number = parse_number(forms[0])
-    except QuantityError:
-        return 0
+    number = find_number(forms[0])
     is_count = number is not None and number == int(number) and 1 <= number <= MOST_TIMES
     return int(number) if is_count and number is not None else 0
 

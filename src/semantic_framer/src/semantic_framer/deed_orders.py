@@ -8,7 +8,7 @@ from typing import FrozenSet, List, NamedTuple, Optional, Sequence, Tuple
 
 from semantic_framer.framed_lexicon import FramedLexicon
 from semantic_framer.link_file import LinkKind, shipped_links
-from spoken_quantities import QuantityError, parse_number
+from spoken_quantities import find_number
 from utterance_passes.tree import Word
 from word_classes import word_class, word_list
 
@@ -102,10 +102,7 @@ def times_at(forms: Sequence[str]) -> Optional[Times]:
         return Times(link.kind, _ADVERBS.index(rest[0]) + 1, place + 1)
     if len(rest) < 2 or rest[1] not in _NOUNS:
         return None
-    try:
-        number = parse_number(rest[0])
-    except QuantityError:
-        return None
+    number = find_number(rest[0])
     if number is None or number != int(number) or not 1 <= number <= _MOST_TIMES:
         return None
     return Times(link.kind, int(number), place + 2)

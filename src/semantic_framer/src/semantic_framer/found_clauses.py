@@ -4,22 +4,24 @@ from typing import Optional, Tuple
 
 from semantic_framer.framed_lexicon import FramedLexicon
 from semantic_framer.sentence import Sentence
-from utterance_passes.clauses import Clause, find_clauses, whole_sentence
+from utterance_passes.clauses import Clause, whole_sentence
 from utterance_passes.trace import Trace
 from utterance_passes.verb_matching import match_verbs
 
 
-def found_clauses(sentence: Sentence, known: FramedLexicon, trace: Optional[Trace]) -> Tuple[Clause, ...]:
+def found_clauses(
+    sentence: Sentence, clauses: Tuple[Clause, ...], known: FramedLexicon, trace: Optional[Trace]
+) -> Tuple[Clause, ...]:
     """Return the clauses of the sentence; if the parser found no verb, a verb of the lexicon at the front ("High
     five!") makes a clause.
 
     Args:
         sentence: the sentence
+        clauses: what ``find_clauses`` finds in it
         known: lexical units and frames
         trace: receives a line if a verb at the front makes a clause; None for no trace
     """
     tree = sentence.tree
-    clauses = find_clauses(tree, known)
     if clauses and any(match_verbs(tree, clause, known) for clause in clauses):
         return clauses
     words = [

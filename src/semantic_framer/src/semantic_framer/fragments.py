@@ -16,7 +16,7 @@ from semantic_framer.sentence import Sentence
 from semantic_framer.slight_amounts import slight_words
 from semantic_framer.utterance_kind import kind_without_clause
 from semantic_frames.source_files import read_text
-from utterance_passes.clauses import find_clauses
+from utterance_passes.clauses import Clause
 from utterance_passes.formula_file import Formula, any_of, is_filler, load_formulas
 from utterance_passes.objections import plain
 from utterance_passes.tree import ABANDONED, DependencyTree, Word
@@ -98,11 +98,12 @@ _WHOLE: Tuple[Tuple[FragmentKind, Pattern[str]], ...] = tuple(
 )
 
 
-def fragment_of(sentence: Sentence, known: FramedLexicon) -> Optional[Fragment]:
+def fragment_of(sentence: Sentence, clauses: Sequence[Clause], known: FramedLexicon) -> Optional[Fragment]:
     """Return an utterance as a fragment; None if it is none, or a command of its own.
 
     Args:
         sentence: the utterance
+        clauses: its clauses
         known: an utterance with a verb of the lexicon is a command
     """
     tree = sentence.tree
@@ -123,7 +124,6 @@ def fragment_of(sentence: Sentence, known: FramedLexicon) -> Optional[Fragment]:
     if core in _LEFT_AND_RIGHT:
         # The parser takes "left" for a verb.
         return Fragment(FragmentKind.ELEMENTS, positions)
-    clauses = find_clauses(tree, known)
     if any(match_verbs(tree, clause, known) for clause in clauses) or frozenset(forms[first:last]) & _NO_FRAGMENT:
         return None
     if core in _NOTHING_NEW or tree.times or tree.quoted:

@@ -4,10 +4,11 @@ from dataclasses import dataclass
 from enum import Enum
 from functools import lru_cache
 from pathlib import Path
-from typing import Dict, FrozenSet, List, Mapping, Optional, Sequence, Tuple
+from typing import Dict, FrozenSet, List, Optional, Sequence, Tuple
 
 import yaml
 
+from semantic_framer.phrase_table import PhraseTable
 from semantic_frames.marked_yaml import Reader
 from semantic_frames.source_files import read_text
 
@@ -73,61 +74,46 @@ class Links:
         bounds_behind: words behind "for" and such a time: "for an hour *at most*"
     """
 
-    links: Mapping[Tuple[str, ...], Link]
-    joiners: Mapping[Tuple[str, ...], Link]
-    deeds: Mapping[Tuple[str, ...], Link]
-    orders: Mapping[Tuple[str, ...], Link]
-    counts: Mapping[Tuple[str, ...], Link]
-    bounds: FrozenSet[Tuple[str, ...]]
-    bounds_behind: FrozenSet[Tuple[str, ...]]
+    links: PhraseTable[Link]
+    joiners: PhraseTable[Link]
+    deeds: PhraseTable[Link]
+    orders: PhraseTable[Link]
+    counts: PhraseTable[Link]
+    bounds: PhraseTable[bool]
+    bounds_behind: PhraseTable[bool]
 
     def link_at(self, forms: Sequence[str]) -> Tuple[Optional[Link], int]:
         """Return the link that words in lower case begin with, and its number of words; None and 0 for no link."""
-        return _longest(self.links, forms)
-
-    def is_link_word(self, form: str) -> bool:
-        """Whether a link begins with a word in lower case."""
-        return any(words[0] == form for words in self.links)
+        return self.links.at(forms)
 
     def joiner_at(self, forms: Sequence[str]) -> Tuple[Optional[Link], int]:
         """Return the joiner that words in lower case begin with, and its number of words; None and 0 for none."""
-        return _longest(self.joiners, forms)
+        return self.joiners.at(forms)
 
     def deed_link_at(self, forms: Sequence[str]) -> Tuple[Optional[Link], int]:
         """Return the words before a deed that words in lower case begin with, and their number; None and 0 for none."""
-        return _longest(self.deeds, forms)
+        return self.deeds.at(forms)
 
     def order_at(self, forms: Sequence[str]) -> Tuple[Optional[Link], int]:
         """Return the order that words in lower case begin with, and its number of words; None and 0 for none."""
-        return _longest(self.orders, forms)
+        return self.orders.at(forms)
 
     def count_at(self, forms: Sequence[str]) -> Tuple[Optional[Link], int]:
         """Return the words before a number of times that words in lower case begin with, and their number."""
-        return _longest(self.counts, forms)
+        return self.counts.at(forms)
 
     def has_manner(self, forms: FrozenSet[str]) -> bool:
         """Whether a phrase of an order, or before a number of times, may be among words in lower case."""
-        return any(forms.issuperset(words) for of in (self.orders, self.counts) for words in of)
+        near = (phrase for of in (self.orders, self.counts) for form in forms for phrase, _ in of.begins_with(form))
+        return any(forms.issuperset(words) for words in near)
 
     def bound_at(self, forms: Sequence[str]) -> int:
         """Return the number of words of a bound that words in lower case begin with; 0 for none."""
-        return _length(self.bounds, forms)
+        return self.bounds.at(forms)[1]
 
     def behind_bound_at(self, forms: Sequence[str]) -> int:
         """Return the number of words of a bound behind its time that words in lower case begin with; 0 for none."""
-        return _length(self.bounds_behind, forms)
-
-
-def _length(of: FrozenSet[Tuple[str, ...]], forms: Sequence[str]) -> int:
-    return max((len(words) for words in of if tuple(forms[: len(words)]) == words), default=0)
-
-
-def _longest(of: Mapping[Tuple[str, ...], Link], forms: Sequence[str]) -> Tuple[Optional[Link], int]:
-    for length in range(min(9, len(forms)), 0, -1):
-        found = of.get(tuple(forms[:length]))
-        if found is not None:
-            return found, length
-    return None, 0
+        return self.bounds_behind.at(forms)[1]
 
 
 def load_links(text: str, path: str) -> Links:
@@ -145,14 +131,14 @@ def load_links(text: str, path: str) -> Links:
         _entries(reader, sections.get(name), name) for name in ("links", "joiners", "deeds", "orders", "counts")
     )
     bounds, behind = (
-        frozenset(tuple(words.split()) for words in reader.texts(sections.get(name), name))
+        PhraseTable({tuple(words.split()): True for words in reader.texts(sections.get(name), name)})
         for name in ("bounds", "bounds_behind")
     )
     reader.refuse_if_wrong()
     return Links(links, joiners, deeds, orders, counts, bounds, behind)
 
 
-def _entries(reader: Reader, node: Optional[yaml.Node], section: str) -> Mapping[Tuple[str, ...], Link]:
+def _entries(reader: Reader, node: Optional[yaml.Node], section: str) -> PhraseTable[Link]:
     found: Dict[Tuple[str, ...], Link] = {}
     kinds: List[str] = [kind.name for kind in LinkKind]
     for key, item in reader.sequence(node, section):
@@ -162,7 +148,7 @@ def _entries(reader: Reader, node: Optional[yaml.Node], section: str) -> Mapping
         link = Link(name, LinkKind[kind], reader.text(entries.get("question"), f"{key}.question"))
         for words in reader.texts(entries.get("words"), f"{key}.words"):
             found[tuple(words.split())] = link
-    return found
+    return PhraseTable(found)
 
 
 @lru_cache(maxsize=None)

@@ -4,7 +4,7 @@ from dataclasses import replace
 from typing import Optional, Sequence, Tuple, Union
 
 from semantic_framer.choices import choices_left_open
-from semantic_framer.clause_links import Joints, find_joints
+from semantic_framer.clause_links import Joints, condition_places, find_joints
 from semantic_framer.clause_plan import Clauses, PlanPart, answers_in_a_loop, leaves_of, without_unused
 from semantic_framer.deeds import deeds_of
 from semantic_framer.dialogue import Context, Pending
@@ -23,6 +23,7 @@ from semantic_framer.settling import Now, resolve_and_confirm, without_positions
 from semantic_framer.standing_plan import with_wait
 from semantic_framer.verdicts import case_of
 from typed_arguments import Source, TimeExpression, TypedArgument
+from utterance_passes.clauses import find_clauses
 from utterance_passes.quotations import QUOTATION_MARKS
 from utterance_passes.tree import ASIDE, DependencyTree, Word
 from utterance_passes.tree_edits import NotATree, TreeEdit, mark_times, set_aside
@@ -84,7 +85,8 @@ def read_linked(
     for joint in joints.found:
         now.write("links", sentence.text(sorted(joint.positions)), joint.kind.value)
     bare = Sentence(left, now.known.types)
-    case = case_of(bare, found_clauses(bare, now.known, now.trace), now.known, now.policy)
+    parts = found_clauses(bare, find_clauses(left, now.known), now.known, now.trace)
+    case = case_of(bare, parts, now.known, now.policy)
     refusal, clauses = deeds_of(case, now.trace)
     if refusal is not None:
         return Heard(refusal, context, sentence) if refusal.code in _TELLING and refused is None else refused
@@ -239,8 +241,8 @@ def swallowed_joints(sentence: Sentence, known: FramedLexicon, readings: Sequenc
     "Tell me if the door is open" asks for the condition itself, and a message may have a condition of its own.
     """
     inside = [argument for reading in readings for argument in reading.arguments if len(argument.positions) > 1]
-    forms = {sentence.word(index).form.lower() for argument in inside for index in argument.positions}
-    if not any(map(shipped_links().is_link_word, forms)):
+    places = condition_places(sentence)
+    if not any(min(one.positions) < place <= max(one.positions) for one in inside for place in places):
         return Joints()
     found = [
         joint

@@ -283,7 +283,7 @@ class _Filling:
         preposition = preposition_of(step)
         if not (is_core or preposition in DIRECTIONAL):
             return []
-        found = []
+        found: List[int] = []
         for relation in ("dobj", "iobj", "obl", "tmod"):
             for noun in self._sentence.dependents(self._clause.verb, relation):
                 found += self._sentence.dependents(noun, f"prep_{preposition}")

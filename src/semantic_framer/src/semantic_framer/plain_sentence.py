@@ -18,6 +18,7 @@ from semantic_framer.settling import Now, ask_which, resolve_and_confirm
 from semantic_framer.small_talk import answer_small_talk, small_talk_of
 from semantic_framer.utterance_kind import KindVerdict
 from semantic_framer.verdicts import case_of
+from utterance_passes.clauses import find_clauses
 
 
 def read_plain(sentence: Sentence, context: Context, now: Now) -> Heard:
@@ -33,12 +34,15 @@ def read_plain(sentence: Sentence, context: Context, now: Now) -> Heard:
         kind = KindVerdict(UtteranceKind.TALK, talk.name)
         now.write("utterance_kind", sentence.tree.text, str(kind))
         return Heard(answer_small_talk(talk), context, sentence, is_small_talk=True)
-    change = change_of(sentence, context, now.known) if now.policy.fragment_timeout_s else None
+    clauses_of_tree = find_clauses(sentence.tree, now.known)
+    change = None
+    if now.policy.fragment_timeout_s:
+        change = change_of(sentence, clauses_of_tree, context, now.known)
     if change is not None:
         now.write("fragment", sentence.tree.text, change.note)
         return Heard(*_changed(change, sentence, context, now), sentence)
     known, policy = now.known, now.policy
-    case = case_of(sentence, found_clauses(sentence, known, now.trace), known, policy)
+    case = case_of(sentence, found_clauses(sentence, clauses_of_tree, known, now.trace), known, policy)
     if now.trace is not None:
         for clause, kind in zip(case.clauses, case.kinds):
             now.trace.add("utterance_kind", case.text_of(clause), after=str(kind), positions=clause.positions)

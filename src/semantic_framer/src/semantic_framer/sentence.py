@@ -1,6 +1,6 @@
 """A sentence: its tree, and the relations of each governor."""
 
-from typing import Dict, FrozenSet, List, Optional, Sequence, Tuple
+from typing import Dict, FrozenSet, Optional, Sequence, Set, Tuple
 
 from phrase_meanings.phrase_types import PhraseTypes
 from phrase_meanings.phrases import Phrases
@@ -71,9 +71,12 @@ class Sentence:
         self.described = described
         self.phrases = Phrases(tree, self.types.likeliest)
         self.arcs: Tuple[Arc, ...] = arcs(tree)
-        self._by_governor: Dict[int, List[Arc]] = {}
+        found: Dict[Tuple[int, str], Set[int]] = {}
         for arc in self.arcs:
-            self._by_governor.setdefault(arc.governor, []).append(arc)
+            for relation in arc.relations:
+                found.setdefault((arc.governor, relation), set()).add(arc.dependent)
+        #: By governor and relation, in the order of the sentence: each unit asks again.
+        self._dependents = {key: tuple(sorted(dependents)) for key, dependents in found.items()}
 
     def attached(
         self, tree: DependencyTree, *, goals: FrozenSet[int] = frozenset(), described: FrozenSet[int] = frozenset()
@@ -102,17 +105,17 @@ class Sentence:
         """Positions of words that the speaker corrected, of words that announce the correction, and of asides."""
         return self.tree.abandoned
 
-    def dependents(self, governor: int, relation: str) -> List[int]:
+    def dependents(self, governor: int, relation: str) -> Tuple[int, ...]:
         """Return the words that have a relation, of either scheme, to a governor, in the order of the sentence.
 
         If a verb has no such word and only a noun governs the relation ("num", "poss"), the arguments of the verb are
         searched: units of 2012 name these relations alone.
         """
-        found = {arc.dependent for arc in self._by_governor.get(governor, ()) if relation in arc.relations}
+        found = self._dependents.get((governor, relation), ())
         if not found and relation in _OF_NOUNS and governor and self.word(governor).upos in ("VERB", "AUX"):
             nouns = [child.index for child in self.children(governor) if child.deprel.split(":")[0] in _ARGUMENTS]
-            found.update(position for noun in nouns for position in self.dependents(noun, relation))
-        return sorted(found)
+            found = tuple(sorted({position for noun in nouns for position in self.dependents(noun, relation)}))
+        return found
 
     def is_content(self, index: int) -> bool:
         """Whether a word has content: to ignore it would change the request."""

@@ -3,14 +3,14 @@
 """
 
 from dataclasses import dataclass
-from functools import lru_cache
+from functools import cached_property, lru_cache
 from pathlib import Path
-from typing import List, Optional, Tuple
+from typing import List, Optional, Pattern, Tuple
 
 from semantic_framer.outcome import TALK, Refusal
 from semantic_frames.marked_yaml import Reader
 from semantic_frames.source_files import read_text
-from utterance_passes.formula_file import Formula, is_filler
+from utterance_passes.formula_file import Formula, any_of, is_filler
 from utterance_passes.objections import plain
 from utterance_passes.tree import DependencyTree
 from word_classes import read_pattern
@@ -33,9 +33,13 @@ class SmallTalk:
     reply: str
     formulas: Tuple[Formula, ...]
 
+    @cached_property
+    def _pattern(self) -> Pattern[str]:
+        return any_of(self.formulas)
+
     def has(self, said: str) -> bool:
         """Whether some words, in lower case, are of this kind."""
-        return any(formula.pattern.fullmatch(said) for formula in self.formulas)
+        return self._pattern.fullmatch(said) is not None
 
 
 def load_small_talk(text: str, path: str) -> Tuple[SmallTalk, ...]:
@@ -84,11 +88,14 @@ def small_talk_of(tree: DependencyTree) -> Optional[SmallTalk]:
         elif not is_filler(word.form):
             parts[-1].append(plain(word))
     said = [" ".join(part) for part in parts if part]
-    found = [next((kind for kind in shipped_small_talk() if kind.has(part)), None) for part in said]
-    if not found or None in found:
-        whole = " ".join(said)
-        return next((kind for kind in shipped_small_talk() if kind.has(whole)), None)
-    return next(kind for kind in shipped_small_talk() if kind in found)
+    found = [_kind_of(part) for part in said]
+    if None not in found:
+        return next((kind for kind in shipped_small_talk() if kind in found), None)
+    return _kind_of(" ".join(said)) if len(said) > 1 else None
+
+
+def _kind_of(said: str) -> Optional[SmallTalk]:
+    return next((kind for kind in shipped_small_talk() if kind.has(said)), None)
 
 
 def answer_small_talk(kind: SmallTalk) -> Refusal:

@@ -1,13 +1,14 @@
 """Reads numbers, lengths, angles and durations in English words, and converts them to SI units."""
 
 from spoken_quantities.measure import Measure, parse_measure
-from spoken_quantities.numbers import QuantityError, number_words, parse_number
+from spoken_quantities.numbers import QuantityError, find_number, number_words, parse_number
 from spoken_quantities.units import Unit, find_unit, unit_words, units_of
 
 __all__ = [
     "Measure",
     "QuantityError",
     "Unit",
+    "find_number",
     "find_unit",
     "number_words",
     "parse_measure",

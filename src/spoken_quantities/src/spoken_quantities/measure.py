@@ -5,7 +5,7 @@ import re
 from dataclasses import dataclass
 from typing import Dict, List, Optional, Tuple
 
-from spoken_quantities.numbers import QuantityError, parse_number
+from spoken_quantities.numbers import QuantityError, find_number, parse_number
 from spoken_quantities.units import Unit, find_unit, units_of
 
 #: A number written together with its unit: "10cm", "90°", "3ft".
@@ -102,8 +102,8 @@ def _amount_behind(words: List[str], unit: Unit) -> Optional[float]:
     words = words[1:] if is_joined else words
     if not words or words[0] in ("minus", "negative", "plus") or words[0][0] in "+-":
         return None
-    if _is_number(" ".join(words)):
-        number = parse_number(" ".join(words))
+    number = find_number(" ".join(words))
+    if number is not None:
         if is_joined:
             return number if 0.0 < number < 1.0 else None
         divisor, least = _PARTS.get(unit.name, (1, 1))
@@ -144,7 +144,7 @@ def _parse_single(text: str, quantity: Optional[str], default_unit: str) -> Meas
     try:
         amount = parse_number(number_text)
     except QuantityError as error:
-        if error.code == "NOT_A_NUMBER" and unit is None and head and _is_number(head):
+        if error.code == "NOT_A_NUMBER" and unit is None and head and find_number(head) is not None:
             raise QuantityError("UNKNOWN_UNIT", f'I do not know the unit "{last}".') from error
         raise
     if unit is None:
@@ -159,11 +159,3 @@ def _parse_single(text: str, quantity: Optional[str], default_unit: str) -> Meas
     if not math.isfinite(si_amount):
         raise QuantityError("NOT_FINITE", f'"{text.strip()}" is more than I can count.')
     return Measure(amount=amount, unit=unit.name, quantity=unit.quantity, si_amount=si_amount)
-
-
-def _is_number(text: str) -> bool:
-    try:
-        parse_number(text)
-    except QuantityError:
-        return False
-    return True

@@ -31,6 +31,8 @@ _NAMES_OF_FRACTIONS: Dict[str, int] = {
 _FRACTIONS: Dict[str, float] = {name: 1.0 / parts for name, parts in _NAMES_OF_FRACTIONS.items()}
 _FRACTIONS.update({name + "s": share for name, share in _FRACTIONS.items() if name != "half"})
 _FRACTIONS["halves"] = 0.5
+#: The only words that are a number without another word beside them.
+_WHOLE_NUMBERS = frozenset(["a", "an"]).union(_SMALL, _MULTIPLIERS, _FRACTIONS)
 _SIGNS = {"minus": -1.0, "negative": -1.0, "plus": 1.0}
 _DIGIT_OF: Dict[str, int] = {word: value for word, value in _SMALL.items() if value < 10}
 _DIGIT_OF.update({str(value): value for value in range(10)})
@@ -88,14 +90,28 @@ def parse_number(text: str) -> float:
     Raises:
         QuantityError: NOT_A_NUMBER, NOT_FINITE ("1e400")
     """
-    words = _spelled(text).split()
-    sign = _SIGNS[words.pop(0)] if words and words[0] in _SIGNS else 1.0
-    value = _parse_unsigned(words)
+    value = _value(text)
     if value is None:
         raise QuantityError("NOT_A_NUMBER", f'"{text.strip()}" is not a number.')
     if not math.isfinite(value):
         raise QuantityError("NOT_FINITE", f'"{text.strip()}" is more than I can count.')
-    return sign * value
+    return value
+
+
+def find_number(text: str) -> Optional[float]:
+    """Return the number that :func:`parse_number` reads; None for words that it refuses."""
+    value = _value(text)
+    return value if value is not None and math.isfinite(value) else None
+
+
+def _value(text: str) -> Optional[float]:
+    # Most words of a sentence are asked, and few are numbers.
+    if text.isalpha() and text.lower() not in _WHOLE_NUMBERS:
+        return None
+    words = _spelled(text).split()
+    sign = _SIGNS[words.pop(0)] if words and words[0] in _SIGNS else 1.0
+    value = _parse_unsigned(words)
+    return None if value is None else sign * value
 
 
 def _spelled(text: str) -> str:

@@ -6,7 +6,16 @@ from typing import List
 
 import pytest
 
-from spoken_quantities import QuantityError, find_unit, number_words, parse_measure, parse_number, unit_words, units_of
+from spoken_quantities import (
+    QuantityError,
+    find_number,
+    find_unit,
+    number_words,
+    parse_measure,
+    parse_number,
+    unit_words,
+    units_of,
+)
 
 ONES = (
     "zero one two three four five six seven eight nine ten eleven twelve thirteen fourteen fifteen sixteen seventeen "
@@ -104,6 +113,7 @@ def test_every_number_below_ten_thousand_in_words() -> None:
 )
 def test_parse_number(text: str, number: float) -> None:
     assert parse_number(text) == pytest.approx(number)
+    assert find_number(text) == parse_number(text)
 
 
 @pytest.mark.parametrize(
@@ -163,14 +173,14 @@ def test_parse_number(text: str, number: float) -> None:
 def test_other_words_are_refused_as_numbers(text: str) -> None:
     with pytest.raises(QuantityError) as raised:
         parse_number(text)
-    assert raised.value.code == "NOT_A_NUMBER"
+    assert raised.value.code == "NOT_A_NUMBER" and find_number(text) is None
 
 
 @pytest.mark.parametrize("text", ["1e400", "-1e999", "1/0"])
 def test_infinite_number_is_refused(text: str) -> None:
     with pytest.raises(QuantityError) as raised:
         parse_number(text)
-    assert raised.value.code == "NOT_FINITE"
+    assert raised.value.code == "NOT_FINITE" and find_number(text) is None
 
 
 @pytest.mark.parametrize(

@@ -3,9 +3,10 @@
 import enum
 import queue
 import threading
+import time
 from dataclasses import dataclass, replace
 from pathlib import Path
-from typing import TYPE_CHECKING, Union
+from typing import Union
 
 import rospy
 from roboframenet_msgs.msg import Command, CommandParse, KnownNames, Lexicon, Reply
@@ -18,15 +19,13 @@ from roboframenet_ros.ros_node import read_parameters, run_node
 from roboframenet_ros.ros_stage import Stage
 from semantic_frames import load_lexical_units
 from semantic_frames.read_once import ReadOnce
-from stanford_parser_ros.inference import ModelError, StanzaInference, shipped_model_dir
+from stanford_parser_ros.early_inference import load_stanza
+from stanford_parser_ros.inference import Inference, ModelError, shipped_model_dir
 from stanford_parser_ros.model import NO_WORDS, KnownWords, Parser, UnparsableText
 from stanford_parser_ros.ros_messages import to_command_parse
 from stanford_parser_ros.stanford_dependencies import collapsed
 from utterance_passes.tree import DependencyTree
 from utterance_passes.typos import spellings_of
-
-if TYPE_CHECKING:
-    from stanford_parser_ros.lean.inference import LeanInference
 
 #: Period in which the worker checks whether to end, seconds.
 WAKE_UP_S = 1.0
@@ -46,7 +45,8 @@ class Settings(Parameters):
     Attributes:
         model_dir: folder of the Stanza models; empty for the shipped ones
         package: name of a package in it; empty for the default one
-        runtime: Stanza itself; or the lean runtime: the same trees sooner, for packages like the shipped one
+        runtime: Stanza itself, before which the lean runtime answers while it is loaded; or only the lean runtime: the
+            same trees sooner, for packages like the shipped one
         threads: of torch; the lean runtime always has one
         cache_size: number of parses that are kept
         queue_size: number of commands that may wait; one more is refused
@@ -90,29 +90,47 @@ class ParserNode:
         self._words_of_files: ReadOnce[KnownWords] = ReadOnce(_words_of)
         self._lexicon = rospy.Subscriber("lexicon", Lexicon, self._on_lexicon, queue_size=1)
         self._names = rospy.Subscriber("known_names", KnownNames, self._on_names, queue_size=1)
-        models = load_models(settings)
-        self._parser = Parser(models, cache_size=settings.cache_size)
-        times = models.load_times
+        self._trouble = ""
+        begin_s = time.monotonic()
+        self._parser = Parser(self._load_models(), cache_size=settings.cache_size)
         self._commands: queue.Queue[Command] = queue.Queue(settings.queue_size)
         self._is_closing = threading.Event()
         self._worker = threading.Thread(target=self._run, name="parser", daemon=True)
         self._worker.start()
         rospy.on_shutdown(self._close)
         self._subscriber = rospy.Subscriber("command_text", Command, self._on_command, queue_size=settings.queue_size)
-        rospy.loginfo(
-            "ready after %.1f s (torch %.1f, Stanza %.1f, models %.1f, first parse %.1f): %s",
-            times.total_s,
-            times.torch_s,
-            times.stanza_s,
-            times.models_s,
-            times.warm_up_s,
-            settings,
+        rospy.loginfo("ready after %.1f s: %s", time.monotonic() - begin_s, settings)
+
+    def _load_models(self) -> Inference:
+        """Load the models into the chosen runtime.
+
+        Raises:
+            ModelError: they cannot be loaded
+        """
+        folder = Path(self._settings.model_dir).expanduser() if self._settings.model_dir else shipped_model_dir()
+        package = self._settings.package or Settings.package
+        if self._settings.runtime is Runtime.LEAN:
+            from stanford_parser_ros.lean.inference import LeanInference  # only this runtime needs numpy
+
+            return LeanInference(model_dir=folder, package=package)
+        return load_stanza(
+            model_dir=folder,
+            package=package,
+            threads=self._settings.threads,
+            on_loaded=lambda time_s: rospy.loginfo("Stanza was loaded in %.1f s, and parses from now on", time_s),
+            on_failed=self._on_stanza_failed,
         )
+
+    def _on_stanza_failed(self, error: ModelError) -> None:
+        self._trouble = f"The lean runtime parses, because Stanza cannot be loaded: {error}"
+        rospy.logerr("%s", self._trouble)
 
     def health(self) -> Health:
         """How the node is."""
         return Health(
-            values={"waiting commands": self._commands.qsize(), "verbs of the lexicon": len(self._known.verbs)}
+            Level.WARN if self._trouble else Level.OK,
+            self._trouble or Health.message,
+            values={"waiting commands": self._commands.qsize(), "verbs of the lexicon": len(self._known.verbs)},
         )
 
     def _on_lexicon(self, message: Lexicon) -> None:
@@ -186,21 +204,6 @@ def _words_of(text: str, path: str) -> KnownWords:
     units = load_lexical_units(text, path)
     # The base form precedes the particle: "pick" of "pick up".
     return KnownWords(frozenset(verb.split()[0] for unit in units for verb in unit.verbs), spellings_of(units))
-
-
-def load_models(settings: Settings) -> Union[StanzaInference, "LeanInference"]:
-    """Load the models into the chosen runtime.
-
-    Raises:
-        ModelError: the models cannot be loaded
-    """
-    folder = Path(settings.model_dir).expanduser() if settings.model_dir else shipped_model_dir()
-    package = settings.package or Settings.package
-    if settings.runtime is Runtime.LEAN:
-        from stanford_parser_ros.lean.inference import LeanInference  # only this runtime needs numpy
-
-        return LeanInference(model_dir=folder, package=package)
-    return StanzaInference(model_dir=folder, package=package, threads=settings.threads)
 
 
 def describe(tree: DependencyTree) -> str:

@@ -8,7 +8,7 @@ of the first.
 from typing import FrozenSet, List, Sequence, Tuple
 
 from utterance_passes.clauses import Clause, find_clauses
-from utterance_passes.phrase_groups import Group, Kind, Phrase, groups_of, tells_several, with_names_apart
+from utterance_passes.phrase_groups import JOINING, Group, Kind, Phrase, groups_of, tells_several, with_names_apart
 from utterance_passes.tree import DependencyTree, Word
 from utterance_passes.tree_edits import TreeEdit, mark_argument_clusters
 from utterance_passes.vocabulary import Vocabulary
@@ -20,6 +20,8 @@ def expand_argument_clusters(tree: DependencyTree, vocabulary: Vocabulary) -> De
     """Attach each group of phrases that share a verb to the verb, and mark the groups: ``find_clauses`` turns each into
     a clause. If groups end alike but differ before that, their phrases get the relation ``dep``, which no unit knows.
     """
+    if not any(word.form.lower() in JOINING for word in tree.words):
+        return tree
     edit = TreeEdit(tree)
     clusters: List[Tuple[int, FrozenSet[int]]] = []
     for clause in find_clauses(tree, vocabulary):

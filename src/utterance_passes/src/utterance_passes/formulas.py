@@ -37,6 +37,8 @@ def _around(tree: DependencyTree, vocabulary: Vocabulary) -> FrozenSet[int]:
                 continue
             is_apart = behind == len(words) or words[behind].upos == "PUNCT"
             is_front = word.index == spoken[0].index
+            if not is_apart and not is_front:
+                continue
             text = _text(said)
             if (
                 (is_apart and _APART.fullmatch(text))

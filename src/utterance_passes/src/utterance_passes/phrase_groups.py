@@ -16,7 +16,8 @@ _BEFORE_NOUNS = frozenset(["DET", "ADJ", "NUM"])
 _NOUNS = frozenset(["NOUN", "PROPN", "NUM", "SYM"])
 #: Relations between the words of a noun phrase.
 _INSIDE = frozenset(["compound", "flat", "nummod", "amod", "det", "fixed", "goeswith"])
-_JOINING = frozenset(["and", ",", "then"])
+#: Words between two groups.
+JOINING = frozenset(["and", ",", "then"])
 
 
 class Kind(Enum):
@@ -106,7 +107,7 @@ def groups_of(tree: DependencyTree, clause: Clause) -> Optional[List[Group]]:
     position = 0
     while position < len(words):
         word = words[position]
-        if word.form.lower() in _JOINING:
+        if word.form.lower() in JOINING:
             if groups[-1]:
                 groups.append([])
             position += 1

@@ -2,7 +2,7 @@
 
 from typing import List, Set, Tuple
 
-from utterance_passes.clauses import Clause, find_clauses, has_case, shares_a_verb
+from utterance_passes.clauses import Clause, find_clauses, has_case, may_share_a_verb, shares_a_verb
 from utterance_passes.tree import DependencyTree, Word
 from utterance_passes.tree_edits import TreeEdit, mark_sharing_a_verb
 from utterance_passes.vocabulary import Vocabulary
@@ -16,6 +16,8 @@ def expand_shared_verbs(tree: DependencyTree, vocabulary: Vocabulary) -> Depende
     """Attach the second of two phrases that share a verb to the verb, like the first, and mark it: ``find_clauses``
     turns it into a separate clause.
     """
+    if not may_share_a_verb(tree):
+        return tree
     edit = TreeEdit(tree)
     sharing: Set[int] = set()
     for clause in find_clauses(tree, vocabulary):

@@ -5,7 +5,7 @@ They are read from the words, not from the tree: the parser attaches a time at e
 
 from typing import FrozenSet, List, Tuple
 
-from spoken_quantities import QuantityError, parse_number
+from spoken_quantities import find_number
 from utterance_passes.amounts import read_amounts
 from utterance_passes.tree import DependencyTree
 from utterance_passes.tree_edits import mark_times
@@ -26,6 +26,12 @@ _PREPOSITIONS = word_class("time_prepositions")
 _SHORT_PERIODS = word_class("short_periods")
 _TIMES_OF_DAY = word_class("times_of_day")
 _WEEKDAYS = word_class("weekdays")
+_DAYS = _PERIODS | _WEEKDAYS | _TIMES_OF_DAY
+_TIMES = _DAYS | _MEALS | _MONTHS | _CLOCK
+_BEFORE_TIMES = _MODIFIERS | _CHOOSING
+#: "This time", "the next times".
+_OCCASIONS = ("time", "times")
+_AFTER_TIMES = _TIMES_OF_DAY | _CLOCK
 
 
 def with_times(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
@@ -39,7 +45,7 @@ def find_times(tree: DependencyTree) -> Tuple[FrozenSet[int], ...]:
     found: List[Tuple[int, int]] = []
     for end in range(1, len(forms) + 1):
         start = _start(tree, forms, end)
-        if not start and found and found[-1][1] == end - 1 and forms[end - 1] in _TIMES_OF_DAY | _CLOCK:
+        if not start and found and found[-1][1] == end - 1 and forms[end - 1] in _AFTER_TIMES:
             start = end
         if not start:
             continue
@@ -57,47 +63,48 @@ def _start(tree: DependencyTree, forms: List[str], end: int) -> int:
         return end - 1 if before in _PREPOSITIONS else end
     if word == "now" and end > 1 and forms[end - 2] in _BEFORE_NOW:
         return end - 1
-    if _continues(tree, forms, end):
-        return 0
     word = "o'clock" if word == "o’clock" else word
-    singular = word[:-1] if word.endswith("s") and word[:-1] in _PERIODS | _WEEKDAYS | _TIMES_OF_DAY else word
+    singular = word[:-1] if word.endswith("s") and word[:-1] in _DAYS else word
+    is_time, is_number = singular in _TIMES, _is_number(word)
+    is_last = is_time or is_number or word in _OCCASIONS
+    if not is_last or _continues(tree, end, is_number=is_number):
+        return 0
     first = end
-    while first > 1 and (forms[first - 2] in _MODIFIERS | _CHOOSING or _is_number(forms[first - 2])):
+    while first > 1 and (forms[first - 2] in _BEFORE_TIMES or _is_number(forms[first - 2])):
         first -= 1
     preposition = forms[first - 2] if first > 1 else ""
     # "Hold on a second" says how long, not when.
     if preposition == "on" and singular in _SHORT_PERIODS:
         return 0
-    is_time = singular in _PERIODS | _WEEKDAYS | _TIMES_OF_DAY | _MEALS | _MONTHS | _CLOCK
     if is_time and preposition in _PREPOSITIONS:
         return first - 1
     is_chosen = any(form in _CHOOSING for form in forms[first - 1 : end - 1])
-    if is_chosen and ((is_time and singular not in _MEALS) or word in ("time", "times")):
+    if is_chosen and ((is_time and singular not in _MEALS) or word in _OCCASIONS):
         return first
     if singular in _WEEKDAYS and preposition not in _NOT_BEFORE_WEEKDAYS:
         return first
     if word in _CLOCK and end > 1 and _is_number(forms[end - 2]):
         return first
-    if _is_number(word) and end > 1 and forms[end - 2] in _CLOCK_PREPOSITIONS and not _is_measured(tree, end):
+    if is_number and end > 1 and forms[end - 2] in _CLOCK_PREPOSITIONS and not _is_measured(tree, end):
         return end - 1
     return 0
 
 
-def _continues(tree: DependencyTree, forms: List[str], end: int) -> bool:
+def _continues(tree: DependencyTree, end: int, *, is_number: bool) -> bool:
     """Whether a word begins a longer name or an amount: "morning paper", "day's work", "5 degrees"."""
-    if end == len(forms):
+    if end == len(tree.words):
         return False
     following = tree.word(end + 1)
-    if following.form.lower() in _TIMES_OF_DAY | _CLOCK | _ADVERBS:
+    if following.form.lower() in _AFTER_TIMES or following.form.lower() in _ADVERBS:
         return False
     if following.form.lower() in ("'s", "’s") or tree.word(end).deprel in ("compound", "nmod:poss", "amod"):
         return True
     # At the front of a command, the parser takes the verb after a time for a noun: "at five turn left".
-    if end == 2 and forms[0] == "at":
+    if end == 2 and tree.word(1).form.lower() == "at":
         return False
     # "Two of the cups" counts.
     is_counting = following.upos in ("NOUN", "PROPN", "ADJ", "NUM") or following.form.lower() == "of"
-    return _is_number(forms[end - 1]) and is_counting
+    return is_number and is_counting
 
 
 def _is_measured(tree: DependencyTree, index: int) -> bool:
@@ -107,8 +114,4 @@ def _is_measured(tree: DependencyTree, index: int) -> bool:
 
 
 def _is_number(form: str) -> bool:
-    try:
-        parse_number(form)
-    except QuantityError:
-        return False
-    return form not in ("a", "an")
+    return form not in ("a", "an") and find_number(form) is not None

@@ -1,7 +1,6 @@
 """The models without Stanza and torch."""
 
 import json
-import time
 from pathlib import Path
 from typing import Any, Callable, Dict, List
 
@@ -9,7 +8,6 @@ from stanford_parser_ros.inference import (
     CONSTITUENCY,
     PROCESSORS,
     WARM_UP,
-    LoadTimes,
     ModelError,
     check_model_folder,
     processors_of,
@@ -42,7 +40,6 @@ class LeanInference:
         check_model_folder(model_dir, package)
         if CONSTITUENCY in processors_of(model_dir).split(","):
             raise ModelError(f"the lean runtime has no phrase trees, and {model_dir} holds a model of them: {_HINT}")
-        started = time.monotonic()
         files = _files(model_dir, package)
         vectors = WordVectors(_model(files["pretrain"], dict))
         self._tokenizer: Tokenizer = _model(files["tokenize"], Tokenizer)
@@ -50,11 +47,7 @@ class LeanInference:
         self._tagger: Tagger = _model(files["pos"], lambda saved: Tagger(saved, vectors))
         self._lemmatizer: Lemmatizer = _model(files["lemma"], Lemmatizer)
         self._parser: DependencyParser = _model(files["depparse"], lambda saved: DependencyParser(saved, vectors))
-        done = time.monotonic()
         self.parse(WARM_UP)
-        self.load_times = LoadTimes(
-            torch_s=0.0, stanza_s=0.0, models_s=done - started, warm_up_s=time.monotonic() - done
-        )
 
     def parse(self, text: str) -> DependencyTree:
         """See :meth:`stanford_parser_ros.inference.Inference.parse`."""
