@@ -41,6 +41,7 @@ from typed_arguments.positions import with_moved_positions, without_any_position
 from utterance_passes.clauses import Clause, find_clauses
 from utterance_passes.measures import find_amounts
 from utterance_passes.tree_edits import behind_verb
+from utterance_passes.verb_matching import match_verbs
 from word_classes import word_class, word_list
 
 #: Types with much in common.
@@ -321,7 +322,7 @@ class _Amending:
             return position - shift if shift < position <= shift + count else 0
 
         for clause in find_clauses(tree, self._known)[:1]:
-            for reading in read_clause(sentence, clause, self._known):
+            for reading in read_clause(sentence, clause, match_verbs(tree, clause, self._known), self._known):
                 if reading.unit.frame_name != self._frame.name or reading.left_over or reading.wrong_types:
                     continue
                 said = [one for one in reading.arguments if any(position > shift for position in one.positions)]

@@ -22,13 +22,6 @@ _SPEAKERS = word_class("speaker_objects")
 _STRAIGHT = word_class("straight_adverbs")
 
 
-def preposition_of(step: str) -> str:
-    """Return the preposition of a relation ("prep_to", "obl:to", "prep_next_to"); empty if it has none."""
-    if not step.startswith(("prep_", "obl:")):
-        return ""
-    return step.split("_", 1)[1] if step.startswith("prep_") else step.split(":", 1)[1]
-
-
 def is_postmodifier_of(tree: DependencyTree, index: int, head: int, is_described: bool) -> bool:
     """Whether a phrase that is attached to a verb identifies the noun in front of it.
 
