@@ -27,7 +27,7 @@ class AddedAbilitiesTest(unittest.TestCase):
     def setUpClass(cls) -> None:
         cls.replies: List[Reply] = []
         cls.subscriber = rospy.Subscriber("reply", Reply, cls.replies.append, queue_size=100)
-        cls.text = rospy.Publisher("text", String, queue_size=10)
+        cls.text = rospy.Publisher("text", String, queue_size=100)
         wait_until(lambda: cls.text.get_num_connections() >= 2, message="nobody listens to 'text'")
         wait_until(is_pipeline_complete, 120.0, "the pipeline did not come up")
         rospy.wait_for_service("register_with_frame", timeout=60.0)

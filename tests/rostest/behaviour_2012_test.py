@@ -39,7 +39,7 @@ class Behaviour2012Test(unittest.TestCase):
             rospy.Subscriber("filled_lexical_units", FilledLexicalUnitList, cls.units.append, queue_size=100),
             rospy.Subscriber("procedure", Procedure, cls.procedures.append, queue_size=100),
         ]
-        cls.text = rospy.Publisher("text", String, queue_size=10)
+        cls.text = rospy.Publisher("text", String, queue_size=100)
         wait_until(lambda: cls.text.get_num_connections() >= 2, message="nobody listens to 'text'")
         wait_until(is_pipeline_complete, 120.0, "the pipeline did not come up")
         cls.servers = [cls.server(name, frame_name) for name, frame_name in SERVERS]

@@ -80,7 +80,7 @@ class CriesTest(unittest.TestCase):
             rospy.Subscriber("odom", Odometry, cls.on_odometry, queue_size=200),
         ]
         cls.person = rospy.Publisher("person/act", String, queue_size=1)
-        cls.text = rospy.Publisher("text", String, queue_size=10)
+        cls.text = rospy.Publisher("text", String, queue_size=100)
         wait_until(lambda: cls.text.get_num_connections() >= 2, message="nobody listens to 'text'")
         wait_until(is_pipeline_complete, 120.0, "the pipeline did not come up")
         assert can_do(("turning", "moving_forward", "following")), "the robot did not register"

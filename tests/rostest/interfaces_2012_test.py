@@ -90,7 +90,7 @@ class Interfaces2012Test(unittest.TestCase):
         cls.errors: List[str] = []
         cls.goals: List[bytes] = []
         cls.heard: List[Tuple[str, Any]] = []
-        cls.text = rospy.Publisher("text", String, queue_size=10)
+        cls.text = rospy.Publisher("text", String, queue_size=100)
         cls.subscribers = [
             rospy.Subscriber("reply", Reply, cls.replies.append, queue_size=100),
             rospy.Subscriber("goals_2012", String, lambda message: cls.goals.append(bytes.fromhex(message.data))),

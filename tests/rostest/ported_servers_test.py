@@ -116,7 +116,7 @@ class PortedServersTest(unittest.TestCase):
     def setUpClass(cls) -> None:
         cls.replies: List[Reply] = []
         cls.subscriber = rospy.Subscriber("reply", Reply, cls.replies.append, queue_size=100)
-        cls.text = rospy.Publisher("text", String, queue_size=10)
+        cls.text = rospy.Publisher("text", String, queue_size=100)
         cls.numbers = rospy.Publisher("random_number", Float32, queue_size=10)
         cls.timer = rospy.Timer(rospy.Duration(0.02), lambda _: cls.numbers.publish(Float32(data=0.75)))
         wait_until(lambda: cls.text.get_num_connections() >= 2, message="nobody listens to 'text'")

@@ -236,7 +236,6 @@ NO_SPEECH: Dict[str, Tuple[str, str]] = {
         "circle, path, rect, text, class, d, x, y, r, rx, cx, cy, width, height, text-anchor",
     ),
     "web_console/progress.py": ("outcomes of SMACH", "succeeded, aborted, preempted"),
-    "web_console/ros_speaker.py": ("beginnings of ids", "stop-, text-, unheard-"),
     "frame_learning/gpsr_commands.py": (
         "names of the generators' rules and slots",
         "ptask, polite, task, main, please, pmain, sub, pos, paj, posadj",

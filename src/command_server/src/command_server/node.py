@@ -5,7 +5,6 @@ Callbacks only enqueue; one worker thread owns the commands.
 
 import threading
 import time
-import uuid
 from dataclasses import replace
 from typing import Dict, Tuple, Union
 
@@ -46,6 +45,7 @@ from command_server.ros_texts_out import TextsOut
 from command_server.settings import Settings
 from command_server.stop_words import find_cry
 from command_server.withdrawals import Withdrawals, is_against_what_runs
+from roboframenet_ros.command_ids import TextIds, TextSource
 from roboframenet_ros.health import Health
 from roboframenet_ros.suspension import SuspensionWatch
 from robot_stop.braking import Finding, StopOrder
@@ -93,8 +93,7 @@ class CommandServerNode:
         self._withdrawals = Withdrawals(timeout_s=settings.cancel_timeout_s)
         self._store = OpenCommandStore(private + "open_commands")
         self._saved: Tuple[CommandText, ...] = ()
-        self._run_tag = uuid.uuid4().hex[:8]
-        self._text_count = 0
+        self._text_ids = TextIds(TextSource.TEXT)
         self._last_stamp_ns = 0
         self._events: Inbox[_Event] = Inbox()
         self._suspension = SuspensionWatch(longest_turn_s=_LONGEST_TURN_S)
@@ -212,8 +211,7 @@ class CommandServerNode:
             command_id = said.handle.get_goal_id().id
             self._action.accept(said.handle)
         else:
-            self._text_count += 1
-            command_id = f"text-{self._run_tag}-{self._text_count}"
+            command_id = self._text_ids.next_id()
             self._replies.note_taken(said.text)
         refusal = refusal_of_text(said.text, max_length=self._settings.max_text_length) or refusal_of_delay(
             said.delay_s, longest_s=self._settings.longest_delay_s

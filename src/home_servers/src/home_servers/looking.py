@@ -6,6 +6,7 @@ from typing import List, Optional, Tuple
 from home_servers.body import CannotDo
 from home_servers.memory import PERSONS, Known
 from home_servers.skills import HEARERS, SPEAKERS, Skills, argument, said
+from home_servers.statements import Statement, statement_of
 from typed_arguments import FilledFrame, TypedArgument
 from word_classes import without_determiner
 
@@ -19,8 +20,11 @@ _OPPOSITES = {
     "dirty": "clean",
     "clean": "dirty",
     "locked": "unlocked",
+    "unlocked": "locked",
     "shut": "open",
 }
+#: What the robot sees where nothing is, for words of any person and any thing.
+_NONE = {"person": "nobody", "thing": "nothing"}
 
 
 def described(skills: Skills, one: Known) -> str:
@@ -62,8 +66,26 @@ def perceive(skills: Skills, frame: FilledFrame) -> None:
 
 def inspect(skills: Skills, frame: FilledFrame) -> None:
     """Go to something, look at it, and say how it is."""
+    statement = statement_of(f"{frame.text('ground')} {frame.text('desired_state')}")
+    if statement is not None and (statement.is_denied or statement.is_negated):
+        _inspect_denied(skills, statement)
+        return
     for one in skills.find_all(argument(frame, "ground")):
         _inspect_one(skills, one, frame)
+
+
+def _inspect_denied(skills: Skills, statement: Statement) -> None:
+    """Say whether it is so that no thing is somewhere, or is in some state."""
+    if statement.place.text:
+        is_so, seen = _is_at_place(skills, statement)
+        skills.say(f"{'Yes' if is_so else 'No'}, {seen}")
+        return
+    for one in _meant(skills, statement):
+        skills.go(one.id)
+        skills.attempt("look", theme=one.id)
+        has_state = _has_state(skills.memory.get(one.id) or one, statement.state)
+        words = f"{one.the_name} is {'' if has_state else 'not '}{statement.state}"
+        skills.say("I cannot see that." if has_state is None else f"{'No' if has_state else 'Yes'}, {words}.")
 
 
 def _inspect_one(skills: Skills, one: Known, frame: FilledFrame) -> None:
@@ -93,10 +115,58 @@ def _has_state(one: Known, word: str) -> Optional[bool]:
 
 
 def verify(skills: Skills, frame: FilledFrame) -> None:
-    """Make sure that something is open, closed, on or off: change it when it is not."""
+    """Make sure that things are open, closed, on or off, and change what is not; look whether they are at a place.
+
+    Raises:
+        CannotDo: it is not so, and the robot does not change it, or cannot see it
+    """
     words = argument(frame, "content")
-    about, wanted = _content(words)
-    one = skills.find(about, "door", "furniture", "thing")
+    statement = statement_of(words.text)
+    if statement is None:
+        raise CannotDo(f'I do not know how to check "{words.text}".')
+    if statement.place.text:
+        is_so, seen = _is_at_place(skills, statement)
+        if not is_so:
+            raise CannotDo(seen)
+        skills.say(seen)
+        return
+    wanted = _wanted(statement)
+    for one in _meant(skills, statement):
+        _bring_about(skills, one, wanted)
+
+
+def _wanted(statement: Statement) -> str:
+    """Return the state that things shall have.
+
+    Raises:
+        CannotDo: they shall not be in some state, which leaves open how they shall be
+    """
+    if statement.is_denied == statement.is_negated:
+        return statement.state
+    if statement.state not in _OPPOSITES:
+        raise CannotDo(f'I do not know what is not "{statement.state}".')
+    return _OPPOSITES[statement.state]
+
+
+def _meant(skills: Skills, statement: Statement) -> List[Known]:
+    about = replace(statement.about, is_plural=statement.is_of_all)
+    return skills.find_all(about, "door", "furniture", "thing")
+
+
+def _is_at_place(skills: Skills, statement: Statement) -> Tuple[bool, str]:
+    """Look whether things are where they are said to be, and return what the robot sees there."""
+    place = skills.find(statement.place)
+    found = counted(skills, statement.about, statement.place)
+    where = f"{statement.place.relation} {place.the_name}"
+    is_said_to_be_there = statement.is_denied == statement.is_negated
+    if found:
+        names = ", ".join(sorted({one.the_name for one in found}))
+        return is_said_to_be_there, f"I see {names} {where}."
+    about = without_determiner(statement.about.text)
+    return not is_said_to_be_there, f"I see {_NONE.get(about, f'no {about}')} {where}."
+
+
+def _bring_about(skills: Skills, one: Known, wanted: str) -> None:
     skills.go(one.id)
     skills.attempt("look", theme=one.id)
     now = skills.memory.get(one.id) or one
@@ -116,15 +186,6 @@ def verify(skills: Skills, frame: FilledFrame) -> None:
         raise CannotDo(f"I cannot see whether {one.the_name} is {wanted}.")
     kind, value = actions[wanted]
     skills.attempt(kind, theme=one.id, value=value)
-
-
-def _content(words: TypedArgument) -> Tuple[TypedArgument, str]:
-    """Return what a clause is about, and its last word: "the door is closed"."""
-    text = " ".join(words.text.lower().replace("that ", "", 1).split())
-    before, _, after = text.partition(" is ") if " is " in text else text.partition(" are ")
-    if not after:
-        raise CannotDo(f'I do not know how to check "{words.text}".')
-    return TypedArgument(text=before.strip()), after.split()[-1]
 
 
 def count(skills: Skills, frame: FilledFrame) -> None:

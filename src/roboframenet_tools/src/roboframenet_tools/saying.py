@@ -25,6 +25,8 @@ EXIT_STATUS = {
     Outcome.NEEDS_INFORMATION: 4,
     Outcome.SUPERSEDED: 5,
 }
+#: The code of a reply to thanks, a greeting and the like.
+_TALK = "TALK"
 #: Exit status when no reply came.
 NO_REPLY = 6
 
@@ -69,7 +71,8 @@ def format_answer(answer: Answer, *, as_json: bool) -> str:
     """Return the line for the reply."""
     if as_json:
         return json.dumps({"reply": {**asdict(answer), "outcome": answer.outcome.name}})
-    name = answer.outcome.name.lower().replace("_", " ")
+    # "Thank you" asks for nothing, so nothing of it can be done; a person who hears "refused" would wonder what.
+    name = "heard" if answer.code == _TALK else answer.outcome.name.lower().replace("_", " ")
     return f"{name}: {answer.sentence}" + (
         f" [{answer.code} in {answer.stage}]" if answer.outcome is not Outcome.DONE else ""
     )

@@ -1,6 +1,7 @@
 """What rfn say prints and returns."""
 
 import json
+from dataclasses import replace
 
 import pytest
 
@@ -36,6 +37,11 @@ def test_exit_statuses_are_distinct() -> None:
 
 def test_answer_names_code_and_stage() -> None:
     assert format_answer(ANSWER, as_json=False) == 'refused: I do not know "fly". [UNKNOWN_VERB in semantic_framer]'
+
+
+def test_answer_to_thanks_is_no_refusal_for_a_person():
+    answer = replace(ANSWER, code="TALK", sentence="You are welcome.")
+    assert format_answer(answer, as_json=False) == "heard: You are welcome. [TALK in semantic_framer]"
 
 
 def test_json_answer_is_one_object() -> None:

@@ -2,7 +2,6 @@
 
 import threading
 import time
-import uuid
 from dataclasses import dataclass
 from typing import Dict, FrozenSet, Set, Tuple, Union
 
@@ -13,6 +12,7 @@ from std_msgs.msg import String
 
 from command_server.inbox import Inbox
 from command_server.ros_command_action import CommandActionServer
+from roboframenet_ros.command_ids import TextIds, TextSource
 from roboframenet_ros.health import Health, Level
 from roboframenet_ros.ros_node import read_parameters, run_node
 from roboframenet_ros.ros_robots import is_robot_name
@@ -76,8 +76,7 @@ class FleetNode:
         self._places: Tuple[Tuple[str, Place], ...] = ()
         self._told_s = 0.0
         self._was_up = False
-        self._tag = uuid.uuid4().hex[:8]
-        self._count = 0
+        self._text_ids = TextIds(TextSource.TEXT)
         self._reply = rospy.Publisher("reply", Reply, queue_size=1000)
         self._fleet = rospy.Publisher("fleet", Fleet, queue_size=1, latch=True)
         self._service = ServiceWatch(self._hear_verbs, _verbs_of)
@@ -110,8 +109,7 @@ class FleetNode:
         self._action.shutdown()
 
     def _hear_text(self, message: String) -> None:
-        self._count += 1
-        self._events.put(_Said(message.data, f"text-{self._tag}-{self._count}"))
+        self._events.put(_Said(message.data, self._text_ids.next_id()))
 
     def _hear_verbs(self, verbs: Set[str]) -> None:
         self._verbs = frozenset(verbs)

@@ -1,13 +1,13 @@
 """What was said to all robots: it is passed on to those who are meant, and answered once."""
 
 import time
-import uuid
 from dataclasses import dataclass, field
 from typing import Callable, Collection, Dict, List, Optional, Tuple
 
 import rospy
 from roboframenet_msgs.msg import Command, Reply
 
+from roboframenet_ros.command_ids import sent_on_id
 from robot_fleet.addressing import Addressed, Company, Dialogue, Unaddressed, address
 from robot_fleet.answers import Answer, OpenUtterance, Outcome, Sending, missing_answer, robot_of_question
 from robot_fleet.places import Place
@@ -42,7 +42,6 @@ class Utterances:
         # What robots have not begun yet: until when they may, monotonic seconds.
         self._may_begin_s: Dict[str, float] = {}
         self._dialogue = Dialogue()
-        self._tag = uuid.uuid4().hex[:8]
         self._count = 0
 
     @property
@@ -89,7 +88,7 @@ class Utterances:
             unsent, entry.unsent = entry.unsent, []
             for sending, since_s in unsent:
                 self._count += 1
-                sent_id = f"fleet-{self._tag}-{self._count}"
+                sent_id = sent_on_id(entry.command.id, self._count)
                 self._sent[sent_id] = (entry.command.id, sending)
                 if self._links.send(sending.robot, sending.text, command_id=sent_id):
                     self._may_begin_s[sent_id] = time.monotonic() + self._settings.delivery_timeout_s

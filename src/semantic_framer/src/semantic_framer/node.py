@@ -32,6 +32,7 @@ from roboframenet_msgs.msg import (
 from roboframenet_msgs.srv import AddLexicalUnit, AddLexicalUnitRequest, AddLexicalUnitResponse
 from std_msgs.msg import String
 
+from roboframenet_ros.command_ids import is_spoken
 from roboframenet_ros.health import Health, Level
 from roboframenet_ros.ros_hand_over import HandOver
 from roboframenet_ros.ros_node import StartError, read_parameters, run_node
@@ -62,10 +63,7 @@ from utterance_passes.tree import DependencyTree
 from world_model import World
 from world_model.ros_messages import world_from_message
 
-#: Ids of commands that were heard on the topic `text` begin so; others come from the page and from programs.
-_SPOKEN = "text-"
 #: The node keeps the files that were added while it ran in this private parameter.
-#: Private parameter.
 ADDED_LEXICAL_UNITS = "_added_lexical_units"
 #: How long to wait for a frame that was added together with its lexical unit, seconds.
 CATALOGUE_DELAY_S = 1.0
@@ -315,7 +313,7 @@ class SemanticFramer:
                     policy=self._settings.policy,
                     now_s=time.monotonic(),
                     said_s=stamp.to_sec(),
-                    is_at_page=not command.id.startswith(_SPOKEN),
+                    is_at_page=not is_spoken(command.id),
                     trace=trace,
                 )
                 outcome = heard.outcome

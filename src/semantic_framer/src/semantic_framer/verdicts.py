@@ -16,6 +16,7 @@ from semantic_framer.outcome import (
     Policy,
     Refusal,
     join_with_or,
+    left_over_refusal,
     not_then,
 )
 from semantic_framer.plausibility import Filled
@@ -34,7 +35,7 @@ _RENEWING = word_class("renewing_conjunctions")
 
 
 _REPLIES = {
-    QUESTION: 'I can only carry out commands, and "{said}" is a question.',
+    QUESTION: 'I do not know how to answer "{said}".',
     REPORT: '"{said}" does not ask me to do anything.',
     WISH: '"{said}" is something that you want to do. Tell me what I should do.',
     TALK: "I hear you. There is nothing for me to do.",
@@ -181,6 +182,9 @@ def asks_for_nothing(kind: KindVerdict, said: str) -> Refusal:
 def _negated(case: ClauseCase) -> Optional[Refusal]:
     if not case.clause.is_negated and case.kind.kind is not UtteranceKind.PROHIBITION:
         return None
+    if case.kind.kind is UtteranceKind.REPORT and any(kind.acts for kind in case.of.kinds):
+        # "Close the door so nobody comes in" tells what shall not happen, and forbids the robot nothing.
+        return left_over_refusal(case.sentence, sorted(case.clause.positions))
     return Refusal(PROHIBITION, f'I am not doing that. You said not to: "{case.said}".')
 
 

@@ -73,11 +73,16 @@ class StandingOrdersTest(unittest.TestCase):
             rospy.Subscriber("stage_events", StageEvent, cls.hear),
             rospy.Subscriber("standing_orders", StandingOrders, cls.orders.append),
         ]
-        cls.asked = actionlib.ActionClient("standing_orders_server", FilledSemanticFrameAction)
-        assert cls.asked.wait_for_server(rospy.Duration(60.0))
+        cls.meet_server()
         wait_until(lambda: cls.given.get_num_connections() and cls.text.get_num_connections() > 1 and cls.orders)
         replies, events, _ = cls.subscribers
         wait_until(lambda: replies.get_num_connections() and events.get_num_connections() > 1)
+
+    @classmethod
+    def meet_server(cls) -> None:
+        """Connect to the node's server; a client that has seen its server die loses goals while it reconnects."""
+        cls.asked = actionlib.ActionClient("standing_orders_server", FilledSemanticFrameAction)
+        assert cls.asked.wait_for_server(rospy.Duration(60.0))
 
     @classmethod
     def ping(cls, _frame: FilledSemanticFrame) -> None:
@@ -132,6 +137,7 @@ class StandingOrdersTest(unittest.TestCase):
         wait_until(lambda: len(self.orders) > seen)
         wait_until(lambda: self.given.get_num_connections() > 0)
         wait_until(lambda: "blind" not in self.states())
+        self.meet_server()
 
     def new_replies(self, count: int = 1) -> List[Reply]:
         wait_until(lambda: len(self.replies) >= count)

@@ -6,7 +6,6 @@ Callbacks only enqueue; the thread of the brake stops the robot and answers.
 import queue
 import threading
 import time
-import uuid
 from dataclasses import dataclass
 from typing import Dict, Optional, Sequence
 
@@ -24,6 +23,7 @@ from std_msgs.msg import Empty, String
 
 from command_server.ros_orders_back import takes_back
 from command_server.stop_words import is_stop
+from roboframenet_ros.command_ids import TextIds, TextSource
 from roboframenet_ros.ros_node import read_parameters, run_node
 from roboframenet_ros.ros_publishing import publish
 from roboframenet_ros.ros_robots import own_robot
@@ -80,9 +80,9 @@ class StopServerNode:
 
     def __init__(self, settings: BrakeSettings) -> None:
         self._settings = settings
-        self._run_tag = uuid.uuid4().hex[:8]
+        self._stop_ids = TextIds(TextSource.STOP)
+        self._unheard_ids = TextIds(TextSource.UNHEARD)
         self._lock = threading.Lock()
-        self._count = 0
         self._heard: Dict[str, _StopHeard] = {}
         # Owned by the thread of the brake.
         self._told: Dict[str, _Told] = {}
@@ -165,12 +165,12 @@ class StopServerNode:
     def _answer_unheard(self, before_s: float) -> None:
         with self._lock:
             unheard = self._unheard.take_unheard(before_s=before_s)
-        for number, text in enumerate(unheard, start=1):
+        for text in unheard:
             now = rospy.Time.now()
             publish(
                 self._reply,
                 Reply(
-                    command=Command(id=f"unheard-{uuid.uuid4().hex[:8]}-{number}", text=text, stamp=now),
+                    command=Command(id=self._unheard_ids.next_id(), text=text, stamp=now),
                     outcome=Reply.FAILED,
                     stage=STAGE,
                     code="RESTARTED",
@@ -181,8 +181,7 @@ class StopServerNode:
 
     def _stop(self, heard: _StopHeard, *, except_server: str = "") -> None:
         with self._lock:
-            self._count += 1
-            key = f"stop-{self._run_tag}-{self._count}"
+            key = self._stop_ids.next_id()
             self._heard[key] = heard
         self._brake.stop(StopOrder(key=key, stamp_ns=heard.stamp.to_nsec(), except_server=except_server))
 

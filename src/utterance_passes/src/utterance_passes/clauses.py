@@ -26,6 +26,10 @@ _JOINING = _ORDER | {"and"}
 _NO_THINGS = word_class("no_things")
 _QUESTION_WORDS = word_class("question_words")
 _REQUEST_VERBS = word_class("request_verbs")
+#: Words that forbid behind "make sure"; "make sure *nobody* comes in" says how things shall be.
+_FORBIDDING = _NEGATIONS - _NO_THINGS
+#: Relations of clauses that state something inside an order.
+_STATING = ("ccomp", "advcl", "acl", "csubj")
 
 
 @dataclass(frozen=True)
@@ -70,9 +74,8 @@ def find_clauses(tree: DependencyTree, vocabulary: Vocabulary = Verbs()) -> Tupl
                 others |= tree.subtree(tops[other])
         positions = set(tree.subtree(tops[index])) - others - tree.abandoned
         # The words around a wrapped request ("I want you to ...") belong to it.
-        clauses.append(
-            clause_of(tree, index, frozenset(positions), is_negated or _is_of_nothing(tree, frozenset(positions)))
-        )
+        own = frozenset(positions)
+        clauses.append(clause_of(tree, index, own, is_negated or _is_of_nothing(tree, index, own)))
     return tuple(
         piece
         for clause in clauses
@@ -230,7 +233,7 @@ def _assures_not(tree: DependencyTree, verb: Word) -> bool:
     behind = [word.form.lower() for word in tree.words[verb.index :]]
     if not behind or behind[0] not in _CERTAIN:
         return False
-    return next((form for form in behind[1:] if form not in _BEFORE_NOT), "") in _NEGATIONS
+    return next((form for form in behind[1:] if form not in _BEFORE_NOT), "") in _FORBIDDING
 
 
 def _asks_somebody_else(vocabulary: Vocabulary, verb: Word, children: Tuple[Word, ...]) -> bool:
@@ -267,12 +270,12 @@ def _has_negation(tree: DependencyTree, word: Word) -> bool:
     )
 
 
-def _is_of_nothing(tree: DependencyTree, positions: FrozenSet[int]) -> bool:
+def _is_of_nothing(tree: DependencyTree, verb: int, positions: FrozenSet[int]) -> bool:
     """Whether a clause names no thing, or excludes one: "take no box", "none of the boxes", "not the plate".
 
-    In "say no", the word is quoted and negates nothing.
+    In "say no", the word is quoted and negates nothing; in "make sure that nobody is in", it negates another verb.
     """
-    words = [tree.word(index) for index in sorted(positions - tree.quoted)]
+    words = [tree.word(index) for index in sorted(positions - tree.quoted - _said_of_others(tree, verb, positions))]
     forms = [word.form.lower() for word in words]
     if any(f"{form} {after}" in _NO_LONGER for form, after in zip(forms, forms[1:])):
         return True
@@ -287,11 +290,28 @@ def _is_of_nothing(tree: DependencyTree, positions: FrozenSet[int]) -> bool:
     )
 
 
+def _said_of_others(tree: DependencyTree, verb: int, positions: FrozenSet[int]) -> FrozenSet[int]:
+    """Return the words of clauses that tell how things are: "make sure that *nobody is in the garage*".
+
+    What the hearer shall do or leave is the order itself: "make sure *you* touch nothing".
+    """
+    found: Set[int] = set()
+    for index in positions - {verb, _top(tree, verb)}:
+        word = tree.word(index)
+        if word.deprel.split(":")[0] not in _STATING or verb in tree.subtree(index):
+            continue
+        subject = next((child for child in tree.children(index) if child.deprel.startswith("nsubj")), None)
+        if subject is not None and subject.form.lower() != "you":
+            found |= tree.subtree(index)
+    return frozenset(found)
+
+
 def whole_sentence(tree: DependencyTree, verb: int) -> Clause:
     """Return a sentence as one clause: the parser found no verb, but the lexicon knows the first word as one."""
     positions = frozenset(word.index for word in tree.words) - tree.abandoned
-    is_negated = any(_has_negation(tree, tree.word(index)) for index in positions)
-    clause = clause_of(tree, verb, positions, is_negated or _is_of_nothing(tree, positions))
+    own = positions - _said_of_others(tree, verb, positions)
+    is_negated = any(_has_negation(tree, tree.word(index)) for index in own)
+    clause = clause_of(tree, verb, positions, is_negated or _is_of_nothing(tree, verb, positions))
     return replace(clause, lemma=tree.word(verb).form.lower(), subject=0)
 
 

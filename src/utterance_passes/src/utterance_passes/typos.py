@@ -100,6 +100,9 @@ def _meant(word: str, before: Sequence[str], vocabulary: Verbs) -> Optional[str]
         or before[-1].endswith(_GERUND)  # "following alice" has no "slice"
     ):
         found = [near for near in found if near not in vocabulary.words]
+    if not before:
+        # The first letter of a word is seldom wrong: "Alice" is a name, and no "slice".
+        found = [near for near in found if near[0] == said[0] or sorted(near) == sorted(said)]
     found = [near for near in found if sorted(near) == sorted(said)] or found
     if len({_unit_name(near) for near in found}) != 1:
         return None

@@ -9,6 +9,7 @@ from roboframenet_msgs.msg import StopReport
 from tornado.ioloop import IOLoop, PeriodicCallback
 
 from command_server.ros_settings import StopTargets
+from roboframenet_ros.command_ids import came_by_action
 from roboframenet_ros.ros_node import StartError, read_parameters, run_node
 from robot_stop.settings import BrakeSettings
 from web_console.access import AccessError, check_access
@@ -18,7 +19,7 @@ from web_console.requests import Cancel, Request, Say
 from web_console.ros_ground import GroundTap
 from web_console.ros_knowledge import KnowledgeTap
 from web_console.ros_listener import Listener
-from web_console.ros_speaker import Speaker, came_by_action
+from web_console.ros_speaker import Speaker
 from web_console.settings import Settings
 from web_console.site import Callbacks, Site, SiteSettings
 from web_console.views import AbilitiesView, HealthView, StopView

@@ -22,15 +22,8 @@ _SILENCE_S = 0.3
 _SLACK_S = 2.0
 #: Ids of goals of pages begin with this.
 _PREFIX = "console"
-#: What command_server and stop_server call commands that came as text; nobody can cancel those by their id.
-_TEXT_IDS = ("text-", "stop-", "unheard-")
 
 Later = Callable[[float, Callable[[], None]], None]
-
-
-def came_by_action(command_id: str) -> bool:
-    """Whether a command is a goal of the action ``command``, which can be cancelled by its id."""
-    return not command_id.startswith(_TEXT_IDS)
 
 
 class Speaker:

@@ -20,7 +20,8 @@ def set_preempt_handler(sc: smach.State) -> None:
 
     The outermost container is enough: it hands the request on. While it ends, for at most 60 s, the node is up: the
     states behind "preempted" still reach topics, services and actions. Run the machine in a thread of its own for this:
-    Ctrl-C interrupts the main thread, so a machine that the main thread runs cannot go on, and is only asked.
+    Ctrl-C interrupts the main thread, so a machine that the main thread runs cannot go on, and is only asked; not even
+    that, if it was about to start a state.
     """
 
     def stop() -> None:

@@ -6,6 +6,7 @@ import signal
 import subprocess
 import sys
 import threading
+import time
 import unittest
 
 import actionlib
@@ -43,6 +44,8 @@ class PreemptHandlerTest(unittest.TestCase):
         process = subprocess.Popen([sys.executable, path], stdout=subprocess.PIPE, universal_newlines=True)
         try:
             self.assertTrue(self.accepted.wait(30.0))
+            # Ctrl-C interrupts the main thread; while that starts a state, it holds a lock that the request needs.
+            time.sleep(1.0)
             process.send_signal(signal.SIGINT)
             self.assertTrue(self.cancelled.wait(30.0), "the goal outlives the program")
             return process.communicate(timeout=30.0)[0]
