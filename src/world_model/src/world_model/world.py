@@ -283,10 +283,10 @@ class World:
 
     def prepare(self) -> "World":
         """Look up now what queries need of the whole world, so that the first one is as fast as the others."""
-        for index in ("_by_name", "_categories_below", "_inside", "_related", "_squares", "_distance_m"):
-            getattr(self, index)
-        for one in self.objects:
-            getattr(one, "properties")
+        indices = ("_by_name", "_categories_below", "_inside", "_related", "_squares", "_distance_m")
+        of_objects = [(one, "properties") for one in self.objects]
+        for owner, name in [*((self, index) for index in indices), *of_objects]:
+            getattr(owner, name)
         return self
 
     def owners(self, one: WorldObject) -> Tuple[WorldObject, ...]:
@@ -316,18 +316,21 @@ def _squares_of(objects: Iterable[WorldObject]) -> Mapping[_Square, Sequence[_Sp
 
 def _beside(references: Iterable[WorldObject], squares: Mapping[_Square, Sequence[_Spot]]) -> Set[str]:
     """Return the ids of what stands beside any of some objects, by their poses."""
-    found: Set[str] = set()
+    around: Dict[_Square, List[_Spot]] = {}
     for reference in references:
         pose = reference.pose
-        if pose is None or reference.sort is Sort.PLACE:
-            continue
-        frame_id, column, row = _square(pose)
-        found.update(
-            name
-            for square in product((frame_id,), (column - 1, column, column + 1), (row - 1, row, row + 1))
-            for name, x_m, y_m in squares.get(square, ())
-            if math.hypot(x_m - pose.x_m, y_m - pose.y_m) <= NEAR_M and name != reference.id
-        )
+        if pose is not None and reference.sort is not Sort.PLACE:
+            frame_id, column, row = _square(pose)
+            for square in product((frame_id,), (column - 1, column, column + 1), (row - 1, row, row + 1)):
+                if square in squares:
+                    around.setdefault(square, []).append((reference.id, pose.x_m, pose.y_m))
+    found: Set[str] = set()
+    for square, spots in around.items():
+        for name, x_m, y_m in squares[square]:
+            for other, other_x_m, other_y_m in spots:
+                if math.hypot(x_m - other_x_m, y_m - other_y_m) <= NEAR_M and name != other:
+                    found.add(name)
+                    break  # One that is near is enough, however many there are.
     return found
 
 
