@@ -2,8 +2,8 @@
 """Measures a simulated Turtlebot in the compact form: memory, the time until it obeys, and what it costs while idle.
 
 Memory is the proportional set size (PSS): what processes share counts once. Processor time is that of the kernel's
-account of each process: until the first command was done, and then while idle, beside a bare rospy node. `compact.py --apart` measures the form of many
-processes.
+account of each process: until the first command was done, and then while idle, beside a bare rospy node.
+`compact.py --apart` measures the form of many processes.
 """
 
 import argparse
