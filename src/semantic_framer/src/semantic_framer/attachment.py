@@ -4,6 +4,7 @@ for it.
 
 from typing import AbstractSet, Collection, FrozenSet, Sequence, Tuple
 
+from semantic_frames.extra_thematic import is_of_every_action
 from utterance_passes.tree import DependencyTree
 from word_classes import word_class
 
@@ -35,7 +36,7 @@ def is_postmodifier_of(tree: DependencyTree, index: int, head: int, is_described
     if word.deprel == "advmod":
         return word.form.lower() in _PLACE_ADVERBS
     prepositions = [child.form.lower() for child in tree.children(index) if child.deprel == "case"]
-    if not prepositions or not _is_prepositional(tree, index):
+    if not prepositions or not _is_prepositional(tree, index) or is_of_every_action(prepositions[0], word.form):
         return False
     # "The door on the left", with the tag of the adverb.
     if word.upos == "ADV" and word.form.lower() not in _LEFT_AND_RIGHT:
@@ -44,6 +45,13 @@ def is_postmodifier_of(tree: DependencyTree, index: int, head: int, is_described
         return True  # "the door to your left"
     is_thing = word.upos != "PRON" and not any(child.deprel == "case" for child in tree.children(head))
     return prepositions[0] in _PLACE_PREPOSITIONS or (is_described and is_thing and prepositions[0] in _OF_A_THING)
+
+
+def is_place_in_a_row(tree: DependencyTree, index: int) -> bool:
+    """Whether a phrase says from which side a thing is counted: "the second bottle *from the left*"."""
+    word = tree.word(index)
+    prepositions = [child.form.lower() for child in tree.children(index) if child.deprel == "case"]
+    return word.form.lower() in _LEFT_AND_RIGHT and word.deprel == "nmod" and prepositions == ["from"]
 
 
 def _is_prepositional(tree: DependencyTree, index: int) -> bool:

@@ -12,6 +12,7 @@ from semantic_framer.attachment import (
     is_later_item,
     is_of_one_direction,
     is_of_something,
+    is_place_in_a_row,
     is_postmodifier_of,
     persons_behind,
     places_before,
@@ -306,6 +307,7 @@ class _Filling:
             for head in found
             if head not in particle
             and head not in self._sentence.described
+            and not is_place_in_a_row(self._sentence.tree, head)
             and not self._sentence.word(head).deprel.startswith("acl")  # "which is on the bed"
         ]
         self._moved.update(heads)

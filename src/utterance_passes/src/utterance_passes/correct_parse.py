@@ -215,6 +215,8 @@ def with_sides_apart(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
         numbers = [child.index for child in (*tree.children(governor.index), governor) if _is_numeral(child)]
         if not numbers or side.index > min(numbers) or not governor.head or not _is_of_a_measure(governor):
             continue
+        if _is_thing(tree, governor):
+            continue
         edit = TreeEdit(tree)
         own = [
             child
@@ -230,6 +232,13 @@ def with_sides_apart(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
             edit.relabel(governor.index, "obl:unmarked")
         tree = edit.tree()
     return tree
+
+
+def _is_thing(tree: DependencyTree, word: Word) -> bool:
+    """Whether "one" is a thing and no number: "next to *the right one*" at the end."""
+    is_last = all(other.upos == "PUNCT" for other in tree.words[word.index :])
+    is_one = word.form.lower() == "one" and any(child.deprel == "det" for child in tree.children(word.index))
+    return is_one and is_last
 
 
 def _is_joined(tree: DependencyTree, word: Word) -> bool:
