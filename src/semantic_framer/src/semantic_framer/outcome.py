@@ -138,4 +138,5 @@ def left_over_refusal(sentence: Sentence, positions: Sequence[int], unheeded: Se
 
 def not_then(sentence: Sentence, positions: Iterable[int]) -> Refusal:
     """Return the refusal of a command for another time or under a condition."""
-    return Refusal("CONDITION", f'I can only act now, not "{sentence.text(sorted(positions))}".')
+    said = sentence.text(sorted(positions)).strip(" ,")
+    return Refusal("CONDITION", f'I do not understand "{said}" as a time or a condition, so I do nothing.')

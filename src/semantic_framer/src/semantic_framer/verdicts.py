@@ -31,6 +31,7 @@ from utterance_passes.verb_matching import VerbMatch
 from word_classes import word_class
 
 _CONDITIONS = word_class("conditions")
+_REASONS = word_class("subordinators") - _CONDITIONS
 _RENEWING = word_class("renewing_conjunctions")
 
 
@@ -86,7 +87,8 @@ class Case:
         if not self.acts or not self.kind_of(clause).is_background:
             return False
         # "When I come home turn on the light": it is a condition.
-        if self.sentence.word(min(clause.positions)).form.lower() in _CONDITIONS:
+        begin = self.sentence.word(min(clause.positions))
+        if begin.form.lower() in _CONDITIONS or (begin.deprel == "mark" and begin.form.lower() not in _REASONS):
             return False
         # An amount in such a clause may belong to the command: "turn left, anything but one point six radians".
         if any(amount.unit or amount.is_doubtful for amount in amounts_of(tree, clause.positions, clause.verb)):

@@ -280,7 +280,11 @@ def _is_of_nothing(tree: DependencyTree, verb: int, positions: FrozenSet[int]) -
     if any(f"{form} {after}" in _NO_LONGER for form, after in zip(forms, forms[1:])):
         return True
     # "Go to the office and not to the kitchen", "turn right then not left": a part of the clause is forbidden.
-    if any(_has_negation(tree, word) and (word.deprel == "conj" or _is_shared(tree, word)) for word in words):
+    # "Not before noon" says when.
+    if any(
+        _has_negation(tree, word) and (word.deprel == "conj" or _is_shared(tree, word)) and not _is_time(tree, word)
+        for word in words
+    ):
         return True
     return any(
         form in _NO_THINGS
@@ -288,6 +292,11 @@ def _is_of_nothing(tree: DependencyTree, verb: int, positions: FrozenSet[int]) -
         and (word.deprel == "det" or word.deprel.split(":")[0] in ("obj", "iobj", "obl", "nsubj", "conj"))
         for word, form in zip(words, forms)
     )
+
+
+def _is_time(tree: DependencyTree, word: Word) -> bool:
+    """Whether a preposition of time stands before a word: "before noon"."""
+    return any(child.deprel == "case" and child.form.lower() in _CONDITIONS for child in tree.children(word.index))
 
 
 def _said_of_others(tree: DependencyTree, verb: int, positions: FrozenSet[int]) -> FrozenSet[int]:
