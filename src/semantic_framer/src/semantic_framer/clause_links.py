@@ -20,6 +20,7 @@ _DELAYS = word_class("delay_prepositions")
 _PERIODS = word_class("period_determiners")
 _BORDERS = word_class("clause_borders")
 _LIMITS = word_class("limits_before_times")
+_TIMES = word_class("iteration_adverbs")
 _MANY, _WHO = word_class("persons_among_many"), word_class("relative_persons")
 #: Relations of a verb that belongs to what is before it.
 _INNER = frozenset(["amod", "compound", "xcomp", "aux", "aux:pass", "cop"])
@@ -160,8 +161,9 @@ class _Finder:
                 place = end
                 continue
             link, length = shipped_links().link_at(self.forms[place:])
-            is_last = all(word.upos == "PUNCT" for word in self.words[place + length :])
-            if link is not None and (is_last or self._is_subordinating(place, length)):
+            is_last = self._is_end(place + length)
+            is_number = is_last and self.forms[place + length - 1] in _TIMES  # "Only once".
+            if link is not None and not is_number and (is_last or self._is_subordinating(place, length)):
                 rest = [word.index for word in self.words[place:] if word.upos != "PUNCT"]
                 if not question and not unknown and len(rest) == length:
                     question = link.question
@@ -400,10 +402,10 @@ class _Finder:
         return self._joint(joiner, place, place + length, length, None), place + length
 
     def _has_more(self, place: int, length: int) -> bool:
-        """Whether a joiner is the beginning of a condition: "*if you can't* find my keys", but not "if you can't, wait"."""
+        """Whether a joiner begins a condition: "*if you can't* find my keys", but not "if you can't, wait"."""
         behind = self.words[place + length : place + length + 1]
-        last = self.words[place + length - 1 : place + length]
-        return bool(behind and last) and behind[0].upos == "VERB" and last[0].head == behind[0].index and length > 1
+        inside = self.words[place : place + length]
+        return any(word.deprel == "aux" and word.head == verb.index for verb in behind for word in inside)
 
     def _is_front(self, place: int) -> bool:
         before = self.words[place - 1] if place else None

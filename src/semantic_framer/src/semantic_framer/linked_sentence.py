@@ -413,4 +413,6 @@ def _is_front(sentence: Sentence, positions: Sequence[int]) -> bool:
     if not words or positions[0] != words[0].index:
         return False
     behind = next((place for place, word in enumerate(words) if word.form == ","), len(words)) + 1
-    return behind < len(words) and words[behind].upos == "VERB" and words[behind].xpos in ("VB", "VBP")
+    # A verb alone is easily taken for a noun: "while the music plays, *dance*".
+    left = [word for word in words[behind:] if word.upos != "PUNCT"]
+    return bool(left) and (len(left) == 1 or (left[0].upos == "VERB" and left[0].xpos in ("VB", "VBP")))

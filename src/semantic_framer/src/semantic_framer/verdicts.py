@@ -86,16 +86,15 @@ class Case:
         tree = self.sentence.tree
         if not self.acts or not self.kind_of(clause).is_background:
             return False
-        # "When I come home turn on the light": it is a condition.
-        begin = self.sentence.word(min(clause.positions))
-        if begin.form.lower() in _CONDITIONS or (begin.deprel == "mark" and begin.form.lower() not in _REASONS):
+        first = self.sentence.word(min(clause.positions))
+        # "When I come home turn on the light", "in case it rains close the window": it is a condition.
+        if first.form.lower() in _CONDITIONS or (first.deprel == "mark" and first.form.lower() not in _REASONS):
             return False
         # An amount in such a clause may belong to the command: "turn left, anything but one point six radians".
         if any(amount.unit or amount.is_doubtful for amount in amounts_of(tree, clause.positions, clause.verb)):
             return False
         if clause.verb < max(other.verb for other in self.clauses):
             return True
-        first = self.sentence.word(min(clause.positions))
         before = self.sentence.word(first.index - 1) if first.index > 1 else first
         is_joined = bool({before.deprel, first.deprel} & {"punct", "cc", "mark"})
         return is_joined or first.form.lower() in _RENEWING
@@ -185,7 +184,7 @@ def _negated(case: ClauseCase) -> Optional[Refusal]:
     if not case.clause.is_negated and case.kind.kind is not UtteranceKind.PROHIBITION:
         return None
     if case.kind.kind is UtteranceKind.REPORT and any(kind.acts for kind in case.of.kinds):
-        # "Close the door so nobody comes in" tells what shall not happen, and forbids the robot nothing.
+        # "Close the door so nobody comes in" forbids the robot nothing.
         return left_over_refusal(case.sentence, sorted(case.clause.positions))
     return Refusal(PROHIBITION, f'I am not doing that. You said not to: "{case.said}".')
 
