@@ -261,7 +261,7 @@ NO_SPEECH: Dict[str, Tuple[str, str]] = {
         "keys of a file",
         "relations, directions, quantifiers, bounds, exceptions",
     ),
-    "semantic_framer/fragments.py": ("kinds of fragments", "openings, endings, faster, slower"),
+    "semantic_framer/fragments.py": ("kinds of fragments", "openings, endings, faster, slower, louder, quieter"),
     "semantic_framer/link_file.py": (
         "keys of a file",
         "links, joiners, deeds, orders, counts, bounds, words, kind, name, question",
