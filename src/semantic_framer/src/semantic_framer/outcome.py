@@ -8,6 +8,7 @@ from semantic_framer.clause_plan import PlanPart
 from semantic_framer.reading import Reading
 from semantic_framer.sentence import Sentence
 from typed_arguments import TypedArgument
+from utterance_passes.clauses import Clause, excluded_phrase
 
 #: Codes of refusals of objections to something that runs.
 PROHIBITION = "NEGATED"
@@ -134,6 +135,14 @@ def left_over_refusal(sentence: Sentence, positions: Sequence[int], unheeded: Se
         f'I do not understand "{" ".join(words)}" in "{sentence.tree.text.strip()}", so I do nothing.',
         left_over=words,
     )
+
+
+def not_to_be_done(sentence: Sentence, clause: Clause, said: str) -> Refusal:
+    """Return the refusal of a clause that is negated, or excludes something: "go there, but *not through the hall*"."""
+    left_out = sorted(excluded_phrase(sentence.tree, clause))
+    if left_out:
+        return Refusal(PROHIBITION, f'I am not doing that, because you said "{sentence.text(left_out)}".')
+    return Refusal(PROHIBITION, f'I am not doing that. You said not to: "{said}".')
 
 
 def not_then(sentence: Sentence, positions: Iterable[int]) -> Refusal:

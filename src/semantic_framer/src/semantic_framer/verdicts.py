@@ -7,7 +7,6 @@ from semantic_framer import plausibility
 from semantic_framer.framed_lexicon import FramedLexicon
 from semantic_framer.mood_file import UtteranceKind
 from semantic_framer.outcome import (
-    PROHIBITION,
     QUESTION,
     REPORT,
     TALK,
@@ -18,6 +17,7 @@ from semantic_framer.outcome import (
     join_with_or,
     left_over_refusal,
     not_then,
+    not_to_be_done,
 )
 from semantic_framer.plausibility import Filled
 from semantic_framer.reading import Reading, rank
@@ -31,7 +31,6 @@ from utterance_passes.verb_matching import VerbMatch
 from word_classes import word_class
 
 _CONDITIONS = word_class("conditions")
-_REASONS = word_class("subordinators") - _CONDITIONS
 _RENEWING = word_class("renewing_conjunctions")
 _REPLIES = {
     QUESTION: 'I do not know how to answer "{said}".',
@@ -86,7 +85,8 @@ class Case:
             return False
         first = self.sentence.word(min(clause.positions))
         # "When I come home turn on the light", "in case it rains close the window": it is a condition.
-        if first.form.lower() in _CONDITIONS or (first.deprel == "mark" and first.form.lower() not in _REASONS):
+        is_phrase = first.deprel == "mark" and any(child.deprel == "fixed" for child in tree.children(first.index))
+        if is_phrase or first.form.lower() in _CONDITIONS:
             return False
         # An amount in such a clause may belong to the command: "turn left, anything but one point six radians".
         if any(amount.unit or amount.is_doubtful for amount in amounts_of(tree, clause.positions, clause.verb)):
@@ -182,9 +182,8 @@ def _negated(case: ClauseCase) -> Optional[Refusal]:
     if not case.clause.is_negated and case.kind.kind is not UtteranceKind.PROHIBITION:
         return None
     if case.kind.kind is UtteranceKind.REPORT and any(kind.acts for kind in case.of.kinds):
-        # "Close the door so nobody comes in" forbids the robot nothing.
         return left_over_refusal(case.sentence, sorted(case.clause.positions))
-    return Refusal(PROHIBITION, f'I am not doing that. You said not to: "{case.said}".')
+    return not_to_be_done(case.sentence, case.clause, case.said)
 
 
 def _condition_without_verb(case: ClauseCase) -> Optional[Refusal]:
