@@ -213,7 +213,8 @@ class _Filling:
                 if numeral is not None:
                     self._numeral_of[relation.name] = numeral
                     return
-                if not relation.words and (self._is_in_a_measure(head) or is_adverb):
+                is_setting = relation.is_required and path.steps == ("prep_to",)  # "set the oven to 200 degrees"
+                if not relation.words and ((self._is_in_a_measure(head) and not is_setting) or is_adverb):
                     continue
                 self._heads[relation.name] = head
                 self._listed[relation.name] = listed
