@@ -4,13 +4,13 @@
 import statistics
 import sys
 import time
-from typing import Dict, List
+from typing import Dict, List, Tuple
 
 from phrase_meanings.phrases import Phrases
 from referring_expressions import Situation, resolve
 from stanford_parser_ros.model import shipped_parser
 from typed_arguments import TypedArgument
-from world_model import Pose, Relation, Sort, World, WorldObject
+from world_model import Pose, Relation, Sort, WorldObject
 from world_model.world import snapshot
 
 COUNTS = (50, 5000)
@@ -24,11 +24,22 @@ PHRASES = (
     "All chairs in the kitchen.",
     "The biggest container.",
     "The thing on the left.",
+    "A blue book on the coffee table.",
+    "The smallest red plate in room 3.",
+    "My mug.",
+    "All red things.",
+    "Everything on the table.",
+    "The thing near the lamp.",
+    "The towel behind the box.",
+    "The things in the kitchen that are not red.",
+    "The highest white bottle in the kitchen.",
+    "The chair next to the door.",
+    "The other mug.",
 )
 
 
-def world_of(count: int) -> World:
-    """Return a world of some objects in twenty rooms."""
+def objects_of(count: int) -> Dict[str, WorldObject]:
+    """Return objects in twenty rooms, by id."""
     known: Dict[str, WorldObject] = {
         f"room_{number}": WorldObject(f"room_{number}", Sort.PLACE, "kitchen" if not number else f"room {number}")
         for number in range(20)
@@ -50,29 +61,37 @@ def world_of(count: int) -> World:
             relations=(place,),
         )
     known["robot"] = WorldObject("robot", Sort.ROBOT, pose=Pose("map", 0.0, 0.0))
-    return snapshot("1", known).prepare()
+    return known
 
 
 def main() -> int:
     """Run the comparison."""
     parser = shipped_parser()
-    arguments: List[TypedArgument] = []
+    arguments: Dict[str, TypedArgument] = {}
     for text in PHRASES:
         tree = parser.parse(text, frozenset())
-        arguments.append(Phrases(tree).argument("theme", tree.children(0)[0].index))
-    situations = {count: Situation(world_of(count)) for count in COUNTS}
-    times_ms: Dict[int, List[float]] = {count: [] for count in COUNTS}
-    for _ in range(ROUNDS):
-        for count, situation in situations.items():
-            for argument in arguments:
+        arguments[text] = Phrases(tree).argument("theme", tree.children(0)[0].index)
+    objects = {count: objects_of(count) for count in COUNTS}
+    times_ms: Dict[Tuple[int, str], List[float]] = {(count, text): [] for count in COUNTS for text in PHRASES}
+    for number in range(ROUNDS):
+        for count, known in objects.items():
+            # A robot hears of the world anew with each change: nothing is left of earlier phrases.
+            situation = Situation(snapshot(str(number), known).prepare())
+            for text in PHRASES[number % len(PHRASES) :] + PHRASES[: number % len(PHRASES)]:
                 began_s = time.process_time()
-                resolve(argument, situation)
-                times_ms[count].append(1000.0 * (time.process_time() - began_s))
+                resolve(arguments[text], situation)
+                times_ms[count, text].append(1000.0 * (time.process_time() - began_s))
+    late = {key: statistics.quantiles(times, n=20)[-1] for key, times in times_ms.items()}
     for count in COUNTS:
-        median, most = statistics.median(times_ms[count]), sorted(times_ms[count])[-len(PHRASES)]
-        sys.stdout.write(f"{count:5} objects: median {median:.2f} ms, slowest {most:.2f} ms for a phrase\n")
-    is_fast = statistics.quantiles(times_ms[COUNTS[1]], n=20)[-1] <= LIMIT_MS
-    sys.stdout.write(f"at most {LIMIT_MS:g} ms with {COUNTS[1]} objects: {'yes' if is_fast else 'NO'}\n")
+        slowest = max(PHRASES, key=lambda text: late[count, text])
+        median = statistics.median(statistics.median(times_ms[count, text]) for text in PHRASES)
+        of_slowest = statistics.median(times_ms[count, slowest])
+        sys.stdout.write(
+            f"{count:5} objects: median {median:.2f} ms; slowest phrase {slowest!r}: median {of_slowest:.2f} ms, "
+            f"95 of 100 times within {late[count, slowest]:.2f} ms\n"
+        )
+    is_fast = max(late[COUNTS[-1], text] for text in PHRASES) <= LIMIT_MS
+    sys.stdout.write(f"every phrase at most {LIMIT_MS:g} ms with {COUNTS[-1]} objects: {'yes' if is_fast else 'NO'}\n")
     return 0 if is_fast else 1
 
 

@@ -9,7 +9,7 @@ from contextlib import ExitStack
 from typing import Any, Dict, List, Sequence
 
 from offline_pipeline.knowledge import load_knowledge, shipped_domains
-from roboframenet_testing import comes_true
+from roboframenet_testing import comes_true, wait_until
 
 from .demand import Demand, Figure, Trial, all_of, at_most, none_of, quantile, values
 from .ros_robot import NODES, STAGES, Robot, running_robot, suspended
@@ -33,10 +33,10 @@ class OnRobot(Demand):
     def be_ready(self) -> None:
         """Let the robot stand and every node run, whatever the last trial left behind."""
         self.robot.say("Stop.")
-        comes_true(lambda: len(self.robot.pids()) == len(NODES), 60.0)
+        wait_until(lambda: len(self.robot.pids()) == len(NODES), 60.0, "a node does not come back")
         self.robot.stand()
         for text in ("Ping.", "Turn left 1 degree."):
-            comes_true(lambda text=text: self.robot.outcome_of(text, 5.0) == "DONE", 60.0)
+            wait_until(lambda text=text: self.robot.outcome_of(text, 5.0) == "DONE", 60.0, f"not done: {text}")
         self.robot.forget()
 
 
@@ -135,7 +135,7 @@ class KilledNodes(OnRobot):
         parser = [trial for trial in trials if trial["node"] == "stanford_parser_ros"]
         others = [trial for trial in trials if trial["node"] != "stanford_parser_ros"]
         figures += [
-            at_most("... the parser, which loads its models", parser, "next_done_s", 8.0),
+            at_most("... the parser, which loads its models", parser, "next_done_s", 5.0),
             at_most("... all others", others, "next_done_s", 5.0),
         ]
         figures += [none_of(key, trials, key) for key in keys]

@@ -1,6 +1,7 @@
 """The whole graph started and ended: R10, R11 and R13. Each trial is a process of its own with a master of its own."""
 
 import json
+import math
 import os
 import random
 import subprocess
@@ -153,6 +154,8 @@ def odd_clock(way: str) -> Mapping[str, Any]:
         if clock is None:
             robot.reply_to(text, _REPLY_S)
             clock = _Clock()
+            # A robot whose odometry has not come yet refuses to move, and is right.
+            comes_true(lambda: robot.speed < math.inf, _REPLY_S)
         else:
             robot.say(text)
             comes_true(lambda: robot.speed > MOTION, 20.0)

@@ -33,6 +33,7 @@ SENTENCES: Tuple[Tuple[str, Tuple[str, ...], str], ...] = (
     ("Somebody, turn left 20 degrees.", ("alpha",), "DONE"),
     ("Delta, turn left 20 degrees.", (), "UNKNOWN_ROBOT"),
     ("Rosie, turn left 20 degrees.", (), "UNKNOWN_ROBOT"),
+    ("Stop Alpha.", (), "DONE"),
     ("Everybody stop.", (), "DONE"),
 )
 

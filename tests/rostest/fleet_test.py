@@ -44,6 +44,7 @@ class FleetTest(unittest.TestCase):
         for text, to, stopped in (
             ("Stop.", "alpha", ("alpha",)),
             ("Beta, stop.", "", ("beta",)),
+            ("Stop gamma.", "", ("gamma",)),
             ("Stop.", "", ROBOTS),
         ):
             self.robots.all_move()

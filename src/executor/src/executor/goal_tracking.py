@@ -117,6 +117,7 @@ class Goal:
         status: last status of the server
         outcome: only when ended
         reason: why it did not succeed, a clause that follows the name of the server; empty for success
+        answer: what the server told when it succeeded; empty for nothing
         is_orphaned: the goal ended here but the server never said that it stopped
         is_withheld: the executor did not try the server: it is out of use, or the command has no time left
     """
@@ -133,6 +134,7 @@ class Goal:
     status: GoalStatusCode = GoalStatusCode.PENDING
     outcome: Optional[Outcome] = None
     reason: str = ""
+    answer: str = ""
     is_orphaned: bool = False
     is_withheld: bool = False
 
@@ -196,7 +198,7 @@ def hear_result(goal: Goal, status: int, *, success: Optional[bool], text: str, 
         missing = "sent no result" if success is None else "its result says that it did not succeed"
         return _end(goal, Outcome.FAILED, f"said {code.name} but {missing}{remark}")
     if outcome is Outcome.SUCCEEDED:
-        return _end(goal, Outcome.SUCCEEDED, "")
+        return replace(_end(goal, Outcome.SUCCEEDED, ""), answer=text.strip())
     return _end(goal, outcome, f"{_VERBS[code]}{remark}")
 
 

@@ -8,7 +8,7 @@ from arbitrator.node_runs import ABORTED, PREEMPTED, SUCCEEDED, EndedBy
 from arbitrator.plan import CONDITIONS, AnyCondition, Do, If, Part, Plan, Repeat, Until, Wait, While, parts_of, walk
 from arbitrator.rest_of_plan import join_with_and
 from executor.command_queue import Cause
-from executor.goal_tracking import Goal, Outcome, describe_failures
+from executor.goal_tracking import Goal, Outcome, as_sentence, describe_failures
 from executor.run_record import NodeRecord
 
 
@@ -93,7 +93,7 @@ def ending_of_run(
     if outcome == SUCCEEDED:
         # Also when a preemption was requested: it succeeded first.
         done = f"Done, after {failures}" if failures else "Done."
-        return Ending(ReplyOutcome.DONE, "DONE", _text(done, *story.turns()))
+        return Ending(ReplyOutcome.DONE, "DONE", _text(done, *story.answers(), *story.turns()))
     # A server that ignored the cancel may still move the robot; the person must know which one.
     orphans = " ".join(
         f"{goal.server} {goal.reason}."
@@ -124,6 +124,11 @@ class _Story:
     def turns(self) -> List[str]:
         """Return a sentence for each node that went another way than doing everything that was said, once."""
         return [sentence for number in range(len(self._parts)) for sentence in [self._turn(number)] if sentence]
+
+    def answers(self) -> List[str]:
+        """Return what the servers told, each sentence once: "There are four."."""
+        told = (goal.answer for goal in self.goals if goal.outcome is Outcome.SUCCEEDED)
+        return [as_sentence(answer) for answer in dict.fromkeys(told) if answer]
 
     def _children(self, number: int) -> List[NodeRecord]:
         """What became of the children of a node that are no conditions."""

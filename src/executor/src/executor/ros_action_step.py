@@ -190,6 +190,7 @@ class ActionStep(smach.State):
         longest_s = self._context.profiles.longest_goal_s(self._frame, of_each.execution_s)
         deadlines = self._context.patience.deadlines(replace(of_each, execution_s=longest_s))
         goal = tracking.send(self._frame.server, deadlines, now_s=time.monotonic())
+        uri = connection.node_uri()
         sent: SentGoal = connection.send(
             FilledSemanticFrameGoal(frame=frame_to_message(self._frame)),
             header_text=header_text(self._frame),
@@ -198,17 +199,26 @@ class ActionStep(smach.State):
         )
         self._context.running_goals.note(self._frame.server, sent.goal_id)
         try:
-            return self._follow_sent(connection, sent, goal, inbox)
+            return self._follow_sent(connection, sent, goal, inbox, uri)
         finally:
             self._context.running_goals.forget(sent.goal_id)
 
     def _follow_sent(
-        self, connection: ActionConnection, sent: SentGoal, goal: Goal, inbox: "queue.Queue[object]"
+        self, connection: ActionConnection, sent: SentGoal, goal: Goal, inbox: "queue.Queue[object]", uri: str
     ) -> Goal:
-        uri = ""
+        """Follow a goal to its end.
+
+        Args:
+            connection: to its server
+            sent: the goal
+            goal: its state
+            inbox: of news
+            uri: address of the process that got it, empty if it is not known yet
+        """
+        asked_s = float("-inf")
         while True:
-            # A process that has ended takes its address along, and one that has just started may connect twice.
-            uri = connection.node_uri() or uri
+            connected_uri = connection.node_uri()
+            uri = uri or connected_uri
             if self._is_to_end:
                 goal = tracking.ask_preempt(goal, now_s=time.monotonic())
             step = tracking.tick(goal, now_s=time.monotonic())
@@ -220,7 +230,10 @@ class ActionStep(smach.State):
                 if goal.is_orphaned:
                     self._quarantine(goal, sent)
                 return goal
-            if step.is_question_due:
+            # One that died and was started again is not silent: the new process publishes its status.
+            is_lost = connected_uri != uri and time.monotonic() - asked_s >= goal.deadlines.suspicion_s
+            if step.is_question_due or is_lost:
+                asked_s = time.monotonic()
                 connection.ask_whether_gone(uri, lambda: inbox.put(Death()))
             wait_s = min(_LONGEST_WAIT_S, max(0.001, tracking.next_deadline_s(goal) - time.monotonic()))
             with contextlib.suppress(queue.Empty):

@@ -2,9 +2,12 @@
 """Servers that hang cost their deadlines once; they are used again when they have ended what they owed."""
 
 import os
+import signal
 import sys
 import unittest
+import xmlrpc.client
 
+import rosgraph
 import rostest
 from roboframenet_msgs.msg import Reply
 
@@ -29,7 +32,7 @@ class QuarantineTest(unittest.TestCase):
     def setUp(self):
         del self.log[:]
 
-    def test_server_that_hangs_is_asked_once(self):
+    def test_server_that_hangs_is_asked_once_until_it_was_started_again(self):
         self.assert_reply(
             self.send([[frame("freeze", "freezing")], [frame("succeed", "two")]]), Reply.DONE, "DONE", "was silent"
         )
@@ -40,6 +43,8 @@ class QuarantineTest(unittest.TestCase):
             "freezing is out of use until it ends its last goal: it was silent",
         )
         self.assertNotIn("freezing begins succeed", self.log)
+        os.kill(self.pid_of("/frozen"), signal.SIGKILL)
+        wait_until(lambda: self.is_used_again("freezing"), message="freezing is still out of use")
 
     def test_server_that_ends_late_is_used_again(self):
         old = self.send([[frame("ignore_cancel", "one", "6")]])
@@ -49,6 +54,17 @@ class QuarantineTest(unittest.TestCase):
         self.assert_reply(new, Reply.DONE, "DONE", "one is out of use until it ends its last goal")
         self.wait_for_log("one ends ignore_cancel")
         wait_until(lambda: self.is_used_again("one"), message="one is still out of use")
+
+    def test_server_that_dies_and_is_back_at_once_owes_nothing(self):
+        self.assert_reply(
+            self.send([[frame("start_again", "four")], [frame("succeed", "two")]]), Reply.DONE, "DONE", "four has died"
+        )
+        wait_until(lambda: self.is_used_again("four"), message="four is still out of use")
+
+    @staticmethod
+    def pid_of(node):
+        uri = rosgraph.Master("/quarantine_test").lookupNode(node)
+        return xmlrpc.client.ServerProxy(uri).getPid("/quarantine_test")[2]
 
     def is_used_again(self, server):
         return self.wait_for_reply(self.send([[frame("succeed", server)]])).code == "DONE"

@@ -80,6 +80,19 @@ def test_end_of_a_run(outcome, goals, cause, error, expected, code, part):
     assert part in ending.sentence
 
 
+@pytest.mark.parametrize(
+    "texts, sentence",
+    [
+        (["There are four chairs"], "Done. There are four chairs."),
+        (["It is noon.", "", "It is noon."], "Done. It is noon."),
+        (["I see two cups.", "I see no fork."], "Done. I see two cups. I see no fork."),
+    ],
+)
+def test_the_reply_has_what_the_servers_told(texts, sentence):
+    plan, record = clause("tell me", "succeeded", [goal(GoalStatusCode.SUCCEEDED, True, text) for text in texts])
+    assert ending_of_run("succeeded", plan, [record], cause=None, error="").sentence == sentence
+
+
 PINGED = clause("Ping", "succeeded", (DONE,))
 LATE = clause("turn left", "succeeded", (ABORTED, DONE))
 FAILED = clause("wave at Alice", "aborted", (ABORTED, goal(GoalStatusCode.REJECTED, text="no arm", server="wave")))

@@ -351,7 +351,7 @@ def empty(skills: Skills, frame: FilledFrame) -> None:
     skills.look_in(place) if place.sort == "furniture" else skills.go(place.id)
     inside = [one for one in skills.memory.all("thing") if one.holder == place.id and one.relation in ("in", "on")]
     if not inside:
-        skills.say(f"{place.the_name.capitalize()} is empty.".replace("The the", "The"))
+        skills.answer(f"{place.the_name.capitalize()} is empty.".replace("The the", "The"))
         return
     goal = argument(frame, "goal")
     target = goal_of(skills, goal) if goal.text else _table(skills, place)

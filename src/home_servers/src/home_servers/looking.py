@@ -54,7 +54,7 @@ def locate(skills: Skills, frame: FilledFrame) -> None:
     for one in skills.find_all(argument(frame, "sought_entity"), near=near):
         skills.go(one.id)
         skills.attempt("look", theme=one.id)
-        skills.say(sentence(described(skills, skills.memory.get(one.id) or one)))
+        skills.answer(sentence(described(skills, skills.memory.get(one.id) or one)))
 
 
 def perceive(skills: Skills, frame: FilledFrame) -> None:
@@ -99,11 +99,11 @@ def _inspect_one(skills: Skills, one: Known, frame: FilledFrame) -> None:
     wanted = argument(frame, "desired_state")
     if wanted.text:
         is_so = _has_state(now, wanted.text)
-        skills.say(
+        skills.answer(
             "I cannot see that." if is_so is None else f"Yes, {wanted.text}." if is_so else f"No, not {wanted.text}."
         )
         return
-    skills.say(sentence(described(skills, now)))
+    skills.answer(sentence(described(skills, now)))
 
 
 def _has_state(one: Known, word: str) -> Optional[bool]:
@@ -171,7 +171,7 @@ def _bring_about(skills: Skills, one: Known, wanted: str) -> None:
     skills.attempt("look", theme=one.id)
     now = skills.memory.get(one.id) or one
     if _has_state(now, wanted):
-        skills.say(f"It is {wanted}.")
+        skills.answer(f"It is {wanted}.")
         return
     actions = {
         "closed": ("close", ""),
@@ -193,7 +193,7 @@ def count(skills: Skills, frame: FilledFrame) -> None:
     words, place = argument(frame, "entity"), argument(frame, "ground")
     state = frame.text("state").lower()
     found = [one for one in counted(skills, words, place) if not state or state in one.states]
-    skills.say(f"I see {len(found)} {words.text if said(frame, 'entity') else 'things'}.".replace(" the ", " "))
+    skills.answer(f"I see {len(found)} {words.text if said(frame, 'entity') else 'things'}.".replace(" the ", " "))
 
 
 def counted(skills: Skills, theme: TypedArgument, place: TypedArgument) -> List[Known]:
@@ -227,7 +227,7 @@ def list_things(skills: Skills, frame: FilledFrame) -> None:
 
 def _say_list(skills: Skills, found: List[Known], begin: str) -> None:
     names = sorted({one.the_name for one in found})
-    skills.say(f"{begin}: {', '.join(names) if names else 'nothing'}.")
+    skills.answer(f"{begin}: {', '.join(names) if names else 'nothing'}.")
 
 
 def identify(skills: Skills, frame: FilledFrame) -> None:
@@ -236,7 +236,8 @@ def identify(skills: Skills, frame: FilledFrame) -> None:
     for one in skills.find_all(words, near=argument(frame, "place") if said(frame, "place") else None):
         skills.go(one.id)
         skills.attempt("look", theme=one.id)
-        skills.say(f"This is {one.name}." if one.sort == "person" else f"This is a {one.name}: {', '.join(one.names)}.")
+        what = one.name if one.sort == "person" else f"a {one.name}: {', '.join(one.names)}"
+        skills.answer(f"This is {what}.")
 
 
 def compare(skills: Skills, frame: FilledFrame) -> None:
@@ -257,7 +258,7 @@ def compare(skills: Skills, frame: FilledFrame) -> None:
         skills.go(one.id)
         skills.attempt("look", theme=one.id)
     words = [f"{one.the_name} is {' and '.join(one.attributes) or 'plain'}" for one in found[:2]]
-    skills.say(sentence(" and ".join(words)))
+    skills.answer(sentence(" and ".join(words)))
 
 
 def find_out(skills: Skills, frame: FilledFrame) -> None:
@@ -281,7 +282,7 @@ def find_out(skills: Skills, frame: FilledFrame) -> None:
                 break
     if not names:
         raise CannotDo(f"I could not find out {words.text}.")
-    skills.say(sentence(described(skills, names[0])))
+    skills.answer(sentence(described(skills, names[0])))
 
 
 def _is_named(one: Known, text: str) -> bool:

@@ -101,6 +101,8 @@ class HomeServers:
             try:
                 skills[frame.name](mind, filled)
                 mind.tidy()
+                if mind.answers and is_wanted():
+                    server.set_succeeded(FilledSemanticFrameResult(success=True), " ".join(mind.answers))
             except CannotDo as reason:
                 server.set_aborted(FilledSemanticFrameResult(success=False), str(reason))
             except Interrupted:

@@ -46,6 +46,7 @@ class Skills:
         self._opens_doors = True
         self._opened: List[str] = []
         self._depth = 0
+        self.answers: List[str] = []
 
     # Actions, with what puts their failures right.
 
@@ -142,8 +143,18 @@ class Skills:
         self.attempt("wait", amount=seconds)
 
     def say(self, text: str) -> List[Tuple[str, str]]:
-        """Say something, and return the answers."""
+        """Say something, and return what persons answer."""
         return self.body.say(text)
+
+    def answer(self, text: str, *, reply: str = "") -> None:
+        """Say what was found out; the reply to the command has it too.
+
+        Args:
+            text: what is said
+            reply: what the reply says; empty for the same
+        """
+        self.body.say(text)
+        self.answers.append(reply or text)
 
     # Finding what words mean.
 

@@ -50,7 +50,11 @@ def tell(skills: Skills, frame: FilledFrame) -> None:
     whom = argument(frame, "addressee")
     text = told(skills, argument(frame, "message"))
     person = _hearer(skills, whom)
-    skills.say(sentence(f"{person.name}, {text}"))
+    is_asked_by_them = not whom.text or whom.text.lower() in SPEAKERS
+    skills.answer(
+        sentence(f"{person.name}, {text}"),
+        reply=sentence(text if is_asked_by_them else f"I told {person.name}: {text}"),
+    )
 
 
 def _hearer(skills: Skills, whom: TypedArgument) -> Known:
@@ -83,7 +87,7 @@ def ask(skills: Skills, frame: FilledFrame) -> None:
     message = argument(frame, "message")
     replies = skills.say(f"{person.name}, {_question(message.text)}?")
     if replies:
-        skills.say(f"{replies[0][0]} says: {replies[0][1]}.")
+        skills.answer(f"{replies[0][0]} says: {replies[0][1]}.")
 
 
 def _question(text: str) -> str:
@@ -116,7 +120,7 @@ def describe(skills: Skills, frame: FilledFrame) -> None:
         words = sentence(f"{described(skills, now)}; it is {' and '.join(now.attributes) or now.category}")
     if whom.text:
         skills.person(whom)
-    skills.say(words)
+    skills.answer(words)
 
 
 def _thing_or_room(skills: Skills, item: TypedArgument) -> Known:
@@ -133,7 +137,8 @@ def report(skills: Skills, frame: FilledFrame) -> None:
     text = told(skills, topic) if topic.text else ""
     person = _hearer(skills, whom)
     seen = len([one for one in skills.memory.all("thing") if one.relation])
-    skills.say(sentence(f"{person.name}, {text or f'I am well, and know where {seen} things are'}"))
+    known = text or f"I am well, and know where {seen} things are"
+    skills.answer(sentence(f"{person.name}, {known}"), reply=sentence(known))
 
 
 def answer(skills: Skills, frame: FilledFrame) -> None:

@@ -74,7 +74,9 @@ def _number(skills: Skills, frame: EmbeddedFrame) -> str:
     found = counted(skills, theme, place)
     if state:
         found = [one for one in found if state in one.states]
-    return f"there {'is' if len(found) == 1 else 'are'} {len(found)}"
+    what = f" {theme.text}" if theme.is_plural and len(found) != 1 else ""
+    where = f" {place.words}" if place.text else ""
+    return f"there {'is' if len(found) == 1 else 'are'} {len(found)}{what}{where}"
 
 
 def _look(skills: Skills, theme: TypedArgument) -> str:

@@ -117,3 +117,20 @@ def test_every_frame_is_one_of_the_domains():
 )
 def test_what_no_skill_heeds_is_not_left_out_without_a_word(pipeline, said):
     assert pipeline.understand(said).reply.outcome != "DONE"
+
+
+@pytest.mark.parametrize(
+    "text, answer",
+    [
+        ("Tell me how many chairs are in the office.", "There is 1 in the office."),
+        ("Tell me where the mug is.", "The mug is on the kitchen table"),
+        ("Tell Bob where the mug is.", "I told Bob: the mug is on the kitchen table"),
+        ("Count the chairs in the kitchen.", "I see 0 chairs."),
+        ("Say hello.", ""),
+    ],
+)
+def test_what_is_found_out_is_in_the_reply(pipeline, text, answer):
+    home = Home(PLAN, STATE, floor=FLOOR)
+    skills = Skills(DirectBody(home), speaker="alice")
+    assert carry_out(pipeline, skills, text)[1] == "ok"
+    assert " ".join(skills.answers).startswith(answer) and bool(skills.answers) == bool(answer)

@@ -50,6 +50,15 @@ class _Extent(NamedTuple):
         return [index for index in self.positions if index not in self.prepositions]
 
 
+class _Plain(NamedTuple):
+    """The attributes of an argument that say which words it has, and not yet what they mean."""
+
+    name: str
+    text: str
+    words: str
+    positions: Tuple[int, ...]
+
+
 class Phrases:
     """Makes the arguments of the phrases of one tree; a phrase that several lexical units ask for is read once."""
 
@@ -99,33 +108,23 @@ class Phrases:
             return self._described(plain, head, extent, left_out, attached, form)
         except ValueError:
             # It has more parts than an argument may have. Its words are still there.
-            return plain
+            word = tree.word(head)
+            return TypedArgument(**plain._asdict(), head=word.form, lemma=word.lemma.lower(), head_position=head)
 
-    def _plain(
-        self, head: int, extent: _Extent, form: ArgumentForm = ArgumentForm.PHRASE, name: str = ""
-    ) -> TypedArgument:
-        """Return an argument that says which words it has, and not yet what they mean."""
-        word = self._tree.word(head)
-        return TypedArgument(
-            name=name,
-            text=self._tree.text_of(extent.bare) if form is ArgumentForm.PHRASE else word.form,
-            words=self._tree.text_of(extent.positions),
-            positions=extent.positions,
-            head=word.form,
-            lemma=word.lemma.lower(),
-            head_position=head,
-        )
+    def _plain(self, head: int, extent: _Extent, form: ArgumentForm = ArgumentForm.PHRASE, name: str = "") -> _Plain:
+        text = self._tree.text_of(extent.bare) if form is ArgumentForm.PHRASE else self._tree.word(head).form
+        return _Plain(name, text, self._tree.text_of(extent.positions), extent.positions)
 
     def _described(
         self,
-        plain: TypedArgument,
+        plain: _Plain,
         head: int,
         extent: _Extent,
         left_out: FrozenSet[int],
         attached: FrozenSet[int] = frozenset(),
         form: ArgumentForm = ArgumentForm.PHRASE,
     ) -> TypedArgument:
-        """Add what the words around the head say. Raises ValueError if there are too many parts."""
+        """Return an argument with what the words around its head say; too many parts raise ValueError."""
         tree = self._tree
         own = frozenset(extent.positions)
         relation, noun = _relation(tree, head, extent)
@@ -150,8 +149,8 @@ class Phrases:
             (child for child, prep in by_relation if prep == "of" and child.deprel.startswith("nmod")), None
         )
         exceptions = [child for child, prep in by_relation if prep in shipped_meanings().exceptions]
-        return replace(
-            plain,
+        return TypedArgument(
+            **plain._asdict(),
             head=word.form,
             lemma=word.lemma.lower(),
             head_position=noun,
@@ -184,7 +183,7 @@ class Phrases:
         tree = self._tree
         extent = _extent(tree, head, left_out, frozenset())
         text = tree.text_of(index for index in extent.bare if tree.word(index).form.lower() not in _CLITICS)
-        return self._described(replace(self._plain(head, extent), text=text), head, extent, left_out)
+        return self._described(self._plain(head, extent)._replace(text=text), head, extent, left_out)
 
     def _members(
         self,

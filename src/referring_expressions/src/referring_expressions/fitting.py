@@ -195,7 +195,7 @@ def at_place(objects: Objects, place: TypedArgument, situation: Situation) -> Ob
     """Return the objects that are at a place: "on the table", "on the left", "in front of the sofa"."""
     if place.direction in ("left", "right"):
         return _outermost(objects, place.direction, situation)
-    there = situation.world.at(place.relation, fitting(place, replace(situation, offered=())))
+    there = situation.world.at(place.relation, fitting(place, replace(situation, offered=())), objects)
     return tuple(one for one in objects if one.id in there)
 
 

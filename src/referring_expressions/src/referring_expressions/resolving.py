@@ -56,11 +56,11 @@ def resolve(argument: TypedArgument, situation: Situation) -> Optional[Referents
     if argument.quantifier in _WHOLE:
         return Referents(found, ALL)
     if argument.quantifier in _INDEFINITE:
-        return Referents(_nearest_first(found, situation), argument.count or (0 if argument.is_plural else 1))
+        return Referents(situation.world.nearest_first(found), argument.count or (0 if argument.is_plural else 1))
     if argument.count is not None and argument.count != 1:
         is_open = not argument.quantifier and argument.possessor is None
         is_ambiguous = not is_open and len(found) > argument.count
-        return Referents(_nearest_first(found, situation), argument.count, is_ambiguous)
+        return Referents(situation.world.nearest_first(found), argument.count, is_ambiguous)
     if argument.is_plural:
         is_definite = bool(argument.quantifier) or argument.possessor is not None
         return Referents(found, ALL if is_definite else 0)
@@ -72,7 +72,7 @@ def _one(argument: TypedArgument, found: Objects, situation: Situation) -> Refer
     spoken_of = [name for name in situation.spoken_of if name in {one.id for one in found}]
     if len(found) > 1 and spoken_of and argument.quantifier != "other" and not situation.offered:
         return Referents(situation.objects(spoken_of[:1]), 1)
-    ordered = _nearest_first(found, situation)
+    ordered = situation.world.nearest_first(found)
     # Nobody can say which of two mugs is meant that nothing tells apart.
     if len(ordered) > MOST_COMPARED:
         return Referents(ordered, 1, is_ambiguous=True)
@@ -105,14 +105,6 @@ def _of_members(argument: TypedArgument, situation: Situation) -> Referents:
         )
     )
     return Referents(meant, 1 if argument.conjunction == "or" else len(meant))
-
-
-def _nearest_first(objects: Objects, situation: Situation) -> Objects:
-    robot = situation.world.robot
-    if robot is None or robot.pose is None:
-        return objects
-    pose = robot.pose
-    return tuple(sorted(objects, key=lambda one: pose.distance_m(one.pose) if one.pose else float("inf")))
 
 
 def with_referents(argument: TypedArgument, situation: Situation) -> TypedArgument:

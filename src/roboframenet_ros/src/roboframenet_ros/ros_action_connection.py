@@ -84,8 +84,9 @@ class ActionConnection:
         """Return the XML-RPC address of the server's node; empty when it is not connected."""
         status = self._client.last_status_msg
         node = "" if status is None else status._connection_header["callerid"]
-        known = [one for one in list(self._status.impl.connections) if one.callerid_pub == node]
-        return str(known[0].endpoint_id) if known else ""
+        # rospy keeps a connection that broke, without a socket, and tries it again; the newest one counts.
+        known = [one for one in list(self._status.impl.connections) if one.callerid_pub == node and one.socket]
+        return str(known[-1].endpoint_id) if known else ""
 
     @staticmethod
     def ask_whether_gone(uri: str, on_gone: Callable[[], None]) -> None:

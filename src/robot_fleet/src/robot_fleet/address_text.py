@@ -4,12 +4,15 @@ import re
 from dataclasses import dataclass, replace
 from typing import FrozenSet, List, Optional, Tuple
 
+from command_server.stop_words import find_cry
 from robot_fleet.address_words import address_words
 from robot_fleet.designators import Group, Kind, Names, group_at, tokens_of
 
 _MARKS = frozenset(",;:.!?…—–")
 _ENDS = frozenset(".!?;…")
 _CAPITALISED = re.compile(r"^[A-Z][a-z]+$")
+#: More words than this do not stand between the beginning of a cry and whom it stops: "please stop moving, Alpha".
+_LONGEST_CRY = 4
 
 
 @dataclass(frozen=True)
@@ -80,6 +83,8 @@ class _Utterance:
         while position < len(self._words):
             behind = self._behind_address(position)
             is_told = self._told_at(self._skip(position, len(self._words), "greetings")) is not None
+            stopped = self._stopped_at(position, len(self._words))
+            behind = behind if stopped is None else stopped[2]
             end = self._next_address(behind, has_address=bool(parts) or behind > position or is_told)
             parts.append(replace(self._part(position, end), is_after=bool(parts) and self._is_sequel(position)))
             position = end
@@ -122,7 +127,7 @@ class _Utterance:
                     continue
                 if self._is_addressed(behind, needs_verb=True):
                     return at
-            elif links and self._told_at(at + links) is not None:
+            elif links and (self._told_at(at + links) or self._stopped_at(at + links, len(self._words))):
                 return at
         return len(self._words)
 
@@ -151,6 +156,10 @@ class _Utterance:
             while position < end and (self._words[position] in _MARKS or self._links_at(position)):
                 position += max(1, self._links_at(position))
         kept = position
+        stopped = self._stopped_at(position, end)
+        if stopped is not None:
+            group, start, behind = stopped
+            return Part(group, self._joined(position, start, behind, end))
         skipped = self._skip(position, end, "greetings")
         for start in dict.fromkeys((skipped, self._skip(position, end, "kept_before"))):
             part = self._leading(kept, start, end)
@@ -215,6 +224,42 @@ class _Utterance:
             if needs_to and self._words[behind] == ":" and behind + 1 < len(self._words):
                 return group, behind + 1, ""
         return None
+
+    def _stopped_at(self, begin: int, end: int) -> Optional[Tuple[Group, int, int]]:
+        """Return who is stopped without a comma, and where that stands: "stop Alpha", "stop Alpha and go back"."""
+        if self._behind_address(begin) > begin:
+            return None
+        for start in range(begin + 1, min(end, begin + _LONGEST_CRY + 1)):
+            group, behind = group_at(self._words[:end], start, self._names)
+            if group is None:
+                continue
+            before = self._words[start - 1]
+            if before in _MARKS or before in self._single["prepositions"] or self._is_done_to_it(before):
+                return None
+            is_end = all(word in _MARKS for word in self._words[self._behind_last(behind, end) : end])
+            if not is_end and not self._links_at(behind):
+                return None
+            is_cry = find_cry(" ".join(self._words[begin:start])) is not None
+            return (group, start, behind) if is_cry else None
+        return None
+
+    def _is_done_to_it(self, word: str) -> bool:
+        """Whether a name behind a word is rather its object: "stop following Alpha"."""
+        return word.endswith("ing") and word not in self._single["motions"]
+
+    def _behind_last(self, position: int, end: int) -> int:
+        """Return the position behind what may follow a name at the end: "please", "right now"."""
+        while position < end:
+            length = max(self._lists[name].length_at(self._words, position) for name in ("polite", "behind_last_names"))
+            if not length and self._words[position] != ",":
+                break
+            position += max(1, length)
+        return position
+
+    def _joined(self, begin: int, start: int, behind: int, end: int) -> str:
+        """Return the text of words without those from one position to another."""
+        first, second = self._slice(begin, start), self._slice(behind, end)
+        return f"{first}{second}" if second[:1] in _MARKS else f"{first} {second}".strip()
 
     def _trailing(self, begin: int, end: int) -> Optional[Part]:
         """An address behind the words: "come here, Alpha"."""

@@ -22,7 +22,9 @@ def stops(text: str, robot: str, names: Names) -> bool:
     cries = [part for part in parts if find_cry(part.text) is not None]
     if not cries and find_cry(text) is not None:
         cries = list(parts)
-    return any(_may_mean(part.group, robot) for part in cries)
+    # "Alpha, stop Beta" may be for both.
+    inner = [one for part in cries if part.group for one in split_by_address(part.text, names, _VERBS) if one.group]
+    return any(_may_mean(part.group, robot) for part in (*cries, *inner))
 
 
 def _may_mean(group: Optional[Group], robot: str) -> bool:

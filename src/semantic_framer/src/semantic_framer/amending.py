@@ -27,7 +27,7 @@ from semantic_framer.outcome import (
     Understood,
     join_with_or,
 )
-from semantic_framer.paces import FASTER, SLOWER, at_pace, pace_element
+from semantic_framer.paces import PACES, at_pace, pace_element
 from semantic_framer.reading import Reading
 from semantic_framer.sentence import Sentence
 from semantic_framer.slight_amounts import slight_amount, stated
@@ -41,6 +41,7 @@ from typed_arguments.positions import with_moved_positions, without_any_position
 from utterance_passes.clauses import Clause, find_clauses
 from utterance_passes.measures import find_amounts
 from utterance_passes.tree_edits import behind_verb
+from utterance_passes.verb_matching import match_verbs
 from word_classes import word_class, word_list
 
 #: Types with much in common.
@@ -55,8 +56,6 @@ _OPPOSITES: Dict[str, str] = {
     **dict(zip(_PAIRS[1::2], _PAIRS[::2])),
 }
 
-#: What fragments of a pace make of a deed.
-PACES = {FragmentKind.FASTER: FASTER, FragmentKind.SLOWER: SLOWER}
 
 Clauses = Tuple[Tuple[Reading, ...], ...]
 #: After these refusals, a fragment still means the command before: no other command was said.
@@ -179,8 +178,7 @@ class _Amending:
 
     def _at_pace(self, pace: str) -> Optional[Reading]:
         """Return the reading at another pace; None if no server heeds one, or there is none beyond."""
-        heeded = self._known.heeded.get(self._frame.name)
-        name = pace_element(self._frame, heeded)
+        name = pace_element(self._frame, self._known.heeded.get(self._frame.name), pace)
         words = self._tree.text_of(self._fragment.positions)
         found = at_pace(self._reading, name, pace, words, self._fragment.positions) if name else None
         if found is None:
@@ -324,7 +322,7 @@ class _Amending:
             return position - shift if shift < position <= shift + count else 0
 
         for clause in find_clauses(tree, self._known)[:1]:
-            for reading in read_clause(sentence, clause, self._known):
+            for reading in read_clause(sentence, clause, match_verbs(tree, clause, self._known), self._known):
                 if reading.unit.frame_name != self._frame.name or reading.left_over or reading.wrong_types:
                     continue
                 said = [one for one in reading.arguments if any(position > shift for position in one.positions)]

@@ -4,6 +4,7 @@ for it.
 
 from typing import AbstractSet, Collection, FrozenSet, Sequence, Tuple
 
+from semantic_frames.extra_thematic import is_of_every_action
 from utterance_passes.tree import DependencyTree
 from word_classes import word_class
 
@@ -21,13 +22,6 @@ _SPEAKERS = word_class("speaker_objects")
 _STRAIGHT = word_class("straight_adverbs")
 
 
-def preposition_of(step: str) -> str:
-    """Return the preposition of a relation ("prep_to", "obl:to", "prep_next_to"); empty if it has none."""
-    if not step.startswith(("prep_", "obl:")):
-        return ""
-    return step.split("_", 1)[1] if step.startswith("prep_") else step.split(":", 1)[1]
-
-
 def is_postmodifier_of(tree: DependencyTree, index: int, head: int, is_described: bool) -> bool:
     """Whether a phrase that is attached to a verb identifies the noun in front of it.
 
@@ -42,7 +36,7 @@ def is_postmodifier_of(tree: DependencyTree, index: int, head: int, is_described
     if word.deprel == "advmod":
         return word.form.lower() in _PLACE_ADVERBS
     prepositions = [child.form.lower() for child in tree.children(index) if child.deprel == "case"]
-    if not prepositions or not _is_prepositional(tree, index):
+    if not prepositions or not _is_prepositional(tree, index) or is_of_every_action(prepositions[0], word.form):
         return False
     # "The door on the left", with the tag of the adverb.
     if word.upos == "ADV" and word.form.lower() not in _LEFT_AND_RIGHT:
@@ -51,6 +45,13 @@ def is_postmodifier_of(tree: DependencyTree, index: int, head: int, is_described
         return True  # "the door to your left"
     is_thing = word.upos != "PRON" and not any(child.deprel == "case" for child in tree.children(head))
     return prepositions[0] in _PLACE_PREPOSITIONS or (is_described and is_thing and prepositions[0] in _OF_A_THING)
+
+
+def is_place_in_a_row(tree: DependencyTree, index: int) -> bool:
+    """Whether a phrase says from which side a thing is counted: "the second bottle *from the left*"."""
+    word = tree.word(index)
+    prepositions = [child.form.lower() for child in tree.children(index) if child.deprel == "case"]
+    return word.form.lower() in _LEFT_AND_RIGHT and word.deprel == "nmod" and prepositions == ["from"]
 
 
 def _is_prepositional(tree: DependencyTree, index: int) -> bool:

@@ -7,6 +7,7 @@ from semantic_framer.matching import read_clause
 from semantic_framer.reading import Reading, rank
 from semantic_framer.sentence import Sentence
 from utterance_passes.clauses import Clause, clause_of
+from utterance_passes.verb_matching import match_verbs
 from word_classes import word_class
 
 _RELATIVE_ADVERBS = word_class("relative_adverbs")
@@ -46,7 +47,7 @@ def descriptions(sentence: Sentence, clauses: Sequence[Clause], known: FramedLex
     for clause in relative_clauses(sentence, clauses):
         readings = [
             reading
-            for reading in read_clause(sentence, clause, known)
+            for reading in read_clause(sentence, clause, match_verbs(sentence.tree, clause, known), known)
             if not reading.missing
             and not reading.left_over
             and any(clause.subject in value.positions for value in reading.arguments)

@@ -25,7 +25,18 @@ from word_classes import word_class
 
 #: Next to this module in the source, devel and install space.
 FRAGMENTS_FILE = Path(__file__).resolve().parent / "fragments.yaml"
-KINDS = ("openings", "endings", "whole_command", "as_much_again", "a_bit_more", "faster", "slower", "other_side")
+KINDS = (
+    "openings",
+    "endings",
+    "whole_command",
+    "as_much_again",
+    "a_bit_more",
+    "faster",
+    "slower",
+    "louder",
+    "quieter",
+    "other_side",
+)
 #: The most words of an opening or an ending.
 _LONGEST = 6
 _AGREEMENTS = word_class("agreements")
@@ -45,6 +56,8 @@ class FragmentKind(Enum):
     BIT = "does a bit more"
     FASTER = "goes faster"
     SLOWER = "goes slower"
+    LOUDER = "says it louder"
+    QUIETER = "says it more quietly"
     OPPOSITE = "takes the other side"
     ELEMENTS = "changes elements"
 
@@ -70,7 +83,15 @@ class Fragment:
 
 
 _NEEDING_A_COMMAND = frozenset(
-    [FragmentKind.REPEAT, FragmentKind.MORE, FragmentKind.BIT, FragmentKind.FASTER, FragmentKind.SLOWER]
+    [
+        FragmentKind.REPEAT,
+        FragmentKind.MORE,
+        FragmentKind.BIT,
+        FragmentKind.FASTER,
+        FragmentKind.SLOWER,
+        FragmentKind.LOUDER,
+        FragmentKind.QUIETER,
+    ]
 )
 
 
@@ -93,6 +114,8 @@ _WHOLE: Tuple[Tuple[FragmentKind, Pattern[str]], ...] = tuple(
         (FragmentKind.BIT, "a_bit_more"),
         (FragmentKind.FASTER, "faster"),
         (FragmentKind.SLOWER, "slower"),
+        (FragmentKind.LOUDER, "louder"),
+        (FragmentKind.QUIETER, "quieter"),
         (FragmentKind.OPPOSITE, "other_side"),
     )
 )

@@ -49,7 +49,7 @@ class FramedLexicon:
         """Return whether the addressee of a verb of speech directly follows it; None if no frame has a *Message*."""
         for unit in self.lexicon.units_of(verb):
             frame = self.frames.get(unit.frame_name)
-            if frame is None or not any(element.framenet == MESSAGE for element in frame.frame_elements):
+            if frame is None or MESSAGE not in frame.roles:
                 continue
             told = [element.name for element in frame.frame_elements if element.framenet == ADDRESSEE]
             is_told = any(

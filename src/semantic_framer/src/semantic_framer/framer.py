@@ -124,9 +124,8 @@ def hear(
         pending = replace(pending, asked=speaker)
     elif is_of_another:
         pending = question
-    heard = replace(heard, context=replace(heard.context, pending=pending))
     outcome = heard.outcome if heard.is_small_talk else against_what_runs(heard.outcome, tree)
-    heard = replace(heard, context=replace(heard.context, last=last_command(outcome, heard.context.last, said_s)))
+    last = last_command(outcome, heard.context.last, said_s)
     if trace is not None:
         if not isinstance(outcome, Understood) and outcome != heard.outcome:
             is_against = outcome.code in (PROHIBITION, CORRECTION)
@@ -136,7 +135,7 @@ def hear(
             trace.add("utterance_kind", after=str(KindVerdict(UtteranceKind.CORRECTION, "against_what_runs")))
         name = "understood" if isinstance(outcome, Understood) else f"{outcome.code}: {outcome.sentence}"
         trace.add("outcome", after=name)
-    return replace(heard, outcome=outcome)
+    return replace(heard, outcome=outcome, context=replace(heard.context, pending=pending, last=last))
 
 
 def restructured(

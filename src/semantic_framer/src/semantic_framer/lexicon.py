@@ -22,6 +22,7 @@ class Lexicon:
         self._files: Dict[str, Tuple[str, Tuple[LexicalUnit, ...]]] = {}
         self._by_verb: Dict[str, List[LexicalUnit]] = defaultdict(list)
         self._by_first_word: Dict[str, List[str]] = defaultdict(list)
+        self._longest_first: Dict[str, Tuple[str, ...]] = {}
         self._with_patterns: Dict[str, List[LexicalUnit]] = defaultdict(list)
         # Made when they are needed, and made again when a file with patterns has changed.
         self._indices: Optional[_Indices] = None
@@ -67,6 +68,7 @@ class Lexicon:
                 if not self._by_verb[verb]:
                     del self._by_verb[verb]
                     self._by_first_word[verb.split()[0]].remove(verb)
+                    self._sort(verb.split()[0])
         if self._with_patterns.pop(path, None):
             self._indices = None
         self._files[path] = (text, units)
@@ -81,9 +83,15 @@ class Lexicon:
                 if verb not in self._by_verb:
                     first = verb.split()[0]
                     self._by_first_word[first].append(verb)
+                    self._sort(first)
                     for spelling in _spellings(first):
                         self._by_spelling[spelling].add(first)
                 self._by_verb[verb].append(unit)
+
+    def _sort(self, first: str) -> None:
+        self._longest_first[first] = tuple(
+            sorted(self._by_first_word[first], key=lambda verb: (-len(verb.split()), verb))
+        )
 
     def units_of(self, verb: str) -> Tuple[LexicalUnit, ...]:
         """Return the units of a verb; the particle is part of the verb."""
@@ -117,12 +125,12 @@ class Lexicon:
 
     def verbs_beginning_with(self, word: str) -> Tuple[str, ...]:
         """Return the verbs whose first word is this one, those with more words first: "pick up" before "pick"."""
-        return tuple(sorted(self._by_first_word.get(word, ()), key=lambda verb: (-len(verb.split()), verb)))
+        return self._longest_first.get(word, ())
 
     def length_of_verb(self, words: Sequence[str]) -> int:
         """Return the number of words of the longest verb that some words begin with: 3 for "let", "go", "of", "it"."""
-        verbs = [verb.split() for verb in self._by_first_word.get(words[0], ())]
-        return max((len(verb) for verb in verbs if list(words[: len(verb)]) == verb), default=0)
+        verbs = map(str.split, self._longest_first.get(words[0], ()))
+        return next((len(verb) for verb in verbs if list(words[: len(verb)]) == verb), 0)
 
     def nearest_verbs(self, word: str, count: int = 3) -> Tuple[str, ...]:
         """Return verbs that are spelled like a word, nearest first; nothing if no verb is near.

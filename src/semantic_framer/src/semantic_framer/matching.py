@@ -1,7 +1,7 @@
 """Matches lexical units against a clause: finds the words that fill each frame element."""
 
 from dataclasses import replace
-from typing import Dict, FrozenSet, Iterable, List, Optional, Set, Tuple
+from typing import Dict, FrozenSet, Iterable, List, Optional, Sequence, Set, Tuple
 
 from phrase_meanings.arguments import amount_argument, default_argument, unit_argument
 from phrase_meanings.head_words import is_side_of_something
@@ -12,10 +12,10 @@ from semantic_framer.attachment import (
     is_later_item,
     is_of_one_direction,
     is_of_something,
+    is_place_in_a_row,
     is_postmodifier_of,
     persons_behind,
     places_before,
-    preposition_of,
     words_before,
     words_before_amount,
 )
@@ -28,14 +28,14 @@ from semantic_framer.things import is_unfinished
 from semantic_framer.type_fits import fit_of_relation, with_types
 from semantic_framer.unit_trace import write_unit
 from semantic_frames.frame import FrameElement, SemanticFrame
-from semantic_frames.lexical_unit import ArgumentForm, ElementRelation, LexicalUnit
+from semantic_frames.lexical_unit import ArgumentForm, ElementRelation, LexicalUnit, RelationPath
 from semantic_frames.relation_names import MEASURE
 from semantic_types import Fit
 from typed_arguments import TypedArgument
 from utterance_passes.clauses import Clause, shared_subject
 from utterance_passes.measures import Amount, amounts_of
 from utterance_passes.trace import Trace, TraceLine
-from utterance_passes.verb_matching import VerbMatch, match_verbs
+from utterance_passes.verb_matching import VerbMatch
 from word_classes import word_class
 
 #: A phrase with one of these belongs to the verb if the unit asks for it, even if the parser attached it to the object:
@@ -51,13 +51,18 @@ _PLACE_PREPOSITIONS = word_class("place_prepositions")
 
 
 def read_clause(
-    sentence: Sentence, clause: Clause, known: FramedLexicon, trace: Optional[Trace] = None
+    sentence: Sentence,
+    clause: Clause,
+    matches: Sequence[VerbMatch],
+    known: FramedLexicon,
+    trace: Optional[Trace] = None,
 ) -> Tuple[Reading, ...]:
     """Try every lexical unit of the verb of a clause.
 
     Args:
         sentence: the sentence
         clause: one of its clauses
+        matches: verbs of the lexicon that the clause uses
         known: lexical units and frames; a unit whose frame is unknown is left out
         trace: receives a line for each unit, with the relations that it did not find; None for no trace
     Returns:
@@ -65,7 +70,7 @@ def read_clause(
     """
     amounts = amounts_of(sentence.tree, clause.positions, clause.verb)
     readings = []
-    for match in match_verbs(sentence.tree, clause, known):
+    for match in matches:
         for unit in known.lexicon.units_of(match.verb):
             frame = known.frames.get(unit.frame_name)
             if frame is None:
@@ -111,20 +116,22 @@ class _Filling:
         #: Numbers of several words, by element, in units of 2012.
         self._numeral_of: Dict[str, Amount] = {}
         self._subject = clause.subject or shared_subject(sentence.tree, clause.verb)
-        self._is_measuring_of_2012 = measures_as_in_2012(unit)
-        self._moves_a_thing = any(one.is_core and one.framenet in THINGS for one in frame.frame_elements)
+        #: Objects of the verb, and phrases without a preposition, each with whether it is the direct object.
+        self._nouns = tuple(
+            (noun, relation == "dobj")
+            for relation in ("dobj", "iobj", "obl", "tmod")
+            for noun in sentence.dependents(clause.verb, relation)
+        )
         self._moved: Set[int] = set()
         #: Trace lines for phrases that rules moved or left out.
         self.notes: List[TraceLine] = []
 
     def reading(self) -> Optional[Reading]:
         """Return the reading; None if a required relation does not match."""
-        for wants_core in (True, False):
-            for relation in self._unit.relations:
-                element = self._frame.element(relation.name)
-                is_first = relation.is_required or relation.is_limited or (element is not None and element.is_core)
-                if not self._is_taken(relation.name) and relation.name not in self._unread and is_first == wants_core:
-                    self._take_phrase(relation)
+        # What the unit cannot do without takes its words first.
+        for relation in sorted(self._unit.relations, key=lambda relation: not self._is_first(relation)):
+            if not self._is_taken(relation.name) and relation.name not in self._unread:
+                self._take_phrase(relation)
         if any(relation.is_required and not self._is_taken(relation.name) for relation in self._unit.relations):
             return None
         typed = with_types(self._arguments(), self._frame, self._sentence.types)
@@ -152,6 +159,9 @@ class _Filling:
             ),
         )
 
+    def _is_first(self, relation: ElementRelation) -> bool:
+        return relation.is_required or relation.is_limited or self._is_core(relation.name)
+
     def _note(self, rule: str, positions: Iterable[int], what: str) -> None:
         words = frozenset(positions)
         self.notes.append(TraceLine(rule, tuple(sorted(words)), self._sentence.text(sorted(words)), "", what))
@@ -166,10 +176,8 @@ class _Filling:
     def _take_phrase(self, relation: ElementRelation) -> None:
         is_wanted = relation.is_required or self._is_core(relation.name)
         # "Put it on the bench in the kitchen": the first place is meant, and the others describe it.
-        static = [
-            path for path in relation.relations if preposition_of(path.steps[0]).split("_")[0] in _PLACE_PREPOSITIONS
-        ]
-        places = sorted(head for path in static for head in self._follow(path.steps, is_wanted))
+        static = [path for path in relation.relations if path.preposition.split("_")[0] in _PLACE_PREPOSITIONS]
+        places = sorted(head for path in static for head in self._follow(path, is_wanted))
         if relation.after_place:
             places = [
                 head for head in places if set(places_before(self._sentence.tree, head)) & set(relation.after_place)
@@ -178,7 +186,7 @@ class _Filling:
             if path in static:
                 heads = places if path == static[0] else []
             else:
-                heads = self._follow(path.steps, is_wanted)
+                heads = self._follow(path, is_wanted)
             for head in heads:
                 if head in self._heads.values() or head in self._match.positions or not self._is_in_clause(head):
                     continue
@@ -225,7 +233,7 @@ class _Filling:
         return any(head in amount.positions for amount in self._amount_of.values()) or any(
             head in amount.positions and (amount.unit or self._is_end(amount, head))
             for amount in self._amounts
-            if not self._is_measuring_of_2012
+            if not measures_as_in_2012(self._unit)
         )
 
     def _is_end(self, amount: Amount, head: int) -> bool:
@@ -254,50 +262,43 @@ class _Filling:
         """Whether a word is an adverb of manner ("slowly", "forward") and so neither a thing nor a place."""
         return steps[-1] in ("advmod", "prt") and self._sentence.word(head).form.lower() not in _DESTINATION_ADVERBS
 
-    def _follow(self, steps: Tuple[str, ...], is_core: bool) -> List[int]:
+    def _follow(self, path: RelationPath, is_core: bool) -> List[int]:
         """Return the words at the end of a chain of relations that starts at the verb."""
         # In "let go of the rope", "go" governs the rope.
         governors = [self._clause.verb] + [
             index for index in self._match.positions[1:] if self._sentence.word(index).upos == "VERB"
         ]
-        for number, step in enumerate(steps):
+        for number, step in enumerate(path.steps):
             if step == MEASURE:
                 return []
             found: List[int] = []
             for governor in governors:
                 found += self._sentence.dependents(governor, step)
                 if number == 0:
-                    found += self._reattached(step, is_core)
-                    if step in _TOWARDS and self._moves_a_thing:
-                        goals = self._sentence.goals
+                    found += self._reattached(path.preposition, is_core)
+                    goals = self._sentence.goals if step in _TOWARDS else ()
+                    if goals and any(one.is_core and one.framenet in THINGS for one in self._frame.frame_elements):
                         found += [index for index in goals if self._sentence.word(index).head == governor]
                     if step == "nsubj" and self._subject and not self._clause.subject:
                         found.append(self._subject)
             governors = list(dict.fromkeys(found))
         return governors
 
-    def _reattached(self, step: str, is_core: bool) -> List[int]:
+    def _reattached(self, preposition: str, is_core: bool) -> List[int]:
         """Return the phrases that the parser attached to an object although the unit asks for them at the verb."""
-        if not step.startswith(("prep_", "obl:")):
-            return []
-        preposition = preposition_of(step)
-        if not (is_core or preposition in DIRECTIONAL):
+        if not preposition or not (is_core or preposition in DIRECTIONAL):
             return []
         found: List[int] = []
-        for relation in ("dobj", "iobj", "obl", "tmod"):
-            for noun in self._sentence.dependents(self._clause.verb, relation):
-                found += self._sentence.dependents(noun, f"prep_{preposition}")
-                # "Bring the plant on the shelf near the window": the window is the goal, not part of the shelf.
-                for inner in self._sentence.children(noun) if relation == "dobj" else ():
-                    if inner.deprel == "nmod" and inner.index > noun:
-                        found += self._sentence.dependents(inner.index, f"prep_{preposition}")
-                    if inner.deprel == "acl":
-                        found += persons_behind(self._sentence.tree, inner.index, preposition)
-                        found += behind_description(
-                            self._sentence.tree,
-                            inner.index,
-                            self._sentence.dependents(inner.index, f"prep_{preposition}"),
-                        )
+        for noun, is_object in self._nouns:
+            found += self._sentence.dependents(noun, f"prep_{preposition}")
+            # "Bring the plant on the shelf near the window": the window is the goal, not part of the shelf.
+            for inner in self._sentence.children(noun) if is_object else ():
+                below = self._sentence.dependents(inner.index, f"prep_{preposition}")
+                if inner.deprel == "nmod" and inner.index > noun:
+                    found += below
+                if inner.deprel == "acl":
+                    found += persons_behind(self._sentence.tree, inner.index, preposition)
+                    found += behind_description(self._sentence.tree, inner.index, below)
         particle = [
             index for index in self._match.positions[1:] if self._sentence.word(index).form.lower() == preposition
         ]
@@ -306,6 +307,7 @@ class _Filling:
             for head in found
             if head not in particle
             and head not in self._sentence.described
+            and not is_place_in_a_row(self._sentence.tree, head)
             and not self._sentence.word(head).deprel.startswith("acl")  # "which is on the bed"
         ]
         self._moved.update(heads)

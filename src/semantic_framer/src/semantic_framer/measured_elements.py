@@ -5,7 +5,7 @@ from typing import AbstractSet, Dict, Optional, Sequence, Tuple
 
 from semantic_framer.sentence import Sentence
 from semantic_framer.slight_amounts import slight_amount, slight_words
-from semantic_frames.frame import FrameElement, Quantity, SemanticFrame
+from semantic_frames.frame import Quantity, SemanticFrame
 from semantic_frames.lexical_unit import LexicalUnit, RelationPath
 from semantic_frames.relation_names import MEASURE
 from spoken_quantities import find_unit
@@ -50,49 +50,49 @@ def measured_elements(
         amounts: the amounts of the clause
         positions: the words of the clause; "a bit" among them stands for an amount
     """
+    asking = [
+        (relation, element, element.quantity)
+        for relation in unit.relations
+        for element in [frame.element(relation.name)]
+        if element is not None and element.quantity is not None
+    ]
+    if not asking:
+        return MeasuredElements({}, {})
     free = [amount for amount in amounts if not _is_of_the_verb(sentence, amount, verb_positions)]
     amount_of: Dict[str, Amount] = {}
     unread: Dict[str, Tuple[Amount, ...]] = {}
-    for relation in unit.relations:
-        element = frame.element(relation.name)
-        is_measured = any(path.steps[-1] == MEASURE for path in relation.relations)
-        if not is_measured or element is None or element.quantity is None:
+    for relation, _, quantity in asking:
+        if not any(path.steps[-1] == MEASURE for path in relation.relations):
             continue
-        fitting = [amount for amount in free if amount.quantity == element.quantity.value] or [
+        fitting = [amount for amount in free if amount.quantity == quantity.value] or [
             amount for amount in free if not amount.unit and not amount.is_of_noun
         ]
         if not fitting:
             continue
-        if fitting[0].is_doubtful or (fitting[0].is_share and element.quantity is not Quantity.NUMBER):
+        if fitting[0].is_doubtful or (fitting[0].is_share and quantity is not Quantity.NUMBER):
             unread[relation.name] = tuple(fitting)
             continue
         free.remove(fitting[0])
         amount_of[relation.name] = fitting[0]
     for name, amount in list(amount_of.items()):
         others = [other for other in free if other.quantity == amount.quantity and other.unit]
-        element = frame.element(name)
+        unit_element = next(element.unit_element for _, element, _ in asking if element.name == name)
         if others:
             unread[name] = (amount_of.pop(name), *others)
-        elif element is not None and element.unit_element and amount.unit:
-            amount_of[element.unit_element] = amount
+        elif unit_element and amount.unit:
+            amount_of[unit_element] = amount
     # "Turn right five inches" gives a distance, but turning needs an angle.
     misplaced = tuple(amount for amount in free if amount.unit and amount.quantity in _OF_SPACE)
-    for relation in unit.relations:
-        element = frame.element(relation.name)
+    # "A bit" stands for an amount.
+    slight = slight_words(sentence.tree, positions - frozenset(verb_positions)) if not free else ()
+    for relation, element, quantity in asking:
         is_open = relation.name not in amount_of and relation.name not in unread
-        if misplaced and is_open and element is not None and element.quantity and element.quantity.value in _OF_SPACE:
+        if misplaced and is_open and quantity.value in _OF_SPACE:
             unread[relation.name] = misplaced
-        slight = _slight(sentence, element, positions - frozenset(verb_positions)) if is_open and not free else None
-        if slight is not None and element is not None:
-            amount_of[relation.name] = amount_of[element.unit_element] = slight
+        assumed = slight_amount(slight, quantity.value) if is_open and element.unit_element else None
+        if assumed is not None:
+            amount_of[relation.name] = amount_of[element.unit_element] = assumed
     return MeasuredElements(amount_of, unread)
-
-
-def _slight(sentence: Sentence, element: Optional[FrameElement], positions: AbstractSet[int]) -> Optional[Amount]:
-    """Return the amount that "a bit" stands for; None if nobody said so, or the element asks for no measure."""
-    if element is None or element.quantity is None or not element.unit_element:
-        return None
-    return slight_amount(slight_words(sentence.tree, positions), element.quantity.value)
 
 
 def _is_of_the_verb(sentence: Sentence, amount: Amount, verb_positions: Sequence[int]) -> bool:

@@ -8,6 +8,7 @@ from semantic_framer.attachment import is_direction
 from semantic_framer.frame_roles import MESSAGE, NO_THINGS, PLACES, THEME, THINGS
 from semantic_framer.reading import Reading
 from semantic_framer.things import is_indefinite, is_no_thing
+from semantic_frames.extra_thematic import is_of_every_action
 from semantic_frames.frame import SemanticFrame
 from typed_arguments import TypedArgument
 from utterance_passes.tree import DependencyTree, Word
@@ -161,8 +162,21 @@ def is_subject_of_a_question(filled: Filled) -> bool:
     head, form = filled.head, filled.head.form.lower()
     if "Ground" not in filled.roles or not head.deprel.startswith("nsubj") or form in _QUESTION_WORDS:
         return False
-    asked = (filled.tree.word(head.head), *filled.tree.children(head.head))
-    return any(word.form.lower() in _QUESTION_WORDS for word in asked)
+    asked = [filled.tree.word(index) for index in filled.tree.subtree(head.head)]
+    is_asked = any(word.form.lower() in _QUESTION_WORDS for word in asked if word.index < head.index)
+    return is_asked or filled.tree.word(head.head).form.lower() in _QUESTION_WORDS
+
+
+def is_way(filled: Filled) -> bool:
+    """Whether words that say how something is done are taken for a place: "drive in a square", but not "stand in the
+    square", which is a place.
+    """
+    head, tree = filled.head, filled.tree
+    prepositions = [child for child in tree.children(head.index) if child.deprel == "case"]
+    is_certain = any(child.deprel in ("det", "nmod:poss") for child in tree.children(head.index))
+    is_open = is_indefinite(tree, head.index) or not is_certain
+    is_shape = bool(prepositions) and is_of_every_action(prepositions[0].form.lower(), head.form)
+    return bool(filled.roles & PLACES) and is_open and is_shape and len(prepositions) == 1
 
 
 def is_degree(filled: Filled) -> bool:

@@ -131,7 +131,7 @@ def _refused(
 
 def plausible_readings(case: ClauseCase, trace: Optional[Trace] = None) -> Tuple[Reading, ...]:
     """Return the readings of a clause, best first, without implausible ones."""
-    found = read_clause(case.sentence, case.clause, case.of.known, trace)
+    found = read_clause(case.sentence, case.clause, case.matches, case.of.known, trace)
     different = without_duplicates(found)
     readings = tuple(_with_phrases_left_over(case.sentence, reading) for reading in different)
     if trace is not None:
@@ -256,4 +256,4 @@ def _with_phrases_left_over(sentence: Sentence, reading: Reading) -> Reading:
         )
         said = frozenset(value.positions) & behind.union(*phrases)
         left_over |= {index for index in said - elsewhere if sentence.is_content(index)}
-    return replace(reading, left_over=tuple(sorted(left_over)))
+    return reading if left_over == set(reading.left_over) else replace(reading, left_over=tuple(sorted(left_over)))

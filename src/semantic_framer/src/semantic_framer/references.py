@@ -35,7 +35,7 @@ def resolve(reading: Reading, context: Context) -> Union[Reading, TypedArgument]
         elif word in PLACE_PRONOUNS and not is_fixed and context.place:
             value = resolved(value, context.place)
         values.append(value)
-    return replace(reading, arguments=tuple(values))
+    return reading if tuple(values) == reading.arguments else replace(reading, arguments=tuple(values))
 
 
 def resolve_in_parallel(reading: Reading, before: Reading, frames: Mapping[str, SemanticFrame]) -> Reading:

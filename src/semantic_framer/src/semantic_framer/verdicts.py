@@ -32,8 +32,6 @@ from word_classes import word_class
 
 _CONDITIONS = word_class("conditions")
 _RENEWING = word_class("renewing_conjunctions")
-
-
 _REPLIES = {
     QUESTION: 'I do not know how to answer "{said}".',
     REPORT: '"{said}" does not ask me to do anything.',
@@ -265,6 +263,9 @@ PLAUSIBILITY: Tuple[ReadingVerdict, ...] = (
         "subject_of_a_question",
         'The subject of an indirect question is taken for what is looked at: "find out where my keys are".',
         _of_any_value(plausibility.is_subject_of_a_question),
+    ),
+    ReadingVerdict(
+        "way_is_no_place", 'A way to do it is taken for a place: "go in circles".', _of_any_value(plausibility.is_way)
     ),
     ReadingVerdict(
         "degree_is_no_thing", 'A degree is taken for a thing: "move a bit".', _of_any_value(plausibility.is_degree)

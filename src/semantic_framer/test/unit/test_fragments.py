@@ -192,3 +192,18 @@ def test_two_clauses_with_such_an_element_lead_to_a_question(talk: Talk) -> None
     outcome = talk.say("and the mug too")
     assert isinstance(outcome, Question)
     assert outcome.sentence == 'Which do you mean: "clean the mug" or "take the mug"? Say it in a whole sentence.'
+
+
+@pytest.mark.parametrize(
+    ("text", "way"),
+    [("Louder.", "louder"), ("Say that again louder.", "louder"), ("Quieter.", "quieter"), ("Speak up.", "louder")],
+)
+def test_a_robot_with_one_voice_does_not_say_louder_as_words(talk: Talk, text: str, way: str) -> None:
+    talk.say("Say hello.")
+    outcome = talk.say(text)
+    assert isinstance(outcome, Refusal) and outcome.sentence == f"I cannot do that {way}."
+
+
+def test_another_way_is_the_other_way(talk: Talk) -> None:
+    talk.say("Turn left ninety degrees.")
+    assert talk.frames("Other way.") == ("turning(direction=right, angle=90, angle_unit=degrees)",)

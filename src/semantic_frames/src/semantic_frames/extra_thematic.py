@@ -83,6 +83,16 @@ def extra_thematic_names() -> FrozenSet[str]:
 
 
 @lru_cache(maxsize=None)
+def is_of_every_action(preposition: str, head: str) -> bool:
+    """Whether a phrase says how an action is done because of its head: "by hand", "at a safe distance", and not "by the
+    door".
+    """
+    return any(
+        preposition in element.prepositions and head.lower() in element.heads for element in extra_thematic_elements()
+    )
+
+
+@lru_cache(maxsize=None)
 def extra_thematic_of_arguments() -> Mapping[str, str]:
     """Return FrameNet's name of each extra-thematic element, by the name of its arguments: "Manner" by "manner"."""
     return MappingProxyType({name.lower(): name for name in sorted(extra_thematic_names())})

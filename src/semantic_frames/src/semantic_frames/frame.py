@@ -2,7 +2,8 @@
 
 from dataclasses import dataclass
 from enum import Enum
-from typing import Mapping, Optional, Tuple, Union
+from functools import cached_property
+from typing import FrozenSet, Mapping, Optional, Tuple, Union
 
 
 class Quantity(Enum):
@@ -157,7 +158,16 @@ class SemanticFrame:
 
     def element(self, name: str) -> Optional[FrameElement]:
         """Return the element of that name, or None."""
-        return next((element for element in self.frame_elements if element.name == name), None)
+        return self._by_name.get(name)
+
+    @cached_property
+    def roles(self) -> FrozenSet[str]:
+        """FrameNet's names of its elements."""
+        return frozenset(element.framenet for element in self.frame_elements)
+
+    @cached_property
+    def _by_name(self) -> Mapping[str, FrameElement]:
+        return {element.name: element for element in self.frame_elements}
 
     def wants_yes(self, arguments: Mapping[str, Tuple[str, ...]]) -> bool:
         """Return whether a person must say yes first.

@@ -3,6 +3,7 @@
 import re
 from dataclasses import dataclass, field
 from enum import Enum
+from functools import cached_property
 from typing import Mapping, Pattern, Tuple
 
 from semantic_frames.semantic_type import with_parents
@@ -25,6 +26,12 @@ class RelationPath:
     """
 
     steps: Tuple[str, ...]
+
+    @cached_property
+    def preposition(self) -> str:
+        """The preposition of its first step: "to" of "prep_to" or "obl:to", "next_to"; empty if it has none."""
+        first = self.steps[0]
+        return next((first[len(front) :] for front in ("prep_", "obl:") if first.startswith(front)), "")
 
     def __str__(self) -> str:
         return "/".join(self.steps)

@@ -34,6 +34,7 @@ SEMANTIC_TYPES: Mapping[str, SemanticType] = MappingProxyType(
         "Cookware": SemanticType("Container", "a pot or a pan"),
         "Device": SemanticType("Physical_object", "a device"),
         "Valve": SemanticType("Device", "a tap"),
+        "Control": SemanticType("Device", "a button or a switch"),
         "Food": SemanticType("Physical_object", "something to eat or drink"),
         "Furniture": SemanticType("Physical_object", "a piece of furniture"),
         "Plant": SemanticType("Physical_object", "a plant"),

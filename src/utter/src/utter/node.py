@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from typing import Callable
 
 import rospy
-from roboframenet_msgs.msg import FilledSemanticFrame, Reply
+from roboframenet_msgs.msg import FilledSemanticFrame, FilledSemanticFrameResult, Reply
 
 from rfnserver import RFNServer
 from roboframenet_ros.parameters import Parameters, parameter
@@ -87,6 +87,7 @@ class UtterServer:
                 lambda frame: told_fact(
                     elements(frame).get("message", ""), datetime.datetime.now(), elements(frame).get("addressee", "")
                 ),
+                is_answer=True,
             ),
         ]
 
@@ -106,7 +107,9 @@ class UtterServer:
             except Exception as error:  # boundary: the next answer is spoken, whatever fails
                 rospy.logerr("an answer was not said: %s: %s", type(error).__name__, error)
 
-    def _serve(self, name: str, sentence_of: Callable[[FilledSemanticFrame], str]) -> RFNServer:
+    def _serve(
+        self, name: str, sentence_of: Callable[[FilledSemanticFrame], str], *, is_answer: bool = False
+    ) -> RFNServer:
         def callback(frame: FilledSemanticFrame) -> None:
             try:
                 sentence = sentence_of(frame)
@@ -116,6 +119,9 @@ class UtterServer:
             self._voice.say(sentence, is_wanted=lambda: not (server.is_preempt_requested() or rospy.is_shutdown()))
             if server.is_preempt_requested():
                 server.set_preempted(None, "I was interrupted.")
+            elif is_answer:
+                # The reply to the command has it too.
+                server.set_succeeded(FilledSemanticFrameResult(success=True), sentence)
 
         # It heeds all elements of its frames, and no manner: it speaks as it speaks.
         server = RFNServer(name, callback, occupies=["voice"])

@@ -23,6 +23,7 @@ _EMPHASIS = frozenset("full whole complete entire more further additional extra"
 _INSIDE = frozenset("a an and of oh point - / , .".split()) | _EMPHASIS
 _SIGNS = frozenset(["minus", "negative", "plus"])
 _NUMBER_WORDS = frozenset(number_words()) - _INSIDE - _SIGNS
+_PLACE_IN_ROW = re.compile(r"\d+(st|nd|rd|th)")
 _ARTICLES = frozenset(["a", "an"])
 _FRACTION = re.compile(r"half|halves|quarters?|thirds?|fourths?|fifths?|eighths?|\d\s*/\s*\d")
 _DIRECTIONS = word_class("all_directions")
@@ -31,6 +32,7 @@ _TURNS = frozenset(["turn", "circle"])
 
 #: "Another metre" is one metre.
 ANOTHER = "another"
+_MAY_BE_INSIDE = _INSIDE | _SIGNS | _ORDINALS | {ANOTHER, "couple", "few", "+"}
 _ONE = (["a"], ["an"], [ANOTHER])
 
 
@@ -146,7 +148,7 @@ def is_number(tree: DependencyTree, index: int) -> bool:
         return before in _ARTICLES | {"one", "-"}
     if form == "one":
         return word.upos == "NUM" or _begins_range(tree, index)
-    if re.fullmatch(r"\d+(st|nd|rd|th)", form):
+    if _PLACE_IN_ROW.fullmatch(form):
         return False
     parts = form.split("-") if form != "-" else [form]
     return form[:1].isdigit() or (form[1:2].isdigit() and form[0] in ".+-") or all(p in _NUMBER_WORDS for p in parts)
@@ -189,8 +191,7 @@ def _is_place(tree: DependencyTree, index: int) -> bool:
 
 
 def _may_be_inside(tree: DependencyTree, index: int) -> bool:
-    form = tree.word(index).form.lower()
-    return form == ANOTHER or form in _INSIDE | _SIGNS | _ORDINALS | {"couple", "few", "+"} or is_number(tree, index)
+    return tree.word(index).form.lower() in _MAY_BE_INSIDE or is_number(tree, index)
 
 
 def _amount(tree: DependencyTree, window: Sequence[int]) -> Optional[Amount]:

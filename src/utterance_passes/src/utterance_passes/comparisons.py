@@ -51,11 +51,12 @@ def _set_aside(tree: DependencyTree, said: FrozenSet[int], adverb: int, verb: in
 def _find(tree: DependencyTree) -> Optional[Tuple[FrozenSet[int], int]]:
     """Find the first comparison: its words, and the adverb that stays; 0 if there is none."""
     words = tree.open_words
+    forms = [word.form.lower() for word in words]
     for first in range(len(words)):
         for behind in range(min(len(words), first + _LONGEST), first, -1):
-            said = words[first:behind]
-            match = _COMPARISONS.fullmatch(" ".join(word.form.lower() for word in said))
-            if match and len(said) < len(words):
+            match = _COMPARISONS.fullmatch(" ".join(forms[first:behind]))
+            if match and behind - first < len(words):
+                said = words[first:behind]
                 positions = frozenset(word.index for word in said)
                 left = match.groupdict()[_LEFT]
                 adverb = next((word.index for word in said if left and word.form.lower() == left), 0)

@@ -136,10 +136,12 @@ def with_speeds_together(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
     """Attach the time of a speed to its length: "two metres *a second*", "half a metre *per second*"."""
     edit = TreeEdit(tree)
     for length, per, time in zip(tree.words, tree.words[1:], tree.words[2:]):
+        if per.form.lower() not in _PER:
+            continue
         units = (find_unit(length.form), find_unit(time.form))
         is_speed = [unit.quantity for unit in units if unit is not None] == ["length", "duration"]
         is_counted = any(child.index < length.index for child in tree.children(length.index))
-        if is_speed and per.form.lower() in _PER and is_counted and length.head not in (per.index, time.index):
+        if is_speed and is_counted and length.head not in (per.index, time.index):
             edit.rehang(time.index, length.index, "nmod")
             edit.rehang(per.index, time.index)
     try:
@@ -153,9 +155,7 @@ def with_measured_turns(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
     turn". The parser takes it for another command.
     """
     for turn in tree.words[2:]:
-        phrase = _number_before(tree, turn) or _phrase_before(tree, turn)
-        if not _is_turn(turn) or not turn.head or not phrase:
-            continue
+        phrase = _number_before(tree, turn) or _phrase_before(tree, turn) if _is_turn(turn) and turn.head else []
         if not any(word.form.lower() in _PARTS_OF_A_TURN or word.upos == "NUM" for word in phrase):
             continue
         before = tree.words[phrase[0].index - 2] if phrase[0].index > 1 else turn
@@ -215,6 +215,8 @@ def with_sides_apart(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
         numbers = [child.index for child in (*tree.children(governor.index), governor) if _is_numeral(child)]
         if not numbers or side.index > min(numbers) or not governor.head or not _is_of_a_measure(governor):
             continue
+        if _is_thing(tree, governor):
+            continue
         edit = TreeEdit(tree)
         own = [
             child
@@ -230,6 +232,13 @@ def with_sides_apart(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
             edit.relabel(governor.index, "obl:unmarked")
         tree = edit.tree()
     return tree
+
+
+def _is_thing(tree: DependencyTree, word: Word) -> bool:
+    """Whether "one" is a thing and no number: "next to *the right one*" at the end."""
+    is_last = all(other.upos == "PUNCT" for other in tree.words[word.index :])
+    is_one = word.form.lower() == "one" and any(child.deprel == "det" for child in tree.children(word.index))
+    return is_one and is_last
 
 
 def _is_joined(tree: DependencyTree, word: Word) -> bool:

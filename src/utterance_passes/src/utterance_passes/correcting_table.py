@@ -3,6 +3,7 @@
 from typing import Tuple
 
 from utterance_passes import (
+    attached_phrases,
     compass,
     correct_parse,
     names,
@@ -35,6 +36,73 @@ PARSE_CORRECTING_PASSES: Tuple[TreePass, ...] = (
         ),
         Stage.FRAMER,
         relations.with_asked_clauses,
+    ),
+    TreePass(
+        "hands_at_verbs",
+        "Attach the robot's own hand to the verb, not to the object.",
+        Example(
+            "take|VERB|0|root cups|NOUN|1|obj with|ADP|5|case your|PRON|5|nmod:poss hand|NOUN|2|nmod",
+            ("hand: nmod(cups) -> obl(take)",),
+        ),
+        Stage.FRAMER,
+        attached_phrases.with_hands_at_verbs,
+    ),
+    TreePass(
+        "places_in_a_row",
+        "Attach the side from which things are counted to the thing.",
+        Example(
+            "take|VERB|0|root second|ADJ|3|amod bottle|NOUN|1|obj from|ADP|5|case left|NOUN|1|obl",
+            ("left: obl(take) -> nmod(bottle)",),
+        ),
+        Stage.FRAMER,
+        attached_phrases.with_places_in_a_row,
+    ),
+    TreePass(
+        "purposes_of_things",
+        'Make a clause of what something is for: "something to drink".',
+        Example(
+            "bring|VERB|0|root something|PRON|1|obj to|ADP|4|case drink|NOUN|1|obl",
+            (
+                "to: case(drink) ADP/to -> mark(drink) PART/to",
+                "drink: obl(bring) NOUN/drink -> acl(something) VERB/drink",
+            ),
+        ),
+        Stage.FRAMER,
+        attached_phrases.with_purposes_of_things,
+    ),
+    TreePass(
+        "exceptions",
+        'Take what stands behind "but" out of all things: "anything but beer".',
+        Example(
+            "bring|VERB|0|root anything|PRON|1|obj but|CCONJ|4|cc beer|NOUN|2|conj",
+            ("but: cc(beer) CCONJ/but -> case(beer) ADP/but", "beer: conj(anything) -> nmod(anything)"),
+        ),
+        Stage.FRAMER,
+        attached_phrases.with_exceptions,
+    ),
+    TreePass(
+        "ways_behind_particles",
+        'Make a way of what stands behind "down" and before the goal.',
+        Example(
+            "go|VERB|0|root down|ADP|1|compound:prt halls|NOUN|1|obj to|ADP|5|case Bob|PROPN|1|obl",
+            ("down: compound:prt(go) -> case(halls)", "halls: obj(go) -> obl(go)"),
+        ),
+        Stage.FRAMER,
+        attached_phrases.with_ways_behind_particles,
+    ),
+    TreePass(
+        "contrasts",
+        'Set aside what is not wanted: "tea instead of coffee".',
+        Example(
+            "bring|VERB|0|root tea|NOUN|1|obj instead|ADV|5|case of|ADP|5|case coffee|NOUN|1|obl",
+            (
+                "instead: case(coffee) -> discourse:aside(bring)",
+                "of: case(coffee) -> discourse:aside(bring)",
+                "coffee: obl(bring) -> discourse:aside(bring)",
+            ),
+        ),
+        Stage.FRAMER,
+        attached_phrases.without_contrasts,
     ),
     TreePass(
         "particles_on_the_way",

@@ -120,6 +120,7 @@ _FILLER = pattern_of("fillers")
 _PADDING = word_class("padding")
 
 
+@lru_cache(maxsize=4096)
 def is_filler(form: str) -> bool:
     """Whether people say a word only while they think: "um", "uhhh"."""
     return _FILLER.fullmatch(form.lower()) is not None

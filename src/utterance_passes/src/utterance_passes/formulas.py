@@ -4,7 +4,7 @@ Such formulas are not real wishes, conditions or negations. Their words become *
 ignore them.
 """
 
-from typing import FrozenSet, Sequence
+from typing import FrozenSet
 
 from utterance_passes.formula_file import pattern_of
 from utterance_passes.tree import ASIDE, DependencyTree, Word
@@ -29,23 +29,23 @@ def without_formulas(tree: DependencyTree, vocabulary: Vocabulary) -> Dependency
 
 def _around(tree: DependencyTree, vocabulary: Vocabulary) -> FrozenSet[int]:
     words = tree.open_words
+    forms = [word.form.lower().replace("’", "'") for word in words]
     spoken = [word for word in words if word.upos != "PUNCT"]
     for first, word in enumerate(words):
         for behind in range(min(len(words), first + _LONGEST), first, -1):
-            said = words[first:behind]
-            if word.upos == "PUNCT" or said[-1].upos == "PUNCT" or len(said) == len(spoken):
+            if word.upos == "PUNCT" or words[behind - 1].upos == "PUNCT" or behind - first == len(spoken):
                 continue
             is_apart = behind == len(words) or words[behind].upos == "PUNCT"
             is_front = word.index == spoken[0].index
             if not is_apart and not is_front:
                 continue
-            text = _text(said)
+            text = " ".join(forms[first:behind])
             if (
                 (is_apart and _APART.fullmatch(text))
                 or (is_apart and not is_front and _ENDINGS.fullmatch(text))
                 or ((is_apart or (is_front and is_verb(vocabulary, words[behind]))) and _ANYWHERE.fullmatch(text))
             ) and not (first and _belongs_to(words[first - 1], word, vocabulary)):
-                return frozenset(word.index for word in said)
+                return frozenset(word.index for word in words[first:behind])
     return frozenset()
 
 
@@ -55,7 +55,3 @@ def _belongs_to(before: Word, word: Word, vocabulary: Vocabulary) -> bool:
     return before.upos in ("ADP", "DET", "SCONJ") or any(
         word.form.lower() in listed for verb in verbs for listed in vocabulary.lists_of(verb)
     )
-
-
-def _text(words: Sequence[Word]) -> str:
-    return " ".join(word.form.lower().replace("’", "'") for word in words)

@@ -46,6 +46,8 @@ class _Saying:
 
 def with_quotations(tree: DependencyTree, vocabulary: Vocabulary) -> DependencyTree:
     """Turn each quotation into one object of its verb."""
+    if not _has_verb_of_saying(tree, vocabulary):
+        return tree
     behind = 0
     while True:
         clauses = find_clauses(tree, vocabulary)
@@ -68,6 +70,16 @@ def with_quotations(tree: DependencyTree, vocabulary: Vocabulary) -> DependencyT
             tree = edit.tree()
             clauses = find_clauses(tree, vocabulary)
         tree = _Quotation(tree, saying, clauses, vocabulary).tree()
+
+
+def _has_verb_of_saying(tree: DependencyTree, vocabulary: Vocabulary) -> bool:
+    """Whether any word may be a verb of saying; most commands have none, and then their clauses are not needed."""
+    return any(
+        vocabulary.speech_of(verb) is not None
+        for word in tree.words
+        for spelling in {word.form.lower(), word.lemma.lower()}
+        for verb in vocabulary.verbs_beginning_with(spelling)
+    )
 
 
 def _saying(tree: DependencyTree, clause: Clause, vocabulary: Vocabulary) -> Optional[_Saying]:

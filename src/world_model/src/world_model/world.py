@@ -3,7 +3,8 @@
 import math
 from dataclasses import dataclass
 from functools import cached_property
-from typing import Dict, FrozenSet, Iterable, Iterator, List, Mapping, Optional, Set, Tuple
+from itertools import product
+from typing import Dict, FrozenSet, Iterable, Iterator, List, Mapping, Optional, Sequence, Set, Tuple
 
 from semantic_types import shipped_nouns, spoken
 from world_model.world_object import ROBOT_ID, Pose, Sort, WorldObject
@@ -40,6 +41,14 @@ def standard_relation(relation: str) -> str:
     return _STANDARD.get(relation, relation)
 
 
+#: Objects are few when the world has more than so many times as many.
+_FEW = 4
+#: A frame, and a square of its floor.
+_Square = Tuple[str, int, int]
+#: The id of an object, and its x and y in its frame, metres.
+_Spot = Tuple[str, float, float]
+
+
 @dataclass(frozen=True, eq=False)
 class World:
     """What the robot knows at a time. No object means that it knows of nothing.
@@ -71,8 +80,7 @@ class World:
     @property
     def held(self) -> Tuple["WorldObject", ...]:
         """What the robot holds."""
-        mine = (name for relation, name in self._related.get(ROBOT_ID, ()) if relation == _HELD)
-        return tuple(self.by_id[name] for name in mine)
+        return tuple(self.by_id[name] for name in self._related.get(ROBOT_ID, {}).get(_HELD, ()))
 
     @cached_property
     def _by_name(self) -> Mapping[str, Tuple[WorldObject, ...]]:
@@ -203,79 +211,82 @@ class World:
         return {name: frozenset(ids) for name, ids in found.items()}
 
     @cached_property
-    def _related(self) -> Mapping[str, Tuple[Tuple[str, str], ...]]:
-        """For each object, the relations of others to it: the common name of the relation, and the id of the other."""
-        found: Dict[str, List[Tuple[str, str]]] = {}
+    def _related(self) -> Mapping[str, Mapping[str, Sequence[str]]]:
+        """The ids of the objects that have a relation to another one, by its id and the common name of the relation."""
+        found: Dict[str, Dict[str, List[str]]] = {}
         for one in self.objects:
             for place in one.places:
-                found.setdefault(place.reference, []).append((standard_relation(place.relation), one.id))
-        return {name: tuple(related) for name, related in found.items()}
+                relations = found.setdefault(place.reference, {})
+                relations.setdefault(standard_relation(place.relation), []).append(one.id)
+        return found
 
     @cached_property
-    def _cells(self) -> Mapping[Tuple[str, int, int], Tuple[WorldObject, ...]]:
-        """The objects with a pose, by squares as wide as things beside each other may be apart."""
-        found: Dict[Tuple[str, int, int], List[WorldObject]] = {}
-        for one in self.objects:
-            if one.pose is not None:
-                found.setdefault(_cell(one.pose), []).append(one)
-        return {cell: tuple(objects) for cell, objects in found.items()}
+    def _squares(self) -> Mapping[_Square, Sequence[_Spot]]:
+        return _squares_of(self.objects)
 
     def stands(self, one: WorldObject, relation: str, other: WorldObject) -> bool:
         """Whether an object has a relation of place to another one, as far as is known."""
         return one.id in self.at(relation, [other])
 
-    def at(self, relation: str, references: Iterable[WorldObject]) -> FrozenSet[str]:
-        """Return the ids of the objects that have a relation of place to any of some objects, as far as is known."""
+    def at(
+        self, relation: str, references: Sequence[WorldObject], among: Optional[Sequence[WorldObject]] = None
+    ) -> FrozenSet[str]:
+        """Return the ids of the objects that have a relation of place to any of some objects, as far as is known.
+
+        Args:
+            relation: "on", "beside"
+            references: the objects that it relates to
+            among: the objects that are asked about; others may be missing in the answer. None for all
+        """
         wanted = standard_relation(relation)
         opposite = _NEAR if wanted == _NEAR else _OPPOSITE.get(wanted, "")
+        direct: Set[str] = set()
         found: Set[str] = set()
         for reference in references:
-            is_place = reference.sort is Sort.PLACE
-            if is_place and wanted in (_IN, _ON, _NEAR):
+            if reference.sort is Sort.PLACE and wanted in (_IN, _ON, _NEAR):
                 found |= self._inside.get(reference.id, frozenset())
-            related = self._related.get(reference.id, ())
-            if related:
-                direct = [name for other, name in related if other == wanted]
-                found.update(direct)
-                if wanted in (_IN, _ON, _HELD):
-                    found |= self._carried_by(direct, frozenset([_ON]) if wanted == _ON else _CARRYING)
-            if opposite:
-                found.update(one.reference for one in reference.places if standard_relation(one.relation) == opposite)
-            if wanted == _NEAR and reference.pose is not None and not is_place:
-                found |= self._near_of.get(reference.id) or self._find_near(reference.id, reference.pose)
-        return frozenset(found)
+            direct.update(self._related.get(reference.id, {}).get(wanted, ()))
+            for place in reference.places if opposite else ():
+                if standard_relation(place.relation) == opposite:
+                    found.add(place.reference)
+        if wanted in (_IN, _ON, _HELD):
+            found |= self._carried_by(direct, frozenset([_ON]) if wanted == _ON else _CARRYING)
+        if wanted == _NEAR:
+            # A few objects are sooner put into squares of their own than all others are compared.
+            is_small = among is not None and _FEW * len(among) < len(self.objects)
+            found |= _beside(references, _squares_of(among) if among is not None and is_small else self._squares)
+        return frozenset(found | direct)
 
     def _carried_by(self, names: Iterable[str], relations: FrozenSet[str]) -> Set[str]:
         """Return the ids of what some objects carry, of what that carries, and so on."""
         found: Set[str] = set()
         left = list(names)
         while left:
-            for related, name in self._related.get(left.pop(), ()):
-                if related in relations and name not in found:
-                    found.add(name)
-                    left.append(name)
+            for relation, carried in self._related.get(left.pop(), {}).items():
+                if relation in relations:
+                    left += [name for name in carried if name not in found]
+                    found.update(carried)
         return found
 
-    @cached_property
-    def _near_of(self) -> Dict[str, FrozenSet[str]]:
-        """What is near each object, as far as anybody asked."""
-        return {}
+    def nearest_first(self, objects: Sequence[WorldObject]) -> Tuple[WorldObject, ...]:
+        """Return objects by their distance from the robot; in the same order if nobody knows where the robot is."""
+        return tuple(sorted(objects, key=lambda one: self._distance_m[one.id]))
 
-    def _find_near(self, name: str, pose: Pose) -> FrozenSet[str]:
-        frame_id, x, y = _cell(pose)
-        self._near_of[name] = frozenset(
-            one.id
-            for dx in (-1, 0, 1)
-            for dy in (-1, 0, 1)
-            for one in self._cells.get((frame_id, x + dx, y + dy), ())
-            if one.id != name and one.sort is not Sort.PLACE and one.pose and one.pose.distance_m(pose) <= NEAR_M
-        )
-        return self._near_of[name]
+    @cached_property
+    def _distance_m(self) -> Mapping[str, float]:
+        """How far each object is from the robot, metres; infinite when unknown."""
+        pose = self.robot.pose if self.robot is not None else None
+        return {
+            one.id: pose.distance_m(one.pose) if pose is not None and one.pose is not None else math.inf
+            for one in self.objects
+        }
 
     def prepare(self) -> "World":
         """Look up now what queries need of the whole world, so that the first one is as fast as the others."""
-        for index in ("_by_name", "_categories_below", "_inside", "_related", "_cells"):
-            getattr(self, index)
+        indices = ("_by_name", "_categories_below", "_inside", "_related", "_squares", "_distance_m")
+        of_objects = [(one, "properties") for one in self.objects]
+        for owner, name in [*((self, index) for index in indices), *of_objects]:
+            getattr(owner, name)
         return self
 
     def owners(self, one: WorldObject) -> Tuple[WorldObject, ...]:
@@ -290,8 +301,37 @@ def category_of(one: WorldObject) -> str:
     return one.sort.value if one.sort in (Sort.PERSON, Sort.ROBOT, Sort.DOOR) else ""
 
 
-def _cell(pose: Pose) -> Tuple[str, int, int]:
+def _square(pose: Pose) -> _Square:
     return (pose.frame_id, math.floor(pose.x_m / NEAR_M), math.floor(pose.y_m / NEAR_M))
+
+
+def _squares_of(objects: Iterable[WorldObject]) -> Mapping[_Square, Sequence[_Spot]]:
+    """Return what may stand beside something, by squares as wide as things beside each other may be apart."""
+    found: Dict[_Square, List[_Spot]] = {}
+    for one in objects:
+        if one.pose is not None and one.sort is not Sort.PLACE:
+            found.setdefault(_square(one.pose), []).append((one.id, one.pose.x_m, one.pose.y_m))
+    return found
+
+
+def _beside(references: Iterable[WorldObject], squares: Mapping[_Square, Sequence[_Spot]]) -> Set[str]:
+    """Return the ids of what stands beside any of some objects, by their poses."""
+    around: Dict[_Square, List[_Spot]] = {}
+    for reference in references:
+        pose = reference.pose
+        if pose is not None and reference.sort is not Sort.PLACE:
+            frame_id, column, row = _square(pose)
+            for square in product((frame_id,), (column - 1, column, column + 1), (row - 1, row, row + 1)):
+                if square in squares:
+                    around.setdefault(square, []).append((reference.id, pose.x_m, pose.y_m))
+    found: Set[str] = set()
+    for square, spots in around.items():
+        for name, x_m, y_m in squares[square]:
+            for other, other_x_m, other_y_m in spots:
+                if math.hypot(x_m - other_x_m, y_m - other_y_m) <= NEAR_M and name != other:
+                    found.add(name)
+                    break  # One that is near is enough, however many there are.
+    return found
 
 
 def _holds(room: WorldObject, pose: Pose) -> bool:

@@ -3,10 +3,12 @@
 from dataclasses import replace
 
 import pytest
+from hypothesis import given
+from hypothesis import strategies as st
 
 from world_model import Pose, Relation, Sort, World, WorldObject
 from world_model.names import known_names
-from world_model.world import MOST_OBJECTS, snapshot
+from world_model.world import MOST_OBJECTS, NEAR_M, snapshot
 from world_model.world_file import load_world_file
 
 HOME = """
@@ -125,3 +127,26 @@ def test_robot_is_in_the_room_of_its_pose(world: World) -> None:
     robot = WorldObject("robot", Sort.ROBOT, pose=Pose("map", 4.0, 0.0))
     assert world.room_of(robot).id == "hall"
     assert world.room_of(replace(robot, pose=Pose("odom", 4.0, 0.0))) is None
+
+
+#: A whole number of square edges apart, floats may fall into either square.
+COORDINATES_M = st.integers(-16, 16).map(lambda quarters: quarters / 4.0)
+POSES = st.builds(Pose, st.sampled_from(["map", "odom"]), COORDINATES_M, COORDINATES_M)
+
+
+@given(st.lists(POSES, min_size=2, max_size=12), st.integers(1, 12))
+def test_what_is_near_is_found_among_few_and_among_many(poses: list, count: int) -> None:
+    world = snapshot("1", {f"cup_{number}": WorldObject(f"cup_{number}", pose=p) for number, p in enumerate(poses)})
+    reference, few = world.objects[0], world.objects[-count:]
+    near = {one.id for one in world.objects if one is not reference and reference.pose.distance_m(one.pose) <= NEAR_M}
+    assert world.at("near", [reference]) == near
+    assert ids(few) & world.at("near", [reference], few) == ids(few) & near
+
+
+@given(st.lists(st.none() | POSES, max_size=8), st.none() | POSES)
+def test_the_nearest_comes_first_and_what_has_no_pose_last(poses: list, robot: Pose) -> None:
+    known = {f"cup_{number}": WorldObject(f"cup_{number}", pose=pose) for number, pose in enumerate(poses)}
+    world = snapshot("1", {**known, "robot": WorldObject("robot", Sort.ROBOT, pose=robot)})
+    cups = tuple(one for one in world.objects if one.sort is Sort.THING)
+    far = [float("inf") if robot is None or cup.pose is None else robot.distance_m(cup.pose) for cup in cups]
+    assert world.nearest_first(cups) == tuple(cup for _, cup in sorted(zip(far, cups), key=lambda pair: pair[0]))

@@ -1,0 +1,62 @@
+"""Phrases that the parser takes for another part of a command, and ways of doing something that are no places."""
+
+from typing import Any
+
+import pytest
+
+from semantic_framer.framer import LeftOverWords, Policy, Question, Understood
+
+
+@pytest.mark.parametrize(
+    ("text", "frame"),
+    [
+        # Buttons are pressed, and not moved.
+        ("Push the button next to the door.", "pressing(entity=the button next to the door)"),
+        ("Push the box next to the door.", "pushing(theme=the box, goal=the door)"),
+        # A way and a goal.
+        ("Drive down the hall to the second door.", "navigating_to_location(goal=the second door, path=the hall)"),
+        ("Go down the hall.", "moving_along_path(path=the hall)"),
+        ("Creep up to the fridge.", "navigating_to_location(goal=the fridge)"),
+        # What is not wanted is set aside.
+        ("Bring me tea instead of coffee.", "bringing(theme=tea, beneficiary=me)"),
+        ("Instead of the mug bring me a glass.", "bringing(theme=a glass, beneficiary=me)"),
+        ("Go to the kitchen instead of the office.", "navigating_to_location(goal=the kitchen)"),
+        ("Go to the kitchen, not the office.", "navigating_to_location(goal=the kitchen)"),
+        ("Put the box under the bed, not on it.", "placing(theme=the box, goal=the bed)"),
+        # One thing, and not two.
+        ("Bring me anything but beer.", "bringing(theme=anything but beer, beneficiary=me)"),
+        ("Bring me something to drink.", "bringing(theme=something to drink, beneficiary=me)"),
+        ("Grab the second bottle from the left.", "taking(theme=the second bottle from the left)"),
+        ("Put the left shoe next to the right one.", "placing(theme=the left shoe, goal=the right one)"),
+        ("Stand in the square.", "navigating_to_location(goal=the square)"),
+        # Spellings.
+        ("Turn ninety degrees counter-clockwise.", "turning(direction=counterclockwise, angle=90, angle_unit=degrees)"),
+    ],
+)
+def test_what_is_meant(understand: Any, text: str, frame: str) -> None:
+    outcome, _ = understand(text)
+    assert isinstance(outcome, Understood), outcome
+    (readings,) = outcome.clauses
+    said = ", ".join(f"{value.name}={value.text}" for value in readings[0].arguments if value.positions)
+    assert f"{readings[0].unit.frame_name}({said})" == frame
+
+
+@pytest.mark.parametrize(
+    ("text", "words"),
+    [
+        ("Drive in a square.", "in a square"),
+        ("Wash the red shirt by hand.", "by hand"),
+        ("Pick up the red block with your left hand.", "with your left hand"),
+        ("Follow me to the car at a safe distance.", "at a safe distance"),
+    ],
+)
+def test_a_way_of_doing_is_asked_about(understand: Any, text: str, words: str) -> None:
+    outcome, _ = understand(text, policy=Policy(left_over_words=LeftOverWords.ASK))
+    assert outcome == Question("LEFT_OVER_WORDS", f'I cannot take "{words}" into account. Shall I go on without it?')
+
+
+def test_all_but_one_has_an_exception(understand: Any) -> None:
+    outcome, _ = understand("Bring me anything but beer.")
+    assert isinstance(outcome, Understood)
+    theme = outcome.clauses[0][0].argument("theme")
+    assert theme is not None and [one.text for one in theme.exceptions] == ["beer"] and not theme.members

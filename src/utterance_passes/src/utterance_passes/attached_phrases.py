@@ -1,0 +1,148 @@
+"""Attaches phrases that the parser takes for another part of a command: "with your left hand", "from the left"."""
+
+from semantic_types.parts_of_speech import VERB, parts_of_speech
+from utterance_passes.tree import ASIDE, DependencyTree, Word
+from utterance_passes.tree_edits import TreeEdit
+from utterance_passes.vocabulary import Vocabulary
+from word_classes import word_class
+
+_ALL = word_class("words_for_all")
+_CONTRASTS = word_class("contrasts")
+_EXCEPTIONS = word_class("exceptions_of_all")
+_GOING = word_class("verbs_of_going")
+
+_HANDS = word_class("hands")
+_INDEFINITE_THINGS = word_class("indefinite_things")
+_LEFT_AND_RIGHT = word_class("left_and_right")
+_NOT = word_class("not")
+_NOUNS = frozenset(["NOUN", "PROPN", "PRON"])
+_OF_ONE_HAND = word_class("words_for_one_hand")
+_ORDINALS = word_class("ordinals")
+#: Relations of phrases that are added to a deed.
+_OF_PHRASES = frozenset(["obl", "nmod", "conj", "appos", "obj", "parataxis"])
+_OF_WAYS = frozenset(["down", "up"])
+_TO_PREPOSITIONS = word_class("to_prepositions")
+_YOUR = frozenset(["your"])
+_USING = frozenset(["with", "using"])
+
+
+def with_hands_at_verbs(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
+    """Attach the robot's own hand to the verb, not to the object: "pick up the block *with your left hand*"."""
+    edit = TreeEdit(tree)
+    for hand in tree.words:
+        noun = tree.word(hand.head) if hand.head else hand
+        verb = tree.word(noun.head) if noun.head else noun
+        is_of_object = hand.deprel == "nmod" and noun.deprel in ("obj", "obl") and verb.upos == "VERB"
+        if is_of_object and hand.lemma.lower() in _HANDS and _is_own(tree, hand):
+            edit.rehang(hand.index, verb.index, "obl")
+    return edit.tree()
+
+
+def _is_own(tree: DependencyTree, hand: Word) -> bool:
+    children = tree.children(hand.index)
+    is_used = any(child.deprel == "case" and child.form.lower() in _USING for child in children)
+    is_yours = any(child.deprel == "nmod:poss" and child.form.lower() in _YOUR for child in children)
+    return is_used and (is_yours or any(child.form.lower() in _OF_ONE_HAND for child in children))
+
+
+def with_places_in_a_row(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
+    """Attach the side from which things are counted to the thing: "the second bottle *from the left*"."""
+    edit = TreeEdit(tree)
+    for side in tree.words:
+        cases = [child for child in tree.children(side.index) if child.deprel == "case"]
+        if side.form.lower() not in _LEFT_AND_RIGHT or [case.form.lower() for case in cases] != ["from"]:
+            continue
+        noun = tree.word(cases[0].index - 1) if cases[0].index > 1 else side
+        is_counted = any(child.form.lower() in _ORDINALS for child in tree.children(noun.index))
+        if is_counted and noun.upos in ("NOUN", "PROPN") and side.head == noun.head:
+            edit.rehang(side.index, noun.index, "nmod")
+    return edit.tree()
+
+
+def with_purposes_of_things(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
+    """Make a clause of what something is for: "something *to drink*" is brought to no place."""
+    edit = TreeEdit(tree)
+    for use in tree.words:
+        case = tree.word(use.index - 1) if use.index > 1 else use
+        thing = tree.word(use.index - 2) if use.index > 2 else use
+        is_to = case.deprel == "case" and case.head == use.index and case.form.lower() == "to"
+        is_bare = use.upos == "NOUN" and len(tree.children(use.index)) == 1
+        if (
+            is_to
+            and is_bare
+            and thing.form.lower() in _INDEFINITE_THINGS
+            and use.head in (thing.index, thing.head)
+            and use.form == use.lemma
+            and VERB in parts_of_speech(use.lemma)
+        ):
+            edit.tag(use.index, "VERB", "VB", "VerbForm=Inf")
+            edit.rehang(use.index, thing.index, "acl")
+            edit.retag(case.index, "PART", "TO")
+            edit.relabel(case.index, "mark")
+    return edit.tree()
+
+
+def with_exceptions(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
+    """Take out of all things what stands behind "but": in "anything but beer", beer is no second thing."""
+    edit = TreeEdit(tree)
+    for but in tree.words:
+        thing = tree.word(but.head) if but.head else but
+        if but.form.lower() not in _EXCEPTIONS or but.deprel != "cc" or thing.deprel != "conj":
+            continue
+        if _is_of_all(tree, tree.word(thing.head)) and thing.upos in ("NOUN", "PROPN", "PRON", "NUM"):
+            edit.retag(but.index, "ADP", "IN")
+            edit.relabel(but.index, "case")
+            edit.relabel(thing.index, "nmod")
+    return edit.tree()
+
+
+def _is_of_all(tree: DependencyTree, word: Word) -> bool:
+    return any(one.form.lower() in _ALL for one in (word, *tree.children(word.index)))
+
+
+def with_ways_behind_particles(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
+    """Make a way of what stands behind "down" and before the goal: "drive *down the hall* to the door"."""
+    edit = TreeEdit(tree)
+    for particle in tree.words:
+        verb = tree.word(particle.head) if particle.head else particle
+        children = tree.children(verb.index)
+        ways = [child for child in children if child.deprel == "obj" and child.index > particle.index]
+        is_going = verb.lemma.lower() in _GOING and particle.deprel == "compound:prt"
+        if not is_going or particle.form.lower() not in _OF_WAYS or len(ways) != 1:
+            continue
+        behind = [child for child in children if child.deprel == "obl" and child.index > ways[0].index]
+        goals = [
+            case for child in behind for case in tree.children(child.index) if case.form.lower() in _TO_PREPOSITIONS
+        ]
+        if goals and particle.index + 1 == min(tree.subtree(ways[0].index)):
+            edit.retag(particle.index, "ADP", "IN")
+            edit.rehang(particle.index, ways[0].index, "case")
+            edit.relabel(ways[0].index, "obl")
+    return edit.tree()
+
+
+def without_contrasts(tree: DependencyTree, _: Vocabulary) -> DependencyTree:
+    """Set aside what is not wanted: "bring me tea *instead of coffee*", "go to the hall, *not the office*"."""
+    edit = TreeEdit(tree)
+    for word in tree.words:
+        if word.deprel not in _OF_PHRASES or word.upos not in _NOUNS or not _is_contrast(tree, word):
+            continue
+        for index in tree.subtree(word.index):
+            edit.rehang(index, word.head, ASIDE)
+    return edit.tree()
+
+
+def _is_contrast(tree: DependencyTree, word: Word) -> bool:
+    said = [tree.word(index) for index in sorted(tree.subtree(word.index))]
+    forms = [one.form.lower() for one in said if one.upos != "PUNCT"]
+    if any(one.upos in ("VERB", "AUX") for one in said):
+        return False
+    if any(" ".join(forms[:length]) in _CONTRASTS for length in (2, 3)):
+        return True
+    # Without the pause, "not" may belong to what is before it.
+    is_set_off = said[0].form == "," and len(forms) > 1 and forms[0] in _NOT
+    return is_set_off and word.index == max(tree.subtree(word.index)) and _is_last(tree, word)
+
+
+def _is_last(tree: DependencyTree, word: Word) -> bool:
+    return all(one.upos == "PUNCT" or one.deprel.startswith("discourse") for one in tree.words[word.index :])
