@@ -5,7 +5,6 @@ import threading
 from dataclasses import dataclass, replace
 from typing import Dict, Iterable, List, Optional, Set, Tuple
 
-from semantic_types.nouns import shipped_nouns
 from typed_arguments import TypedArgument
 from word_classes import without_determiner
 
@@ -177,20 +176,15 @@ def wanted_names(argument: TypedArgument) -> List[str]:
     return list(dict.fromkeys(name for name in names if name))
 
 
-def _is_kind(category: str, noun: str) -> bool:
-    """Whether things of a category are what a noun means: "the lights" are lamps."""
-    return bool(shipped_nouns().kinds(category) & shipped_nouns().synsets(noun))
-
-
 def _score(wanted: List[str], one: Known) -> int:
     """Return how far down the list of wanted names an object is found; more than its length for not at all.
 
-    A name counts more than a category, which may be more special than the name.
+    A name counts more than a category.
     """
     names = [name.lower() for name in one.names]
     for index, name in enumerate(wanted):
         if name in names or name.replace(" ", "_") == one.id:
             return 2 * index
-        if name == one.category or _is_kind(one.category, name):
+        if name == one.category:
             return 2 * index + 1
     return 2 * len(wanted)
