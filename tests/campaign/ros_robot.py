@@ -153,7 +153,8 @@ class Robot:
 
     def pid_of(self, node: str) -> int:
         """Return the process id of a node, 0 while it does not run."""
-        from roboframenet_ros.ros_master import NO_ANSWER, TimedMaster, TimedTransport
+        from roboframenet_ros.ros_master import NO_ANSWER, TimedMaster
+        from roboframenet_ros.timed_transport import TimedTransport
 
         try:
             uri = TimedMaster(timeout_s=2.0).uri_of(self._rospy.resolve_name(node))

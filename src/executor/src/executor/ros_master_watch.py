@@ -8,7 +8,8 @@ from typing import Callable, Optional
 import rosgraph
 import rospy
 
-from roboframenet_ros.ros_master import NO_ANSWER, TimedTransport
+from roboframenet_ros.ros_master import NO_ANSWER
+from roboframenet_ros.timed_transport import TimedTransport
 
 #: The master is asked so often, seconds.
 _PERIOD_S = 1.0

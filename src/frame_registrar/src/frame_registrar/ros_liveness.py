@@ -7,7 +7,8 @@ from typing import Callable, Dict, FrozenSet, Iterable, Tuple
 import rospy
 from roboframenet_msgs.msg import FilledSemanticFrameActionResult
 
-from roboframenet_ros.ros_master import NO_ANSWER, TimedMaster, TimedTransport
+from roboframenet_ros.ros_master import NO_ANSWER, TimedMaster
+from roboframenet_ros.timed_transport import TimedTransport
 
 #: A server that seems dead is checked again after this time, seconds: its node may be busy, or the server may have
 #: registered just before it started.

@@ -5,7 +5,8 @@ from typing import Dict, Optional, Set, Tuple
 
 import rospy
 
-from roboframenet_ros.ros_master import NO_ANSWER, TimedMaster, TimedTransport
+from roboframenet_ros.ros_master import NO_ANSWER, TimedMaster
+from roboframenet_ros.timed_transport import TimedTransport
 
 #: The topic that each stage of the pipeline subscribes to. The parser subscribes when its models are loaded.
 STAGE_TOPICS = (

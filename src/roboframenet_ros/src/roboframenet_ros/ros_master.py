@@ -9,6 +9,8 @@ from xml.parsers.expat import ExpatError
 import rosgraph
 import rospy
 
+from roboframenet_ros.timed_transport import RememberingTransport, TimedTransport
+
 
 class MasterError(RuntimeError):
     """The master refused a call; the message says why."""
@@ -22,21 +24,6 @@ NO_ANSWER: Tuple[Type[Exception], ...] = (
     xmlrpc.client.Error,
     MasterError,
 )
-
-
-class TimedTransport(xmlrpc.client.Transport):
-    """HTTP with a deadline for a host that does not answer."""
-
-    def __init__(self, timeout_s: float) -> None:
-        """Set the deadline of each connection, seconds."""
-        super().__init__()
-        self._timeout_s = timeout_s
-
-    def make_connection(self, host: str) -> http.client.HTTPConnection:
-        """Connect with the deadline."""
-        connection = super().make_connection(host)
-        connection.timeout = self._timeout_s
-        return connection
 
 
 @dataclass(frozen=True)
@@ -59,7 +46,9 @@ class TimedMaster:
         Args:
             timeout_s: how long the master may take to answer
         """
-        self._proxy = xmlrpc.client.ServerProxy(rosgraph.get_master_uri(), transport=TimedTransport(timeout_s))
+        self._proxy = xmlrpc.client.ServerProxy(rosgraph.get_master_uri(), transport=RememberingTransport(timeout_s))
+        # What the master said last, and what was made of it.
+        self._last: Tuple[object, SystemState] = (None, SystemState({}, {}))
 
     def topic_types(self) -> Dict[str, str]:
         """Return the type of each topic that the master knows, including topics of nodes that have ended."""
@@ -73,11 +62,14 @@ class TimedMaster:
         code, message, state = self._proxy.getSystemState(rospy.get_name())
         if code != 1:
             raise MasterError(str(message))
-        publishers, subscribers, _ = state
-        return SystemState(
-            publishers={topic: frozenset(nodes) for topic, nodes in publishers},
-            subscribers={topic: frozenset(nodes) for topic, nodes in subscribers},
-        )
+        if state is not self._last[0]:
+            publishers, subscribers, _ = state
+            made = SystemState(
+                publishers={topic: frozenset(nodes) for topic, nodes in publishers},
+                subscribers={topic: frozenset(nodes) for topic, nodes in subscribers},
+            )
+            self._last = (state, made)
+        return self._last[1]
 
     def uri_of(self, node: str) -> str:
         """Return the address of a node."""

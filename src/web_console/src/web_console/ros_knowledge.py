@@ -8,7 +8,8 @@ from typing import Callable, FrozenSet, Iterable, Optional, Set, Tuple
 import rospy
 from roboframenet_msgs.msg import FrameCatalogue, FrameServers, Lexicon
 
-from roboframenet_ros.ros_master import NO_ANSWER, TimedMaster, TimedTransport
+from roboframenet_ros.ros_master import NO_ANSWER, TimedMaster
+from roboframenet_ros.timed_transport import TimedTransport
 from web_console.abilities import File, Knowledge
 from web_console.health import RUNS, STAGES, health_of, nodes_to_ask
 from web_console.ros_values import living_servers, servers_of
