@@ -141,7 +141,7 @@ def not_to_be_done(sentence: Sentence, clause: Clause, said: str) -> Refusal:
     """Return the refusal of a clause that is negated, or excludes something: "go there, but *not through the hall*"."""
     left_out = sorted(excluded_phrase(sentence.tree, clause))
     if left_out:
-        return Refusal(PROHIBITION, f'I am not doing that, because you said "{sentence.text(left_out)}".')
+        return Refusal(PROHIBITION, f'I am not doing that. You said: "{sentence.text(left_out)}".')
     return Refusal(PROHIBITION, f'I am not doing that. You said not to: "{said}".')
 
 
