@@ -5,6 +5,7 @@ import unittest
 
 import rospy
 from roboframenet_msgs.msg import Reply
+from std_msgs.msg import Header
 
 from fleet_robots import ROBOTS, Robots, kill
 from roboframenet_testing import comes_true, wait_until
@@ -30,7 +31,7 @@ class FleetTest(unittest.TestCase):
         self.assert_moves("Beta.", "beta")
         self.assert_moves("Turn right 20 degrees.", "beta")
         reply = self.assert_moves("Alpha, turn left 20 degrees, and Gamma, turn right 20 degrees.", "alpha", "gamma")
-        self.assertEqual(reply.sentence, "Alpha and Gamma: Done.")
+        self.assertRegex(reply.sentence, r"^Alpha( and|: Done.*) Gamma: Done\.")
         self.assert_moves("Everybody but Gamma, turn left 20 degrees.", "alpha", "beta")
 
     def test_2_the_topic_of_a_robot_speaks_to_it_alone(self) -> None:
@@ -55,14 +56,41 @@ class FleetTest(unittest.TestCase):
             for robot in others:
                 self.assertGreater(self.robots.seen[robot].speed, 0.1, f"{text} stopped {robot}")
 
-    def test_4_a_robot_that_dies_has_left(self) -> None:
+    def test_4_each_robot_keeps_its_standing_orders(self) -> None:
+        def waits_for(text: str) -> str:
+            return self.robots.ask(text).sentence
+
+        bell = rospy.Publisher("bell", Header, queue_size=5)
+        wait_until(lambda: bell.get_num_connections() >= len(ROBOTS))
+        for text in (
+            "Alpha, whenever the bell rings, turn left 20 degrees.",
+            "Whenever the bell rings, Beta, turn right 20 degrees.",
+            "Everybody, turn left 20 degrees at noon.",
+        ):
+            reply = self.robots.ask(text)
+            self.assertEqual(reply.code, "DONE", reply.sentence)
+        self.assertEqual(waits_for("Gamma, what are you waiting for?").count("I will"), 1)
+        self.assertIn("turn right 20 degrees whenever the bell rings", waits_for("Beta, what are you waiting for?"))
+        for text, robots in ((None, ("alpha", "beta")), ("Alpha, forget the bell.", ("beta",))):
+            if text is not None:
+                self.assertIn("Alpha: I forget", self.robots.ask(text).sentence)
+            before = self.robots.turned()
+            bell.publish(Header(stamp=rospy.Time.now()))
+            wait_until(lambda before=before, robots=robots: self.robots.who_moved(before) == robots)
+            wait_until(lambda: self.robots.stand(ROBOTS))
+        self.robots.ask("Everybody, forget noon.")
+        self.robots.ask("Beta, forget the bell.")
+        answer = waits_for("Everybody, what are you waiting for?")
+        self.assertEqual(answer, "Alpha, Beta and Gamma: I have no standing order.")
+
+    def test_5_a_robot_that_dies_has_left(self) -> None:
         kill("gamma/robot")
         wait_until(lambda: self.robots.members() == ("alpha", "beta"))
         reply = self.robots.ask("Gamma, turn left.")
         self.assertEqual((reply.outcome, reply.sentence), (Reply.REFUSED, "Gamma is not here."))
         self.assert_moves("Both of you, turn left 20 degrees.", "alpha", "beta")
 
-    def test_5_without_the_service_each_robot_follows_its_policy(self) -> None:
+    def test_6_without_the_service_each_robot_follows_its_policy(self) -> None:
         """Alpha is to stop, beta to finish: see fleet.test."""
         self.robots.say("Everybody, turn left 3600 degrees.")
         wait_until(lambda: all(self.robots.seen[robot].speed > 0.1 for robot in ("alpha", "beta")))

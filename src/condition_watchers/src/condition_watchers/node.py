@@ -26,6 +26,7 @@ from rfnserver.ros_places import Places
 from rfnserver.ros_typed_frame import TypedFrame
 from roboframenet_ros.parameters import Parameters, parameter
 from roboframenet_ros.ros_node import StartError, read_parameters, run_node
+from roboframenet_ros.ros_place import Place
 
 #: Frames, with what a server states about each.
 Statements = Mapping[str, Mapping[str, Any]]
@@ -272,13 +273,16 @@ class ConditionWatchers:
     Parameters: see :class:`Settings`.
     """
 
-    def __init__(self) -> None:
+    def __init__(self, place: Place) -> None:
         """
+        Args:
+            place: where the node runs
+
         Raises:
             ParameterError: a parameter is wrong
             StartError: it names a watcher that does not exist, or nothing is watched
         """
-        settings = read_parameters(Settings)
+        settings = read_parameters(Settings, prefix=place.private)
         rospy.loginfo("%s", settings)
         made: Dict[Watcher, Callable[[], Any]] = {
             Watcher.SURROUNDINGS: lambda: SurroundingsWatch(settings),
@@ -301,4 +305,4 @@ class ConditionWatchers:
 
 def main() -> None:
     """Run the node until ROS shuts down; exits with a sentence when a parameter is wrong."""
-    run_node("condition_watchers", ConditionWatchers)
+    run_node("condition_watchers", lambda: ConditionWatchers(Place()))

@@ -7,11 +7,13 @@ import rospy
 
 import arbitrator.node
 import command_server.ros_start
+import condition_watchers.node
 import executor.node
 import move_action_server.node
 import question_answering.node
 import roboframenet_sim.ros_turtlebot
 import robot_fleet.ros_member
+import standing_orders.node
 import turtlebot_follower.node
 from moo.node import MooServer
 from rfnserver.node import PingServer
@@ -35,10 +37,12 @@ STAGES: Tuple[HostedStage, ...] = (
     HostedStage("command_server", command_server.ros_start.start),
     HostedStage("arbitrator", arbitrator.node.start),
     HostedStage("question_answering", question_answering.node.start),
+    HostedStage("standing_orders", standing_orders.node.start),
     HostedStage("fleet_member", robot_fleet.ros_member.start),
     HostedStage("turtlebot_sim", roboframenet_sim.ros_turtlebot.start),
     HostedStage("move_action_server", move_action_server.node.start),
     HostedStage("turtlebot_follower", turtlebot_follower.node.start),
+    HostedStage("condition_watchers", condition_watchers.node.ConditionWatchers),
     _hosted("ping", lambda _: PingServer()),
     _hosted("utter", UtterServer),
     _hosted("moo", MooServer),

@@ -78,6 +78,12 @@ class _Utterance:
 
     def parts(self) -> Tuple[Part, ...]:
         """Return the parts."""
+        behind_front = self._behind_front()
+        if behind_front:
+            front = self._slice(0, behind_front)
+            inner = _Utterance(self._text[self._tokens[behind_front].start :], self._names, self._verbs).parts()
+            if all(part.text for part in inner):
+                return tuple(replace(part, text=f"{front}, {part.text}") for part in inner)
         parts: List[Part] = []
         position = 0
         while position < len(self._words):
@@ -91,6 +97,22 @@ class _Utterance:
         return tuple(part for part in parts if part.text or part.group) or (Part(None, self._text),)
 
     # Where an address begins.
+
+    def _behind_front(self) -> int:
+        """Return where an address begins behind "when the bell rings,", which is for all parts; 0 for none."""
+        first = self._skip(0, len(self._words), "greetings")
+        if not self._lists["fronts"].length_at(self._words, first):
+            return 0
+        for at in range(first + 2, len(self._words)):
+            if self._words[at - 1] in _ENDS:
+                return 0
+            is_listed = self._names.at(self._words, at - 2)[0] or self._words[at - 2] in self._single["prepositions"]
+            if self._words[at - 1] != "," or is_listed:
+                continue
+            group, behind = group_at(self._words, at, self._names)
+            if group is not None and behind < len(self._words) and self._is_addressed(behind, needs_verb=True):
+                return at
+        return 0
 
     def _is_sequel(self, position: int) -> bool:
         """Whether the part at a position is to be done after those before it."""

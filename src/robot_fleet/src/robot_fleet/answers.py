@@ -103,7 +103,8 @@ class OpenUtterance:
         if not answers:
             return Answer("", Outcome.FAILED, "STAGE_ERROR", "Nobody answered.")
         worst = answers[0]
-        sentence = _told(self.answers)
+        addressed = [robot for order in self.orders for robot in order.robots]
+        sentence = _told(sorted(self.answers, key=lambda one: addressed.index(one.robot)))
         for order in self.orders[self._begun :]:
             sentence += f' I did not ask {listed(order.robots)} to do this: "{order.text}".'
         return replace(worst, sentence=sentence)

@@ -154,7 +154,7 @@ def test_one_answer_of_several_robots():
     utterance.hear(0, Answer("alpha", Outcome.FAILED, "ALL_CANDIDATES_FAILED", "I am stuck."))
     assert utterance.is_complete
     whole = utterance.whole_answer()
-    assert (whole.outcome, whole.sentence) == (Outcome.FAILED, "Beta: Done. Alpha: I am stuck.")
+    assert (whole.outcome, whole.sentence) == (Outcome.FAILED, "Alpha: I am stuck. Beta: Done.")
 
 
 def test_an_answer_counts_once():

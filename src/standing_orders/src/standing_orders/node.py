@@ -32,7 +32,9 @@ from roboframenet_ros.health import Health, Level
 from roboframenet_ros.parameters import ParameterError
 from roboframenet_ros.ros_hand_over import HandOver
 from roboframenet_ros.ros_node import StartError, read_parameters, run_node
+from roboframenet_ros.ros_place import Place
 from roboframenet_ros.ros_publishing import publish
+from roboframenet_ros.ros_robots import own_robot
 from roboframenet_ros.ros_stage import Stage
 from roboframenet_ros.sqlite_file import StoreError
 from standing_orders.book import Book, Change
@@ -87,8 +89,12 @@ class StandingOrdersNode:
     Actions: ``standing_orders_server``. Parameters: see :class:`standing_orders.settings.Settings`.
     """
 
-    def __init__(self, settings: Settings) -> None:
+    def __init__(self, settings: Settings, *, robot: str = "") -> None:
         """
+        Args:
+            settings: of the node
+            robot: whose orders these are; empty for the only robot
+
         Raises:
             ParameterError: there is no such time zone
             StartError: there is no file, not even a new one
@@ -98,7 +104,8 @@ class StandingOrdersNode:
         except ValueError as error:
             raise ParameterError(f"~time_zone: {error}") from error
         home = os.environ.get("ROS_HOME", "~/.ros")
-        path = os.path.expanduser(settings.file or os.path.join(home, "standing_orders.sqlite"))
+        own_file = f"standing_orders.{robot}.sqlite" if robot else "standing_orders.sqlite"
+        path = os.path.expanduser(settings.file or os.path.join(home, own_file))
         try:
             self._store = Store(path)
             orders = self._store.load()
@@ -383,14 +390,20 @@ def _boot_s() -> float:
     return time.clock_gettime(time.CLOCK_BOOTTIME)
 
 
-def _start() -> StandingOrdersNode:
-    settings = read_parameters(Settings)
+def start(place: Place) -> StandingOrdersNode:
+    """Start the node.
+
+    Raises:
+        ParameterError: a parameter is wrong
+        StartError: there is no file
+    """
+    settings = read_parameters(Settings, prefix=place.private)
     rospy.loginfo("standing_orders: %s", settings)
-    node = StandingOrdersNode(settings)
+    node = StandingOrdersNode(settings, robot=own_robot())
     node.start()
     return node
 
 
 def main() -> None:
     """Run the node until ROS shuts down; exits with a sentence when a parameter is wrong."""
-    run_node("standing_orders", _start)
+    run_node("standing_orders", lambda: start(Place()))

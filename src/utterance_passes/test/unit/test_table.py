@@ -36,7 +36,7 @@ ORDER = (
     "command_verb numbered_noun adverbs resulting_states "
     "one_object particle_predicates verb_compounds infinitive_conjuncts reroot "
     "objection restarts corrections "
-    "modals_as_nouns asked_clauses hands_at_verbs places_in_a_row purposes_of_things exceptions "
+    "modals_as_nouns asked_clauses hands_at_verbs upside_down places_in_a_row purposes_of_things exceptions "
     "ways_behind_particles contrasts particles_on_the_way ahead_of speeds_together superlatives_at_nouns "
     "places_of_devices places_of_all measured_turns sides_apart "
     "compass_apart around_apart degrees objects_of_vocatives letters_as_names participles objects_behind "
